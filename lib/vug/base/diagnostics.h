@@ -1,0 +1,41 @@
+// Faults found while reading a user's text: collected, so that one run names them all.
+#pragma once
+
+#include <vug/base/error.h>
+
+#include <string>
+#include <vector>
+
+namespace vug {
+
+enum class Severity { warning, error };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  SourceLocation where;
+  std::string message;
+  std::string hint;  ///< e.g. "did you mean 'radius'?"; empty when there is none.
+};
+
+/// A list that checks add to and go on.
+class Diagnostics {
+ public:
+  void error(SourceLocation where, std::string message, std::string hint = {});
+  void warning(SourceLocation where, std::string message, std::string hint = {});
+
+  bool has_errors() const { return errors_ > 0; }
+  const std::vector<Diagnostic>& all() const { return all_; }
+
+ private:
+  std::vector<Diagnostic> all_;
+  int errors_ = 0;
+};
+
+/// The candidate nearest to `name` by edit distance (Damerau-Levenshtein), or an empty string
+/// when none is near enough to be meant: within a third of the name's length, at least 1.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
+
+/// "did you mean 'x'?" for the nearest candidate, else "known: a, b, c"; empty without candidates.
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
+
+}  // namespace vug

@@ -1,0 +1,62 @@
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+namespace vug {
+
+uint64_t parse_bytes(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  for (char& c : unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string units = "bkmgt";
+  double scale = 1;
+  bool fits = end != text.c_str() && std::isfinite(number) && number > 0;
+  if (!unit.empty()) {
+    const size_t power = units.find(unit[0]);
+    fits = fits && power != std::string::npos &&
+           (unit.size() == 1 || unit.substr(1) == "b" || unit.substr(1) == "ib");
+    if (fits) scale = std::pow(1024.0, static_cast<double>(power));
+  }
+  if (!fits || number * scale > 1e18)
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no amount of memory", text), {},
+                "write for instance 512M or 8G");
+  return static_cast<uint64_t>(number * scale);
+}
+
+std::string bytes_text(double bytes) {
+  constexpr const char* kUnits[] = {"B", "KiB", "MiB", "GiB", "TiB"};
+  int unit = 0;
+  while (bytes >= 1024 && unit < 4) {
+    bytes /= 1024;
+    ++unit;
+  }
+  return fmt::format("{:.3g} {}", bytes, kUnits[unit]);
+}
+
+uint64_t available_memory() {
+  std::ifstream info("/proc/meminfo");
+  std::string key;
+  uint64_t kib = 0;
+  while (info >> key >> kib) {
+    if (key == "MemAvailable:") return kib * 1024;
+    info.ignore(256, '\n');
+  }
+  return uint64_t{8} << 30;
+}
+
+void require_memory(double estimate, uint64_t limit, const std::string& what) {
+  if (estimate <= static_cast<double>(limit)) return;
+  throw Error(ErrorCode::too_large,
+              fmt::format("{} would take about {} of memory, more than the limit of {}", what,
+                          bytes_text(estimate), bytes_text(static_cast<double>(limit))),
+              {}, "use a larger voxel, a smaller region, or raise --max-memory");
+}
+
+}  // namespace vug

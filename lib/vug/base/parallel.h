@@ -1,0 +1,55 @@
+// Parallel loops over TBB whose results do not depend on the number of threads.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace vug {
+
+/// Calls body(i) for 0 <= i < count; `grain` indices go to one task. The body must write only
+/// what belongs to its own index.
+template <class Body>
+void parallel_for(size_t count, const Body& body, size_t grain = 1) {
+  tbb::parallel_for(tbb::blocked_range<size_t>(0, count, grain),
+                    [&](const tbb::blocked_range<size_t>& range) {
+                      for (size_t i = range.begin(); i != range.end(); ++i) body(i);
+                    });
+}
+
+/// Sum of term(i) over 0 <= i < count, added in fixed chunks in index order: the same bits for
+/// any number of threads.
+template <class Sum, class Term>
+Sum ordered_sum(size_t count, Sum zero, const Term& term, size_t chunk = 4096) {
+  std::vector<Sum> parts((count + chunk - 1) / chunk, zero);
+  parallel_for(parts.size(), [&](size_t part) {
+    const size_t end = count < (part + 1) * chunk ? count : (part + 1) * chunk;
+    Sum sum = zero;
+    for (size_t i = part * chunk; i < end; ++i) sum += term(i);
+    parts[part] = sum;
+  });
+  Sum total = zero;
+  for (const Sum& part : parts) total += part;
+  return total;
+}
+
+/// Bounds the number of threads while it lives; 0 means all cores. More than the cores is fine.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
+
+/// Threads that parallel work will use now.
+int thread_count();
+
+}  // namespace vug

@@ -1,0 +1,43 @@
+#include <vug/base/error.h>
+#include <vug/base/progress.h>
+
+#include <algorithm>
+
+namespace vug {
+
+void Progress::begin(std::string stage, uint64_t total) {
+  check();
+  stage_ = std::move(stage);
+  total_ = std::max<uint64_t>(total, 1);
+  done_ = 0;
+  percent_ = -1;
+  advance(0);
+}
+
+void Progress::advance(uint64_t units) {
+  const uint64_t done = done_.fetch_add(units, std::memory_order_relaxed) + units;
+  if (!watcher_) return;
+  const int percent = static_cast<int>(std::min<uint64_t>(100, 100 * done / total_));
+  int seen = percent_.load(std::memory_order_relaxed);
+  // Whoever moves the percentage forward reports it.
+  while (percent > seen && !percent_.compare_exchange_weak(seen, percent)) {
+  }
+  if (percent > seen)
+    watcher_(stage_, std::min(1.0, static_cast<double>(done) / static_cast<double>(total_)));
+}
+
+void Progress::end() {
+  check();
+  if (watcher_ && percent_.exchange(100) < 100) watcher_(stage_, 1.0);
+}
+
+void Progress::check() const {
+  if (cancelled()) throw Error(ErrorCode::cancelled, "stopped on request");
+}
+
+Progress& Progress::none() {
+  static Progress silent;
+  return silent;
+}
+
+}  // namespace vug

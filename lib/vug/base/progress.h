@@ -1,0 +1,41 @@
+// How long work reports itself and is told to stop.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace vug {
+
+/// Shared by the worker and whoever watches; thread-safe. Work calls `check` now and then, which
+/// throws Error(cancelled) once `cancel` was called, and `advance` as it goes. The watcher's
+/// callback runs on a working thread, at most once per percent, and must not throw.
+class Progress {
+ public:
+  using Watcher = std::function<void(const std::string& stage, double fraction)>;
+
+  Progress() = default;
+  explicit Progress(Watcher watcher) : watcher_(std::move(watcher)) {}
+
+  /// Starts a named stage of `total` units; resets the fraction to 0.
+  void begin(std::string stage, uint64_t total);
+  void advance(uint64_t units = 1);
+  void end();
+
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  void check() const;
+
+  /// A Progress nobody watches.
+  static Progress& none();
+
+ private:
+  Watcher watcher_;
+  std::string stage_;
+  std::atomic<uint64_t> done_{0};
+  uint64_t total_ = 0;
+  std::atomic<int> percent_{-1};
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace vug

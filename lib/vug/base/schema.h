@@ -1,0 +1,132 @@
+// The schema of a kind: its name, doc, source and parameters. Everything that talks about kinds
+// (binding a scene's arguments, diagnostics, `vug list`, manuals, sweep tests) reads it from here.
+#pragma once
+
+#include <vug/base/diagnostics.h>
+#include <vug/base/value.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug {
+
+/// An argument as written: by name or by position (empty name), with its place.
+struct Argument {
+  std::string name;
+  Value value;
+  SourceLocation where;
+};
+using Arguments = std::vector<Argument>;
+
+/// One parameter as data.
+struct ParamInfo {
+  std::string name;
+  std::string type;  ///< "number", "vector", "text", "truth", "name", "field", "list of field", ...
+  Dimension dimension = Dimension::none;
+  std::string doc;       ///< One sentence; states the unit where it is not the dimension's.
+  std::string fallback;  ///< Default as scene text; empty when required.
+  bool required = false;
+  double min = -kInfinity;  ///< Closed bounds for numbers and for each vector component.
+  double max = kInfinity;
+  bool above_min = false;            ///< True when min itself is excluded.
+  std::vector<std::string> choices;  ///< For names: what may be given.
+};
+
+struct KindInfo {
+  std::string name;
+  std::string category;  ///< "primitive", "operator", "light", ...
+  std::string doc;
+  std::string cite;  ///< Key in docs/references.bib, or empty.
+  std::vector<ParamInfo> params;
+};
+
+/// What a parameter may be told beyond its member: used with designated initialisers.
+struct ParamSpec {
+  std::string doc;
+  Dimension dimension = Dimension::none;
+  double min = -kInfinity;
+  double max = kInfinity;
+  bool above_min = false;
+  bool required = false;
+};
+
+/// Bounds that occur again and again.
+inline ParamSpec positive_length(std::string doc) {
+  return {.doc = std::move(doc), .dimension = Dimension::length, .min = 0, .above_min = true};
+}
+inline ParamSpec any_length(std::string doc) {
+  return {.doc = std::move(doc), .dimension = Dimension::length};
+}
+
+/// Converts one Value to a member's type and back. Modules specialise it for their objects;
+/// `type()` names what is expected, `read` gives nothing when the value is of another type.
+template <class T>
+struct ValueTraits;
+
+/// Describes the parameter struct P; filled by the kind's `describe`.
+template <class P>
+class Schema {
+ public:
+  Schema& doc(std::string text) { return info_.doc = std::move(text), *this; }
+  Schema& cite(std::string key) { return info_.cite = std::move(key), *this; }
+
+  /// A parameter held in `member`; its default is the member's initialiser in P.
+  template <class T>
+  Schema& param(std::string name, T P::*member, ParamSpec spec = {});
+
+  /// An enumeration in `member`, given in text by one of the names.
+  template <class E>
+  Schema& choice(std::string name, E P::*member, std::vector<std::pair<std::string, E>> names,
+                 std::string doc);
+
+  const KindInfo& info() const { return info_; }
+  KindInfo& info() { return info_; }
+
+  /// The struct that `arguments` describe. Unknown, repeated, missing, ill-typed and
+  /// out-of-range arguments are added to `diagnostics`; then the result is not to be used.
+  P bind(const Arguments& arguments, SourceLocation where, Diagnostics& diagnostics) const;
+
+ private:
+  using Setter = std::function<void(P&, const Argument&, const ParamInfo&, Diagnostics&)>;
+  void add(ParamInfo info, Setter setter) {
+    info_.params.push_back(std::move(info));
+    setters_.push_back(std::move(setter));
+  }
+  KindInfo info_;
+  std::vector<Setter> setters_;
+};
+
+/// A named maker of products, e.g. Kind<Field>. Products come out of arguments alone.
+template <class Product>
+struct Kind {
+  KindInfo info;
+  std::function<std::optional<Product>(const Arguments&, SourceLocation, Diagnostics&)> make;
+};
+
+/// Finds a kind by name, null when there is none.
+template <class Product>
+const Kind<Product>* find_kind(const std::vector<const Kind<Product>*>& kinds,
+                               const std::string& name) {
+  for (const auto* kind : kinds)
+    if (kind->info.name == name) return kind;
+  return nullptr;
+}
+
+namespace detail {
+/// Index of the parameter each argument goes to; -1 (with a diagnostic) when there is none.
+std::vector<int> match_arguments(const KindInfo& kind, const Arguments& arguments,
+                                 const SourceLocation& where, Diagnostics& diagnostics);
+void report_type(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics);
+/// Checks a number's dimension and range; false with a diagnostic when it does not fit.
+bool check_number(const ParamInfo& info, double value, Dimension dimension,
+                  const SourceLocation& where, Diagnostics& diagnostics);
+}  // namespace detail
+
+}  // namespace vug
+
+#include <vug/base/schema_inl.h>

@@ -1,0 +1,43 @@
+// Vectors, boxes and matrices: Imath's, under the names this project uses.
+// World space is in metres, right-handed, y up; index space has types of its own in volume/.
+#pragma once
+
+#include <Imath/ImathBox.h>
+#include <Imath/ImathMatrix.h>
+#include <Imath/ImathVec.h>
+
+#include <limits>
+
+namespace vug {
+
+template <class T>
+using Vec3 = Imath::Vec3<T>;
+using Vec2d = Imath::V2d;
+using Vec2f = Imath::V2f;
+using Vec2i = Imath::V2i;
+using Vec3d = Imath::V3d;
+using Vec3f = Imath::V3f;
+using Vec3i = Imath::V3i;
+using Mat44d = Imath::M44d;
+using Box3d = Imath::Box3d;
+using Box3f = Imath::Box3f;
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// The box that holds all of space.
+inline Box3d infinite_box() { return {Vec3d(-kInfinity), Vec3d(kInfinity)}; }
+
+/// True when every corner is finite and the box holds at least one point.
+bool is_finite(const Box3d& box);
+
+/// `box` grown by `amount` on every side; an empty box stays empty.
+Box3d grown(const Box3d& box, double amount);
+
+/// The common part of two boxes; empty (min > max) when they do not meet.
+Box3d intersection(const Box3d& a, const Box3d& b);
+
+/// The smallest box around both.
+Box3d united(const Box3d& a, const Box3d& b);
+
+}  // namespace vug

@@ -1,0 +1,59 @@
+#include <vug/base/schema.h>
+
+#include <gtest/gtest.h>
+
+namespace vug {
+namespace {
+
+TEST(NearestName, FindsTyposOnly) {
+  const std::vector<std::string> known = {"radius", "height", "tube"};
+  EXPECT_EQ(nearest_name("raduis", known), "radius");
+  EXPECT_EQ(nearest_name("tub", known), "tube");
+  EXPECT_EQ(nearest_name("colour", known), "");
+  EXPECT_EQ(suggestion("colour", known), "known: radius, height, tube");
+}
+
+struct Ring {
+  double radius = 1;
+  double angle = 0;
+  Vec3d centre{0, 0, 0};
+};
+
+Schema<Ring> ring_schema() {
+  Schema<Ring> schema;
+  schema.info().name = "ring";
+  schema.param("radius", &Ring::radius, positive_length("of the ring"))
+      .param("angle", &Ring::angle, {.doc = "turn", .dimension = Dimension::angle})
+      .param("centre", &Ring::centre, any_length("middle"));
+  return schema;
+}
+
+std::string first_fault(const Arguments& arguments) {
+  Diagnostics diagnostics;
+  ring_schema().bind(arguments, {}, diagnostics);
+  return diagnostics.all().empty() ? "" : diagnostics.all()[0].message;
+}
+
+TEST(Schema, BindsByNameAndPosition) {
+  Diagnostics diagnostics;
+  const Ring ring = ring_schema().bind(
+      {{"", Value(2.0), {}}, {"centre", Value(Vec3d(1, 2, 3)), {}}}, {}, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_EQ(ring.radius, 2);
+  EXPECT_EQ(ring.centre, Vec3d(1, 2, 3));
+}
+
+TEST(Schema, NamesEachFault) {
+  EXPECT_EQ(first_fault({{"raduis", Value(1.0), {}}}), "'ring' has no parameter 'raduis'");
+  EXPECT_EQ(first_fault({{"radius", Value(0.0), {}}}), "'radius' must be above 0, not 0");
+  EXPECT_EQ(first_fault({{"radius", Value(NAN), {}}}), "'radius' is not a finite number");
+  EXPECT_EQ(first_fault({{"radius", Value("big"), {}}}), "'radius' expects a number, not a text");
+  EXPECT_EQ(first_fault({{"angle", Value(30.0), {}}}), "'angle' is an angle and needs a unit");
+  EXPECT_EQ(first_fault({{"radius", Value(Number{1, Dimension::angle}), {}}}),
+            "'radius' expects a length, not an angle");
+  EXPECT_EQ(first_fault({{"", Value(1.0), {}}, {"radius", Value(1.0), {}}}),
+            "'radius' is given twice");
+}
+
+}  // namespace
+}  // namespace vug

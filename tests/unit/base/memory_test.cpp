@@ -1,0 +1,30 @@
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+
+#include <gtest/gtest.h>
+
+namespace vug {
+namespace {
+
+TEST(Memory, ReadsAmounts) {
+  EXPECT_EQ(parse_bytes("8G"), uint64_t{8} << 30);
+  EXPECT_EQ(parse_bytes("512MiB"), uint64_t{512} << 20);
+  EXPECT_EQ(parse_bytes("1.5k"), 1536u);
+  for (const char* bad : {"", "G", "-1G", "8X", "nan", "8 apples", "1e30G"})
+    EXPECT_THROW(parse_bytes(bad), Error) << bad;
+}
+
+TEST(Memory, RefusesAndSaysHowMuch) {
+  EXPECT_NO_THROW(require_memory(10, 20, "it"));
+  try {
+    require_memory(3.0 * (1 << 30), 1 << 30, "the level set 'rock'");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "the level set 'rock' would take about 3 GiB of memory, more than the limit of 1 GiB");
+  }
+}
+
+}  // namespace
+}  // namespace vug

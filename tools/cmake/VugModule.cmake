@@ -1,0 +1,27 @@
+# vug_module(NAME [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...])
+# A module is lib/vug/NAME; every .cpp at its top is compiled. Folders of kinds below it are
+# added by vug_kinds, which is the one place where a kind's name is listed.
+function(vug_module name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(vug_${name} STATIC ${sources})
+  add_library(Vug::${name} ALIAS vug_${name})
+  set_target_properties(vug_${name} PROPERTIES EXPORT_NAME ${name})
+  list(TRANSFORM ARG_DEPENDS PREPEND vug_)
+  target_link_libraries(vug_${name} PUBLIC vug_contract ${ARG_DEPENDS} ${ARG_PUBLIC}
+    PRIVATE $<BUILD_INTERFACE:vug_strict> ${ARG_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY VUG_MODULES vug_${name})
+endfunction()
+
+# vug_kinds(MODULE FOLDER names...)
+# Compiles FOLDER/NAME.cpp for each kind and writes <vug/MODULE/FOLDER_kinds.inc>, one
+# VUG_KIND(NAME) line for each, from which the module's registry is made. No second list.
+function(vug_kinds module folder)
+  set(lines "")
+  foreach(kind ${ARGN})
+    target_sources(vug_${module} PRIVATE ${folder}/${kind}.cpp)
+    string(APPEND lines "VUG_KIND(${kind})\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/lib/vug/${module}/${folder}_kinds.inc
+    CONTENT "${lines}" @ONLY)
+endfunction()

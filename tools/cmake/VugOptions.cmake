@@ -1,0 +1,36 @@
+# Build options and the compile contract every target shares.
+option(VUG_TESTS "Build the tests" ON)
+option(VUG_BENCH "Build the benchmarks" OFF)
+option(VUG_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
+option(VUG_WERROR "Treat warnings as errors" ON)
+set(VUG_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+find_program(VUG_CCACHE ccache)
+if(VUG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${VUG_CCACHE})
+endif()
+
+add_library(vug_contract INTERFACE)
+target_compile_features(vug_contract INTERFACE cxx_std_20)
+# x86-64-v3 (AVX2, 2013 and later) is the baseline; contraction into FMA stays off so that
+# every such machine computes the same bits (docs/decisions/0002-deterministic-arithmetic.md).
+target_compile_options(vug_contract INTERFACE -march=x86-64-v3 -ffp-contract=off)
+target_include_directories(vug_contract INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/lib>
+  $<INSTALL_INTERFACE:include>)
+
+# Warnings bind our own code only, not a consumer's: linked PRIVATE by every target here.
+add_library(vug_strict INTERFACE)
+target_compile_options(vug_strict INTERFACE -Wall -Wextra -Wshadow -Wconversion
+  $<$<BOOL:${VUG_WERROR}>:-Werror>)
+if(VUG_SANITIZE)
+  target_compile_options(vug_strict INTERFACE -fsanitize=${VUG_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(vug_contract INTERFACE -fsanitize=${VUG_SANITIZE})
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
