@@ -1,0 +1,103 @@
+#include <vug/grammar/layout.h>
+#include <vug/grammar/tree_output.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace vug::grammar {
+namespace {
+
+bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
+
+/// At most `limit` characters of UTF-8 text, the last an ellipsis when something was cut.
+std::string shortened(const std::string& text, double limit) {
+  double seen = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (!starts_character(text[i])) continue;
+    if (++seen > limit - 1 && std::count_if(text.begin() + static_cast<std::ptrdiff_t>(i),
+                                            text.end(), starts_character) > 1)
+      return text.substr(0, i) + "…";
+  }
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (static_cast<unsigned char>(c) < 0x20)
+      out += ' ';  // XML 1.0 forbids most control characters
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string hover(const Tree& tree, int id) {
+  const Node& node = tree.nodes[static_cast<size_t>(id)];
+  std::string out = tree.path(id);
+  if (node.production >= 0) {
+    const ProductionInfo& p = tree.productions[static_cast<size_t>(node.production)];
+    out += "; " + p.name;
+    if (p.where.known()) out += "; " + vug::to_string(p.where);
+  }
+  return node.stuck ? out + "; no production applies" : out;
+}
+
+}  // namespace
+
+std::string tree_svg(const Tree& tree, const SvgOptions& options) {
+  const std::vector<double> place = tidy_layout(tree);
+  const double margin = options.row;
+  std::vector<std::string> labels;
+  std::vector<double> widths;  // of labels, by an average glyph of 0.6 em
+  std::vector<double> column;  // widest label of a generation, then its left edge
+  for (const Node& node : tree.nodes) {
+    labels.push_back(shortened(to_string(node.symbol), options.max_label));
+    const auto glyphs = std::count_if(labels.back().begin(), labels.back().end(), starts_character);
+    widths.push_back(0.6 * options.font_size * static_cast<double>(glyphs));
+    const auto depth = static_cast<size_t>(node.depth);
+    if (column.size() <= depth) column.resize(depth + 1, 0);
+    column[depth] = std::max(column[depth], widths.back());
+  }
+  double left = margin;
+  for (double& c : column) {
+    const double width = c;
+    c = left;
+    left += width + options.column_gap;
+  }
+  const double highest = place.empty() ? 0 : *std::max_element(place.begin(), place.end());
+  const auto x = [&](size_t i) { return column[static_cast<size_t>(tree.nodes[i].depth)]; };
+  const auto y = [&](size_t i) { return margin + options.row * place[i]; };
+
+  std::string out;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to,
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" "
+                 "font-family=\"DejaVu Sans Mono, monospace\" font-size=\"{:.1f}\">\n"
+                 "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
+                 "<g fill=\"none\" stroke=\"#9a8f80\">\n",
+                 left - options.column_gap + margin, 2 * margin + options.row * highest,
+                 options.font_size);
+  for (size_t i = 1; i < tree.nodes.size(); ++i) {
+    const auto p = static_cast<size_t>(tree.nodes[i].parent);
+    const double x0 = x(p) + widths[p] + 4, x1 = x(i) - 4, bend = 0.5 * options.column_gap;
+    fmt::format_to(to, "<path d=\"M{:.1f} {:.1f}C{:.1f} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f}\"/>\n",
+                   x0, y(p), x1 - bend, y(p), x1 - bend, y(i), x1, y(i));
+  }
+  fmt::format_to(to, "</g>\n<g dominant-baseline=\"central\">\n");
+  for (size_t i = 0; i < tree.nodes.size(); ++i)
+    fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\"><title>{}</title>{}</text>\n",
+                   x(i), y(i), tree.nodes[i].production >= 0 ? "#1f4e79" : "#3a3026",
+                   escaped(hover(tree, static_cast<int>(i))), escaped(labels[i]));
+  return out + "</g>\n</svg>\n";
+}
+
+}  // namespace vug::grammar
