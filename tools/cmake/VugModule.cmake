@@ -1,9 +1,11 @@
-# vug_module(NAME [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...])
-# A module is lib/vug/NAME; every .cpp at its top is compiled. Folders of kinds below it are
+# vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...])
+# A module is lib/vug/NAME; every .cpp at its top and in FOLDERS is compiled. Folders of kinds below it are
 # added by vug_kinds, which is the one place where a kind's name is listed.
 function(vug_module name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  list(TRANSFORM ARG_FOLDERS APPEND /*.cpp)
+  list(TRANSFORM ARG_FOLDERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${ARG_FOLDERS})
   add_library(vug_${name} STATIC ${sources})
   add_library(Vug::${name} ALIAS vug_${name})
   set_target_properties(vug_${name} PROPERTIES EXPORT_NAME ${name})

@@ -17,6 +17,11 @@ void Diagnostics::warning(SourceLocation where, std::string message, std::string
   all_.push_back({Severity::warning, std::move(where), std::move(message), std::move(hint)});
 }
 
+void Diagnostics::append(const Diagnostics& other) {
+  all_.insert(all_.end(), other.all_.begin(), other.all_.end());
+  errors_ += other.errors_;
+}
+
 namespace {
 
 /// Optimal string alignment distance: insert, delete, substitute, swap of neighbours.

@@ -23,6 +23,9 @@ class Diagnostics {
   void error(SourceLocation where, std::string message, std::string hint = {});
   void warning(SourceLocation where, std::string message, std::string hint = {});
 
+  /// Adds all of another list, in order.
+  void append(const Diagnostics& other);
+
   bool has_errors() const { return errors_ > 0; }
   const std::vector<Diagnostic>& all() const { return all_; }
 

@@ -1,0 +1,68 @@
+// How two solids meet: smooth minima of compact support. All have the form
+//   smin(a, b) = min(a, b) - k g(h),  h = max(0, 1 - |a - b| / k),
+// so operands further apart than k do not touch each other, and 1-Lipschitz stays 1-Lipschitz.
+#pragma once
+
+#include <vug/base/schema.h>
+#include <vug/field/point.h>
+
+namespace vug::field {
+
+enum class Profile {
+  sharp,    ///< min(a, b).
+  smooth,   ///< Quadratic, g = h^2/4 (quilez2013smin): a soft fillet.
+  round,    ///< g = (1 + h - sqrt(1 - h (h - 2))) / 2: a fillet of radius k between square faces.
+  chamfer,  ///< g = h/2: a flat cut whose legs are k.
+};
+
+struct Blend {
+  Profile profile = Profile::sharp;
+  double radius = 0;  ///< k, metres: where |a - b| >= k the operands do not blend.
+
+  /// The most that smin lies below min.
+  double depth() const;
+
+  template <class T>
+  T smin(const T& a, const T& b) const {
+    if (profile == Profile::sharp || radius <= 0) return min(a, b);
+    const T h = max(T(0.0), T(1.0) - abs(a - b) * T(1.0 / radius));
+    return min(a, b) - T(radius) * kernel(h);
+  }
+
+ private:
+  /// g(h) with g(0) = 0 and slope at most 1/2 on [0, 1], which keeps both weights in [0, 1].
+  template <class T>
+  T kernel(const T& h) const {
+    switch (profile) {
+      case Profile::smooth:
+        return h * h * T(0.25);
+      case Profile::chamfer:
+        return h * T(0.5);
+      case Profile::round:
+        return T(0.5) * (T(1.0) + h - sqrt(T(1.0) - h * (h - T(2.0))));
+      case Profile::sharp:
+        break;
+    }
+    return T(0.0);
+  }
+};
+
+}  // namespace vug::field
+
+namespace vug {
+
+template <>
+struct ValueTraits<field::Blend> {
+  static std::string type() { return "blend"; }
+  static std::optional<field::Blend> read(const Value& v) {
+    if (const auto* b = v.object<field::Blend>()) return *b;
+    const auto* name = v.get<Value::Name>();
+    return name && name->text == "sharp" ? std::optional(field::Blend{}) : std::nullopt;
+  }
+  static Value write(const field::Blend& b) {
+    if (b.profile == field::Profile::sharp) return Value::Name{"sharp"};
+    return Object{"blend", b};
+  }
+};
+
+}  // namespace vug

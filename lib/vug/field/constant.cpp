@@ -1,0 +1,39 @@
+#include <vug/field/boolean.h>
+#include <vug/field/constant.h>
+
+namespace vug::field {
+namespace {
+
+/// Far, but not so far that single precision overflows when it is blended, morphed or squared.
+constexpr double kFar = 1e6;
+
+class ConstantNode final : public Readings<ConstantNode> {
+ public:
+  explicit ConstantNode(double value)
+      : Readings({0, Exactness::bound, value > 0 ? Box3d() : infinite_box()}), value_(value) {}
+  template <class T>
+  T at(const Point<T>&) const {
+    return T(value_);
+  }
+  template <class T>
+  void fill(const Point<T>*, int count, T* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) out[i] = T(value_);
+  }
+  std::string name() const override { return value_ > 0 ? "empty" : "full"; }
+
+ private:
+  double value_;
+};
+
+}  // namespace
+
+Field constant_field(double value) { return Field(std::make_shared<ConstantNode>(value)); }
+
+Field empty() {
+  static const Field nothing = constant_field(kFar);
+  return nothing;
+}
+
+Field::Field() : Field(empty()) {}
+
+}  // namespace vug::field

@@ -1,0 +1,55 @@
+// Nodes that move the point before a child sees it: f(p) = scale * child(map(p)).
+#pragma once
+
+#include <vug/field/kind.h>
+
+namespace vug::field {
+
+/// D has: template <class T> Point<T> map(const Point<T>&) const   (from outside to the child's
+/// space)
+///        Ball map(const Ball&) const        (a ball around the image of a ball, in the child's
+///        space) double scale() const               (factor on the child's value, > 0) Traits
+///        traits(const Traits& child) const
+/// A map that is not continuous (repeat) must return a ball that holds all of the image.
+template <class D>
+class DeformerNode final : public Readings<DeformerNode<D>> {
+ public:
+  DeformerNode(std::string name, D deformer, NodePtr child)
+      : Readings<DeformerNode<D>>(deformer.traits(child->traits())),
+        name_(std::move(name)),
+        deformer_(std::move(deformer)),
+        child_(std::move(child)) {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    return child_->eval(deformer_.map(p)) * T(deformer_.scale());
+  }
+  template <class T>
+  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+    Scratch::Frame frame(scratch);
+    auto* moved = frame.template take<Point<T>>(static_cast<size_t>(count));
+    for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
+    child_->eval(moved, count, out, scratch);
+    const double scale = deformer_.scale();
+    if (scale != 1)
+      for (int i = 0; i < count; ++i) out[i] = out[i] * T(scale);
+  }
+
+  Restriction restrict_to(const Ball& ball) const override {
+    const Restriction inner = child_->restrict_to(deformer_.map(ball));
+    const double scale = deformer_.scale();
+    Restriction out;
+    out.range = Interval(inner.range.lo * scale, inner.range.hi * scale);
+    if (inner.node) out.node = std::make_shared<DeformerNode>(name_, deformer_, inner.node);
+    return out;
+  }
+  std::string name() const override { return name_; }
+  std::vector<NodePtr> children() const override { return {child_}; }
+
+ private:
+  std::string name_;
+  D deformer_;
+  NodePtr child_;
+};
+
+}  // namespace vug::field

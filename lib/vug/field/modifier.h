@@ -1,0 +1,48 @@
+// Nodes that change a child's value point by point: offset, shell, complement, displacement.
+#pragma once
+
+#include <vug/field/kind.h>
+
+namespace vug::field {
+
+/// M has: template <class T> T apply(const T& value, const Point<T>& p) const
+///        Traits traits(const Traits& child) const
+///        Interval range(Interval child) const   (bounds of apply over all points, given the
+///        child's)
+template <class M>
+class ModifierNode final : public Readings<ModifierNode<M>> {
+ public:
+  ModifierNode(std::string name, M modifier, NodePtr child)
+      : Readings<ModifierNode<M>>(modifier.traits(child->traits())),
+        name_(std::move(name)),
+        modifier_(std::move(modifier)),
+        child_(std::move(child)) {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    return modifier_.apply(child_->eval(p), p);
+  }
+  template <class T>
+  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+    child_->eval(points, count, out, scratch);
+    for (int i = 0; i < count; ++i) out[i] = modifier_.apply(out[i], points[i]);
+  }
+
+  Restriction restrict_to(const Ball& ball) const override {
+    const Restriction inner = child_->restrict_to(ball);
+    Restriction out;
+    out.range =
+        meet(modifier_.range(inner.range), this->centre_form(this->eval(point(ball.centre)), ball));
+    if (inner.node) out.node = std::make_shared<ModifierNode>(name_, modifier_, inner.node);
+    return out;
+  }
+  std::string name() const override { return name_; }
+  std::vector<NodePtr> children() const override { return {child_}; }
+
+ private:
+  std::string name_;
+  M modifier_;
+  NodePtr child_;
+};
+
+}  // namespace vug::field

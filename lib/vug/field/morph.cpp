@@ -1,0 +1,59 @@
+// The SG+M morph: a weighted sum of two unclipped fields (zawadzki2012, eq. 5).
+#include <vug/field/boolean.h>
+
+namespace vug::field {
+namespace {
+
+Traits morph_traits(const Traits& a, const Traits& b, double amount) {
+  // Where the sum is negative at least one of the two is.
+  return {(1 - amount) * a.lipschitz + amount * b.lipschitz,
+          std::max({a.exactness, b.exactness, Exactness::bound}), united(a.bounds, b.bounds)};
+}
+
+class MorphNode final : public Readings<MorphNode> {
+ public:
+  MorphNode(Traits traits, NodePtr a, NodePtr b, double amount)
+      : Readings(std::move(traits)), a_(std::move(a)), b_(std::move(b)), amount_(amount) {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    return a_->eval(p) * T(1 - amount_) + b_->eval(p) * T(amount_);
+  }
+  template <class T>
+  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+    Scratch::Frame frame(scratch);
+    T* other = frame.template take<T>(static_cast<size_t>(count));
+    a_->eval(points, count, out, scratch);
+    b_->eval(points, count, other, scratch);
+    for (int i = 0; i < count; ++i) out[i] = out[i] * T(1 - amount_) + other[i] * T(amount_);
+  }
+  Restriction restrict_to(const Ball& ball) const override {
+    const Restriction a = a_->restrict_to(ball), b = b_->restrict_to(ball);
+    Restriction out;
+    const Interval sum = a.range * Interval(1 - amount_) + b.range * Interval(amount_);
+    out.range = meet(sum, centre_form(eval(point(ball.centre)), ball));
+    if (a.node || b.node)
+      out.node = std::make_shared<MorphNode>(traits(), a.node ? a.node : a_, b.node ? b.node : b_,
+                                             amount_);
+    return out;
+  }
+  std::string name() const override { return "morph"; }
+  std::vector<NodePtr> children() const override { return {a_, b_}; }
+
+ private:
+  NodePtr a_, b_;
+  double amount_;
+};
+
+}  // namespace
+
+Field morph(const Field& a, const Field& b, double amount) {
+  if (!(amount >= 0 && amount <= 1))
+    throw Error(ErrorCode::bad_input, "a morph's amount lies between 0 and 1");
+  if (amount == 0) return a;
+  if (amount == 1) return b;
+  return Field(std::make_shared<MorphNode>(
+      morph_traits(a.node()->traits(), b.node()->traits(), amount), a.node(), b.node(), amount));
+}
+
+}  // namespace vug::field

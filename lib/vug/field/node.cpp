@@ -1,0 +1,18 @@
+#include <vug/field/node.h>
+
+#include <cmath>
+
+namespace vug::field {
+
+Interval Node::centre_form(double value, const Ball& ball) const {
+  // Batches run in single precision: their rounding grows with the distance from the origin.
+  const double slack = 1e-6 * (std::fabs(value) + ball.centre.length() + ball.radius);
+  const double reach = traits_.lipschitz * ball.radius + slack;
+  return {value - reach, value + reach};
+}
+
+Restriction Node::restrict_to(const Ball& ball) const {
+  return {centre_form(eval(point(ball.centre)), ball), nullptr};
+}
+
+}  // namespace vug::field

@@ -1,0 +1,41 @@
+// The vocabulary of field formulas, read over doubles. A formula is a template over a number
+// type T and uses only these names; pack.h, dual.h and interval.h give the other readings.
+#pragma once
+
+#include <vug/base/maths.h>
+
+#include <cmath>
+
+namespace vug::field {
+
+inline double sqrt(double x) { return std::sqrt(x); }
+inline double abs(double x) { return std::fabs(x); }
+inline double min(double a, double b) { return a < b ? a : b; }
+inline double max(double a, double b) { return a > b ? a : b; }
+inline double floor(double x) { return std::floor(x); }
+inline double sin(double x) { return maths::sin(x); }
+inline double cos(double x) { return maths::cos(x); }
+inline double exp(double x) { return maths::exp(x); }
+inline double atan2(double y, double x) { return maths::atan2(y, x); }
+/// Value of `yes` where the condition holds, else of `no`; both are computed.
+inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+
+template <class T>
+T square(const T& x) {
+  return x * x;
+}
+template <class T>
+T clamp(const T& x, const T& low, const T& high) {
+  return min(max(x, low), high);
+}
+/// -1, 0 or 1 is not needed by any formula here; this is -1 below zero and 1 elsewhere.
+template <class T>
+T sign(const T& x) {
+  return select(x < T(0.0), T(-1.0), T(1.0));
+}
+template <class T>
+T mix(const T& a, const T& b, const T& t) {
+  return a + (b - a) * t;
+}
+
+}  // namespace vug::field

@@ -1,0 +1,68 @@
+// A point whose coordinates are any of the number types: what formulas take.
+#pragma once
+
+#include <vug/base/vec.h>
+#include <vug/field/numbers/dual.h>
+#include <vug/field/numbers/interval.h>
+
+namespace vug::field {
+
+template <class T>
+struct Point {
+  T x, y, z;
+};
+
+template <class T>
+Point<T> operator+(const Point<T>& a, const Point<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+Point<T> operator-(const Point<T>& a, const Point<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+Point<T> operator*(const Point<T>& a, const T& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+T dot(const Point<T>& a, const Point<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+T length(const T& x, const T& y) {
+  return sqrt(square(x) + square(y));
+}
+template <class T>
+T length(const Point<T>& a) {
+  return sqrt(square(a.x) + square(a.y) + square(a.z));
+}
+template <class T>
+Point<T> abs(const Point<T>& a) {
+  return {abs(a.x), abs(a.y), abs(a.z)};
+}
+template <class T>
+Point<T> max(const Point<T>& a, double b) {
+  return {max(a.x, T(b)), max(a.y, T(b)), max(a.z, T(b))};
+}
+
+/// A constant vector as a point of the wanted number type.
+template <class T>
+Point<T> constant(const Vec3d& v) {
+  return {T(v.x), T(v.y), T(v.z)};
+}
+inline Point<double> point(const Vec3d& p) { return {p.x, p.y, p.z}; }
+inline Vec3d vector(const Point<double>& p) { return {p.x, p.y, p.z}; }
+
+/// A point seeded for differentiation.
+template <class S>
+Point<Dual<S>> seeded(const Point<S>& p) {
+  const S one(1.0), zero(0.0);
+  return {{p.x, one, zero, zero}, {p.y, zero, one, zero}, {p.z, zero, zero, one}};
+}
+
+/// The points of a box as intervals.
+inline Point<Interval> region(const Box3d& box) {
+  return {{box.min.x, box.max.x}, {box.min.y, box.max.y}, {box.min.z, box.max.z}};
+}
+
+}  // namespace vug::field

@@ -1,0 +1,48 @@
+// From a formula to a node and a kind: what a primitive's file is built with.
+#pragma once
+
+#include <vug/field/kind.h>
+
+namespace vug::field {
+
+/// P has: template <class T> T distance(const Point<T>&) const   (metres, negative inside)
+///        Box3d bounds() const                                   (around the inside)
+///        double lipschitz() const, Exactness exactness() const  (optional: 1 and exact)
+template <class P>
+class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
+ public:
+  PrimitiveNode(std::string name, P params)
+      : Readings<PrimitiveNode<P>>(traits_of(params)),
+        name_(std::move(name)),
+        params_(std::move(params)) {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    return params_.distance(p);
+  }
+  template <class T>
+  void fill(const Point<T>* points, int count, T* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) out[i] = params_.distance(points[i]);
+  }
+  std::string name() const override { return name_; }
+
+ private:
+  static Traits traits_of(const P& params) {
+    Traits traits;
+    traits.bounds = params.bounds();
+    if constexpr (requires { params.lipschitz(); }) traits.lipschitz = params.lipschitz();
+    if constexpr (requires { params.exactness(); }) traits.exactness = params.exactness();
+    return traits;
+  }
+  std::string name_;
+  P params_;
+};
+
+template <class P>
+FieldKind primitive_kind(const std::string& name) {
+  return field_kind<P>(name, "primitive", [name](const P& params) {
+    return Field(std::make_shared<PrimitiveNode<P>>(name, params));
+  });
+}
+
+}  // namespace vug::field

@@ -1,0 +1,24 @@
+// |p| - r: the distance to a ball about the origin.
+#include <vug/field/primitive.h>
+
+namespace vug::field {
+namespace {
+
+struct Sphere {
+  double radius = 1;
+
+  static void describe(Schema<Sphere>& s) {
+    s.doc("A ball about the origin.")
+        .param("radius", &Sphere::radius, positive_length("of the ball"));
+  }
+  template <class T>
+  T distance(const Point<T>& p) const {
+    return length(p) - T(radius);
+  }
+  Box3d bounds() const { return {Vec3d(-radius), Vec3d(radius)}; }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(sphere) { return vug::field::primitive_kind<vug::field::Sphere>("sphere"); }
