@@ -1,0 +1,59 @@
+// Reading and writing picture files. Files with the same content have the same bytes: no time
+// stamps and no host names are written.
+#pragma once
+
+#include <vug/image/image.h>
+#include <vug/image/view.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug::image {
+
+/// Texts kept in a file's header, e.g. {"vug:seed", "7"}.
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+struct ExrOptions {
+  /// 16-bit floats (relative error 5e-4, largest value 65504); false: 32-bit.
+  bool half = false;
+  /// Channels (or layers) kept in 32 bits even when `half` is set: depth and position.
+  std::vector<std::string> full_channels = {"Z", "P"};
+  Metadata metadata;
+};
+
+/// Multi-channel scan-line EXR, ZIP compression, whole or not there (AtomicFile).
+/// Values beyond the range of half are clamped to it when they are stored as half.
+/// Throws Error(io) when the file cannot be written, Error(bad_input) on an unusable image.
+void write_exr(const std::filesystem::path& path, const Image& image,
+               const ExrOptions& options = {});
+
+/// 8-bit sRGB PNG of the channels R, G, B (or of the one channel there is, as grey), through the
+/// view transform. Same errors as write_exr.
+void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view = {},
+               const Metadata& metadata = {});
+
+/// Any file OpenImageIO reads, all channels as float. Integer files become [0, 1]; with
+/// `linear`, R, G, B of 8- and 16-bit files are turned from sRGB to linear light.
+/// Error(bad_input) names the file and the reason (missing, no picture, cut short).
+struct ReadOptions {
+  bool linear = false;
+};
+Image read(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// Size, channels and header texts without the pixels.
+struct FileInfo {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;
+  std::vector<std::string> formats;  ///< "half", "float", "uint8", one for each channel.
+  Metadata metadata;
+};
+FileInfo read_info(const std::filesystem::path& path);
+
+/// One channel in [0, 1] for heightfields: the only channel, else the mean of R, G, B as stored
+/// (no colour conversion).
+Image read_grey(const std::filesystem::path& path);
+
+}  // namespace vug::image

@@ -1,0 +1,27 @@
+// From scene-linear light to display values.
+#pragma once
+
+#include <vug/image/image.h>
+
+namespace vug::image {
+
+enum class ViewTransform {
+  filmic,  ///< ACES-like curve with toe and shoulder, fitted by Hill (cite hill2017aces).
+  srgb,    ///< Only clipped to [0, 1]: for data and for comparison.
+};
+
+struct ViewOptions {
+  double exposure = 0;  ///< In stops: the light is multiplied by 2^exposure first.
+  ViewTransform transform = ViewTransform::filmic;
+  bool dither = true;  ///< A fixed +-1/2 code pattern against bands in dark gradients (8 bit).
+};
+
+/// Display-referred R, G, B in [0, 1] with the sRGB transfer function; other channels dropped.
+/// A picture without R, G, B but one channel is shown as grey. NaN shows as black.
+Image display(const Image& linear, const ViewOptions& options = {});
+
+/// sRGB transfer function (IEC 61966-2-1) and its inverse, for values in [0, 1].
+double srgb_encode(double linear);
+double srgb_decode(double encoded);
+
+}  // namespace vug::image

@@ -1,0 +1,43 @@
+// The seam of media: what the air does to light between surfaces.
+#pragma once
+
+#include <vug/render/vectors.h>
+
+#include <memory>
+
+namespace vug::render {
+
+/// A part of a ray, in metres from its origin; empty when begin >= end.
+struct Segment {
+  float begin = 0;
+  float end = 0;
+  bool empty() const { return !(begin < end); }
+};
+
+struct DistanceSample {
+  float distance = 0;  ///< From the ray's origin; beyond the segment: no scattering in it.
+  bool scattered = false;
+};
+
+/// Homogeneous inside a box, nothing outside it.
+class Medium {
+ public:
+  virtual ~Medium() = default;
+  /// The part of the ray before `end` that lies in the medium.
+  virtual Segment clip(const Ray& ray, float end) const = 0;
+  /// Part of the light that comes through a segment.
+  virtual float transmittance(const Ray& ray, const Segment& segment) const = 0;
+  /// A distance with the density of the first collision.
+  virtual DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u) const = 0;
+  /// Collisions per metre, and which part of the light they scatter instead of swallowing.
+  virtual float extinction(const Vec3f& point) const = 0;
+  virtual Rgb albedo(const Vec3f& point) const = 0;
+
+  /// Phase function over the angle between the two directions of travel, in 1/sr; integrates to 1.
+  virtual float phase(float cosine) const = 0;
+  /// A new direction of travel with density `phase`.
+  virtual Vec3f sample_phase(const Vec3f& travel, const Vec2f& u) const = 0;
+};
+using MediumPtr = std::shared_ptr<const Medium>;
+
+}  // namespace vug::render

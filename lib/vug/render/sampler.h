@@ -1,0 +1,49 @@
+// The seam of samplers: the numbers in [0, 1) that a path spends, by name of their place.
+#pragma once
+
+#include <vug/base/vec.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace vug::render {
+
+/// Which sample of which pixel asks; a sampler may use it in any way but must not keep state.
+struct SampleId {
+  uint32_t x = 0;
+  uint32_t y = 0;
+  uint32_t index = 0;  ///< 0 <= index < spp.
+  uint32_t spp = 1;
+  uint64_t seed = 0;
+};
+
+/// Stateless: the same id and dimension give the same bits, in any order and on any thread.
+class Sampler {
+ public:
+  virtual ~Sampler() = default;
+  /// Two numbers for dimension pair `dimension`.
+  virtual Vec2f pair(const SampleId& id, uint32_t dimension) const = 0;
+  /// One number; dimensions of `single` and `pair` are counted together.
+  virtual float single(const SampleId& id, uint32_t dimension) const {
+    return pair(id, dimension).x;
+  }
+};
+using SamplerPtr = std::shared_ptr<const Sampler>;
+
+/// Hands out dimensions in order along one path.
+class SampleCursor {
+ public:
+  SampleCursor(const Sampler& sampler, const SampleId& id) : sampler_(sampler), id_(id) {}
+  Vec2f pair() { return sampler_.pair(id_, dimension_++); }
+  float single() { return sampler_.single(id_, dimension_++); }
+  /// Goes to the first dimension of a bounce, so that a branch taken or not taken earlier on the
+  /// path does not shift the numbers that follow.
+  void jump(uint32_t dimension) { dimension_ = dimension; }
+
+ private:
+  const Sampler& sampler_;
+  SampleId id_;
+  uint32_t dimension_ = 0;
+};
+
+}  // namespace vug::render

@@ -1,0 +1,35 @@
+// What is rendered, as plain data. Objects are shared and never changed.
+#pragma once
+
+#include <vug/render/bsdf.h>
+#include <vug/render/camera.h>
+#include <vug/render/light.h>
+#include <vug/render/medium.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vug::mesh {
+struct Mesh;
+}
+
+namespace vug::render {
+
+/// A mesh and its material. Vertex colours (attribute "Cd", arity 3) multiply the material's
+/// colour; vertex normals, where the mesh has them, shade it smoothly unless `flat` is set.
+struct Object {
+  std::string name;
+  std::shared_ptr<const mesh::Mesh> mesh;
+  BsdfPtr material;  ///< Null: a grey Lambert surface of albedo 0.5.
+  bool flat = false;
+};
+
+struct Scene {
+  CameraPtr camera;
+  std::vector<Object> objects;
+  std::vector<LightPtr> lights;  ///< Lamps and skies; skies add up.
+  MediumPtr medium;              ///< Null: clear air.
+};
+
+}  // namespace vug::render
