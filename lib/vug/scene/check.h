@@ -1,0 +1,16 @@
+// Faults that show only in the whole document.
+#pragma once
+
+#include <vug/base/diagnostics.h>
+#include <vug/scene/document.h>
+
+namespace vug::scene {
+
+/// Names given twice, names that are units, symbols of a grammar without a rule, calls of
+/// symbols with the wrong number of arguments. `parse` runs it.
+void check_names(const Document& document, Diagnostics& diagnostics);
+
+/// An error for each parameter whose name stands in no expression of the document.
+void check_params_read(const Document& document, Diagnostics& diagnostics);
+
+}  // namespace vug::scene

@@ -1,0 +1,32 @@
+#include <vug/scene/document.h>
+
+namespace vug::scene {
+
+namespace {
+
+template <class T>
+const T* find_named(const std::vector<T>& all, const std::string& name) {
+  for (const T& one : all)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+}  // namespace
+
+const Param* Document::find_param(const std::string& name) const {
+  return find_named(params, name);
+}
+
+const Let* Document::find_let(const std::string& name) const { return find_named(lets, name); }
+
+const Grammar* Document::find_grammar(const std::string& name) const {
+  return find_named(grammars, name);
+}
+
+const Declaration* Document::find(const std::string& name, const std::string& kind) const {
+  for (const Declaration& one : declarations)
+    if (one.name == name && (kind.empty() || one.kind == kind)) return &one;
+  return nullptr;
+}
+
+}  // namespace vug::scene

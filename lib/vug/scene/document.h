@@ -1,0 +1,115 @@
+// What a scene text says, before anything is made of it: parameters, lets, declarations whose
+// kinds this module does not interpret, and grammar blocks. Every part knows its place.
+#pragma once
+
+#include <vug/scene/expr.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vug::scene {
+
+/// A file's text as read; diagnostics quote it.
+struct Source {
+  std::string file;
+  std::string text;
+};
+
+/// `param NAME = value in low..high "doc"`; low and high are null without a range.
+struct Param {
+  std::string name;
+  SourceLocation where;
+  ExprPtr value;
+  ExprPtr low;
+  ExprPtr high;
+  std::string doc;
+};
+
+/// `let NAME = value`
+struct Let {
+  std::string name;
+  SourceLocation where;
+  ExprPtr value;
+};
+
+/// `key value, value ...` inside braces; also an option of a grammar and a clause of an item.
+struct Entry {
+  std::string key;
+  SourceLocation where;
+  std::vector<ExprPtr> values;  ///< At least one; clauses have exactly one.
+};
+
+/// `kind name = value` or `kind name on target { entries }`.
+struct Declaration {
+  std::string kind;
+  SourceLocation kind_where;
+  std::string name;
+  SourceLocation where;        ///< Of the name.
+  ExprPtr value;               ///< Null in the block form.
+  ExprPtr target;              ///< What follows `on`; null without.
+  std::vector<Entry> entries;  ///< Empty in the `=` form.
+};
+
+/// One part of a right-hand side or of the axiom: `op amount shape * count clauses`.
+/// Without `op` it uses a symbol of the grammar: `shape` is then a name or a call of one.
+struct Item {
+  std::string op;  ///< "+" union, "-" difference, "&" intersection, "~" morph, "" symbol.
+  SourceLocation where;
+  ExprPtr amount;  ///< Only with "~"; null when not given.
+  ExprPtr shape;   ///< Never null.
+  ExprPtr count;   ///< Null means once.
+  std::vector<Entry> clauses;
+
+  /// The symbol's name (items without `op`).
+  const std::string& symbol() const { return shape->text; }
+};
+
+struct Formal {
+  std::string name;
+  SourceLocation where;
+};
+
+/// `head(formals) @ weight if guard -> items`; weight and guard may be null.
+struct Rule {
+  std::string head;
+  SourceLocation where;
+  std::vector<Formal> formals;
+  ExprPtr weight;
+  ExprPtr guard;
+  std::vector<Item> items;  ///< Empty for `-> nothing`.
+};
+
+/// `grammar name : kind { ... }`. The kind picks the syntax of items (the dialect); "shape" is
+/// the only one so far. Another kind keeps rules, formals, weights, guards and options, and
+/// brings its own item parser.
+struct Grammar {
+  std::string name;
+  SourceLocation where;
+  std::string kind = "shape";
+  std::vector<Item> axiom;
+  SourceLocation axiom_where;
+  std::vector<Entry> options;
+  std::vector<Rule> rules;
+};
+
+struct Document {
+  ExprPtr seed;  ///< Null when the text has none.
+  std::vector<Param> params;
+  std::vector<Let> lets;
+  std::vector<Declaration> declarations;
+  std::vector<Grammar> grammars;
+  /// Files in the order they were opened, the scene first.
+  std::vector<std::shared_ptr<const Source>> sources;
+
+  const Param* find_param(const std::string& name) const;
+  const Let* find_let(const std::string& name) const;
+  const Grammar* find_grammar(const std::string& name) const;
+  /// The first declaration of that name, of any kind or of one.
+  const Declaration* find(const std::string& name, const std::string& kind = {}) const;
+};
+
+/// The whole document in canonical lines; equal documents (places aside) give equal texts.
+std::string dump(const Document& document);
+
+}  // namespace vug::scene

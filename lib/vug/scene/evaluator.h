@@ -1,0 +1,96 @@
+// Expressions to values: parameters, lets and seeded draws here, objects through a Resolver.
+#pragma once
+
+#include <vug/scene/document.h>
+#include <vug/scene/resolver.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug::scene {
+
+/// Names bound for a while (formal parameters of a rule); an inner scope hides an outer one.
+struct Scope {
+  std::vector<std::pair<std::string, Value>> names;
+  const Scope* outer = nullptr;
+
+  const Value* find(const std::string& name) const;
+};
+
+/// `-D NAME=EXPR` from a command line.
+struct Override {
+  std::string name;
+  std::string text;
+};
+
+/// A parameter with its value for this run; low and high are empty without a range.
+struct ParamValue {
+  const Param* param = nullptr;
+  Value value;
+  Value fallback;  ///< The value without overrides.
+  Value low;
+  Value high;
+};
+
+struct EvaluatorOptions {
+  std::vector<Override> overrides;
+  std::optional<uint64_t> seed;  ///< Instead of the document's.
+};
+
+/// Evaluates the expressions of one document. Faults go to the diagnostics and give Value(),
+/// which silences everything computed from it. Lets and parameters are evaluated once, when
+/// first needed, in any order of the text; a circle among them is a fault. Document, resolver
+/// and diagnostics must outlive the evaluator. Not for use by several threads at once.
+class Evaluator {
+ public:
+  Evaluator(const Document& document, Resolver& resolver, Diagnostics& diagnostics,
+            EvaluatorOptions options = {});
+
+  /// `key` is the place of this evaluation for seeded choice: the same expression under the same
+  /// key draws the same numbers, so rules that are applied again need another key.
+  Value eval(const Expr& expr, RandomKey key, const Scope* scope = nullptr);
+
+  /// Arguments of a call expression (or none for a name), for symbols of a grammar.
+  Arguments arguments(const Expr& call, RandomKey key, const Scope* scope = nullptr);
+
+  /// Values of one entry; the key is `key.at(entry.key)`, then the index.
+  std::vector<Value> eval(const Entry& entry, RandomKey key, const Scope* scope = nullptr);
+
+  /// The document's seed (0 without) and the key everything in it starts from.
+  uint64_t seed() const { return seed_; }
+  RandomKey root() const { return RandomKey(seed_); }
+  /// Conventional key of a declaration: root, its kind, its name.
+  RandomKey key(const Declaration& declaration) const {
+    return root().at(declaration.kind).at(declaration.name);
+  }
+
+  /// All parameters with their values, checked against their ranges; in order of the text.
+  const std::vector<ParamValue>& params();
+
+  /// Evaluates every let and parameter, so that their faults show even where nothing uses them.
+  void check_all();
+
+  Diagnostics& diagnostics() { return diagnostics_; }
+
+ private:
+  struct Binding;
+  friend struct Evaluation;
+
+  Value named(const Expr& expr, const Scope* scope);
+  Value global(const std::string& name, const SourceLocation& where);
+  Value param_value(ParamValue& param);
+
+  const Document& document_;
+  Resolver& resolver_;
+  Diagnostics& diagnostics_;
+  EvaluatorOptions options_;
+  uint64_t seed_ = 0;
+  std::vector<ParamValue> params_;
+  std::map<std::string, Value> lets_;
+  std::vector<std::string> pending_;  ///< Names being evaluated, to find circles.
+};
+
+}  // namespace vug::scene

@@ -1,0 +1,21 @@
+// Units that a number of a scene text may carry.
+#pragma once
+
+#include <vug/base/value.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vug::scene {
+
+/// `value` written with `unit` as a Number in metres, radians, seconds or as a fraction; nothing
+/// when there is no such unit. Known: m cm mm km in ft, deg rad, %, s ms.
+std::optional<Number> with_unit(double value, std::string_view unit);
+
+/// Names of the units that are words (all but %), for suggestions and reserved names.
+const std::vector<std::string>& unit_names();
+bool is_unit(std::string_view name);
+
+}  // namespace vug::scene
