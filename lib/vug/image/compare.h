@@ -13,7 +13,7 @@ struct ChannelDifference {
   double mean_a = 0;
   double mean_b = 0;
   double rmse = 0;           ///< Root of the mean squared difference.
-  double relative_rmse = 0;  ///< rmse over the mean of |a|; 0 when both are 0 everywhere.
+  double relative_rmse = 0;  ///< rmse over the mean of |a|; 0 when rmse is 0.
   double mean_error = 0;     ///< Mean of |a - b|.
   double max_error = 0;      ///< Largest |a - b|.
 };

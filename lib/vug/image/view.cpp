@@ -1,0 +1,77 @@
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/image/view.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vug::image {
+namespace {
+
+using Colour = std::array<double, 3>;
+
+Colour multiply(const double (&m)[3][3], const Colour& c) {
+  Colour out{};
+  for (size_t i = 0; i < 3; ++i) out[i] = m[i][0] * c[0] + m[i][1] * c[1] + m[i][2] * c[2];
+  return out;
+}
+
+// Matrices and rational curve: S. Hill's fit of the ACES 1.0 reference rendering and sRGB output
+// transforms. The matrices fold in Rec.709 <-> AP1, D65 <-> D60 and the desaturations at both
+// ends (hill2017aces).
+constexpr double kToCurve[3][3] = {
+    {0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
+constexpr double kFromCurve[3][3] = {
+    {1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}};
+
+double curve(double v) {
+  return (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
+}
+
+Colour filmic(Colour c) {
+  c = multiply(kToCurve, c);
+  for (double& v : c) v = curve(v);
+  return multiply(kFromCurve, c);
+}
+
+double usable(double v) {
+  // Beyond 1e6 the curve is flat; a cap keeps infinities from turning into NaN in the matrices.
+  return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, 1e6);
+}
+
+}  // namespace
+
+double srgb_encode(double linear) {
+  const double v = std::clamp(linear, 0.0, 1.0);
+  return v <= 0.0031308 ? 12.92 * v : 1.055 * maths::pow(v, 1 / 2.4) - 0.055;
+}
+
+double srgb_decode(double encoded) {
+  const double v = std::clamp(encoded, 0.0, 1.0);
+  return v <= 0.04045 ? v / 12.92 : maths::pow((v + 0.055) / 1.055, 2.4);
+}
+
+Image display(const Image& linear, const ViewOptions& options) {
+  std::array<int, 3> from = {linear.find_channel("R"), linear.find_channel("G"),
+                             linear.find_channel("B")};
+  if (from[0] < 0 || from[1] < 0 || from[2] < 0) {
+    if (linear.channels.size() != 1)
+      throw Error(ErrorCode::bad_input, "a picture to be shown needs the channels R, G and B");
+    from = {0, 0, 0};
+  }
+  const double gain = maths::exp(options.exposure * 0.69314718055994530942);
+  Image out(linear.width, linear.height, {"R", "G", "B"});
+  for (size_t p = 0; p < linear.pixel_count(); ++p) {
+    Colour c{};
+    for (size_t i = 0; i < 3; ++i)
+      c[i] = usable(gain *
+                    static_cast<double>(
+                        linear.pixels[p * linear.channels.size() + static_cast<size_t>(from[i])]));
+    if (options.transform == ViewTransform::filmic) c = filmic(c);
+    for (size_t i = 0; i < 3; ++i) out.pixels[p * 3 + i] = static_cast<float>(srgb_encode(c[i]));
+  }
+  return out;
+}
+
+}  // namespace vug::image

@@ -1,0 +1,185 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/base/hash.h>
+#include <vug/base/rng.h>
+#include <vug/image/io.h>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+namespace vug::image {
+namespace {
+namespace fs = std::filesystem;
+
+class Files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              ("vug_image_" + std::to_string(getpid()) + "_" +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path file(const std::string& name) const { return folder_ / name; }
+
+ private:
+  fs::path folder_;
+};
+
+Image noise(int width, int height, std::vector<std::string> channels, double scale) {
+  Image image(width, height, std::move(channels));
+  RandomStream random(RandomKey(11).at("noise"));
+  for (float& v : image.pixels) v = static_cast<float>(scale * random.normal());
+  return image;
+}
+
+std::string message(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST_F(Files, FullFloatsSurviveBitForBit) {
+  Image image = noise(37, 23, {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "albedo.R"}, 1e3);
+  image.at(3, 4, 4) = 1e10f;
+  write_exr(file("a.exr"), image);
+  const Image back = read(file("a.exr"));
+  ASSERT_EQ(back.channels.size(), image.channels.size());
+  EXPECT_EQ(back.select(image.channels).pixels, image.pixels);
+}
+
+TEST_F(Files, HalfRoundsByAtMostItsUnitAndKeepsDepthExact) {
+  const Image image = noise(31, 17, {"R", "G", "B", "Z", "P.X"}, 10);
+  ExrOptions options;
+  options.half = true;
+  write_exr(file("h.exr"), image, options);
+  const Image back = read(file("h.exr")).select(image.channels);
+  for (size_t i = 0; i < image.pixels.size(); ++i) {
+    if (i % 5 >= 3)
+      EXPECT_EQ(back.pixels[i], image.pixels[i]);
+    else
+      EXPECT_LE(std::fabs(back.pixels[i] - image.pixels[i]),
+                std::fmax(std::fabs(image.pixels[i]) / 2048, 3e-8f));
+  }
+  const FileInfo info = read_info(file("h.exr"));
+  ASSERT_EQ(info.channels.size(), info.formats.size());
+  for (size_t c = 0; c < info.channels.size(); ++c)
+    EXPECT_EQ(info.formats[c],
+              info.channels[c].size() == 1 && info.channels[c] != "Z" ? "half" : "float")
+        << info.channels[c];
+}
+
+TEST_F(Files, HalfClampsWhatItCannotHold) {
+  Image image(2, 1, {"R"});
+  image.pixels = {1e8f, -1e8f};
+  ExrOptions options;
+  options.half = true;
+  write_exr(file("big.exr"), image, options);
+  EXPECT_EQ(read(file("big.exr")).pixels, (std::vector<float>{65504.0f, -65504.0f}));
+}
+
+TEST_F(Files, SameContentSameBytesAtAnotherTime) {
+  const Image image = noise(16, 16, {"R", "G", "B"}, 1);
+  ExrOptions options;
+  options.metadata = {{"vug:recipe", "seed 7"}, {"vug:version", "1"}};
+  write_exr(file("1.exr"), image, options);
+  write_png(file("1.png"), image, {}, options.metadata);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  write_exr(file("2.exr"), image, options);
+  write_png(file("2.png"), image, {}, options.metadata);
+  EXPECT_EQ(digest(read_text(file("1.exr"))), digest(read_text(file("2.exr"))));
+  EXPECT_EQ(digest(read_text(file("1.png"))), digest(read_text(file("2.png"))));
+}
+
+TEST_F(Files, MetadataComesBack) {
+  ExrOptions options;
+  options.metadata = {{"vug:recipe", "param LD = 10"}, {"vug:seed", "2012"}};
+  write_exr(file("m.exr"), Image(4, 4, {"R", "G", "B"}), options);
+  const FileInfo info = read_info(file("m.exr"));
+  for (const auto& entry : options.metadata)
+    EXPECT_NE(std::find(info.metadata.begin(), info.metadata.end(), entry), info.metadata.end())
+        << entry.first;
+}
+
+TEST_F(Files, PngHoldsTheDisplayValues) {
+  const Image image = noise(29, 13, {"R", "G", "B"}, 0.5);
+  const Image shown = display(image);
+  write_png(file("p.png"), image);
+  const Image back = read(file("p.png"));
+  ASSERT_EQ(back.pixels.size(), shown.pixels.size());
+  for (size_t i = 0; i < shown.pixels.size(); ++i)
+    ASSERT_LE(std::fabs(back.pixels[i] - shown.pixels[i]), 1.0f / 255 + 1e-6f);
+}
+
+TEST_F(Files, LinearReadingUndoesTheEncoding) {
+  Image image(3, 1, {"R", "G", "B"});
+  image.pixels = {0.1f, 0.2f, 0.4f, 0.5f, 0.6f, 0.7f, 0, 1, 0.9f};
+  ViewOptions plain;
+  plain.transform = ViewTransform::srgb;
+  plain.dither = false;
+  write_png(file("l.png"), image, plain);
+  ReadOptions options;
+  options.linear = true;
+  const Image back = read(file("l.png"), options);
+  for (size_t i = 0; i < image.pixels.size(); ++i)  // half a code step, slope at most 2.2
+    EXPECT_NEAR(back.pixels[i], image.pixels[i], 2.3 / 510);
+}
+
+TEST_F(Files, GreyReadsOneOrThreeChannels) {
+  Image grey(4, 3, {"Y"});
+  for (size_t i = 0; i < grey.pixels.size(); ++i) grey.pixels[i] = static_cast<float>(i) / 16;
+  write_exr(file("y.exr"), grey);
+  EXPECT_EQ(read_grey(file("y.exr")).pixels, grey.pixels);
+  Image colour(1, 1, {"R", "G", "B"});
+  colour.pixels = {0.25f, 0.5f, 0.75f};
+  write_exr(file("c.exr"), colour);
+  EXPECT_FLOAT_EQ(read_grey(file("c.exr")).pixels[0], 0.5f);
+}
+
+TEST_F(Files, BrokenFilesGetASentence) {
+  EXPECT_NE(message([&] { read(file("none.exr")); }).find("no such file"), std::string::npos);
+  write_text(file("text.exr"), "this is no picture at all, and never was one");
+  EXPECT_NE(message([&] { read(file("text.exr")); }).find("text.exr"), std::string::npos);
+  write_text(file("empty.png"), "");
+  EXPECT_NE(message([&] { read(file("empty.png")); }).find("empty.png"), std::string::npos);
+  EXPECT_THROW(read(fs::temp_directory_path()), Error);
+
+  write_exr(file("whole.exr"), noise(64, 64, {"R", "G", "B"}, 1));
+  write_png(file("whole.png"), noise(64, 64, {"R", "G", "B"}, 1));
+  for (const char* name : {"whole.exr", "whole.png"}) {
+    const std::string whole = read_text(file(name));
+    for (const size_t part : {size_t{3}, whole.size() / 8, whole.size() / 2, whole.size() - 40}) {
+      const fs::path cut = file(std::string("cut_") + name);
+      write_text(cut, whole.substr(0, part));
+      EXPECT_THROW(read(cut), Error) << name << " cut at " << part;
+    }
+  }
+}
+
+TEST_F(Files, UnusableTargetsAreRefused) {
+  const Image image(4, 4, {"R", "G", "B"});
+  write_text(file("plain"), "a file, not a folder");
+  EXPECT_THROW(write_exr(file("plain") / "a.exr", image), Error);
+  EXPECT_THROW(write_exr(file("b.exr"), Image()), Error);
+  EXPECT_THROW(write_png(file("b.png"), Image(2, 2, {"a", "b"})), Error);
+  EXPECT_FALSE(fs::exists(file("b.exr")));
+}
+
+TEST(ImageStruct, RefusesWhatCannotBe) {
+  EXPECT_THROW(Image(0, 4, {"R"}), Error);
+  EXPECT_THROW(Image(4, 4, {}), Error);
+  EXPECT_THROW(Image(4, 4, {"R"}).select({"G"}), Error);
+}
+
+}  // namespace
+}  // namespace vug::image
