@@ -3,6 +3,7 @@ option(VUG_TESTS "Build the tests" ON)
 option(VUG_BENCH "Build the benchmarks" OFF)
 option(VUG_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
 option(VUG_WERROR "Treat warnings as errors" ON)
+option(VUG_TIDY "Run clang-tidy 14 on every source while building" OFF)
 set(VUG_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -26,6 +27,8 @@ target_include_directories(vug_contract INTERFACE
 add_library(vug_strict INTERFACE)
 target_compile_options(vug_strict INTERFACE -Wall -Wextra -Wshadow -Wconversion
   $<$<BOOL:${VUG_WERROR}>:-Werror>)
+# The sources we compile are instrumented, the linked system libraries are not: what those report
+# by mistake is listed in tests/sanitizers.
 if(VUG_SANITIZE)
   target_compile_options(vug_strict INTERFACE -fsanitize=${VUG_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)
@@ -34,3 +37,7 @@ endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(VUG_TIDY)
+  find_program(VUG_CLANG_TIDY NAMES clang-tidy-14 REQUIRED)
+  set(CMAKE_CXX_CLANG_TIDY ${VUG_CLANG_TIDY} --quiet --warnings-as-errors=*)
+endif()
