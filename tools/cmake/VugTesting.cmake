@@ -1,0 +1,43 @@
+# What tests are made of: vug_test, vug_fuzz and vug_bench.
+include(GoogleTest)
+
+# vug_test(NAME SOURCES... LINK modules...): one executable of unit tests, mirroring lib/.
+function(vug_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES})
+  list(TRANSFORM ARG_LINK PREPEND vug_)
+  target_link_libraries(test_${name} PRIVATE vug_strict ${ARG_LINK} GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE
+    VUG_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" VUG_DATA="${PROJECT_SOURCE_DIR}/data")
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60)
+endfunction()
+
+# vug_fuzz(NAME SOURCES... LINK modules...): a fuzz target, i.e. sources with
+# LLVMFuzzerTestOneInput. With VUG_FUZZ it is linked with libFuzzer (clang); with VUG_TESTS a test
+# replays tests/fuzz/corpus/NAME through it, under whatever compiler and sanitizer is on.
+function(vug_fuzz name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  list(TRANSFORM ARG_LINK PREPEND vug_)
+  if(VUG_FUZZ)
+    add_executable(fuzz_${name} ${ARG_SOURCES})
+    target_link_libraries(fuzz_${name} PRIVATE vug_strict ${ARG_LINK})
+    target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+    set_target_properties(fuzz_${name} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  endif()
+  if(VUG_TESTS)
+    add_executable(replay_${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/fuzz/replay.cpp)
+    target_link_libraries(replay_${name} PRIVATE vug_strict ${ARG_LINK})
+    add_test(NAME fuzz_corpus.${name}
+      COMMAND replay_${name} ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${name})
+  endif()
+endfunction()
+
+# vug_bench(NAME SOURCES... LINK modules...): Google Benchmark; nothing asserts a time.
+function(vug_bench name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  list(TRANSFORM ARG_LINK PREPEND vug_)
+  add_executable(bench_${name} ${ARG_SOURCES})
+  target_link_libraries(bench_${name} PRIVATE vug_strict ${ARG_LINK} benchmark::benchmark_main)
+  set_target_properties(bench_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()
