@@ -121,7 +121,7 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
     std::vector<Operand> operands;
     operands.reserve(kept.size());
     for (Kept& k : kept)
-      operands.push_back({k.smaller ? std::move(k.smaller) : k.operand->node, k.operand->sign});
+      operands.push_back({k.smaller ? k.smaller : k.operand->node, k.operand->sign});
     out.node = std::make_shared<FoldNode>(traits(), std::move(operands), sign_, blend_);
   }
   kept.clear();

@@ -1,0 +1,30 @@
+"""Files stay small: a note above 400 lines (150 for headers), a finding above 600."""
+import statistics
+
+from .tree import Finding, module_of
+
+NOTE, NOTE_HEADER, FAIL = 400, 150, 600
+MEDIAN = 120
+EXEMPT = ("_table.h", "_table.cpp")  # generated or measured numbers
+
+
+def check(tree):
+    modules = {}
+    for name in tree.select(".h", ".cpp", ".py", ".cmake", "CMakeLists.txt"):
+        lines = tree.text(name).count("\n")
+        limit = NOTE_HEADER if name.endswith(".h") and name.startswith("lib/") else NOTE
+        if name.startswith("lib/vug/") and name.endswith((".h", ".cpp")):
+            modules.setdefault(module_of(name), []).append(lines)
+        if name.endswith(EXEMPT):
+            continue
+        if lines > FAIL:
+            yield Finding(name, 0, f"{lines} lines, at most {FAIL} are allowed: make it two files")
+        elif lines > limit:
+            yield Finding(name, 0, f"{lines} lines, {limit} is the aim", note=True)
+    everything = sorted(size for sizes in modules.values() for size in sizes)
+    if everything and statistics.median(everything) > MEDIAN:
+        yield Finding("lib", 0, f"the median file has {statistics.median(everything):g} lines, "
+                      f"at most {MEDIAN} are allowed")
+    yield Finding("", 0, "median lines of a file: " + ", ".join(
+        f"{module} {statistics.median(sizes):g}" for module, sizes in sorted(modules.items())),
+        note=True)
