@@ -1,0 +1,95 @@
+#include <vug/sgm/bond_pool.h>
+#include <vug/sgm/probe.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::sgm {
+namespace {
+
+constexpr double kTolerance = 1e-6;  // of the base's size, as in makes_label
+
+bool same(const Bond& a, const Bond& b, double size) {
+  return (a.point - b.point).length() <= kTolerance * size &&
+         (a.direction - b.direction).length() <= kTolerance;
+}
+
+}  // namespace
+
+std::optional<Bond> recast(const Bond& bond, const field::Field& base, double depth) {
+  const double size = size_of(base);
+  const Box3d& box = base.bounds();
+  if (bond.free_direction()) {
+    if (std::fabs(base.value(bond.point)) <= kTolerance * size * base.lipschitz()) return bond;
+    return std::nullopt;
+  }
+  if (!is_finite(box)) return std::nullopt;
+  // As far out as the farthest corner of the bounds: from there nothing lies in between.
+  double out = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double face = bond.direction[i] > 0 ? box.max[i] : box.min[i];
+    out += std::max(0.0, bond.direction[i] * (face - bond.point[i]));
+  }
+  out += kTolerance * size;
+  const Vec3d start = bond.point + bond.direction * out;
+  const auto t = first_hit(base, start, -bond.direction, out + depth);
+  return t ? std::optional(Bond{start - bond.direction * *t, bond.direction}) : std::nullopt;
+}
+
+void BondPool::add(const std::vector<Bond>& bonds) {
+  for (const Bond& bond : bonds) free_.push_back({bond, next_id_++});
+}
+
+bool BondPool::taken(const Bond& bond, double size) const {
+  return std::any_of(consumed_.begin(), consumed_.end(),
+                     [&](const Bond& c) { return same(c, bond, size); });
+}
+
+std::optional<OwnBond> BondPool::take(Label side, const field::Field& base, RandomKey key) {
+  std::vector<size_t> directed, undirected;
+  for (size_t i = 0; i < free_.size(); ++i)
+    if (on_side(free_[i].bond, side))
+      (free_[i].bond.free_direction() ? undirected : directed).push_back(i);
+  const auto& candidates = directed.empty() ? undirected : directed;
+  if (!candidates.empty()) {
+    const auto pick = RandomStream(key).below(static_cast<uint32_t>(candidates.size()));
+    const auto at = free_.begin() + static_cast<std::ptrdiff_t>(candidates[pick]);
+    const OwnBond out = *at;
+    free_.erase(at);
+    return out;
+  }
+  const double size = size_of(base);
+  std::optional<Bond> bond = bond_on(base, side);
+  if (bond && taken(*bond, size)) bond = support_bond(base, side);
+  if (!bond || taken(*bond, size)) return std::nullopt;
+  return OwnBond{*bond, next_id_++};
+}
+
+void BondPool::settle(const field::Field& base, double depth,
+                      const std::function<bool(const Bond&)>& touched) {
+  const double size = size_of(base);
+  std::vector<OwnBond> kept;
+  std::vector<OwnBond> moved;
+  for (const OwnBond& own : free_) {
+    if (!touched(own.bond)) {
+      kept.push_back(own);
+    } else if (const auto bond = recast(own.bond, base, depth)) {
+      moved.push_back({*bond, own.id});
+    }
+  }
+  for (const OwnBond& own : moved) {
+    const bool met = std::any_of(kept.begin(), kept.end(), [&](const OwnBond& other) {
+      return same(other.bond, own.bond, size);
+    });
+    if (!met && !taken(own.bond, size)) kept.push_back(own);
+  }
+  free_ = std::move(kept);
+}
+
+std::vector<Bond> BondPool::free() const {
+  std::vector<Bond> out;
+  for (const OwnBond& own : free_) out.push_back(own.bond);
+  return out;
+}
+
+}  // namespace vug::sgm

@@ -1,0 +1,49 @@
+#include <vug/sgm/derive.h>
+
+#include <fmt/format.h>
+
+namespace vug::sgm {
+
+Result interpret(grammar::Tree tree, const Options& options, Progress& progress) {
+  Growth growth(options);
+  Result out;
+  const std::vector<int> leaves = tree.leaves();
+  progress.begin("growing", leaves.size());
+  for (const int leaf : leaves) {
+    progress.check();
+    const grammar::Node& node = tree.nodes[static_cast<size_t>(leaf)];
+    const Step* step = std::any_cast<Step>(&node.symbol.content.payload);
+    if (!step) {
+      out.diagnostics.warning({}, fmt::format("'{}' at {} was never rewritten to a production",
+                                              grammar::to_string(node.symbol), tree.path(leaf)));
+      continue;
+    }
+    try {
+      growth.apply(*step, node.key.at("placement"), leaf);
+    } catch (Error& e) {
+      throw e.within("while growing " + tree.path(leaf));
+    }
+    ++(step->operation == Operation::morph ? out.counts.morphic : out.counts.classic);
+    progress.advance();
+  }
+  progress.end();
+  out.field = growth.field();
+  out.bonds = growth.free_bonds();
+  out.operations = growth.placements();
+  for (const Diagnostic& d : growth.diagnostics().all())
+    out.diagnostics.warning(d.where, d.message);
+  out.tree = std::move(tree);
+  return out;
+}
+
+Result derive(const grammar::Grammar& grammar, RandomKey key, const Options& options,
+              const grammar::Limits& limits, Progress& progress) {
+  return interpret(grammar::derive(grammar, key, limits, {}, progress), options, progress);
+}
+
+Result derive(const Rules& rules, RandomKey key, const Options& options,
+              const grammar::Limits& limits, Progress& progress) {
+  return derive(grammar_of(rules), key, options, limits, progress);
+}
+
+}  // namespace vug::sgm

@@ -1,0 +1,61 @@
+// From a grammar, or from the paper's six parameters, to a cave (zawadzki2012, section 2).
+#pragma once
+
+#include <vug/grammar/derive.h>
+#include <vug/sgm/growth.h>
+
+namespace vug::sgm {
+
+/// P_T = P_C + P_M (definition 3). Productions count whether they were effective or not.
+struct Counts {
+  int classic = 0;
+  int morphic = 0;
+  int total() const { return classic + morphic; }
+};
+
+struct Result {
+  field::Field field;
+  std::vector<Bond> bonds;  ///< The cave's free bonds.
+  std::vector<Placement> operations;
+  Counts counts;
+  grammar::Tree tree;
+  Diagnostics diagnostics;  ///< Warnings about productions without effect.
+};
+
+/// Performs the steps that the tree's leaves carry (payload Step, in order); other leaves are
+/// left-over symbols and get a warning.
+Result interpret(grammar::Tree tree, const Options& options = {},
+                 Progress& progress = Progress::none());
+
+/// Derives, then interprets.
+Result derive(const grammar::Grammar& grammar, RandomKey key, const Options& options = {},
+              const grammar::Limits& limits = {}, Progress& progress = Progress::none());
+
+/// A primitive that the experiment may choose.
+struct Choice {
+  std::string name;
+  double weight = 1;
+  std::function<field::Field(RandomKey)> make;  ///< E.g. with a random radius.
+};
+
+/// The paper's experiment (section 3). L_D, the sampling density, belongs to voxelisation.
+struct Rules {
+  std::vector<Choice> shapes;
+  int classic = 10;                   ///< P_C
+  int morphic = 2;                    ///< P_M, spread evenly among the classic productions.
+  int pieces = 3;                     ///< P_S, primitives in a shape; 0 counts as 1.
+  Label label = Label::plus_x;        ///< L_B
+  Label piece_label = Label::random;  ///< How the pieces of a shape are glued.
+  double amount = 0.52;               ///< M_P, ratio in 0..1.
+  double unite = 4, subtract = 1, intersect = 1;  ///< Weights of the classic productions.
+  field::Blend blend;
+};
+
+/// The experiment as a grammar: cave -> Classic... Morphic..., Classic -> + | - | &, Morphic -> ~.
+/// Error(bad_input) for parameters that mean nothing.
+grammar::Grammar grammar_of(const Rules& rules);
+
+Result derive(const Rules& rules, RandomKey key, const Options& options = {},
+              const grammar::Limits& limits = {}, Progress& progress = Progress::none());
+
+}  // namespace vug::sgm
