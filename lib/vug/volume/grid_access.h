@@ -1,0 +1,30 @@
+// Inside volume/ only: the OpenVDB grid behind a handle. Declares, so that OpenVDB's headers
+// stay in .cpp files.
+#pragma once
+
+#include <vug/volume/grid.h>
+
+namespace openvdb {
+namespace v10_0 {
+class GridBase;
+class MetaMap;
+}  // namespace v10_0
+using namespace v10_0;  // as OpenVDB's own headers do
+}  // namespace openvdb
+
+namespace vug::volume {
+
+struct Grid::Data {
+  std::shared_ptr<const openvdb::GridBase> grid;
+};
+
+/// Registers OpenVDB's types once; every function that makes or reads grids calls it first.
+void initialise_openvdb();
+
+/// Metadata of a grid or file, types we do not know as text; and the way back.
+Metadata read_metadata(const openvdb::MetaMap& map);
+void write_metadata(openvdb::MetaMap& map, const Metadata& metadata);
+
+Grid wrap(std::shared_ptr<const openvdb::GridBase> grid);
+
+}  // namespace vug::volume

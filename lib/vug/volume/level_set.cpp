@@ -1,0 +1,67 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/volume/grid_access.h>
+#include <vug/volume/level_set.h>
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Diagnostics.h>
+#include <openvdb/tools/Interpolation.h>
+
+namespace vug::volume {
+namespace {
+
+const openvdb::FloatGrid& floats(const Grid& grid) {
+  return static_cast<const openvdb::FloatGrid&>(*grid.data().grid);
+}
+
+}  // namespace
+
+LevelSet::LevelSet(const Grid& grid) : Grid(grid) {
+  const openvdb::GridBase& base = *grid.data().grid;
+  if (!base.isType<openvdb::FloatGrid>() || base.getGridClass() != openvdb::GRID_LEVEL_SET)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("grid '{}' is no level set: its class is {}, its values are {}",
+                            grid.name(), to_string(grid.grid_class()), grid.value_type()));
+  if (!base.hasUniformVoxels() || !(background() > 0))
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("level set '{}' has voxels that are no cubes, or no band", grid.name()));
+}
+
+double LevelSet::voxel() const { return data().grid->voxelSize().x(); }
+double LevelSet::background() const { return static_cast<double>(floats(*this).background()); }
+bool LevelSet::empty() const {
+  return !floats(*this).tree().hasActiveTiles() && floats(*this).activeVoxelCount() == 0;
+}
+
+double LevelSet::value(const Vec3d& p) const { return values({p})[0]; }
+
+std::vector<double> LevelSet::values(const std::vector<Vec3d>& points) const {
+  const openvdb::FloatGrid& grid = floats(*this);
+  std::vector<double> out(points.size());
+  tbb::parallel_for(
+      tbb::blocked_range<size_t>(0, points.size(), 1024),
+      [&](const tbb::blocked_range<size_t>& range) {
+        const auto accessor = grid.getConstAccessor();
+        for (size_t i = range.begin(); i != range.end(); ++i) {
+          const openvdb::Vec3d index =
+              grid.worldToIndex(openvdb::Vec3d(points[i].x, points[i].y, points[i].z));
+          out[i] = static_cast<double>(openvdb::tools::BoxSampler::sample(accessor, index));
+        }
+      });
+  return out;
+}
+
+LevelSetReport check(const LevelSet& level_set) {
+  openvdb::tools::CheckLevelSet<openvdb::FloatGrid> checks(floats(level_set));
+  LevelSetReport report;
+  report.fault = checks.check(8, false);
+  if (!report.good() || level_set.empty()) return report;
+  checks.checkEikonal(true);
+  report.share_off_unit_slope = static_cast<double>(checks.failureCount()) /
+                                static_cast<double>(floats(level_set).activeVoxelCount());
+  return report;
+}
+
+}  // namespace vug::volume

@@ -1,0 +1,27 @@
+// The raw polygons of a level set, as OpenVDB's volume-to-mesh makes them.
+#pragma once
+
+#include <vug/volume/level_set.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vug::volume {
+
+struct PolygoniseOptions {
+  double iso = 0;         ///< Level of the surface, metres.
+  double adaptivity = 0;  ///< 0..1: how far flat regions are merged into larger polygons.
+};
+
+/// World space, metres. Corners run anticlockwise as seen from outside (air).
+struct Polygons {
+  std::vector<Vec3f> points;
+  std::vector<std::array<uint32_t, 4>> quads;
+  std::vector<std::array<uint32_t, 3>> triangles;
+};
+
+/// Same polygons in the same order for any number of threads.
+Polygons polygonise(const LevelSet& level_set, const PolygoniseOptions& options = {});
+
+}  // namespace vug::volume
