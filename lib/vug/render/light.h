@@ -39,24 +39,29 @@ class Light {
   /// Density with which `sample` chooses `direction`, 0 where it never does.
   virtual float pdf(const LitPoint& point, const Vec3f& direction) const = 0;
   /// How much this light may matter at the point (power over distance squared, about); 0 only
-  /// where it cannot matter or is better found by following the material's own directions.
+  /// where it cannot matter, or where following the material's own directions finds it better.
   virtual float importance(const LitPoint& point) const = 0;
+  /// The same for all points of a ray between two distances, together.
+  virtual float importance_along(const Ray& ray, float begin, float end) const = 0;
+  /// The place that equiangular sampling in a medium turns to; meaningless for whole skies.
+  virtual Vec3f centre() const { return {0, 0, 0}; }
 
   /// Emission met by a ray before `max_distance`; false for none. Not called for skies.
   virtual bool intersect(const Ray& ray, float max_distance, LightHit& hit) const {
     (void)ray, (void)max_distance, (void)hit;
     return false;
   }
-  /// Skies only: radiance that arrives against `direction` from infinitely far.
+  virtual bool camera_visible() const { return true; }
+
+  /// True when its light comes from infinitely far: skies, and portals, which only tell where the
+  /// sky can be seen. Their samples carry a distance of kFar and no radiance of their own: what
+  /// arrives from a direction is the sum of all skies' `escape_radiance`.
+  virtual bool is_sky() const { return false; }
+  virtual bool is_portal() const { return false; }
   virtual Rgb escape_radiance(const Vec3f& direction) const {
     (void)direction;
     return {0, 0, 0};
   }
-  /// True when the light lies infinitely far away all round.
-  virtual bool is_sky() const { return false; }
-  virtual bool camera_visible() const { return true; }
-  /// The place that equiangular sampling in a medium turns to; meaningless for skies.
-  virtual Vec3f centre() const { return {0, 0, 0}; }
 };
 using LightPtr = std::shared_ptr<const Light>;
 

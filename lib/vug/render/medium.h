@@ -15,15 +15,18 @@ struct Segment {
 };
 
 struct DistanceSample {
-  float distance = 0;  ///< From the ray's origin; beyond the segment: no scattering in it.
+  float distance = 0;  ///< From the ray's origin.
   bool scattered = false;
 };
 
-/// Homogeneous inside a box, nothing outside it.
+/// Fills a region of space; clear air outside it.
 class Medium {
  public:
   virtual ~Medium() = default;
-  /// The part of the ray before `end` that lies in the medium.
+  /// This medium with its region set to the scene's box, when it was given no region of its own;
+  /// null when it has one.
+  virtual std::shared_ptr<const Medium> fitted(const Box3f& scene) const = 0;
+  /// The part of the ray before `end` (may be kFar) that lies in the medium.
   virtual Segment clip(const Ray& ray, float end) const = 0;
   /// Part of the light that comes through a segment.
   virtual float transmittance(const Ray& ray, const Segment& segment) const = 0;

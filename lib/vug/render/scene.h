@@ -1,6 +1,7 @@
 // What is rendered, as plain data. Objects are shared and never changed.
 #pragma once
 
+#include <vug/mesh/mesh.h>
 #include <vug/render/bsdf.h>
 #include <vug/render/camera.h>
 #include <vug/render/light.h>
@@ -10,17 +11,13 @@
 #include <string>
 #include <vector>
 
-namespace vug::mesh {
-struct Mesh;
-}
-
 namespace vug::render {
 
 /// A mesh and its material. Vertex colours (attribute "Cd", arity 3) multiply the material's
 /// colour; vertex normals, where the mesh has them, shade it smoothly unless `flat` is set.
 struct Object {
   std::string name;
-  std::shared_ptr<const mesh::Mesh> mesh;
+  mesh::MeshPtr mesh;
   BsdfPtr material;  ///< Null: a grey Lambert surface of albedo 0.5.
   bool flat = false;
 };

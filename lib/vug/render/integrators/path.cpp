@@ -1,0 +1,258 @@
+// Unidirectional path tracing with next-event estimation. Lamps and sky are found both by
+// choosing them and by following the material, weighed by the balance heuristic (Veach 1997,
+// "Robust Monte Carlo methods for light transport simulation", section 9.2, cite veach1997).
+// In a medium, light that one lamp scatters into the ray is estimated at a distance chosen by
+// equiangular sampling (Kulla and Fajardo 2012, "Importance sampling techniques for path tracing
+// in participating media", cite kulla2012media) or by the medium itself, half and half.
+#include <vug/base/maths.h>
+#include <vug/render/kind.h>
+#include <vug/render/world.h>
+
+#include <algorithm>
+
+namespace vug::render {
+namespace {
+
+struct Path {
+  int max_bounces = 8;
+  bool roulette = true;
+
+  static void describe(Schema<Path>& s) {
+    s.doc("Path tracing from the camera with direct sampling of lights.")
+        .cite("veach1997")
+        .param("max_bounces", &Path::max_bounces,
+               {.doc = "A path scatters at most once more than this.", .min = 0, .max = 1000})
+        .param("roulette", &Path::roulette,
+               {.doc = "Ends dim paths at random; without it noise is less and time more."});
+  }
+};
+
+/// Numbers that one bounce may spend, so that branches do not shift those of later bounces.
+constexpr uint32_t kCameraDimensions = 2;
+constexpr uint32_t kBounceDimensions = 8;
+/// Shadow rays stop this part of the way to the lamp, before any wall it may lie against.
+constexpr float kAlmost = 0.9999f;
+
+/// The last place where the path scattered: what a light found by the ray is weighed against.
+struct Vertex {
+  enum { camera, surface, medium } kind = camera;
+  LitPoint point;
+  float pdf = 0;               ///< Of the direction taken, over solid angle.
+  float total_importance = 0;  ///< Of all lights, as `World::choose` saw it.
+};
+
+class PathIntegrator final : public Integrator {
+ public:
+  explicit PathIntegrator(const Path& p) : max_bounces_(p.max_bounces), roulette_(p.roulette) {}
+
+  PathResult trace(const World& world, const Ray& camera_ray, SampleCursor& numbers) const override;
+
+ private:
+  static void gather_lamps(const World& world, const Ray& ray, float end, const Vertex& from,
+                           const Rgb& throughput, PathResult& result);
+  static void gather_sky(const World& world, const Ray& ray, const Vertex& from,
+                         const Rgb& throughput, PathResult& result);
+  static Rgb surface_light(const World& world, const Hit& hit, const Vec3f& out, const Frame& frame,
+                           Vertex& vertex, float choice, const Vec2f& u);
+  static Rgb medium_light(const World& world, const Ray& ray, const Segment& segment, float choice,
+                          float where, const Vec2f& u);
+
+  int max_bounces_;
+  bool roulette_;
+};
+
+float clear_part(const World& world, const Ray& ray, float end) {
+  const Medium* medium = world.medium();
+  return medium ? medium->transmittance(ray, medium->clip(ray, end)) : 1;
+}
+
+/// Light from a sampled light that reaches the ray's origin, over the sample's density.
+Rgb unshadowed(const World& world, const LightSample& s) {
+  return s.distance == kFar ? world.sky_radiance(s.direction) : s.radiance;
+}
+bool shadowed(const World& world, const Ray& ray, float distance) {
+  return world.occluded(ray, distance == kFar ? kFar : distance * kAlmost);
+}
+
+/// Emission of lamps between the ray's origin and `end`.
+void PathIntegrator::gather_lamps(const World& world, const Ray& ray, float end, const Vertex& from,
+                                  const Rgb& throughput, PathResult& result) {
+  for (const Light* lamp : world.lamps()) {
+    LightHit hit;
+    // From a medium, direct sampling finds all of a lamp's light.
+    if (from.kind == Vertex::medium || !lamp->intersect(ray, end, hit)) continue;
+    float weight = 1;
+    if (from.kind == Vertex::camera) {
+      if (!lamp->camera_visible()) continue;
+      result.alpha = 1;
+    } else if (from.total_importance > 0) {
+      const float direct = world.importance(*lamp, from.point) / from.total_importance *
+                           lamp->pdf(from.point, ray.direction);
+      weight = from.pdf / (from.pdf + direct);
+    }
+    result.radiance += throughput * hit.radiance * (weight * clear_part(world, ray, hit.distance));
+  }
+}
+
+void PathIntegrator::gather_sky(const World& world, const Ray& ray, const Vertex& from,
+                                const Rgb& throughput, PathResult& result) {
+  if (!world.has_sky()) return;
+  float weight = 1;
+  if (from.kind == Vertex::surface && from.total_importance > 0) {
+    const float direct = world.sky_pdf(from.point, from.total_importance, ray.direction);
+    weight = from.pdf / (from.pdf + direct);
+  } else if (from.kind == Vertex::medium) {
+    // Direct sampling finds the sky only where it may turn to.
+    for (const Light* light : world.sampled_skies())
+      if (light->pdf(from.point, ray.direction) > 0) return;
+  }
+  result.radiance +=
+      throughput * world.sky_radiance(ray.direction) * (weight * clear_part(world, ray, kFar));
+}
+
+/// Direct light at a surface, reflected towards `out`; notes in `vertex` how lights were weighed.
+Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Vec3f& out,
+                                  const Frame& frame, Vertex& vertex, float choice,
+                                  const Vec2f& u) {
+  const LightChoice chosen = world.choose(vertex.point, choice);
+  vertex.total_importance = chosen.total;
+  if (!chosen.light) return Rgb(0.0f);
+  const LightSample s = chosen.light->sample(vertex.point, u);
+  if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
+  const Vec3f in = frame.to_local(s.direction);
+  const Rgb f = hit.material->evaluate(hit.surface, out, in);
+  const Rgb light = unshadowed(world, s);
+  const Ray ray{hit.origin, s.direction};
+  if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
+  const float direct = s.distance == kFar ? world.sky_pdf(vertex.point, chosen.total, s.direction)
+                                          : chosen.probability * s.pdf;
+  const float density = direct + hit.material->pdf(hit.surface, out, in);
+  return density > 0 ? f * light * (clear_part(world, ray, s.distance) / density) : Rgb(0.0f);
+}
+
+/// Light that is scattered once into the ray, anywhere in the segment, weighed by the clear part
+/// of the way back to the ray's origin.
+Rgb PathIntegrator::medium_light(const World& world, const Ray& ray, const Segment& segment,
+                                 float choice, float where, const Vec2f& u) {
+  const LightChoice chosen = world.choose_along(ray, segment, choice);
+  if (!chosen.light) return Rgb(0.0f);
+  const Medium& medium = *world.medium();
+  // Distances from the foot of the perpendicular, which equiangular sampling is about.
+  const Vec3f to = chosen.light->centre() - ray.origin;
+  const float foot = dot(to, ray.direction);
+  const auto height = static_cast<double>(
+      std::max(length(to - ray.direction * foot), 1e-4f * (segment.end - segment.begin)));
+  const double a = static_cast<double>(segment.begin - foot),
+               b = static_cast<double>(segment.end - foot);
+  const double angle_a = maths::atan2(a, height), angle_b = maths::atan2(b, height);
+  const double optical = static_cast<double>(medium.extinction(ray.at(segment.begin)));
+  const double span = b - a;
+  const double through = 1 - maths::exp(-optical * span);
+  double t = 0;
+  if (where < 0.5f) {
+    t = height * maths::tan(angle_a + 2 * static_cast<double>(where) * (angle_b - angle_a));
+  } else {
+    const double v = 2 * static_cast<double>(where) - 1;
+    t = a + (through > 1e-6 ? -maths::log(1 - v * through) / optical : v * span);
+  }
+  t = std::clamp(t, a, b);
+  const double equiangular = height / ((angle_b - angle_a) * (height * height + t * t));
+  const double falling =
+      through > 1e-6 ? optical * maths::exp(-optical * (t - a)) / through : 1 / span;
+  const auto density = static_cast<float>(0.5 * (equiangular + falling));
+  const float distance = static_cast<float>(t) + foot;
+
+  const LitPoint point{ray.at(distance), Vec3f(0.0f)};
+  const LightSample s = chosen.light->sample(point, u);
+  if (!(s.pdf > 0) || !(density > 0)) return Rgb(0.0f);
+  const Rgb light = unshadowed(world, s);
+  const Ray shadow{point.position, s.direction};
+  if (is_black(light) || shadowed(world, shadow, s.distance)) return Rgb(0.0f);
+  // Portals that share a direction share its light.
+  float sharing = 1;
+  if (s.distance == kFar) {
+    sharing = 0;
+    for (const Light* sky : world.sampled_skies())
+      if (sky == chosen.light || sky->pdf(point, s.direction) > 0) sharing += 1;
+  }
+  const float pdf = chosen.probability * s.pdf * sharing;
+  const float scattered =
+      medium.extinction(point.position) * medium.phase(dot(ray.direction, s.direction)) *
+      medium.transmittance(ray, {segment.begin, distance}) * clear_part(world, shadow, s.distance);
+  return light * medium.albedo(point.position) * (scattered / (pdf * density));
+}
+
+PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
+                                 SampleCursor& numbers) const {
+  PathResult result;
+  Ray ray = camera_ray;
+  Rgb throughput(1.0f);
+  Vertex from;
+  const Medium* medium = world.medium();
+  for (int depth = 0;; ++depth) {
+    numbers.jump(kCameraDimensions + kBounceDimensions * static_cast<uint32_t>(depth));
+    Hit hit;
+    const bool found = world.intersect(ray, hit);
+    const float end = found ? hit.distance : kFar;
+    if (depth == 0 && found)
+      result.first = {true, hit.surface.position, hit.surface.shading_normal,
+                      hit.material->albedo(hit.surface)};
+    if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar);
+    gather_lamps(world, ray, end, from, throughput, result);
+    if (!found) gather_sky(world, ray, from, throughput, result);
+    if (depth > max_bounces_) break;
+
+    const Vec2f choice = numbers.pair();  // which light, which lobe
+    const Vec2f light_u = numbers.pair();
+    const Vec2f scatter_u = numbers.pair();
+    const float survive_u = numbers.single();
+    bool in_medium = false;
+    if (medium) {
+      const Segment segment = medium->clip(ray, end);
+      if (!segment.empty() && segment.end < kFar) {
+        const Vec2f distance_u = numbers.pair();
+        result.radiance +=
+            throughput * medium_light(world, ray, segment, choice.x, distance_u.x, numbers.pair());
+        const DistanceSample collision = medium->sample_distance(ray, segment, distance_u.y);
+        if (collision.scattered) {
+          in_medium = true;
+          const Vec3f point = ray.at(collision.distance);
+          throughput *= medium->albedo(point);
+          ray = {point, medium->sample_phase(ray.direction, scatter_u)};
+          from = {Vertex::medium, {point, Vec3f(0.0f)}, 0, 0};
+        }
+      }
+    }
+    if (!in_medium) {
+      if (!found) break;
+      const Frame frame(hit.surface.shading_normal);
+      const Vec3f out = frame.to_local(-ray.direction);
+      from = {Vertex::surface, {hit.origin, hit.surface.geometric_normal}, 0, 0};
+      result.radiance +=
+          throughput * surface_light(world, hit, out, frame, from, choice.x, light_u);
+      const BsdfSample s = hit.material->sample(hit.surface, out, choice.y, scatter_u);
+      if (!(s.pdf > 0)) break;
+      const Vec3f direction = frame.to_world(s.direction);
+      if (!(dot(direction, hit.surface.geometric_normal) > 0)) break;
+      throughput *= s.weight;
+      from.pdf = s.pdf;
+      ray = {hit.origin, direction};
+    }
+    if (roulette_) {
+      // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
+      const float survival = std::sqrt(largest(throughput));
+      if (survival < 1) {
+        if (!(survive_u < survival)) break;
+        throughput *= 1 / survival;
+      }
+    } else if (is_black(throughput)) {
+      break;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(path, integrator, IntegratorPtr, Path, PathIntegrator)

@@ -1,0 +1,46 @@
+// A rectangle through which the sky is seen: it adds no light, it only tells the renderer where
+// to look for the sky's. Bitterli, Novak, Jarosz 2015, "Portal-masked environment map sampling",
+// for the idea; we sample the rectangle's solid angle without regard to the sky behind it.
+#include <vug/render/kind.h>
+#include <vug/render/rectangle.h>
+
+namespace vug::render {
+namespace {
+
+struct Portal : RectangleParams {
+  static void describe(Schema<Portal>& s) {
+    s.doc("An opening to the sky: adds no light, but lets the renderer find the sky's.")
+        .cite("bitterli2015portal");
+    describe_rectangle(s, "The side the light of the sky comes in to.");
+  }
+  std::string fault() const { return rectangle_fault(*this); }
+};
+
+class PortalLight final : public Light {
+ public:
+  explicit PortalLight(const Portal& p) : shape_(p) {}
+
+  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+    LightSample s = shape_.sample(point.position, u);
+    s.distance = kFar;
+    return s;
+  }
+  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+    return shape_.pdf(point.position, direction);
+  }
+  float importance(const LitPoint& point) const override { return shape_.importance(point); }
+  float importance_along(const Ray& ray, float begin, float end) const override {
+    return shape_.importance_along(ray, begin, end);
+  }
+  Vec3f centre() const override { return shape_.center(); }
+  bool is_sky() const override { return true; }
+  bool is_portal() const override { return true; }
+
+ private:
+  Rectangle shape_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(portal, light, LightPtr, Portal, PortalLight)

@@ -1,0 +1,36 @@
+// A sky of one colour. No direction towards it is better than another, so it is found by the
+// material's own directions and through portals, and samples nothing itself.
+#include <vug/render/kind.h>
+
+namespace vug::render {
+namespace {
+
+struct Sky {
+  Vec3d radiance{1, 1, 1};
+
+  static void describe(Schema<Sky>& s) {
+    s.doc("A sky of one colour all round.")
+        .param("radiance", &Sky::radiance,
+               {.doc = "Radiance of red, green, blue in W/sr/m^2.", .min = 0});
+  }
+};
+
+class SkyLight final : public Light {
+ public:
+  explicit SkyLight(const Sky& p) : radiance_(p.radiance) {}
+
+  LightSample sample(const LitPoint&, const Vec2f&) const override { return {}; }
+  float pdf(const LitPoint&, const Vec3f&) const override { return 0; }
+  float importance(const LitPoint&) const override { return 0; }
+  float importance_along(const Ray&, float, float) const override { return 0; }
+  bool is_sky() const override { return true; }
+  Rgb escape_radiance(const Vec3f&) const override { return radiance_; }
+
+ private:
+  Rgb radiance_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(sky, light, LightPtr, Sky, SkyLight)

@@ -1,0 +1,109 @@
+// Even haze in a box, with the phase function of Henyey and Greenstein 1941.
+#include <vug/base/maths.h>
+#include <vug/render/kind.h>
+#include <vug/render/sampling.h>
+
+namespace vug::render {
+namespace {
+
+struct Haze {
+  double extinction = 0.02;
+  Vec3d albedo{0.9, 0.9, 0.9};
+  double g = 0.6;
+  Vec3d center{0, 0, 0};
+  std::optional<Vec3d> size;
+
+  static void describe(Schema<Haze>& s) {
+    s.doc("Even haze, in a box or in the bounds of the scene's meshes.")
+        .cite("henyey1941")
+        .param("extinction", &Haze::extinction,
+               {.doc = "Collisions per metre; 0.005 to 0.05 in a cave.",
+                .dimension = Dimension::per_length,
+                .min = 0})
+        .param("albedo", &Haze::albedo,
+               {.doc = "Share of the collisions that scatter.", .min = 0, .max = 1})
+        .param("g", &Haze::g,
+               {.doc = "Mean cosine of scattering; above 0 light keeps its direction.",
+                .min = -0.99,
+                .max = 0.99})
+        .param("center", &Haze::center, any_length("Middle of the box."))
+        .param("size", &Haze::size,
+               positive_length("Lengths of the box; the scene's own box when not given."));
+  }
+};
+
+class HazeMedium final : public Medium {
+ public:
+  explicit HazeMedium(const Haze& p)
+      : extinction_(static_cast<float>(p.extinction)),
+        albedo_(p.albedo),
+        g_(static_cast<float>(p.g)),
+        bounded_(p.size.has_value()) {
+    if (p.size) box_ = {Vec3f(p.center - *p.size * 0.5), Vec3f(p.center + *p.size * 0.5)};
+  }
+
+  MediumPtr fitted(const Box3f& scene) const override {
+    if (bounded_) return nullptr;
+    auto copy = std::make_shared<HazeMedium>(*this);
+    copy->box_ = scene;
+    copy->bounded_ = true;
+    return copy;
+  }
+
+  Segment clip(const Ray& ray, float end) const override {
+    if (!bounded_) return {0, end};
+    float begin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = ray.direction[axis], o = ray.origin[axis];
+      if (d == 0) {
+        if (o < box_.min[axis] || o > box_.max[axis]) return {0, 0};
+        continue;
+      }
+      const float a = (box_.min[axis] - o) / d, b = (box_.max[axis] - o) / d;
+      begin = std::max(begin, std::min(a, b));
+      end = std::min(end, std::max(a, b));
+    }
+    return {begin, end};
+  }
+  float transmittance(const Ray&, const Segment& segment) const override {
+    return segment.empty() ? 1 : fall(segment.end - segment.begin);
+  }
+  DistanceSample sample_distance(const Ray&, const Segment& segment, float u) const override {
+    if (segment.empty() || !(extinction_ > 0)) return {};
+    const double t = -maths::log(1 - static_cast<double>(u)) / static_cast<double>(extinction_);
+    const float distance = segment.begin + static_cast<float>(t);
+    return {distance, distance < segment.end};
+  }
+  float extinction(const Vec3f&) const override { return extinction_; }
+  Rgb albedo(const Vec3f&) const override { return albedo_; }
+
+  float phase(float cosine) const override {
+    const float d = 1 + g_ * g_ - 2 * g_ * cosine;
+    return (1 - g_ * g_) / (4 * kPif * d * std::sqrt(d));
+  }
+  Vec3f sample_phase(const Vec3f& travel, const Vec2f& u) const override {
+    float cosine = 1 - 2 * u.x;
+    if (std::fabs(g_) > 1e-3f) {
+      const float q = (1 - g_ * g_) / (1 + g_ - 2 * g_ * u.x);
+      cosine = std::clamp((1 + g_ * g_ - q * q) / (2 * g_), -1.0f, 1.0f);
+    }
+    return Frame(travel).to_world(direction_at(cosine, u.y));
+  }
+
+ private:
+  float fall(float distance) const {
+    return static_cast<float>(
+        maths::exp(-static_cast<double>(extinction_) * static_cast<double>(distance)));
+  }
+
+  float extinction_;
+  Rgb albedo_;
+  float g_;
+  bool bounded_;
+  Box3f box_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(haze, medium, MediumPtr, Haze, HazeMedium)

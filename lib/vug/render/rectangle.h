@@ -1,0 +1,67 @@
+// A rectangle as seen from a point: the shape that rectangle lamps and portals share.
+#pragma once
+
+#include <vug/base/schema.h>
+#include <vug/base/vec.h>
+#include <vug/render/light.h>
+
+#include <string>
+
+namespace vug::render {
+
+/// Where a rectangle stands. `up` turns it about its normal: the first side lies along
+/// up x normal, the second along normal x (up x normal).
+struct RectangleParams {
+  Vec3d center{0, 0, 0};
+  Vec3d normal{0, -1, 0};
+  Vec3d up{0, 0, 1};
+  double width = 1;
+  double height = 1;
+};
+
+/// The parameters of a kind P that derives from RectangleParams.
+template <class P>
+void describe_rectangle(Schema<P>& s, const std::string& shines) {
+  s.param("center", static_cast<Vec3d P::*>(&P::center), any_length("Its middle."))
+      .param("normal", static_cast<Vec3d P::*>(&P::normal), {.doc = shines})
+      .param("up", static_cast<Vec3d P::*>(&P::up),
+             {.doc = "Turns the sides: the height runs this way."})
+      .param("width", static_cast<double P::*>(&P::width),
+             positive_length("Length across the up direction."))
+      .param("height", static_cast<double P::*>(&P::height),
+             positive_length("Length along the up direction."));
+}
+
+/// Empty, or a sentence on what is wrong.
+std::string rectangle_fault(const RectangleParams& p);
+
+/// Seen from its front only, the side the normal points to. Nearby it is sampled by solid angle
+/// (Urena, Fajardo, King 2013, "An area-preserving parametrization for spherical rectangles",
+/// cite urena2013rectangle), from afar by area, which is as good there and cheaper.
+class Rectangle {
+ public:
+  explicit Rectangle(const RectangleParams& p);
+
+  /// Direction, distance and pdf; radiance is left alone. Zero pdf behind the rectangle.
+  LightSample sample(const Vec3f& point, const Vec2f& u) const;
+  float pdf(const Vec3f& point, const Vec3f& direction) const;
+  /// Distance at which the ray passes through from the front, 0 when it does not.
+  float hit(const Ray& ray) const;
+
+  /// Projected area over squared distance, about: never 0 where the rectangle can light a point,
+  /// exactly 0 behind it and below the point's horizon.
+  float importance(const LitPoint& point) const;
+  float importance_along(const Ray& ray, float begin, float end) const;
+
+  const Vec3f& center() const { return center_; }
+  float area() const { return width_ * height_; }
+
+ private:
+  struct View;  ///< The rectangle in coordinates of its own around a point.
+  bool is_far(const Vec3f& to_center) const;
+
+  Vec3f center_, normal_, x_, y_;
+  float width_, height_;
+};
+
+}  // namespace vug::render

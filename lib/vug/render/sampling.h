@@ -1,0 +1,61 @@
+// Maps from uniform numbers in [0, 1)^2 to directions, in single precision and with the same bits
+// on every machine.
+#pragma once
+
+#include <vug/render/vectors.h>
+
+#include <algorithm>
+
+namespace vug::render {
+
+struct SinCos {
+  float sin, cos;
+};
+
+/// Sine and cosine of an angle in turns (1 = 360 degrees), |turns| <= 4; error below 1e-7: Taylor
+/// polynomials after reduction to an eighth of a turn.
+inline SinCos sincos_turns(float turns) {
+  const float quarter = std::floor(4.0f * turns + 0.5f);
+  const float x = (4.0f * turns - quarter) * (0.5f * kPif), xx = x * x;
+  const float s =
+      x * (1 + xx * (-1 / 6.0f + xx * (1 / 120.0f + xx * (-1 / 5040.0f + xx / 362880.0f))));
+  const float c = 1 + xx * (-0.5f + xx * (1 / 24.0f + xx * (-1 / 720.0f + xx * (1 / 40320.0f))));
+  switch (static_cast<int>(quarter) & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+/// Uniform on the unit disk, keeping strata whole: Shirley and Chiu 1997 (cite shirley1997disk).
+inline Vec2f sample_disk(const Vec2f& u) {
+  const float a = 2 * u.x - 1, b = 2 * u.y - 1;
+  if (a == 0 && b == 0) return {0, 0};
+  const bool wide = std::fabs(a) > std::fabs(b);
+  const float r = wide ? a : b;
+  const SinCos sc = sincos_turns(wide ? 0.125f * (b / a) : 0.25f - 0.125f * (a / b));
+  return {r * sc.cos, r * sc.sin};
+}
+
+/// Local direction with density cos / pi over the upper hemisphere.
+inline Vec3f sample_cosine_hemisphere(const Vec2f& u) {
+  const Vec2f d = sample_disk(u);
+  return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
+}
+
+/// Direction at the given cosine from z, `turn` of the way round it.
+inline Vec3f direction_at(float cosine, float turn) {
+  const SinCos sc = sincos_turns(turn);
+  const float sine = std::sqrt(std::max(0.0f, (1 - cosine) * (1 + cosine)));
+  return {sine * sc.cos, sine * sc.sin, cosine};
+}
+
+/// Uniform on the unit sphere; density 1 / (4 pi).
+inline Vec3f sample_sphere(const Vec2f& u) { return direction_at(1 - 2 * u.x, u.y); }
+
+}  // namespace vug::render

@@ -1,0 +1,106 @@
+#include <vug/render/geometry.h>
+#include <vug/render/sampling.h>
+#include <vug/render/world.h>
+
+namespace vug::render {
+namespace {
+
+/// Mean luminance of the skies, which sets the importance of portals against that of lamps.
+float mean_luminance(const std::vector<const Light*>& skies) {
+  constexpr int kSide = 16;
+  float sum = 0;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j)
+      for (const Light* sky : skies)
+        sum += luminance(sky->escape_radiance(sample_sphere(
+            {(static_cast<float>(i) + 0.5f) / kSide, (static_cast<float>(j) + 0.5f) / kSide})));
+  return sum / (kSide * kSide);
+}
+
+}  // namespace
+
+World::World(const Scene& scene)
+    : geometry_(std::make_unique<Geometry>(scene.objects)), owned_(scene.lights) {
+  bool portals = false;
+  for (const LightPtr& light : owned_) {
+    if (!light) continue;
+    if (!light->is_sky()) lamps_.push_back(light.get());
+    if (light->is_sky() && !light->is_portal()) skies_.push_back(light.get());
+    portals |= light->is_portal();
+  }
+  sky_scale_ = mean_luminance(skies_);
+  for (const LightPtr& light : owned_) {
+    if (!light) continue;
+    // Where portals are, they find the sky better than the sky does.
+    if (light->is_sky() && (light->is_portal() != portals || !(sky_scale_ > 0))) continue;
+    sampled_.push_back({light.get(), light->is_sky() ? sky_scale_ : 1});
+    if (light->is_sky()) sampled_skies_.push_back(light.get());
+  }
+  medium_ = scene.medium;
+  if (medium_)
+    if (MediumPtr fitted = medium_->fitted(geometry_->bounds)) medium_ = fitted;
+}
+
+World::~World() = default;
+
+bool World::intersect(const Ray& ray, Hit& hit) const { return geometry_->intersect(ray, hit); }
+bool World::occluded(const Ray& ray, float distance) const {
+  return geometry_->occluded(ray, distance);
+}
+const Box3f& World::bounds() const { return geometry_->bounds; }
+
+Rgb World::sky_radiance(const Vec3f& direction) const {
+  Rgb sum(0.0f);
+  for (const Light* sky : skies_) sum += sky->escape_radiance(direction);
+  return sum;
+}
+
+/// One pass: each light takes the place of those before it with the odds of its weight, and the
+/// uniform number is stretched back to [0, 1) each time (Chao 1982, reservoir sampling).
+template <class Weight>
+LightChoice World::choose_by(float u, const Weight& weight) const {
+  LightChoice choice;
+  double total = 0, rest = static_cast<double>(u), chosen = 0;
+  for (const Sampled& s : sampled_) {
+    const auto w = static_cast<double>(s.scale * weight(*s.light));
+    if (!(w > 0)) continue;
+    total += w;
+    const double odds = w / total;
+    if (rest < odds) {
+      rest /= odds;
+      choice.light = s.light;
+      chosen = w;
+    } else {
+      rest = (rest - odds) / (1 - odds);
+    }
+  }
+  if (choice.light) choice.probability = static_cast<float>(chosen / total);
+  choice.total = static_cast<float>(total);
+  return choice;
+}
+
+LightChoice World::choose(const LitPoint& point, float u) const {
+  return choose_by(u, [&](const Light& light) { return light.importance(point); });
+}
+
+LightChoice World::choose_along(const Ray& ray, const Segment& segment, float u) const {
+  return choose_by(u, [&](const Light& light) {
+    return light.importance_along(ray, segment.begin, segment.end);
+  });
+}
+
+float World::importance(const Light& light, const LitPoint& point) const {
+  return (light.is_sky() ? sky_scale_ : 1) * light.importance(point);
+}
+
+float World::sky_pdf(const LitPoint& point, float total, const Vec3f& direction) const {
+  float sum = 0;
+  if (!(total > 0)) return 0;
+  for (const Light* light : sampled_skies_) {
+    const float w = importance(*light, point);
+    if (w > 0) sum += w / total * light->pdf(point, direction);
+  }
+  return sum;
+}
+
+}  // namespace vug::render

@@ -1,0 +1,80 @@
+// A scene made ready for rays: the acceleration structure and the choice of lights.
+#pragma once
+
+#include <vug/render/light.h>
+#include <vug/render/medium.h>
+#include <vug/render/scene.h>
+
+#include <memory>
+#include <vector>
+
+namespace vug::render {
+
+/// The nearest surface on a ray.
+struct Hit {
+  float distance = 0;
+  const Bsdf* material = nullptr;
+  Surface surface;
+  /// Where rays leave from, on the viewer's side: lifted to the smooth surface that vertex normals
+  /// stand for, against shadow steps (Hanika 2021, "Hacking the shadow terminator",
+  /// cite hanika2021terminator), and clear of the triangle itself.
+  Vec3f origin;
+};
+
+/// Which light next-event estimation turns to, and with what probability.
+struct LightChoice {
+  const Light* light = nullptr;
+  float probability = 0;
+  float total = 0;  ///< Sum of all importances; light i is chosen with importance_i / total.
+};
+
+class World {
+ public:
+  /// Keeps references into the scene's meshes. Throws as `render` does.
+  explicit World(const Scene& scene);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// False when nothing is hit.
+  bool intersect(const Ray& ray, Hit& hit) const;
+  /// True when a surface lies on the ray before `distance`.
+  bool occluded(const Ray& ray, float distance) const;
+  const Box3f& bounds() const;
+
+  /// Lamps: what a ray meets on its way. Skies: what it gathers when it escapes.
+  const std::vector<const Light*>& lamps() const { return lamps_; }
+  bool has_sky() const { return !skies_.empty(); }
+  Rgb sky_radiance(const Vec3f& direction) const;
+  /// Portals, or without any the skies that sample directions themselves.
+  const std::vector<const Light*>& sampled_skies() const { return sampled_skies_; }
+
+  /// Chooses in proportion to importance, with one uniform number; null when none matters.
+  LightChoice choose(const LitPoint& point, float u) const;
+  LightChoice choose_along(const Ray& ray, const Segment& segment, float u) const;
+  /// As `choose` weighs it.
+  float importance(const Light& light, const LitPoint& point) const;
+  /// Density with which choosing a light and sampling it turns to the sky in a direction.
+  float sky_pdf(const LitPoint& point, float total, const Vec3f& direction) const;
+
+  const Medium* medium() const { return medium_.get(); }
+
+ private:
+  struct Geometry;
+  template <class Weight>
+  LightChoice choose_by(float u, const Weight& weight) const;
+
+  std::unique_ptr<Geometry> geometry_;
+  std::vector<LightPtr> owned_;
+  std::vector<const Light*> lamps_, skies_;
+  struct Sampled {
+    const Light* light;
+    float scale;
+  };
+  std::vector<Sampled> sampled_;
+  std::vector<const Light*> sampled_skies_;
+  float sky_scale_ = 1;
+  MediumPtr medium_;
+};
+
+}  // namespace vug::render
