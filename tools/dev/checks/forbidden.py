@@ -13,12 +13,12 @@ IN_LIBRARY = [
      "its last bits differ between machines: use <vug/base/maths.h>"),
     (r"\bstd::(?:cout|cerr|clog)\b|\b(?:std::)?(?:printf|fprintf|puts|fputs|putchar)\s*\(", None,
      "the library never prints: return a value or throw vug::Error"),
-    (r"(?<![\w.>])(?:std::)?(?:exit|abort|_Exit|quick_exit|terminate)\s*\(", None,
+    (r"(?<![\w.>:])(?:std::)?(?:exit|abort|_Exit|quick_exit|terminate)\s*\(", None,
      "the library never ends the process: throw vug::Error"),
     (r"\bthrow\s+std::", None, "there is one exception type: vug::Error"),
     (r"\bstd::(?:random_device|mt19937\w*|default_random_engine|\w+_distribution)\b"
-     r"|(?<![\w.>:])s?rand\s*\(", None, "randomness comes from <vug/base/rng.h> only"),
-    (r"\bsystem_clock\b|(?<![\w.>])(?:std::)?(?:localtime|gmtime|strftime)\w*\s*\(", None,
+     r"|(?<![\w.>:])(?:std::)?s?rand\s*\(", None, "randomness comes from <vug/base/rng.h> only"),
+    (r"\bsystem_clock\b|(?<![\w.>:])(?:std::)?(?:localtime|gmtime|strftime)\w*\s*\(", None,
      "products carry no time stamps: steady_clock measures durations"),
 ]
 IN_HEADERS = [(r"^\s*using\s+namespace\b", "a header opens no namespace for its includers")]

@@ -1,0 +1,167 @@
+"""Each check of tools/dev/check finds what it is for: a small good tree passes, bad ones do not."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+GOOD = {
+    "CMakeLists.txt": "",
+    ".clang-format": (ROOT / ".clang-format").read_text(),
+    "lib/CMakeLists.txt": "foreach(module\n    base\n    scene mesh\n    field\n    volume\n    session)\n",
+    "lib/vug/base/CMakeLists.txt": "vug_module(base PUBLIC TBB::tbb)\n",
+    "lib/vug/base/vec.h": "#pragma once\n",
+    "lib/vug/mesh/CMakeLists.txt": "vug_module(mesh DEPENDS base)\n",
+    "lib/vug/mesh/mesh.h": "#pragma once\n\n#include <vug/base/vec.h>\n",
+    "lib/vug/field/CMakeLists.txt": "vug_module(field DEPENDS mesh PUBLIC fmt::fmt)\n"
+                                    "vug_kinds(field primitives\n  box\n  sphere\n)\n",
+    "lib/vug/field/primitives/box.cpp": '#include <vug/base/vec.h>\n// s.cite("lorensen1987")\n',
+    "lib/vug/field/primitives/sphere.cpp": "#include <vug/mesh/mesh.h>\n",
+    "lib/vug/volume/CMakeLists.txt": "vug_module(volume DEPENDS field)\n",
+    "lib/vug/volume/grid.cpp": "#include <openvdb/openvdb.h>\n",
+    "lib/vug/session/CMakeLists.txt": "vug_module(session DEPENDS volume)\n",
+    "docs/references.bib": "@article{lorensen1987, title = {Marching Cubes}}\n",
+    "docs/tour.md": "# The tour\n\n[there](theory.md#two-words) and [here](#the-tour)\n",
+    "docs/theory.md": "# Theory\n\n## Two words\n\nSee [@lorensen1987].\n",
+    "data/cave.vug": "seed 1\n",
+}
+BODY = "int zero() { return 0; }\n"
+
+
+def run(changes, *names):
+    """Exit code and output of the check on GOOD with some files added, changed or dropped."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in {**GOOD, **changes}.items():
+            if text is None:
+                continue
+            path = pathlib.Path(folder, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        done = subprocess.run([sys.executable, ROOT / "tools/dev/check", "--root", folder, *names],
+                              capture_output=True, text=True)
+        return done.returncode, done.stdout + done.stderr
+
+
+class CheckTest(unittest.TestCase):
+    def finds(self, check, changes, *expected):
+        code, output = run(changes, check)
+        self.assertEqual(code, 1, output)
+        for text in expected:
+            self.assertIn(text, output)
+
+    def passes(self, check, changes):
+        code, output = run(changes, check)
+        self.assertEqual(code, 0, output)
+
+    def test_a_good_tree_passes_every_check(self):
+        code, output = run({})
+        self.assertEqual(code, 0, output)
+        self.assertEqual(output.count(" ok "), 8, output)
+
+    def test_unknown_check(self):
+        code, output = run({}, "layer")
+        self.assertEqual(code, 2)
+        self.assertIn("no such check: layer", output)
+
+    def test_upward_and_sideways_includes(self):
+        self.finds("layers", {"lib/vug/base/a.cpp": "#include <vug/mesh/mesh.h>\n"},
+                   "lib/vug/base/a.cpp:1", "base includes up")
+        self.finds("layers", {"lib/vug/mesh/a.cpp": "\n#include <vug/scene/scene.h>\n"},
+                   "lib/vug/mesh/a.cpp:2", "mesh includes sideways")
+
+    def test_includes_need_a_dependency(self):
+        self.finds("layers", {"lib/vug/volume/CMakeLists.txt": "vug_module(volume DEPENDS base)\n",
+                              "lib/vug/volume/a.cpp": "#include <vug/mesh/mesh.h>\n"},
+                   "add mesh to the DEPENDS of volume")
+        self.passes("layers", {"lib/vug/volume/a.cpp": "#include <vug/mesh/mesh.h>\n"})
+
+    def test_include_style_and_unknown_modules(self):
+        self.finds("layers", {"lib/vug/mesh/a.cpp": '#include "mesh.h"\n'}, "write #include <vug/")
+        self.finds("layers", {"lib/vug/mesh/a.cpp": "#include <vug/rocks/a.h>\n"}, "no such module")
+        self.finds("layers", {"lib/vug/rocks/a.cpp": BODY}, "not in the list")
+
+    def test_doors_to_libraries(self):
+        for library, owner in (("openvdb/openvdb.h", "volume"), ("embree3/rtcore.h", "render"),
+                               ("OpenImageIO/imageio.h", "image"), ("OpenEXR/ImfArray.h", "image")):
+            self.finds("layers", {"lib/vug/field/a.cpp": f"#include <{library}>\n"},
+                       f"only {owner} may include {library}")
+
+    def test_include_cycles(self):
+        self.finds("layers", {"lib/vug/mesh/a.h": "#pragma once\n#include <vug/mesh/b.h>\n",
+                              "lib/vug/mesh/b.h": "#pragma once\n#include <vug/mesh/a.h>\n"},
+                   "include cycle: lib/vug/mesh/a.h -> lib/vug/mesh/b.h -> lib/vug/mesh/a.h")
+
+    def test_heavy_headers_stay_private(self):
+        private = {"lib/vug/volume/vdb.h": "#pragma once\n#include <openvdb/openvdb.h>\n",
+                   "lib/vug/volume/step.h": "#pragma once\n#include <vug/volume/vdb.h>\n",
+                   "lib/vug/volume/a.cpp": "#include <vug/volume/step.h>\n"}
+        self.passes("layers", private)
+        self.finds("layers", {**private, "lib/vug/session/a.cpp": "#include <vug/volume/step.h>\n"},
+                   "brings openvdb/openvdb.h into another module")
+
+    def test_sizes(self):
+        self.finds("sizes", {"lib/vug/mesh/a.cpp": "\n" * 601}, "601 lines, at most 600")
+        self.passes("sizes", {"lib/vug/mesh/a.cpp": "\n" * 600})
+        self.passes("sizes", {"lib/vug/mesh/a_table.h": "\n" * 601})
+        self.assertIn("a.cpp: note: 401 lines", run({"tools/a.cpp": "\n" * 401}, "sizes")[1])
+        self.finds("sizes", {f"lib/vug/base/a{i}.cpp": "\n" * 130 for i in range(20)},
+                   "the median file has 130 lines")
+
+    def test_format(self):
+        self.finds("format", {"lib/vug/mesh/a.cpp": "int  a;\n"}, "a.cpp:1: not formatted")
+
+    def test_spelling(self):
+        self.finds("spelling", {"docs/a.md": "rec" + "ieve\n"}, "docs/a.md:1")
+        self.passes("spelling", {"docs/a.md": "rec" + "ieve\n",
+                                 "tools/dev/spelling.txt": "rec" + "ieve\n"})
+
+    def test_forbidden_in_the_library(self):
+        for code in ("std::sin(x)", "std::pow(x, y)", "sinf(x)", "std::cout << 1", "printf(text)",
+                     "exit(1)", "std::abort()", "throw std::runtime_error(text)", "std::mt19937 g",
+                     "std::rand()", "std::chrono::system_clock::now()"):
+            bad = f"void f() {{ {code}; }}\n"
+            self.finds("forbidden", {"lib/vug/field/a.cpp": bad}, "lib/vug/field/a.cpp:1")
+            self.passes("forbidden", {"lib/vug/field/a.cpp": f"// {code}\n"})
+            self.passes("forbidden", {"tests/a.cpp": bad})
+        self.passes("forbidden", {"lib/vug/field/a.cpp": "void f() { sin(x); std::sqrt(x); }\n"})
+        self.passes("forbidden", {"lib/vug/base/a.cpp": "void f() { std::sin(x); }\n"})
+
+    def test_forbidden_in_headers(self):
+        self.finds("forbidden", {"lib/vug/mesh/a.h": BODY}, "#pragma once")
+        self.finds("forbidden", {"lib/vug/mesh/a.h": "#pragma once\nusing namespace std;\n"}, "a.h:2")
+
+    def test_forbidden_everywhere(self):
+        for text in ("// TO" + "DO: more", "see /" + "root/a", "http://deb.deb" + "ian.org/x"):
+            self.finds("forbidden", {"tools/a.sh": text + "\n"}, "tools/a.sh:1")
+        self.passes("forbidden", {"tools/a.sh": "$root/work ~/home/a build/work/x\n"})
+
+    def test_layout(self):
+        self.finds("layout", {"scripts/a.sh": ""}, "the top level is fixed")
+        self.finds("layout", {"lib/vug/mesh/a/b/c.cpp": BODY}, "at most one folder below a module")
+        self.finds("layout", {"lib/vug/mesh/MyMesh.cpp": BODY}, "snake_case")
+
+    def test_kinds_are_listed_once_and_in_order(self):
+        name = "lib/vug/field/CMakeLists.txt"
+        self.finds("layout", {name: GOOD[name].replace("box\n  sphere", "sphere\n  box")},
+                   "not in alphabetical order")
+        self.finds("layout", {name: GOOD[name].replace("box", "box box")}, "lists box twice")
+        self.finds("layout", {name: GOOD[name].replace("box", "box cone")}, "cone.cpp is missing")
+        self.finds("layout", {"lib/vug/field/primitives/cone.cpp": BODY}, "not listed by vug_kinds")
+
+    def test_links(self):
+        self.finds("links", {"docs/a.md": "\n[x](nowhere.md)\n"}, "docs/a.md:2")
+        self.finds("links", {"docs/a.md": "[x](theory.md#three-words)\n"}, "no such heading")
+        self.finds("links", {"docs/a.md": "![x](picture.png)\n"}, "picture.png")
+        self.passes("links", {"docs/a.md": "```\n[x](nowhere.md)\n```\n[y](https://a.b/c)\n"})
+
+    def test_citations(self):
+        self.finds("citations", {"lib/vug/mesh/a.cpp": 'void f() { s.cite("nobody1999"); }\n'},
+                   "nobody1999 is not in docs/references.bib")
+        self.finds("citations", {"docs/a.md": "as in [@nobody1999]\n"}, "docs/a.md:1")
+        self.finds("citations", {"docs/references.bib": GOOD["docs/references.bib"] * 2}, "twice")
+
+
+if __name__ == "__main__":
+    unittest.main()
