@@ -28,6 +28,7 @@ struct Affine {
     if (uneven > 1 + 1e-12) out.exactness = std::max(out.exactness, Exactness::bound);
     out.lipschitz = child.lipschitz * (uneven > 1 + 1e-12 ? uneven : 1);
     out.bounds = forward.box(child.bounds);
+    out.growth = child.grows() / uneven;
     return out;
   }
 };

@@ -135,18 +135,25 @@ Traits fold_traits(const std::vector<Operand>& operands, double sign, const Blen
   traits.lipschitz = 0;
   traits.exactness = operands.size() == 1 ? operands[0].node->traits().exactness : Exactness::bound;
   traits.bounds = sign > 0 ? Box3d() : infinite_box();
+  const double bulge = sign > 0 ? blend.depth() * static_cast<double>(operands.size() - 1) : 0;
+  int bounded = 0;
+  traits.growth = 1;
   for (const Operand& operand : operands) {
     const Traits& t = operand.node->traits();
     traits.lipschitz = std::max(traits.lipschitz, t.lipschitz);
     traits.exactness = std::max(traits.exactness, t.exactness);
-    const Box3d inside = operand.sign == sign ? t.bounds : infinite_box();
-    if (sign > 0)
-      traits.bounds = united(traits.bounds, inside);
-    else
-      traits.bounds = intersection(traits.bounds, inside);
+    if (operand.sign == sign) {
+      const Box3d inside = t.bounds_below(bulge);
+      traits.bounds =
+          sign > 0 ? united(traits.bounds, inside) : intersection(traits.bounds, inside);
+      if (is_finite(inside) || sign > 0) traits.growth = std::min(traits.growth, t.grows());
+      if (is_finite(inside)) ++bounded;
+    } else if (sign > 0) {
+      traits.bounds = infinite_box();
+    }
   }
-  if (sign > 0)
-    traits.bounds = grown(traits.bounds, blend.depth() * static_cast<double>(operands.size() - 1));
+  // The distance to a common part of boxes is at most sqrt(3) times the largest to one of them.
+  if (sign < 0 && bounded > 1) traits.growth *= traits.bounds.isEmpty() ? 0 : 0.57735;
   return traits;
 }
 

@@ -10,7 +10,7 @@ constexpr double kFar = 1e6;
 class ConstantNode final : public Readings<ConstantNode> {
  public:
   explicit ConstantNode(double value)
-      : Readings({0, Exactness::bound, value > 0 ? Box3d() : infinite_box()}), value_(value) {}
+      : Readings({0, Exactness::bound, value > 0 ? Box3d() : infinite_box(), 1}), value_(value) {}
   template <class T>
   T at(const Point<T>&) const {
     return T(value_);

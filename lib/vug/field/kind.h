@@ -26,8 +26,8 @@ using FieldKind = Kind<Field>;
 
 /// A kind whose parameter struct P has `describe(Schema<P>&)` and `std::string fault() const`
 /// (empty, or a sentence on parameters that do not fit together); `build` makes the product.
-template <class P, class Build>
-FieldKind field_kind(std::string name, std::string category, Build build) {
+template <class Product, class P, class Build>
+Kind<Product> product_kind(std::string name, std::string category, Build build) {
   Schema<P> schema;
   schema.info().name = std::move(name);
   schema.info().category = std::move(category);
@@ -35,7 +35,7 @@ FieldKind field_kind(std::string name, std::string category, Build build) {
   KindInfo info = schema.info();
   return {std::move(info),
           [schema = std::move(schema), build](const Arguments& arguments, SourceLocation where,
-                                              Diagnostics& diagnostics) -> std::optional<Field> {
+                                              Diagnostics& diagnostics) -> std::optional<Product> {
             Diagnostics own;
             const P params = schema.bind(arguments, where, own);
             if (!own.has_errors()) {
@@ -47,6 +47,11 @@ FieldKind field_kind(std::string name, std::string category, Build build) {
             diagnostics.append(own);
             return std::nullopt;
           }};
+}
+
+template <class P, class Build>
+FieldKind field_kind(std::string name, std::string category, Build build) {
+  return product_kind<Field, P>(std::move(name), std::move(category), std::move(build));
 }
 
 }  // namespace vug::field

@@ -7,7 +7,8 @@ namespace {
 Traits morph_traits(const Traits& a, const Traits& b, double amount) {
   // Where the sum is negative at least one of the two is.
   return {(1 - amount) * a.lipschitz + amount * b.lipschitz,
-          std::max({a.exactness, b.exactness, Exactness::bound}), united(a.bounds, b.bounds)};
+          std::max({a.exactness, b.exactness, Exactness::bound}), united(a.bounds, b.bounds),
+          (1 - amount) * a.grows() + amount * b.grows()};
 }
 
 class MorphNode final : public Readings<MorphNode> {

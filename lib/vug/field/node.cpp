@@ -4,6 +4,12 @@
 
 namespace vug::field {
 
+Box3d Traits::bounds_below(double level) const {
+  if (level <= 0) return bounds;
+  const double slope = grows();
+  return slope > 0 ? grown(bounds, level / slope) : infinite_box();
+}
+
 Interval Node::centre_form(double value, const Ball& ball) const {
   // Batches run in single precision: their rounding grows with the distance from the origin.
   const double slack = 1e-6 * (std::fabs(value) + ball.centre.length() + ball.radius);

@@ -20,7 +20,13 @@ enum class Exactness {
 struct Traits {
   double lipschitz = 1;  ///< |f(p) - f(q)| <= lipschitz * |p - q| everywhere.
   Exactness exactness = Exactness::exact;
-  Box3d bounds;  ///< Holds every point with f <= 0; may be infinite, or empty.
+  Box3d bounds;       ///< Holds every point with f <= 0; may be infinite, or empty.
+  double growth = 0;  ///< Promised of fields that are not exact; see grows().
+
+  /// f(p) >= grows() * (distance from p to bounds) for every p outside; exact fields grow by 1.
+  double grows() const { return exactness == Exactness::exact ? 1 : growth; }
+  /// A box around every point with f <= level: what offsets and blends need.
+  Box3d bounds_below(double level) const;
 };
 
 /// A ball of space: what the pruning asks about.

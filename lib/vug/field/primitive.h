@@ -8,6 +8,7 @@ namespace vug::field {
 /// P has: template <class T> T distance(const Point<T>&) const   (metres, negative inside)
 ///        Box3d bounds() const                                   (around the inside)
 ///        double lipschitz() const, Exactness exactness() const  (optional: 1 and exact)
+///        double growth() const   (optional: 1/2 where not exact; see Traits::grows)
 template <class P>
 class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
  public:
@@ -32,6 +33,8 @@ class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
     traits.bounds = params.bounds();
     if constexpr (requires { params.lipschitz(); }) traits.lipschitz = params.lipschitz();
     if constexpr (requires { params.exactness(); }) traits.exactness = params.exactness();
+    traits.growth = 0.5;
+    if constexpr (requires { params.growth(); }) traits.growth = params.growth();
     return traits;
   }
   std::string name_;

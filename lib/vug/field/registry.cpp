@@ -27,6 +27,13 @@ const std::vector<const FieldKind*>& deformers() {
   return kinds;
 }
 
+const std::vector<const BlendKind*>& blends() {
+  static const std::vector<const BlendKind*> kinds = {
+#include <vug/field/blends_kinds.inc>
+  };
+  return kinds;
+}
+
 #undef VUG_KIND
 
 const std::vector<const FieldKind*>& field_kinds() {

@@ -1,0 +1,23 @@
+#include <vug/field/blend_kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Chamfer {
+  double radius = 0.2;
+
+  static void describe(Schema<Chamfer>& s) {
+    s.doc("A flat cut across the crease.")
+        .param("radius", &Chamfer::radius, positive_length("length of the cut's legs"));
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_BLEND_KIND(chamfer) {
+  using namespace vug::field;
+  return product_kind<Blend, Chamfer>("chamfer", "blend", [](const Chamfer& b) {
+    return Blend{Profile::chamfer, b.radius};
+  });
+}

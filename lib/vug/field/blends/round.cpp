@@ -1,0 +1,23 @@
+#include <vug/field/blend_kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Round {
+  double radius = 0.2;
+
+  static void describe(Schema<Round>& s) {
+    s.doc("A fillet of circular section between faces at a right angle.")
+        .param("radius", &Round::radius, positive_length("of the fillet"));
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_BLEND_KIND(round) {
+  using namespace vug::field;
+  return product_kind<Blend, Round>("round", "blend", [](const Round& b) {
+    return Blend{Profile::round, b.radius};
+  });
+}

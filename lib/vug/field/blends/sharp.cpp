@@ -1,0 +1,16 @@
+#include <vug/field/blend_kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Sharp {
+  static void describe(Schema<Sharp>& s) { s.doc("A crease: the operands keep their values."); }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_BLEND_KIND(sharp) {
+  using namespace vug::field;
+  return product_kind<Blend, Sharp>("sharp", "blend", [](const Sharp&) { return Blend{}; });
+}

@@ -1,0 +1,25 @@
+#include <vug/field/blend_kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Smooth {
+  double radius = 0.2;
+
+  static void describe(Schema<Smooth>& s) {
+    s.doc("A soft fillet whose section is a parabola.")
+        .cite("quilez2013smin")
+        .param("radius", &Smooth::radius,
+               positive_length("where the operands differ by less they blend"));
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_BLEND_KIND(smooth) {
+  using namespace vug::field;
+  return product_kind<Blend, Smooth>("smooth", "blend", [](const Smooth& b) {
+    return Blend{Profile::smooth, b.radius};
+  });
+}

@@ -1,0 +1,35 @@
+#include <vug/field/affine.h>
+#include <vug/field/kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Rotate {
+  Field field;
+  double angle = 0;
+  Vec3d axis{0, 1, 0};
+  Vec3d pivot{0, 0, 0};
+
+  static void describe(Schema<Rotate>& s) {
+    s.doc("Turns a solid about an axis, counter-clockwise as seen from the axis' tip.")
+        .param("field", &Rotate::field, {.doc = "what is turned", .required = true})
+        .param("angle", &Rotate::angle,
+               {.doc = "of the turn", .dimension = Dimension::angle, .required = true})
+        .param("axis", &Rotate::axis, {.doc = "direction of the axis, of any length but 0"})
+        .param("pivot", &Rotate::pivot, any_length("a point of the axis"));
+  }
+  std::string fault() const { return axis.length2() > 0 ? "" : "the axis needs a direction"; }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(rotate) {
+  using namespace vug::field;
+  using vug::Transform;
+  return field_kind<Rotate>("rotate", "deformer", [](const Rotate& r) {
+    return transformed(r.field, Transform::translation(r.pivot) *
+                                    Transform::rotation(r.axis, r.angle) *
+                                    Transform::translation(-r.pivot));
+  });
+}

@@ -1,0 +1,33 @@
+#include <vug/field/affine.h>
+#include <vug/field/factors.h>
+#include <vug/field/kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Scale {
+  Field field;
+  Factors by;
+
+  static void describe(Schema<Scale>& s) {
+    s.doc(
+         "Makes a solid larger or smaller, by one factor or by one along each axis; uneven "
+         "factors leave a lower bound of the distance.")
+        .param("field", &Scale::field, {.doc = "what is scaled", .required = true})
+        .param("by", &Scale::by,
+               {.doc = "one factor, or one for each axis",
+                .min = 0,
+                .above_min = true,
+                .required = true});
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(scale) {
+  using namespace vug::field;
+  return field_kind<Scale>("scale", "deformer", [](const Scale& s) {
+    return transformed(s.field, vug::Transform::scaling(s.by.each));
+  });
+}

@@ -1,0 +1,29 @@
+#include <vug/field/boolean.h>
+#include <vug/field/kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Difference {
+  Field base;
+  std::vector<Field> cuts;
+  Blend blend;
+
+  static void describe(Schema<Difference>& s) {
+    s.doc("The base without any of the cuts.")
+        .cite("zawadzki2012")
+        .param("base", &Difference::base, {.doc = "what is cut", .required = true})
+        .param("cuts", &Difference::cuts, {.doc = "the solids taken away", .required = true})
+        .param("blend", &Difference::blend, {.doc = "the edge that a cut leaves"});
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(difference) {
+  using namespace vug::field;
+  return field_kind<Difference>("difference", "operator", [](const Difference& d) {
+    return subtract(d.base, d.cuts, d.blend);
+  });
+}
