@@ -1,10 +1,12 @@
 // Expressions to values: parameters, lets and seeded draws here, objects through a Resolver.
 #pragma once
 
+#include <vug/scene/arithmetic.h>
 #include <vug/scene/document.h>
 #include <vug/scene/resolver.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,8 +55,12 @@ class Evaluator {
   /// key draws the same numbers, so rules that are applied again need another key.
   Value eval(const Expr& expr, RandomKey key, const Scope* scope = nullptr);
 
-  /// Arguments of a call expression (or none for a name), for symbols of a grammar.
+  /// Arguments of a call expression (none for a name): what a symbol of a grammar is given.
   Arguments arguments(const Expr& call, RandomKey key, const Scope* scope = nullptr);
+
+  /// A repetition count, at least 0: a whole number, or a whole number drawn from a range of
+  /// whole ends, both included. Nothing after a fault.
+  std::optional<int> count(const Expr& expr, RandomKey key, const Scope* scope = nullptr);
 
   /// Values of one entry; the key is `key.at(entry.key)`, then the index.
   std::vector<Value> eval(const Entry& entry, RandomKey key, const Scope* scope = nullptr);
@@ -75,13 +81,42 @@ class Evaluator {
 
   Diagnostics& diagnostics() { return diagnostics_; }
 
- private:
-  struct Binding;
-  friend struct Evaluation;
+  /// The document's sources and those of the overrides, for `report`.
+  std::vector<std::shared_ptr<const Source>> sources() const;
 
-  Value named(const Expr& expr, const Scope* scope);
-  Value global(const std::string& name, const SourceLocation& where);
-  Value param_value(ParamValue& param);
+ private:
+  /// Where an expression is evaluated.
+  struct Context {
+    RandomKey key;
+    const Scope* scope;
+  };
+  /// A parameter or let, evaluated when first asked for.
+  struct Global {
+    const Let* let = nullptr;
+    ParamValue* param = nullptr;
+    std::optional<Value> value;
+  };
+
+  void read_overrides();
+  void read_seed();
+  Value evaluate(const Expr& expr, const Context& context);
+  Value name(const Expr& expr, const Context& context);
+  Value parts(const Expr& expr, const Context& context);
+  Value unary(const Expr& expr, const Context& context);
+  Value binary(const Expr& expr, const Context& context);
+  Value logical(const Expr& expr, const Context& context);
+  Value range(const Expr& expr, const Context& context);
+  Value call(const Expr& expr, const Context& context);
+  Value choose(const Expr& expr, const Context& context);
+  Value pick(const Expr& expr, const Context& context);
+  std::optional<bool> truth(const Expr& expr, const Context& context);
+  Value global(const std::string& name, Global& global, const SourceLocation& where);
+  Value param(ParamValue& param, RandomKey key);
+  Value like(const Value& fallback, Value given, const std::string& name,
+             const SourceLocation& where);
+  bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
+  bool is_known(const Value& value, const Expr& expr);
+  Site site(const Expr& expr) const { return {expr.where, diagnostics_}; }
 
   const Document& document_;
   Resolver& resolver_;
@@ -89,8 +124,11 @@ class Evaluator {
   EvaluatorOptions options_;
   uint64_t seed_ = 0;
   std::vector<ParamValue> params_;
-  std::map<std::string, Value> lets_;
-  std::vector<std::string> pending_;  ///< Names being evaluated, to find circles.
+  std::map<std::string, Global> globals_;
+  std::map<std::string, ExprPtr> overrides_;
+  std::vector<std::shared_ptr<const Source>> sources_;
+  std::vector<std::string> pending_;  ///< Globals being evaluated, to find circles.
+  int depth_ = 0;
 };
 
 }  // namespace vug::scene

@@ -20,7 +20,7 @@ struct ParseOptions {
   std::function<std::optional<std::string>(const std::filesystem::path&)> read;
   int max_nesting = 200;              ///< Brackets inside brackets.
   int max_depth = 1000;               ///< Height of an expression tree.
-  int max_errors = 100;               ///< Then parsing stops.
+  int max_errors = 100;               ///< Of one file; further ones are dropped.
   size_t max_bytes = 8 << 20;         ///< Size of one file.
   size_t max_total_bytes = 64 << 20;  ///< Size of all files together.
 };

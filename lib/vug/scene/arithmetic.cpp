@@ -1,0 +1,208 @@
+#include <vug/base/maths.h>
+#include <vug/scene/arithmetic.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace vug::scene {
+
+namespace {
+
+using Vector = Value::Vector;
+
+/// Powers of metre, radian and second.
+using Powers = std::array<int, 3>;
+
+Powers powers(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length:
+      return {1, 0, 0};
+    case Dimension::per_length:
+      return {-1, 0, 0};
+    case Dimension::angle:
+      return {0, 1, 0};
+    case Dimension::time:
+      return {0, 0, 1};
+    default:
+      return {0, 0, 0};
+  }
+}
+
+std::string type_of(Dimension dimension) { return Value(Number{0, dimension}).type_name(); }
+
+bool is_finite(const Vec3d& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Value checked(Number n, const Site& site) {
+  return std::isfinite(n.value) ? Value(n) : site.fault("the result is not a finite number");
+}
+
+Value checked(Vector v, const Site& site) {
+  return is_finite(v.value) ? Value(v) : site.fault("the result is not a finite vector");
+}
+
+std::string adding(char op) { return op == '+' ? "cannot add" : "cannot subtract"; }
+
+Value power(Number a, Number b, const Site& site) {
+  if (powers(b.dimension) != Powers{})
+    return site.fault(fmt::format("an exponent is a plain number, not {}", type_of(b.dimension)));
+  Dimension dimension = a.dimension;
+  if (powers(a.dimension) != Powers{}) {
+    if (b.value == 0) dimension = Dimension::none;
+    if (b.value == -1) {
+      const auto inverse = product(Dimension::none, a.dimension, -1);
+      if (!inverse) return site.fault(fmt::format("no such power of {}", type_of(a.dimension)));
+      dimension = *inverse;
+    }
+    if (b.value != 0 && b.value != 1 && b.value != -1)
+      return site.fault(fmt::format("no such power of {}", type_of(a.dimension)),
+                        "divide it by a unit first, e.g. (r / 1m) ^ 2");
+  } else {
+    dimension = Dimension::none;
+  }
+  if (a.value < 0 && b.value != std::floor(b.value))
+    return site.fault("a broken power of a negative number");
+  if (a.value == 0 && b.value < 0) return site.fault("division by zero");
+  // Whole powers by multiplication: exact where the result is.
+  if (b.value == std::floor(b.value) && std::fabs(b.value) <= 64) {
+    double result = 1;
+    for (int i = 0; i < static_cast<int>(std::fabs(b.value)); ++i) result *= a.value;
+    return checked({b.value < 0 ? 1 / result : result, dimension}, site);
+  }
+  return checked({a.value == 0 ? 0 : maths::pow(a.value, b.value), dimension}, site);
+}
+
+Value scaled(char op, const Vector& v, Number by, bool by_first, const Site& site) {
+  if (op == '/' && by_first) return site.fault("cannot divide by a vector");
+  if (op == '^') return site.fault("vectors have no powers");
+  if (op != '*' && op != '/')
+    return site.fault(fmt::format("{} a vector and {}", adding(op), type_of(by.dimension)));
+  const auto dimension = product(v.dimension, by.dimension, op == '*' ? 1 : -1);
+  if (!dimension)
+    return site.fault(fmt::format("cannot {} a vector ({}) by {}",
+                                  op == '*' ? "multiply" : "divide", to_string(v.dimension),
+                                  type_of(by.dimension)));
+  if (op == '/' && by.value == 0) return site.fault("division by zero");
+  return checked(Vector{op == '*' ? v.value * by.value : v.value / by.value, *dimension}, site);
+}
+
+Value numbers(char op, Number a, Number b, const Site& site) {
+  if (op == '^') return power(a, b, site);
+  if (op == '+' || op == '-') {
+    if (!adapt(a, b, adding(op), site)) return {};
+    return checked({op == '+' ? a.value + b.value : a.value - b.value, a.dimension}, site);
+  }
+  const auto dimension = product(a.dimension, b.dimension, op == '*' ? 1 : -1);
+  if (!dimension)
+    return site.fault(fmt::format("cannot {} {} by {}", op == '*' ? "multiply" : "divide",
+                                  type_of(a.dimension), type_of(b.dimension)),
+                      "divide one of them by a unit first, e.g. a / 1m");
+  if (op == '/' && b.value == 0) return site.fault("division by zero");
+  return checked({op == '*' ? a.value * b.value : a.value / b.value, *dimension}, site);
+}
+
+Value vectors(char op, const Vector& a, const Vector& b, const Site& site) {
+  if (op != '+' && op != '-')
+    return site.fault("vectors only add and subtract", "see dot(a, b) and cross(a, b)");
+  Number da{1, a.dimension}, db{1, b.dimension};
+  if (a.value == Vec3d(0)) da.value = 0;
+  if (b.value == Vec3d(0)) db.value = 0;
+  if (!adapt(da, db, adding(op), site)) return {};
+  return checked(Vector{op == '+' ? a.value + b.value : a.value - b.value, da.dimension}, site);
+}
+
+}  // namespace
+
+std::optional<Dimension> product(Dimension a, Dimension b, int power) {
+  const bool both_ratios = a == Dimension::ratio && b == Dimension::ratio;
+  if (both_ratios) return power > 0 ? Dimension::ratio : Dimension::none;
+  Powers total = powers(a);
+  const Powers other = powers(b);
+  for (size_t i = 0; i < total.size(); ++i) total[i] += power * other[i];
+  for (const Dimension known : {Dimension::none, Dimension::length, Dimension::per_length,
+                                Dimension::angle, Dimension::time})
+    if (powers(known) == total) return known;
+  return std::nullopt;
+}
+
+bool adapt(Number& a, Number& b, const std::string& doing, const Site& site) {
+  if (a.dimension == b.dimension) return true;
+  Number* bare = a.dimension == Dimension::none   ? &a
+                 : b.dimension == Dimension::none ? &b
+                                                  : nullptr;
+  if (!bare) {
+    site.fault(fmt::format("{} {} and {}", doing, type_of(a.dimension), type_of(b.dimension)));
+    return false;
+  }
+  const Dimension dimension = (bare == &a ? b : a).dimension;
+  if (dimension == Dimension::angle && bare->value != 0) {
+    site.fault(fmt::format("{} {} and {}", doing, type_of(a.dimension), type_of(b.dimension)),
+               fmt::format("write {0}deg or {0}rad", bare->value));
+    return false;
+  }
+  bare->dimension = dimension;
+  return true;
+}
+
+std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const Site& site) {
+  if (op == '&') return std::nullopt;
+  const Number* na = a.get<Number>();
+  const Number* nb = b.get<Number>();
+  const Vector* va = a.get<Vector>();
+  const Vector* vb = b.get<Vector>();
+  if (na && nb) return numbers(op, *na, *nb, site);
+  if (va && vb) return vectors(op, *va, *vb, site);
+  if (va && nb) return scaled(op, *va, *nb, false, site);
+  if (na && vb) return scaled(op, *vb, *na, true, site);
+  return std::nullopt;
+}
+
+std::optional<Value> negated(char op, const Value& a) {
+  if (const Number* n = a.get<Number>())
+    return Value(Number{op == '-' ? -n->value : n->value, n->dimension});
+  if (const Vector* v = a.get<Vector>())
+    return Value(Vector{op == '-' ? -v->value : v->value, v->dimension});
+  return std::nullopt;
+}
+
+std::optional<Value> compared(const std::string& op, const Value& a, const Value& b,
+                              const Site& site) {
+  const auto* na = a.get<Number>();
+  const auto* nb = b.get<Number>();
+  if (na && nb) {
+    Number x = *na, y = *nb;
+    if (!adapt(x, y, "cannot compare", site)) return Value();
+    const double p = x.value, q = y.value;
+    return Value(op == "<"    ? p < q
+                 : op == "<=" ? p <= q
+                 : op == ">"  ? p > q
+                 : op == ">=" ? p >= q
+                 : op == "==" ? p == q
+                              : p != q);
+  }
+  if (op != "==" && op != "!=") return std::nullopt;
+  const auto answer = [&](bool equal) { return Value(equal == (op == "==")); };
+  if (const auto* x = a.get<bool>(), *y = b.get<bool>(); x && y) return answer(*x == *y);
+  if (const auto* x = a.get<std::string>(), *y = b.get<std::string>(); x && y)
+    return answer(*x == *y);
+  if (const auto* x = a.get<Value::Name>(), *y = b.get<Value::Name>(); x && y)
+    return answer(x->text == y->text);
+  if (const auto* x = a.get<Vector>(), *y = b.get<Vector>(); x && y)
+    return answer(x->value == y->value);
+  return std::nullopt;
+}
+
+Value vector_of(std::vector<Number> parts, const Site& site) {
+  for (size_t i = 1; i < parts.size(); ++i) {
+    // A dimension found late goes back to the bare parts before it.
+    for (size_t j = 0; j < i; ++j)
+      if (!adapt(parts[j], parts[i], "a vector cannot mix", site)) return {};
+  }
+  if (parts.size() == 2) return List{parts[0], parts[1]};
+  return Vector{Vec3d(parts[0].value, parts[1].value, parts[2].value), parts[0].dimension};
+}
+
+}  // namespace vug::scene

@@ -1,0 +1,167 @@
+#include <vug/scene/check.h>
+#include <vug/scene/units.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace vug::scene {
+
+namespace {
+
+constexpr const char* kReserved[] = {"and", "or", "not", "if", "in", "on", "true", "false", "pi"};
+
+class NameChecker {
+ public:
+  explicit NameChecker(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void run(const Document& document) {
+    for (const Param& param : document.params) global("parameter", param.name, param.where);
+    for (const Let& let : document.lets) global("let", let.name, let.where);
+    for (const Declaration& made : document.declarations)
+      declared(made.kind, made.name, made.where);
+    for (const Grammar& made : document.grammars) {
+      declared("grammar", made.name, made.where);
+      grammar(made);
+    }
+  }
+
+ private:
+  bool allowed(const std::string& name, const SourceLocation& where) {
+    const bool unit = is_unit(name);
+    const bool word =
+        std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
+    if (unit || word)
+      diagnostics_.error(where, fmt::format("'{}' is {} and can name nothing else", name,
+                                            unit ? "a unit" : "a word of the language"));
+    return !unit && !word;
+  }
+
+  void twice(const char* what, const std::string& name, const SourceLocation& where,
+             const SourceLocation& first) {
+    diagnostics_.error(where, fmt::format("a second {} '{}'", what, name),
+                       fmt::format("the first is at {}", to_string(first)));
+  }
+
+  /// Parameters and lets share one room of names.
+  void global(const char* what, const std::string& name, const SourceLocation& where) {
+    if (!allowed(name, where)) return;
+    const auto [place, fresh] = globals_.emplace(name, where);
+    if (!fresh) twice(what, name, where, place->second);
+  }
+
+  /// Declarations of one kind share one; and none may be hidden by a parameter or let.
+  void declared(const std::string& kind, const std::string& name, const SourceLocation& where) {
+    if (!allowed(name, where)) return;
+    const auto [place, fresh] = declared_.emplace(kind + ' ' + name, where);
+    if (!fresh) return twice(kind.c_str(), name, where, place->second);
+    if (const auto hidden = globals_.find(name); hidden != globals_.end())
+      diagnostics_.error(where, fmt::format("'{}' is already a parameter or a let", name),
+                         fmt::format("the first is at {}", to_string(hidden->second)));
+  }
+
+  void grammar(const Grammar& grammar) {
+    if (!grammar.axiom_where.known())
+      diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
+                         "write 'axiom' and the symbols that the derivation starts from");
+    std::map<std::string, std::set<size_t>> arities;
+    for (const Rule& rule : grammar.rules) {
+      arities[rule.head].insert(rule.formals.size());
+      std::set<std::string> names;
+      for (const Formal& formal : rule.formals)
+        if (allowed(formal.name, formal.where) && !names.insert(formal.name).second)
+          diagnostics_.error(formal.where, fmt::format("the parameter '{}' of '{}' twice",
+                                                       formal.name, rule.head));
+    }
+    items(grammar.axiom, arities);
+    for (const Rule& rule : grammar.rules) items(rule.items, arities);
+  }
+
+  void items(const std::vector<Item>& items,
+             const std::map<std::string, std::set<size_t>>& arities) {
+    for (const Item& item : items) {
+      if (!item.op.empty()) continue;
+      for (const Operand& argument : item.shape->operands)
+        if (!argument.name.empty())
+          diagnostics_.error(argument.where, "symbols take their arguments by position");
+      const auto known = arities.find(item.symbol());
+      const size_t given = item.shape->operands.size();
+      if (known == arities.end() || known->second.count(given)) continue;
+      std::string takes;
+      for (const size_t count : known->second)
+        takes += fmt::format("{}{}", takes.empty() ? "" : " or ", count);
+      diagnostics_.error(
+          item.where,
+          fmt::format("'{}' with {} argument{}", item.symbol(), given, given == 1 ? "" : "s"),
+          fmt::format("its rules take {}", takes));
+    }
+  }
+
+  Diagnostics& diagnostics_;
+  std::map<std::string, SourceLocation> globals_;
+  std::map<std::string, SourceLocation> declared_;
+};
+
+/// Collects every name that stands in an expression, formal parameters aside.
+class NameCollector {
+ public:
+  void add(const ExprPtr& expr) {
+    if (!expr) return;
+    if (expr->kind == ExprKind::name && !hidden_.count(expr->text)) names.insert(expr->text);
+    for (const Operand& part : expr->operands) add(part.value);
+  }
+  void add(const std::vector<Entry>& entries) {
+    for (const Entry& entry : entries)
+      for (const ExprPtr& value : entry.values) add(value);
+  }
+  void add(const std::vector<Item>& items) {
+    for (const Item& item : items) {
+      for (const ExprPtr& expr : {item.amount, item.shape, item.count}) add(expr);
+      add(item.clauses);
+    }
+  }
+  void add(const Rule& rule) {
+    for (const Formal& formal : rule.formals) hidden_.insert(formal.name);
+    add(rule.weight);
+    add(rule.guard);
+    add(rule.items);
+    hidden_.clear();
+  }
+
+  std::set<std::string> names;
+
+ private:
+  std::set<std::string> hidden_;
+};
+
+}  // namespace
+
+void check_names(const Document& document, Diagnostics& diagnostics) {
+  NameChecker(diagnostics).run(document);
+}
+
+void check_params_read(const Document& document, Diagnostics& diagnostics) {
+  NameCollector reader;
+  reader.add(document.seed);
+  for (const Param& param : document.params)
+    for (const ExprPtr& expr : {param.value, param.low, param.high}) reader.add(expr);
+  for (const Let& let : document.lets) reader.add(let.value);
+  for (const Declaration& made : document.declarations) {
+    reader.add(made.value);
+    reader.add(made.target);
+    reader.add(made.entries);
+  }
+  for (const Grammar& grammar : document.grammars) {
+    reader.add(grammar.axiom);
+    reader.add(grammar.options);
+    for (const Rule& rule : grammar.rules) reader.add(rule);
+  }
+  for (const Param& param : document.params)
+    if (!reader.names.count(param.name))
+      diagnostics.error(param.where, fmt::format("param '{}' is never read", param.name),
+                        "use it in an expression or remove it");
+}
+
+}  // namespace vug::scene

@@ -1,0 +1,181 @@
+#include <vug/scene/cursor.h>
+#include <vug/scene/units.h>
+#include <vug/scene/utf8.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::scene {
+
+namespace {
+
+bool is_line_break(const Token& token) {
+  return token.kind == TokenKind::newline && token.text != ";";
+}
+
+std::string shortened(std::string_view text) {
+  size_t length = std::min<size_t>(text.size(), 40);
+  while (length < text.size() && length > 0 && is_utf8_tail(text[length])) --length;
+  return printable(text.substr(0, length)) + (length < text.size() ? "..." : "");
+}
+
+}  // namespace
+
+std::string describe(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::end:
+      return "the end of the text";
+    case TokenKind::newline:
+      return token.text == ";" ? "';'" : "the end of the line";
+    case TokenKind::number:
+      return fmt::format("the number {}", shortened(token.text));
+    case TokenKind::size:
+      return fmt::format("the size {}", shortened(token.text));
+    case TokenKind::text:
+      return fmt::format("the text {}", shortened(token.text));
+    case TokenKind::junk:
+      return "a character that means nothing";
+    default:
+      return fmt::format("'{}'", shortened(token.text));
+  }
+}
+
+size_t Cursor::visible(size_t at) const {
+  if (brackets_ > 0)
+    while (is_line_break(tokens_[at])) ++at;
+  return at;
+}
+
+const Token& Cursor::peek(size_t ahead) const {
+  if (brackets_ == 0) return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+  size_t at = visible(at_);
+  for (; ahead > 0 && tokens_[at].kind != TokenKind::end; --ahead) at = visible(at + 1);
+  return tokens_[at];
+}
+
+const Token& Cursor::take() {
+  last_ = visible(at_);
+  at_ = tokens_[last_].kind == TokenKind::end ? last_ : last_ + 1;
+  return tokens_[last_];
+}
+
+bool Cursor::accept(std::string_view sign) {
+  if (!peek().is(sign)) return false;
+  take();
+  return true;
+}
+
+bool Cursor::at_line_end() const {
+  const Token& token = peek();
+  return token.kind == TokenKind::newline || token.kind == TokenKind::end || token.is("}");
+}
+
+void Cursor::expect(std::string_view sign, const std::string& purpose) {
+  if (!accept(sign)) unexpected(fmt::format("'{}'{}", sign, purpose));
+}
+
+const Token& Cursor::expect_name(const std::string& what) {
+  if (peek().kind != TokenKind::name) unexpected(what);
+  return take();
+}
+
+void Cursor::skip_newlines() {
+  while (is_line_break(tokens_[at_])) ++at_;
+}
+
+const Token& Cursor::beyond_newlines() const {
+  size_t at = at_;
+  while (is_line_break(tokens_[at])) ++at;
+  return tokens_[at];
+}
+
+bool Cursor::accept_beyond_newlines(std::string_view sign) {
+  if (!beyond_newlines().is(sign)) return false;
+  skip_newlines();
+  take();
+  return true;
+}
+
+void Cursor::error(const Token& token, std::string message, std::string hint) {
+  // A junk token was reported by the lexer; what stumbles over it adds nothing.
+  if (token.kind == TokenKind::junk && diagnostics_.has_errors()) return;
+  if (errors_++ < options_.max_errors)
+    diagnostics_.error(where(token), std::move(message), std::move(hint));
+}
+
+void Cursor::fail(const Token& token, std::string message, std::string hint) {
+  error(token, std::move(message), std::move(hint));
+  throw SyntaxFault{};
+}
+
+void Cursor::unexpected(const std::string& expected) {
+  const Token& found = peek();
+  const Token& before = tokens_[last_];
+  std::string hint;
+  if (found.is("(") && before.kind == TokenKind::name && !found.touches)
+    hint = fmt::format("a call's parenthesis touches its name: '{}('", shortened(before.text));
+  else if (found.kind == TokenKind::name && before.kind == TokenKind::number && is_unit(found.text))
+    hint = fmt::format("a unit touches its number: {}{}", before.text, found.text);
+  else if (found.is("="))
+    hint = "compare with '=='";
+  else if (found.is("~"))
+    hint = "'~' stands only before an item of a rule; the complement of a is -a";
+  fail(found, fmt::format("expected {}, found {}", expected, describe(found)), std::move(hint));
+}
+
+bool Cursor::first_on_line(size_t at) const {
+  return at == 0 || tokens_[at - 1].kind == TokenKind::newline;
+}
+
+bool Cursor::at_statement() const {
+  if (tokens_[at_].kind != TokenKind::name || !first_on_line(at_)) return false;
+  const auto kind = [&](size_t ahead) {
+    return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead].kind : TokenKind::end;
+  };
+  if (tokens_[at_].is_name("include") && kind(1) == TokenKind::text) return true;
+  if (kind(1) != TokenKind::name || kind(2) == TokenKind::end) return false;
+  const Token& third = tokens_[at_ + 2];
+  return third.is("=") || third.is("{") ||
+         (third.is(":") && tokens_[at_].is_name("grammar") && kind(3) == TokenKind::name);
+}
+
+void Cursor::recover_statement() {
+  brackets_ = 0;
+  int braces = 0;
+  // The faulty token itself may be the start of the next statement.
+  for (; tokens_[at_].kind != TokenKind::end; ++at_) {
+    const Token& token = tokens_[at_];
+    if (at_ > last_ && at_statement()) return;
+    if (token.is("{")) ++braces;
+    if (token.is("}") && --braces <= 0) {
+      ++at_;
+      return;
+    }
+    if (token.kind == TokenKind::newline && braces == 0 && !tokens_[at_ + 1].is("{")) return;
+  }
+}
+
+void Cursor::recover_entry() {
+  brackets_ = 0;
+  int depth = 0, braces = 0;
+  for (; tokens_[at_].kind != TokenKind::end; ++at_) {
+    const Token& token = tokens_[at_];
+    if ((token.is("}") && braces == 0) || (at_ > last_ && at_statement())) return;
+    if (token.is("(") || token.is("[")) ++depth;
+    if ((token.is(")") || token.is("]")) && depth > 0) --depth;
+    if (token.is("{")) ++braces;
+    if (token.is("}")) --braces;
+    if (token.kind == TokenKind::newline && depth == 0 && braces == 0) return;
+  }
+}
+
+Cursor::Nest::Nest(Cursor& cursor) : cursor_(cursor) {
+  if (++cursor_.nesting_ <= cursor_.options_.max_nesting) return;
+  --cursor_.nesting_;  // the destructor of a throwing constructor does not run
+  cursor_.fail(cursor_.peek(),
+               fmt::format("more than {} levels of nesting", cursor_.options_.max_nesting),
+               "name a part with 'let' and use the name");
+}
+
+}  // namespace vug::scene

@@ -1,0 +1,104 @@
+// The parser's place in the tokens of one file, and how it fails and finds its feet again.
+#pragma once
+
+#include <vug/scene/lexer.h>
+#include <vug/scene/parser.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vug::scene {
+
+/// Thrown after a fault was reported; caught where parsing can go on.
+struct SyntaxFault {};
+
+class Cursor {
+ public:
+  /// All arguments must outlive the cursor; `tokens` ends with an end token.
+  Cursor(const std::vector<Token>& tokens, const std::string& file, Diagnostics& diagnostics,
+         const ParseOptions& options)
+      : tokens_(tokens), file_(file), diagnostics_(diagnostics), options_(options) {}
+
+  /// The token `ahead` from here; line breaks are invisible while inside ( ) or [ ].
+  const Token& peek(size_t ahead = 0) const;
+  /// The token taken last; the first token if none was.
+  const Token& last() const { return tokens_[last_]; }
+  const Token& take();
+  bool accept(std::string_view sign);
+  bool at_end() const { return peek().kind == TokenKind::end; }
+  /// At a line break or ";", "}" or the end.
+  bool at_line_end() const;
+
+  /// Takes `sign` or fails with "expected ... before/instead".
+  void expect(std::string_view sign, const std::string& purpose);
+  /// Takes a name or fails: "expected `what`, found ...".
+  const Token& expect_name(const std::string& what);
+  void skip_newlines();
+  /// The token after any line breaks (not ";"), without taking them.
+  const Token& beyond_newlines() const;
+  /// Takes line breaks if the first token after them is `sign`, then the sign itself.
+  bool accept_beyond_newlines(std::string_view sign);
+
+  SourceLocation where(const Token& token) const { return {file_, token.line, token.column}; }
+  const std::string& file() const { return file_; }
+  const ParseOptions& options() const { return options_; }
+  Diagnostics& diagnostics() const { return diagnostics_; }
+
+  /// Reports at a token and goes on.
+  void error(const Token& token, std::string message, std::string hint = {});
+  /// Reports at a token and throws SyntaxFault.
+  [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {});
+  /// "expected X, found Y", with a hint for common slips.
+  [[noreturn]] void unexpected(const std::string& expected);
+
+  /// After a fault: goes to the next statement at the top of a file.
+  void recover_statement();
+  /// After a fault inside { }: goes behind the next line break outside brackets, or to "}".
+  void recover_entry();
+  /// True at the first token of a line that can only start a statement, e.g. after a lost "}".
+  bool at_statement() const;
+
+  /// While it lives, line breaks are invisible.
+  class Brackets {
+   public:
+    explicit Brackets(Cursor& cursor) : cursor_(cursor) { ++cursor_.brackets_; }
+    ~Brackets() { --cursor_.brackets_; }
+    Brackets(const Brackets&) = delete;
+    Brackets& operator=(const Brackets&) = delete;
+
+   private:
+    Cursor& cursor_;
+  };
+
+  /// Bounds recursion; fails when too deep.
+  class Nest {
+   public:
+    explicit Nest(Cursor& cursor);
+    ~Nest() { --cursor_.nesting_; }
+    Nest(const Nest&) = delete;
+    Nest& operator=(const Nest&) = delete;
+
+   private:
+    Cursor& cursor_;
+  };
+
+ private:
+  size_t visible(size_t at) const;
+  bool first_on_line(size_t at) const;
+
+  const std::vector<Token>& tokens_;
+  const std::string& file_;
+  Diagnostics& diagnostics_;
+  const ParseOptions& options_;
+  size_t at_ = 0;
+  size_t last_ = 0;
+  int brackets_ = 0;
+  int nesting_ = 0;
+  int errors_ = 0;
+};
+
+/// How a token is called in messages: "'+'", "the end of the line", "the number 2cm", ...
+std::string describe(const Token& token);
+
+}  // namespace vug::scene

@@ -1,0 +1,143 @@
+#include <vug/scene/document.h>
+
+#include <fmt/format.h>
+
+namespace vug::scene {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c == '\n' ? "\\n" : std::string(1, c);
+  }
+  return out + '"';
+}
+
+std::string number_text(const Number& number) {
+  switch (number.dimension) {
+    case Dimension::length:
+      return fmt::format("{}m", number.value);
+    case Dimension::angle:
+      return fmt::format("{}rad", number.value);
+    case Dimension::ratio:
+      return fmt::format("{}ratio", number.value);
+    case Dimension::time:
+      return fmt::format("{}s", number.value);
+    default:
+      return fmt::format("{}", number.value);
+  }
+}
+
+void write(const Expr& expr, std::string& out);
+
+void write_parts(const Expr& expr, std::string& out) {
+  bool first = true;
+  for (const Operand& part : expr.operands) {
+    if (!first) out += ", ";
+    first = false;
+    if (!part.name.empty()) out += part.name + ": ";
+    write(*part.value, out);
+  }
+}
+
+void write(const Expr& expr, std::string& out) {
+  switch (expr.kind) {
+    case ExprKind::number:
+      out += number_text(expr.number);
+      return;
+    case ExprKind::text:
+      out += quoted(expr.text);
+      return;
+    case ExprKind::truth:
+    case ExprKind::name:
+      out += expr.text;
+      return;
+    case ExprKind::vector:
+    case ExprKind::list: {
+      const bool vector = expr.kind == ExprKind::vector;
+      out += vector ? '(' : '[';
+      write_parts(expr, out);
+      out += vector ? ')' : ']';
+      return;
+    }
+    case ExprKind::unary:
+      out += '(' + expr.text + ' ';
+      write(*expr.operands[0].value, out);
+      out += ')';
+      return;
+    case ExprKind::binary:
+    case ExprKind::range:
+      out += '(';
+      write(*expr.operands[0].value, out);
+      out += expr.kind == ExprKind::range ? fmt::format(" ..#{:x} ", expr.path)
+                                          : ' ' + expr.text + ' ';
+      write(*expr.operands[1].value, out);
+      out += ')';
+      return;
+    case ExprKind::call:
+      out += fmt::format("{}{}#{:x}(", expr.method ? "." : "", expr.text, expr.path);
+      write_parts(expr, out);
+      out += ')';
+      return;
+  }
+}
+
+std::string dump(const ExprPtr& expr) { return expr ? scene::dump(*expr) : "-"; }
+
+std::string dump(const Entry& entry) {
+  std::string out = entry.key;
+  for (const ExprPtr& value : entry.values) out += ' ' + dump(value);
+  return out;
+}
+
+std::string dump(const std::vector<Item>& items) {
+  std::string out;
+  for (const Item& item : items) {
+    out += fmt::format("    {} {} {} * {}", item.op.empty() ? "symbol" : item.op, dump(item.amount),
+                       dump(item.shape), dump(item.count));
+    for (const Entry& clause : item.clauses) out += " | " + dump(clause);
+    out += '\n';
+  }
+  return out;
+}
+
+std::string dump(const Grammar& grammar) {
+  std::string out = fmt::format("grammar {} : {}\n", grammar.name, grammar.kind);
+  out += "  axiom\n" + dump(grammar.axiom);
+  for (const Entry& option : grammar.options) out += "  " + dump(option) + '\n';
+  for (const Rule& rule : grammar.rules) {
+    out += "  rule " + rule.head + '(';
+    for (const Formal& formal : rule.formals) out += formal.name + ',';
+    out += fmt::format(") @ {} if {}\n", dump(rule.weight), dump(rule.guard));
+    out += dump(rule.items);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string dump(const Expr& expr) {
+  std::string out;
+  write(expr, out);
+  return out;
+}
+
+std::string dump(const Document& document) {
+  std::string out = "seed " + dump(document.seed) + '\n';
+  for (const Param& param : document.params)
+    out += fmt::format("param {} = {} in {} .. {} {}\n", param.name, dump(param.value),
+                       dump(param.low), dump(param.high), quoted(param.doc));
+  for (const Let& let : document.lets)
+    out += fmt::format("let {} = {}\n", let.name, dump(let.value));
+  for (const Declaration& made : document.declarations) {
+    out += fmt::format("{} {} = {} on {}\n", made.kind, made.name, dump(made.value),
+                       dump(made.target));
+    for (const Entry& entry : made.entries) out += "  " + dump(entry) + '\n';
+  }
+  for (const Grammar& grammar : document.grammars) out += dump(grammar);
+  return out;
+}
+
+}  // namespace vug::scene

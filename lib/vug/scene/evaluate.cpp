@@ -1,0 +1,271 @@
+// The evaluator's walk over an expression.
+#include <vug/scene/evaluator.h>
+#include <vug/scene/functions.h>
+#include <vug/scene/units.h>
+
+#include <fmt/format.h>
+
+namespace vug::scene {
+
+namespace {
+
+constexpr int kMaxDepth = 2000;
+/// Elements of a list, counting those of lists inside it; `let` could double one at each line.
+constexpr size_t kMaxElements = 1000000;
+
+size_t elements(const Value& value) {
+  const List* list = value.get<List>();
+  if (!list) return 1;
+  size_t total = 1;
+  for (const Value& item : *list) total += elements(item);
+  return total;
+}
+
+bool is_axis(const std::string& name) { return name == "X" || name == "Y" || name == "Z"; }
+
+class Depth {
+ public:
+  explicit Depth(int& depth) : depth_(depth) { ++depth_; }
+  ~Depth() { --depth_; }
+  Depth(const Depth&) = delete;
+  Depth& operator=(const Depth&) = delete;
+
+ private:
+  int& depth_;
+};
+
+}  // namespace
+
+Value Evaluator::evaluate(const Expr& expr, const Context& context) {
+  const Depth depth(depth_);
+  if (depth_ > kMaxDepth) return site(expr).fault("the values depend on each other too deeply");
+  switch (expr.kind) {
+    case ExprKind::number:
+      return expr.number;
+    case ExprKind::text:
+      return expr.text;
+    case ExprKind::truth:
+      return expr.text == "true";
+    case ExprKind::name:
+      return name(expr, context);
+    case ExprKind::vector:
+    case ExprKind::list:
+      return parts(expr, context);
+    case ExprKind::unary:
+      return unary(expr, context);
+    case ExprKind::binary:
+      return expr.text == "and" || expr.text == "or" ? logical(expr, context)
+                                                     : binary(expr, context);
+    case ExprKind::range:
+      return range(expr, context);
+    case ExprKind::call:
+      return call(expr, context);
+  }
+  return {};
+}
+
+Value Evaluator::name(const Expr& expr, const Context& context) {
+  if (context.scope)
+    if (const Value* value = context.scope->find(expr.text)) return *value;
+  if (const auto known = globals_.find(expr.text); known != globals_.end())
+    return global(expr.text, known->second, expr.where);
+  if (expr.text == "pi") return kPi;
+  if (const auto unit = with_unit(1, expr.text)) return *unit;
+  if (auto value = resolver_.name(expr.text, expr.where, diagnostics_)) return *std::move(value);
+  return Value::Name{expr.text};
+}
+
+/// False, with a report, for a name that nobody knows where a value is needed.
+bool Evaluator::is_known(const Value& value, const Expr& expr) {
+  const auto* unknown = value.get<Value::Name>();
+  if (!unknown) return true;
+  std::vector<std::string> names = resolver_.known_names();
+  for (const auto& [name, global] : globals_) names.push_back(name);
+  const std::string near = nearest_name(unknown->text, names);
+  site(expr).fault(fmt::format("unknown name '{}'", unknown->text),
+                   near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+  return false;
+}
+
+Value Evaluator::parts(const Expr& expr, const Context& context) {
+  List list;
+  bool sound = true;
+  for (const Operand& part : expr.operands) {
+    list.push_back(evaluate(*part.value, context));
+    if (list.back().empty()) sound = false;
+  }
+  if (!sound) return {};
+  if (expr.kind == ExprKind::list) {
+    Value value(std::move(list));
+    if (elements(value) > kMaxElements)
+      return site(expr).fault(fmt::format("a list of more than {} elements", kMaxElements));
+    return value;
+  }
+  std::vector<Number> numbers;
+  for (size_t i = 0; i < list.size(); ++i) {
+    const Expr& part = *expr.operands[i].value;
+    if (!is_known(list[i], part)) return {};
+    const Number* n = list[i].get<Number>();
+    if (!n)
+      return site(part).fault(
+          fmt::format("the parts of a vector are numbers, not {}", list[i].type_name()));
+    numbers.push_back(*n);
+  }
+  return vector_of(std::move(numbers), site(expr));
+}
+
+Value Evaluator::unary(const Expr& expr, const Context& context) {
+  const Expr& inner = *expr.operands[0].value;
+  if (expr.text == "not") {
+    const auto value = truth(inner, context);
+    return value ? Value(!*value) : Value();
+  }
+  const Value value = evaluate(inner, context);
+  if (value.empty()) return {};
+  const char op = expr.text[0];
+  // Directions: +X and -Z are names of their own.
+  if (const auto* axis = value.get<Value::Name>(); axis && is_axis(axis->text))
+    return Value::Name{expr.text + axis->text};
+  if (!is_known(value, inner)) return {};
+  if (auto result = negated(op, value)) return *std::move(result);
+  if (value.get<Object>())
+    if (auto result = resolver_.unary(op, value, expr.where, diagnostics_))
+      return *std::move(result);
+  return site(expr).fault(fmt::format("no '{}' for {}", op, value.type_name()));
+}
+
+Value Evaluator::binary(const Expr& expr, const Context& context) {
+  const Expr& left = *expr.operands[0].value;
+  const Expr& right = *expr.operands[1].value;
+  const Value a = evaluate(left, context);
+  const Value b = evaluate(right, context);
+  if (a.empty() || b.empty()) return {};
+  const bool comparison = std::string_view("<>=!").find(expr.text[0]) != std::string_view::npos;
+  if (comparison) {
+    if (auto result = compared(expr.text, a, b, site(expr))) return *std::move(result);
+  } else {
+    if (auto result = arithmetic(expr.text[0], a, b, site(expr))) return *std::move(result);
+  }
+  const bool left_known = is_known(a, left), right_known = is_known(b, right);
+  if (!left_known || !right_known) return {};
+  if (!comparison && (a.get<Object>() || b.get<Object>()))
+    if (auto result = resolver_.binary(expr.text[0], a, b, expr.where, diagnostics_))
+      return *std::move(result);
+  return site(expr).fault(
+      fmt::format("no '{}' for {} and {}", expr.text, a.type_name(), b.type_name()));
+}
+
+std::optional<bool> Evaluator::truth(const Expr& expr, const Context& context) {
+  const Value value = evaluate(expr, context);
+  if (value.empty() || !is_known(value, expr)) return std::nullopt;
+  if (const bool* truth = value.get<bool>()) return *truth;
+  site(expr).fault(fmt::format("expected true or false, not {}", value.type_name()));
+  return std::nullopt;
+}
+
+Value Evaluator::logical(const Expr& expr, const Context& context) {
+  const auto left = truth(*expr.operands[0].value, context);
+  if (!left) return {};
+  if (*left == (expr.text == "or")) return *left;
+  const auto right = truth(*expr.operands[1].value, context);
+  return right ? Value(*right) : Value();
+}
+
+Value Evaluator::range(const Expr& expr, const Context& context) {
+  const Expr& low = *expr.operands[0].value;
+  const Expr& high = *expr.operands[1].value;
+  const Value a = evaluate(low, context);
+  const Value b = evaluate(high, context);
+  if (a.empty() || b.empty()) return {};
+  const bool low_known = is_known(a, low), high_known = is_known(b, high);
+  if (!low_known || !high_known) return {};
+  RandomStream stream(context.key.at(expr.path));
+  const Number* na = a.get<Number>();
+  const Number* nb = b.get<Number>();
+  if (na && nb) {
+    Number x = *na, y = *nb;
+    if (!adapt(x, y, "a range cannot mix", site(expr))) return {};
+    if (x.value > y.value)
+      return site(expr).fault(
+          fmt::format("the range {}..{} runs backwards", to_string(Value(x)), to_string(Value(y))));
+    return Number{stream.uniform(x.value, y.value), x.dimension};
+  }
+  const auto* va = a.get<Value::Vector>();
+  const auto* vb = b.get<Value::Vector>();
+  if (!va || !vb)
+    return site(expr).fault(fmt::format("no range from {} to {}", a.type_name(), b.type_name()));
+  Number x{va->value == Vec3d(0) ? 0.0 : 1.0, va->dimension};
+  Number y{vb->value == Vec3d(0) ? 0.0 : 1.0, vb->dimension};
+  if (!adapt(x, y, "a range cannot mix", site(expr))) return {};
+  Vec3d point;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (va->value[axis] > vb->value[axis])
+      return site(expr).fault("the range of vectors runs backwards");
+    point[axis] = stream.uniform(va->value[axis], vb->value[axis]);
+  }
+  return Value::Vector{point, x.dimension};
+}
+
+/// if(condition, then, else): only the branch that is taken is evaluated.
+Value Evaluator::choose(const Expr& expr, const Context& context) {
+  if (expr.operands.size() != 3)
+    return site(expr).fault("'if' takes a condition and two values",
+                            "write if(condition, then, else)");
+  const auto condition = truth(*expr.operands[0].value, context);
+  if (!condition) return {};
+  return evaluate(*expr.operands[*condition ? 1 : 2].value, context);
+}
+
+/// pick(a, b, c) or pick([a, b, c]): one of them, with equal chances.
+Value Evaluator::pick(const Expr& expr, const Context& context) {
+  const size_t count = expr.operands.size();
+  if (count == 0) return site(expr).fault("'pick' needs something to choose from");
+  RandomStream stream(context.key.at(expr.path));
+  if (count > 1)
+    return evaluate(*expr.operands[stream.below(static_cast<uint32_t>(count))].value, context);
+  const Value value = evaluate(*expr.operands[0].value, context);
+  const List* list = value.get<List>();
+  if (!list) return value;
+  if (list->empty()) return site(expr).fault("'pick' needs something to choose from");
+  return (*list)[stream.below(static_cast<uint32_t>(list->size()))];
+}
+
+Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* scope) {
+  Arguments arguments;
+  if (call.kind != ExprKind::call) return arguments;
+  for (const Operand& part : call.operands)
+    arguments.push_back({part.name, evaluate(*part.value, {key, scope}), part.where});
+  return arguments;
+}
+
+Value Evaluator::call(const Expr& expr, const Context& context) {
+  if (expr.text == "if") return choose(expr, context);
+  if (expr.text == "pick") return pick(expr, context);
+  const Arguments given = arguments(expr, context.key, context.scope);
+  for (const Argument& argument : given)
+    if (argument.value.empty()) return {};
+  const Function* builtin = find_function(expr.text);
+  if (builtin)
+    if (auto result = builtin->apply(given, site(expr))) return *std::move(result);
+  try {
+    const RandomKey key = context.key.at(expr.path);
+    if (auto result = resolver_.call(expr.text, given, expr.where, key, diagnostics_))
+      return *std::move(result);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;
+    diagnostics_.error(error.where().known() ? error.where() : expr.where, error.what(),
+                       error.hint());
+    return {};
+  }
+  for (size_t i = 0; builtin && i < given.size(); ++i)
+    if (!is_known(given[i].value, *expr.operands[i].value)) return {};
+  if (builtin) return site(expr).fault(fmt::format("'{}' takes {}", expr.text, builtin->takes));
+  std::vector<std::string> names = resolver_.known_calls();
+  for (const Function& function : functions()) names.emplace_back(function.name);
+  names.insert(names.end(), {"if", "pick"});
+  const std::string near = nearest_name(expr.text, names);
+  return site(expr).fault(fmt::format("unknown function '{}'", expr.text),
+                          near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+}
+
+}  // namespace vug::scene

@@ -1,0 +1,215 @@
+#include <vug/scene/evaluator.h>
+#include <vug/scene/parser.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::scene {
+
+namespace {
+
+/// Parameters and lets that wait for one another; more is a text made by a program gone wrong.
+constexpr size_t kMaxPending = 200;
+constexpr double kMaxSeed = 0x1p53;
+
+}  // namespace
+
+const Value* Scope::find(const std::string& name) const {
+  for (const Scope* scope = this; scope; scope = scope->outer)
+    for (const auto& [known, value] : scope->names)
+      if (known == name) return &value;
+  return nullptr;
+}
+
+Evaluator::Evaluator(const Document& document, Resolver& resolver, Diagnostics& diagnostics,
+                     EvaluatorOptions options)
+    : document_(document),
+      resolver_(resolver),
+      diagnostics_(diagnostics),
+      options_(std::move(options)) {
+  params_.resize(document.params.size());
+  for (size_t i = 0; i < params_.size(); ++i) {
+    params_[i].param = &document.params[i];
+    globals_[document.params[i].name].param = &params_[i];
+  }
+  for (const Let& let : document.lets) globals_[let.name].let = &let;
+  read_overrides();
+  read_seed();
+}
+
+void Evaluator::read_overrides() {
+  for (const Override& given : options_.overrides) {
+    const std::string file = "-D " + given.name;
+    if (!document_.find_param(given.name)) {
+      std::vector<std::string> names;
+      for (const Param& param : document_.params) names.push_back(param.name);
+      diagnostics_.error({file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
+                         suggestion(given.name, names));
+      continue;
+    }
+    sources_.push_back(std::make_shared<const Source>(Source{file, given.text}));
+    if (ExprPtr expr = parse_expression(given.text, file, diagnostics_))
+      overrides_[given.name] = std::move(expr);
+  }
+}
+
+void Evaluator::read_seed() {
+  if (options_.seed) {
+    seed_ = *options_.seed;
+    return;
+  }
+  if (!document_.seed) return;
+  const Value value = eval(*document_.seed, RandomKey(0).at("seed"));
+  // What the seed made use of was drawn without it; forget and draw again.
+  for (auto& [name, global] : globals_) global.value.reset();
+  if (value.empty()) return;
+  const Number* n = value.get<Number>();
+  if (n && n->dimension == Dimension::none && n->value == std::floor(n->value) && n->value >= 0 &&
+      n->value <= kMaxSeed)
+    seed_ = static_cast<uint64_t>(n->value);
+  else
+    diagnostics_.error(document_.seed->where,
+                       fmt::format("a seed is a whole number from 0 to 2^53, not {}",
+                                   n ? to_string(value) : value.type_name()));
+}
+
+Value Evaluator::eval(const Expr& expr, RandomKey key, const Scope* scope) {
+  return evaluate(expr, {key, scope});
+}
+
+std::vector<Value> Evaluator::eval(const Entry& entry, RandomKey key, const Scope* scope) {
+  std::vector<Value> values;
+  for (const ExprPtr& expr : entry.values)
+    values.push_back(eval(*expr, key.at(entry.key).at(values.size()), scope));
+  return values;
+}
+
+std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope* scope) {
+  const Context context{key, scope};
+  const auto whole = [&](const Expr& from) -> std::optional<int> {
+    const Value value = evaluate(from, context);
+    if (value.empty() || !is_known(value, from)) return std::nullopt;
+    const Number* n = value.get<Number>();
+    if (n && (n->dimension == Dimension::none || n->dimension == Dimension::ratio) &&
+        n->value == std::floor(n->value) && n->value >= 0 && n->value <= 1e9)
+      return static_cast<int>(n->value);
+    site(from).fault(
+        fmt::format("a count is a whole number, not {}", n ? to_string(value) : value.type_name()),
+        n ? "see floor, ceil and round" : "");
+    return std::nullopt;
+  };
+  if (expr.kind != ExprKind::range) return whole(expr);
+  const auto low = whole(*expr.operands[0].value), high = whole(*expr.operands[1].value);
+  if (!low || !high) return std::nullopt;
+  if (*low > *high) {
+    site(expr).fault(fmt::format("the range {}..{} runs backwards", *low, *high));
+    return std::nullopt;
+  }
+  RandomStream stream(key.at(expr.path));
+  return *low + static_cast<int>(stream.below(static_cast<uint32_t>(*high - *low) + 1));
+}
+
+Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
+  if (global.value) return *global.value;
+  const auto first = std::find(pending_.begin(), pending_.end(), name);
+  if (first != pending_.end()) {
+    const std::vector<std::string> circle(first, pending_.end());
+    return Site{where, diagnostics_}.fault(
+        fmt::format("'{}' depends on itself", name),
+        fmt::format("{} -> {}", fmt::join(circle, " -> "), name));
+  }
+  if (pending_.size() >= kMaxPending)
+    return Site{where, diagnostics_}.fault(
+        fmt::format("more than {} names depend on each other in a row", kMaxPending));
+  pending_.push_back(name);
+  Value value = global.param ? param(*global.param, root().at("param").at(name))
+                             : evaluate(*global.let->value, {root().at("let").at(name), nullptr});
+  pending_.pop_back();
+  global.value = value;
+  return value;
+}
+
+Value Evaluator::param(ParamValue& param, RandomKey key) {
+  const Context context{key, nullptr};
+  const Param& said = *param.param;
+  if (said.low) {
+    param.low = evaluate(*said.low, context);
+    param.high = evaluate(*said.high, context);
+  }
+  param.fallback = evaluate(*said.value, context);
+  if (!in_range(param, param.fallback, said.value->where)) param.fallback = {};
+  const auto given = overrides_.find(said.name);
+  if (given == overrides_.end()) return param.value = param.fallback;
+  const SourceLocation& where = given->second->where;
+  param.value = like(param.fallback, evaluate(*given->second, context), said.name, where);
+  if (!in_range(param, param.value, where)) param.value = {};
+  return param.value;
+}
+
+/// An override must be of the fallback's type; a bare number takes its dimension, so that
+/// -D SIZE=2 means metres where the scene says SIZE = 30cm.
+Value Evaluator::like(const Value& fallback, Value given, const std::string& name,
+                      const SourceLocation& where) {
+  if (fallback.empty() || given.empty()) return given;
+  const Site there{where, diagnostics_};
+  const Number* model = fallback.get<Number>();
+  const Number* number = given.get<Number>();
+  const bool names = fallback.get<Value::Name>() && given.get<Value::Name>();
+  const auto is_bare = [](const Number& n) {
+    return n.dimension == Dimension::none || n.dimension == Dimension::ratio;
+  };
+  if (model && number && (is_bare(*number) || number->dimension == model->dimension)) {
+    Number value = *number, wanted = *model;
+    if (is_bare(wanted)) return value;
+    if (!adapt(value, wanted, fmt::format("param '{}' cannot mix", name), there)) return {};
+    return value;
+  }
+  if (names || (!model && given.type_name() == fallback.type_name())) return given;
+  return there.fault(
+      fmt::format("param '{}' is {}, not {}", name, fallback.type_name(), given.type_name()));
+}
+
+bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLocation& where) {
+  if (!param.param->low || value.empty() || param.low.empty() || param.high.empty()) return true;
+  const std::string& name = param.param->name;
+  const Number* low = param.low.get<Number>();
+  const Number* high = param.high.get<Number>();
+  const Number* n = value.get<Number>();
+  if (!low || !high || !n) {
+    Site{where, diagnostics_}.fault(
+        fmt::format("only numbers have ranges, and param '{}' is {}", name, value.type_name()));
+    return false;
+  }
+  Number least = *low, most = *high, given = *n;
+  const Site there{where, diagnostics_};
+  if (!adapt(least, most, "the ends of a range are", there) ||
+      !adapt(given, least, fmt::format("param '{}' cannot mix", name), there) ||
+      !adapt(given, most, fmt::format("param '{}' cannot mix", name), there))
+    return false;
+  value = given;
+  if (given.value >= least.value && given.value <= most.value) return true;
+  there.fault(fmt::format("param '{}' is {}, outside {}..{}", name, to_string(value),
+                          to_string(Value(least)), to_string(Value(most))));
+  return false;
+}
+
+const std::vector<ParamValue>& Evaluator::params() {
+  for (const Param& said : document_.params) global(said.name, globals_[said.name], said.where);
+  return params_;
+}
+
+void Evaluator::check_all() {
+  params();
+  for (const Let& let : document_.lets) global(let.name, globals_[let.name], let.where);
+}
+
+std::vector<std::shared_ptr<const Source>> Evaluator::sources() const {
+  auto all = document_.sources;
+  all.insert(all.end(), sources_.begin(), sources_.end());
+  return all;
+}
+
+}  // namespace vug::scene

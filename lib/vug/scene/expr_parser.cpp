@@ -1,0 +1,289 @@
+#include <vug/base/rng.h>
+#include <vug/scene/expr_parser.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace vug::scene {
+
+namespace {
+
+/// Binding strengths, weakest first; signs, powers and "not" are handled in `prefix`.
+constexpr int kCompare = 3, kRange = 4, kAdd = 5;
+
+int strength(const Token& token) {
+  if (token.kind == TokenKind::name) return token.text == "or" ? 1 : token.text == "and" ? 2 : 0;
+  if (token.kind != TokenKind::sign) return 0;
+  const std::string_view s = token.text;
+  if (s == "<" || s == "<=" || s == ">" || s == ">=" || s == "==" || s == "!=") return kCompare;
+  if (s == "..") return kRange;
+  if (s == "+" || s == "-") return kAdd;
+  if (s == "&") return 6;
+  return s == "*" || s == "/" ? 7 : 0;
+}
+
+bool is_operator_word(const Token& token) {
+  return token.is_name("and") || token.is_name("or") || token.is_name("not");
+}
+
+/// Puts back the path when a call or argument is done, also on a fault.
+class Step {
+ public:
+  Step(std::string& path, std::string_view name) : path_(path), size_(path.size()) {
+    path_ += '/';
+    path_ += name;
+  }
+  ~Step() { path_.resize(size_); }
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+
+ private:
+  std::string& path_;
+  size_t size_;
+};
+
+}  // namespace
+
+bool ExprParser::starts(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::number:
+    case TokenKind::size:
+    case TokenKind::text:
+      return true;
+    case TokenKind::name:
+      return token.text != "and" && token.text != "or";
+    default:
+      return token.is("(") || token.is("[") || token.is("-") || token.is("+");
+  }
+}
+
+void ExprParser::restart() {
+  path_.clear();
+  seen_.clear();
+}
+
+ExprPtr ExprParser::whole() {
+  restart();
+  return binary(1);
+}
+
+ExprPtr ExprParser::tight() {
+  restart();
+  const ExprPtr low = prefix();
+  if (!cursor_.peek().is("..")) return low;
+  Expr range = begin(ExprKind::range, cursor_.take());
+  const ExprPtr high = prefix();
+  range.operands = {{"", low->where, low}, {"", high->where, high}};
+  range.path = identity("..");
+  return finish(std::move(range));
+}
+
+ExprPtr ExprParser::shape() {
+  restart();
+  return postfix();
+}
+
+void ExprParser::bounds(ExprPtr& low, ExprPtr& high) {
+  restart();
+  low = binary(kAdd);
+  if (!cursor_.accept("..")) cursor_.unexpected("'..' between the ends of the range");
+  high = binary(kAdd);
+}
+
+const Token& ExprParser::operator_ahead() const {
+  // Only an operator or a method can stand first on a line that continues an expression.
+  const Token& here = cursor_.peek();
+  const Token& beyond = cursor_.beyond_newlines();
+  return here.kind == TokenKind::newline && (strength(beyond) > 0 || beyond.is(".")) ? beyond
+                                                                                     : here;
+}
+
+ExprPtr ExprParser::binary(int least) {
+  const Cursor::Nest nest(cursor_);
+  ExprPtr left = prefix();
+  for (;;) {
+    const int level = strength(operator_ahead());
+    if (level == 0 || level < least) return left;
+    cursor_.skip_newlines();
+    const Token& sign = cursor_.take();
+    cursor_.skip_newlines();
+    const ExprPtr right = binary(level + 1);
+    Expr expr = level == kRange ? begin(ExprKind::range, sign)
+                                : begin(ExprKind::binary, sign, std::string(sign.text));
+    expr.operands = {{"", left->where, left}, {"", right->where, right}};
+    if (level == kRange) expr.path = identity("..");
+    left = finish(std::move(expr));
+    if ((level == kCompare || level == kRange) && strength(operator_ahead()) == level)
+      cursor_.fail(operator_ahead(),
+                   level == kRange ? "a range has two ends" : "comparisons do not chain",
+                   level == kRange ? "" : "write a < b and b < c");
+  }
+}
+
+ExprPtr ExprParser::prefix() {
+  const Token& token = cursor_.peek();
+  if (!token.is("-") && !token.is("+") && !token.is_name("not")) {
+    ExprPtr base = postfix();
+    if (!cursor_.peek().is("^")) return base;
+    Expr power = begin(ExprKind::binary, cursor_.take(), "^");
+    cursor_.skip_newlines();
+    const Cursor::Nest nest(cursor_);
+    const ExprPtr exponent = prefix();
+    power.operands = {{"", base->where, base}, {"", exponent->where, exponent}};
+    return finish(std::move(power));
+  }
+  cursor_.take();
+  const Cursor::Nest nest(cursor_);
+  Expr expr = begin(ExprKind::unary, token, std::string(token.text));
+  // "not a < b" turns the comparison round; "-a ^ 2" is -(a ^ 2).
+  const ExprPtr inner = expr.text == "not" ? binary(kCompare) : prefix();
+  expr.operands = {{"", inner->where, inner}};
+  return finish(std::move(expr));
+}
+
+ExprPtr ExprParser::postfix() {
+  ExprPtr expr = primary();
+  while (operator_ahead().is(".")) {
+    cursor_.skip_newlines();
+    cursor_.take();
+    const Token& name = cursor_.expect_name("the name of a method after '.'");
+    if (!cursor_.peek().is("(") || !cursor_.peek().touches)
+      cursor_.unexpected(fmt::format("'(' after '.{}'", name.text));
+    expr = call(name, expr);
+  }
+  return expr;
+}
+
+ExprPtr ExprParser::primary() {
+  const Token& token = cursor_.peek();
+  if (token.is("(")) return bracketed();
+  if (token.is("[")) return list();
+  if (!starts(token) || token.kind == TokenKind::sign) cursor_.unexpected("a value");
+  cursor_.take();
+  Expr expr = begin(ExprKind::name, token, std::string(token.text));
+  if (token.kind == TokenKind::number) {
+    expr.kind = ExprKind::number;
+    expr.number = token.number;
+    expr.text.clear();
+  } else if (token.kind == TokenKind::text) {
+    expr.kind = ExprKind::text;
+    expr.text = unquote(token.text);
+  } else if (token.kind == TokenKind::size) {
+    expr.kind = ExprKind::list;
+    expr.text.clear();
+    const size_t cross = token.text.find('x');
+    for (const std::string_view part :
+         {token.text.substr(0, cross), token.text.substr(cross + 1)}) {
+      Expr side = begin(ExprKind::number, token);
+      std::from_chars(part.data(), part.data() + part.size(), side.number.value);
+      expr.operands.push_back({"", side.where, finish(std::move(side))});
+    }
+  } else if (is_operator_word(token)) {
+    cursor_.fail(token, fmt::format("expected a value, found '{}'", token.text));
+  } else if (cursor_.peek().is("(") && cursor_.peek().touches) {
+    return call(token, nullptr);
+  } else if (token.text == "true" || token.text == "false") {
+    expr.kind = ExprKind::truth;
+  } else if (token.text == "if") {
+    cursor_.fail(token, "'if' here needs its three values: if(condition, then, else)");
+  }
+  return finish(std::move(expr));
+}
+
+ExprPtr ExprParser::bracketed() {
+  const Token& open = cursor_.take();
+  const Cursor::Brackets brackets(cursor_);
+  Expr vector = begin(ExprKind::vector, open);
+  do {
+    if (!vector.operands.empty() && cursor_.peek().is(")")) break;  // a trailing comma
+    const ExprPtr part = binary(1);
+    vector.operands.push_back({"", part->where, part});
+  } while (cursor_.accept(","));
+  cursor_.expect(")", fmt::format(" to close '(' of line {}", open.line));
+  if (vector.operands.size() == 1) return vector.operands[0].value;
+  if (vector.operands.size() > 3)
+    cursor_.error(open, fmt::format("a vector of {} parts", vector.operands.size()),
+                  "vectors have 2 or 3; write a list as [a, b, c, d]");
+  return finish(std::move(vector));
+}
+
+ExprPtr ExprParser::list() {
+  const Token& open = cursor_.take();
+  const Cursor::Brackets brackets(cursor_);
+  Expr expr = begin(ExprKind::list, open);
+  while (!cursor_.peek().is("]")) {
+    const ExprPtr part = binary(1);
+    expr.operands.push_back({"", part->where, part});
+    if (!cursor_.accept(",")) break;
+  }
+  cursor_.expect("]", fmt::format(" to close '[' of line {}", open.line));
+  return finish(std::move(expr));
+}
+
+ExprPtr ExprParser::call(const Token& name, ExprPtr receiver) {
+  Expr expr = begin(ExprKind::call, name, std::string(name.text));
+  const Token& open = cursor_.take();
+  const Cursor::Brackets brackets(cursor_);
+  if (receiver) {
+    expr.method = true;
+    expr.operands.push_back({"", receiver->where, receiver});
+  }
+  const Step step(path_, expr.text);
+  expr.path = identity("()");
+  bool named = false;
+  while (!cursor_.peek().is(")")) {
+    operand(expr, named);
+    if (!cursor_.accept(",")) break;
+  }
+  cursor_.expect(")", fmt::format(" to close '{}(' of line {}", name.text, open.line));
+  return finish(std::move(expr));
+}
+
+void ExprParser::operand(Expr& call, bool& named) {
+  const Token& first = cursor_.peek();
+  Operand result;
+  result.where = cursor_.where(first);
+  if (first.kind == TokenKind::name && cursor_.peek(1).is(":")) {
+    named = true;
+    result.name = std::string(first.text);
+    cursor_.take();
+    cursor_.take();
+  } else if (first.kind == TokenKind::name && cursor_.peek(1).is("=")) {
+    cursor_.fail(cursor_.peek(1), "expected ':' after the name of an argument, found '='",
+                 fmt::format("write {}: value", first.text));
+  } else if (named) {
+    cursor_.error(first, "an argument without a name after one with a name",
+                  "put it first, or name it too");
+  }
+  const size_t index = call.operands.size();
+  const Step step(path_, result.name.empty() ? fmt::format("{}", index) : result.name);
+  result.value = binary(1);
+  call.operands.push_back(std::move(result));
+}
+
+Expr ExprParser::begin(ExprKind kind, const Token& token, std::string text) const {
+  Expr expr;
+  expr.kind = kind;
+  expr.text = std::move(text);
+  expr.where = cursor_.where(token);
+  return expr;
+}
+
+ExprPtr ExprParser::finish(Expr expr) {
+  for (const Operand& part : expr.operands)
+    expr.depth = std::max(expr.depth, 1 + part.value->depth);
+  if (expr.depth > cursor_.options().max_depth)
+    cursor_.fail(cursor_.last(),
+                 fmt::format("an expression of more than {} steps", cursor_.options().max_depth),
+                 "name a part with 'let' and use the name");
+  return std::make_shared<const Expr>(std::move(expr));
+}
+
+uint64_t ExprParser::identity(const std::string& path) {
+  const std::string full = path_ + path;
+  return RandomKey(0).at(full).at(seen_[full]++).state();
+}
+
+}  // namespace vug::scene

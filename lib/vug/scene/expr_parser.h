@@ -1,0 +1,49 @@
+// Expressions out of tokens; docs/language.md has the EBNF.
+#pragma once
+
+#include <vug/scene/cursor.h>
+
+#include <map>
+#include <string>
+
+namespace vug::scene {
+
+class ExprParser {
+ public:
+  explicit ExprParser(Cursor& cursor) : cursor_(cursor) {}
+
+  /// A whole expression; it goes on over a line break before an operator or a ".method".
+  ExprPtr whole();
+  /// Without operators outside brackets but for signs, powers and a range: what stands where
+  /// + - & * have a meaning of their own (counts, amounts and clauses of items).
+  ExprPtr tight();
+  /// A name, call or bracketed expression with its method chain: the shape of an item.
+  ExprPtr shape();
+  /// `lo..hi` as its two ends.
+  void bounds(ExprPtr& low, ExprPtr& high);
+
+  /// True at a token that can start an expression.
+  static bool starts(const Token& token);
+
+ private:
+  ExprPtr binary(int least);
+  ExprPtr prefix();
+  ExprPtr postfix();
+  ExprPtr primary();
+  ExprPtr bracketed();
+  ExprPtr list();
+  ExprPtr call(const Token& name, ExprPtr receiver);
+  void operand(Expr& call, bool& named);
+  const Token& operator_ahead() const;
+
+  Expr begin(ExprKind kind, const Token& token, std::string text = {}) const;
+  ExprPtr finish(Expr expr);
+  uint64_t identity(const std::string& path);
+  void restart();
+
+  Cursor& cursor_;
+  std::string path_;                      ///< Names of the calls and arguments around.
+  std::map<std::string, uint64_t> seen_;  ///< How often a path occurred so far.
+};
+
+}  // namespace vug::scene

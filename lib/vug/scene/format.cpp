@@ -1,0 +1,235 @@
+#include <vug/scene/format.h>
+#include <vug/scene/format_columns.h>
+#include <vug/scene/lexer.h>
+
+#include <algorithm>
+
+namespace vug::scene {
+
+namespace {
+
+bool one_of(std::string_view text, std::initializer_list<std::string_view> all) {
+  return std::find(all.begin(), all.end(), text) != all.end();
+}
+
+bool is_arithmetic(const Token& t) {
+  return t.kind == TokenKind::sign && one_of(t.text, {"+", "-", "*", "/", "^", "&", "~"});
+}
+
+bool is_word(const Token& t) {
+  return t.kind == TokenKind::name && one_of(t.text, {"and", "or", "not", "in", "on", "if"});
+}
+
+/// True when an operand can end here, so that a sign behind it has two sides.
+bool ends_operand(const Token& t) {
+  if (t.kind == TokenKind::sign) return t.is(")") || t.is("]");
+  return t.kind != TokenKind::comment && !is_word(t);
+}
+
+class Formatter {
+ public:
+  explicit Formatter(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  std::string run() {
+    int breaks = 0;
+    for (size_t at = 0; tokens_[at].kind != TokenKind::end;) {
+      if (is_break(tokens_[at])) {
+        ++breaks;
+        ++at;
+        continue;
+      }
+      size_t end = at;
+      while (tokens_[end].kind != TokenKind::end && !is_break(tokens_[end])) ++end;
+      line(at, end);
+      rows_.back().blank_before = breaks > 1;
+      breaks = 0;
+      at = end;
+    }
+    return in_columns(rows_);
+  }
+
+ private:
+  struct Open {
+    char sign;
+    bool grammar;
+    size_t row;
+  };
+
+  static bool is_break(const Token& t) { return t.kind == TokenKind::newline && t.text != ";"; }
+
+  bool in_braces() const { return !open_.empty() && open_.back().sign == '{'; }
+  bool in_grammar() const { return in_braces() && open_.back().grammar; }
+  bool in_brackets() const { return !open_.empty() && open_.back().sign != '{'; }
+
+  void line(size_t begin, size_t end) {
+    Row row;
+    if (tokens_[end - 1].kind == TokenKind::comment) {
+      --end;
+      row.comment = std::string(tokens_[end].text);
+      row.comment.erase(row.comment.find_last_not_of(" \t") + 1);
+    }
+    row.indent = begin == end ? indent_levels(0) : indent(begin);
+    if (begin < end) fill(row, begin, end);
+    rows_.push_back(std::move(row));
+  }
+
+  /// Brackets opened on one line indent once.
+  int indent_levels(size_t closed) const {
+    int levels = 0;
+    for (size_t i = 0; i + closed < open_.size(); ++i)
+      if (i == 0 || open_[i].row != open_[i - 1].row) ++levels;
+    return 2 * levels;
+  }
+
+  int indent(size_t begin) const {
+    const Token& first = tokens_[begin];
+    if (first.is(")") || first.is("]") || first.is("}")) return indent_levels(1);
+    const bool goes_on = is_arithmetic(first) || first.is(".") || first.is("->") ||
+                         is_word(first) || first.is(",") ||
+                         (in_grammar() && (is_clause(first) || is_symbol(begin)));
+    return indent_levels(0) + ((goes_on || hanging_) && !in_brackets() ? 4 : 0);
+  }
+
+  /// A line that can only go on with a rule's items: a symbol alone, called or repeated.
+  bool is_symbol(size_t begin) const {
+    const Token& second = tokens_[begin + 1];
+    if (tokens_[begin].kind != TokenKind::name) return false;
+    for (size_t i = begin; tokens_[i].kind != TokenKind::end && !is_break(tokens_[i]); ++i)
+      if (tokens_[i].is("->") || tokens_[i].is("}")) return false;
+    return (second.is("(") && second.touches) || second.is("*");
+  }
+
+  static bool is_clause(const Token& t) { return t.is_name("label") || t.is_name("blend"); }
+
+  void fill(Row& row, size_t begin, size_t end) {
+    row.kind = kind(begin, end);
+    row.cells.emplace_back();
+    bool key = false;  // the token before is an entry's key
+    for (size_t i = begin; i < end; ++i) {
+      const Token& token = tokens_[i];
+      const bool starts_entry = in_braces() && !in_grammar() && token.kind == TokenKind::name &&
+                                !is_word(token) && !key &&
+                                (i == begin ? !hanging_ : ends_entry(tokens_[i - 1]));
+      if (i > begin) {
+        if (breaks_cell(row, i, key)) {
+          row.cells.resize(cell(row, i) + 1);
+        } else {
+          const bool wide = starts_entry && ends_operand(tokens_[i - 1]);
+          row.cells.back().append(wide ? 2 : static_cast<size_t>(gap(begin, i)), ' ');
+        }
+      }
+      row.cells.back() += token.text;
+      key = starts_entry;
+      track(token, begin);
+    }
+    const Token& last = tokens_[end - 1];
+    hanging_ = is_arithmetic(last) || last.is(",") || last.is("=") || last.is("->") ||
+               last.is("..") || is_word(last);
+  }
+
+  static bool ends_entry(const Token& before) {
+    return ends_operand(before) || before.is("{") || before.kind == TokenKind::newline;
+  }
+
+  void track(const Token& token, size_t begin) {
+    if (token.kind != TokenKind::sign) return;
+    const char sign = token.text[0];
+    if (one_of(token.text, {"(", "[", "{"}))
+      open_.push_back({sign, sign == '{' && tokens_[begin].is_name("grammar"), rows_.size()});
+    if (one_of(token.text, {")", "]", "}"}) && !open_.empty()) open_.pop_back();
+  }
+
+  /// What the line is, if such lines line up with each other.
+  std::string kind(size_t begin, size_t end) const {
+    const Token& first = tokens_[begin];
+    if (first.kind != TokenKind::name || hanging_ || is_word(first)) return {};
+    if (in_grammar()) return holds("->", begin, end) ? "rule" : "";
+    if (in_braces()) return entries(begin, end) == 1 ? "entry" : "";
+    if (!open_.empty()) return {};
+    if (end - begin > 2 && tokens_[begin + 2].is("=")) {
+      if (first.text == "param") return "param";
+      return "= " + std::string(first.text);
+    }
+    return {};
+  }
+
+  bool holds(std::string_view sign, size_t begin, size_t end) const {
+    for (size_t i = begin; i < end; ++i)
+      if (tokens_[i].is(sign)) return true;
+    return false;
+  }
+
+  /// How many entries start on the line; 2 if a brace makes it something else.
+  int entries(size_t begin, size_t end) const {
+    int count = 1, depth = 0;
+    for (size_t i = begin + 2; i < end; ++i) {
+      const Token& t = tokens_[i];
+      if (t.is("{") || t.is("}")) return 2;
+      if (t.is("(") || t.is("[")) ++depth;
+      if (t.is(")") || t.is("]")) --depth;
+      const bool name = t.kind == TokenKind::name && !is_word(t);
+      if (depth == 0 && name && ends_entry(tokens_[i - 1])) ++count;
+    }
+    return count;
+  }
+
+  bool breaks_cell(const Row& row, size_t i, bool key) const {
+    const size_t now = row.cells.size() - 1;
+    return cell(row, i) > now && (row.kind != "entry" || key);
+  }
+
+  /// The cell that token `i` belongs to.
+  size_t cell(const Row& row, size_t i) const {
+    const size_t now = row.cells.size() - 1;
+    const Token& t = tokens_[i];
+    if (row.kind.empty()) return now;
+    if (row.kind == "entry") return in_braces() ? std::max<size_t>(now, 1) : now;
+    if (row.kind == "rule") {
+      if (!in_braces()) return now;
+      if (now < 3 && t.is("->")) return 3;
+      if (now == 3 && is_clause(t)) return 4;
+      if (now < 2 && t.is_name("if")) return 2;
+      return now < 1 && t.is("@") ? 1 : now;
+    }
+    if (!open_.empty()) return now;
+    if (now < 1 && t.is("=")) return 1;
+    if (row.kind != "param") return now;
+    if (now == 1 && t.is_name("in")) return 2;
+    const bool doc = t.kind == TokenKind::text && ends_operand(tokens_[i - 1]);
+    return doc && now >= 1 && now < 3 ? 3 : now;
+  }
+
+  /// Spaces before token `i`, which is not the line's first.
+  int gap(size_t begin, size_t i) const {
+    const Token& before = tokens_[i - 1];
+    const Token& t = tokens_[i];
+    if (before.is("(") || before.is("[")) return 0;
+    if (t.is(")") || t.is("]") || t.is(",") || t.is(":") || t.text == ";") return 0;
+    if (before.is("{") && t.is("}")) return 0;
+    if (before.is(".") || t.is(".") || before.is("..") || t.is("..") || before.is("@")) return 0;
+    if (is_arithmetic(before) && t.touches) {
+      const bool unary = i < begin + 2 || !ends_operand(tokens_[i - 2]);
+      const bool sign = before.is("+") || before.is("-");
+      if (unary || before.touches || sign) return 0;
+    }
+    if (is_arithmetic(t) && ends_operand(before) && t.touches && tokens_[i + 1].touches) return 0;
+    if (t.is("(") && before.kind == TokenKind::name && t.touches) return 0;
+    return 1;
+  }
+
+  const std::vector<Token>& tokens_;
+  std::vector<Row> rows_;
+  std::vector<Open> open_;
+  bool hanging_ = false;  ///< The line before ends in the middle of an expression or list.
+};
+
+}  // namespace
+
+std::string format(std::string_view text) {
+  const std::string normal = normalise_text(std::string(text));
+  Diagnostics ignored;
+  const std::vector<Token> tokens = lex(normal, {}, ignored, true);
+  return Formatter(tokens).run();
+}
+
+}  // namespace vug::scene

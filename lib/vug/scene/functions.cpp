@@ -1,0 +1,248 @@
+#include <vug/base/maths.h>
+#include <vug/scene/functions.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::scene {
+
+namespace {
+
+using Result = std::optional<Value>;
+using Vector = Value::Vector;
+
+/// All arguments as numbers, or none if one is something else or has a name.
+std::vector<Number> numbers(const Arguments& arguments) {
+  std::vector<Number> out;
+  for (const Argument& argument : arguments) {
+    const Number* n = argument.value.get<Number>();
+    if (!n || !argument.name.empty()) return {};
+    out.push_back(*n);
+  }
+  return out;
+}
+
+bool is_plain(const Number& n) {
+  return n.dimension == Dimension::none || n.dimension == Dimension::ratio;
+}
+
+bool is_angle(const Number& n) {
+  return n.dimension == Dimension::angle || (n.dimension == Dimension::none && n.value == 0);
+}
+
+/// Gives all numbers one dimension; false after a report.
+bool adapt_all(std::vector<Number>& all, const Site& site) {
+  for (size_t round = 0; round < 2; ++round)
+    for (size_t i = 1; i < all.size(); ++i)
+      if (!adapt(all[0], all[i], "cannot compare", site)) return false;
+  return true;
+}
+
+Value checked(double value, Dimension dimension, const Site& site) {
+  if (!std::isfinite(value)) return site.fault("the result is not a finite number");
+  return Number{value, dimension};
+}
+
+template <double (*F)(double)>
+Result plain(const Arguments& arguments, const Site& site) {
+  const auto n = numbers(arguments);
+  if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
+  return checked(F(n[0].value), Dimension::none, site);
+}
+
+template <double (*F)(double)>
+Result of_angle(const Arguments& arguments, const Site& site) {
+  const auto n = numbers(arguments);
+  if (n.size() != 1 || !is_angle(n[0])) return std::nullopt;
+  return checked(F(n[0].value), Dimension::none, site);
+}
+
+double floor_of(double x) { return std::floor(x); }
+double ceil_of(double x) { return std::ceil(x); }
+double round_of(double x) { return std::floor(x + 0.5); }
+
+template <bool Smallest>
+Result extreme(const Arguments& arguments, const Site& site) {
+  auto n = numbers(arguments);
+  if (n.empty()) return std::nullopt;
+  if (!adapt_all(n, site)) return Value();
+  double best = n[0].value;
+  for (const Number& one : n)
+    best = Smallest ? std::min(best, one.value) : std::max(best, one.value);
+  return Value(Number{best, n[0].dimension});
+}
+
+Result absolute(const Arguments& arguments, const Site&) {
+  const auto n = numbers(arguments);
+  if (n.size() != 1) return std::nullopt;
+  return Value(Number{std::fabs(n[0].value), n[0].dimension});
+}
+
+Result root(const Arguments& arguments, const Site& site) {
+  const auto n = numbers(arguments);
+  if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
+  if (n[0].value < 0) return site.fault("the square root of a negative number");
+  return Value(std::sqrt(n[0].value));
+}
+
+Result logarithm(const Arguments& arguments, const Site& site) {
+  const auto n = numbers(arguments);
+  if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
+  if (n[0].value <= 0) return site.fault("the logarithm of a number that is not positive");
+  return Value(maths::log(n[0].value));
+}
+
+template <bool Sine>
+Result arc(const Arguments& arguments, const Site& site) {
+  const auto n = numbers(arguments);
+  if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
+  if (std::fabs(n[0].value) > 1) return site.fault("an arc of a number outside -1..1");
+  const double other = std::sqrt(std::max(0.0, 1 - n[0].value * n[0].value));
+  return Value(Number{Sine ? maths::atan2(n[0].value, other) : maths::atan2(other, n[0].value),
+                      Dimension::angle});
+}
+
+Result arc_tangent(const Arguments& arguments, const Site& site) {
+  auto n = numbers(arguments);
+  if (n.size() == 1 && is_plain(n[0])) n.push_back({1});
+  if (n.size() != 2) return std::nullopt;
+  if (!adapt_all(n, site)) return Value();
+  return Value(Number{maths::atan2(n[0].value, n[1].value), Dimension::angle});
+}
+
+Result power(const Arguments& arguments, const Site& site) {
+  const auto n = numbers(arguments);
+  return n.size() == 2 ? arithmetic('^', n[0], n[1], site) : std::nullopt;
+}
+
+Result modulo(const Arguments& arguments, const Site& site) {
+  auto n = numbers(arguments);
+  if (n.size() != 2) return std::nullopt;
+  if (!adapt_all(n, site)) return Value();
+  if (n[1].value == 0) return site.fault("division by zero");
+  const double whole = std::floor(n[0].value / n[1].value);
+  return checked(n[0].value - n[1].value * whole, n[0].dimension, site);
+}
+
+Result clamp(const Arguments& arguments, const Site& site) {
+  auto n = numbers(arguments);
+  if (n.size() != 3) return std::nullopt;
+  if (!adapt_all(n, site)) return Value();
+  if (n[1].value > n[2].value) return site.fault("the bounds of clamp run backwards");
+  return Value(Number{std::clamp(n[0].value, n[1].value, n[2].value), n[0].dimension});
+}
+
+Result mix(const Arguments& arguments, const Site& site) {
+  if (arguments.size() != 3 || !arguments[2].value.get<Number>()) return std::nullopt;
+  for (const Argument& argument : arguments)
+    if (!argument.name.empty()) return std::nullopt;
+  const Value &a = arguments[0].value, &b = arguments[1].value, &t = arguments[2].value;
+  const auto rest = arithmetic('-', Value(1), t, site);
+  if (!rest || rest->empty()) return rest;
+  const auto left = arithmetic('*', a, *rest, site);
+  const auto right = arithmetic('*', b, t, site);
+  if (!left || !right) return std::nullopt;
+  if (left->empty() || right->empty()) return Value();
+  return arithmetic('+', *left, *right, site);
+}
+
+const Vector* vector_at(const Arguments& arguments, size_t index) {
+  return index < arguments.size() && arguments[index].name.empty()
+             ? arguments[index].value.get<Vector>()
+             : nullptr;
+}
+
+Result length(const Arguments& arguments, const Site& site) {
+  const Vector* v = vector_at(arguments, 0);
+  if (arguments.size() != 1 || !v) return std::nullopt;
+  return checked(v->value.length(), v->dimension, site);
+}
+
+Result normalize(const Arguments& arguments, const Site& site) {
+  const Vector* v = vector_at(arguments, 0);
+  if (arguments.size() != 1 || !v) return std::nullopt;
+  if (v->value.length() == 0) return site.fault("a vector of length 0 has no direction");
+  return Value(Vector{v->value.normalized()});
+}
+
+template <bool Dot>
+Result times(const Arguments& arguments, const Site& site) {
+  const Vector* a = vector_at(arguments, 0);
+  const Vector* b = vector_at(arguments, 1);
+  if (arguments.size() != 2 || !a || !b) return std::nullopt;
+  const auto dimension = product(a->dimension, b->dimension);
+  if (!dimension)
+    return site.fault("the product of these vectors has no dimension known here",
+                      "divide one of them by a unit first, e.g. a / 1m");
+  if (Dot) return checked(a->value.dot(b->value), *dimension, site);
+  return Value(Vector{a->value.cross(b->value), *dimension});
+}
+
+Result count(const Arguments& arguments, const Site&) {
+  if (arguments.size() != 1 || !arguments[0].name.empty()) return std::nullopt;
+  const List* list = arguments[0].value.get<List>();
+  if (!list) return std::nullopt;
+  return Value(static_cast<double>(list->size()));
+}
+
+Result at(const Arguments& arguments, const Site& site) {
+  if (arguments.size() != 2 || !arguments[0].name.empty()) return std::nullopt;
+  const List* list = arguments[0].value.get<List>();
+  const Vector* vector = arguments[0].value.get<Vector>();
+  const Number* index = arguments[1].value.get<Number>();
+  if ((!list && !vector) || !index || !is_plain(*index)) return std::nullopt;
+  const double size = list ? static_cast<double>(list->size()) : 3;
+  if (index->value != std::floor(index->value) || index->value < 0 || index->value >= size)
+    return site.fault(fmt::format("no element {} in a list of {}", index->value, size),
+                      "elements count from 0");
+  if (list) return (*list)[static_cast<size_t>(index->value)];
+  return Value(Number{vector->value[static_cast<int>(index->value)], vector->dimension});
+}
+
+std::vector<Function> all_functions() {
+  return {
+      {"min", "numbers", "the smallest", extreme<true>},
+      {"max", "numbers", "the largest", extreme<false>},
+      {"abs", "a number", "without its sign", absolute},
+      {"sqrt", "a plain number", "square root", root},
+      {"floor", "a plain number", "the whole number below", plain<floor_of>},
+      {"ceil", "a plain number", "the whole number above", plain<ceil_of>},
+      {"round", "a plain number", "the nearest whole number, halves upwards", plain<round_of>},
+      {"sin", "an angle", "sine", of_angle<maths::sin>},
+      {"cos", "an angle", "cosine", of_angle<maths::cos>},
+      {"tan", "an angle", "tangent", of_angle<maths::tan>},
+      {"asin", "a plain number", "the angle with this sine", arc<true>},
+      {"acos", "a plain number", "the angle with this cosine", arc<false>},
+      {"atan", "y, or y and x", "the angle of the point (x, y), x being 1 if left out",
+       arc_tangent},
+      {"exp", "a plain number", "e to its power", plain<maths::exp>},
+      {"log", "a plain number", "natural logarithm", logarithm},
+      {"pow", "two numbers", "the first to the power of the second", power},
+      {"mod", "two numbers", "the rest of a division, with the divisor's sign", modulo},
+      {"clamp", "three numbers", "the first, kept between the others", clamp},
+      {"mix", "two numbers or vectors and a number", "a (1 - t) + b t", mix},
+      {"length", "a vector", "its length", length},
+      {"normalize", "a vector", "its direction", normalize},
+      {"dot", "two vectors", "inner product", times<true>},
+      {"cross", "two vectors", "outer product", times<false>},
+      {"count", "a list", "how many elements it has", count},
+      {"at", "a list or vector and a number", "the element of that index, from 0", at},
+  };
+}
+
+}  // namespace
+
+const std::vector<Function>& functions() {
+  static const std::vector<Function> all = all_functions();
+  return all;
+}
+
+const Function* find_function(const std::string& name) {
+  for (const Function& function : functions())
+    if (name == function.name) return &function;
+  return nullptr;
+}
+
+}  // namespace vug::scene

@@ -1,0 +1,257 @@
+#include <vug/scene/grammar_parser.h>
+
+#include <fmt/format.h>
+
+namespace vug::scene {
+
+namespace {
+
+bool is_item_sign(const Token& token) {
+  return token.is("+") || token.is("-") || token.is("&") || token.is("~");
+}
+
+/// Clause words that may start a line of their own and that are never a shape after "~ NAME".
+bool is_clause_word(const Token& token) { return token.is_name("label") || token.is_name("blend"); }
+
+std::vector<std::string> listed(const std::set<std::string>& names) {
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+Grammar GrammarParser::parse() {
+  Grammar grammar;
+  const Token& name = cursor_.expect_name("the grammar's name");
+  grammar.name = std::string(name.text);
+  grammar.where = cursor_.where(name);
+  if (cursor_.accept(":")) {
+    const Token& kind = cursor_.expect_name("the kind of grammar after ':'");
+    grammar.kind = std::string(kind.text);
+    if (grammar.kind != "shape")
+      cursor_.fail(kind, fmt::format("unknown kind of grammar '{}'", kind.text),
+                   suggestion(grammar.kind, {"shape"}));
+  }
+  if (!cursor_.accept_beyond_newlines("{")) cursor_.unexpected("'{' before the grammar's rules");
+  const Token& open = cursor_.last();
+  find_heads();
+  for (;;) {
+    while (cursor_.peek().kind == TokenKind::newline) cursor_.take();
+    if (cursor_.accept("}")) return grammar;
+    if (cursor_.at_end() || cursor_.at_statement()) {
+      cursor_.error(open, fmt::format("the '{{' of grammar '{}' is never closed", name.text));
+      return grammar;
+    }
+    try {
+      entry(grammar);
+      if (!cursor_.at_line_end()) cursor_.unexpected("the end of the line");
+    } catch (const SyntaxFault&) {
+      cursor_.recover_entry();
+    }
+  }
+}
+
+void GrammarParser::entry(Grammar& grammar) {
+  if (at_rule()) {
+    grammar.rules.push_back(rule());
+    return;
+  }
+  if (!cursor_.peek().is_name("axiom")) {
+    grammar.options.push_back(parse_entry(cursor_, exprs_));
+    return;
+  }
+  const Token& word = cursor_.take();
+  if (grammar.axiom_where.known())
+    cursor_.error(word, fmt::format("grammar '{}' has two axioms", grammar.name));
+  grammar.axiom_where = cursor_.where(word);
+  grammar.axiom = items("the axiom");
+}
+
+bool GrammarParser::at_rule(size_t from) const {
+  if (cursor_.peek(from).kind != TokenKind::name) return false;
+  int depth = 0;
+  for (size_t ahead = from + 1;; ++ahead) {
+    const Token& token = cursor_.peek(ahead);
+    if (token.is("->")) return true;
+    if (token.kind == TokenKind::end || token.is("{") || token.is("}")) return false;
+    if (token.is("(") || token.is("[")) ++depth;
+    if (token.is(")") || token.is("]")) --depth;
+    // The arrow may stand first on the next line.
+    if (token.kind == TokenKind::newline && depth <= 0)
+      return cursor_.peek(beyond_newlines(ahead)).is("->");
+  }
+}
+
+size_t GrammarParser::beyond_newlines(size_t ahead) const {
+  while (cursor_.peek(ahead).kind == TokenKind::newline && cursor_.peek(ahead).text != ";") ++ahead;
+  return ahead;
+}
+
+void GrammarParser::find_heads() {
+  heads_.clear();
+  Cursor scout = cursor_;
+  bool start = true;
+  while (!scout.at_end() && !scout.peek().is("}") && !scout.at_statement()) {
+    const Token& token = scout.peek();
+    if (start && token.kind == TokenKind::name) {
+      const GrammarParser reader(scout);
+      if (reader.at_rule()) heads_.insert(std::string(token.text));
+    }
+    start = token.kind == TokenKind::newline;
+    scout.take();
+  }
+}
+
+Rule GrammarParser::rule() {
+  Rule rule;
+  const Token& head = cursor_.take();
+  rule.head = std::string(head.text);
+  rule.where = cursor_.where(head);
+  if (cursor_.peek().is("(")) rule.formals = formals();
+  if (cursor_.accept("@")) rule.weight = exprs_.whole();
+  if (cursor_.peek().is_name("if")) {
+    cursor_.take();
+    rule.guard = exprs_.whole();
+  }
+  if (!cursor_.accept_beyond_newlines("->"))
+    cursor_.unexpected(rule.guard || rule.weight ? "'->'" : "'->', '@ weight' or 'if condition'");
+  cursor_.skip_newlines();
+  if (cursor_.peek().is_name("nothing") && !heads_.count("nothing"))
+    cursor_.take();
+  else
+    rule.items = items(fmt::format("the rule of '{}'", rule.head));
+  return rule;
+}
+
+std::vector<Formal> GrammarParser::formals() {
+  std::vector<Formal> formals;
+  cursor_.take();
+  const Cursor::Brackets brackets(cursor_);
+  while (!cursor_.peek().is(")")) {
+    const Token& name = cursor_.expect_name("the name of a parameter");
+    formals.push_back({std::string(name.text), cursor_.where(name)});
+    if (!cursor_.accept(",")) break;
+  }
+  cursor_.expect(")", " after the rule's parameters");
+  return formals;
+}
+
+/// True when the right-hand side has another item, on this line or on the next. A line goes on
+/// with an operation or with a symbol that starts no rule.
+bool GrammarParser::continues() const {
+  const Token& token = cursor_.peek();
+  if (token.kind != TokenKind::newline) return !cursor_.at_line_end();
+  const size_t next = beyond_newlines(0);
+  const Token& first = cursor_.peek(next);
+  const bool symbol = first.kind == TokenKind::name && heads_.count(std::string(first.text));
+  return is_item_sign(first) || (symbol && !at_rule(next));
+}
+
+std::vector<Item> GrammarParser::items(const std::string& whose) {
+  std::vector<Item> items;
+  while (continues()) {
+    cursor_.skip_newlines();
+    const Token& next = cursor_.peek(1);
+    if (items.empty() && at_rule()) break;
+    if (next.is("->") || next.is("@") || next.is_name("if"))
+      cursor_.fail(cursor_.peek(), "a second rule on one line",
+                   "put ';' or a line break before it");
+    items.push_back(item());
+  }
+  if (items.empty())
+    cursor_.fail(cursor_.peek(), fmt::format("{} has no items", whose),
+                 "write 'nothing' for a symbol that vanishes");
+  return items;
+}
+
+Item GrammarParser::item() {
+  Item item;
+  const Token& first = cursor_.peek();
+  item.where = cursor_.where(first);
+  if (is_item_sign(first)) {
+    item.op = std::string(cursor_.take().text);
+    cursor_.skip_newlines();
+    if (item.op == "~") morph_amount(item);
+    if (!item.shape) item.shape = exprs_.shape();
+  } else {
+    if (first.kind != TokenKind::name) cursor_.unexpected("a symbol or one of + - & ~");
+    item.shape = exprs_.shape();
+    const bool symbol = item.shape->kind == ExprKind::name ||
+                        (item.shape->kind == ExprKind::call && !item.shape->method);
+    if (!symbol)
+      cursor_.error(first, "a shape without an operation", "write + - & or ~ before it");
+    else if (!heads_.count(item.shape->text))
+      cursor_.error(first, fmt::format("no rule for the symbol '{}'", item.shape->text),
+                    item.shape->kind == ExprKind::call
+                        ? "a shape needs one of + - & ~ before it"
+                        : suggestion(item.shape->text, listed(heads_)));
+  }
+  if (cursor_.accept("*")) item.count = exprs_.tight();
+  clauses(item);
+  return item;
+}
+
+/// After "~": a number, a range or brackets are the amount. A name is the amount when another
+/// shape follows it; `~ rock label +X` has none.
+void GrammarParser::morph_amount(Item& item) {
+  const Token& first = cursor_.peek();
+  const Token& second = cursor_.peek(1);
+  const bool call = second.is("(") && second.touches;
+  if (first.kind == TokenKind::name && (call || second.is("."))) return;
+  const ExprPtr value = exprs_.tight();
+  const Token& next = cursor_.peek();
+  const bool shape_follows =
+      next.is("(") || (next.kind == TokenKind::name && !is_clause_word(next) &&
+                       !(value->kind == ExprKind::name && heads_.count(std::string(next.text))));
+  if (value->kind == ExprKind::name && !shape_follows)
+    item.shape = value;
+  else
+    item.amount = value;
+}
+
+void GrammarParser::clauses(Item& item) {
+  for (;;) {
+    if (cursor_.peek().kind == TokenKind::newline && is_clause_word(cursor_.beyond_newlines()))
+      cursor_.skip_newlines();
+    const Token& key = cursor_.peek();
+    if (key.kind != TokenKind::name || heads_.count(std::string(key.text))) return;
+    if (cursor_.peek(1).is("(") && cursor_.peek(1).touches) return;  // a symbol, if unknown
+    cursor_.take();
+    const Token& value = cursor_.peek();
+    const bool sign = (value.is("+") || value.is("-")) && !cursor_.peek(1).touches;
+    const bool symbol = value.kind == TokenKind::name && heads_.count(std::string(value.text));
+    if (!ExprParser::starts(value) || sign || symbol)
+      cursor_.fail(
+          key,
+          fmt::format("'{}' is neither a symbol with a rule nor a clause with a value", key.text),
+          suggestion(std::string(key.text), listed(heads_)));
+    Entry clause;
+    clause.key = std::string(key.text);
+    clause.where = cursor_.where(key);
+    clause.values.push_back(exprs_.tight());
+    item.clauses.push_back(std::move(clause));
+  }
+}
+
+Entry parse_entry(Cursor& cursor, ExprParser& exprs) {
+  Entry entry;
+  const Token& key = cursor.expect_name("a name");
+  entry.key = std::string(key.text);
+  entry.where = cursor.where(key);
+  const Token& next = cursor.peek();
+  if (next.is("=") || next.is(":"))
+    cursor.fail(next, fmt::format("expected the value of '{}', found '{}'", key.text, next.text),
+                fmt::format("write the value right after the name: {} ...", key.text));
+  if (cursor.at_line_end()) {
+    cursor.error(key, fmt::format("'{}' has no value", key.text),
+                 "every name is followed by its value, on the same line");
+    throw SyntaxFault{};
+  }
+  entry.values.push_back(exprs.whole());
+  while (cursor.accept_beyond_newlines(",")) {
+    cursor.skip_newlines();
+    entry.values.push_back(exprs.whole());
+  }
+  return entry;
+}
+
+}  // namespace vug::scene

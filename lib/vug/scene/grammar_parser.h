@@ -1,0 +1,40 @@
+// Grammar blocks out of tokens. Rules, formals, weights, guards and options are the same for
+// every kind of grammar; items are of the kind's dialect.
+#pragma once
+
+#include <vug/scene/expr_parser.h>
+
+#include <set>
+#include <string>
+
+namespace vug::scene {
+
+class GrammarParser {
+ public:
+  explicit GrammarParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor) {}
+
+  /// Everything behind the word "grammar".
+  Grammar parse();
+
+ private:
+  void entry(Grammar& grammar);
+  Rule rule();
+  std::vector<Formal> formals();
+  std::vector<Item> items(const std::string& whose);
+  Item item();
+  void morph_amount(Item& item);
+  void clauses(Item& item);
+  bool continues() const;
+  bool at_rule(size_t from = 0) const;
+  size_t beyond_newlines(size_t ahead) const;
+  void find_heads();
+
+  Cursor& cursor_;
+  ExprParser exprs_;
+  std::set<std::string> heads_;  ///< Symbols that have a rule in this block.
+};
+
+/// `key value, value ...` where the cursor stands at the key.
+Entry parse_entry(Cursor& cursor, ExprParser& exprs);
+
+}  // namespace vug::scene

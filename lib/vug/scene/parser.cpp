@@ -1,0 +1,136 @@
+#include <vug/base/atomic_file.h>
+#include <vug/scene/check.h>
+#include <vug/scene/parser.h>
+#include <vug/scene/statement_parser.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vug::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::optional<std::string> read_disk(const fs::path& path) {
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed)) return std::nullopt;
+  return read_text(path);
+}
+
+/// Follows includes: each file once, a circle is a fault.
+class Loader {
+ public:
+  Loader(Document& document, Diagnostics& diagnostics, const ParseOptions& options)
+      : document_(document), diagnostics_(diagnostics), options_(options) {}
+
+  void load(std::string text, const fs::path& path, const SourceLocation& from) {
+    const std::string file = path.generic_string();
+    bytes_ += text.size();
+    if (text.size() > options_.max_bytes || bytes_ > options_.max_total_bytes) {
+      const bool one = text.size() > options_.max_bytes;
+      const size_t limit = one ? options_.max_bytes : options_.max_total_bytes;
+      diagnostics_.error(from.known() ? from : SourceLocation{file, 1, 1},
+                         one ? fmt::format("'{}' is larger than {} bytes", file, limit)
+                             : fmt::format("all files together are larger than {} bytes", limit));
+      return;
+    }
+    auto source = std::make_shared<const Source>(Source{file, normalise_text(std::move(text))});
+    document_.sources.push_back(source);
+    known_.insert(identity(path));
+    chain_.push_back(path);
+    const std::vector<Token> tokens =
+        lex(source->text, source->file, diagnostics_, false, options_.max_errors);
+    Cursor cursor(tokens, source->file, diagnostics_, options_);
+    parse_statements(cursor, document_,
+                     [&](const std::string& wanted, const SourceLocation& where) {
+                       include(wanted, path, where);
+                     });
+    chain_.pop_back();
+  }
+
+ private:
+  static fs::path identity(const fs::path& path) {
+    std::error_code failed;
+    const fs::path whole = fs::weakly_canonical(path, failed);
+    return failed ? path.lexically_normal() : whole;
+  }
+
+  void include(const std::string& wanted, const fs::path& from, const SourceLocation& where) {
+    std::vector<fs::path> places{from.parent_path()};
+    places.insert(places.end(), options_.include_folders.begin(), options_.include_folders.end());
+    for (const fs::path& place : places) {
+      const fs::path path = (place / wanted).lexically_normal();
+      if (circle(path, where)) return;
+      if (known_.count(identity(path))) return;
+      const auto text = options_.read ? options_.read(path) : read_disk(path);
+      if (!text) continue;
+      if (chain_.size() >= kMaxChain) {
+        diagnostics_.error(where, fmt::format("more than {} files include each other", kMaxChain));
+        return;
+      }
+      return load(*text, path, where);
+    }
+    std::string looked;
+    for (const fs::path& place : places)
+      looked += (looked.empty() ? "" : ", ") + (place.empty() ? "." : place.generic_string());
+    diagnostics_.error(where, fmt::format("cannot find the file '{}'", wanted),
+                       "looked in " + looked);
+  }
+
+  bool circle(const fs::path& path, const SourceLocation& where) {
+    const auto same = [&](const fs::path& other) { return identity(other) == identity(path); };
+    const auto first = std::find_if(chain_.begin(), chain_.end(), same);
+    if (first == chain_.end()) return false;
+    std::string names;
+    for (auto file = first; file != chain_.end(); ++file) names += file->generic_string() + " -> ";
+    diagnostics_.error(where, "files include each other in a circle",
+                       names + path.generic_string());
+    return true;
+  }
+
+  static constexpr size_t kMaxChain = 64;
+
+  Document& document_;
+  Diagnostics& diagnostics_;
+  const ParseOptions& options_;
+  std::set<fs::path> known_;
+  std::vector<fs::path> chain_;
+  size_t bytes_ = 0;
+};
+
+}  // namespace
+
+Document parse(std::string text, const std::string& file, Diagnostics& diagnostics,
+               const ParseOptions& options) {
+  Document document;
+  Loader(document, diagnostics, options).load(std::move(text), file, {});
+  check_names(document, diagnostics);
+  return document;
+}
+
+Document parse_file(const fs::path& file, Diagnostics& diagnostics, const ParseOptions& options) {
+  auto text = options.read ? options.read(file) : read_disk(file);
+  if (!text)
+    throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}'", file.generic_string()));
+  return parse(std::move(*text), file.generic_string(), diagnostics, options);
+}
+
+ExprPtr parse_expression(const std::string& text, const std::string& file, Diagnostics& diagnostics,
+                         const ParseOptions& options) {
+  const std::vector<Token> tokens = lex(text, file, diagnostics);
+  Cursor cursor(tokens, file, diagnostics, options);
+  const size_t before = diagnostics.all().size();
+  try {
+    ExprPtr expr = ExprParser(cursor).whole();
+    cursor.skip_newlines();
+    if (!cursor.at_end()) cursor.unexpected("the end of the expression");
+    return diagnostics.all().size() == before ? expr : nullptr;
+  } catch (const SyntaxFault&) {
+    return nullptr;
+  }
+}
+
+}  // namespace vug::scene

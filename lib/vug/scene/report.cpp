@@ -1,0 +1,96 @@
+#include <vug/scene/report.h>
+#include <vug/scene/utf8.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <tuple>
+
+namespace vug::scene {
+
+namespace {
+
+/// Longest part of a line that is shown.
+constexpr size_t kWidth = 160;
+
+std::string_view line_of(std::string_view text, int line) {
+  while (--line > 0) {
+    const size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+/// Byte at which the column's character starts; the end of the line for columns behind it.
+size_t byte_of(std::string_view line, int column) {
+  size_t at = 0;
+  while (at < line.size() && --column > 0) {
+    ++at;
+    while (at < line.size() && is_utf8_tail(line[at])) ++at;
+  }
+  return at;
+}
+
+/// The line and under it a caret; of a long line only the neighbourhood of the column.
+std::string excerpt(std::string_view line, int column) {
+  size_t at = byte_of(line, column);
+  if (line.size() > kWidth) {
+    size_t from = at > kWidth / 2 ? at - kWidth / 2 : 0;
+    while (from > 0 && is_utf8_tail(line[from])) --from;
+    size_t end = std::min(line.size(), from + kWidth);
+    while (end < line.size() && is_utf8_tail(line[end])) ++end;
+    line = line.substr(from, end - from);
+    at -= from;
+  }
+  const std::string before = printable(line.substr(0, at));
+  std::string caret;
+  for (const char c : before)
+    if (!is_utf8_tail(c)) caret += c == '\t' ? '\t' : ' ';
+  return fmt::format("{}\n{}^\n", before + printable(line.substr(std::min(at, line.size()))),
+                     caret);
+}
+
+}  // namespace
+
+std::string report(const Diagnostics& diagnostics,
+                   const std::vector<std::shared_ptr<const Source>>& sources, int limit) {
+  const auto rank = [&](const std::string& file) {
+    const auto found = std::find_if(sources.begin(), sources.end(),
+                                    [&](const auto& source) { return source->file == file; });
+    return static_cast<size_t>(found - sources.begin());
+  };
+  struct Row {
+    size_t rank;
+    const Diagnostic* what;
+  };
+  std::vector<Row> rows;
+  for (const Diagnostic& one : diagnostics.all()) rows.push_back({rank(one.where.file), &one});
+  const auto order = [](const Row& row) {
+    const Diagnostic& d = *row.what;
+    return std::tie(row.rank, d.where.file, d.where.line, d.where.column);
+  };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const Row& a, const Row& b) { return order(a) < order(b); });
+  const auto same = [&](const Row& a, const Row& b) {
+    return order(a) == order(b) && a.what->message == b.what->message;
+  };
+  rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
+
+  std::string out;
+  const size_t shown = std::min(rows.size(), static_cast<size_t>(std::max(limit, 0)));
+  for (size_t i = 0; i < shown; ++i) {
+    const Diagnostic& d = *rows[i].what;
+    const std::string place = to_string(d.where);
+    out += fmt::format("{}{}{}: {}\n", place, place.empty() ? "" : ": ",
+                       d.severity == Severity::error ? "error" : "warning", d.message);
+    if (d.where.known() && rows[i].rank < sources.size())
+      out += excerpt(line_of(sources[rows[i].rank]->text, d.where.line), d.where.column);
+    if (!d.hint.empty()) out += fmt::format("hint: {}\n", d.hint);
+  }
+  if (rows.size() > shown) out += fmt::format("... and {} more\n", rows.size() - shown);
+  return out;
+}
+
+}  // namespace vug::scene

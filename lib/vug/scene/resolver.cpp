@@ -1,0 +1,23 @@
+#include <vug/scene/resolver.h>
+
+namespace vug::scene {
+
+std::optional<Value> Resolver::name(const std::string&, const SourceLocation&, Diagnostics&) {
+  return std::nullopt;
+}
+
+std::optional<Value> Resolver::call(const std::string&, const Arguments&, const SourceLocation&,
+                                    RandomKey, Diagnostics&) {
+  return std::nullopt;
+}
+
+std::optional<Value> Resolver::binary(char, const Value&, const Value&, const SourceLocation&,
+                                      Diagnostics&) {
+  return std::nullopt;
+}
+
+std::optional<Value> Resolver::unary(char, const Value&, const SourceLocation&, Diagnostics&) {
+  return std::nullopt;
+}
+
+}  // namespace vug::scene
