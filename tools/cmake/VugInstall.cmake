@@ -1,0 +1,32 @@
+# What `cmake --install` copies, and the CMake package others find: Vug::field and so on for one
+# module, Vug::Vug for all of them.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+get_property(modules GLOBAL PROPERTY VUG_MODULES)
+add_library(vug_all INTERFACE)
+add_library(Vug::Vug ALIAS vug_all)
+set_target_properties(vug_all PROPERTIES EXPORT_NAME Vug)
+target_link_libraries(vug_all INTERFACE ${modules})
+
+install(TARGETS vug_contract vug_all ${modules} EXPORT VugTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Headers, and beside them the lists of kinds that the build writes.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/vug ${PROJECT_BINARY_DIR}/lib/vug
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.inc" PATTERN CMakeFiles EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/vug OPTIONAL)
+if(TARGET vug)
+  install(TARGETS vug RUNTIME)
+endif()
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Vug)
+list(TRANSFORM modules REPLACE "^vug_" "" OUTPUT_VARIABLE VUG_COMPONENTS)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/VugConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/VugConfig.cmake INSTALL_DESTINATION ${package_folder}
+  PATH_VARS CMAKE_INSTALL_DATADIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/VugConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/VugConfig.cmake ${PROJECT_BINARY_DIR}/VugConfigVersion.cmake
+  ${PROJECT_SOURCE_DIR}/tools/cmake/VugDependencies.cmake DESTINATION ${package_folder})
+install(EXPORT VugTargets NAMESPACE Vug:: DESTINATION ${package_folder})

@@ -1,0 +1,17 @@
+# cmake -DBUILD=... -DSOURCE=... -DCOMPILER=... -DTYPE=... -P run.cmake: installs BUILD into a
+# temporary prefix, then configures, builds and runs the consumer project against it.
+set(place ${BUILD}/tests/consumer)
+file(REMOVE_RECURSE ${place}/prefix ${place}/build)
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\n${output}")
+  endif()
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/prefix)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${place}/build -G Ninja -DCMAKE_PREFIX_PATH=${place}/prefix
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${TYPE})
+run(${CMAKE_COMMAND} --build ${place}/build)
+run(${place}/build/consumer)
