@@ -4,7 +4,7 @@ import subprocess
 
 from .tree import Finding
 
-TEXT = (".h", ".cpp", ".py", ".cmake", ".txt", ".md", ".json", ".vug", ".sh", ".bib")
+TEXT = (".h", ".cpp", ".py", ".cmake", ".txt", ".md", ".json", ".vug", ".sh")
 
 
 def check(tree):
