@@ -1,0 +1,66 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/mesh/format_kind.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace vug::mesh {
+
+const std::vector<const Format*>& formats() {
+  static const std::vector<const Format*> all = {
+#define VUG_KIND(name) &name##_format(),
+#include <vug/mesh/formats_kinds.inc>
+#undef VUG_KIND
+  };
+  return all;
+}
+
+const Format& format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  std::vector<std::string> known;
+  for (const Format* format : formats()) {
+    if (format->info.name == extension) return *format;
+    known.push_back(format->info.name);
+  }
+  throw Error(ErrorCode::bad_input,
+              fmt::format("'{}' has the extension of no mesh format", file.string()), {},
+              fmt::format("known: {}", fmt::join(known, ", ")));
+}
+
+Mesh read_mesh(const std::filesystem::path& file) {
+  const Format& format = format_of(file);
+  Mesh mesh = format.read(read_text(file), file.string());
+  validate(mesh, file.string());
+  return mesh;
+}
+
+void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
+  const Format& format = format_of(file);
+  validate(mesh, file.string());
+  AtomicFile target(file);
+  const auto refuse = [&] {
+    throw Error(ErrorCode::io,
+                fmt::format("cannot write '{}': {}", file.string(), std::strerror(errno)));
+  };
+  struct Closer {
+    void operator()(std::FILE* f) const { std::fclose(f); }
+  };
+  std::unique_ptr<std::FILE, Closer> out(std::fopen(target.path().c_str(), "wb"));
+  if (!out) refuse();
+  format.write(mesh, [&](std::string_view bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) refuse();
+  });
+  if (std::fclose(out.release()) != 0) refuse();
+  target.commit();
+}
+
+}  // namespace vug::mesh

@@ -1,0 +1,95 @@
+// The numbers of a PLY file behind its header, in any of the three encodings.
+#pragma once
+
+#include <vug/mesh/ply_header.h>
+#include <vug/mesh/text_scanner.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace vug::mesh {
+
+/// Numbers as words of a text.
+class PlyTextBody {
+ public:
+  PlyTextBody(std::string_view bytes, const std::string& file, const PlyHeader& header)
+      : scan_(bytes, file, header.body, header.body_line) {}
+
+  double number(PlyType) { return scan_.number(scan_.word()); }
+  /// Throws unless `count` more numbers of the type can follow.
+  void require(uint64_t count, PlyType) const {
+    if (count > (scan_.left() + 1) / 2) fail("the file ends inside a list");
+  }
+  [[noreturn]] void fail(const std::string& message) const {
+    scan_.fail(message, "the file may be cut off");
+  }
+
+ private:
+  TextScanner scan_;
+};
+
+/// Numbers as bytes, in either order.
+class PlyBinaryBody {
+ public:
+  PlyBinaryBody(std::string_view bytes, std::string file, const PlyHeader& header)
+      : bytes_(bytes),
+        file_(std::move(file)),
+        at_(header.body),
+        swapped_(header.encoding == PlyHeader::Encoding::big_endian) {}
+
+  double number(PlyType type) {
+    switch (type) {
+      case PlyType::int8:
+        return load<int8_t>();
+      case PlyType::uint8:
+        return load<uint8_t>();
+      case PlyType::int16:
+        return load<int16_t>();
+      case PlyType::uint16:
+        return load<uint16_t>();
+      case PlyType::int32:
+        return load<int32_t>();
+      case PlyType::uint32:
+        return load<uint32_t>();
+      case PlyType::float32:
+        return finite(static_cast<double>(load<float>()));
+      case PlyType::float64:
+        return finite(load<double>());
+    }
+    return 0;
+  }
+  void require(uint64_t count, PlyType type) const {
+    if (count > (bytes_.size() - at_) / size_of(type)) fail("the file ends inside a list");
+  }
+  [[noreturn]] void fail(const std::string& message) const {
+    throw Error(ErrorCode::bad_input, fmt::format("{} (byte {})", message, at_), {file_, 0, 0},
+                "the file may be cut off or damaged");
+  }
+
+ private:
+  template <class T>
+  T load() {
+    if (bytes_.size() - at_ < sizeof(T)) fail("the file ends too early");
+    char raw[sizeof(T)];
+    std::memcpy(raw, bytes_.data() + at_, sizeof(T));
+    if (swapped_)
+      for (size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(raw[i], raw[sizeof(T) - 1 - i]);
+    at_ += sizeof(T);
+    T value;
+    std::memcpy(&value, raw, sizeof(T));
+    return value;
+  }
+  double finite(double value) const {
+    if (!std::isfinite(value)) fail("a number is not finite");
+    return value;
+  }
+
+  std::string_view bytes_;
+  std::string file_;
+  size_t at_;
+  bool swapped_;
+};
+
+}  // namespace vug::mesh

@@ -1,0 +1,48 @@
+// Words and numbers out of the text of a mesh file, with their line for messages.
+#pragma once
+
+#include <vug/base/error.h>
+
+#include <string>
+#include <string_view>
+
+namespace vug::mesh {
+
+/// Reads forward over a text it does not own. Line ends are \n or \r\n.
+class TextScanner {
+ public:
+  TextScanner(std::string_view text, std::string file, size_t start = 0, int line = 1)
+      : text_(text), file_(std::move(file)), at_(start), line_(line) {}
+
+  /// The next word, over line ends; empty at the end of the text.
+  std::string_view word();
+  /// The next word of this line; empty at the line's end, which is not passed.
+  std::string_view word_in_line();
+  /// Passes to the start of the next line; false at the end of the text.
+  bool next_line();
+  /// The rest of this line without its end, which is passed.
+  std::string_view rest_of_line();
+
+  double number(std::string_view word) const;    ///< Finite, or Error.
+  int64_t integer(std::string_view word) const;  ///< Whole, or Error.
+
+  size_t offset() const { return at_; }
+  int line() const { return line_; }
+  size_t left() const { return text_.size() - at_; }
+  std::string_view text() const { return text_; }
+
+  [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const;
+
+ private:
+  void skip_blanks();
+
+  std::string_view text_;
+  std::string file_;
+  size_t at_;
+  int line_;
+};
+
+/// `word` as messages quote it: shortened, and without unprintable bytes.
+std::string quoted(std::string_view word);
+
+}  // namespace vug::mesh

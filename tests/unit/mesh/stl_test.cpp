@@ -1,0 +1,58 @@
+#include <vug/base/error.h>
+#include <vug/mesh/format.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::mesh {
+namespace {
+
+Mesh read(const std::string& text) { return format_of("x.stl").read(text, "x.stl"); }
+
+constexpr const char* kText =
+    "solid a name of several words\n"
+    " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 1 1 0\n"
+    "  endloop\n endfacet\n"
+    " facet normal 0 0 1\n  outer loop\n   vertex -0 0 0\n   vertex 1 1 0\n   vertex 0 1e0 0\n"
+    "  endloop\n endfacet\nendsolid a name\n";
+
+TEST(Stl, TextIsReadAndWelded) {
+  const Mesh mesh = read(kText);
+  EXPECT_EQ(mesh.positions.size(), 4U);
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(read(std::string(kText) + kText).triangles.size(), 4U);
+}
+
+TEST(Stl, BinaryFilesMayBeginWithSolid) {
+  std::string bytes;
+  format_of("x.stl").write(read(kText), [&](std::string_view more) { bytes += more; });
+  bytes.replace(0, 5, "solid");
+  EXPECT_EQ(read(bytes).triangles.size(), 2U);
+}
+
+TEST(Stl, FaultsOfTextNameTheirLine) {
+  const std::string text = kText;
+  const struct {
+    std::string text;
+    int line;
+    const char* part;
+  } cases[] = {
+      {"solid\nfacet normal 0 0\n", 3, "missing"},
+      {"solid\nvertex", 2, "neither facet nor endsolid"},
+      {text.substr(0, text.find("vertex 1 1")), 6, "ends where 'vertex' should"},
+      {text + "more", 17, "stands where 'solid' should"},
+      {"solid\nfacet normal 0 0 1 outer loop\nvertex 0 0 1e60\n", 3, "single precision"},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.text);
+    try {
+      read(c.text);
+      ADD_FAILURE() << "was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.where().line, c.line) << error.what();
+      EXPECT_NE(std::string(error.what()).find(c.part), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vug::mesh
