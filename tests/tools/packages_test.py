@@ -2,6 +2,7 @@
 import pathlib
 import re
 import subprocess
+import sys
 import unittest
 
 DEV = pathlib.Path(__file__).resolve().parents[2] / "tools/dev"
@@ -32,4 +33,4 @@ class PackagesTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])

@@ -25,10 +25,14 @@ IN_HEADERS = [(r"^\s*using\s+namespace\s+(?!v\d)", "a header opens no namespace 
 # In every text, comments and strings too. ([D] and the like keep this file from finding itself.)
 IN_ALL = [
     (r"\b(?:TO[D]O|FIX[M]E|XX[X])\b", "finish it, or write it down as an open point in docs/"),
+    (r"\bST[U]B:", "left to write by tools/dev/new"),
     (r"(?<![\w.~}$])/(?:work|root|home)/\w", "an absolute path of one machine"),
     (r"\b(?:deb|snapshot|security)\.debian\.org|\bpypi\.org|\bregistry\.npmjs\.org"
      r"|\bproxy\.golang\.org", "the name of a package server: leave it to the machine's settings"),
 ]
+
+# Inputs of tests, and what tools/dev/new copies.
+UNCHECKED = ("tests/data/", "tests/fuzz/corpus/", "tools/dev/templates/")
 
 
 def number_of(text, position):
@@ -50,7 +54,7 @@ def check(tree):
             for match in re.finditer(pattern, tree.code(name), re.M):
                 yield Finding(name, number_of(tree.code(name), match.start()), advice)
     for name in tree.files:
-        if name.startswith(("tests/data/", "tests/fuzz/corpus/")) or is_binary(tree, name):
+        if name.startswith(UNCHECKED) or is_binary(tree, name):
             continue
         for pattern, advice in IN_ALL:
             for match in re.finditer(pattern, tree.text(name)):

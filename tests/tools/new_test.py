@@ -1,0 +1,120 @@
+"""tools/dev/new on a copy of the tree: what it writes is listed, in order, and compiles.
+
+    new_test.py BUILD    the build folder whose compile_commands.json says how to compile
+"""
+import json
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = None
+sys.path.insert(0, str(ROOT / "tools/dev"))
+sys.dont_write_bytecode = True
+from checks.tree import Tree  # noqa: E402
+
+TEMPLATES = ROOT / "tools/dev/templates"
+KINDS = sorted(path.stem for path in TEMPLATES.glob("*.cpp") if not path.stem.endswith("_test"))
+
+
+def place_of(kind):
+    return (TEMPLATES / f"{kind}.cpp").read_text().splitlines()[0].split()[1].rstrip(",")
+
+
+class NewTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.tree = pathlib.Path(self.folder.name)
+        for name in Tree(ROOT).select(".h", ".cpp", ".txt", ".clang-format"):
+            if not name.startswith("tests/") or name.startswith("tests/unit"):
+                (self.tree / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / name, self.tree / name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def new(self, *words):
+        return subprocess.run([sys.executable, ROOT / "tools/dev/new", *words, "--root", self.tree],
+                              capture_output=True, text=True)
+
+    def syntax_errors(self, file, like):
+        """What the compiler says of `file`, called as it is for the file `like` of the build."""
+        for entry in json.loads((BUILD / "compile_commands.json").read_text()):
+            if pathlib.Path(entry["file"]).parent == like:
+                break
+        else:
+            self.skipTest(f"nothing of {like} is built")
+        words = [word for word in shlex.split(entry["command"]) if "ccache" not in word]
+        end = words.index("-o")
+        # The lists that CMake writes are made here, with the new name in them.
+        includes = [f"-I{self.tree}/build/include", f"-I{self.tree}/lib"]
+        done = subprocess.run([words[0], *includes, *words[1:end], "-fsyntax-only", "-c", file],
+                              cwd=entry["directory"], capture_output=True, text=True)
+        return done.stderr if done.returncode else ""
+
+    def write_lists(self):
+        for name in Tree(self.tree).select("CMakeLists.txt"):
+            text = (self.tree / name).read_text()
+            for module, kinds, body in re.findall(r"vug_kinds\(\s*(\w+)\s+(\w+)([^)]*)\)", text):
+                path = self.tree / f"build/include/vug/{module}/{kinds}_kinds.inc"
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text("".join(f"VUG_KIND({kind})\n" for kind in body.split()))
+        verbs = self.tree / "tools/vug/CMakeLists.txt"
+        if verbs.exists():
+            body = re.search(r"set\(verbs\b([^)]*)\)", verbs.read_text()).group(1)
+            (self.tree / "build/include/verbs.inc").write_text(
+                "".join(f"VUG_VERB({verb})\n" for verb in body.split()))
+
+    def test_every_template_gives_a_kind_that_compiles(self):
+        for kind in KINDS:
+            with self.subTest(kind=kind):
+                place = place_of(kind)
+                if not (ROOT / place).exists():
+                    continue
+                name = f"brand_new_{kind}"
+                done = self.new(kind, name)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn(f"{place}/{name}.cpp", done.stdout)
+                cmake = (self.tree / place).parent / "CMakeLists.txt"
+                self.assertEqual(len(re.findall(rf"\b{name}\b", cmake.read_text())), 1)
+                self.assertIn("ST" + "UB", (self.tree / place / f"{name}.cpp").read_text())
+                self.write_lists()
+                errors = self.syntax_errors(self.tree / place / f"{name}.cpp", ROOT / place)
+                self.assertEqual(errors, "")
+        layout = subprocess.run([sys.executable, ROOT / "tools/dev/check", "--root", self.tree,
+                                 "layout"], capture_output=True, text=True)
+        self.assertEqual(layout.returncode, 0, layout.stdout)
+
+    def test_its_first_test_compiles_and_is_listed(self):
+        self.assertEqual(self.new("primitive", "egg").returncode, 0)
+        tests = self.tree / "tests/unit/field"
+        text = (tests / "CMakeLists.txt").read_text()
+        self.assertTrue("SOURCES" not in text or "egg_test.cpp" in text, text)
+        self.write_lists()
+        errors = self.syntax_errors(tests / "egg_test.cpp", ROOT / "tests/unit/field")
+        self.assertEqual(errors, "")
+
+    def test_refusals(self):
+        cases = {("primitive", "Egg"): "no name", ("primitive", "9lives"): "no name",
+                 ("primitive", "../egg"): "no name", ("primitive", "sphere"): "already",
+                 ("deformer", "sphere"): "already", ("primitives", "egg"): "no template"}
+        for words, reason in cases.items():
+            done = self.new(*words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), words)
+            self.assertIn(reason, done.stderr)
+        self.assertEqual(self.new("primitive").returncode, 2)
+
+    def test_a_name_twice(self):
+        self.assertEqual(self.new("light", "glow").returncode, 0)
+        self.assertEqual(self.new("light", "glow").returncode, 2)
+        self.assertEqual(self.new("bsdf", "glow").returncode, 0)
+
+
+if __name__ == "__main__":
+    BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()

@@ -1,0 +1,42 @@
+//@ lib/vug/field/deformers, name unique in the module
+// STUB: the map from a point outside to the child's space, and its Lipschitz constant.
+#include <vug/field/deformer.h>
+
+namespace vug::field {
+namespace {
+
+struct NewKind {
+  Field field;
+  Vec3d by{0, 0, 0};
+
+  static void describe(Schema<NewKind>& s) {
+    s.doc("STUB: what it does to a solid, in one sentence.")
+        .param("field", &NewKind::field, {.doc = "STUB: what is moved", .required = true})
+        .param("by", &NewKind::by, any_length("STUB: how far"));
+  }
+
+  /// From outside to the child's space: the inverse of what happens to the solid.
+  template <class T>
+  Point<T> map(const Point<T>& p) const {
+    return p - constant<T>(by);
+  }
+  /// A ball that holds the image of a ball.
+  Ball map(const Ball& ball) const { return {ball.centre - by, ball.radius}; }
+  /// Factor on the child's value.
+  double scale() const { return 1; }
+  Traits traits(const Traits& child) const {
+    Traits out = child;
+    if (!out.bounds.isEmpty()) out.bounds = {child.bounds.min + by, child.bounds.max + by};
+    return out;
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(new_kind) {
+  using namespace vug::field;
+  return field_kind<NewKind>("new_kind", "deformer", [](const NewKind& k) {
+    return Field(std::make_shared<DeformerNode<NewKind>>("new_kind", k, k.field.node()));
+  });
+}

@@ -1,0 +1,48 @@
+//@ lib/vug/render/lights
+// STUB: the shape of the light, how directions towards it are chosen, and the source.
+#include <vug/render/kind.h>
+#include <vug/render/sampling.h>
+
+namespace vug::render {
+namespace {
+
+struct NewKind {
+  Vec3d radiance{1, 1, 1};
+
+  static void describe(Schema<NewKind>& s) {
+    s.doc("STUB: what shines, in one sentence.")
+        .param("radiance", &NewKind::radiance,
+               {.doc = "Radiance of red, green, blue in W/sr/m^2.", .min = 0});
+  }
+};
+
+/// As it stands: a sky that samples all directions alike. See Light for what each function
+/// promises.
+class NewKindLight final : public Light {
+ public:
+  explicit NewKindLight(const NewKind& p) : radiance_(p.radiance) {}
+
+  LightSample sample(const LitPoint&, const Vec2f& u) const override {
+    LightSample s;
+    s.direction = sample_sphere(u);
+    s.distance = kFar;
+    s.pdf = kDensity;
+    return s;
+  }
+  float pdf(const LitPoint&, const Vec3f&) const override { return kDensity; }
+  float importance(const LitPoint&) const override { return luminance(radiance_); }
+  float importance_along(const Ray&, float begin, float end) const override {
+    return luminance(radiance_) * (end - begin);
+  }
+  bool is_sky() const override { return true; }
+  Rgb escape_radiance(const Vec3f&) const override { return radiance_; }
+
+ private:
+  static constexpr float kDensity = 1 / (4 * kPif);
+  Rgb radiance_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(new_kind, light, LightPtr, NewKind, NewKindLight)

@@ -1,0 +1,42 @@
+//@ lib/vug/field/operators, name unique in the module
+// STUB: the formula, and what it leaves of the distance.
+#include <vug/field/modifier.h>
+
+namespace vug::field {
+namespace {
+
+struct NewKind {
+  Field field;
+  double by = 0.1;
+
+  static void describe(Schema<NewKind>& s) {
+    s.doc("STUB: what it does to a solid, in one sentence.")
+        .param("field", &NewKind::field, {.doc = "STUB: what is changed", .required = true})
+        .param("by", &NewKind::by, any_length("STUB: how far"));
+  }
+
+  /// The new value where the child's is `value`; T is any of the number types.
+  template <class T>
+  T apply(const T& value, const Point<T>&) const {
+    return value - T(by);
+  }
+  /// What is promised of the new values, given what was promised of the child's.
+  Traits traits(const Traits& child) const {
+    Traits out = child;
+    out.bounds = child.bounds_below(by);
+    out.exactness = std::max(child.exactness, Exactness::bound);
+    out.growth = child.grows();
+    return out;
+  }
+  Interval range(Interval child) const { return child - Interval(by); }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(new_kind) {
+  using namespace vug::field;
+  return field_kind<NewKind>("new_kind", "operator", [](const NewKind& k) {
+    return Field(std::make_shared<ModifierNode<NewKind>>("new_kind", k, k.field.node()));
+  });
+}

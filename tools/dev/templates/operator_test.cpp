@@ -1,0 +1,18 @@
+//@ tests/unit/field
+// Oracles of new_kind in closed form; the tests of every kind loop over the registry by themselves.
+#include <vug/field/registry.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::field {
+namespace {
+
+TEST(NewKind, OfASphere) {
+  const Field ball = make("sphere", {{"radius", 2.0}});
+  const Field f = make("new_kind", {{"field", as_value(ball)}, {"by", 0.5}});
+  EXPECT_EQ(f.value({2.5, 0, 0}), 0);
+  EXPECT_EQ(f.value({0, 0, 0}), -2.5);
+}
+
+}  // namespace
+}  // namespace vug::field
