@@ -18,8 +18,17 @@ class NameChecker {
   explicit NameChecker(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   void run(const Document& document) {
-    for (const Param& param : document.params) global("parameter", param.name, param.where);
-    for (const Let& let : document.lets) global("let", let.name, let.where);
+    std::vector<Global> all;
+    for (const Param& one : document.params) all.push_back({"parameter", &one.name, &one.where});
+    for (const Let& one : document.lets) all.push_back({"let", &one.name, &one.where});
+    // In the order of the text, so that it is the second that is blamed.
+    std::map<std::string, size_t> rank;
+    for (const auto& source : document.sources) rank.emplace(source->file, rank.size());
+    std::stable_sort(all.begin(), all.end(), [&](const Global& a, const Global& b) {
+      const size_t first = rank[a.where->file], second = rank[b.where->file];
+      return first != second ? first < second : a.where->line < b.where->line;
+    });
+    for (const Global& one : all) global(one.what, *one.name, *one.where);
     for (const Declaration& made : document.declarations)
       declared(made.kind, made.name, made.where);
     for (const Grammar& made : document.grammars) {
@@ -44,6 +53,12 @@ class NameChecker {
     diagnostics_.error(where, fmt::format("a second {} '{}'", what, name),
                        fmt::format("the first is at {}", to_string(first)));
   }
+
+  struct Global {
+    const char* what;
+    const std::string* name;
+    const SourceLocation* where;
+  };
 
   /// Parameters and lets share one room of names.
   void global(const char* what, const std::string& name, const SourceLocation& where) {

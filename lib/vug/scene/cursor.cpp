@@ -81,7 +81,12 @@ const Token& Cursor::expect_name(const std::string& what) {
 }
 
 void Cursor::skip_newlines() {
-  while (is_line_break(tokens_[at_])) ++at_;
+  size_t at = at_;
+  while (is_line_break(tokens_[at])) ++at;
+  if (at != at_ &&
+      (tokens_[at].is("}") || tokens_[at].kind == TokenKind::end || starts_statement(at)))
+    return;
+  at_ = at;
 }
 
 const Token& Cursor::beyond_newlines() const {
@@ -117,7 +122,7 @@ void Cursor::unexpected(const std::string& expected) {
     hint = fmt::format("a call's parenthesis touches its name: '{}('", shortened(before.text));
   else if (found.kind == TokenKind::name && before.kind == TokenKind::number && is_unit(found.text))
     hint = fmt::format("a unit touches its number: {}{}", before.text, found.text);
-  else if (found.is("="))
+  else if (found.is("=") && brackets_ > 0)
     hint = "compare with '=='";
   else if (found.is("~"))
     hint = "'~' stands only before an item of a rule; the complement of a is -a";
@@ -128,16 +133,18 @@ bool Cursor::first_on_line(size_t at) const {
   return at == 0 || tokens_[at - 1].kind == TokenKind::newline;
 }
 
-bool Cursor::at_statement() const {
-  if (tokens_[at_].kind != TokenKind::name || !first_on_line(at_)) return false;
+bool Cursor::at_statement() const { return starts_statement(at_); }
+
+bool Cursor::starts_statement(size_t at) const {
+  if (tokens_[at].kind != TokenKind::name || !first_on_line(at)) return false;
   const auto kind = [&](size_t ahead) {
-    return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead].kind : TokenKind::end;
+    return at + ahead < tokens_.size() ? tokens_[at + ahead].kind : TokenKind::end;
   };
-  if (tokens_[at_].is_name("include") && kind(1) == TokenKind::text) return true;
+  if (tokens_[at].is_name("include") && kind(1) == TokenKind::text) return true;
   if (kind(1) != TokenKind::name || kind(2) == TokenKind::end) return false;
-  const Token& third = tokens_[at_ + 2];
+  const Token& third = tokens_[at + 2];
   return third.is("=") || third.is("{") ||
-         (third.is(":") && tokens_[at_].is_name("grammar") && kind(3) == TokenKind::name);
+         (third.is(":") && tokens_[at].is_name("grammar") && kind(3) == TokenKind::name);
 }
 
 void Cursor::recover_statement() {

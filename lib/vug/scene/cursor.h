@@ -34,6 +34,7 @@ class Cursor {
   void expect(std::string_view sign, const std::string& purpose);
   /// Takes a name or fails: "expected `what`, found ...".
   const Token& expect_name(const std::string& what);
+  /// Takes line breaks, but not those before a new statement, a "}" or the end.
   void skip_newlines();
   /// The token after any line breaks (not ";"), without taking them.
   const Token& beyond_newlines() const;
@@ -86,6 +87,7 @@ class Cursor {
  private:
   size_t visible(size_t at) const;
   bool first_on_line(size_t at) const;
+  bool starts_statement(size_t at) const;
 
   const std::vector<Token>& tokens_;
   const std::string& file_;

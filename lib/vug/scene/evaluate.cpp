@@ -259,7 +259,10 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   }
   for (size_t i = 0; builtin && i < given.size(); ++i)
     if (!is_known(given[i].value, *expr.operands[i].value)) return {};
-  if (builtin) return site(expr).fault(fmt::format("'{}' takes {}", expr.text, builtin->takes));
+  if (builtin)
+    return site(expr).fault(
+        fmt::format("'{}' takes {}{}", expr.text, builtin->takes,
+                    given.size() == 1 ? ", not " + given[0].value.type_name() : ""));
   std::vector<std::string> names = resolver_.known_calls();
   for (const Function& function : functions()) names.emplace_back(function.name);
   names.insert(names.end(), {"if", "pick"});

@@ -52,7 +52,7 @@ class Formatter {
   struct Open {
     char sign;
     bool grammar;
-    size_t row;
+    int indent;  ///< Of the line that opened it.
   };
 
   static bool is_break(const Token& t) { return t.kind == TokenKind::newline && t.text != ";"; }
@@ -68,26 +68,22 @@ class Formatter {
       row.comment = std::string(tokens_[end].text);
       row.comment.erase(row.comment.find_last_not_of(" \t") + 1);
     }
-    row.indent = begin == end ? indent_levels(0) : indent(begin);
+    row.indent = begin == end ? inside() : indent(begin);
     if (begin < end) fill(row, begin, end);
     rows_.push_back(std::move(row));
   }
 
-  /// Brackets opened on one line indent once.
-  int indent_levels(size_t closed) const {
-    int levels = 0;
-    for (size_t i = 0; i + closed < open_.size(); ++i)
-      if (i == 0 || open_[i].row != open_[i - 1].row) ++levels;
-    return 2 * levels;
-  }
+  /// Brackets opened on one line indent what is inside them once.
+  int inside() const { return open_.empty() ? 0 : open_.back().indent + 2; }
 
   int indent(size_t begin) const {
     const Token& first = tokens_[begin];
-    if (first.is(")") || first.is("]") || first.is("}")) return indent_levels(1);
+    const bool closes = first.is(")") || first.is("]") || first.is("}");
+    if (closes && !open_.empty()) return open_.back().indent;
     const bool goes_on = is_arithmetic(first) || first.is(".") || first.is("->") ||
                          is_word(first) || first.is(",") ||
                          (in_grammar() && (is_clause(first) || is_symbol(begin)));
-    return indent_levels(0) + ((goes_on || hanging_) && !in_brackets() ? 4 : 0);
+    return inside() + ((goes_on || hanging_) && !in_brackets() ? 4 : 0);
   }
 
   /// A line that can only go on with a rule's items: a symbol alone, called or repeated.
@@ -120,7 +116,7 @@ class Formatter {
       }
       row.cells.back() += token.text;
       key = starts_entry;
-      track(token, begin);
+      track(token, begin, row.indent);
     }
     const Token& last = tokens_[end - 1];
     hanging_ = is_arithmetic(last) || last.is(",") || last.is("=") || last.is("->") ||
@@ -131,11 +127,11 @@ class Formatter {
     return ends_operand(before) || before.is("{") || before.kind == TokenKind::newline;
   }
 
-  void track(const Token& token, size_t begin) {
+  void track(const Token& token, size_t begin, int indent) {
     if (token.kind != TokenKind::sign) return;
     const char sign = token.text[0];
     if (one_of(token.text, {"(", "[", "{"}))
-      open_.push_back({sign, sign == '{' && tokens_[begin].is_name("grammar"), rows_.size()});
+      open_.push_back({sign, sign == '{' && tokens_[begin].is_name("grammar"), indent});
     if (one_of(token.text, {")", "]", "}"}) && !open_.empty()) open_.pop_back();
   }
 
@@ -143,6 +139,8 @@ class Formatter {
   std::string kind(size_t begin, size_t end) const {
     const Token& first = tokens_[begin];
     if (first.kind != TokenKind::name || hanging_ || is_word(first)) return {};
+    for (size_t i = begin; i < end; ++i)
+      if (tokens_[i].text == ";") return {};
     if (in_grammar()) return holds("->", begin, end) ? "rule" : "";
     if (in_braces()) return entries(begin, end) == 1 ? "entry" : "";
     if (!open_.empty()) return {};

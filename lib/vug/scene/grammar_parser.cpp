@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vug::scene {
 
 namespace {
@@ -11,7 +13,12 @@ bool is_item_sign(const Token& token) {
 }
 
 /// Clause words that may start a line of their own and that are never a shape after "~ NAME".
-bool is_clause_word(const Token& token) { return token.is_name("label") || token.is_name("blend"); }
+constexpr const char* kClauseWords[] = {"label", "blend"};
+
+bool is_clause_word(const Token& token) {
+  return std::any_of(std::begin(kClauseWords), std::end(kClauseWords),
+                     [&](const char* word) { return token.is_name(word); });
+}
 
 std::vector<std::string> listed(const std::set<std::string>& names) {
   return {names.begin(), names.end()};
@@ -114,7 +121,7 @@ Rule GrammarParser::rule() {
   }
   if (!cursor_.accept_beyond_newlines("->"))
     cursor_.unexpected(rule.guard || rule.weight ? "'->'" : "'->', '@ weight' or 'if condition'");
-  cursor_.skip_newlines();
+  if (!at_rule(beyond_newlines(0))) cursor_.skip_newlines();
   if (cursor_.peek().is_name("nothing") && !heads_.count("nothing"))
     cursor_.take();
   else
@@ -149,17 +156,17 @@ bool GrammarParser::continues() const {
 std::vector<Item> GrammarParser::items(const std::string& whose) {
   std::vector<Item> items;
   while (continues()) {
+    if (items.empty() && at_rule(beyond_newlines(0))) break;
     cursor_.skip_newlines();
     const Token& next = cursor_.peek(1);
-    if (items.empty() && at_rule()) break;
     if (next.is("->") || next.is("@") || next.is_name("if"))
       cursor_.fail(cursor_.peek(), "a second rule on one line",
                    "put ';' or a line break before it");
     items.push_back(item());
   }
   if (items.empty())
-    cursor_.fail(cursor_.peek(), fmt::format("{} has no items", whose),
-                 "write 'nothing' for a symbol that vanishes");
+    cursor_.fail(cursor_.last(), fmt::format("{} has no items", whose),
+                 cursor_.last().is("->") ? "write 'nothing' for a symbol that vanishes" : "");
   return items;
 }
 
@@ -169,7 +176,7 @@ Item GrammarParser::item() {
   item.where = cursor_.where(first);
   if (is_item_sign(first)) {
     item.op = std::string(cursor_.take().text);
-    cursor_.skip_newlines();
+    if (!at_rule(beyond_newlines(0))) cursor_.skip_newlines();
     if (item.op == "~") morph_amount(item);
     if (!item.shape) item.shape = exprs_.shape();
   } else {
@@ -219,11 +226,15 @@ void GrammarParser::clauses(Item& item) {
     const Token& value = cursor_.peek();
     const bool sign = (value.is("+") || value.is("-")) && !cursor_.peek(1).touches;
     const bool symbol = value.kind == TokenKind::name && heads_.count(std::string(value.text));
-    if (!ExprParser::starts(value) || sign || symbol)
+    if (!ExprParser::starts(value) || sign || symbol) {
+      if (is_clause_word(key)) cursor_.fail(key, fmt::format("'{}' has no value", key.text));
+      std::vector<std::string> known(std::begin(kClauseWords), std::end(kClauseWords));
+      known.insert(known.end(), heads_.begin(), heads_.end());
       cursor_.fail(
           key,
           fmt::format("'{}' is neither a symbol with a rule nor a clause with a value", key.text),
-          suggestion(std::string(key.text), listed(heads_)));
+          suggestion(std::string(key.text), known));
+    }
     Entry clause;
     clause.key = std::string(key.text);
     clause.where = cursor_.where(key);

@@ -19,7 +19,8 @@ class StatementParser {
       if (cursor_.at_end()) return;
       try {
         statement();
-        if (!cursor_.at_end() && cursor_.peek().kind != TokenKind::newline)
+        if (!cursor_.at_end() && cursor_.peek().kind != TokenKind::newline &&
+            !cursor_.at_statement())
           cursor_.unexpected("the end of the line");
       } catch (const SyntaxFault&) {
         cursor_.recover_statement();

@@ -1,0 +1,160 @@
+#include <vug/scene/check.h>
+
+#include "fake_resolver.h"
+#include "parsing.h"
+
+namespace vug::scene {
+namespace {
+
+/// The value of `let x` in a text, as text; faults as "! message".
+std::string value_of(const std::string& text, EvaluatorOptions options = {}) {
+  Diagnostics diagnostics;
+  const Document document = parse(text, "t.vug", diagnostics);
+  FakeResolver resolver;
+  Evaluator evaluator(document, resolver, diagnostics, std::move(options));
+  std::string out;
+  if (const Let* x = document.find_let("x"))
+    out = to_string(evaluator.eval(*x->value, evaluator.root()));
+  for (const Diagnostic& one : diagnostics.all()) out += "! " + one.message;
+  return out;
+}
+
+std::string x(const std::string& expression) { return value_of("let x = " + expression); }
+
+TEST(Evaluator, Arithmetic) {
+  EXPECT_EQ(x("1 + 2 * 3 ^ 2"), "19");
+  EXPECT_EQ(x("-2 ^ 2"), "-4");
+  EXPECT_EQ(x("7 - 2 - 1"), "4");
+  EXPECT_EQ(x("(1, 2, 3) * 2 + (1m, 0, 0) / 1m"), "(3, 4, 6)");
+  EXPECT_EQ(x("-(1, 2, 3)"), "(-1, -2, -3)");
+  EXPECT_EQ(x("(30cm, 0.2)"), "[0.3m, 0.2m]");
+  EXPECT_EQ(x("1920x1080"), "[1920, 1080]");
+  EXPECT_EQ(x("2 ^ 0.5 == sqrt(2)"), "true");
+  EXPECT_EQ(x("4 ^ -1"), "0.25");
+}
+
+TEST(Evaluator, LogicIsLazy) {
+  EXPECT_EQ(x("true or 1 / 0 > 1"), "true");
+  EXPECT_EQ(x("false and nothere"), "false");
+  EXPECT_EQ(x("if(1 < 2, 3, 1 / 0)"), "3");
+  EXPECT_EQ(x("not 1 == 2"), "true");
+  EXPECT_EQ(x("\"a\" == \"a\" and +X != -X"), "true");
+}
+
+TEST(Evaluator, Functions) {
+  EXPECT_EQ(x("min(3, 1, 2) + max(1, 2)"), "3");
+  EXPECT_EQ(x("clamp(5m, 0, 200cm)"), "2m");
+  EXPECT_EQ(x("mix(1m, 3m, 25%)"), "1.5m");
+  EXPECT_EQ(x("mix((0, 0, 0), (2, 4, 6), 0.5)"), "(1, 2, 3)");
+  EXPECT_EQ(x("floor(-1.5) + ceil(1.2) + round(2.5)"), "3");
+  EXPECT_EQ(x("mod(-1, 4)"), "3");
+  EXPECT_EQ(x("sin(90deg) + cos(0) + tan(0)"), "2");
+  EXPECT_EQ(x("abs(-2cm)"), "0.02m");
+  EXPECT_EQ(x("length((3m, 4m, 0))"), "5m");
+  EXPECT_EQ(x("dot((1, 2, 3), (1m, 1m, 1m))"), "6m");
+  EXPECT_EQ(x("cross((1, 0, 0), (0, 1, 0))"), "(0, 0, 1)");
+  EXPECT_EQ(x("normalize((0, 2m, 0))"), "(0, 1, 0)");
+  EXPECT_EQ(x("exp(log(2)) > 1.999 and pow(2, 10) == 1024"), "true");
+  EXPECT_EQ(x("count([1, 2, 3]) + at([4, 5], 1) + at((7, 8, 9), 2)"), "17");
+  EXPECT_EQ(x("round(2m / 1m)"), "2");
+  EXPECT_EQ(x("2.5.round()"), "3");
+}
+
+TEST(Evaluator, MethodsAreCallsWithTheReceiverFirst) {
+  EXPECT_EQ(x("4.max(7)"), "7");
+  EXPECT_EQ(x("(1, 0, 0).dot((2, 0, 0)).clamp(0, 1)"), "1");
+}
+
+TEST(Evaluator, ObjectsGoToTheResolver) {
+  EXPECT_EQ(x("sphere(1m) - box(2m) + torus(1m)"), "<field>");
+  EXPECT_EQ(x("sphere(1m) * 2"), "! no '*' for a field and a number");
+  EXPECT_EQ(x("-sphere(1m)"), "! no '-' for a field");
+}
+
+TEST(Evaluator, FaultsOfTheResolverBecomeDiagnostics) {
+  struct Thrower : Resolver {
+    std::optional<Value> call(const std::string&, const Arguments&, const SourceLocation&,
+                              RandomKey, Diagnostics&) override {
+      throw Error(ErrorCode::bad_input, "no such thing");
+    }
+  } resolver;
+  Diagnostics diagnostics;
+  const Document document = parsed("let x = thing(1)\n");
+  Evaluator evaluator(document, resolver, diagnostics);
+  evaluator.check_all();
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].where, (SourceLocation{"t.vug", 1, 9}));
+}
+
+TEST(Evaluator, LetsAndParamsInAnyOrder) {
+  EXPECT_EQ(value_of("let x = a * 2\nlet a = B + 1\nparam B = 3\n"), "8");
+}
+
+TEST(Evaluator, UnknownNamesStayNamesUntilUsed) {
+  EXPECT_EQ(x("triangle"), "triangle");
+  EXPECT_EQ(x("[a, b, +X, -Z]"), "[a, b, +X, -Z]");
+  EXPECT_EQ(x("triangle + 1"), "! unknown name 'triangle'");
+  EXPECT_EQ(x("+other"), "! unknown name 'other'");
+}
+
+TEST(Evaluator, ScopesHideGlobals) {
+  const Document document = parsed("param n = 1\nlet x = n + m1\n");
+  Resolver resolver;
+  Diagnostics diagnostics;
+  Evaluator evaluator(document, resolver, diagnostics);
+  Scope outer{{{"n", Value(10)}, {"m1", Value(1)}}, nullptr};
+  const Scope inner{{{"n", Value(20)}}, &outer};
+  const Expr& expr = *document.lets[0].value;
+  EXPECT_EQ(to_string(evaluator.eval(expr, evaluator.root(), &outer)), "11");
+  EXPECT_EQ(to_string(evaluator.eval(expr, evaluator.root(), &inner)), "21");
+}
+
+TEST(Evaluator, OverridesTakeTheDimensionOfTheDefault) {
+  const std::string text = "param SIZE = 30cm in 1cm..3m\nparam LB = +X\nlet x = [SIZE, LB]\n";
+  EXPECT_EQ(value_of(text), "[0.3m, +X]");
+  EXPECT_EQ(value_of(text, {{{"SIZE", "2"}, {"LB", "-Z"}}, {}}), "[2m, -Z]");
+  EXPECT_EQ(value_of(text, {{{"SIZE", "1ft * 2"}}, {}}), "[0.6096m, +X]");
+  EXPECT_EQ(value_of(text, {{{"SIZE", "5"}}, {}}), "! param 'SIZE' is 5m, outside 0.01m..3m");
+  EXPECT_EQ(value_of(text, {{{"SIZE", "5deg"}}, {}}), "! param 'SIZE' is a length, not an angle");
+  EXPECT_EQ(value_of(text, {{{"LB", "4"}}, {}}), "! param 'LB' is the name '+X', not a number");
+}
+
+TEST(Evaluator, ParamsReportForUserInterfaces) {
+  const Document document = parsed("param MP = 52% in 0..100% \"morph\"\nlet x = MP\n");
+  Resolver resolver;
+  Diagnostics diagnostics;
+  Evaluator evaluator(document, resolver, diagnostics, {{{"MP", "30%"}}, {}});
+  const ParamValue& mp = evaluator.params().at(0);
+  EXPECT_EQ(mp.param->doc, "morph");
+  EXPECT_EQ(mp.value.get<Number>()->value, 0.3);
+  EXPECT_EQ(mp.fallback.get<Number>()->value, 0.52);
+  EXPECT_EQ(mp.high.get<Number>()->value, 1);
+}
+
+TEST(Evaluator, ParamsReadOnlyByFormalsOfTheSameNameAreUnread) {
+  Diagnostics diagnostics;
+  const Document document = parsed(
+      "param n = 1\nparam k = 2\ngrammar g {\n  axiom A(k)\n  A(n) if n > 0 -> A(n - 1)\n}\n");
+  check_params_read(document, diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].message, "param 'n' is never read");
+}
+
+TEST(Evaluator, GrowingListsAreRefused) {
+  std::string text = "let a0 = [1, 1]\n";
+  for (int i = 1; i < 60; ++i)
+    text += "let a" + std::to_string(i) + " = [a" + std::to_string(i - 1) + ", a" +
+            std::to_string(i - 1) + "]\n";
+  EXPECT_EQ(value_of(text + "let x = a59\n"), "! a list of more than 1000000 elements");
+}
+
+TEST(Evaluator, LongChainsOfLetsAreRefused) {
+  std::string text = "let a0 = 1\n";
+  for (int i = 1; i < 5000; ++i)
+    text += "let a" + std::to_string(i) + " = a" + std::to_string(i - 1) + "\n";
+  EXPECT_EQ(value_of(text + "let x = a4999\n"),
+            "! more than 200 names depend on each other in a row");
+}
+
+}  // namespace
+}  // namespace vug::scene

@@ -1,0 +1,73 @@
+// Which dimensions may meet, and what comes of it.
+#include <vug/scene/arithmetic.h>
+#include <vug/scene/units.h>
+
+#include "parsing.h"
+
+namespace vug::scene {
+namespace {
+
+/// Number of 2 [a] op 4 [b] with its dimension, or "fault".
+std::string meet(char op, Dimension a, Dimension b) {
+  Diagnostics diagnostics;
+  const SourceLocation where;
+  const auto value = arithmetic(op, Number{2, a}, Number{4, b}, {where, diagnostics});
+  if (!value || value->empty()) return diagnostics.has_errors() ? "fault" : "silent";
+  return value->type_name();
+}
+
+constexpr Dimension kNone = Dimension::none, kLength = Dimension::length, kAngle = Dimension::angle,
+                    kRatio = Dimension::ratio, kPerLength = Dimension::per_length,
+                    kTime = Dimension::time;
+
+TEST(Units, SumsNeedOneDimension) {
+  for (const Dimension a : {kNone, kLength, kAngle, kRatio, kPerLength, kTime})
+    for (const Dimension b : {kNone, kLength, kAngle, kRatio, kPerLength, kTime}) {
+      const bool bare_angle = (a == kAngle && b == kNone) || (a == kNone && b == kAngle);
+      const bool fits = (a == b || a == kNone || b == kNone) && !bare_angle;
+      const Dimension result = a == kNone ? b : a;
+      EXPECT_EQ(meet('+', a, b), fits ? Value(Number{0, result}).type_name() : "fault");
+      EXPECT_EQ(meet('-', a, b), meet('+', a, b));
+    }
+}
+
+TEST(Units, ProductsFollowDimensions) {
+  EXPECT_EQ(meet('*', kLength, kNone), "a length");
+  EXPECT_EQ(meet('*', kRatio, kLength), "a length");
+  EXPECT_EQ(meet('/', kLength, kLength), "a number");
+  EXPECT_EQ(meet('/', kNone, kLength), "a number per metre");
+  EXPECT_EQ(meet('*', kPerLength, kLength), "a number");
+  EXPECT_EQ(meet('/', kNone, kPerLength), "a length");
+  EXPECT_EQ(meet('/', kAngle, kAngle), "a number");
+  EXPECT_EQ(meet('*', kRatio, kRatio), "a ratio");
+  EXPECT_EQ(meet('/', kRatio, kRatio), "a number");
+  EXPECT_EQ(meet('*', kLength, kLength), "fault");
+  EXPECT_EQ(meet('*', kAngle, kLength), "fault");
+  EXPECT_EQ(meet('/', kNone, kTime), "fault");
+}
+
+TEST(Units, NamesOfUnitsAreValues) {
+  const Document document = parsed("let a = 0.02/m\nlet b = 3*cm + 1 * ft\n");
+  Resolver resolver;
+  Diagnostics diagnostics;
+  Evaluator evaluator(document, resolver, diagnostics);
+  const Value a = evaluator.eval(*document.lets[0].value, evaluator.root());
+  EXPECT_EQ(a.type_name(), "a number per metre");
+  const Value b = evaluator.eval(*document.lets[1].value, evaluator.root());
+  EXPECT_DOUBLE_EQ(b.get<Number>()->value, 0.03 + 0.3048);
+}
+
+TEST(Units, EveryUnitIsOneOfItself) {
+  for (const std::string& name : unit_names()) {
+    EXPECT_TRUE(is_unit(name));
+    const auto one = with_unit(1, name);
+    ASSERT_TRUE(one);
+    EXPECT_GT(one->value, 0);
+    EXPECT_NE(one->dimension, kNone);
+    EXPECT_DOUBLE_EQ(with_unit(7, name)->value, 7 * one->value);
+  }
+  EXPECT_FALSE(with_unit(1, "px"));
+}
+
+}  // namespace
+}  // namespace vug::scene
