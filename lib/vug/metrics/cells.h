@@ -1,0 +1,22 @@
+// The paper's volume: cells of the sampling lattice that lie inside with all eight corners.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/field/field.h>
+
+#include <cstdint>
+
+namespace vug::metrics {
+
+/// How many cells of edge `edge` (metres), on the lattice through the origin, have all 8 corners
+/// inside (value < 0): C of eq. 10; times edge^3 it is the volume, which it approaches from
+/// below. Blocks that the field's bounds decide are counted without sampling.
+/// Error(bad_input) unless the field's bounds are finite and edge > 0; Error(too_large) beyond
+/// 2^31 cells along an axis.
+uint64_t inside_cells(const field::Field& field, double edge,
+                      Progress& progress = Progress::none());
+
+/// V_M of eq. 10, cubic metres.
+double volume_cells(const field::Field& field, double edge, Progress& progress = Progress::none());
+
+}  // namespace vug::metrics

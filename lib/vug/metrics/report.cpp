@@ -1,0 +1,97 @@
+#include <vug/metrics/report.h>
+#include <vug/metrics/self_intersections.h>
+#include <vug/metrics/surface.h>
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace vug::metrics {
+namespace {
+
+/// Calls row(key, value, unit) for every member, in the order of the struct.
+template <class Row>
+void for_each(const Report& r, const Row& row) {
+  row("area", r.area, "m2");
+  row("volume", r.volume, "m3");
+  row("volume_cells", r.volume_cells, "m3");
+  row("cf", r.cf, "%");
+  row("cf_area", r.cf_area, "%");
+  row("vertices", r.vertices, "");
+  row("triangles", r.triangles, "");
+  row("productions", r.productions, "");
+  row("build_seconds", r.build_seconds, "s");
+  row("components", r.components, "");
+  row("genus", r.genus, "");
+  row("boundary_edges", r.boundary_edges, "");
+  row("nonmanifold_edges", r.nonmanifold_edges, "");
+  row("misoriented_edges", r.misoriented_edges, "");
+  row("self_intersections", r.self_intersections, "");
+  row("bounds", r.bounds, "m");
+}
+
+std::string text(double value) { return fmt::format("{:.6g}", value); }
+std::string text(size_t value) { return fmt::format("{}", value); }
+std::string text(const Box3d& box) {
+  if (box.isEmpty()) return "-";
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) .. ({:.6g}, {:.6g}, {:.6g})", box.min.x, box.min.y,
+                     box.min.z, box.max.x, box.max.y, box.max.z);
+}
+template <class T>
+std::string text(const std::optional<T>& value) {
+  return value ? text(*value) : "-";
+}
+
+nlohmann::ordered_json json(double value) { return value; }
+nlohmann::ordered_json json(size_t value) { return value; }
+nlohmann::ordered_json json(const Box3d& box) {
+  if (box.isEmpty()) return nullptr;
+  return {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
+}
+template <class T>
+nlohmann::ordered_json json(const std::optional<T>& value) {
+  return value ? json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+Report measure(const mesh::Mesh& mesh, const MeasureOptions& options) {
+  const mesh::Edges edges = mesh::find_edges(mesh);
+  const mesh::Topology topology = mesh::inspect(mesh, edges);
+  const Convexity bends = convexity(mesh, edges);
+  Report report;
+  report.area = area(mesh);
+  report.volume = volume(mesh);
+  report.cf = bends.cf();
+  report.cf_area = bends.cf_area();
+  report.vertices = mesh.positions.size();
+  report.triangles = mesh.triangles.size();
+  report.components = topology.components;
+  report.genus = topology.genus;
+  report.boundary_edges = topology.boundary_edges;
+  report.nonmanifold_edges = topology.nonmanifold_edges;
+  report.misoriented_edges = topology.misoriented_edges;
+  if (options.self_intersections) report.self_intersections = self_intersections(mesh).size();
+  report.bounds = mesh::bounds(mesh);
+  return report;
+}
+
+std::string to_table(const Report& report) {
+  std::string table;
+  for_each(report, [&](const char* key, const auto& value, const char* unit) {
+    const std::string shown = text(value);
+    table += fmt::format("{:<18}  {}", key, shown);
+    if (*unit && shown != "-") table += fmt::format(" {}", unit);
+    table += '\n';
+  });
+  return table;
+}
+
+std::string to_json(const Report& report) {
+  nlohmann::ordered_json object;
+  for_each(report,
+           [&](const char* key, const auto& value, const char*) { object[key] = json(value); });
+  return object.dump(2) + "\n";
+}
+
+}  // namespace vug::metrics
