@@ -1,0 +1,53 @@
+//@ lib/vug/mesh/formats
+// STUB: the format, and what it leaves out of a mesh.
+#include <vug/mesh/format_kind.h>
+#include <vug/mesh/output.h>
+#include <vug/mesh/text_scanner.h>
+
+#include <fmt/format.h>
+
+namespace vug::mesh {
+namespace {
+
+/// "v x y z" for each vertex, "t a b c" for each triangle, counted from 0.
+Mesh read_new_kind(std::string_view bytes, const std::string& file) {
+  Mesh mesh;
+  TextScanner scan(bytes, file);
+  for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
+    if (word == "v") {
+      Vec3f p;
+      for (int axis = 0; axis < 3; ++axis) p[axis] = static_cast<float>(scan.number(scan.word()));
+      mesh.positions.push_back(p);
+    } else if (word == "t") {
+      Triangle triangle;
+      for (uint32_t& corner : triangle) {
+        const int64_t index = scan.integer(scan.word());
+        if (index < 0 || static_cast<size_t>(index) >= mesh.positions.size())
+          scan.fail(fmt::format("there is no vertex {}", index));
+        corner = static_cast<uint32_t>(index);
+      }
+      mesh.triangles.push_back(triangle);
+    } else {
+      scan.fail(fmt::format("'{}' is neither v nor t", quoted(word)));
+    }
+  }
+  return mesh;
+}
+
+void write_new_kind(const Mesh& mesh, const ByteSink& sink) {
+  Output out(sink);
+  for (const Vec3f& p : mesh.positions)
+    out.text("v ").number(p.x).text(" ").number(p.y).text(" ").number(p.z).text("\n");
+  for (const Triangle& t : mesh.triangles)
+    out.text("t ").number(t[0]).text(" ").number(t[1]).text(" ").number(t[2]).text("\n");
+  out.finish();
+}
+
+}  // namespace
+
+VUG_MESH_FORMAT(new_kind) {
+  return mesh_format("new_kind", "STUB: what the format holds of a mesh, and what it leaves out",
+                     "", read_new_kind, write_new_kind);
+}
+
+}  // namespace vug::mesh
