@@ -20,6 +20,7 @@ using FieldKind = Kind<Field>;
 
 #define VUG_KIND(name) const FieldKind& name##_kind();
 #include <vug/field/deformers_kinds.inc>
+#include <vug/field/detail_kinds.inc>
 #include <vug/field/operators_kinds.inc>
 #include <vug/field/primitives_kinds.inc>
 #undef VUG_KIND

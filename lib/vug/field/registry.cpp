@@ -27,6 +27,13 @@ const std::vector<const FieldKind*>& deformers() {
   return kinds;
 }
 
+const std::vector<const FieldKind*>& details() {
+  static const std::vector<const FieldKind*> kinds = {
+#include <vug/field/detail_kinds.inc>
+  };
+  return kinds;
+}
+
 const std::vector<const BlendKind*>& blends() {
   static const std::vector<const BlendKind*> kinds = {
 #include <vug/field/blends_kinds.inc>
@@ -41,6 +48,7 @@ const std::vector<const FieldKind*>& field_kinds() {
     std::vector<const FieldKind*> all = primitives();
     all.insert(all.end(), operators().begin(), operators().end());
     all.insert(all.end(), deformers().begin(), deformers().end());
+    all.insert(all.end(), details().begin(), details().end());
     return all;
   }();
   return kinds;

@@ -11,6 +11,7 @@ namespace vug::field {
 const std::vector<const FieldKind*>& primitives();
 const std::vector<const FieldKind*>& operators();
 const std::vector<const FieldKind*>& deformers();
+const std::vector<const FieldKind*>& details();
 /// All of the above.
 const std::vector<const FieldKind*>& field_kinds();
 

@@ -1,0 +1,172 @@
+#include <vug/field/lattice.h>
+#include <vug/field/lattice_lanes.h>
+
+namespace vug::field {
+namespace {
+
+// Odd multipliers: one for each axis, then two rounds of multiply and shift (murmur3's finaliser).
+constexpr uint32_t kAxis[3] = {0x8da6b343, 0xd8163841, 0xcb1ab31f};
+
+template <class S>
+using Int = typename Lanes<S>::Int;
+
+template <class S>
+Int<S> finish(Int<S> h) {
+  using L = Lanes<S>;
+  h = L::times(L::either(h, L::right(h, 16)), 0x85ebca6b);
+  h = L::times(L::either(h, L::right(h, 13)), 0xc2b2ae35);
+  return L::either(h, L::right(h, 16));
+}
+
+// The four diagonals of a cube, and the same turned by 45 degrees about z; with both signs they
+// are 16 unit vectors g with sum g g^T = 16/3 I.
+constexpr float kA = 0.57735027f, kB = 0.81649658f;
+alignas(32) constexpr float kGradient[3][8] = {{kA, -kA, kA, -kA, kB, -kB, 0, 0},
+                                               {kA, kA, -kA, -kA, 0, 0, kB, -kB},
+                                               {kA, kA, kA, kA, kA, kA, kA, kA}};
+
+/// 1 / (3 * 0.190944), the standard deviation of the noise before scaling.
+constexpr double kScale = 1.7457;
+
+template <class S>
+S fade(const S& t) {
+  return t * t * t * (t * (t * S(6.0) - S(15.0)) + S(10.0));
+}
+template <class S>
+S fade_slope(const S& t) {
+  const S u = t * (t - S(1.0));
+  return S(30.0) * u * u;
+}
+
+/// What one corner of a cell adds: its gradient, and that times the way from the corner.
+template <class S>
+struct Corner {
+  S value, x, y, z;
+};
+
+template <class S>
+Corner<S> corner(const Int<S>& hash, const S& x, const S& y, const S& z) {
+  using L = Lanes<S>;
+  const Int<S> h = finish<S>(hash);
+  const Int<S> index = L::right(h, 29), turn = L::times(h, 8);  // bit 28 is the sign
+  Corner<S> c;
+  c.x = L::flip(L::entry(kGradient[0], index), turn);
+  c.y = L::flip(L::entry(kGradient[1], index), turn);
+  c.z = L::flip(L::entry(kGradient[2], index), turn);
+  c.value = c.x * x + c.y * y + c.z * z;
+  return c;
+}
+
+template <bool kSlope, class S>
+Dual<S> noise(const Point<S>& p, uint32_t seed) {
+  using L = Lanes<S>;
+  const S fx = floor(p.x), fy = floor(p.y), fz = floor(p.z);
+  const S x = p.x - fx, y = p.y - fy, z = p.z - fz;
+  const Int<S> hx[2] = {L::times(L::cell(fx), kAxis[0]),
+                        L::plus(L::times(L::cell(fx), kAxis[0]), kAxis[0])};
+  const Int<S> y0 = L::either(L::times(L::cell(fy), kAxis[1]), seed, 0);
+  const Int<S> hy[2] = {y0, L::either(L::plus(L::times(L::cell(fy), kAxis[1]), kAxis[1]), seed, 0)};
+  const Int<S> hz[2] = {L::times(L::cell(fz), kAxis[2]),
+                        L::plus(L::times(L::cell(fz), kAxis[2]), kAxis[2])};
+  const S u = fade(x), v = fade(y), w = fade(z);
+  const S one(1.0);
+
+  // Along x first: four edges, each with the difference of its ends.
+  Corner<S> edge[4];
+  S along[4];
+  for (int k = 0; k < 4; ++k) {
+    const Int<S> rest = L::either(hy[k & 1], hz[k >> 1]);
+    const S dy = k & 1 ? y - one : y, dz = k >> 1 ? z - one : z;
+    const Corner<S> a = corner<S>(L::either(hx[0], rest), x, dy, dz);
+    const Corner<S> b = corner<S>(L::either(hx[1], rest), x - one, dy, dz);
+    along[k] = b.value - a.value;
+    edge[k].value = a.value + along[k] * u;
+    if constexpr (kSlope) {
+      edge[k].x = mix(a.x, b.x, u);
+      edge[k].y = mix(a.y, b.y, u);
+      edge[k].z = mix(a.z, b.z, u);
+    }
+  }
+  const S low = mix(edge[0].value, edge[1].value, v), high = mix(edge[2].value, edge[3].value, v);
+  Dual<S> out;
+  out.v = mix(low, high, w) * S(kScale);
+  if constexpr (kSlope) {
+    auto blend = [&](S Corner<S>::*part) {
+      return mix(mix(edge[0].*part, edge[1].*part, v), mix(edge[2].*part, edge[3].*part, v), w);
+    };
+    const S du = mix(mix(along[0], along[1], v), mix(along[2], along[3], v), w);
+    const S dv = mix(edge[1].value - edge[0].value, edge[3].value - edge[2].value, w);
+    out.dx = (blend(&Corner<S>::x) + fade_slope(x) * du) * S(kScale);
+    out.dy = (blend(&Corner<S>::y) + fade_slope(y) * dv) * S(kScale);
+    out.dz = (blend(&Corner<S>::z) + fade_slope(z) * (high - low)) * S(kScale);
+  }
+  return out;
+}
+
+template <class S>
+S random(const S& cell, uint32_t seed) {
+  using L = Lanes<S>;
+  return L::unit(finish<S>(L::either(L::times(L::cell(cell), kAxis[0]), seed, 0)));
+}
+
+/// Visits the 27 cells about p from the nearest outwards, and leaves out those that lie further
+/// than the second site of every lane.
+template <class S>
+Sites<S> sites(const Point<S>& p, uint32_t seed) {
+  using L = Lanes<S>;
+  const Point<S> base{floor(p.x), floor(p.y), floor(p.z)};
+  const Int<S> cx = L::cell(base.x), cy = L::cell(base.y), cz = L::cell(base.z);
+  const S zero(0.0), far(1e9);
+  Sites<S> best{{{zero, zero, zero}, far}, {{zero, zero, zero}, far}};
+  const Point<S> local = p - base;
+  auto gap = [&](const S& x, int step) {  // to the cells one step along an axis
+    return step == 0 ? zero : square(step > 0 ? S(1.0) - x : x);
+  };
+  for (int ring = 0; ring <= 3; ++ring)
+    for (int k = 0; k < 27; ++k) {
+      const int i = k % 3 - 1, j = k / 3 % 3 - 1, l = k / 9 - 1;
+      if (i * i + j * j + l * l != ring) continue;
+      const S nearest = gap(local.x, i) + gap(local.y, j) + gap(local.z, l);
+      if (!anywhere(nearest < best.second.squared)) continue;
+      Int<S> h = L::either(L::times(L::plus(cx, static_cast<uint32_t>(i)), kAxis[0]), seed, 0);
+      h = L::either(h, L::times(L::plus(cy, static_cast<uint32_t>(j)), kAxis[1]));
+      h = L::either(h, L::times(L::plus(cz, static_cast<uint32_t>(l)), kAxis[2]));
+      const Int<S> hx = finish<S>(h), hy = finish<S>(L::plus(hx, 0x9e3779b9)),
+                   hz = finish<S>(L::plus(hy, 0x9e3779b9));
+      auto way = [](const S& x, int step, const Int<S>& hash) {
+        return x - (S(static_cast<double>(step)) + L::unit(hash));
+      };
+      Site<S> site;
+      site.way = {way(local.x, i, hx), way(local.y, j, hy), way(local.z, l, hz)};
+      site.squared = dot(site.way, site.way);
+      auto keep = [](auto closer, const Site<S>& a, const Site<S>& b) {
+        return Site<S>{{select(closer, a.way.x, b.way.x), select(closer, a.way.y, b.way.y),
+                        select(closer, a.way.z, b.way.z)},
+                       select(closer, a.squared, b.squared)};
+      };
+      const auto wins = site.squared < best.first.squared;
+      const Site<S> loser = keep(wins, best.first, site);
+      best.first = keep(wins, site, best.first);
+      best.second = keep(loser.squared < best.second.squared, loser, best.second);
+    }
+  return best;
+}
+
+}  // namespace
+
+double gradient_noise(const Point<double>& p, uint32_t seed) { return noise<false>(p, seed).v; }
+Pack gradient_noise(const Point<Pack>& p, uint32_t seed) { return noise<false>(p, seed).v; }
+Dual<double> gradient_noise_slope(const Point<double>& p, uint32_t seed) {
+  return noise<true>(p, seed);
+}
+Dual<Pack> gradient_noise_slope(const Point<Pack>& p, uint32_t seed) {
+  return noise<true>(p, seed);
+}
+
+double lattice_random(double cell, uint32_t seed) { return random(cell, seed); }
+Pack lattice_random(Pack cell, uint32_t seed) { return random(cell, seed); }
+
+Sites<double> nearest_sites(const Point<double>& p, uint32_t seed) { return sites(p, seed); }
+Sites<Pack> nearest_sites(const Point<Pack>& p, uint32_t seed) { return sites(p, seed); }
+
+}  // namespace vug::field

@@ -1,0 +1,96 @@
+// Layered hardness: what weathering makes of a stack of beds. A hard bed stands out as a ledge,
+// sharp under it and worn on its top; a soft bed is eaten back as a round notch; every boundary is
+// a parting at 0. Thin laminae repeat the pattern within the beds, weaker.
+#include <vug/base/rng.h>
+#include <vug/field/bedding.h>
+#include <vug/field/noise_node.h>
+
+#include <algorithm>
+
+namespace vug::field {
+namespace {
+
+struct Beds {
+  double thickness = 0.6;
+  Vec3d normal{0, 1, 0};
+  double ledge = 0.3;
+  double laminae = 0.25;
+  double wander = 0.1;
+  double reach = 8;
+  int seed = 1;
+
+  static void describe(Schema<Beds>& s) {
+    s.doc("Layered rock: 1 on the face of the hardest bed, -1 in the notch of the softest.")
+        .param("thickness", &Beds::thickness, positive_length("mean thickness of a bed"))
+        .param("normal", &Beds::normal, {.doc = "across the beds; tilt it to make them dip"})
+        .param("ledge", &Beds::ledge,
+               {.doc = "part of the mean thickness in which a ledge rises; smaller is sharper",
+                .dimension = Dimension::ratio,
+                .min = 0.02,
+                .max = 1})
+        .param("laminae", &Beds::laminae,
+               {.doc = "strength of the thin layers within the beds", .min = 0, .max = 1})
+        .param("wander", &Beds::wander,
+               {.doc = "how far bed surfaces stray from planes",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("reach", &Beds::reach, positive_length("over which they stray"))
+        .param("seed", &Beds::seed, {.doc = "another seed, other beds"});
+  }
+  std::string fault() const { return normal.length2() > 0 ? "" : "the normal needs a direction"; }
+};
+
+class Hardness {
+ public:
+  explicit Hardness(const Beds& b) : ledge_(b.ledge), laminae_(b.laminae) {
+    RandomStream random(RandomKey(static_cast<uint64_t>(b.seed)).at("beds"));
+    coarse_ = {b.normal.normalized(), b.thickness, b.wander, b.reach, random.bits()};
+    fine_seed_ = random.bits();
+  }
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    const T u = coarse_.height(p);
+    const T value = profile(u, coarse_.seed);
+    if (laminae_ == 0) return value;
+    return (value + profile(u * T(kFiner), fine_seed_) * T(laminae_)) * T(1 / (1 + laminae_));
+  }
+  Interval over(const Ball& ball) const { return centred_bounds(*this, ball); }
+  Interval range() const { return {-1, 1}; }
+  double lipschitz() const {
+    // A ledge's foot is the steepest: 2 per width; a notch rises by 4 per bed.
+    const double foot = std::min(kFoot * ledge_, 0.5 * kThinnestBed);
+    const double steepest = std::max(2 / foot, 4 / kThinnestBed);
+    return coarse_.slope() * steepest * (1 + kFiner * laminae_) / (1 + laminae_);
+  }
+
+ private:
+  static constexpr double kFiner = 4.7, kFoot = 0.5, kShoulder = 2;
+
+  template <class T>
+  T profile(const T& u, uint32_t seed) const {
+    const Bed<T> bed = bed_at(u, seed);
+    const T hardness = lattice_random(bed.index, seed ^ 0x68bc21ebu) * T(2.0) - T(1.0);
+    const T half = (bed.below + bed.above) * T(0.5);
+    auto rise = [](const T& way, const T& width) {
+      const T t = min(way / width, T(1.0));
+      return t * (T(2.0) - t);
+    };
+    const T hard = rise(bed.below, min(T(kFoot * ledge_), half)) *
+                   rise(bed.above, min(T(kShoulder * ledge_), half));
+    const T soft = bed.below * bed.above / square(half);
+    return hardness * select(hardness > T(0.0), hard, soft);
+  }
+
+  double ledge_, laminae_;
+  Layering coarse_;
+  uint32_t fine_seed_ = 0;
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_NOISE_KIND(beds) {
+  using namespace vug::field;
+  return noise_kind<Beds>("beds", [](const Beds& b) { return Hardness(b); });
+}

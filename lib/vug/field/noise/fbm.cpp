@@ -1,0 +1,28 @@
+#include <vug/field/octaves.h>
+
+namespace vug::field {
+namespace {
+
+struct Fbm : OctaveParams {
+  static void describe(Schema<Fbm>& s) {
+    describe_octaves(s.doc("Fractal Brownian motion: soft features with ever finer ones upon them.")
+                         .cite("musgrave1989"));
+  }
+};
+
+/// The noise itself.
+struct FbmShape {
+  static constexpr double kSlope = 1;
+  template <class T>
+  static T of(const T& n) {
+    return n;
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_NOISE_KIND(fbm) {
+  using namespace vug::field;
+  return noise_kind<Fbm>("fbm", [](const Fbm& p) { return Fractal<FbmShape>(p); });
+}

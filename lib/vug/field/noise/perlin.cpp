@@ -1,0 +1,42 @@
+#include <vug/field/octaves.h>
+
+namespace vug::field {
+namespace {
+
+struct Perlin {
+  Factors scale;
+  int seed = 1;
+
+  static void describe(Schema<Perlin>& s) {
+    s.doc("Gradient noise of one size.")
+        .cite("perlin2002")
+        .param("scale", &Perlin::scale,
+               {.doc = "size of the features; a vector stretches them along the axes",
+                .dimension = Dimension::length,
+                .min = 0,
+                .above_min = true})
+        .param("seed", &Perlin::seed, {.doc = "another seed, another noise"});
+  }
+};
+
+struct Plain {
+  static constexpr double kSlope = 1;
+  template <class T>
+  static T of(const T& n) {
+    return n;
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_NOISE_KIND(perlin) {
+  using namespace vug::field;
+  return noise_kind<Perlin>("perlin", [](const Perlin& p) {
+    OctaveParams one;
+    one.scale = p.scale;
+    one.octaves = 1;
+    one.seed = p.seed;
+    return Fractal<Plain>(one);
+  });
+}

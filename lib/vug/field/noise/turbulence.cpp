@@ -1,0 +1,30 @@
+#include <vug/field/octaves.h>
+
+namespace vug::field {
+namespace {
+
+struct Turbulence : OctaveParams {
+  static void describe(Schema<Turbulence>& s) {
+    describe_octaves(
+        s.doc("Folded noise that only pushes outwards: 0 along creases, larger between them.")
+            .cite("perlin1985"));
+  }
+};
+
+/// 2 |n|.
+struct TurbulenceShape {
+  static constexpr double kSlope = 2;
+  template <class T>
+  static T of(const T& n) {
+    return abs(n) * T(2.0);
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_NOISE_KIND(turbulence) {
+  using namespace vug::field;
+  return noise_kind<Turbulence>("turbulence",
+                                [](const Turbulence& p) { return Fractal<TurbulenceShape>(p); });
+}

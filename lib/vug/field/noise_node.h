@@ -1,0 +1,66 @@
+// From a noise's formula to a node and a kind: what a file in noise/ is built with.
+#pragma once
+
+#include <vug/field/noise.h>
+
+namespace vug::field {
+
+/// N has: template <class T> T at(const Point<T>&) const   for all number types but Interval
+///        Interval over(const Ball&) const                  bounds of the value in a ball
+///        Interval range() const, double lipschitz() const  over all of space, per metre
+template <class N>
+class NoiseNode final : public Readings<NoiseNode<N>> {
+ public:
+  NoiseNode(std::string name, N noise)
+      : Readings<NoiseNode<N>>({noise.lipschitz(), Exactness::sign, infinite_box(), 0}),
+        name_(std::move(name)),
+        noise_(std::move(noise)) {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    if constexpr (std::is_same_v<T, Interval>) {
+      const Vec3d half(0.5 * p.x.width(), 0.5 * p.y.width(), 0.5 * p.z.width());
+      return over({{p.x.middle(), p.y.middle(), p.z.middle()}, half.length()});
+    } else {
+      return noise_.at(p);
+    }
+  }
+  template <class T>
+  void fill(const Point<T>* points, int count, T* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) out[i] = noise_.at(points[i]);
+  }
+  Restriction restrict_to(const Ball& ball) const override { return {over(ball), nullptr}; }
+  std::string name() const override { return name_; }
+
+ private:
+  /// With slack for single precision, whose rounding grows with the distance from the origin.
+  Interval over(const Ball& ball) const {
+    if (!(ball.radius < 1e9)) return noise_.range();
+    const double slack = 1e-6 * (1 + noise_.lipschitz() * (ball.centre.length() + ball.radius));
+    return noise_.over(ball) + Interval(-slack, slack);
+  }
+  std::string name_;
+  N noise_;
+};
+
+/// The plain bounds: the value at the centre and the Lipschitz constant, met with the range.
+template <class N>
+Interval centred_bounds(const N& noise, const Ball& ball) {
+  const double reach = noise.lipschitz() * ball.radius;
+  if (reach >= noise.range().width()) return noise.range();
+  const double value = noise.at(point(ball.centre));
+  return meet({value - reach, value + reach}, noise.range());
+}
+
+/// `prepare` turns parameters into the formula N.
+template <class P, class Prepare>
+NoiseKind noise_kind(const std::string& name, Prepare prepare) {
+  return product_kind<Noise, P>(name, "noise", [name, prepare](const P& params) {
+    auto formula = prepare(params);
+    const Interval range = formula.range();
+    using N = decltype(formula);
+    return Noise(Field(std::make_shared<NoiseNode<N>>(name, std::move(formula))), range);
+  });
+}
+
+}  // namespace vug::field

@@ -1,0 +1,108 @@
+// Sums of gradient noise at falling sizes: what the fractal kinds of noise/ have in common.
+#pragma once
+
+#include <vug/field/factors.h>
+#include <vug/field/lattice.h>
+#include <vug/field/noise_node.h>
+
+namespace vug::field {
+
+/// The parameters, as a base of the kinds' structs.
+struct OctaveParams {
+  Factors scale;  ///< Metres a feature of the first octave measures.
+  int octaves = 5;
+  double lacunarity = 2;  ///< Each octave is this many times finer than the one before ...
+  double gain = 0.5;      ///< ... and this many times as strong.
+  int seed = 1;
+};
+
+template <class P>
+Schema<P>& describe_octaves(Schema<P>& s) {
+  return s
+      .param("scale", static_cast<Factors P::*>(&OctaveParams::scale),
+             {.doc = "size of the coarsest features; a vector stretches them along the axes",
+              .dimension = Dimension::length,
+              .min = 0,
+              .above_min = true})
+      .param("octaves", static_cast<int P::*>(&OctaveParams::octaves),
+             {.doc = "layers of ever finer features", .min = 1, .max = 16})
+      .param("lacunarity", static_cast<double P::*>(&OctaveParams::lacunarity),
+             {.doc = "how many times finer each layer is", .min = 1, .max = 8})
+      .param("gain", static_cast<double P::*>(&OctaveParams::gain),
+             {.doc = "strength of each layer against the one before", .min = 0, .max = 1})
+      .param("seed", static_cast<int P::*>(&OctaveParams::seed),
+             {.doc = "another seed, another noise"});
+}
+
+/// The layers. Each has its own rotation and offset, so that no plane of lattice points, where
+/// gradient noise is zero, is common to two of them or aligned with an axis.
+class Octaves {
+ public:
+  explicit Octaves(const OctaveParams& params);
+
+  int count() const { return static_cast<int>(layers_.size()); }
+  /// Weights whose squares sum to 1.
+  double weight(int i) const { return layer(i).weight; }
+  /// Steepest slope of the layer's noise, per metre.
+  double slope(int i) const { return layer(i).slope; }
+
+  template <class T>
+  T noise(int i, const Point<T>& p) const {
+    const Layer& l = layer(i);
+    return gradient_noise(Point<T>{row(l, 0, p), row(l, 1, p), row(l, 2, p)}, l.seed);
+  }
+  /// Bounds over a ball; not evaluated where they would say nothing.
+  Interval noise(int i, const Ball& ball) const;
+
+ private:
+  struct Layer {
+    Vec3d rows[3];
+    Vec3d shift;
+    double weight = 1;
+    double slope = 1;
+    uint32_t seed = 0;
+  };
+  const Layer& layer(int i) const { return layers_[static_cast<size_t>(i)]; }
+  template <class T>
+  static T row(const Layer& l, int r, const Point<T>& p) {
+    return p.x * T(l.rows[r].x) + p.y * T(l.rows[r].y) + p.z * T(l.rows[r].z) + T(l.shift[r]);
+  }
+  std::vector<Layer> layers_;
+};
+
+/// sum of weight_i * Shape(noise_i); Shape: `template <class T> static T of(const T&)` and
+/// `kSlope`, its steepest slope.
+template <class Shape>
+class Fractal {
+ public:
+  explicit Fractal(const OctaveParams& params) : octaves_(params) {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    return sum<T>([&](int i) { return octaves_.noise(i, p); });
+  }
+  Interval over(const Ball& ball) const {
+    return sum<Interval>([&](int i) { return octaves_.noise(i, ball); });
+  }
+  Interval range() const {
+    return sum<Interval>([](int) { return Interval(-kGradientNoiseBound, kGradientNoiseBound); });
+  }
+  double lipschitz() const {
+    double total = 0;
+    for (int i = 0; i < octaves_.count(); ++i)
+      total += octaves_.weight(i) * Shape::kSlope * octaves_.slope(i);
+    return total;
+  }
+
+ private:
+  template <class T, class Sample>
+  T sum(const Sample& sample) const {
+    T total(0.0);
+    for (int i = 0; i < octaves_.count(); ++i)
+      total = total + Shape::template of<T>(sample(i)) * T(octaves_.weight(i));
+    return total;
+  }
+  Octaves octaves_;
+};
+
+}  // namespace vug::field
