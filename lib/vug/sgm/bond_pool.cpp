@@ -1,6 +1,8 @@
 #include <vug/sgm/bond_pool.h>
 #include <vug/sgm/probe.h>
 
+#include <vug/field/boolean.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,28 +18,39 @@ bool same(const Bond& a, const Bond& b, double size) {
 
 }  // namespace
 
-std::optional<Bond> recast(const Bond& bond, const field::Field& base, double depth) {
+std::optional<Bond> recast(const Bond& bond, const field::Field& base, double depth,
+                           double thickness) {
   const double size = size_of(base);
   const Box3d& box = base.bounds();
-  if (bond.free_direction()) {
-    if (std::fabs(base.value(bond.point)) <= kTolerance * size * base.lipschitz()) return bond;
-    return std::nullopt;
-  }
-  if (!is_finite(box)) return std::nullopt;
+  const bool kept = std::fabs(base.value(bond.point)) <= kTolerance * size * base.lipschitz();
   // As far out as the farthest corner of the bounds: from there nothing lies in between.
+  constexpr double kHorizon = 100;  // metres, where the bounds are infinite
   double out = 0;
   for (int i = 0; i < 3; ++i) {
     const double face = bond.direction[i] > 0 ? box.max[i] : box.min[i];
-    out += std::max(0.0, bond.direction[i] * (face - bond.point[i]));
+    if (bond.direction[i] != 0) out += std::max(0.0, bond.direction[i] * (face - bond.point[i]));
   }
-  out += kTolerance * size;
-  const Vec3d start = bond.point + bond.direction * out;
-  const auto t = first_hit(base, start, -bond.direction, out + depth);
-  return t ? std::optional(Bond{start - bond.direction * *t, bond.direction}) : std::nullopt;
+  out = std::min(out + kTolerance * size, kHorizon + size);
+  const Vec3d start = bond.point + bond.direction * out, inwards = -bond.direction;
+  if (bond.free_direction() || base.value(start) <= 0)  // no outside to come from
+    return kept ? std::optional(bond) : std::nullopt;
+  const field::Field air = field::complement(base);
+  const double nudge = 1e-9 * size;  // past the surface just found, whatever its rounding
+  for (double t = 0; t < out + depth;) {
+    const auto enters = first_hit(base, start + inwards * t, inwards, out + depth - t);
+    if (!enters) break;
+    t += *enters;
+    if (thickness <= 0) return Bond{start + inwards * t, bond.direction};
+    const auto leaves = first_hit(air, start + inwards * (t + nudge), inwards, thickness);
+    if (!leaves) return Bond{start + inwards * t, bond.direction};
+    t += nudge + *leaves + nudge;
+  }
+  return std::nullopt;
 }
 
-void BondPool::add(const std::vector<Bond>& bonds) {
-  for (const Bond& bond : bonds) free_.push_back({bond, next_id_++});
+void BondPool::add(const std::vector<Bond>& bonds, double size) {
+  for (const Bond& bond : bonds)
+    if (!taken(bond, size)) free_.push_back({bond, next_id_++});
 }
 
 bool BondPool::taken(const Bond& bond, double size) const {

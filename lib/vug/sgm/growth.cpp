@@ -93,7 +93,7 @@ void Growth::start(Shape shape, Placement& placement) {
   placement.field = shape.field;
   field_ = shape.field;
   terms_ = {field_};
-  bonds_.add(shape.bonds);
+  bonds_.add(shape.bonds, size_of(field_));
   started_ = true;
 }
 
@@ -134,7 +134,6 @@ void Growth::glue(const Step& step, Shape shape, RandomKey key, Placement& place
     if (own) bonds_.give_back(*own);
     return;
   }
-  if (own) bonds_.consume(own->bond);
   grow(step, shape, *base, placement);
 }
 
@@ -166,9 +165,10 @@ std::optional<Field> Growth::combined(const Step& step, const Placement& placeme
       out = field::morph(field_, shape.field, placement.amount);
       break;
   }
+  const double size = size_of(field_);
   // Something just below a bond is left more often than not, and is quick to find.
   for (const Bond& bond : bonds_.free())
-    if (out.value(bond.point - bond.direction * (1e-3 * size_of(field_))) < 0) return out;
+    if (out.value(bond.point - bond.direction * (1e-3 * size)) < -1e-9 * size) return out;
   return inner_point(out) ? std::optional(out) : std::nullopt;
 }
 
@@ -184,6 +184,7 @@ void Growth::grow(const Step& step, const Shape& shape, Field base, const Placem
   field_ = std::move(base);
 
   const bool whole = acts_everywhere(step, options_, shape.field);
+  // Cuts join nothing: their bond is used up as well, but the wall they leave gets a new one.
   const double depth = whole ? size_of(field_) : std::min(size_of(field_), size_of(shape.field));
   const double reach = reach_of(step.blend) + 1e-6 * size_of(field_);
   const End end = whole ? End{} : end_of(shape.field);
@@ -195,12 +196,14 @@ void Growth::grow(const Step& step, const Shape& shape, Field base, const Placem
   });
   std::vector<Bond> fresh;
   if (adds) {
+    if (placement.glued) bonds_.consume(placement.base_bond);
     for (const Bond& bond : shape.bonds)
       if (const auto on = recast(bond, field_, depth)) fresh.push_back(*on);
   } else if (placement.glued) {
-    if (const auto on = recast(placement.base_bond, field_, depth)) fresh.push_back(*on);
+    const double thickness = 0.25 * extent_along(shape, placement.base_bond);
+    if (const auto on = recast(placement.base_bond, field_, depth, thickness)) fresh.push_back(*on);
   }
-  bonds_.add(fresh);
+  bonds_.add(fresh, size_of(field_));
 }
 
 }  // namespace vug::sgm

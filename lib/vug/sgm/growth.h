@@ -13,10 +13,10 @@ struct Options {
   /// of its extent. 0: the walls touch, as definition 5 has it; 0.5: its centre comes to the
   /// bond; 1: it lies inside with its far wall on the base's wall.
   struct Overlap {
-    double unite = 0.25;    ///< Round walls that only touch would leave no passage.
-    double subtract = 0.5;  ///< A niche half as deep as the shape.
-    double intersect = 1;   ///< The base's end takes the shape's form.
-    double morph = 0.5;     ///< Solids further apart than their radii have no morph at 50 %.
+    double unite = 0.3;       ///< Round walls that only touch would leave no passage.
+    double subtract = 0.3;    ///< A niche; deeper ones sever thin ends more often.
+    double intersect = 0.75;  ///< The base's end takes the form of the shape's outer half.
+    double morph = 0.5;       ///< Solids further apart than their radii have no morph at 50 %.
     double of(Operation operation) const;
   } overlap;
   Reach reach = Reach::local;

@@ -1,3 +1,4 @@
+#include <vug/base/maths.h>
 #include <vug/sgm/probe.h>
 
 #include <algorithm>
@@ -60,24 +61,33 @@ struct Beam {
 };
 
 struct Best {
+  double lowest = kInfinity;  ///< Of all hits.
   double t = kInfinity, off = kInfinity, cu = 0, cv = 0;
 };
 
-/// Tries count x count rays in the window of half widths (hu, hv) about (cu, cv).
-void scan(const Beam& beam, double cu, double cv, double hu, double hv, int count, Best& best) {
-  const double slack = 1e-6 * beam.size;
+/// Tries count x count rays in the window of half widths (hu, hv) about (cu, cv), turned by
+/// `angle` before it is stretched; true when the lowest hit moved.
+bool scan(const Beam& beam, double cu, double cv, double hu, double hv, int count, double angle,
+          Best& best) {
+  const double cos = maths::cos(angle), sin = maths::sin(angle);
+  const double slack = 1e-6 * beam.size, before = best.lowest;
   for (int i = 0; i < count; ++i)
     for (int j = 0; j < count; ++j) {
-      const double pu = std::clamp(cu + hu * (2.0 * i / (count - 1) - 1), beam.box.min[beam.u],
-                                   beam.box.max[beam.u]);
-      const double pv = std::clamp(cv + hv * (2.0 * j / (count - 1) - 1), beam.box.min[beam.v],
-                                   beam.box.max[beam.v]);
-      const auto t = beam.hit(pu, pv, std::min(beam.length, best.t + slack));
+      const double x = 2.0 * i / (count - 1) - 1, y = 2.0 * j / (count - 1) - 1;
+      const double pu =
+          std::clamp(cu + hu * (cos * x - sin * y), beam.box.min[beam.u], beam.box.max[beam.u]);
+      const double pv =
+          std::clamp(cv + hv * (sin * x + cos * y), beam.box.min[beam.v], beam.box.max[beam.v]);
+      const auto t = beam.hit(pu, pv, std::min(beam.length, best.lowest + slack));
       if (!t) continue;
       const double du = pu - beam.centre[beam.u], dv = pv - beam.centre[beam.v];
       const double off = du * du + dv * dv;
-      if (*t < best.t - slack || off < best.off - slack * beam.size) best = {*t, off, pu, pv};
+      best.lowest = std::min(best.lowest, *t);
+      // Ties go to the centre line, unless the best so far is none any more.
+      if (best.t > best.lowest + slack || off < best.off - slack * beam.size)
+        best = {best.lowest, *t, off, pu, pv};
     }
+  return best.lowest < before - 1e-3 * slack;
 }
 
 }  // namespace
@@ -92,18 +102,26 @@ std::optional<Vec3d> support_point(const Field& field, int axis, int sign) {
                   box.center()};
   Best best;
   double hu = 0.5 * extent[beam.u], hv = 0.5 * extent[beam.v];
-  scan(beam, beam.centre[beam.u], beam.centre[beam.v], hu, hv, 17, best);
+  scan(beam, beam.centre[beam.u], beam.centre[beam.v], hu, hv, 17, 0, best);
   if (best.t == kInfinity) {  // the solid slipped between the rays
     const auto inside = inner_point(field);
     if (!inside) return std::nullopt;
     const auto t = beam.hit((*inside)[beam.u], (*inside)[beam.v], beam.length);
     if (!t) return inside;
-    best = {*t, kInfinity, (*inside)[beam.u], (*inside)[beam.v]};
+    best = {*t, *t, kInfinity, (*inside)[beam.u], (*inside)[beam.v]};
   }
   hu /= 8;
   hv /= 8;
-  for (int level = 0; level < 16; ++level, hu *= 0.5, hv *= 0.5)
-    scan(beam, best.cu, best.cv, hu, hv, 5, best);
+  // A compass search. The pattern turns by the golden angle, for on a ridge (the edge of a tilted
+  // box) only few directions lead up, and the window shrinks after three turns in vain.
+  for (int step = 0, vain = 0, level = 0; step < 128 && level < 16; ++step) {
+    vain = scan(beam, best.cu, best.cv, hu, hv, 5, 2.399963 * step, best) ? 0 : vain + 1;
+    if (vain < 3) continue;
+    hu *= 0.5;
+    hv *= 0.5;
+    ++level;
+    vain = 0;
+  }
   return beam.start(best.cu, best.cv) + beam.heading() * best.t;
 }
 
@@ -120,12 +138,12 @@ std::optional<Vec3d> inner_point(const Field& field) {
     return a.value != b.value ? a.value > b.value : a.order > b.order;
   };
   std::priority_queue<Candidate, std::vector<Candidate>, decltype(later)> queue(later);
-  const double smallest = box.size().length() / 2048;
+  const double size = box.size().length(), smallest = size / 2048;
   int64_t made = 0;
   std::optional<Vec3d> found;
   const auto consider = [&](const Vec3d& centre, const Vec3d& half) {
     const double value = field.value(centre);
-    if (value < 0) found = centre;
+    if (value < -1e-9 * size) found = centre;  // and not rounding, where walls only touch
     const double radius = half.length();
     if (value <= field.lipschitz() * radius && radius > smallest)
       queue.push({value, made++, centre, half});

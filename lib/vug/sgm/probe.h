@@ -15,13 +15,14 @@ std::optional<double> first_hit(const field::Field& field, const Vec3d& origin,
                                 const Vec3d& direction, double length);
 
 /// The solid's extreme point along `axis` (0, 1, 2), upwards for `sign` = 1, downwards for -1: a
-/// 17 x 17 grid of rays over the bounds, refined around the best; bounds must be finite. Of
-/// points that are extreme to 1e-6 of the size the one nearest to the centre line.
+/// 17 x 17 grid of rays over the bounds, refined around the best (a local search: of specks between
+/// the rays it may take any); bounds must be finite. Of points that are extreme to 1e-6 of the size
+/// the one nearest to the centre line.
 std::optional<Vec3d> support_point(const field::Field& field, int axis, int sign);
 
-/// A point of the solid's inside, or nothing when `field` has none: bisection of the bounds,
-/// boxes without solid dropped by the Lipschitz bound, until a box is below 1/1024 of the size.
-/// Infinite bounds are cut at 100 m from the origin.
+/// A point at least 1e-9 of the size below the surface, or nothing when there is none: bisection of
+/// the bounds, boxes without solid dropped by the Lipschitz bound, until a box is below 1/1024 of
+/// the size. Infinite bounds are cut at 100 m from the origin.
 std::optional<Vec3d> inner_point(const field::Field& field);
 
 }  // namespace vug::sgm
