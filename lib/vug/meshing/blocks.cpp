@@ -1,0 +1,47 @@
+#include <vug/base/parallel.h>
+#include <vug/meshing/blocks.h>
+
+#include <tbb/parallel_sort.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace vug::meshing {
+namespace {
+
+using Key = std::pair<std::array<int64_t, 3>, uint32_t>;
+
+}  // namespace
+
+void for_each_in_blocks(const field::Field& field, const std::vector<Vec3d>& points,
+                        const BlockOptions& options,
+                        const std::function<void(uint32_t, const field::Field&)>& body,
+                        Progress& progress) {
+  std::vector<Key> keys(points.size());
+  parallel_for(
+      points.size(),
+      [&](size_t i) {
+        for (int axis = 0; axis < 3; ++axis)
+          keys[i].first[static_cast<size_t>(axis)] =
+              static_cast<int64_t>(std::floor(points[i][axis] / options.edge));
+        keys[i].second = static_cast<uint32_t>(i);
+      },
+      4096);
+  tbb::parallel_sort(keys.begin(), keys.end());
+  std::vector<size_t> starts;
+  for (size_t i = 0; i < keys.size(); ++i)
+    if (i == 0 || keys[i].first != keys[i - 1].first) starts.push_back(i);
+  starts.push_back(keys.size());
+  parallel_for(starts.size() - 1, [&](size_t block) {
+    progress.check();
+    Box3d box;
+    for (size_t i = starts[block]; i < starts[block + 1]; ++i) box.extendBy(points[keys[i].second]);
+    const double radius = 0.5 * box.size().length() + options.margin;
+    const field::Field local = field.restricted({box.center(), radius * (1 + 1e-9)}).field;
+    for (size_t i = starts[block]; i < starts[block + 1]; ++i) body(keys[i].second, local);
+    progress.advance(starts[block + 1] - starts[block]);
+  });
+}
+
+}  // namespace vug::meshing

@@ -1,0 +1,18 @@
+// The point of a crease or corner that fits the tangent planes around it.
+#pragma once
+
+#include <vug/meshing/project.h>
+
+#include <vector>
+
+namespace vug::meshing {
+
+/// The smallest dot product of two normals: 1 on a plane, -1 on opposite sides.
+double least_agreement(const std::vector<SurfacePoint>& samples);
+
+/// Minimises the sum of squared distances to the samples' tangent planes (the QEF of ju2002).
+/// Directions that the planes hardly fix (eigenvalues below 2 % of the largest) keep the mean of
+/// the samples.
+Vec3d fit_planes(const std::vector<SurfacePoint>& samples);
+
+}  // namespace vug::meshing

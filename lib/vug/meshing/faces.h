@@ -1,0 +1,32 @@
+// The polygons between OpenVDB's mesher and the triangles: quads are kept until their vertices
+// have moved, because only then the better diagonal shows.
+#pragma once
+
+#include <vug/mesh/mesh.h>
+#include <vug/volume/polygons.h>
+
+namespace vug::meshing {
+
+/// A triangle or a quad, anticlockwise from outside.
+struct Face {
+  std::array<uint32_t, 4> corners{};
+  uint32_t size = 3;
+};
+
+struct FaceMesh {
+  std::vector<Vec3d> points;
+  std::vector<Face> faces;
+  /// Faces at vertex v: around[first[v] .. first[v + 1]), ascending.
+  std::vector<uint32_t> first;
+  std::vector<uint32_t> around;
+
+  Vec3d centre(const Face& face) const;
+};
+
+/// Drops corners that repeat and faces that have less than three left.
+FaceMesh face_mesh(const volume::Polygons& polygons);
+
+/// Normal at corner k of the face, not normalised, with the vertices at `points`.
+Vec3d corner_normal(const Face& face, uint32_t k, const std::vector<Vec3d>& points);
+
+}  // namespace vug::meshing

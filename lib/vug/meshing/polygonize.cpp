@@ -1,0 +1,81 @@
+#include <vug/base/parallel.h>
+#include <vug/mesh/normals.h>
+#include <vug/mesh/weld.h>
+#include <vug/meshing/blocks.h>
+#include <vug/meshing/polish.h>
+#include <vug/meshing/polygonize.h>
+#include <vug/meshing/project.h>
+#include <vug/meshing/split_quads.h>
+#include <vug/volume/polygons.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::meshing {
+namespace {
+
+/// Exact normals and the distances that are left, at the rounded positions.
+std::vector<SurfacePoint> probe_vertices(const mesh::Mesh& mesh, const field::Field& exact,
+                                         double voxel, Progress& progress) {
+  std::vector<Vec3d> points(mesh.positions.begin(), mesh.positions.end());
+  std::vector<SurfacePoint> found(points.size());
+  for_each_in_blocks(
+      exact, points, {8 * voxel, 0.01 * voxel},
+      [&](uint32_t v, const field::Field& local) { found[v] = probe(local, points[v]); }, progress);
+  return found;
+}
+
+PolishReport make_report(const FaceMesh& raw, const Polished& polished,
+                         const std::vector<SurfacePoint>& found, double voxel) {
+  PolishReport report;
+  report.backed_off = polished.backed_off;
+  for (size_t v = 0; v < found.size(); ++v) {
+    report.crease_vertices += polished.on_crease[v] ? 1 : 0;
+    if (std::isfinite(found[v].residual))
+      report.max_residual = std::max(report.max_residual, found[v].residual / voxel);
+    report.max_move =
+        std::max(report.max_move, (polished.points[v] - raw.points[v]).length() / voxel);
+  }
+  const double squares = ordered_sum(found.size(), 0.0, [&](size_t v) {
+    const double residual = found[v].residual / voxel;
+    return std::isfinite(residual) ? residual * residual : 0.0;
+  });
+  if (!found.empty()) report.rms_residual = std::sqrt(squares / static_cast<double>(found.size()));
+  return report;
+}
+
+}  // namespace
+
+Polygonized polygonize(const volume::LevelSet& level_set, const field::Field* exact,
+                       const PolygonizeOptions& options, Progress& progress) {
+  const double voxel = level_set.voxel();
+  const FaceMesh raw = face_mesh(volume::polygonise(level_set, {0, options.adaptivity}));
+  const bool has_work = exact && options.polish && !raw.points.empty();
+  progress.begin("polishing the mesh", 3 * raw.points.size() + raw.faces.size());
+  Polished polished;
+  if (has_work)
+    polished = polish(raw, *exact, voxel, options, progress);
+  else
+    polished = {raw.points, std::vector<char>(raw.points.size(), 0), 0};
+
+  Polygonized result;
+  result.mesh.triangles =
+      split_quads(raw, polished.points, has_work ? exact : nullptr, voxel, progress);
+  result.mesh.positions.assign(polished.points.begin(), polished.points.end());
+  std::vector<SurfacePoint> found;
+  if (exact) {
+    found = probe_vertices(result.mesh, *exact, voxel, progress);
+    result.report = make_report(raw, polished, found, voxel);
+  }
+  if (options.normals) {
+    result.mesh.normals = mesh::vertex_normals(result.mesh);
+    for (size_t v = 0; v < found.size(); ++v)
+      if (!polished.on_crease[v] && found[v].normal != Vec3d(0))
+        result.mesh.normals[v] = Vec3f(found[v].normal);
+  }
+  result.mesh = mesh::without_unused_vertices(result.mesh);
+  progress.end();
+  return result;
+}
+
+}  // namespace vug::meshing
