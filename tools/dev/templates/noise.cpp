@@ -1,0 +1,29 @@
+//@ lib/vug/field/noise, name unique in the module
+// STUB: the formula and its source.
+#include <vug/field/octaves.h>
+
+namespace vug::field {
+namespace {
+
+struct NewKind : OctaveParams {
+  static void describe(Schema<NewKind>& s) {
+    describe_octaves(s.doc("STUB: what it looks like, in one sentence."));
+  }
+};
+
+/// What is made of each layer's gradient noise n in -1..1; the slope is that of `of`.
+struct NewKindShape {
+  static constexpr double kSlope = 1;
+  template <class T>
+  static T of(const T& n) {
+    return T(0.0) - n;
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_NOISE_KIND(new_kind) {
+  using namespace vug::field;
+  return noise_kind<NewKind>("new_kind", [](const NewKind& p) { return Fractal<NewKindShape>(p); });
+}
