@@ -8,7 +8,7 @@ namespace vug::grammar {
 namespace {
 
 std::string koch(int steps) {
-  // The quadratic Koch island, axiom F-F-F-F (Prusinkiewicz and Lindenmayer 1990, figure 1.6).
+  // The quadratic Koch island, axiom F-F-F-F (prusinkiewicz1990, figure 1.6).
   std::vector<char> word{'F', '-', 'F', '-', 'F', '-', 'F'};
   const std::string successor = "F-F+F+FF-F-F+F";
   for (int i = 0; i < steps; ++i)
