@@ -69,10 +69,24 @@ class FoldNode final : public Readings<FoldNode> {
   Blend blend_;
 };
 
+/// Lipschitz constant and exactness of a fold.
+void set_slope(Traits& traits, const std::vector<Operand>& operands, const Blend& blend) {
+  traits.lipschitz = 0;
+  traits.exactness = Exactness::exact;
+  for (const Operand& operand : operands) {
+    const Traits& t = operand.node->traits();
+    traits.lipschitz = std::max(traits.lipschitz, t.lipschitz);
+    traits.exactness = std::max(traits.exactness, t.exactness);
+  }
+  if (operands.size() > 1)
+    traits.exactness = std::max(
+        traits.exactness, blend.profile == Profile::sharp ? Exactness::eikonal : Exactness::bound);
+}
+
 Interval signed_range(Interval range, double sign) { return sign > 0 ? range : -range; }
 
 /// A union of hundreds is restricted once per block, so this neither allocates for dropped
-/// operands nor recomputes traits: the node's own still hold for fewer operands.
+/// operands nor recomputes bounds: the node's own still hold for fewer operands.
 Restriction FoldNode::restrict_to(const Ball& ball) const {
   struct Kept {
     Interval range;
@@ -122,7 +136,9 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
     operands.reserve(kept.size());
     for (Kept& k : kept)
       operands.push_back({k.smaller ? k.smaller : k.operand->node, k.operand->sign});
-    out.node = std::make_shared<FoldNode>(traits(), std::move(operands), sign_, blend_);
+    Traits traits = this->traits();
+    set_slope(traits, operands, blend_);  // steep operands elsewhere do not matter here
+    out.node = std::make_shared<FoldNode>(std::move(traits), std::move(operands), sign_, blend_);
   }
   kept.clear();
   pool[depth - 1] = std::move(kept);
@@ -132,16 +148,13 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
 /// Bounds of the inside; a blended union bulges by at most its depth at every fold.
 Traits fold_traits(const std::vector<Operand>& operands, double sign, const Blend& blend) {
   Traits traits;
-  traits.lipschitz = 0;
-  traits.exactness = operands.size() == 1 ? operands[0].node->traits().exactness : Exactness::bound;
+  set_slope(traits, operands, blend);
   traits.bounds = sign > 0 ? Box3d() : infinite_box();
   const double bulge = sign > 0 ? blend.depth() * static_cast<double>(operands.size() - 1) : 0;
   int bounded = 0;
   traits.growth = 1;
   for (const Operand& operand : operands) {
     const Traits& t = operand.node->traits();
-    traits.lipschitz = std::max(traits.lipschitz, t.lipschitz);
-    traits.exactness = std::max(traits.exactness, t.exactness);
     if (operand.sign == sign) {
       const Box3d inside = t.bounds_below(bulge);
       traits.bounds =

@@ -12,9 +12,11 @@ namespace vug::field {
 
 /// What a field's value says beyond its sign; ordered from most to least.
 enum class Exactness {
-  exact,  ///< The signed Euclidean distance to the surface.
-  bound,  ///< At most that distance in magnitude: safe to step by, zero on the surface.
-  sign,   ///< Only the sign and the zero set are meant; Lipschitz with the stated constant.
+  exact,    ///< The signed Euclidean distance to the surface.
+  eikonal,  ///< At most that distance, and of slope 1 wherever it has one: minima and maxima of
+            ///< distances. First-order distances near the surface need no repair.
+  bound,    ///< At most that distance in magnitude: safe to step by, zero on the surface.
+  sign,     ///< Only the sign and the zero set are meant; Lipschitz with the stated constant.
 };
 
 struct Traits {

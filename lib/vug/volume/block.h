@@ -1,0 +1,22 @@
+// Inside volume/ only: the values of one block of 8^3 voxels.
+#pragma once
+
+#include <vug/volume/lattice.h>
+
+namespace vug::volume {
+
+/// In OpenVDB's order: z runs fastest, one mask word holds one x.
+struct Block {
+  static constexpr int kSize = 512;
+  alignas(32) float values[kSize];
+  uint64_t active[8];
+
+  bool any_active() const;
+};
+
+/// Fills the block whose first lattice point is `cell.origin`: clamped values, active where they
+/// are inside the band.
+void evaluate(const field::Field& field, const Cell& cell, const Band& band,
+              field::Scratch& scratch, Block& block);
+
+}  // namespace vug::volume

@@ -1,0 +1,98 @@
+// A surface of area A meets A * w / size^3 cubes of edge `size` on average, where w is the width
+// of the slab that a cube's centre must lie in: the band plus the cube's mean extent along the
+// normal, 3/2 of its edge (Cauchy's mean projection of a cube).
+#include <vug/base/memory.h>
+#include <vug/base/parallel.h>
+#include <vug/volume/region.h>
+#include <vug/volume/voxelize.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace vug::volume {
+namespace {
+
+struct Sample {
+  field::Field field;
+  Vec3d centre;
+};
+
+/// Cells of edge `size` that may come within `size` of the surface.
+struct Shell {
+  std::vector<Sample> cells;
+  double size = 0;
+};
+
+constexpr size_t kEnough = 4096;  // cells: the area is then right to a few per cent
+
+Shell refine(const Shell& outer, double margin) {
+  Shell inner;
+  inner.size = outer.size / 2;
+  std::vector<std::vector<Sample>> kept(outer.cells.size());
+  parallel_for(outer.cells.size(), [&](size_t i) {
+    const Sample& cell = outer.cells[i];
+    for (int n = 0; n < 8; ++n) {
+      const double step = 0.5 * inner.size;
+      const Vec3d centre =
+          cell.centre + Vec3d(n & 4 ? step : -step, n & 2 ? step : -step, n & 1 ? step : -step);
+      field::Field::Part part = cell.field.restricted({centre, step * std::sqrt(3.0)});
+      const double reach = (inner.size + margin) * part.field.lipschitz();
+      if (part.range.lo <= reach && part.range.hi >= -reach)
+        kept[i].push_back({std::move(part.field), centre});
+    }
+  });
+  for (auto& list : kept)
+    for (Sample& s : list) inner.cells.push_back(std::move(s));
+  return inner;
+}
+
+/// Points of a lattice of spacing a = size/2 that lie nearer than a to the surface each stand
+/// for a^3 / (2a) of its area.
+double area(const Shell& shell) {
+  const double a = 0.5 * shell.size;
+  const double near = ordered_sum(shell.cells.size(), 0.0, [&](size_t i) {
+    const Sample& cell = shell.cells[i];
+    double count = 0;
+    for (int n = 0; n < 8; ++n) {
+      const double step = 0.5 * a;
+      const field::Gradient g = cell.field.gradient(
+          cell.centre + Vec3d(n & 4 ? step : -step, n & 2 ? step : -step, n & 1 ? step : -step));
+      if (std::fabs(g.value) < a * g.gradient.length()) ++count;
+    }
+    return count;
+  });
+  return near * a * a / 2;
+}
+
+double cubes(double area, double edge, double band) {
+  return area * (2 * band + 1.5 * edge) / (edge * edge * edge);
+}
+
+}  // namespace
+
+VoxelizeEstimate estimate(const field::Field& whole, const VoxelizeOptions& options) {
+  const Region region = region_of(whole, options);
+  VoxelizeEstimate out;
+  if (region.box.isEmpty()) return out;
+  const double band = options.half_width * options.voxel;
+  const Box3d box = grown(region.box, band);
+  const Vec3d extent = box.size();
+  Shell shell;
+  shell.size = std::max({extent.x, extent.y, extent.z});
+  shell.cells = {{region.field, box.center()}};
+  while (!shell.cells.empty() && shell.cells.size() < kEnough && shell.size > 4 * options.voxel)
+    shell = refine(shell, 0);
+  out.surface_area = area(shell);
+  const double voxel = options.voxel;
+  out.active_voxels = out.surface_area * 2 * options.half_width / (voxel * voxel);
+  out.leaves = cubes(out.surface_area, 8 * voxel, band);
+  // sizeof the nodes of a float tree, and the allocator's share.
+  const double leaf = 2048 + 64 + 64 + 48, lower = 4096 * 8 + 1200, upper = 32768 * 8 + 8400;
+  const double working_set = 1e6 + 4e5 * thread_count();
+  out.bytes = 1.05 * (out.leaves * leaf + (8 + cubes(out.surface_area, 128 * voxel, band)) * lower +
+                      (8 + cubes(out.surface_area, 4096 * voxel, band)) * upper) +
+              working_set;
+  return out;
+}
+
+}  // namespace vug::volume

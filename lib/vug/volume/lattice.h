@@ -1,0 +1,46 @@
+// Inside volume/ only: cubes of the voxel lattice and the balls around them.
+#pragma once
+
+#include <vug/field/field.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace vug::volume {
+
+/// size^3 lattice points from `origin` on; size is a power of two, 8 at least.
+struct Cell {
+  int64_t origin[3] = {0, 0, 0};
+  int64_t size = 8;
+
+  Cell child(int n) const {
+    const int64_t half = size / 2;
+    return {{origin[0] + (n & 4 ? half : 0), origin[1] + (n & 2 ? half : 0),
+             origin[2] + (n & 1 ? half : 0)},
+            half};
+  }
+};
+
+/// The ball around the cell's lattice points in world space.
+inline field::Ball ball_around(const Cell& cell, double voxel) {
+  const double half = 0.5 * static_cast<double>(cell.size - 1);
+  auto centre = [&](int axis) { return (static_cast<double>(cell.origin[axis]) + half) * voxel; };
+  return {{centre(0), centre(1), centre(2)}, half * voxel * std::sqrt(3.0)};
+}
+
+/// The band to fill, in metres.
+struct Band {
+  double voxel = 0;
+  float background = 0;  ///< Half the band's width.
+  bool repair = true;
+};
+
+/// Largest |value| of the field that can belong to the band, or neighbour a change of sign.
+inline double reach(const Band& band, const field::Field& field) {
+  const double background = static_cast<double>(band.background);
+  if (field.exactness() <= field::Exactness::eikonal) return background;
+  const double slope = field.lipschitz();
+  return band.repair ? background * slope : std::max(background, band.voxel * slope);
+}
+
+}  // namespace vug::volume

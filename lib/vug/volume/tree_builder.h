@@ -1,0 +1,49 @@
+// Inside volume/ only: nodes of an OpenVDB tree, filled by many threads and put together in an
+// order that leaves no trace.
+#pragma once
+
+#include <vug/volume/block.h>
+#include <vug/volume/grid_access.h>
+
+namespace vug::volume {
+
+/// One node of 128^3 voxels while its 16^3 blocks are being found. Threads may work on
+/// different blocks at the same time.
+class Brick {
+ public:
+  static constexpr int64_t kSize = 128;
+
+  explicit Brick(const Cell& cell);
+  ~Brick();
+  Brick(const Brick&) = delete;
+  Brick& operator=(const Brick&) = delete;
+
+  void set(const Cell& cell, const Block& block);
+  void fill_inside(const Cell& cell);
+
+ private:
+  friend class TreeBuilder;
+  struct Slots;
+  size_t slot(const Cell& cell) const;
+
+  Cell cell_;
+  std::unique_ptr<Slots> slots_;
+};
+
+class TreeBuilder {
+ public:
+  TreeBuilder(double voxel, float background);
+  ~TreeBuilder();
+  TreeBuilder(const TreeBuilder&) = delete;
+  TreeBuilder& operator=(const TreeBuilder&) = delete;
+
+  void take(Brick& brick);             ///< Thread-safe; the brick's leaves move over.
+  void fill_inside(const Cell& cell);  ///< Thread-safe; a cell of 128^3 or more.
+  std::shared_ptr<openvdb::GridBase> finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vug::volume

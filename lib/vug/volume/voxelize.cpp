@@ -1,0 +1,65 @@
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+#include <vug/volume/octree.h>
+#include <vug/volume/region.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vug::volume {
+namespace {
+
+/// The least single-precision number that OpenVDB's check takes for `half_width` voxels.
+float background_of(const VoxelizeOptions& options) {
+  auto background = static_cast<float>(options.half_width * options.voxel);
+  while (static_cast<double>(background) / options.voxel < options.half_width)
+    background = std::nextafter(background, 1e30f);
+  return background;
+}
+
+/// Bytes if every block in the box were there: a bound that needs no samples.
+double dense_bytes(const Box3d& box, const VoxelizeOptions& options) {
+  double bytes = 2300;
+  for (int axis = 0; axis < 3; ++axis)
+    bytes *= (box.size()[axis] / options.voxel + 2 * options.half_width) / 8 + 2;
+  return bytes;
+}
+
+void require_room(const field::Field& field, const Box3d& box, const VoxelizeOptions& options) {
+  const uint64_t limit = options.max_memory ? options.max_memory : available_memory();
+  if (dense_bytes(box, options) <= static_cast<double>(limit)) return;
+  require_memory(estimate(field, options).bytes, limit,
+                 fmt::format("a level set with voxels of {} m", options.voxel));
+}
+
+void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, Walk& walk) {
+  constexpr double kFarthest = 2147483647.0 - 8192;
+  const double margin = options.half_width + 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = std::floor(box.min[axis] / options.voxel - margin);
+    const double high = std::ceil(box.max[axis] / options.voxel + margin);
+    if (!(low >= -kFarthest && high <= kFarthest))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("with voxels of {} m the solid reaches beyond 2^31 voxels from the "
+                              "origin",
+                              options.voxel),
+                  {}, "use a larger voxel or move the solid to the origin");
+    walk.low[axis] = static_cast<int64_t>(low);
+    walk.high[axis] = static_cast<int64_t>(high);
+  }
+}
+
+}  // namespace
+
+LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Progress& progress) {
+  const Region region = region_of(field, options);
+  Walk walk;
+  walk.band = {options.voxel, background_of(options), options.repair};
+  if (region.box.isEmpty()) return LevelSet(wrap(build(field::Field(), walk, progress)));
+  require_room(field, region.box, options);
+  find_lattice_bounds(region.box, options, walk);
+  return LevelSet(wrap(build(region.field, walk, progress)));
+}
+
+}  // namespace vug::volume

@@ -1,0 +1,124 @@
+// A thousand spheres become one level set: the field expression against OpenVDB's own way, which
+// builds the operand grids in parallel and joins them with csgUnion one after the other. Both run
+// in this process, in turns; the best of the rounds counts. Prints a table, and JSON with --json.
+#include <vug/base/parallel.h>
+#include <vug/base/rng.h>
+#include <vug/field/affine.h>
+#include <vug/field/boolean.h>
+#include <vug/field/registry.h>
+#include <vug/volume/voxelize.h>
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Composite.h>
+#include <openvdb/tools/LevelSetSphere.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+
+namespace {
+
+using namespace vug;
+
+struct Ball {
+  Vec3d centre;
+  double radius;
+};
+
+std::vector<Ball> balls(uint64_t seed, double edge) {
+  RandomStream random(RandomKey(seed).at("union bench"));
+  std::vector<Ball> out;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = random.uniform(0, edge), y = random.uniform(0, edge);
+    const double z = random.uniform(0, edge);
+    out.push_back({Vec3d(x, y, z), random.uniform(15, 25)});
+  }
+  return out;
+}
+
+field::Field union_of(const std::vector<Ball>& all) {
+  std::vector<field::Field> fields;
+  for (const Ball& b : all)
+    fields.push_back(field::transformed(field::make("sphere", {{"radius", b.radius}}),
+                                        Transform::translation(b.centre)));
+  return field::unite(fields);
+}
+
+double seconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+openvdb::FloatGrid::Ptr openvdb_union(const std::vector<Ball>& all) {
+  std::vector<openvdb::FloatGrid::Ptr> grids(all.size());
+  parallel_for(all.size(), [&](size_t i) {
+    const Ball& b = all[i];
+    grids[i] = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(
+        static_cast<float>(b.radius),
+        openvdb::Vec3f(openvdb::Vec3d(b.centre.x, b.centre.y, b.centre.z)), 1.0f, 3.0f);
+  });
+  for (size_t i = 1; i < grids.size(); ++i) openvdb::tools::csgUnion(*grids[0], *grids[i]);
+  return grids[0];
+}
+
+struct Result {
+  std::string name;
+  double ours = 1e9, morph = 1e9, peer = 1e9;
+  uint64_t active = 0, peer_active = 0;
+};
+
+Result run(const std::string& name, double edge, int rounds, bool peer) {
+  const std::vector<Ball> first = balls(1, edge), second = balls(2, edge);
+  volume::VoxelizeOptions options;
+  options.voxel = 1;
+  Result out;
+  out.name = name;
+  for (int round = 0; round < rounds; ++round) {
+    const auto one = [&] {
+      const volume::LevelSet grid = volume::voxelize(union_of(first), options);
+      if (round == 0) out.active = grid.statistics().active_voxels;
+    };
+    const auto two = [&] {
+      volume::voxelize(field::morph(union_of(first), union_of(second), 0.5), options);
+    };
+    if (round == 0) one();  // counts, and warms the allocator
+    out.ours = std::min(out.ours, seconds([&] { volume::voxelize(union_of(first), options); }));
+    out.morph = std::min(out.morph, seconds(two));
+    if (peer && round < 2)
+      out.peer = std::min(
+          out.peer, seconds([&] { out.peer_active = openvdb_union(first)->activeVoxelCount(); }));
+  }
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool json = false, peer = true;
+  for (int i = 1; i < argc; ++i) {
+    json = json || !std::strcmp(argv[i], "--json");
+    if (!std::strcmp(argv[i], "--no-peer")) peer = false;
+  }
+  openvdb::initialize();
+  const Result results[] = {run("spread, 400^3", 400, 5, peer),
+                            run("crowded, 200^3", 200, 5, peer)};
+  if (!json)
+    fmt::print("{:16} {:>10} {:>10} {:>8} {:>10} {:>12} {:>12} {:>12}\n", "1000 spheres", "ours s",
+               "openvdb s", "ratio", "morph s", "morph/union", "active", "openvdb");
+  for (const Result& r : results) {
+    const double ratio = r.peer / r.ours, morph = r.morph / r.ours;
+    if (json)
+      fmt::print(
+          "{{\"case\": \"{}\", \"seconds\": {:.4f}, \"openvdb_seconds\": {:.4f}, \"ratio\": "
+          "{:.1f}, \"morph_seconds\": {:.4f}, \"morph_ratio\": {:.2f}, \"active_voxels\": {}, "
+          "\"openvdb_active_voxels\": {}}}\n",
+          r.name, r.ours, r.peer, ratio, r.morph, morph, r.active, r.peer_active);
+    else
+      fmt::print("{:16} {:10.4f} {:10.4f} {:8.1f} {:10.4f} {:12.2f} {:12} {:12}\n", r.name, r.ours,
+                 r.peer, ratio, r.morph, morph, r.active, r.peer_active);
+  }
+  return 0;
+}
