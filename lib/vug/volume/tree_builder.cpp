@@ -86,8 +86,7 @@ void TreeBuilder::take(Brick& brick) {
   Brick::Slots& slots = *brick.slots_;
   for (size_t n = 0; n < slots.leaf.size(); ++n) {
     any = any || slots.leaf[n] || slots.inside[n];
-    if (slots.inside[n])
-      node->addTile(static_cast<openvdb::Index>(n), -state_->background, false);
+    if (slots.inside[n]) node->addTile(static_cast<openvdb::Index>(n), -state_->background, false);
     if (slots.leaf[n]) node->addChild(slots.leaf[n].release());
   }
   if (!any) return;

@@ -1,0 +1,81 @@
+#include <vug/base/diagnostics.h>
+#include <vug/base/error.h>
+#include <vug/volume/grid_access.h>
+#include <vug/volume/io.h>
+#include <vug/volume/vdb_header.h>
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+
+namespace vug::volume {
+namespace {
+
+/// Opens a file whose header has been checked; OpenVDB's own exceptions become ours.
+template <class Work>
+auto with_file(const std::filesystem::path& source, const ReadOptions& options, const Work& work) {
+  initialise_openvdb();
+  const VdbHeader header = read_vdb_header(source);
+  const auto fail = [&](const std::string& why) {
+    return Error(ErrorCode::bad_input, fmt::format("cannot read '{}': {}", source.string(), why));
+  };
+  if (header.ours && options.verify && content_identifier(source) != header.identifier)
+    throw fail("it is damaged: its bytes do not match its hash");
+  try {
+    openvdb::io::File file(source.string());
+    file.setCopyMaxBytes(0);  // files of ours are replaced, never rewritten in place
+    file.open(options.delayed);
+    return work(file, header);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& fault) {  // OpenVDB's, and what damaged lengths lead to
+    throw fail(fault.what());
+  }
+}
+
+std::vector<Grid> all_grids(openvdb::io::File& file) {
+  std::vector<Grid> out;
+  const openvdb::GridPtrVecPtr grids = file.getGrids();
+  for (const openvdb::GridBase::Ptr& grid : *grids)
+    if (grid) out.push_back(wrap(grid));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Grid> read(const std::filesystem::path& source, const ReadOptions& options) {
+  return with_file(source, options,
+                   [](openvdb::io::File& file, const VdbHeader&) { return all_grids(file); });
+}
+
+Grid read(const std::filesystem::path& source, const std::string& name,
+          const ReadOptions& options) {
+  return with_file(source, options, [&](openvdb::io::File& file, const VdbHeader&) {
+    if (!name.empty() && file.hasGrid(name)) return wrap(file.readGrid(name));
+    std::vector<std::string> names;
+    for (const Grid& grid : all_grids(file)) {
+      if (name.empty() && grid.grid_class() == GridClass::level_set) return grid;
+      names.push_back(grid.name());
+    }
+    if (name.empty() && !names.empty()) return all_grids(file).front();
+    throw Error(ErrorCode::bad_input,
+                name.empty() ? fmt::format("'{}' holds no grid", source.string())
+                             : fmt::format("'{}' holds no grid named '{}'", source.string(), name),
+                {}, name.empty() ? "" : suggestion(name, names));
+  });
+}
+
+FileInfo info(const std::filesystem::path& source) {
+  return with_file(source, {}, [&](openvdb::io::File& file, const VdbHeader& header) {
+    FileInfo out;
+    out.bytes = std::filesystem::file_size(source);
+    out.format_version = header.format_version;
+    out.identifier = header.identifier;
+    if (const auto metadata = file.getMetadata()) out.metadata = read_metadata(*metadata);
+    for (const Grid& grid : all_grids(file))
+      out.grids.push_back({grid.name(), grid.grid_class(), grid.value_type(), grid.voxel_size(),
+                           grid.saved_as_half(), grid.statistics(), grid.metadata()});
+    return out;
+  });
+}
+
+}  // namespace vug::volume

@@ -1,0 +1,133 @@
+// Layout as OpenVDB writes it since format 222: magic (8 bytes), format version (4), library
+// major and minor (4 + 4), offsets flag (1), identifier (36), metadata, number of grids (4), and
+// for each grid its name, type, parent name and three offsets: start, voxel data, end.
+#include <vug/base/error.h>
+#include <vug/volume/vdb_header.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+namespace vug::volume {
+namespace {
+
+constexpr uint64_t kMagic = 0x56444220;
+constexpr uint32_t kOldestChecked = 222, kNewest = 224;
+
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& source)
+      : source_(source), in_(source, std::ios::binary) {
+    std::error_code code;
+    if (!in_ || !std::filesystem::is_regular_file(source, code))
+      fail(std::filesystem::exists(source, code) ? "it is not a readable file" : "no such file");
+    size_ = std::filesystem::file_size(source);
+  }
+
+  template <class T>
+  T number() {
+    T value{};
+    bytes(&value, sizeof value);
+    return value;
+  }
+  std::string text(uint64_t length) {
+    if (length > size_ - at_) fail("it is cut off or damaged");
+    std::string out(length, '\0');
+    bytes(out.data(), length);
+    return out;
+  }
+  std::string text() { return text(number<uint32_t>()); }
+  void seek(uint64_t to) {
+    in_.seekg(static_cast<std::streamoff>(to));
+    at_ = to;
+  }
+  uint64_t at() const { return at_; }
+  uint64_t size() const { return size_; }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}': {}", source_.string(), why));
+  }
+
+ private:
+  void bytes(void* to, uint64_t count) {
+    if (count > size_ - at_ || !in_.read(static_cast<char*>(to), static_cast<int64_t>(count)))
+      fail("it is cut off or damaged");
+    at_ += count;
+  }
+
+  std::filesystem::path source_;
+  std::ifstream in_;
+  uint64_t size_ = 0, at_ = 0;
+};
+
+bool read_metadata_names(Reader& in) {
+  bool ours = false;
+  const auto count = in.number<uint32_t>();
+  for (uint32_t i = 0; i < count; ++i) {
+    ours = in.text() == "vug:version" || ours;
+    in.text();  // type
+    in.text();  // value
+  }
+  return ours;
+}
+
+void check_grid_places(Reader& in) {
+  const auto count = in.number<int32_t>();
+  if (count < 0) in.fail("it is damaged");
+  for (int32_t i = 0; i < count; ++i) {
+    in.text();  // name
+    in.text();  // type
+    const bool instance = !in.text().empty();
+    const auto start = in.number<uint64_t>(), voxels = in.number<uint64_t>();
+    const auto end = in.number<uint64_t>();
+    const bool ordered =
+        start >= in.at() && end >= start && (instance || (voxels >= start && voxels <= end));
+    if (!ordered || end > in.size()) in.fail("it is cut off or damaged");
+    in.seek(end);
+  }
+}
+
+}  // namespace
+
+VdbHeader read_vdb_header(const std::filesystem::path& source) {
+  Reader in(source);
+  if (in.size() < 57 || in.number<uint64_t>() != kMagic) in.fail("it is no .vdb file");
+  VdbHeader out;
+  out.format_version = in.number<uint32_t>();
+  if (out.format_version > kNewest)
+    in.fail(fmt::format("its format {} is newer than {}", out.format_version, kNewest));
+  if (out.format_version < kOldestChecked) return out;
+  in.number<uint64_t>();  // library version
+  const bool offsets = in.number<char>() != 0;
+  out.identifier = in.text(VdbHeader::kIdentifierSize);
+  out.ours = read_metadata_names(in);
+  if (offsets)
+    check_grid_places(in);
+  else
+    in.fail("it is a stream without offsets");
+  return out;
+}
+
+std::string content_identifier(const std::filesystem::path& source) {
+  std::ifstream in(source, std::ios::binary);
+  std::vector<char> buffer(size_t{1} << 20);
+  Hasher hasher;
+  bool first = true;
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
+    const auto count = static_cast<size_t>(in.gcount());
+    if (first && count >= VdbHeader::kIdentifierAt + VdbHeader::kIdentifierSize)
+      std::memset(buffer.data() + VdbHeader::kIdentifierAt, 0, VdbHeader::kIdentifierSize);
+    first = false;
+    hasher.add(buffer.data(), count);
+  }
+  std::string hex = hasher.finish().hex();
+  hex[12] = '8';  // version: custom
+  hex[16] = '8';  // variant
+  return hex.substr(0, 8) + "-" + hex.substr(8, 4) + "-" + hex.substr(12, 4) + "-" +
+         hex.substr(16, 4) + "-" + hex.substr(20);
+}
+
+}  // namespace vug::volume

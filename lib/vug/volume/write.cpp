@@ -1,0 +1,100 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/volume/grid_access.h>
+#include <vug/volume/io.h>
+#include <vug/volume/vdb_header.h>
+
+#include <fmt/format.h>
+#include <openvdb/io/Compression.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/ChangeBackground.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+
+namespace vug::volume {
+namespace {
+
+Metadata standard_metadata() {
+  return {{"vug:version", std::string(VUG_VERSION)},
+          {"vug:metersPerUnit", 1.0},
+          {"vug:upAxis", std::string("y")}};
+}
+
+/// A copy whose background 16 bits can hold, rounded up: inactive values then read back equal
+/// to it, as a level set's must.
+void widen_band_to_half(openvdb::FloatGrid& grid) {
+  using openvdb::math::half;
+  const float background = grid.background();
+  half rounded(background);
+  if (static_cast<float>(rounded) < background)
+    rounded.setBits(static_cast<uint16_t>(rounded.bits() + 1));
+  if (!rounded.isFinite() || !rounded.isNormalized())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("16 bits cannot hold the distances of grid '{}'", grid.getName()), {},
+                "write it without the half option");
+  if (static_cast<float>(rounded) == background) return;
+  grid.setTree(grid.tree().copy());
+  openvdb::tools::changeLevelSetBackground(grid.tree(), static_cast<float>(rounded));
+}
+
+openvdb::GridBase::Ptr prepared(const Grid& grid, const WriteOptions& options) {
+  const auto copy = openvdb::ConstPtrCast<openvdb::GridBase>(grid.data().grid->copyGrid());
+  // Statistics that OpenVDB writes depend on what is in memory.
+  copy->baseTree().readNonresidentBuffers();
+  for (const Metadata& metadata : {standard_metadata(), options.metadata})
+    write_metadata(*copy, metadata);
+  copy->setSaveFloatAsHalf(options.half);
+  if (options.half && copy->isType<openvdb::FloatGrid>() &&
+      copy->getGridClass() == openvdb::GRID_LEVEL_SET)
+    widen_band_to_half(static_cast<openvdb::FloatGrid&>(*copy));
+  return copy;
+}
+
+void check_names(const std::vector<Grid>& grids) {
+  std::set<std::string> names;
+  for (const Grid& grid : grids) {
+    if (grid.name().empty()) throw Error(ErrorCode::bad_input, "a grid needs a name to be written");
+    if (!names.insert(grid.name()).second)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("two grids of one file are named '{}'", grid.name()));
+  }
+}
+
+void set_identifier(const std::filesystem::path& file) {
+  const std::string identifier = content_identifier(file);
+  std::fstream out(file, std::ios::binary | std::ios::in | std::ios::out);
+  out.seekp(VdbHeader::kIdentifierAt);
+  out.write(identifier.data(), VdbHeader::kIdentifierSize);
+  out.close();
+  if (!out) throw Error(ErrorCode::io, fmt::format("cannot write '{}'", file.string()));
+}
+
+}  // namespace
+
+void write(const std::filesystem::path& target, const std::vector<Grid>& grids,
+           const WriteOptions& options) {
+  initialise_openvdb();
+  check_names(grids);
+  AtomicFile file(target);
+  openvdb::GridPtrVec ready;
+  for (const Grid& grid : grids) ready.push_back(prepared(grid, options));
+  openvdb::MetaMap metadata;
+  for (const Metadata& part : {standard_metadata(), options.metadata})
+    write_metadata(metadata, part);
+  try {
+    openvdb::io::File out(file.path().string());
+    out.setCompression(openvdb::io::COMPRESS_ACTIVE_MASK |
+                       (openvdb::io::Archive::hasBloscCompression() ? openvdb::io::COMPRESS_BLOSC
+                                                                    : openvdb::io::COMPRESS_ZIP));
+    out.write(ready, metadata);
+    out.close();
+  } catch (const openvdb::Exception& fault) {
+    throw Error(ErrorCode::io, fmt::format("cannot write '{}': {}", target.string(), fault.what()));
+  }
+  set_identifier(file.path());
+  file.commit();
+}
+
+}  // namespace vug::volume
