@@ -29,8 +29,8 @@ struct ReadOptions {
 /// .vdb file, is cut off or damaged.
 std::vector<Grid> read(const std::filesystem::path& source, const ReadOptions& options = {});
 /// One grid by name; an empty name takes the first level set, else the first grid.
-Grid read(const std::filesystem::path& source, const std::string& name,
-          const ReadOptions& options = {});
+Grid read_grid(const std::filesystem::path& source, const std::string& name,
+               const ReadOptions& options = {});
 
 struct GridInfo {
   std::string name;

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <openvdb/openvdb.h>
 
+#include <algorithm>
+
 namespace vug::volume {
 namespace {
 
@@ -18,7 +20,7 @@ auto with_file(const std::filesystem::path& source, const ReadOptions& options, 
   const auto fail = [&](const std::string& why) {
     return Error(ErrorCode::bad_input, fmt::format("cannot read '{}': {}", source.string(), why));
   };
-  if (header.ours && options.verify && content_identifier(source) != header.identifier)
+  if (options.verify && header.hashed() && content_identifier(source) != header.identifier)
     throw fail("it is damaged: its bytes do not match its hash");
   try {
     openvdb::io::File file(source.string());
@@ -32,31 +34,37 @@ auto with_file(const std::filesystem::path& source, const ReadOptions& options, 
   }
 }
 
-std::vector<Grid> all_grids(openvdb::io::File& file) {
-  std::vector<Grid> out;
+/// In the file's order; OpenVDB gives them by name.
+std::vector<Grid> all_grids(openvdb::io::File& file, const VdbHeader& header) {
   const openvdb::GridPtrVecPtr grids = file.getGrids();
-  for (const openvdb::GridBase::Ptr& grid : *grids)
-    if (grid) out.push_back(wrap(grid));
+  const auto place = [&](const openvdb::GridBase::Ptr& grid) {
+    return std::find(header.grids.begin(), header.grids.end(), grid->getName());
+  };
+  std::stable_sort(grids->begin(), grids->end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  std::vector<Grid> out;
+  for (const openvdb::GridBase::Ptr& grid : *grids) out.push_back(wrap(grid));
   return out;
 }
 
 }  // namespace
 
 std::vector<Grid> read(const std::filesystem::path& source, const ReadOptions& options) {
-  return with_file(source, options,
-                   [](openvdb::io::File& file, const VdbHeader&) { return all_grids(file); });
+  return with_file(source, options, [](openvdb::io::File& file, const VdbHeader& header) {
+    return all_grids(file, header);
+  });
 }
 
-Grid read(const std::filesystem::path& source, const std::string& name,
-          const ReadOptions& options) {
-  return with_file(source, options, [&](openvdb::io::File& file, const VdbHeader&) {
+Grid read_grid(const std::filesystem::path& source, const std::string& name,
+               const ReadOptions& options) {
+  return with_file(source, options, [&](openvdb::io::File& file, const VdbHeader& header) {
     if (!name.empty() && file.hasGrid(name)) return wrap(file.readGrid(name));
     std::vector<std::string> names;
-    for (const Grid& grid : all_grids(file)) {
+    for (const Grid& grid : all_grids(file, header)) {
       if (name.empty() && grid.grid_class() == GridClass::level_set) return grid;
       names.push_back(grid.name());
     }
-    if (name.empty() && !names.empty()) return all_grids(file).front();
+    if (name.empty() && !names.empty()) return all_grids(file, header).front();
     throw Error(ErrorCode::bad_input,
                 name.empty() ? fmt::format("'{}' holds no grid", source.string())
                              : fmt::format("'{}' holds no grid named '{}'", source.string(), name),
@@ -71,7 +79,7 @@ FileInfo info(const std::filesystem::path& source) {
     out.format_version = header.format_version;
     out.identifier = header.identifier;
     if (const auto metadata = file.getMetadata()) out.metadata = read_metadata(*metadata);
-    for (const Grid& grid : all_grids(file))
+    for (const Grid& grid : all_grids(file, header))
       out.grids.push_back({grid.name(), grid.grid_class(), grid.value_type(), grid.voxel_size(),
                            grid.saved_as_half(), grid.statistics(), grid.metadata()});
     return out;

@@ -2,6 +2,7 @@
 // major and minor (4 + 4), offsets flag (1), identifier (36), metadata, number of grids (4), and
 // for each grid its name, type, parent name and three offsets: start, voxel data, end.
 #include <vug/base/error.h>
+#include <vug/base/hash.h>
 #include <vug/volume/vdb_header.h>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@ namespace vug::volume {
 namespace {
 
 constexpr uint64_t kMagic = 0x56444220;
+constexpr char kNumberMark = '\x1e';  // OpenVDB numbers grids of one name behind it
 constexpr uint32_t kOldestChecked = 222, kNewest = 224;
 
 class Reader {
@@ -63,22 +65,19 @@ class Reader {
   uint64_t size_ = 0, at_ = 0;
 };
 
-bool read_metadata_names(Reader& in) {
-  bool ours = false;
+void skip_metadata(Reader& in) {
   const auto count = in.number<uint32_t>();
-  for (uint32_t i = 0; i < count; ++i) {
-    ours = in.text() == "vug:version" || ours;
-    in.text();  // type
-    in.text();  // value
-  }
-  return ours;
+  for (uint32_t i = 0; i < count; ++i)
+    for (int part = 0; part < 3; ++part) in.text();  // name, type, value
 }
 
-void check_grid_places(Reader& in) {
+std::vector<std::string> read_grid_places(Reader& in) {
+  std::vector<std::string> names;
   const auto count = in.number<int32_t>();
   if (count < 0) in.fail("it is damaged");
   for (int32_t i = 0; i < count; ++i) {
-    in.text();  // name
+    const std::string name = in.text();
+    names.push_back(name.substr(0, name.find(kNumberMark)));
     in.text();  // type
     const bool instance = !in.text().empty();
     const auto start = in.number<uint64_t>(), voxels = in.number<uint64_t>();
@@ -88,9 +87,15 @@ void check_grid_places(Reader& in) {
     if (!ordered || end > in.size()) in.fail("it is cut off or damaged");
     in.seek(end);
   }
+  return names;
 }
 
 }  // namespace
+
+bool VdbHeader::hashed() const {
+  return identifier.size() == kIdentifierSize && identifier[14] == '8' && identifier[19] == '8' &&
+         identifier.find_first_not_of("0123456789abcdef-") == std::string::npos;
+}
 
 VdbHeader read_vdb_header(const std::filesystem::path& source) {
   Reader in(source);
@@ -103,11 +108,9 @@ VdbHeader read_vdb_header(const std::filesystem::path& source) {
   in.number<uint64_t>();  // library version
   const bool offsets = in.number<char>() != 0;
   out.identifier = in.text(VdbHeader::kIdentifierSize);
-  out.ours = read_metadata_names(in);
-  if (offsets)
-    check_grid_places(in);
-  else
-    in.fail("it is a stream without offsets");
+  skip_metadata(in);
+  if (!offsets) in.fail("it is a stream without offsets");
+  out.grids = read_grid_places(in);
   return out;
 }
 

@@ -2,17 +2,20 @@
 // length checked. OpenVDB trusts these numbers, so they are looked at before it opens a file.
 #pragma once
 
-#include <vug/base/hash.h>
-
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace vug::volume {
 
 struct VdbHeader {
   uint32_t format_version = 0;
-  std::string identifier;  ///< 36 characters, from byte kIdentifierAt on.
-  bool ours = false;       ///< The file says vug:version, so the identifier is a hash.
+  std::string identifier;          ///< 36 characters, from byte kIdentifierAt on.
+  std::vector<std::string> grids;  ///< Names in the file's order.
+
+  /// The identifier has the form of a hash; a random one looks so once in 10^8 files.
+  bool hashed() const;
 
   static constexpr uint64_t kIdentifierAt = 21;
   static constexpr size_t kIdentifierSize = 36;

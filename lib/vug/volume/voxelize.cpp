@@ -33,6 +33,16 @@ void require_room(const field::Field& field, const Box3d& box, const VoxelizeOpt
                  fmt::format("a level set with voxels of {} m", options.voxel));
 }
 
+/// OpenVDB takes a map whose determinant is below 3e-15 for singular.
+void check_voxel(double voxel) {
+  constexpr double kSmallest = 1.5e-5;
+  if (voxel >= kSmallest) return;
+  throw Error(
+      ErrorCode::bad_input,
+      fmt::format("voxels of {} m are smaller than a .vdb file can hold ({} m)", voxel, kSmallest),
+      {}, "make the scene larger, or the voxels");
+}
+
 void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, Walk& walk) {
   constexpr double kFarthest = 2147483647.0 - 8192;
   const double margin = options.half_width + 1;
@@ -58,6 +68,7 @@ LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Pro
   walk.band = {options.voxel, background_of(options), options.repair};
   if (region.box.isEmpty()) return LevelSet(wrap(build(field::Field(), walk, progress)));
   require_room(field, region.box, options);
+  check_voxel(options.voxel);
   find_lattice_bounds(region.box, options, walk);
   return LevelSet(wrap(build(region.field, walk, progress)));
 }

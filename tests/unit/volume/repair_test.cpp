@@ -1,0 +1,110 @@
+// Values that are no distances: the zero set stays, the band gets distances to first order.
+#include "solids.h"
+
+#include <gtest/gtest.h>
+
+namespace vug::volume {
+namespace {
+
+using field::Field;
+using field::make;
+
+TEST(Repair, ConcentricMorphIsASphere) {
+  VoxelizeOptions options;
+  options.voxel = 1.0 / 16;
+  const double radius = 0.7 * 1 + 0.3 * 3;
+  const LevelSet grid =
+      voxelize(field::morph(make("sphere"), make("sphere", {{"radius", 3.0}}), 0.3), options);
+  EXPECT_EQ(check(grid).fault, "");
+  for (const Vec3d& axis : {Vec3d(1, 0, 0), Vec3d(0, -1, 0), Vec3d(0, 0, 1)})
+    EXPECT_NEAR(crossing(grid, {0, 0, 0}, axis, 4), radius, 1e-4 * options.voxel);
+  each_lattice_point(grid, [&](const Vec3d& p, double value) {
+    if (std::fabs(value) >= grid.background() * 0.999) return;
+    EXPECT_NEAR(value, p.length() - radius, 1e-4 * options.voxel);
+  });
+}
+
+// Half-way between two balls of radius R at distance D lies the prolate ellipsoid with their
+// centres as foci: semi-axes R along and sqrt(R^2 - D^2/4) across.
+TEST(Repair, MorphOfTwoBallsIsTheEllipsoid) {
+  for (const double separation : {2.0, 10.0, 50.0, 200.0}) {
+    const double focus = separation / 2, along = 0.75 * separation + 20;  // in voxels
+    const double across = std::sqrt(along * along - focus * focus);
+    VoxelizeOptions options;
+    options.voxel = 1;
+    const LevelSet grid = voxelize(
+        field::morph(sphere_at({focus, 0, 0}, along), sphere_at({-focus, 0, 0}, along), 0.5),
+        options);
+    EXPECT_EQ(check(grid).fault, "");
+    for (const double angle : {0.0, 0.3, 0.8, 1.2, 1.57079632679})
+      for (const double turn : {0.0, 0.7}) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        const Vec3d direction(c, s * std::cos(turn), s * std::sin(turn));
+        const double exact = 1 / std::sqrt(c * c / (along * along) + s * s / (across * across));
+        // Along the way of a ray trilinear cells bend the surface by their curvature, h^2 / 8 r.
+        const double bend = 0.5 / across;
+        EXPECT_NEAR(crossing(grid, {0, 0, 0}, direction, 2 * along), exact, 0.02 + bend)
+            << separation << " " << angle;
+      }
+  }
+}
+
+TEST(Repair, FarApartBallsMorphToNothing) {
+  VoxelizeOptions options;
+  options.voxel = 0.1;
+  const LevelSet grid =
+      voxelize(field::morph(sphere_at({1.5, 0, 0}, 1), sphere_at({-1.5, 0, 0}, 1), 0.5), options);
+  each_lattice_point(grid, [](const Vec3d&, double value) { EXPECT_GT(value, 0); });
+}
+
+/// Distance to the field's zero set by descending onto it from p.
+double distance(const Field& field, const Vec3d& p) {
+  Vec3d q = p;
+  for (int i = 0; i < 200; ++i) {
+    const field::Gradient g = field.gradient(q);
+    const double squared = g.gradient.length2();
+    q -= g.gradient * (g.value / squared);
+    // Slide along the surface towards p.
+    const Vec3d normal = field.gradient(q).gradient.normalized();
+    const Vec3d offset = p - q;
+    q += (offset - normal * offset.dot(normal)) * 0.5;
+  }
+  const field::Gradient g = field.gradient(q);
+  q -= g.gradient * (g.value / g.gradient.length2());
+  return (p - q).length();
+}
+
+TEST(Repair, SteepFieldsBecomeDistances) {
+  // An ellipsoid as a bound: |p / axes| - 1 has slopes from 1/2 to 2.
+  const Field squashed =
+      field::morph(sphere_at({0.4, 0, 0}, 1), sphere_at({-0.4, 0.1, 0}, 0.8), 0.5);
+  VoxelizeOptions options;
+  options.voxel = 1.0 / 24;
+  const LevelSet grid = voxelize(squashed, options);
+  double worst = 0;
+  each_lattice_point(grid, [&](const Vec3d& p, double value) {
+    if (std::fabs(value) > 2 * options.voxel || (Vec3i(p * 24).x & 3)) return;
+    worst = std::max(worst, std::fabs(std::fabs(value) - distance(squashed, p)));
+  });
+  // To first order: the rest is d^2 times curvature (about 1 / m) over 2, at d of 2 voxels.
+  EXPECT_LT(worst, 2 * options.voxel * 2 * options.voxel);
+  EXPECT_LT(check(grid).share_off_unit_slope, 0.001);
+}
+
+TEST(Repair, KeepsEverySign) {
+  VoxelizeOptions repaired, raw;
+  repaired.voxel = raw.voxel = 1.0 / 24;
+  raw.repair = false;
+  const Field solid = lumpy_solid();
+  for (const VoxelizeOptions& options : {repaired, raw}) {
+    const LevelSet grid = voxelize(solid, options);
+    EXPECT_EQ(check(grid).fault, "");
+    each_lattice_point(grid, [&](const Vec3d& p, double value) {
+      const double truth = solid.value(p);
+      EXPECT_TRUE(std::fabs(truth) < 1e-6 || (value < 0) == (truth < 0));
+    });
+  }
+}
+
+}  // namespace
+}  // namespace vug::volume
