@@ -3,6 +3,7 @@
 #include <vug/scene/lexer.h>
 
 #include <algorithm>
+#include <set>
 
 namespace vug::scene {
 
@@ -31,6 +32,7 @@ class Formatter {
   explicit Formatter(const std::vector<Token>& tokens) : tokens_(tokens) {}
 
   std::string run() {
+    find_heads();
     int breaks = 0;
     for (size_t at = 0; tokens_[at].kind != TokenKind::end;) {
       if (is_break(tokens_[at])) {
@@ -86,13 +88,31 @@ class Formatter {
     return inside() + ((goes_on || hanging_) && !in_brackets() ? 4 : 0);
   }
 
-  /// A line that can only go on with a rule's items: a symbol alone, called or repeated.
+  /// The token after line breaks.
+  const Token& beyond_breaks(size_t at) const {
+    while (is_break(tokens_[at])) ++at;
+    return tokens_[at];
+  }
+
+  /// True when the line is a rule: it holds an arrow, or the next line starts with one.
+  bool is_rule(size_t begin) const {
+    size_t i = begin;
+    for (; tokens_[i].kind != TokenKind::end && tokens_[i].kind != TokenKind::newline; ++i)
+      if (tokens_[i].is("->")) return true;
+    return beyond_breaks(i).is("->");
+  }
+
+  /// Names that start a rule anywhere; a line that starts with one and is no rule goes on with
+  /// the items of the rule above it.
+  void find_heads() {
+    for (size_t i = 0; i < tokens_.size(); ++i) {
+      const bool first = i == 0 || tokens_[i - 1].kind == TokenKind::newline;
+      if (first && tokens_[i].kind == TokenKind::name && is_rule(i)) heads_.insert(tokens_[i].text);
+    }
+  }
+
   bool is_symbol(size_t begin) const {
-    const Token& second = tokens_[begin + 1];
-    if (tokens_[begin].kind != TokenKind::name) return false;
-    for (size_t i = begin; tokens_[i].kind != TokenKind::end && !is_break(tokens_[i]); ++i)
-      if (tokens_[i].is("->") || tokens_[i].is("}")) return false;
-    return (second.is("(") && second.touches) || second.is("*");
+    return heads_.count(tokens_[begin].text) > 0 && !is_rule(begin);
   }
 
   static bool is_clause(const Token& t) { return t.is_name("label") || t.is_name("blend"); }
@@ -218,6 +238,7 @@ class Formatter {
   const std::vector<Token>& tokens_;
   std::vector<Row> rows_;
   std::vector<Open> open_;
+  std::set<std::string_view> heads_;
   bool hanging_ = false;  ///< The line before ends in the middle of an expression or list.
 };
 

@@ -1,0 +1,60 @@
+// Any bytes: parse, report, evaluate what needs no objects; a text without faults must keep its
+// meaning and settle when it is formatted.
+#include <vug/scene/check.h>
+#include <vug/scene/evaluator.h>
+#include <vug/scene/format.h>
+#include <vug/scene/parser.h>
+#include <vug/scene/report.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+using namespace vug;
+using namespace vug::scene;
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %s\n", what);
+  std::abort();
+}
+
+std::string formatted_dump(const std::string& text, const ParseOptions& options) {
+  Diagnostics diagnostics;
+  const Document document = parse(text, "fuzz.vug", diagnostics, options);
+  require(!diagnostics.has_errors(), "a formatted text parses");
+  return dump(document);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  ParseOptions options;
+  options.read = [](const std::filesystem::path&) -> std::optional<std::string> {
+    return std::nullopt;
+  };
+  Diagnostics diagnostics;
+  const Document document = parse(text, "fuzz.vug", diagnostics, options);
+  const std::string formatted = format(text);
+  if (!diagnostics.has_errors()) {
+    require(formatted_dump(formatted, options) == dump(document), "format keeps the meaning");
+    require(format(formatted) == formatted, "format settles after one pass");
+    check_params_read(document, diagnostics);
+  }
+  Resolver resolver;
+  Evaluator evaluator(document, resolver, diagnostics);
+  evaluator.check_all();
+  for (const Declaration& made : document.declarations) {
+    if (made.value) evaluator.eval(*made.value, evaluator.key(made));
+    for (const Entry& entry : made.entries) evaluator.eval(entry, evaluator.key(made));
+  }
+  for (const Grammar& grammar : document.grammars)
+    for (const Rule& rule : grammar.rules)
+      for (const Item& item : rule.items)
+        if (item.count) evaluator.count(*item.count, evaluator.root());
+  report(diagnostics, evaluator.sources());
+  return 0;
+}
