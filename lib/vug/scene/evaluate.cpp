@@ -79,12 +79,17 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
 bool Evaluator::is_known(const Value& value, const Expr& expr) {
   const auto* unknown = value.get<Value::Name>();
   if (!unknown) return true;
-  std::vector<std::string> names = resolver_.known_names();
-  for (const auto& [name, global] : globals_) names.push_back(name);
-  const std::string near = nearest_name(unknown->text, names);
-  site(expr).fault(fmt::format("unknown name '{}'", unknown->text),
-                   near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+  const std::string hint = meant(unknown->text);
+  site(expr).fault(fmt::format("unknown name '{}'", unknown->text), hint);
   return false;
+}
+
+/// "did you mean 'x'?" for the nearest name that has a value, or nothing.
+std::string Evaluator::meant(const std::string& name) const {
+  std::vector<std::string> names = resolver_.known_names();
+  for (const auto& [known, value] : globals_) names.push_back(known);
+  const std::string near = nearest_name(name, names);
+  return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
 }
 
 Value Evaluator::parts(const Expr& expr, const Context& context) {
@@ -238,6 +243,29 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
   return arguments;
 }
 
+/// Asks the resolver. Where it refuses an argument that is a name nobody knows, the nearest
+/// known name becomes the hint.
+std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& given, RandomKey key) {
+  Diagnostics found;
+  std::optional<Value> result;
+  try {
+    result = resolver_.call(call.text, given, call.where, key, found);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;
+    found.error(error.where().known() ? error.where() : call.where, error.what(), error.hint());
+    result = Value();
+  }
+  for (Diagnostic one : found.all()) {
+    for (const Argument& argument : given)
+      if (const auto* unknown = argument.value.get<Value::Name>();
+          unknown && one.hint.empty() && argument.where == one.where)
+        one.hint = meant(unknown->text);
+    one.severity == Severity::error ? diagnostics_.error(one.where, one.message, one.hint)
+                                    : diagnostics_.warning(one.where, one.message, one.hint);
+  }
+  return result;
+}
+
 Value Evaluator::call(const Expr& expr, const Context& context) {
   if (expr.text == "if") return choose(expr, context);
   if (expr.text == "pick") return pick(expr, context);
@@ -247,16 +275,7 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   const Function* builtin = find_function(expr.text);
   if (builtin)
     if (auto result = builtin->apply(given, site(expr))) return *std::move(result);
-  try {
-    const RandomKey key = context.key.at(expr.path);
-    if (auto result = resolver_.call(expr.text, given, expr.where, key, diagnostics_))
-      return *std::move(result);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::bad_input) throw;
-    diagnostics_.error(error.where().known() ? error.where() : expr.where, error.what(),
-                       error.hint());
-    return {};
-  }
+  if (auto result = resolved(expr, given, context.key.at(expr.path))) return *std::move(result);
   for (size_t i = 0; builtin && i < given.size(); ++i)
     if (!is_known(given[i].value, *expr.operands[i].value)) return {};
   if (builtin)

@@ -115,6 +115,8 @@ class Evaluator {
   Value like(const Value& fallback, Value given, const std::string& name,
              const SourceLocation& where);
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
+  std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key);
+  std::string meant(const std::string& name) const;
   bool is_known(const Value& value, const Expr& expr);
   Site site(const Expr& expr) const { return {expr.where, diagnostics_}; }
 

@@ -86,6 +86,22 @@ TEST(Evaluator, FaultsOfTheResolverBecomeDiagnostics) {
   EXPECT_EQ(diagnostics.all()[0].where, (SourceLocation{"t.vug", 1, 9}));
 }
 
+TEST(Evaluator, RefusedNamesGetTheNearestKnownNameAsHint) {
+  struct Strict : Resolver {
+    std::optional<Value> call(const std::string&, const Arguments& given, const SourceLocation&,
+                              RandomKey, Diagnostics& diagnostics) override {
+      diagnostics.error(given[0].where, "no number");
+      return Value();
+    }
+  } resolver;
+  Diagnostics diagnostics;
+  const Document document = parsed("param radius = 1\nlet x = ball(raduis)\n");
+  Evaluator evaluator(document, resolver, diagnostics);
+  evaluator.check_all();
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].hint, "did you mean 'radius'?");
+}
+
 TEST(Evaluator, LetsAndParamsInAnyOrder) {
   EXPECT_EQ(value_of("let x = a * 2\nlet a = B + 1\nparam B = 3\n"), "8");
 }
