@@ -24,9 +24,8 @@ struct Affine {
   double scale() const { return scale_out; }
   Traits traits(const Traits& child) const {
     Traits out = child;
-    const double uneven = scale_out * stretch_in;  // 1 for similarities
+    const double uneven = forward.max_stretch() / forward.min_stretch();  // 1 for similarities
     if (uneven > 1 + 1e-12) out.exactness = std::max(out.exactness, Exactness::bound);
-    out.lipschitz = child.lipschitz * (uneven > 1 + 1e-12 ? uneven : 1);
     out.bounds = forward.box(child.bounds);
     out.growth = child.grows() / uneven;
     return out;

@@ -26,7 +26,8 @@ using FieldKind = Kind<Field>;
 #undef VUG_KIND
 
 /// A kind whose parameter struct P has `describe(Schema<P>&)` and `std::string fault() const`
-/// (empty, or a sentence on parameters that do not fit together); `build` makes the product.
+/// (empty, or a sentence on parameters that do not fit together); `build` makes the product, and
+/// an Error it throws becomes a diagnostic at the kind's place.
 template <class Product, class P, class Build>
 Kind<Product> product_kind(std::string name, std::string category, Build build) {
   Schema<P> schema;
@@ -42,7 +43,12 @@ Kind<Product> product_kind(std::string name, std::string category, Build build) 
             if (!own.has_errors()) {
               std::string fault;
               if constexpr (requires { params.fault(); }) fault = params.fault();
-              if (fault.empty()) return build(params);
+              try {
+                if (fault.empty()) return build(params);
+              } catch (const Error& error) {
+                if (error.code() != ErrorCode::bad_input) throw;
+                fault = error.what();
+              }
               own.error(where, fault);
             }
             diagnostics.append(own);

@@ -1,0 +1,183 @@
+// Copies on a lattice. A surface point q of the solid has its nearest copy at the whole number
+// nearest to (p - q) / spacing, so with the box's half extent e a point p needs only the copies m
+// with |m - p / spacing| <= 1/2 + e / spacing, p seen from the box's middle. For an exact field
+// their minimum is the exact union of all copies, also where the solid pokes out of its cell;
+// for other fields the surface is right, and far values may jump where the set of copies changes.
+#include <vug/base/transform.h>
+#include <vug/field/affine.h>
+#include <vug/field/boolean.h>
+#include <vug/field/kind.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::field {
+namespace {
+
+struct Repeat {
+  Field field;
+  Vec3d spacing{2, 0, 2};
+  Vec3d counts{0, 0, 0};
+
+  static void describe(Schema<Repeat>& s) {
+    s.doc("Copies of a solid on a lattice, in rows about the origin.")
+        .param("field", &Repeat::field, {.doc = "what is repeated", .required = true})
+        .param("spacing", &Repeat::spacing,
+               {.doc = "between copies along each axis; 0 does not repeat along it",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param(
+            "counts", &Repeat::counts,
+            {.doc = "copies along each axis, whole numbers; 0 for no end", .min = 0, .max = 1e6});
+  }
+  std::string fault() const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (counts[axis] != std::floor(counts[axis])) return "the counts are whole numbers";
+      const double size = field.bounds().size()[axis];
+      if (spacing[axis] > 0 && !(size <= 20 * spacing[axis]))
+        return "a repeated solid is at most 20 times as large as its spacing";
+    }
+    return field.bounds().isEmpty() ? "there is no solid to repeat" : "";
+  }
+};
+
+/// The copies along one axis.
+struct Row {
+  double spacing = 0;                   // 0: one copy, at 0
+  double start = 0;                     // where copy 0 stands
+  double first = 0;                     // middle of the box of copy 0
+  double half_window = 0;               // 1/2 + e / spacing
+  int window = 1;                       // copies that may matter for one point
+  double lowest = -1e9, highest = 1e9;  // of the first copy in a window
+
+  /// The number of the window's first copy.
+  template <class T>
+  T number(const T& x) const {
+    if (spacing == 0) return T(0.0);
+    const T place = (x - T(first)) * T(1 / spacing) - T(half_window);
+    return clamp(-floor(-place), T(lowest), T(highest));
+  }
+  double position(double number) const { return start + number * spacing; }
+};
+
+class RepeatNode final : public Readings<RepeatNode> {
+ public:
+  RepeatNode(Traits traits, NodePtr child, const Row (&rows)[3])
+      : Readings(std::move(traits)), child_(std::move(child)), rows_{rows[0], rows[1], rows[2]} {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    const T number[3] = {rows_[0].number(p.x), rows_[1].number(p.y), rows_[2].number(p.z)};
+    T least(1e30);
+    for (int i = 0; i < copies(); ++i) least = min(least, child_->eval(seen(p, number, i)));
+    return least;
+  }
+  template <class T>
+  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+    Scratch::Frame frame(scratch);
+    auto* moved = frame.template take<Point<T>>(static_cast<size_t>(count));
+    T* next = frame.template take<T>(static_cast<size_t>(count));
+    for (int i = 0; i < copies(); ++i) {
+      for (int k = 0; k < count; ++k) {
+        const Point<T>& p = points[k];
+        const T number[3] = {rows_[0].number(p.x), rows_[1].number(p.y), rows_[2].number(p.z)};
+        moved[k] = seen(p, number, i);
+      }
+      child_->eval(moved, count, i == 0 ? out : next, scratch);
+      if (i > 0)
+        for (int k = 0; k < count; ++k) out[k] = min(out[k], next[k]);
+    }
+  }
+
+  /// In a ball the copies are written out, where they are few and no others can matter.
+  Restriction restrict_to(const Ball& ball) const override {
+    double low[3], high[3], count = 1;
+    bool one_window = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Row& row = rows_[axis];
+      low[axis] = row.number(ball.centre[axis] - ball.radius);
+      const double last = row.number(ball.centre[axis] + ball.radius);
+      one_window = one_window && last == low[axis];
+      high[axis] = last + row.window - 1;
+      count *= high[axis] - low[axis] + 1;
+    }
+    if (!(count <= 512)) {
+      if (traits().exactness == Exactness::sign) return {{-kInfinity, kInfinity}, nullptr};
+      return Node::restrict_to(ball);
+    }
+    std::vector<Field> copies;
+    for (double z = low[2]; z <= high[2]; ++z)
+      for (double y = low[1]; y <= high[1]; ++y)
+        for (double x = low[0]; x <= high[0]; ++x)
+          copies.push_back(transformed(
+              Field(child_), Transform::translation({rows_[0].position(x), rows_[1].position(y),
+                                                     rows_[2].position(z)})));
+    const Field all = unite(std::move(copies));
+    Restriction out = all.node()->restrict_to(ball);
+    if (one_window || traits().exactness != Exactness::sign) {
+      if (!out.node) out.node = all.node();
+    } else {  // a point's own window may lack the lowest copy
+      out.range.hi = kInfinity;
+      out.node = nullptr;
+    }
+    return out;
+  }
+  std::string name() const override { return "repeat"; }
+  std::vector<NodePtr> children() const override { return {child_}; }
+
+ private:
+  int copies() const { return rows_[0].window * rows_[1].window * rows_[2].window; }
+
+  template <class T>
+  Point<T> seen(const Point<T>& p, const T (&number)[3], int copy) const {
+    const int nx = rows_[0].window, ny = rows_[1].window;
+    const int step[3] = {copy % nx, copy / nx % ny, copy / nx / ny};
+    auto shift = [&](int axis) {
+      const Row& row = rows_[axis];
+      return T(row.start) + (number[axis] + T(static_cast<double>(step[axis]))) * T(row.spacing);
+    };
+    return {p.x - shift(0), p.y - shift(1), p.z - shift(2)};
+  }
+
+  NodePtr child_;
+  Row rows_[3];
+};
+
+Field repeated(const Repeat& repeat) {
+  const Traits& child = repeat.field.node()->traits();
+  Traits traits = child;
+  // The union of exact fields is exact outside; values of other fields may jump.
+  traits.exactness = child.exactness == Exactness::exact ? Exactness::bound : Exactness::sign;
+  traits.growth = child.grows();
+  Row rows[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    Row& row = rows[axis];
+    row.spacing = repeat.spacing[axis];
+    if (row.spacing == 0) continue;
+    const double extent = 0.5 * child.bounds.size()[axis] / row.spacing;
+    row.half_window = 0.5 + extent;
+    row.window = std::max(1, static_cast<int>(std::ceil(1 + 2 * extent - 1e-9)));
+    const double count = repeat.counts[axis];
+    if (count > 0) {
+      row.start = -0.5 * (count - 1) * row.spacing;
+      row.window = std::min(row.window, static_cast<int>(count));
+      row.lowest = 0;
+      row.highest = count - row.window;
+      traits.bounds.min[axis] += row.start;
+      traits.bounds.max[axis] -= row.start;
+    } else {
+      traits.bounds.min[axis] = -kInfinity;
+      traits.bounds.max[axis] = kInfinity;
+    }
+    row.first = row.start + child.bounds.center()[axis];
+  }
+  return Field(std::make_shared<RepeatNode>(traits, repeat.field.node(), rows));
+}
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(repeat) {
+  using namespace vug::field;
+  return field_kind<Repeat>("repeat", "deformer", repeated);
+}

@@ -1,0 +1,66 @@
+// Slices across the axis turn in proportion to their height (barr1984). A point at radius r moves
+// by rate * r per metre of height, so the map stretches by s/2 + sqrt(1 + s^2/4), s = rate * r;
+// values are divided by that, and points beyond the solid's radius are first drawn onto it.
+#include <vug/field/enclosed.h>
+
+#include <cmath>
+
+namespace vug::field {
+namespace {
+
+struct Twist {
+  Field field;
+  double rate = 1;
+  Vec3d axis{0, 1, 0};
+
+  static void describe(Schema<Twist>& s) {
+    s.doc(
+         "Turns a solid about an axis through the origin, the more the further along it; values "
+         "become a lower bound of the distance.")
+        .cite("barr1984")
+        .param("field", &Twist::field, {.doc = "what is twisted, of finite size", .required = true})
+        .param("rate", &Twist::rate,
+               {.doc = "turn in radians per metre", .dimension = Dimension::per_length})
+        .param("axis", &Twist::axis, {.doc = "direction of the axis, of any length but 0"});
+  }
+  std::string fault() const {
+    if (!(axis.length2() > 0)) return "the axis needs a direction";
+    return is_finite(field.bounds()) ? "" : "only a solid of finite size can be twisted";
+  }
+};
+
+struct Twisting {
+  double rate, radius, stretch;
+
+  template <class T>
+  Point<T> map(const Point<T>& p) const {
+    const T inwards = T(radius) / max(length(p.x, p.z), T(radius));
+    const T angle = p.y * T(rate), c = cos(angle), s = sin(angle);
+    const T x = p.x * inwards, z = p.z * inwards;
+    return {c * x - s * z, p.y, s * x + c * z};
+  }
+  Ball map(const Ball& ball) const {
+    return {vector(map(point(ball.centre))), ball.radius * stretch};
+  }
+  double scale() const { return 1 / stretch; }
+  Traits traits(const Traits& child) const { return deformed_traits(child); }
+};
+
+Field twisted(const Field& field, double rate) {
+  const Box3d box = field.bounds();
+  const double r = radius_about_y(box), s = std::fabs(rate) * r;
+  const Twisting twisting{rate, r, 0.5 * s + std::sqrt(1 + 0.25 * s * s)};
+  return enclosed(Field(std::make_shared<DeformerNode<Twisting>>("twist", twisting, field.node())),
+                  {{-r, box.min.y, -r}, {r, box.max.y, r}});
+}
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(twist) {
+  using namespace vug::field;
+  return field_kind<Twist>("twist", "deformer", [](const Twist& t) {
+    return along_axis(t.field, {0, 1, 0}, t.axis,
+                      [&](const Field& f) { return twisted(f, t.rate); });
+  });
+}
