@@ -7,12 +7,31 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace vug::sgm {
 namespace {
 
 constexpr uint64_t kSeeds = 100;
+
+/// The box around the solid's points on the lattice of 0.15 m.
+Box3d extent(const Field& f) {
+  constexpr double kStep = 0.15;
+  Box3d out;
+  Vec3i low, high;
+  for (int i = 0; i < 3; ++i) {
+    low[i] = static_cast<int>(std::floor(f.bounds().min[i] / kStep));
+    high[i] = static_cast<int>(std::ceil(f.bounds().max[i] / kStep));
+  }
+  for (int x = low.x; x <= high.x; ++x)
+    for (int y = low.y; y <= high.y; ++y)
+      for (int z = low.z; z <= high.z; ++z) {
+        const Vec3d p = Vec3d(x, y, z) * kStep;
+        if (f.value(p) < 0) out.extendBy(p);
+      }
+  return out;
+}
 
 // The paper's experiment: LD=10 PC=10 PM=2 LB=+X MP=52% PS=3.
 TEST(Figure9, HasTwelveProductionsAndGrowsAlongX) {
@@ -25,15 +44,9 @@ TEST(Figure9, HasTwelveProductionsAndGrowsAlongX) {
     EXPECT_EQ(cave.operations.size(), 12u);
     EXPECT_TRUE(cave.diagnostics.all().empty());
     EXPECT_TRUE(inner_point(cave.field));
-    const auto end = [](const Field& f, int axis, int sign) {
-      const auto p = support_point(f, axis, sign);
-      return p ? (*p)[axis] : 0;
-    };
-    const double length = end(cave.field, 0, 1) - end(cave.field, 0, -1);
-    const double width = std::max(end(cave.field, 1, 1) - end(cave.field, 1, -1),
-                                  end(cave.field, 2, 1) - end(cave.field, 2, -1));
-    gain[seed] = end(cave.field, 0, 1) - end(cave.operations[0].field, 0, 1);
-    slender[seed] = length / width;
+    const Box3d all = extent(cave.field), first = extent(cave.operations[0].field);
+    gain[seed] = all.max.x - first.max.x;
+    slender[seed] = all.size().x / std::max(all.size().y, all.size().z);
     for (const Placement& p : cave.operations) EXPECT_EQ(p.side, Label::plus_x);
   });
   double mean = 0;
