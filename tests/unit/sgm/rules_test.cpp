@@ -15,9 +15,9 @@ namespace {
 
 constexpr uint64_t kSeeds = 100;
 
-/// The box around the solid's points on the lattice of 0.15 m.
+/// The box around the solid's points on the lattice of 0.25 m.
 Box3d extent(const Field& f) {
-  constexpr double kStep = 0.15;
+  constexpr double kStep = 0.25;
   Box3d out;
   Vec3i low, high;
   for (int i = 0; i < 3; ++i) {
