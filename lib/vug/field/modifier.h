@@ -30,9 +30,10 @@ class ModifierNode final : public Readings<ModifierNode<M>> {
 
   Restriction restrict_to(const Ball& ball) const override {
     const Restriction inner = child_->restrict_to(ball);
+    const Point<double> centre = point(ball.centre);
+    const double value = modifier_.apply((inner.node ? inner.node : child_)->eval(centre), centre);
     Restriction out;
-    out.range =
-        meet(modifier_.range(inner.range), this->centre_form(this->eval(point(ball.centre)), ball));
+    out.range = meet(modifier_.range(inner.range), this->centre_form(value, ball));
     if (inner.node) out.node = std::make_shared<ModifierNode>(name_, modifier_, inner.node);
     return out;
   }

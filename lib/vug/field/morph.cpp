@@ -18,7 +18,7 @@ class MorphNode final : public Readings<MorphNode> {
 
   template <class T>
   T at(const Point<T>& p) const {
-    return a_->eval(p) * T(1 - amount_) + b_->eval(p) * T(amount_);
+    return a_->eval(p) * (1 - amount_) + b_->eval(p) * amount_;
   }
   template <class T>
   void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
@@ -26,16 +26,21 @@ class MorphNode final : public Readings<MorphNode> {
     T* other = frame.template take<T>(static_cast<size_t>(count));
     a_->eval(points, count, out, scratch);
     b_->eval(points, count, other, scratch);
-    for (int i = 0; i < count; ++i) out[i] = out[i] * T(1 - amount_) + other[i] * T(amount_);
+    for (int i = 0; i < count; ++i) out[i] = out[i] * (1 - amount_) + other[i] * amount_;
   }
   Restriction restrict_to(const Ball& ball) const override {
-    const Restriction a = a_->restrict_to(ball), b = b_->restrict_to(ball);
+    Restriction a = a_->restrict_to(ball), b = b_->restrict_to(ball);
+    const bool smaller = a.node || b.node;
+    if (!a.node) a.node = a_;
+    if (!b.node) b.node = b_;
     Restriction out;
     const Interval sum = a.range * Interval(1 - amount_) + b.range * Interval(amount_);
-    out.range = meet(sum, centre_form(eval(point(ball.centre)), ball));
-    if (a.node || b.node)
-      out.node = std::make_shared<MorphNode>(traits(), a.node ? a.node : a_, b.node ? b.node : b_,
-                                             amount_);
+    const Point<double> centre = point(ball.centre);
+    const double value = a.node->eval(centre) * (1 - amount_) + b.node->eval(centre) * amount_;
+    out.range = meet(sum, centre_form(value, ball));
+    if (smaller)
+      out.node =
+          std::make_shared<MorphNode>(traits(), std::move(a.node), std::move(b.node), amount_);
     return out;
   }
   std::string name() const override { return "morph"; }

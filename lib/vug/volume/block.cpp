@@ -15,6 +15,7 @@ using field::Point;
 namespace {
 
 constexpr int kPacks = Block::kSize / Pack::kLanes;  // one for each run along z
+constexpr int kChunk = 16;  // packs whose points and derivatives stay in the nearest cache
 
 float coordinate(int64_t index, double voxel) {
   return static_cast<float>(static_cast<double>(index) * voxel);
@@ -41,25 +42,29 @@ void repair(const field::Field& field, const Band& band, const Point<Pack>* poin
   const Pack near(1.0001 * field.lipschitz() * band.voxel);
   const Pack inside_band(std::nextafter(band.background, 0.0f));
   const Pack least(1e-12 * field.lipschitz() * field.lipschitz());
-  field::Scratch::Frame frame(scratch);
-  auto* seeds = frame.take<Point<Dual<Pack>>>(kPacks);
-  auto* slopes = frame.take<Dual<Pack>>(kPacks);
-  int which[kPacks];
-  int count = 0;
-  for (int i = 0; i < kPacks; ++i)
-    if (any_within(values[i], limit)) {
-      which[count] = i;
-      seeds[count++] = seeded(points[i]);
+  const auto repair_some = [&](const int* which, int count) {
+    field::Scratch::Frame frame(scratch);
+    auto* seeds = frame.take<Point<Dual<Pack>>>(kChunk);
+    auto* slopes = frame.take<Dual<Pack>>(kChunk);
+    for (int i = 0; i < count; ++i) seeds[i] = seeded(points[which[i]]);
+    field.gradients(seeds, count, slopes, scratch);
+    for (int i = 0; i < count; ++i) {
+      const Dual<Pack>& s = slopes[i];
+      Pack& value = values[which[i]];
+      const Pack squared = s.dx * s.dx + s.dy * s.dy + s.dz * s.dz;
+      const Pack distance = value / sqrt(max(squared, least));
+      const PackMask close = abs(value) <= near;
+      value = select(close, min(max(distance, -inside_band), inside_band), distance);
     }
-  if (count == 0) return;
-  field.gradients(seeds, count, slopes, scratch);
-  for (int i = 0; i < count; ++i) {
-    const Dual<Pack>& s = slopes[i];
-    const Pack value = values[which[i]];
-    const Pack squared = s.dx * s.dx + s.dy * s.dy + s.dz * s.dz;
-    const Pack distance = value / sqrt(max(squared, least));
-    const PackMask close = abs(value) <= near;
-    values[which[i]] = select(close, min(max(distance, -inside_band), inside_band), distance);
+  };
+  int which[kChunk];
+  int count = 0;
+  for (int i = 0; i < kPacks; ++i) {
+    if (any_within(values[i], limit)) which[count++] = i;
+    if (count == kChunk || (count > 0 && i + 1 == kPacks)) {
+      repair_some(which, count);
+      count = 0;
+    }
   }
 }
 

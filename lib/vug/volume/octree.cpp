@@ -44,14 +44,14 @@ class Walker {
   /// `brick` is the 128^3 node that the cell lies in, or null above that size.
   void visit(const field::Field& outer, const Cell& cell, Brick* brick, uint64_t units) {
     if (cell.size > kBlock) progress_.check();
-    if (beyond_bounds(cell)) return progress_.advance(units);
+    if (beyond_bounds(cell)) return done(units);
     const field::Field::Part part = outer.restricted(ball_around(cell, walk_.band.voxel));
     switch (judge(part.field, part.range)) {
       case Verdict::outside:
-        return progress_.advance(units);
+        return done(units);
       case Verdict::inside:
         brick ? brick->fill_inside(cell) : tree_.fill_inside(cell);
-        return progress_.advance(units);
+        return done(units);
       case Verdict::band:
         break;
     }
@@ -65,17 +65,20 @@ class Walker {
     } else {
       return descend(part.field, cell, brick, units);
     }
+    done(units);
+  }
+
+  void done(uint64_t units) {
     if (units) progress_.advance(units);
   }
 
   void descend(const field::Field& field, const Cell& cell, Brick* brick, uint64_t units) {
     const auto child = [&](size_t n) {
-      visit(field, cell.child(static_cast<int>(n)), brick, units / 8);
+      visit(field, cell.child(static_cast<int>(n)), brick, cell.size > kSerial ? units / 8 : 0);
     };
-    if (cell.size > kSerial)
-      parallel_for(8, child);
-    else
-      for (size_t n = 0; n < 8; ++n) child(n);
+    if (cell.size > kSerial) return parallel_for(8, child);
+    for (size_t n = 0; n < 8; ++n) child(n);
+    done(units);
   }
 
   void leaf(const field::Field& field, const Cell& cell, Brick& brick) {

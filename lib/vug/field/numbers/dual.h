@@ -38,6 +38,10 @@ Dual<S> operator*(const Dual<S>& a, const Dual<S>& b) {
   return {a.v * b.v, a.dx * b.v + a.v * b.dx, a.dy * b.v + a.v * b.dy, a.dz * b.v + a.v * b.dz};
 }
 template <class S>
+Dual<S> square(const Dual<S>& a) {
+  return chain(a.v * a.v, a.v + a.v, a);
+}
+template <class S>
 Dual<S> operator/(const Dual<S>& a, const Dual<S>& b) {
   const S inverse = S(1.0) / b.v, quotient = a.v * inverse;
   return {quotient, (a.dx - quotient * b.dx) * inverse, (a.dy - quotient * b.dy) * inverse,
