@@ -1,8 +1,12 @@
 // Parallel loops over TBB whose results do not depend on the number of threads.
 #pragma once
 
+#ifdef __SANITIZE_THREAD__
+#include <vug/base/plain_threads.h>
+#else
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#endif
 
 #include <cstddef>
 #include <memory>
@@ -14,10 +18,16 @@ namespace vug {
 /// what belongs to its own index.
 template <class Body>
 void parallel_for(size_t count, const Body& body, size_t grain = 1) {
+#ifdef __SANITIZE_THREAD__
+  detail::plain_parallel_for(count, grain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i != end; ++i) body(i);
+  });
+#else
   tbb::parallel_for(tbb::blocked_range<size_t>(0, count, grain),
                     [&](const tbb::blocked_range<size_t>& range) {
                       for (size_t i = range.begin(); i != range.end(); ++i) body(i);
                     });
+#endif
 }
 
 /// Sum of term(i) over 0 <= i < count, added in fixed chunks in index order: the same bits for

@@ -1,0 +1,70 @@
+// The loops visit every index once and pass exceptions on, over TBB and on plain threads.
+#include <vug/base/parallel.h>
+#include <vug/base/plain_threads.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+
+namespace vug {
+namespace {
+
+class Parallel : public testing::TestWithParam<bool> {
+ protected:
+  static void loop(size_t count, size_t grain, const std::function<void(size_t)>& body) {
+    if (!GetParam()) return parallel_for(count, body, grain);
+    detail::plain_parallel_for(count, grain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) body(i);
+    });
+  }
+};
+
+TEST_P(Parallel, VisitsEachIndexOnce) {
+  const ThreadLimit limit(7);
+  for (const size_t count : {0, 1, 7, 1000})
+    for (const size_t grain : {1, 3, 5000}) {
+      std::vector<int> visits(count);
+      loop(count, grain, [&](size_t i) { ++visits[i]; });
+      EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " by " << grain;
+    }
+}
+
+TEST_P(Parallel, NestsAndGoesOnAfterwards) {
+  const ThreadLimit limit(3);
+  for (int round = 0; round < 2; ++round) {
+    std::vector<size_t> sums(50);
+    loop(50, 1, [&](size_t i) {
+      std::vector<size_t> parts(20);
+      loop(20, 4, [&](size_t j) { parts[j] = i * j; });
+      sums[i] = std::accumulate(parts.begin(), parts.end(), size_t{0});
+    });
+    for (size_t i = 0; i < 50; ++i) EXPECT_EQ(sums[i], 190 * i);
+  }
+}
+
+TEST_P(Parallel, PassesAnExceptionOn) {
+  const ThreadLimit limit(3);
+  EXPECT_THROW(loop(1000, 1,
+                    [](size_t i) {
+                      if (i == 500) throw std::runtime_error("500");
+                    }),
+               std::runtime_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Parallel, testing::Values(false, true),
+                         [](const auto& backend) { return backend.param ? "plain" : "tbb"; });
+
+TEST(OrderedSum, IsTheSameForAnyNumberOfThreads) {
+  const auto sum = [](int threads) {
+    const ThreadLimit limit(threads);
+    return ordered_sum(100000, 0.0, [](size_t i) { return 1.0 / static_cast<double>(1 + i); });
+  };
+  const double alone = sum(1);
+  EXPECT_EQ(sum(2), alone);
+  EXPECT_EQ(sum(7), alone);
+}
+
+}  // namespace
+}  // namespace vug
