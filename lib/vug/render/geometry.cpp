@@ -15,7 +15,7 @@ namespace vug::render {
 namespace {
 
 /// Embree's build splits its work by this number, not by the threads there are.
-constexpr int kBuildSlots = 16;
+constexpr int kBuildSlots = 1;
 
 int32_t bits_of(float v) { return std::bit_cast<int32_t>(v); }
 

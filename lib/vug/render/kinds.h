@@ -25,6 +25,8 @@ const std::vector<const Kind<IntegratorPtr>*>& integrators();
 
 /// Parameters by name, for callers in C++.
 using Named = std::vector<std::pair<std::string, Value>>;
+/// An angle as a parameter's value.
+inline Value radians(double angle) { return Number{angle, Dimension::angle}; }
 
 /// One product of a kind from named parameters; Error(bad_input) with the first diagnostic when
 /// the kind is unknown or a parameter does not fit.
