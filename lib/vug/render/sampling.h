@@ -48,11 +48,15 @@ inline Vec3f sample_cosine_hemisphere(const Vec2f& u) {
   return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
 }
 
-/// Direction at the given cosine from z, `turn` of the way round it.
-inline Vec3f direction_at(float cosine, float turn) {
+/// Direction at an angle from z whose 1 - cosine is given, which keeps small angles exact;
+/// `turn` of the way round.
+inline Vec3f direction_off_axis(float one_minus_cosine, float turn) {
   const SinCos sc = sincos_turns(turn);
-  const float sine = std::sqrt(std::max(0.0f, (1 - cosine) * (1 + cosine)));
-  return {sine * sc.cos, sine * sc.sin, cosine};
+  const float sine = std::sqrt(std::max(0.0f, one_minus_cosine * (2 - one_minus_cosine)));
+  return {sine * sc.cos, sine * sc.sin, 1 - one_minus_cosine};
+}
+inline Vec3f direction_at(float cosine, float turn) {
+  return direction_off_axis(1 - cosine, turn);
 }
 
 /// Uniform on the unit sphere; density 1 / (4 pi).

@@ -37,7 +37,7 @@ class SphereLight final : public Light {
     const Vec3f to = center_ - point.position;
     const float part = cone(to);  // 1 - cos of the cone's half angle
     if (!(part > 0)) return s;
-    s.direction = Frame(normalized(to)).to_world(direction_at(1 - u.x * part, u.y));
+    s.direction = Frame(normalized(to)).to_world(direction_off_axis(u.x * part, u.y));
     s.pdf = 1 / (2 * kPif * part);
     s.radiance = radiance_;
     // On the cone's edge rounding may miss the ball; the nearest point is as good.

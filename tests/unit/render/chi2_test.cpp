@@ -1,0 +1,199 @@
+#include "chi2.h"
+
+#include <vug/base/rng.h>
+#include <vug/image/io.h>
+#include <vug/render/kinds.h>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace vug::render {
+namespace {
+
+constexpr int kSamples = 200000;
+
+/// Level of one of `tests` tests such that all together fail by chance in 1 of 100 (Sidak).
+double level(int tests) { return 1 - std::pow(0.99, 1.0 / tests); }
+
+Vec2f two(RandomStream& random) {
+  return {static_cast<float>(random.bits() >> 8) * 0x1p-24f,
+          static_cast<float>(random.bits() >> 8) * 0x1p-24f};
+}
+
+/// A sky picture with a bright spot and a gradient, for lights that want a file.
+std::string sky_file() {
+  static const std::string path = [] {
+    image::Image sky(32, 16, {"R", "G", "B"});
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 32; ++x)
+        for (size_t c = 0; c < 3; ++c)
+          sky.at(x, y, c) = x == 20 && y == 5 ? 30.0f : 0.02f * static_cast<float>(16 - y);
+    const auto file =
+        std::filesystem::temp_directory_path() / ("vug_sky_" + std::to_string(getpid()) + ".exr");
+    image::write_exr(file, sky);
+    return file.string();
+  }();
+  return path;
+}
+
+/// Arguments for any kind: whatever it cannot do without.
+Named needed(const KindInfo& info) {
+  Named out;
+  for (const ParamInfo& p : info.params)
+    if (p.required && p.name == "file") out.emplace_back("file", sky_file());
+  return out;
+}
+
+TEST(ChiSquare, TailMatchesTables) {  // Abramowitz and Stegun, table 26.8
+  EXPECT_NEAR(chi2_tail(18.307, 10), 0.05, 1e-3);
+  EXPECT_NEAR(chi2_tail(124.342, 100), 0.05, 1e-3);
+  EXPECT_NEAR(chi2_tail(135.807, 100), 0.01, 5e-4);
+}
+
+TEST(ChiSquare, EveryBsdfSamplesItsDensity) {
+  const float cosines[] = {1.0f, 0.7f, 0.3f, 0.01f};
+  const int tests = static_cast<int>(bsdfs().size()) * 4;
+  for (const auto* kind : bsdfs())
+    for (const float cosine : cosines) {
+      SCOPED_TRACE(kind->info.name + " at cosine " + std::to_string(cosine));
+      const BsdfPtr bsdf = make_bsdf(kind->info.name, needed(kind->info));
+      const Surface surface{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {1, 1, 1}};
+      const Vec3f out = direction_at(cosine, 0.3f);
+      RandomStream random(RandomKey(5).at(kind->info.name));
+      const Chi2 result = chi2(
+          {0, 0, 1}, 2, kSamples,
+          [&](int) -> DirectionSample {
+            const float lobe = static_cast<float>(random.uniform());
+            const BsdfSample s =
+                bsdf->sample(surface, out, std::min(lobe, 0x1.fffffep-1f), two(random));
+            if (s.pdf > 0) {
+              const Rgb f = bsdf->evaluate(surface, out, s.direction);
+              EXPECT_NEAR(s.weight.x * s.pdf, f.x, 2e-3f * f.x + 1e-6f);
+            }
+            return {s.direction, static_cast<double>(s.pdf)};
+          },
+          [&](const Vec3f& in) { return static_cast<double>(bsdf->pdf(surface, out, in)); });
+      EXPECT_GT(result.p, level(tests));
+      EXPECT_LT(result.integral, 1.002);
+      EXPECT_EQ(result.stray, 0);
+      EXPECT_LT(result.disagreements, kSamples / 10000);
+    }
+}
+
+TEST(ChiSquare, BsdfsAreReciprocalAndKeepEnergy) {
+  for (const auto* kind : bsdfs()) {
+    SCOPED_TRACE(kind->info.name);
+    const BsdfPtr bsdf = make_bsdf(kind->info.name, needed(kind->info));
+    const Surface surface{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {1, 1, 1}};
+    RandomStream random(RandomKey(6).at(kind->info.name));
+    for (int trial = 0; trial < 1000; ++trial) {
+      Vec3f a = sample_cosine_hemisphere(two(random)), b = sample_cosine_hemisphere(two(random));
+      a.z = std::max(a.z, 1e-3f), b.z = std::max(b.z, 1e-3f);
+      a.normalize(), b.normalize();
+      const float there = bsdf->evaluate(surface, a, b).y / b.z;
+      EXPECT_NEAR(there, bsdf->evaluate(surface, b, a).y / a.z, 1e-3f * there + 1e-6f);
+    }
+    for (const float cosine : {1.0f, 0.5f, 0.05f}) {
+      double sum = 0;
+      for (int i = 0; i < 20000; ++i) {
+        const float lobe = static_cast<float>(i % 997) / 997;
+        const BsdfSample s = bsdf->sample(surface, direction_at(cosine, 0), lobe, two(random));
+        if (s.pdf > 0) sum += static_cast<double>(largest(s.weight));
+      }
+      EXPECT_LT(sum / 20000, 1.01);
+    }
+  }
+}
+
+TEST(ChiSquare, EveryLightSamplesItsDensity) {
+  // Near, far, grazing and at an angle; the default lamps shine down from the origin.
+  const Vec3f points[] = {{0.1f, -0.3f, 0.2f}, {3, -0.2f, 1}, {1, -2, -1}, {4, -20, 9}};
+  const int tests = static_cast<int>(lights().size()) * 4;
+  for (const auto* kind : lights())
+    for (const Vec3f& position : points) {
+      SCOPED_TRACE(kind->info.name + " from x = " + std::to_string(position.x));
+      const LightPtr light = make_light(kind->info.name, needed(kind->info));
+      const LitPoint point{position, Vec3f(0.0f)};
+      RandomStream random(RandomKey(8).at(kind->info.name));
+      if (!(light->importance(point) > 0)) {
+        EXPECT_FALSE(light->sample(point, {0.3f, 0.6f}).pdf > 0) << "never chosen, yet samples";
+        continue;
+      }
+      const bool all_round = light->is_sky() && !light->is_portal();
+      const Vec3f axis = all_round ? Vec3f(0, 1, 0) : normalized(light->centre() - position);
+      double sine = 0;  // of the widest angle; only lamps within a half space come here
+      for (int i = 0; i < 10000 && !all_round; ++i)
+        sine = std::max(
+            sine,
+            static_cast<double>(length(cross(axis, light->sample(point, two(random)).direction))));
+      const double cap = all_round ? 2 : 1.1 * (sine * sine / (1 + std::sqrt(1 - sine * sine)));
+      const Chi2 result = chi2(
+          axis, cap, kSamples,
+          [&](int) -> DirectionSample {
+            const LightSample s = light->sample(point, two(random));
+            EXPECT_NEAR(length(s.direction), 1, 1e-5);
+            return {s.direction, static_cast<double>(s.pdf)};
+          },
+          [&](const Vec3f& d) { return static_cast<double>(light->pdf(point, d)); });
+      EXPECT_GT(result.p, level(tests));
+      EXPECT_NEAR(result.integral, 1, 4e-3);
+      EXPECT_LT(result.stray, kSamples / 10000);
+      EXPECT_LT(result.disagreements, kSamples / 2000);  // edges, by rounding
+    }
+}
+
+TEST(ChiSquare, EveryPhaseFunctionSamplesItself) {
+  for (const auto* kind : media())
+    for (const double g : {-0.5, 0.0, 0.6, 0.9}) {
+      SCOPED_TRACE(kind->info.name + " g = " + std::to_string(g));
+      const MediumPtr medium = make_medium(kind->info.name, {{"g", g}});
+      const Vec3f travel = normalized(Vec3f(1, 2, -0.5f));
+      RandomStream random(RandomKey(9).at(kind->info.name));
+      double mean_cosine = 0;
+      const Chi2 result = chi2(
+          travel, 2, kSamples,
+          [&](int) -> DirectionSample {
+            const Vec3f d = medium->sample_phase(travel, two(random));
+            mean_cosine += static_cast<double>(dot(d, travel)) / kSamples;
+            return {d, static_cast<double>(medium->phase(dot(d, travel)))};
+          },
+          [&](const Vec3f& d) { return static_cast<double>(medium->phase(dot(d, travel))); });
+      EXPECT_GT(result.p, level(static_cast<int>(media().size()) * 4));
+      EXPECT_NEAR(result.integral, 1, 2e-3);
+      EXPECT_NEAR(mean_cosine, g, 4 / std::sqrt(3.0 * kSamples));
+      EXPECT_LT(result.disagreements, kSamples / 10000);
+    }
+}
+
+TEST(ChiSquare, DistancesFallExponentially) {
+  for (const auto* kind : media()) {
+    const MediumPtr medium = make_medium(kind->info.name, {{"extinction", 0.7}});
+    const Ray ray{{0, 0, 0}, {0, 0, 1}};
+    const Segment segment{1, 4};
+    RandomStream random(RandomKey(10));
+    int through = 0;
+    double sum = 0;
+    for (int i = 0; i < kSamples; ++i) {
+      const DistanceSample s = medium->sample_distance(ray, segment, two(random).x);
+      if (!s.scattered) {
+        ++through;
+        continue;
+      }
+      ASSERT_GE(s.distance, 1);
+      ASSERT_LE(s.distance, 4);
+      sum += static_cast<double>(s.distance);
+    }
+    const double clear = std::exp(-2.1);
+    EXPECT_NEAR(medium->transmittance(ray, segment), clear, 1e-6);
+    EXPECT_NEAR(static_cast<double>(through) / kSamples, clear,
+                4 * std::sqrt(clear * (1 - clear) / kSamples));
+    const double mean = 1 + 1 / 0.7 - 3 * clear / (1 - clear);
+    EXPECT_NEAR(sum / (kSamples - through), mean, 4.0 / std::sqrt(kSamples));
+  }
+}
+
+}  // namespace
+}  // namespace vug::render
