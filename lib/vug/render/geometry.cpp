@@ -22,9 +22,10 @@ int32_t bits_of(float v) { return std::bit_cast<int32_t>(v); }
 }  // namespace
 
 Vec3f lifted(const Vec3f& point, const Vec3f& normal) {
-  // 64 units where the published value is 256: our points are interpolated on the triangle and
-  // exact to a few units.
-  constexpr float kUnits = 64, kNearOrigin = 1.0f / 32, kStep = 1.0f / 262144;
+  // 16 units where the published value is 256: our points are interpolated on the triangle and
+  // exact to about 3 units, and each unit more lets more rays start beyond the wall of a sharp
+  // corner.
+  constexpr float kUnits = 16, kNearOrigin = 1.0f / 32, kStep = 1.0f / 1048576;
   Vec3f out;
   for (int axis = 0; axis < 3; ++axis) {
     const float p = point[axis], n = normal[axis];

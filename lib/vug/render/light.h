@@ -58,6 +58,8 @@ class Light {
   /// arrives from a direction is the sum of all skies' `escape_radiance`.
   virtual bool is_sky() const { return false; }
   virtual bool is_portal() const { return false; }
+  /// Over all directions; sets the importance of portals and skies against that of lamps.
+  virtual float mean_luminance() const { return 0; }
   virtual Rgb escape_radiance(const Vec3f& direction) const {
     (void)direction;
     return {0, 0, 0};

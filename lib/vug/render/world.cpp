@@ -1,24 +1,7 @@
 #include <vug/render/geometry.h>
-#include <vug/render/sampling.h>
 #include <vug/render/world.h>
 
 namespace vug::render {
-namespace {
-
-/// Mean luminance of the skies, which sets the importance of portals against that of lamps.
-float mean_luminance(const std::vector<const Light*>& skies) {
-  constexpr int kSide = 16;
-  float sum = 0;
-  for (int i = 0; i < kSide; ++i)
-    for (int j = 0; j < kSide; ++j)
-      for (const Light* sky : skies)
-        sum += luminance(sky->escape_radiance(sample_sphere(
-            {(static_cast<float>(i) + 0.5f) / kSide, (static_cast<float>(j) + 0.5f) / kSide})));
-  return sum / (kSide * kSide);
-}
-
-}  // namespace
-
 World::World(const Scene& scene)
     : geometry_(std::make_unique<Geometry>(scene.objects)), owned_(scene.lights) {
   bool portals = false;
@@ -28,7 +11,8 @@ World::World(const Scene& scene)
     if (light->is_sky() && !light->is_portal()) skies_.push_back(light.get());
     portals |= light->is_portal();
   }
-  sky_scale_ = mean_luminance(skies_);
+  sky_scale_ = 0;
+  for (const Light* sky : skies_) sky_scale_ += sky->mean_luminance();
   for (const LightPtr& light : owned_) {
     if (!light) continue;
     // Where portals are, they find the sky better than the sky does.

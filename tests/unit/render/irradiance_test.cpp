@@ -1,1 +1,140 @@
+// Direct light on a white floor against closed forms: radiance = irradiance / pi.
+#include "scenes.h"
 
+#include <vug/image/io.h>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace vug::render {
+namespace {
+
+/// What the camera sees of the floor right at the origin, from the side so as not to see lamps.
+Mean lit(const std::vector<LightPtr>& lights, int spp = 256) {
+  Scene scene;
+  scene.camera = view({0.4, 0.3, 0}, {0, 0, 0}, 1e-3);
+  scene.objects = {object(floor_mesh(2), 1)};
+  scene.lights = lights;
+  return mean_of(render(scene, options(32, 32, spp, 0)), "G");
+}
+
+void expect_radiance(const Mean& mean, double expected) {
+  EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-4 * expected);
+  EXPECT_LT(mean.error, 2e-3 * expected);
+}
+
+LightPtr ceiling(double height, double width, double depth, const Vec3d& shift) {
+  return make_light("rect", {{"center", shift + Vec3d(0, height, 0)},
+                             {"normal", Vec3d(0, -1, 0)},
+                             {"width", width},
+                             {"height", depth},
+                             {"radiance", Vec3d(2)},
+                             {"visible", false}});
+}
+
+/// Form factor of a rectangle with one corner above the point (Howell, C-3).
+double corner(double a, double b, double height) {
+  const double x = a / height, y = b / height;
+  const double p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
+  return (x / p * std::atan(y / p) + y / q * std::atan(x / q)) / (2 * kPi);
+}
+
+TEST(Irradiance, RectangleOverThePoint) {
+  for (const double height : {0.05, 0.5, 1.0, 30.0}) {
+    SCOPED_TRACE(height);
+    expect_radiance(lit({ceiling(height, 0.8, 0.6, {0, 0, 0})}), 2 * 4 * corner(0.4, 0.3, height));
+  }
+}
+
+TEST(Irradiance, RectangleWithACornerOverThePoint) {
+  // The width runs along +-x, the depth along +-z.
+  expect_radiance(lit({ceiling(0.7, 0.8, 0.6, {0.4, 0, 0.3})}, 1024), 2 * corner(0.8, 0.6, 0.7));
+}
+
+TEST(Irradiance, RectangleThatCrossesTheHorizon) {
+  // Upright, half of it below the floor: the upper half counts (Howell, C-4).
+  const double d = 0.5, half = 0.6, height = 0.4;
+  const LightPtr wall = make_light("rect", {{"center", Vec3d(-d, 0, 0)},
+                                            {"normal", Vec3d(1, 0, 0)},
+                                            {"up", Vec3d(0, 1, 0)},
+                                            {"width", 2 * half},
+                                            {"height", 2 * height},
+                                            {"radiance", Vec3d(2)},
+                                            {"visible", false}});
+  const double r = std::sqrt(height * height + d * d);
+  const double factor = (std::atan(half / d) - d / r * std::atan(half / r)) / kPi;
+  expect_radiance(lit({wall}, 1024), 2 * factor);
+}
+
+TEST(Irradiance, BehindARectangleIsDark) {
+  const LightPtr up = make_light("rect", {{"center", Vec3d(0, 1, 0)}, {"normal", Vec3d(0, 1, 0)}});
+  EXPECT_EQ(lit({up}, 4).value, 0);
+}
+
+TEST(Irradiance, SphereAboveTheHorizon) {
+  for (const double radius : {0.01, 0.5}) {
+    SCOPED_TRACE(radius);
+    const Vec3d center(0.6, 0.9, -0.2);
+    const LightPtr ball = make_light(
+        "sphere",
+        {{"center", center}, {"radius", radius}, {"radiance", Vec3d(3)}, {"visible", false}});
+    const double d2 = center.length2();
+    expect_radiance(lit({ball}), 3 * radius * radius / d2 * (0.9 / std::sqrt(d2)));
+  }
+}
+
+TEST(Irradiance, ManyLampsAddUp) {
+  std::vector<LightPtr> lamps;
+  double expected = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Vec3d center(-1.1 + 0.2 * i, 0.5 + 0.3 * (i % 4), 0.1 * i);
+    lamps.push_back(make_light("sphere", {{"center", center},
+                                          {"radius", 0.02 + 0.01 * (i % 3)},
+                                          {"radiance", Vec3d(1 + i % 5)},
+                                          {"visible", false}}));
+    const double r = 0.02 + 0.01 * (i % 3), d2 = center.length2();
+    expected += (1 + i % 5) * r * r / d2 * center.y / std::sqrt(d2);
+  }
+  expect_radiance(lit(lamps, 1024), expected);
+}
+
+TEST(Irradiance, SkiesLightTheFloorEvenly) {
+  expect_radiance(lit({make_light("sky", {{"radiance", Vec3d(2)}})}, 16), 2);
+  const auto file =
+      std::filesystem::temp_directory_path() / ("vug_even_" + std::to_string(getpid()) + ".exr");
+  image::Image even(16, 8, {"R", "G", "B"});
+  for (float& v : even.pixels) v = 2;
+  image::write_exr(file, even);
+  expect_radiance(lit({make_light("sky_image", {{"file", file.string()}})}), 2);
+}
+
+TEST(Irradiance, SkyImageIsTheRightWayUpAndRound) {
+  // Light only from straight up: as much as a cap of that size gives.
+  const auto file =
+      std::filesystem::temp_directory_path() / ("vug_spot_" + std::to_string(getpid()) + ".exr");
+  image::Image sky(64, 32, {"R", "G", "B"});
+  sky.at(48, 12, 1) = 100;  // a quarter turn right of the middle (-z), so towards +x
+  image::write_exr(file, sky);
+  const LightPtr light = make_light("sky_image", {{"file", file.string()}});
+  const double polar = kPi * 12.5 / 32, turn = kPi / 2 + kPi / 64;
+  const Vec3f towards(static_cast<float>(std::sin(polar) * std::sin(turn)),
+                      static_cast<float>(std::cos(polar)),
+                      static_cast<float>(-std::sin(polar) * std::cos(turn)));
+  EXPECT_NEAR(light->escape_radiance(towards).y, 100, 1e-2);
+  EXPECT_EQ(light->escape_radiance({0, -1, 0}).y, 0);
+  const LightPtr turned =
+      make_light("sky_image", {{"file", file.string()}, {"turn", radians(kPi / 2)}});
+  // Turned left by 90 degrees seen from above: what stood towards +x stands towards -z.
+  EXPECT_NEAR(turned->escape_radiance({towards.z, towards.y, -towards.x}).y, 100, 1e-1);
+  // A texel, spread by interpolation as a pyramid over its neighbours: sin cos = sin(2 a) / 2
+  // times a pyramid of half width w integrates to the value in the middle times sinc^2(w).
+  const double w = kPi / 32, texel = (2 * kPi / 64) * w;
+  const double pyramid = std::pow(std::sin(w) / w, 2);
+  expect_radiance(lit({light}, 1024),
+                  100 * texel * std::sin(polar) * std::cos(polar) * pyramid / kPi);
+}
+
+}  // namespace
+}  // namespace vug::render

@@ -1,1 +1,198 @@
+// Pictures as a whole: determinism, layers, convergence, refusals.
+#include "scenes.h"
 
+#include <vug/base/error.h>
+#include <vug/base/hash.h>
+#include <vug/image/compare.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace vug::render {
+namespace {
+
+/// A lamp, a ball and haze in a box with a hole to the sky.
+Scene room(bool portal = false) {
+  Scene scene;
+  scene.camera = view({0, -0.2, 1.8}, {0, -0.3, 0}, 1.2);
+  mesh::Mesh box = mesh::box_mesh({Vec3d(-2), Vec3d(2)});
+  // The lid goes, and comes back with a square hole of a metre in it.
+  std::vector<mesh::Triangle> kept;
+  for (const mesh::Triangle& t : box.triangles)
+    if (box.positions[t[0]].y < 1 || box.positions[t[1]].y < 1 || box.positions[t[2]].y < 1)
+      kept.push_back(t);
+  box.triangles = kept;
+  const auto base = static_cast<uint32_t>(box.positions.size());
+  for (const float half : {2.0f, 0.5f})
+    for (const Vec2f& corner : {Vec2f(-1, -1), Vec2f(1, -1), Vec2f(1, 1), Vec2f(-1, 1)})
+      box.positions.emplace_back(corner.x * half, 2.0f, corner.y * half);
+  for (uint32_t i = 0; i < 4; ++i) {
+    const uint32_t j = (i + 1) % 4;
+    box.triangles.push_back({base + i, base + j, base + 4 + j});
+    box.triangles.push_back({base + i, base + 4 + j, base + 4 + i});
+  }
+  scene.objects = {object(box, 0.5),
+                   object(with_radial_normals(mesh::sphere_mesh({0, 0, 0}, 0.6, 3), 1), 0.7)};
+  scene.lights = {make_light("sky", {{"radiance", Vec3d(3, 4, 5)}}),
+                  make_light("rect", {{"center", Vec3d(1.9, 0, 0)},
+                                      {"normal", Vec3d(-1, 0, 0)},
+                                      {"width", 0.4},
+                                      {"height", 0.4},
+                                      {"radiance", Vec3d(9, 6, 3)}})};
+  if (portal)
+    scene.lights.push_back(make_light("portal", {{"center", Vec3d(0, 2, 0)},
+                                                 {"normal", Vec3d(0, -1, 0)},
+                                                 {"width", 1.0},
+                                                 {"height", 1.0}}));
+  return scene;
+}
+
+Digest bytes(const image::Image& picture) {
+  return digest(picture.pixels.data(), picture.pixels.size() * sizeof(float));
+}
+
+TEST(Render, SameBytesForAnyThreadsAndTiles) {
+  Scene scene = room(true);
+  scene.medium = make_medium("haze", {{"extinction", 0.05}});
+  Options o = options(61, 37, 4, 4);
+  o.threads = 1;
+  const Digest one = bytes(render(scene, o));
+  for (const int threads : {2, 7})
+    for (const int tile : {8, 16, 37}) {
+      o.threads = threads, o.tile = tile;
+      EXPECT_EQ(bytes(render(scene, o)), one) << threads << " threads, tiles of " << tile;
+    }
+  o.seed = 1;
+  EXPECT_NE(bytes(render(scene, o)), one);
+}
+
+TEST(Render, PortalsKeepTheMeanAndCalmTheNoise) {
+  const Options o = options(48, 32, 256, 3);
+  const image::Image with = render(room(true), o), without = render(room(false), o);
+  Options other = o;
+  other.seed = 5;
+  const image::Image again = render(room(true), other), and_again = render(room(false), other);
+  // Pairs of renders with other seeds tell the noise of the mean.
+  for (const char* channel : {"R", "G", "B"}) {
+    const auto c = static_cast<size_t>(with.find_channel(channel));
+    double difference = 0, variance = 0, calm = 0, loud = 0;
+    for (size_t i = c; i < with.pixels.size(); i += with.channels.size()) {
+      const auto w = static_cast<double>(with.pixels[i]), w2 = static_cast<double>(again.pixels[i]);
+      const auto n = static_cast<double>(without.pixels[i]),
+                 n2 = static_cast<double>(and_again.pixels[i]);
+      difference += 0.5 * (w + w2 - n - n2);
+      variance += 0.25 * ((w - w2) * (w - w2) + (n - n2) * (n - n2));
+      calm += (w - w2) * (w - w2), loud += (n - n2) * (n - n2);
+    }
+    EXPECT_LT(std::fabs(difference), 4 * std::sqrt(variance)) << channel;
+    EXPECT_LT(calm, 0.5 * loud) << channel;
+  }
+}
+
+TEST(Render, HazeAndPortalsAgree) {
+  Scene with = room(true), without = room(false);
+  with.medium = without.medium = make_medium("haze", {{"extinction", 0.3}, {"g", 0.3}});
+  const Options o = options(24, 16, 512, 3);
+  const image::Image a = render(with, o), b = render(without, o);
+  double sum = 0, squares = 0;
+  for (size_t i = 1; i < a.pixels.size(); i += a.channels.size()) {
+    const auto d = static_cast<double>(a.pixels[i] - b.pixels[i]);
+    sum += d, squares += d * d;
+  }
+  EXPECT_LT(std::fabs(sum), 4 * std::sqrt(squares));
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(a.pixel_count())), 0.2);
+}
+
+// Error against the mean of many samples falls as 1/N for independent samples (in the square),
+// and no slower for Sobol points.
+TEST(Render, ErrorFallsWithSamples) {
+  const Scene scene = room(true);
+  Options o = options(32, 24, 2048, 3);
+  o.seed = 99;
+  const image::Image reference = render(scene, o).select({"R", "G", "B"});
+  const auto slope = [&](const char* sampler, double& error_at_16) {
+    const auto squared = [&](int spp) {
+      Options few = options(32, 24, spp, 3);
+      few.sampler = make_sampler(sampler);
+      const auto d = image::compare(reference, render(scene, few).select({"R", "G", "B"})).back();
+      return d.rmse * d.rmse;
+    };
+    error_at_16 = squared(16);
+    return std::log(squared(128) / error_at_16) / std::log(8.0);
+  };
+  double independent = 0, sobol = 0;
+  const double slope_independent = slope("independent", independent);
+  EXPECT_GT(slope_independent, -1.2);
+  EXPECT_LT(slope_independent, -0.8);
+  EXPECT_LT(slope("sobol", sobol), -0.9);
+  EXPECT_LT(sobol, 0.9 * independent);
+}
+
+TEST(Render, LayersTellTheFirstHit) {
+  Scene scene;
+  scene.camera = view({0, 3, 0}, {0, 0, 0}, 1.0, {0, 0, -1});
+  mesh::Mesh floor = floor_mesh(0.5f);
+  floor.attributes.push_back({"Cd", 3, std::vector<float>(12, 0.5f)});
+  scene.objects = {object(floor, 0.8)};
+  const image::Image picture = render(scene, options(33, 33, 4, 0));
+  const auto at = [&](int x, int y, const char* channel) {
+    return picture.at(x, y, static_cast<size_t>(picture.find_channel(channel)));
+  };
+  EXPECT_EQ(at(16, 16, "A"), 1);
+  EXPECT_NEAR(at(16, 16, "Z"), 3, 1e-5);
+  EXPECT_NEAR(at(16, 16, "N.Y"), 1, 1e-6);
+  EXPECT_NEAR(at(16, 16, "P.Y"), 0, 1e-6);
+  EXPECT_NEAR(at(16, 16, "albedo.G"), 0.4, 1e-6);
+  // The plane's depth is one number all over, distances are not.
+  EXPECT_NEAR(at(12, 12, "Z"), 3, 1e-5);
+  EXPECT_EQ(at(0, 0, "A"), 0);
+  EXPECT_EQ(at(0, 0, "Z"), 1e10f);
+  EXPECT_EQ(at(0, 0, "albedo.R"), 0);
+}
+
+TEST(Render, LampsShowOnlyWhenVisible) {
+  for (const bool visible : {true, false}) {
+    Scene scene;
+    scene.camera = view({0, 0, 3}, {0, 0, 0}, 0.1);
+    scene.lights = {make_light("sphere", {{"radius", 1.0}, {"visible", visible}})};
+    const image::Image picture = render(scene, options(4, 4, 4, 0));
+    EXPECT_EQ(mean_of(picture, "R").value, visible ? 1 : 0);
+    EXPECT_EQ(mean_of(picture, "A").value, visible ? 1 : 0);
+  }
+}
+
+TEST(Render, RefusesAndStops) {
+  Scene scene = room();
+  EXPECT_THROW(render(scene, options(0, 4, 4, 0)), Error);
+  EXPECT_THROW(render(scene, options(4, 4, 0, 0)), Error);
+  Progress cancelled;
+  cancelled.cancel();
+  EXPECT_THROW(render(scene, options(4, 4, 4, 0), cancelled), Error);
+  Scene blind = scene;
+  blind.camera = nullptr;
+  EXPECT_THROW(render(blind, options(4, 4, 4, 0)), Error);
+  auto broken = std::make_shared<mesh::Mesh>(*scene.objects[0].mesh);
+  broken->triangles[0][1] = 1000000;
+  scene.objects[0].mesh = broken;
+  EXPECT_THROW(render(scene, options(4, 4, 4, 0)), Error);
+  auto nan = std::make_shared<mesh::Mesh>(*room().objects[0].mesh);
+  nan->positions[0].x = std::numeric_limits<float>::quiet_NaN();
+  scene.objects[0].mesh = nan;
+  EXPECT_THROW(render(scene, options(4, 4, 4, 0)), Error);
+}
+
+TEST(Render, AnEmptySceneIsBlackAndZeroAreaTrianglesDoNoHarm) {
+  Scene scene;
+  scene.camera = view({0, 0, 3}, {0, 0, 0}, 1);
+  EXPECT_EQ(mean_of(render(scene, options(8, 8, 2, 2)), "R").value, 0);
+  mesh::Mesh mesh = floor_mesh(1);
+  mesh.triangles.push_back({0, 0, 1});
+  mesh.triangles.push_back({2, 2, 2});
+  scene.objects = {object(mesh, 0.5)};
+  scene.lights = {make_light("sky")};
+  for (const float v : render(scene, options(16, 16, 4, 2)).pixels) EXPECT_TRUE(std::isfinite(v));
+}
+
+}  // namespace
+}  // namespace vug::render

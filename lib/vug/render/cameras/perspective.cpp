@@ -22,7 +22,7 @@ struct Perspective {
         .param("fov", &Perspective::fov,
                {.doc = "Full horizontal angle of view.",
                 .dimension = Dimension::angle,
-                .min = 1e-3,
+                .min = 1e-6,
                 .max = 3.1})
         .param("aperture", &Perspective::aperture,
                {.doc = "Diameter of the lens opening; 0 keeps everything sharp.",

@@ -24,6 +24,7 @@ class SkyLight final : public Light {
   float importance(const LitPoint&) const override { return 0; }
   float importance_along(const Ray&, float, float) const override { return 0; }
   bool is_sky() const override { return true; }
+  float mean_luminance() const override { return luminance(radiance_); }
   Rgb escape_radiance(const Vec3f&) const override { return radiance_; }
 
  private:

@@ -96,6 +96,7 @@ class SkyImageLight final : public Light {
   float importance_along(const Ray&, float, float) const override { return importance_; }
   bool is_sky() const override { return true; }
 
+  float mean_luminance() const override { return mean_luminance_; }
   Rgb escape_radiance(const Vec3f& direction) const override {
     const Vec2f place = locate(direction);
     const float x = place.x * static_cast<float>(width_) - 0.5f;
@@ -153,10 +154,13 @@ class SkyImageLight final : public Light {
     }
     rows_ = cumulative(row_weights, rows_total);
     importance_ = rows_total > 0 ? kPif : 0;
+    // The integral of the sine over all texels is their number times 2 / pi.
+    mean_luminance_ =
+        static_cast<float>(rows_total * 0.5 * kPi / static_cast<double>(width_ * height_));
   }
 
   size_t width_ = 0, height_ = 0;
-  float turn_, importance_ = 0;
+  float turn_, importance_ = 0, mean_luminance_ = 0;
   std::vector<Rgb> texels_;
   std::vector<float> rows_, columns_;
 };
