@@ -7,7 +7,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -17,23 +16,11 @@ namespace {
 /// Embree's build splits its work by this number, not by the threads there are.
 constexpr int kBuildSlots = 1;
 
-int32_t bits_of(float v) { return std::bit_cast<int32_t>(v); }
-
 }  // namespace
 
-Vec3f lifted(const Vec3f& point, const Vec3f& normal) {
-  // 16 units where the published value is 256: our points are interpolated on the triangle and
-  // exact to about 3 units, and each unit more lets more rays start beyond the wall of a sharp
-  // corner.
-  constexpr float kUnits = 16, kNearOrigin = 1.0f / 32, kStep = 1.0f / 1048576;
-  Vec3f out;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float p = point[axis], n = normal[axis];
-    const auto units = static_cast<int32_t>(kUnits * n);
-    const float moved = std::bit_cast<float>(bits_of(p) + (p < 0 ? -units : units));
-    out[axis] = std::fabs(p) < kNearOrigin ? p + kStep * n : moved;
-  }
-  return out;
+Vec3f lifted(const Vec3f& point, const Vec3f& normal, float extent) {
+  constexpr float kUnits = 0x1p-19f;  // 16 units in the last place
+  return point + normal * (extent * kUnits);
 }
 
 struct World::Geometry::Embree {
@@ -171,7 +158,12 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
       surface.shading_normal =
           normalized(surface.shading_normal - ray.direction * (0.01f - facing));
   }
-  hit.origin = lifted(origin, surface.geometric_normal);
+  const auto extent = [](const Vec3f& corner_at) {
+    return std::max(std::fabs(corner_at.x),
+                    std::max(std::fabs(corner_at.y), std::fabs(corner_at.z)));
+  };
+  hit.origin =
+      lifted(origin, surface.geometric_normal, std::max(extent(a), std::max(extent(b), extent(c))));
   surface.color = Rgb(1.0f);
   if (part.colours) {
     const auto colour = [&](uint32_t vertex) {

@@ -36,9 +36,12 @@ struct World::Geometry {
   std::unique_ptr<Embree> embree_;
 };
 
-/// A point moved off the surface by a few units in the last place of its coordinates:
-/// Waechter and Binder 2019, "A fast and robust method for avoiding self-intersection", Ray
-/// Tracing Gems, chapter 6 (cite waechter2019offset).
-Vec3f lifted(const Vec3f& point, const Vec3f& normal);
+/// A point of a triangle moved off it along the normal. Interpolated points are exact to about 3
+/// units in the last place of the triangle's largest coordinate, `extent`; 16 of them keep rays
+/// from meeting the triangle they leave. More would let more rays start beyond the walls of a
+/// sharp corner. The idea is that of Waechter and Binder 2019, "A fast and robust method for
+/// avoiding self-intersection", Ray Tracing Gems, chapter 6 (cite waechter2019offset), but the
+/// step does not shrink where a coordinate happens to be near 0.
+Vec3f lifted(const Vec3f& point, const Vec3f& normal, float extent);
 
 }  // namespace vug::render

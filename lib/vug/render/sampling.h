@@ -55,9 +55,7 @@ inline Vec3f direction_off_axis(float one_minus_cosine, float turn) {
   const float sine = std::sqrt(std::max(0.0f, one_minus_cosine * (2 - one_minus_cosine)));
   return {sine * sc.cos, sine * sc.sin, 1 - one_minus_cosine};
 }
-inline Vec3f direction_at(float cosine, float turn) {
-  return direction_off_axis(1 - cosine, turn);
-}
+inline Vec3f direction_at(float cosine, float turn) { return direction_off_axis(1 - cosine, turn); }
 
 /// Uniform on the unit sphere; density 1 / (4 pi).
 inline Vec3f sample_sphere(const Vec2f& u) { return direction_at(1 - 2 * u.x, u.y); }

@@ -1,6 +1,9 @@
 // White furnaces: whatever the paths do, the sum of reflections is known.
 #include "scenes.h"
 
+#include <vug/base/rng.h>
+#include <vug/render/world.h>
+
 #include <gtest/gtest.h>
 
 namespace vug::render {
@@ -63,33 +66,62 @@ TEST(Furnace, ClosedBoxOfLampsIsAGeometricSeries) {
 
 // Rays that leave a convex body meet nothing, wherever it stands: no false self-shadows.
 TEST(Furnace, ConvexBodiesDoNotHitThemselves) {
-  for (const Vec3d& centre : {Vec3d(0, 0, 0), Vec3d(0.02, -3, 700), Vec3d(1e4, -20, 0.5)})
-    for (const double radius : {0.05, 1.0, 30.0}) {
-      SCOPED_TRACE(centre.z + radius);
-      Scene scene;
-      scene.camera = view(centre + Vec3d(0, 0, 4 * radius), centre, 0.3);
-      scene.objects = {object(mesh::sphere_mesh(centre, radius, 3), 0.5)};
-      scene.lights = {make_light("sky")};
-      Options o = options(48, 48, 16, 8);
-      EXPECT_LT(largest_error(render(scene, o), 0.5), 1e-5);
-    }
+  const std::pair<Vec3d, double> bodies[] = {
+      {{0, 0, 0}, 0.05}, {{0, 0, 0}, 1}, {{0.02, -3, 700}, 30}, {{1e4, -20, 0.5}, 1000}};
+  for (const auto& [centre, radius] : bodies) {
+    SCOPED_TRACE(radius);
+    Scene scene;
+    scene.camera = view(centre + Vec3d(0, 0, 4 * radius), centre, 0.3);
+    scene.objects = {object(mesh::sphere_mesh(centre, radius, 3), 0.5)};
+    scene.lights = {make_light("sky")};
+    Options o = options(48, 48, 16, 8);
+    o.integrator = make_integrator("path", {{"roulette", false}});
+    EXPECT_LT(largest_error(render(scene, o), 0.5), 1e-5);
+  }
 }
 
-// Inside a closed shell of albedo rho nothing is seen, a hole is a hole.
+/// A closed shell with sharp dents, so that rays graze and corners are acute.
+mesh::Mesh dented_shell() {
+  mesh::Mesh shell = mesh::sphere_mesh({0, 0, 0}, 3, 5);
+  for (size_t i = 0; i < shell.positions.size(); ++i)
+    shell.positions[i] *= 1 + 0.05f * static_cast<float>((i * 7919) % 13) / 13;
+  return shell;
+}
+
+// Inside a sealed shell the sky is not seen. Single rays may still slip through where they meet a
+// vertex exactly: 2e-7 of the camera's samples, so 400,000 of them see at most two (p = 1e-4).
 TEST(Furnace, SealedShellStaysDark) {
   for (const bool smooth : {false, true}) {
     Scene scene;
     scene.camera = view({0.1, 0.2, 0}, {1, 0, 0.3}, 2);
-    mesh::Mesh shell = mesh::sphere_mesh({0, 0, 0}, 3, 5);
-    // Dents, so that rays graze and edges are sharp.
-    for (size_t i = 0; i < shell.positions.size(); ++i)
-      shell.positions[i] *= 1 + 0.05f * static_cast<float>((i * 7919) % 13) / 13;
-    if (smooth) shell = with_radial_normals(shell, 1);
-    scene.objects = {object(shell, 0.8)};
+    scene.objects = {object(dented_shell(), 0.8)};
+    if (smooth) scene.objects = {object(with_radial_normals(dented_shell(), 1), 0.8)};
     scene.lights = {make_light("sky")};
-    const Mean mean = mean_of(render(scene, options(128, 96, 32, 8)), "G");
-    EXPECT_LT(mean.value, 2e-7) << "smooth " << smooth;
+    const image::Image picture = render(scene, options(128, 96, 32, 8));
+    int leaks = 0;
+    for (size_t i = 0; i < picture.pixels.size(); i += picture.channels.size())
+      if (picture.pixels[i] > 0) ++leaks;
+    EXPECT_LE(leaks, 2) << "smooth " << smooth;
   }
+}
+
+// Rays aimed at points on edges: a traversal that is not watertight misses a part of them.
+TEST(Furnace, EdgesAreTight) {
+  Scene scene;
+  scene.objects = {object(dented_shell(), 0.8)};
+  const World world(scene);
+  const mesh::Mesh& shell = *scene.objects[0].mesh;
+  RandomStream random(RandomKey(4));
+  int through = 0;
+  for (int i = 0; i < 500000; ++i) {
+    const mesh::Triangle& t =
+        shell.triangles[random.below(static_cast<uint32_t>(shell.triangles.size()))];
+    const auto u = static_cast<float>(random.uniform());
+    const Vec3f at = shell.positions[t[0]] * (1 - u) + shell.positions[t[1]] * u;
+    const Vec3f from(0.3f, static_cast<float>(random.uniform()), -0.2f);
+    if (!world.occluded({from, normalized(at - from)}, kFar)) ++through;
+  }
+  EXPECT_LE(through, 2);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(Render, SameBytesForAnyThreadsAndTiles) {
 }
 
 TEST(Render, PortalsKeepTheMeanAndCalmTheNoise) {
-  const Options o = options(48, 32, 256, 3);
+  const Options o = options(48, 32, 128, 3);
   const image::Image with = render(room(true), o), without = render(room(false), o);
   Options other = o;
   other.seed = 5;
@@ -108,7 +108,7 @@ TEST(Render, HazeAndPortalsAgree) {
 // and no slower for Sobol points.
 TEST(Render, ErrorFallsWithSamples) {
   const Scene scene = room(true);
-  Options o = options(32, 24, 2048, 3);
+  Options o = options(32, 24, 1024, 3);
   o.seed = 99;
   const image::Image reference = render(scene, o).select({"R", "G", "B"});
   const auto slope = [&](const char* sampler, double& error_at_16) {
@@ -119,7 +119,7 @@ TEST(Render, ErrorFallsWithSamples) {
       return d.rmse * d.rmse;
     };
     error_at_16 = squared(16);
-    return std::log(squared(128) / error_at_16) / std::log(8.0);
+    return std::log(squared(64) / error_at_16) / std::log(4.0);
   };
   double independent = 0, sobol = 0;
   const double slope_independent = slope("independent", independent);
