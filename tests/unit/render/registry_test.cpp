@@ -42,7 +42,7 @@ std::string refusal(const std::string& kind, const Named& parameters) {
 
 TEST(Kinds, TellWhatDoesNotFit) {
   EXPECT_NE(refusal("rekt", {}).find("rect"), std::string::npos);
-  EXPECT_NE(refusal("rect", {{"widht", 1.0}}).find("width"), std::string::npos);
+  EXPECT_NE(refusal("rect", {{"wdth", 1.0}}).find("width"), std::string::npos);
   EXPECT_NE(refusal("rect", {{"width", 0.0}}).find("width"), std::string::npos);
   EXPECT_NE(refusal("rect", {{"normal", Vec3d(0, 0, 0)}}).find("normal"), std::string::npos);
   EXPECT_NE(refusal("sphere", {{"radius", -1.0}}).find("radius"), std::string::npos);
