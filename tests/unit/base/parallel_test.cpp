@@ -23,8 +23,8 @@ class Parallel : public testing::TestWithParam<bool> {
 
 TEST_P(Parallel, VisitsEachIndexOnce) {
   const ThreadLimit limit(7);
-  for (const size_t count : {0, 1, 7, 1000})
-    for (const size_t grain : {1, 3, 5000}) {
+  for (const size_t count : {0U, 1U, 7U, 1000U})
+    for (const size_t grain : {1U, 3U, 5000U}) {
       std::vector<int> visits(count);
       loop(count, grain, [&](size_t i) { ++visits[i]; });
       EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " by " << grain;
