@@ -76,8 +76,8 @@ std::vector<Column> plan_vertices(const PlyElement& element, Mesh& mesh) {
   const std::vector<PlyProperty>& all = element.properties;
   for (size_t i = 0; i < all.size(); ++i) {
     Column column{all[i].type, all[i].is_list, all[i].count_type};
-    const auto go = [&](float* list, size_t stride, double scale) {
-      column.list = count > 0 ? list : nullptr;
+    const auto go = [&](float* list, size_t offset, size_t stride, double scale) {
+      column.list = count > 0 ? list + offset : nullptr;
       column.stride = stride;
       column.scale = scale;
       columns.push_back(column);
@@ -88,19 +88,19 @@ std::vector<Column> plan_vertices(const PlyElement& element, Mesh& mesh) {
     if (column.is_list) {
       columns.push_back(column);
     } else if (x) {
-      go(reinterpret_cast<float*>(mesh.positions.data()) + *x, 3, 1);
+      go(reinterpret_cast<float*>(mesh.positions.data()), *x, 3, 1);
     } else if (n && normals) {
-      go(reinterpret_cast<float*>(mesh.normals.data()) + *n, 3, 1);
+      go(reinterpret_cast<float*>(mesh.normals.data()), *n, 3, 1);
     } else if (c && colours) {
       // Moving the list of attributes does not move their values.
-      go(mesh.attributes[0].values.data() + *c, 3, 1 / full_scale(column.type));
+      go(mesh.attributes[0].values.data(), *c, 3, 1 / full_scale(column.type));
     } else {
       const size_t arity = run_of_components(all, i);
       const std::string name = arity > 1 ? *base_of_component(all[i].name, 0) : all[i].name;
       mesh.attributes.push_back({name, static_cast<int>(arity), std::vector<float>(arity * count)});
       for (size_t k = 0; k < arity; ++k) {
         column.type = all[i + k].type;
-        go(mesh.attributes.back().values.data() + k, arity,
+        go(mesh.attributes.back().values.data(), k, arity,
            all[i].name == "alpha" ? 1 / full_scale(column.type) : 1);
       }
       i += arity - 1;

@@ -1,0 +1,18 @@
+// Whatever the bytes, the PLY reader gives a valid mesh or refuses with bad_input.
+#include <vug/base/error.h>
+#include <vug/mesh/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  static const vug::mesh::Format& format = vug::mesh::format_of("fuzz.ply");
+  try {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    vug::mesh::validate(format.read(bytes, "fuzz.ply"), "what the reader made");
+  } catch (const vug::Error& error) {
+    const bool refused = error.code() == vug::ErrorCode::bad_input;
+    if (!refused || error.where().file != "fuzz.ply") std::abort();
+  }
+  return 0;
+}

@@ -1,0 +1,18 @@
+// Whatever the bytes, the STL reader gives a valid mesh or refuses with bad_input.
+#include <vug/base/error.h>
+#include <vug/mesh/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  static const vug::mesh::Format& format = vug::mesh::format_of("fuzz.stl");
+  try {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    vug::mesh::validate(format.read(bytes, "fuzz.stl"), "what the reader made");
+  } catch (const vug::Error& error) {
+    const bool refused = error.code() == vug::ErrorCode::bad_input;
+    if (!refused || error.where().file != "fuzz.stl") std::abort();
+  }
+  return 0;
+}
