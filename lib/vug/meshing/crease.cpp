@@ -13,17 +13,14 @@ double least_agreement(const std::vector<SurfacePoint>& samples) {
   return least;
 }
 
-Vec3d fit_planes(const std::vector<SurfacePoint>& samples) {
+Vec3d fit_planes(const std::vector<SurfacePoint>& samples, const Vec3d& anchor) {
   constexpr double kLeastEigenvalue = 0.02;
-  Vec3d mean(0);
-  for (const SurfacePoint& s : samples) mean += s.point;
-  mean /= static_cast<double>(samples.size());
   Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (const SurfacePoint& s : samples) {
     const Eigen::Vector3d n(s.normal.x, s.normal.y, s.normal.z);
     normal_matrix += n * n.transpose();
-    right += n * s.normal.dot(s.point - mean);
+    right += n * s.normal.dot(s.point - anchor);
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal_matrix);
   const Eigen::Vector3d& values = solver.eigenvalues();  // Ascending.
@@ -33,7 +30,7 @@ Vec3d fit_planes(const std::vector<SurfacePoint>& samples) {
     const Eigen::Vector3d axis = solver.eigenvectors().col(k);
     shift += axis * (axis.dot(right) / values[k]);
   }
-  return mean + Vec3d(shift[0], shift[1], shift[2]);
+  return anchor + Vec3d(shift[0], shift[1], shift[2]);
 }
 
 }  // namespace vug::meshing

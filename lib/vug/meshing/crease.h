@@ -11,8 +11,8 @@ namespace vug::meshing {
 double least_agreement(const std::vector<SurfacePoint>& samples);
 
 /// Minimises the sum of squared distances to the samples' tangent planes (the QEF of ju2002).
-/// Directions that the planes hardly fix (eigenvalues below 2 % of the largest) keep the mean of
-/// the samples.
-Vec3d fit_planes(const std::vector<SurfacePoint>& samples);
+/// In directions that the planes hardly fix (eigenvalues below 2 % of the largest) the point
+/// stays where `anchor` is.
+Vec3d fit_planes(const std::vector<SurfacePoint>& samples, const Vec3d& anchor);
 
 }  // namespace vug::meshing

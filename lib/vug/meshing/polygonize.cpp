@@ -2,9 +2,9 @@
 #include <vug/mesh/normals.h>
 #include <vug/mesh/weld.h>
 #include <vug/meshing/blocks.h>
-#include <vug/meshing/polish.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/meshing/project.h>
+#include <vug/meshing/settle.h>
 #include <vug/meshing/split_quads.h>
 #include <vug/volume/polygons.h>
 
@@ -25,7 +25,7 @@ std::vector<SurfacePoint> probe_vertices(const mesh::Mesh& mesh, const field::Fi
   return found;
 }
 
-PolishReport make_report(const FaceMesh& raw, const Polished& polished,
+PolishReport make_report(const FaceMesh& raw, const Settled& polished,
                          const std::vector<SurfacePoint>& found, double voxel) {
   PolishReport report;
   report.backed_off = polished.backed_off;
@@ -52,9 +52,10 @@ Polygonized polygonize(const volume::LevelSet& level_set, const field::Field* ex
   const FaceMesh raw = face_mesh(volume::polygonise(level_set, {0, options.adaptivity}));
   const bool has_work = exact && options.polish && !raw.points.empty();
   progress.begin("polishing the mesh", 3 * raw.points.size() + raw.faces.size());
-  Polished polished;
+  Settled polished;
   if (has_work)
-    polished = polish(raw, *exact, voxel, options, progress);
+    polished =
+        settle(raw, find_targets(raw, *exact, voxel, options, progress), *exact, voxel, progress);
   else
     polished = {raw.points, std::vector<char>(raw.points.size(), 0), 0};
 

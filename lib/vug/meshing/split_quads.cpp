@@ -1,5 +1,6 @@
 #include <vug/base/parallel.h>
 #include <vug/meshing/blocks.h>
+#include <vug/meshing/folds.h>
 #include <vug/meshing/split_quads.h>
 
 #include <cmath>
@@ -9,8 +10,7 @@ namespace {
 
 constexpr double kFlatCosine = 0.9995;  ///< About 2 degrees between the two triangles.
 
-/// How the halves look that the diagonal from corner k to k + 2 makes: the lesser cosine between
-/// either half and the whole quad's direction.
+/// The lesser cosine between either half, when cut from corner k to k + 2, and the whole quad.
 double least_facing(const Face& face, uint32_t k, const std::vector<Vec3d>& points) {
   const Vec3d a = corner_normal(face, (k + 1) % 4, points);
   const Vec3d b = corner_normal(face, (k + 3) % 4, points);
@@ -29,10 +29,13 @@ bool shorter_from_0(const Face& face, const std::vector<Vec3d>& points) {
 }
 
 /// Whether to cut from corner 0 (else from corner 1).
-bool better_from_0(const Face& face, const std::vector<Vec3d>& points, const field::Field& exact) {
-  const double facing_0 = least_facing(face, 0, points);
-  const double facing_1 = least_facing(face, 1, points);
-  if ((facing_0 > 0) != (facing_1 > 0)) return facing_0 > 0;
+bool better_from_0(const Face& face, const std::vector<Vec3d>& raw,
+                   const std::vector<Vec3d>& points, const field::Field& exact, double voxel) {
+  const auto good = [&](uint32_t k) {
+    return !turned_over(face, k, raw, points) && !faces_backwards(face, k, points, exact, voxel);
+  };
+  const auto sound = [&](uint32_t k) { return good(k + 1) && good((k + 3) % 4); };
+  if (sound(0) != sound(1)) return sound(0);
   const auto off = [&](uint32_t k) {
     return std::fabs(exact.value((points[face.corners[k]] + points[face.corners[k + 2]]) * 0.5));
   };
@@ -67,7 +70,8 @@ std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector
     for_each_in_blocks(
         *exact, centres, {8 * voxel, 4 * voxel},
         [&](uint32_t i, const field::Field& local) {
-          from_0[quads[i]] = better_from_0(faces.faces[quads[i]], points, local);
+          from_0[quads[i]] =
+              better_from_0(faces.faces[quads[i]], faces.points, points, local, voxel);
         },
         progress);
   std::vector<mesh::Triangle> triangles;

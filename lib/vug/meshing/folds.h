@@ -1,0 +1,19 @@
+// How a polygon that moved shows that it is folded.
+#pragma once
+
+#include <vug/field/field.h>
+#include <vug/meshing/faces.h>
+
+namespace vug::meshing {
+
+/// Whether the triangle at corner k turned over, or lost nearly all its area, on the way from the
+/// places `before` to `after`.
+bool turned_over(const Face& face, uint32_t k, const std::vector<Vec3d>& before,
+                 const std::vector<Vec3d>& after);
+
+/// Whether the triangle at corner k lies on the surface but faces inwards there. Sees folds beside
+/// sharp creases, which the polygon's direction before the move does not tell.
+bool faces_backwards(const Face& face, uint32_t k, const std::vector<Vec3d>& points,
+                     const field::Field& exact, double voxel);
+
+}  // namespace vug::meshing
