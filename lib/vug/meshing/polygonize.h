@@ -17,7 +17,7 @@ struct PolygonizeOptions {
   bool polish = true;        ///< Move vertices onto the exact field.
   bool creases = true;       ///< Keep edges and corners sharp.
   double crease_angle = 25;  ///< Degrees between gradients around a vertex that make a crease.
-  double max_move = 1;       ///< Furthest a vertex may go, in voxels.
+  double max_move = 1;       ///< Furthest a vertex may go, in voxels; creases add up to 0.25.
   bool normals = true;       ///< Exact gradients; on creases the mean of the triangles around.
 };
 
