@@ -62,14 +62,15 @@ double peak_bytes() {
 void run(double target, bool json) {
   const field::Field field = solid();
   volume::VoxelizeOptions options;
-  options.voxel = 0.02;
-  options.voxel *= std::sqrt(volume::estimate(field, options).active_voxels / target);
-  const volume::VoxelizeEstimate estimate = volume::estimate(field, options);
+  options.voxel = 0.12;  // a coarse grid tells how fine the wanted one is
+  const auto coarse = volume::voxelize(field, options).statistics().active_voxels;
+  options.voxel *= std::sqrt(static_cast<double>(coarse) / target);
   const auto start = std::chrono::steady_clock::now();
   const volume::LevelSet grid = volume::voxelize(field, options);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double peak = peak_bytes();
+  const volume::VoxelizeEstimate estimate = volume::estimate(field, options);
   const volume::Statistics s = grid.statistics();
   const auto active = static_cast<double>(s.active_voxels),
              bytes = static_cast<double>(s.memory_bytes);

@@ -6,8 +6,9 @@
 #include <vug/volume/region.h>
 #include <vug/volume/voxelize.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace vug::volume {
 namespace {
@@ -23,9 +24,12 @@ struct Shell {
   double size = 0;
 };
 
-constexpr size_t kEnough = 4096;  // cells: the area is then right to a few per cent
+// Refining ends when it no longer changes the area, which is how the features of a crowded
+// scene show; a shell of so many cells is fine enough for any.
+constexpr size_t kEnough = 2048, kTooMany = 60000;
+constexpr double kSettled = 0.05;
 
-Shell refine(const Shell& outer, double margin) {
+Shell refine(const Shell& outer) {
   Shell inner;
   inner.size = outer.size / 2;
   std::vector<std::vector<Sample>> kept(outer.cells.size());
@@ -36,7 +40,7 @@ Shell refine(const Shell& outer, double margin) {
       const Vec3d centre =
           cell.centre + Vec3d(n & 4 ? step : -step, n & 2 ? step : -step, n & 1 ? step : -step);
       field::Field::Part part = cell.field.restricted({centre, step * std::sqrt(3.0)});
-      const double reach = (inner.size + margin) * part.field.lipschitz();
+      const double reach = inner.size * part.field.lipschitz();
       if (part.range.lo <= reach && part.range.hi >= -reach)
         kept[i].push_back({std::move(part.field), centre});
     }
@@ -80,12 +84,20 @@ VoxelizeEstimate estimate(const field::Field& whole, const VoxelizeOptions& opti
   Shell shell;
   shell.size = std::max({extent.x, extent.y, extent.z});
   shell.cells = {{region.field, box.center()}};
-  while (!shell.cells.empty() && shell.cells.size() < kEnough && shell.size > 4 * options.voxel)
-    shell = refine(shell, 0);
-  out.surface_area = area(shell);
+  while (!shell.cells.empty() && shell.size > 4 * options.voxel && shell.cells.size() < kTooMany) {
+    shell = refine(shell);
+    if (shell.cells.size() < kEnough) continue;
+    const double before = out.surface_area;
+    out.surface_area = area(shell);
+    if (std::fabs(out.surface_area - before) < kSettled * out.surface_area) break;
+  }
+  if (shell.cells.size() < kEnough) out.surface_area = area(shell);
   const double voxel = options.voxel;
   out.active_voxels = out.surface_area * 2 * options.half_width / (voxel * voxel);
-  out.leaves = cubes(out.surface_area, 8 * voxel, band);
+  const double edge = 8 * voxel;
+  const double all = (extent.x / edge + 2) * (extent.y / edge + 2) * (extent.z / edge + 2);
+  out.leaves = std::min(all, cubes(out.surface_area, edge, band));
+  out.active_voxels = std::min(out.active_voxels, 512 * out.leaves);
   // sizeof the nodes of a float tree, and the allocator's share.
   const double leaf = 2048 + 64 + 64 + 48, lower = 4096 * 8 + 1200, upper = 32768 * 8 + 8400;
   const double working_set = 1e6 + 4e5 * thread_count();
