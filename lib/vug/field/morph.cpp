@@ -35,9 +35,12 @@ class MorphNode final : public Readings<MorphNode> {
     if (!b.node) b.node = b_;
     Restriction out;
     const Interval sum = a.range * Interval(1 - amount_) + b.range * Interval(amount_);
-    const Point<double> centre = point(ball.centre);
-    const double value = a.node->eval(centre) * (1 - amount_) + b.node->eval(centre) * amount_;
-    out.range = meet(sum, centre_form(value, ball));
+    out.range = sum;
+    if (sum.width() > 2.01 * traits().lipschitz * ball.radius) {  // the centre may know better
+      const Point<double> centre = point(ball.centre);
+      const double value = a.node->eval(centre) * (1 - amount_) + b.node->eval(centre) * amount_;
+      out.range = meet(sum, centre_form(value, ball));
+    }
     if (smaller)
       out.node =
           std::make_shared<MorphNode>(traits(), std::move(a.node), std::move(b.node), amount_);
