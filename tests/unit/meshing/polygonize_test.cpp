@@ -1,0 +1,126 @@
+#include "solids.h"
+
+#include <vug/base/parallel.h>
+#include <vug/mesh/topology.h>
+#include <vug/metrics/self_intersections.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::meshing {
+namespace {
+
+double area(const mesh::Mesh& mesh) {
+  double sum = 0;
+  for (size_t f = 0; f < mesh.triangles.size(); ++f)
+    sum += 0.5 * mesh::double_area_vector(mesh, f).length();
+  return sum;
+}
+
+double volume_of(const mesh::Mesh& mesh) {
+  double sum = 0;
+  for (size_t f = 0; f < mesh.triangles.size(); ++f)
+    sum += mesh::corners(mesh, f)[0].dot(mesh::double_area_vector(mesh, f)) / 6;
+  return sum;
+}
+
+void expect_closed_outward(const mesh::Mesh& mesh) {
+  const mesh::Topology topology = mesh::inspect(mesh);
+  EXPECT_EQ(topology.boundary_edges, 0U);
+  EXPECT_EQ(topology.nonmanifold_edges, 0U);
+  EXPECT_EQ(topology.misoriented_edges, 0U);
+  EXPECT_EQ(topology.degenerate_triangles, 0U);
+  EXPECT_EQ(topology.unused_vertices, 0U);
+  EXPECT_GT(volume_of(mesh), 0);
+}
+
+TEST(Polygonize, SolidsAreClosedAndTheirVerticesOnTheField) {
+  std::vector<Solid> all = solids();
+  all.push_back({"cut box", cut_box(), 0, 0});
+  for (const Solid& solid : all) {
+    SCOPED_TRACE(solid.name);
+    const Polygonized found = polygonized(solid.field, 0.05);
+    expect_closed_outward(found.mesh);
+    EXPECT_TRUE(metrics::self_intersections(found.mesh).empty());
+    EXPECT_LT(found.report.rms_residual, 0.01);
+    EXPECT_LE(found.report.max_move, 1.25 + 1e-6);
+    EXPECT_EQ(found.mesh.normals.size(), found.mesh.positions.size());
+    // The report's own claim, checked from outside.
+    double squares = 0;
+    for (const Vec3f& p : found.mesh.positions) {
+      const double distance = solid.field.value(Vec3d(p)) / 0.05;
+      squares += distance * distance;
+    }
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(found.mesh.positions.size())), 0.01);
+    RecordProperty(std::string(solid.name) + "_backed_off",
+                   static_cast<int>(found.report.backed_off));
+  }
+}
+
+// Flat facets between points of the surface err by O(h^2), on creases too when these are kept.
+TEST(Polygonize, AreaAndVolumeConvergeAtSecondOrder) {
+  for (const Solid& solid : solids()) {
+    SCOPED_TRACE(solid.name);
+    const mesh::Mesh coarse = polygonized(solid.field, 0.1).mesh;
+    const mesh::Mesh fine = polygonized(solid.field, 0.025).mesh;
+    const double area_ratio = (area(coarse) - solid.area) / (area(fine) - solid.area);
+    const double volume_ratio =
+        (volume_of(coarse) - solid.volume) / (volume_of(fine) - solid.volume);
+    // Two halvings: 16 at second order, 4 at first, 64 at third.
+    EXPECT_GT(area_ratio, 8);
+    EXPECT_LT(area_ratio, 32);
+    EXPECT_GT(volume_ratio, 8);
+    EXPECT_LT(volume_ratio, 32);
+    EXPECT_NEAR(area(fine) / solid.area, 1, 1e-3);
+    EXPECT_NEAR(volume_of(fine) / solid.volume, 1, 1e-3);
+  }
+}
+
+TEST(Polygonize, NormalsOfASphereAreExact) {
+  const field::Field ball = field::make("sphere", {{"radius", 1.0}});
+  const mesh::Mesh mesh = polygonized(ball, 0.1).mesh;
+  for (size_t v = 0; v < mesh.positions.size(); ++v)
+    EXPECT_LT((mesh.normals[v] - mesh.positions[v].normalized()).length(), 1e-5);
+}
+
+TEST(Polygonize, TheSameBytesForAnyNumberOfThreads) {
+  const field::Field solid = cut_box();
+  const Digest reference = mesh::digest(polygonized(solid, 0.08).mesh);
+  for (const int threads : {1, 2, 7}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(mesh::digest(polygonized(solid, 0.08).mesh), reference);
+  }
+}
+
+TEST(Polygonize, WorksWithoutTheField) {
+  const field::Field solid = cut_box();
+  volume::VoxelizeOptions voxels;
+  voxels.voxel = 0.05;
+  const mesh::Mesh mesh = polygonize(volume::voxelize(solid, voxels), nullptr).mesh;
+  expect_closed_outward(mesh);
+  EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
+}
+
+TEST(Polygonize, AdaptivityMakesFewerTriangles) {
+  const field::Field solid = cut_box();
+  PolygonizeOptions merged;
+  merged.adaptivity = 0.5;
+  const mesh::Mesh few = polygonized(solid, 0.04, merged).mesh;
+  EXPECT_LT(few.triangles.size(), polygonized(solid, 0.04).mesh.triangles.size() / 2);
+  EXPECT_EQ(mesh::inspect(few).boundary_edges, 0U);
+}
+
+TEST(Polygonize, OfNothingIsNothing) {
+  EXPECT_TRUE(polygonized(field::Field(), 0.1).mesh.positions.empty());
+}
+
+TEST(Polygonize, StopsWhenToldTo) {
+  const field::Field ball = field::make("sphere", {{"radius", 1.0}});
+  volume::VoxelizeOptions voxels;
+  const volume::LevelSet level_set = volume::voxelize(ball, voxels);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(polygonize(level_set, &ball, {}, progress), Error);
+}
+
+}  // namespace
+}  // namespace vug::meshing
