@@ -9,9 +9,46 @@
 namespace vug::field {
 namespace {
 
+/// What an operand's box says about its values without asking the operand: beyond the box they
+/// grow, and inside they are no lower than the way out is long. A fold of thousands is restricted
+/// over large balls from this alone.
+struct Reach {
+  Box3d box;
+  double growth = 0;  // 0: the box says nothing
+  double depth = 0;   // values inside are above -depth
+  double radius = 0;  // of a ball around the box
+
+  Reach() = default;
+  Reach(const Traits& traits, double sign) : box(traits.bounds) {
+    if (sign < 0 || !is_finite(box)) return;
+    const Vec3d size = box.size();
+    growth = traits.grows();
+    depth = 0.5 * traits.lipschitz * std::min({size.x, size.y, size.z});
+    radius = 0.5 * size.length();
+  }
+  /// The least value that a point within `radius` of c can have.
+  double least(const Ball& ball) const {
+    if (growth <= 0) return -kInfinity;
+    const double away = distance(ball.centre) - ball.radius;
+    return away > 0 ? growth * away * (1 - 1e-6) - 1e-6 * ball.centre.length() : -depth * 1.001;
+  }
+  double distance(const Vec3d& c) const {
+    double squared = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double d = std::max({box.min[axis] - c[axis], c[axis] - box.max[axis], 0.0});
+      squared += d * d;
+    }
+    return std::sqrt(squared);
+  }
+};
+
 struct Operand {
+  Operand(NodePtr n, double s) : node(std::move(n)), sign(s), reach(node->traits(), sign) {}
+  Operand(NodePtr smaller, const Operand& whole)  // what is known of the whole holds for a part
+      : node(std::move(smaller)), sign(whole.sign), reach(whole.reach) {}
   NodePtr node;
-  double sign = 1;  // the fold sees sign * node
+  double sign;  // the fold sees sign * node
+  Reach reach;
 };
 
 class FoldNode final : public Readings<FoldNode> {
@@ -106,9 +143,32 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
   // Each drop below leaves the fold's value as it is: smin(a, b) = a where b >= a + reach.
   const bool sharp = blend_.profile == Profile::sharp;
   const double reach = sharp ? 0 : blend_.radius;
+  // The nearest operand first: what lies above its values over all of the ball is no minimum.
+  const Operand* nearest = nullptr;
+  Restriction of_nearest;
+  if (sharp && operands_.size() > 8) {
+    double least_distance = kInfinity;
+    for (const Operand& operand : operands_) {
+      if (operand.reach.growth <= 0) continue;
+      const double d = (operand.reach.box.center() - ball.centre).length2();
+      if (d < least_distance) {
+        least_distance = d;
+        nearest = &operand;
+      }
+    }
+    if (nearest) of_nearest = nearest->node->restrict_to(ball);
+  }
+  const double ceiling = nearest ? of_nearest.range.hi : kInfinity;
+
   Interval folded(kInfinity, kInfinity);
   for (const Operand& operand : operands_) {
-    Restriction r = operand.node->restrict_to(ball);
+    const double least = operand.reach.least(ball);
+    if (least > ceiling || least > folded.hi + reach) continue;
+    // Over a ball larger than the operand nothing inside of it can be dropped.
+    const bool coarse = nearest && operand.reach.growth > 0 && ball.radius > operand.reach.radius;
+    Restriction r = &operand == nearest ? of_nearest
+                    : coarse            ? Restriction{{least, kInfinity}, nullptr}
+                                        : operand.node->restrict_to(ball);
     const Interval range = signed_range(r.range, operand.sign);
     if (range.lo > folded.hi + reach) continue;
     if (folded.lo > range.hi + reach) {
@@ -177,7 +237,7 @@ Field fold(std::vector<Operand> operands, double sign, const Blend& blend) {
 
 std::vector<Operand> with_sign(const std::vector<Field>& fields, double sign) {
   std::vector<Operand> operands;
-  for (const Field& f : fields) operands.push_back({f.node(), sign});
+  for (const Field& f : fields) operands.emplace_back(f.node(), sign);
   return operands;
 }
 
@@ -198,7 +258,8 @@ Field intersect(std::vector<Field> operands, const Blend& blend) {
 
 Field subtract(Field base, std::vector<Field> cuts, const Blend& blend) {
   if (cuts.empty()) return base;
-  std::vector<Operand> operands = {{base.node(), -1}};
+  std::vector<Operand> operands;
+  operands.emplace_back(base.node(), -1);
   for (const Operand& cut : with_sign(cuts, 1)) operands.push_back(cut);
   return fold(std::move(operands), -1, blend);
 }
@@ -207,6 +268,6 @@ Field symmetric_difference(const Field& a, const Field& b, const Blend& blend) {
   return subtract(unite({a, b}, blend), {intersect({a, b}, blend)}, blend);
 }
 
-Field complement(const Field& a) { return fold({{a.node(), 1}}, -1, {}); }
+Field complement(const Field& a) { return fold({Operand(a.node(), 1)}, -1, {}); }
 
 }  // namespace vug::field
