@@ -45,11 +45,11 @@ Kind<Product> product_kind(std::string name, std::string category, Build build) 
               if constexpr (requires { params.fault(); }) fault = params.fault();
               try {
                 if (fault.empty()) return build(params);
-              } catch (const Error& error) {
-                if (error.code() != ErrorCode::bad_input) throw;
-                fault = error.what();
+                own.error(where, fault);
+              } catch (const Error& e) {  // a file that cannot be used is the argument's fault
+                if (e.code() != ErrorCode::bad_input) throw;
+                own.error(where, e.what(), e.hint());
               }
-              own.error(where, fault);
             }
             diagnostics.append(own);
             return std::nullopt;

@@ -60,6 +60,14 @@ Point<Dual<S>> seeded(const Point<S>& p) {
   return {{p.x, one, zero, zero}, {p.y, zero, one, zero}, {p.z, zero, zero, one}};
 }
 
+/// A value with known gradient there, as a function of a point that is itself differentiated.
+template <class S>
+Dual<S> differentiated(const S& value, const Point<S>& gradient, const Point<Dual<S>>& p) {
+  return {value, gradient.x * p.x.dx + gradient.y * p.y.dx + gradient.z * p.z.dx,
+          gradient.x * p.x.dy + gradient.y * p.y.dy + gradient.z * p.z.dy,
+          gradient.x * p.x.dz + gradient.y * p.y.dz + gradient.z * p.z.dz};
+}
+
 /// The points of a box as intervals.
 inline Point<Interval> region(const Box3d& box) {
   return {{box.min.x, box.max.x}, {box.min.y, box.max.y}, {box.min.z, box.max.z}};

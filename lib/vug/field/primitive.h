@@ -3,12 +3,16 @@
 
 #include <vug/field/kind.h>
 
+#include <type_traits>
+
 namespace vug::field {
 
 /// P has: template <class T> T distance(const Point<T>&) const   (metres, negative inside)
 ///        Box3d bounds() const                                   (around the inside)
 ///        double lipschitz() const, Exactness exactness() const  (optional: 1 and exact)
 ///        double growth() const   (optional: 1/2 where not exact; see Traits::grows)
+/// A parameter struct whose formula needs derived constants has `shape()` instead, which gives a
+/// struct P of the above; it is made once.
 template <class P>
 class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
  public:
@@ -23,7 +27,13 @@ class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
   }
   template <class T>
   void fill(const Point<T>* points, int count, T* out, Scratch&) const {
-    for (int i = 0; i < count; ++i) out[i] = params_.distance(points[i]);
+    if constexpr (std::is_trivially_copyable_v<P>) {
+      const P local =
+          params_;  // nothing written to `out` can change it: constants stay in registers
+      for (int i = 0; i < count; ++i) out[i] = local.distance(points[i]);
+    } else {
+      for (int i = 0; i < count; ++i) out[i] = params_.distance(points[i]);
+    }
   }
   std::string name() const override { return name_; }
 
@@ -44,7 +54,10 @@ class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
 template <class P>
 FieldKind primitive_kind(const std::string& name) {
   return field_kind<P>(name, "primitive", [name](const P& params) {
-    return Field(std::make_shared<PrimitiveNode<P>>(name, params));
+    if constexpr (requires { params.shape(); })
+      return Field(std::make_shared<PrimitiveNode<decltype(params.shape())>>(name, params.shape()));
+    else
+      return Field(std::make_shared<PrimitiveNode<P>>(name, params));
   });
 }
 

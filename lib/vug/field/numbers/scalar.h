@@ -20,6 +20,11 @@ inline double atan2(double y, double x) { return maths::atan2(y, x); }
 /// Value of `yes` where the condition holds, else of `no`; both are computed.
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 
+/// Where two comparisons hold at once.
+template <class Mask>
+Mask both(const Mask& a, const Mask& b) {
+  return Mask(a & b);
+}
 template <class T>
 T square(const T& x) {
   return x * x;

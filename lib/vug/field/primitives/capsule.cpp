@@ -1,0 +1,55 @@
+// The exact distance to a ball swept along a straight line (quilez2008distance).
+#include <vug/field/primitive.h>
+
+namespace vug::field {
+namespace {
+
+struct CapsuleShape {
+  Vec3d a, b;
+  double radius;
+  Vec3d way = b - a;
+  double inverse = way.length2() > 0 ? 1 / way.length2() : 0;
+
+  template <class T>
+  T distance(const Point<T>& p) const {
+    const Point<T> from_a = p - constant<T>(a), along = constant<T>(way);
+    const T share = clamp(dot(from_a, along) * T(inverse), T(0.0), T(1.0));
+    return length(from_a - along * share) - T(radius);
+  }
+  Box3d bounds() const {
+    Box3d box(a);
+    box.extendBy(b);
+    return grown(box, radius);
+  }
+};
+
+struct Capsule {
+  double radius = 0.5;
+  double height = 1;
+  std::optional<Vec3d> a, b;
+
+  static void describe(Schema<Capsule>& s) {
+    s.doc("A ball swept along a straight line: a rod with round ends.")
+        .cite("quilez2008distance")
+        .param("radius", &Capsule::radius, positive_length("of the ball"))
+        .param("height", &Capsule::height,
+               {.doc = "length of the line, which runs along y about the origin, unless a and b "
+                       "are given",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("a", &Capsule::a, any_length("where the line starts"))
+        .param("b", &Capsule::b, any_length("where the line ends"));
+  }
+  std::string fault() const {
+    return a.has_value() != b.has_value() ? "a capsule's ends a and b go together" : "";
+  }
+  CapsuleShape shape() const {
+    const Vec3d up(0, 0.5 * height, 0);
+    return {a.value_or(-up), b.value_or(up), radius};
+  }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(capsule) { return vug::field::primitive_kind<vug::field::Capsule>("capsule"); }

@@ -1,0 +1,18 @@
+// No solid anywhere: what a union starts from.
+#include <vug/field/boolean.h>
+#include <vug/field/kind.h>
+
+namespace vug::field {
+namespace {
+
+struct Empty {
+  static void describe(Schema<Empty>& s) { s.doc("No solid anywhere."); }
+};
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(empty) {
+  using namespace vug::field;
+  return field_kind<Empty>("empty", "primitive", [](const Empty&) { return empty(); });
+}
