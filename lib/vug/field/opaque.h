@@ -1,0 +1,71 @@
+// Nodes of fields that are known only point by point, without a formula: meshes, grids, images.
+#pragma once
+
+#include <vug/field/kind.h>
+
+namespace vug::field {
+
+/// S has: Gradient sample(const Vec3d& p) const   (value in metres and gradient; thread-safe)
+/// Batches go lane by lane in double precision; intervals come from the Lipschitz constant.
+template <class S>
+class OpaqueNode final : public Readings<OpaqueNode<S>> {
+ public:
+  OpaqueNode(std::string name, Traits traits, S source)
+      : Readings<OpaqueNode<S>>(std::move(traits)),
+        name_(std::move(name)),
+        source_(std::move(source)) {}
+
+  double at(const Point<double>& p) const { return source_.sample(vector(p)).value; }
+  template <class R>
+  Dual<R> at(const Point<Dual<R>>& p) const {
+    const Gradient g = source_.sample({p.x.v, p.y.v, p.z.v});
+    return differentiated(R(g.value), constant<R>(g.gradient), p);
+  }
+  Interval at(const Point<Interval>& p) const {
+    const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
+    const double reach = 0.5 * Vec3d(p.x.width(), p.y.width(), p.z.width()).length();
+    return this->centre_form(source_.sample(centre).value, {centre, reach});
+  }
+
+  void fill(const Point<Pack>* points, int count, Pack* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) {
+      Lanes lanes = sample(points[i]);
+      out[i] = Pack::load(lanes.value);
+    }
+  }
+  void fill(const Point<Dual<Pack>>* points, int count, Dual<Pack>* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) {
+      const Point<Dual<Pack>>& p = points[i];
+      const Lanes lanes = sample({p.x.v, p.y.v, p.z.v});
+      const Point<Pack> gradient = {Pack::load(lanes.slope[0]), Pack::load(lanes.slope[1]),
+                                    Pack::load(lanes.slope[2])};
+      out[i] = differentiated(Pack::load(lanes.value), gradient, p);
+    }
+  }
+  std::string name() const override { return name_; }
+
+ private:
+  struct Lanes {
+    float value[Pack::kLanes];
+    float slope[3][Pack::kLanes];
+  };
+  Lanes sample(const Point<Pack>& p) const {
+    float xyz[3][Pack::kLanes];
+    p.x.store(xyz[0]);
+    p.y.store(xyz[1]);
+    p.z.store(xyz[2]);
+    Lanes out;
+    for (int lane = 0; lane < Pack::kLanes; ++lane) {
+      const Gradient g = source_.sample(Vec3d(Vec3f(xyz[0][lane], xyz[1][lane], xyz[2][lane])));
+      out.value[lane] = static_cast<float>(g.value);
+      for (int axis = 0; axis < 3; ++axis)
+        out.slope[axis][lane] = static_cast<float>(g.gradient[axis]);
+    }
+    return out;
+  }
+
+  std::string name_;
+  S source_;
+};
+
+}  // namespace vug::field

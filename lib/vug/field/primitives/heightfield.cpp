@@ -1,0 +1,92 @@
+// Ground under the heights of a picture: (y - H(x, z)) / sqrt(1 + s^2), where s is the steepest
+// slope there is, never exceeds the distance to the ground; cut to a block with four walls.
+#include <vug/field/opaque.h>
+#include <vug/field/relief.h>
+#include <vug/image/io.h>
+
+#include <algorithm>
+
+namespace vug::field {
+namespace {
+
+struct Ground {
+  Relief relief;
+  Vec3d size;
+  double base;
+  double shrink = 1 / std::sqrt(1 + relief.steepest() * relief.steepest());
+
+  Gradient sample(const Vec3d& p) const {
+    const Relief::Height h = relief.at(p.x + 0.5 * size.x, p.z + 0.5 * size.z);
+    const Gradient top = {(p.y - h.value) * shrink, Vec3d(-h.slope_u, 1, -h.slope_v) * shrink};
+    const Vec3d facing(p.x < 0 ? -1 : 1, -1, p.z < 0 ? -1 : 1);
+    const Vec3d wall = p * facing - Vec3d(0.5 * size.x, base, 0.5 * size.z);
+    int nearest = 0;
+    Vec3d off;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (wall[axis] > wall[nearest]) nearest = axis;
+      off[axis] = std::max(wall[axis], 0.0);
+    }
+    const double outside = off.length();
+    const double cut = outside > 0 ? outside : wall[nearest];
+    if (cut <= top.value) return top;
+    Vec3d slope(0);
+    slope[nearest] = 1;
+    if (outside > 0) slope = off / outside;
+    return {cut, slope * facing};
+  }
+};
+
+struct Heightfield {
+  std::string file;
+  Vec3d size{10, 1, 10};
+  double base = 0.1;
+  Sampling sampling = Sampling::bicubic;
+
+  static void describe(Schema<Heightfield>& s) {
+    s.doc(
+         "A block of ground whose top follows the brightness of a picture: black at y = 0, the "
+         "picture's top edge towards -z.")
+        .cite("catmull1974")
+        .param("file", &Heightfield::file,
+               {.doc = "any picture; one channel, or the mean of "
+                       "three, from 0 to 1",
+                .required = true})
+        .param("size", &Heightfield::size,
+               positive_length("of the ground along x and z, and along y from black to white"))
+        .param("base", &Heightfield::base, positive_length("thickness of the block below black"))
+        .choice("sampling", &Heightfield::sampling,
+                {{"bilinear", Sampling::bilinear}, {"bicubic", Sampling::bicubic}},
+                "how heights between pixels come about");
+  }
+};
+
+Field ground(const Heightfield& params) {
+  image::Image picture = image::read_grey(params.file);
+  if (picture.width < 2 || picture.height < 2)
+    throw Error(ErrorCode::bad_input,
+                "'" + params.file + "' is too small for a heightfield: 2 x 2 pixels at least");
+  for (float& height : picture.pixels) {
+    height *= static_cast<float>(params.size.y);
+    if (!std::isfinite(height))
+      throw Error(ErrorCode::bad_input, "'" + params.file + "' holds values that are not finite");
+  }
+  Ground source{Relief(picture.width, picture.height, std::move(picture.pixels), params.size.x,
+                       params.size.z, params.sampling),
+                params.size, params.base};
+  Traits traits;
+  traits.exactness = Exactness::bound;
+  // Above the block f >= dy / sqrt(1 + s^2), beside it f >= dx; the two add up to a diagonal.
+  traits.growth = source.shrink / std::sqrt(2.0);
+  const double highest = std::max(source.relief.range().hi, -params.base);
+  traits.bounds = {Vec3d(-0.5 * params.size.x, -params.base, -0.5 * params.size.z),
+                   Vec3d(0.5 * params.size.x, highest, 0.5 * params.size.z)};
+  return Field(std::make_shared<OpaqueNode<Ground>>("heightfield", traits, std::move(source)));
+}
+
+}  // namespace
+}  // namespace vug::field
+
+VUG_FIELD_KIND(heightfield) {
+  return vug::field::field_kind<vug::field::Heightfield>("heightfield", "primitive",
+                                                         vug::field::ground);
+}
