@@ -1,0 +1,11 @@
+// Small files that kinds with a `file` parameter are tested with, made when first asked for.
+#pragma once
+
+#include <string>
+
+namespace vug::field {
+
+/// The path of a file for the kind of that name; empty when there is none.
+std::string fixture_file(const std::string& kind);
+
+}  // namespace vug::field
