@@ -13,20 +13,6 @@
 namespace vug::field {
 namespace {
 
-/// A folder of this process, so that tests that run at once do not meet; gone when it ends.
-const std::filesystem::path& folder() {
-  struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("vug_fixtures_" + std::to_string(::getpid()));
-    ~Folder() {
-      std::error_code ignored;
-      std::filesystem::remove_all(path, ignored);
-    }
-  };
-  static const Folder here;
-  return here.path;
-}
-
 /// A ball of radius 1 as a level set without a lattice: clamped at the band.
 class BallGrid final : public SampledGrid {
  public:
@@ -42,22 +28,37 @@ class BallGrid final : public SampledGrid {
 
 }  // namespace
 
+const std::string& fixture_folder() {
+  struct Folder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("vug_fixtures_" + std::to_string(::getpid()));
+    std::string text = path.string();
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() {
+      std::error_code ignored;
+      std::filesystem::remove_all(path, ignored);
+    }
+  };
+  static const Folder here;
+  return here.text;
+}
+
 std::string fixture_file(const std::string& kind) {
   if (kind == "mesh") {
-    const std::filesystem::path file = folder() / "solid.ply";
+    const std::string file = fixture_folder() + "/solid.ply";
     const mesh::Mesh two = mesh::joined(mesh::torus_mesh(1, 0.4, 24, 12),
                                         mesh::box_mesh({Vec3d(-0.3, 1, -0.3), Vec3d(0.3, 2, 0.4)}));
     if (!std::filesystem::exists(file)) mesh::write_mesh(two, file);
-    return file.string();
+    return file;
   }
   if (kind == "heightfield") {
-    const std::filesystem::path file = folder() / "hills.exr";
+    const std::string file = fixture_folder() + "/hills.exr";
     image::Image hills(9, 7, {"Y"});
     for (int y = 0; y < hills.height; ++y)
       for (int x = 0; x < hills.width; ++x)
         hills.at(x, y) = static_cast<float>(0.5 + 0.5 * maths::sin(x) * maths::cos(0.7 * y));
     if (!std::filesystem::exists(file)) image::write_exr(file, hills);
-    return file.string();
+    return file;
   }
   if (kind == "grid") {
     set_grid_loader(
