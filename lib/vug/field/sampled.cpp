@@ -18,7 +18,7 @@ struct GridSource {
       off[axis] = p[axis] - std::clamp(p[axis], bounds.min[axis], bounds.max[axis]);
     const double away = off.length();
     Gradient g = grid->sample(p);
-    if (away > g.value) g = {away, off / away};
+    if (away > 0 && away > g.value) g = {away, off / away};
     return g;
   }
 };
