@@ -32,7 +32,8 @@ TEST(MeshPrimitive, BoxMeshEqualsTheBox) {
   mesh::write_mesh(mesh::box_mesh({Vec3d(-1, -2, -3), Vec3d(1, 2, 3)}), file("box.obj"));
   const Field from_file = make("mesh", {{"file", file("box.obj")}, {"scale", 0.5}});
   const Field box = make("box", {{"size", Vec3d(1, 2, 3)}});
-  for (const Vec3d& p : {Vec3d(0.1, 0.2, 0), Vec3d(2, 0, 0), Vec3d(2, 3, 4), Vec3d(0.1, 0.9, 0.3)}) {
+  for (const Vec3d& p :
+       {Vec3d(0.1, 0.2, 0), Vec3d(2, 0, 0), Vec3d(2, 3, 4), Vec3d(0.1, 0.9, 0.3)}) {
     EXPECT_NEAR(from_file.value(p), box.value(p), 1e-7) << p;
     EXPECT_LT((from_file.gradient(p).gradient - box.gradient(p).gradient).length(), 1e-6) << p;
   }

@@ -1,0 +1,26 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct Height {
+  double from = 0;
+  double to = 1;
+
+  static void describe(Schema<Height>& s) {
+    s.doc("By the height above the scene's origin.")
+        .param("from", &Height::from, any_length("height where the mask is 0"))
+        .param("to", &Height::to, any_length("height where the mask is 1"));
+  }
+};
+
+}  // namespace
+
+const MaskKind& height_mask() {
+  static const MaskKind kind = mask_kind<Height>("height", [](const Height& h) {
+    return make_mask([h](const Spot& spot) { return ramp(spot.position.y, h.from, h.to); });
+  });
+  return kind;
+}
+
+}  // namespace vug::paint

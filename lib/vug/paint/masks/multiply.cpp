@@ -1,0 +1,28 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct Multiply {
+  std::vector<Mask> of;
+
+  static void describe(Schema<Multiply>& s) {
+    s.doc("All of the masks at once: their product.")
+        .param("of", &Multiply::of, {.doc = "the masks, as a list", .required = true});
+  }
+};
+
+}  // namespace
+
+const MaskKind& multiply_mask() {
+  static const MaskKind kind = mask_kind<Multiply>("multiply", [](const Multiply& m) {
+    return make_mask([m](const Spot& spot) {
+      double product = 1;
+      for (const Mask& mask : m.of) product *= (*mask)(spot);
+      return product;
+    });
+  });
+  return kind;
+}
+
+}  // namespace vug::paint

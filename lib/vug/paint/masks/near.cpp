@@ -1,0 +1,29 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct Near {
+  field::Field field;
+  double from = 1;
+  double to = 0;
+
+  static void describe(Schema<Near>& s) {
+    s.doc("By the distance to another solid: stains under a lamp, wet rock around a pool.")
+        .param("field", &Near::field, {.doc = "the solid", .required = true})
+        .param("from", &Near::from, any_length("distance where the mask is 0"))
+        .param("to", &Near::to, any_length("distance where the mask is 1"));
+  }
+};
+
+}  // namespace
+
+const MaskKind& near_mask() {
+  static const MaskKind kind = mask_kind<Near>("near", [](const Near& n) {
+    return make_mask(
+        [n](const Spot& spot) { return ramp(n.field.value(spot.position), n.from, n.to); });
+  });
+  return kind;
+}
+
+}  // namespace vug::paint

@@ -1,0 +1,32 @@
+#include <vug/base/maths.h>
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct Slope {
+  double from = 0;
+  double to = kPi;
+
+  static void describe(Schema<Slope>& s) {
+    s.doc(
+         "By the angle between the surface's normal and up: 0 floors, 90deg walls, 180deg "
+         "ceilings.")
+        .param("from", &Slope::from,
+               {.doc = "angle where the mask is 0", .dimension = Dimension::angle})
+        .param("to", &Slope::to,
+               {.doc = "angle where the mask is 1", .dimension = Dimension::angle});
+  }
+};
+
+}  // namespace
+
+const MaskKind& slope_mask() {
+  static const MaskKind kind = mask_kind<Slope>("slope", [](const Slope& s) {
+    return make_mask(
+        [s](const Spot& spot) { return ramp(maths::acos(spot.normal.y), s.from, s.to); });
+  });
+  return kind;
+}
+
+}  // namespace vug::paint

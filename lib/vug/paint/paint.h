@@ -1,0 +1,39 @@
+// Colours of surfaces from where they are: position, normal and fields, without UVs.
+// A mask gives a number between 0 and 1, a paint a linear Rec.709 colour (an albedo).
+#pragma once
+
+#include <vug/base/vec.h>
+#include <vug/field/field.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace vug::paint {
+
+/// A place on a surface; the normal has unit length and points out of the solid.
+struct Spot {
+  Vec3d position;
+  Vec3d normal;
+};
+
+/// Immutable functions, shared between threads.
+using Mask = std::shared_ptr<const std::function<double(const Spot&)>>;
+using Paint = std::shared_ptr<const std::function<Vec3d(const Spot&)>>;
+
+template <class F>
+Mask make_mask(F&& f) {
+  return std::make_shared<const std::function<double(const Spot&)>>(std::forward<F>(f));
+}
+template <class F>
+Paint make_paint(F&& f) {
+  return std::make_shared<const std::function<Vec3d(const Spot&)>>(std::forward<F>(f));
+}
+
+/// 0 up to `from`, 1 from `to` on, a smooth step between; from > to runs the other way.
+double ramp(double x, double from, double to);
+
+/// The paint at each spot; parallel. Values are clamped to 0..1.
+std::vector<Vec3f> colors(const Paint& paint, const std::vector<Spot>& spots);
+
+}  // namespace vug::paint

@@ -1,0 +1,35 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct Layer {
+  Paint under;
+  Paint over;
+  Mask mask;
+
+  static void describe(Schema<Layer>& s) {
+    s.doc("One paint over another where a mask lets it through.")
+        .param("under", &Layer::under,
+               {.doc = "what lies below: a paint or a colour", .required = true})
+        .param("over", &Layer::over, {.doc = "what covers it", .required = true})
+        .param("mask", &Layer::mask,
+               {.doc = "0 shows what is under, 1 what is over", .required = true});
+  }
+};
+
+}  // namespace
+
+const PaintKind& layer_paint() {
+  static const PaintKind kind = paint_kind<Layer>("layer", [](const Layer& l) {
+    return make_paint([l](const Spot& spot) {
+      const double t = (*l.mask)(spot);
+      if (t <= 0) return (*l.under)(spot);
+      const Vec3d over = (*l.over)(spot);
+      return t >= 1 ? over : (*l.under)(spot) * (1 - t) + over * t;
+    });
+  });
+  return kind;
+}
+
+}  // namespace vug::paint

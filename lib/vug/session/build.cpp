@@ -1,0 +1,86 @@
+#include <vug/meshing/polygonize.h>
+#include <vug/paint/paint.h>
+#include <vug/session/build.h>
+#include <vug/volume/voxelize.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace vug::session {
+namespace {
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total) {}
+  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& total_;
+  Clock::time_point start_ = Clock::now();
+};
+
+void add_colors(mesh::Mesh& mesh, const paint::Paint& paint) {
+  std::vector<paint::Spot> spots(mesh.positions.size());
+  for (size_t i = 0; i < spots.size(); ++i)
+    spots[i] = {Vec3d(mesh.positions[i]), Vec3d(mesh.normals.at(i)).normalized()};
+  mesh::Attribute color{"Cd", 3, {}};
+  color.values.reserve(3 * spots.size());
+  for (const Vec3f& rgb : paint::colors(paint, spots))
+    for (int c = 0; c < 3; ++c) color.values.push_back(rgb[c]);
+  mesh.attributes.push_back(std::move(color));
+}
+
+}  // namespace
+
+const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
+  if (const auto found = level_sets_.find(plan); found != level_sets_.end()) return found->second;
+  const Stopwatch watch(seconds_);
+  volume::VoxelizeOptions voxelize;
+  voxelize.voxel = plan->voxel;
+  voxelize.half_width = plan->half_width;
+  voxelize.repair = plan->repair;
+  voxelize.max_memory = options_.max_memory;
+  if (plan->from) voxelize.region = Box3d(*plan->from, *plan->to);
+  try {
+    return level_sets_.emplace(plan, volume::voxelize(plan->field, voxelize, progress_))
+        .first->second;
+  } catch (Error& error) {
+    throw error.within(fmt::format("making the volume '{}'", plan->name));
+  }
+}
+
+std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
+  if (const auto found = meshes_.find(plan); found != meshes_.end()) return found->second;
+  const volume::LevelSet& surface = level_set(plan->volume);
+  const Stopwatch watch(seconds_);
+  meshing::PolygonizeOptions polygonize;
+  polygonize.adaptivity = plan->adaptivity;
+  polygonize.polish = plan->polish;
+  const field::Field* exact = plan->polish ? &plan->volume->field : nullptr;
+  try {
+    mesh::Mesh made = meshing::polygonize(surface, exact, polygonize, progress_).mesh;
+    if (plan->paint) add_colors(made, plan->paint);
+    return meshes_.emplace(plan, std::make_shared<const mesh::Mesh>(std::move(made))).first->second;
+  } catch (Error& error) {
+    throw error.within(fmt::format("making the mesh '{}'", plan->name));
+  }
+}
+
+std::vector<MeshPtr> meshes_of(const Shot& shot) {
+  if (!shot.meshes.empty()) return shot.meshes;
+  std::vector<MeshPtr> meshes;
+  for (const VolumePtr& volume : shot.volumes) {
+    if (volume->fog) continue;
+    MeshPlan plan;
+    plan.name = volume->name;
+    plan.volume = volume;
+    meshes.push_back(std::make_shared<const MeshPlan>(std::move(plan)));
+  }
+  return meshes;
+}
+
+}  // namespace vug::session

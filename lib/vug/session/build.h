@@ -1,0 +1,47 @@
+// From a shot to its products: grids and meshes, each computed once when first asked for.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/mesh/mesh.h>
+#include <vug/session/shot.h>
+#include <vug/volume/level_set.h>
+
+#include <map>
+
+namespace vug::session {
+
+struct BuildOptions {
+  uint64_t max_memory = 0;  ///< Bytes; 0: what the machine has free.
+                            ///< Error(too_large) before work that needs more.
+};
+
+/// Holds products while they are needed. The shot must outlive it. Not for several threads at
+/// once; the work inside is parallel.
+class Builder {
+ public:
+  explicit Builder(const Shot& shot, BuildOptions options = {},
+                   Progress& progress = Progress::none())
+      : shot_(shot), options_(options), progress_(progress) {}
+
+  const volume::LevelSet& level_set(const VolumePtr& plan);
+  std::shared_ptr<const mesh::Mesh> mesh(const MeshPtr& plan);
+
+  const Shot& shot() const { return shot_; }
+  const BuildOptions& options() const { return options_; }
+  Progress& progress() const { return progress_; }
+  /// Wall-clock seconds spent on grids and meshes so far.
+  double seconds() const { return seconds_; }
+
+ private:
+  const Shot& shot_;
+  BuildOptions options_;
+  Progress& progress_;
+  std::map<VolumePtr, volume::LevelSet> level_sets_;
+  std::map<MeshPtr, std::shared_ptr<const mesh::Mesh>> meshes_;
+  double seconds_ = 0;
+};
+
+/// The meshes a shot shows or measures: those it declares, else one for each level set.
+std::vector<MeshPtr> meshes_of(const Shot& shot);
+
+}  // namespace vug::session

@@ -1,0 +1,80 @@
+#include <vug/session/catalogue.h>
+#include <vug/session/reader.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::session {
+namespace {
+
+std::vector<const KindInfo*> all_kinds() {
+  std::vector<const KindInfo*> kinds;
+  for (const DeclarationKind* kind : declaration_kinds()) kinds.push_back(&kind->info);
+  for (const Family& family : families())
+    for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
+  return kinds;
+}
+
+}  // namespace
+
+std::vector<const KindInfo*> find_kinds(const std::string& word) {
+  std::vector<const KindInfo*> kinds = all_kinds();
+  if (word.empty()) return kinds;
+  auto keep = [&](auto matches) {
+    std::vector<const KindInfo*> kept;
+    std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept), matches);
+    return kept;
+  };
+  auto named = keep([&](const KindInfo* kind) { return kind->name == word; });
+  return named.empty() ? keep([&](const KindInfo* kind) { return kind->category == word; }) : named;
+}
+
+std::vector<std::string> kind_words() {
+  std::vector<std::string> words;
+  for (const KindInfo* kind : all_kinds()) {
+    words.push_back(kind->name);
+    if (std::find(words.begin(), words.end(), kind->category) == words.end())
+      words.push_back(kind->category);
+  }
+  return words;
+}
+
+std::string describe(const ParamInfo& param) {
+  std::string text = param.type;
+  if (param.dimension != Dimension::none) text += fmt::format(" ({})", to_string(param.dimension));
+  if (!param.choices.empty()) text = fmt::format("one of {}", fmt::join(param.choices, ", "));
+  if (std::isfinite(param.min))
+    text += fmt::format(", {} {}", param.above_min ? "above" : "at least", param.min);
+  if (std::isfinite(param.max)) text += fmt::format(", at most {}", param.max);
+  if (param.required) return text + ", required";
+  return param.fallback.empty() ? text + ", optional" : text + ", default " + param.fallback;
+}
+
+nlohmann::ordered_json catalogue_json(const std::vector<const KindInfo*>& kinds) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const KindInfo* kind : kinds) {
+    nlohmann::ordered_json params = nlohmann::ordered_json::array();
+    for (const ParamInfo& param : kind->params) {
+      nlohmann::ordered_json p = {{"name", param.name}, {"type", param.type}, {"doc", param.doc}};
+      if (param.dimension != Dimension::none) p["dimension"] = to_string(param.dimension);
+      if (param.required) p["required"] = true;
+      if (!param.fallback.empty()) p["default"] = param.fallback;
+      if (std::isfinite(param.min)) p[param.above_min ? "above" : "min"] = param.min;
+      if (std::isfinite(param.max)) p["max"] = param.max;
+      if (!param.choices.empty()) p["choices"] = param.choices;
+      params.push_back(std::move(p));
+    }
+    nlohmann::ordered_json entry = {
+        {"name", kind->name}, {"category", kind->category}, {"doc", kind->doc}};
+    if (!kind->cite.empty()) entry["cite"] = kind->cite;
+    entry["params"] = std::move(params);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,21 @@
+#include <vug/session/reader.h>
+
+namespace vug::session {
+
+const DeclarationKind& camera_declaration() {
+  static const DeclarationKind kind = {
+      {"camera",
+       "declaration",
+       "Where the picture is taken from: camera NAME { eye ... }.",
+       "",
+       {}},
+      [](const scene::Declaration& declaration, Reading& reading) {
+        const Value value = read_family("camera", "perspective", declaration, reading);
+        if (const auto* camera = value.object<render::CameraPtr>())
+          reading.shot.cameras.emplace_back(declaration.name, *camera);
+        return value;
+      }};
+  return kind;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,15 @@
+#include <vug/field/kind.h>
+#include <vug/session/reader.h>
+
+namespace vug::session {
+
+const DeclarationKind& field_declaration() {
+  static const DeclarationKind kind = {
+      {"field", "declaration", "Names a solid: field NAME = EXPRESSION.", "", {}},
+      [](const scene::Declaration& declaration, Reading& reading) {
+        return read_family("field", "", declaration, reading);
+      }};
+  return kind;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,32 @@
+#include <vug/session/reader.h>
+
+namespace vug::session {
+namespace {
+
+Schema<ObjectPlan> schema() {
+  Schema<ObjectPlan> s;
+  s.info().name = "object";
+  s.info().category = "declaration";
+  s.doc("A mesh as the picture shows it: object NAME on MESH { material ... }.")
+      .param("material", &ObjectPlan::material, {.doc = "what it is made of"})
+      .param("flat", &ObjectPlan::flat, {.doc = "shade every face flat"});
+  return s;
+}
+
+}  // namespace
+
+const DeclarationKind& object_declaration() {
+  static const DeclarationKind kind = {
+      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
+        std::optional<ObjectPlan> plan = read_block(schema(), declaration, reading);
+        const MeshPtr mesh = read_target<MeshPtr>(declaration, reading);
+        if (!plan || !mesh) return Value();
+        plan->name = declaration.name;
+        plan->mesh = mesh;
+        reading.shot.objects.push_back(std::move(*plan));
+        return Value(Value::Name{declaration.name});
+      }};
+  return kind;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,43 @@
+#include <vug/session/reader.h>
+
+namespace vug::session {
+namespace {
+
+Schema<RenderPlan> schema() {
+  Schema<RenderPlan> s;
+  s.info().name = "render";
+  s.info().category = "declaration";
+  s.doc("How the picture is made: render NAME { size 1920x1080  spp 256 }.")
+      .param("size", &RenderPlan::size, {.doc = "width and height in pixels, as 1920x1080"})
+      .param("spp", &RenderPlan::spp, {.doc = "samples per pixel", .min = 1, .max = 1 << 20})
+      .param("max_bounces", &RenderPlan::max_bounces,
+             {.doc = "bounces of light after the first", .min = 0, .max = 10000})
+      .param("exposure", &RenderPlan::exposure,
+             {.doc = "stops, for the PNG only", .min = -30, .max = 30})
+      .param("half", &RenderPlan::half, {.doc = "store colours as 16-bit floats"})
+      .param("camera", &RenderPlan::camera, {.doc = "a declared camera; else the first one"})
+      .param("sampler", &RenderPlan::sampler, {.doc = "where samples fall; else sobol"})
+      .param("integrator", &RenderPlan::integrator, {.doc = "how light is followed; else path"});
+  return s;
+}
+
+}  // namespace
+
+const DeclarationKind& render_declaration() {
+  static const DeclarationKind kind = {
+      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
+        std::optional<RenderPlan> plan = read_block(schema(), declaration, reading);
+        if (!plan) return Value();
+        if (plan->size.size() != 2 || plan->size[0] < 1 || plan->size[1] < 1) {
+          reading.diagnostics.error(declaration.where, "'size' is a width and a height above 0",
+                                    "size 1920x1080");
+          return Value();
+        }
+        plan->name = declaration.name;
+        reading.shot.renders.push_back(std::move(*plan));
+        return Value(Value::Name{declaration.name});
+      }};
+  return kind;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,85 @@
+#include <vug/image/io.h>
+#include <vug/mesh/format.h>
+#include <vug/session/describe_file.h>
+#include <vug/volume/io.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace vug::session {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json corners(const Box3d& box) {
+  if (box.isEmpty()) return nullptr;
+  return {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
+}
+
+Json metadata(const volume::Metadata& entries) {
+  Json out = Json::object();
+  for (const auto& [key, value] : entries)
+    std::visit([&, name = key](const auto& v) { out[name] = v; }, value);
+  return out;
+}
+
+Json describe_vdb(const std::filesystem::path& file) {
+  const volume::FileInfo info = volume::info(file);
+  Json grids = Json::array();
+  for (const volume::GridInfo& grid : info.grids)
+    grids.push_back({{"name", grid.name},
+                     {"class", volume::to_string(grid.grid_class)},
+                     {"type", grid.value_type},
+                     {"half", grid.half},
+                     {"voxel_size", {grid.voxel_size.x, grid.voxel_size.y, grid.voxel_size.z}},
+                     {"active_voxels", grid.statistics.active_voxels},
+                     {"leaves", grid.statistics.leaves},
+                     {"memory_bytes", grid.statistics.memory_bytes},
+                     {"bounds", corners(grid.statistics.bounds)},
+                     {"metadata", metadata(grid.metadata)}});
+  return {{"file", file.string()}, {"type", "vdb"},
+          {"bytes", info.bytes},   {"version", info.format_version},
+          {"id", info.identifier}, {"metadata", metadata(info.metadata)},
+          {"grids", grids}};
+}
+
+Json describe_picture(const std::filesystem::path& file) {
+  const image::FileInfo info = image::read_info(file);
+  Json channels = Json::array();
+  for (size_t i = 0; i < info.channels.size(); ++i)
+    channels.push_back(fmt::format("{} {}", info.channels[i], info.formats.at(i)));
+  Json texts = Json::object();
+  for (const auto& [key, text] : info.metadata) texts[key] = text;
+  return {{"file", file.string()}, {"type", "picture"},    {"width", info.width},
+          {"height", info.height}, {"channels", channels}, {"metadata", texts}};
+}
+
+Json describe_mesh(const std::filesystem::path& file) {
+  const mesh::Mesh mesh = mesh::read_mesh(file);
+  Json attributes = Json::array();
+  if (!mesh.normals.empty()) attributes.push_back("N 3");
+  for (const mesh::Attribute& attribute : mesh.attributes)
+    attributes.push_back(fmt::format("{} {}", attribute.name, attribute.arity));
+  return {{"file", file.string()},
+          {"type", "mesh"},
+          {"vertices", mesh.positions.size()},
+          {"triangles", mesh.triangles.size()},
+          {"attributes", attributes},
+          {"bounds", corners(mesh::bounds(mesh))}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".vdb") return describe_vdb(file);
+  for (const mesh::Format* format : mesh::formats())
+    if (extension == "." + format->info.name) return describe_mesh(file);
+  return describe_picture(file);
+}
+
+}  // namespace vug::session

@@ -1,0 +1,32 @@
+// The families of kinds a scene can call, with their product types erased: what the resolver,
+// `vug list` and the reference manual loop over.
+#pragma once
+
+#include <vug/base/schema.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::session {
+
+struct FamilyKind {
+  const KindInfo* info = nullptr;
+  std::function<std::optional<Value>(const Arguments&, SourceLocation, Diagnostics&)> make;
+};
+
+/// All kinds whose product is of one type.
+struct Family {
+  std::string type;  ///< "field", "light", ...
+  std::vector<FamilyKind> kinds;
+
+  const FamilyKind* find(const std::string& name) const;
+};
+
+/// Every family there is.
+const std::vector<Family>& families();
+/// The family of a product type; null when there is none.
+const Family* find_family(const std::string& type);
+
+}  // namespace vug::session

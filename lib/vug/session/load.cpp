@@ -1,0 +1,92 @@
+#include <vug/base/atomic_file.h>
+#include <vug/scene/check.h>
+#include <vug/scene/parser.h>
+#include <vug/scene/report.h>
+#include <vug/session/grammar_binding.h>
+#include <vug/session/load.h>
+#include <vug/session/reader.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::session {
+namespace {
+
+const DeclarationKind* find_declaration_kind(const std::string& word) {
+  for (const DeclarationKind* kind : declaration_kinds())
+    if (kind->info.name == word) return kind;
+  return nullptr;
+}
+
+std::vector<std::string> declaration_words() {
+  std::vector<std::string> words = {"param", "let", "seed", "include", "grammar"};
+  for (const DeclarationKind* kind : declaration_kinds()) words.push_back(kind->info.name);
+  return words;
+}
+
+/// The scene's own text and what was changed from outside: enough to make it again.
+std::string recipe(const scene::Document& document, const LoadOptions& options, uint64_t seed) {
+  std::string text = document.sources.empty() ? "" : document.sources[0]->text;
+  for (const scene::Override& change : options.overrides)
+    text += fmt::format("# -D {}={}\n", change.name, change.text);
+  if (options.seed) text += fmt::format("# --seed {}\n", seed);
+  return text;
+}
+
+void announce(const scene::Document& document, Reading& reading) {
+  for (const scene::Declaration& declaration : document.declarations) {
+    const DeclarationKind* kind = find_declaration_kind(declaration.kind);
+    if (!kind) {
+      reading.diagnostics.error(declaration.kind_where,
+                                fmt::format("nothing is declared by '{}'", declaration.kind),
+                                suggestion(declaration.kind, declaration_words()));
+      continue;
+    }
+    reading.resolver.declare(declaration.name, [&declaration, kind, &reading] {
+      return kind->read(declaration, reading);
+    });
+  }
+  for (const scene::Grammar& grammar : document.grammars)
+    reading.resolver.declare(grammar.name,
+                             [&grammar, &reading] { return bind_grammar(grammar, reading); });
+}
+
+Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
+                const LoadOptions& options) {
+  loaded.sources = document.sources;
+  Resolver resolver(file.parent_path());
+  scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
+                             {options.overrides, options.seed});
+  loaded.shot.name = file.stem().string();
+  loaded.shot.seed = evaluator.seed();
+  loaded.shot.recipe = recipe(document, options, evaluator.seed());
+  Reading reading{document, evaluator, resolver, loaded.diagnostics, loaded.shot};
+  announce(document, reading);
+  evaluator.check_all();
+  for (const scene::Declaration& declaration : document.declarations)
+    resolver.name(declaration.name, declaration.where, loaded.diagnostics);
+  for (const scene::Grammar& grammar : document.grammars)
+    resolver.name(grammar.name, grammar.where, loaded.diagnostics);
+  scene::check_params_read(document, loaded.diagnostics);
+  return loaded;
+}
+
+}  // namespace
+
+std::string Loaded::report() const { return scene::report(diagnostics, sources); }
+
+Loaded load_text(std::string text, const std::string& file, const LoadOptions& options) {
+  Loaded loaded;
+  scene::ParseOptions parse_options;
+  parse_options.include_folders = options.include_folders;
+  const scene::Document document =
+      scene::parse(std::move(text), file, loaded.diagnostics, parse_options);
+  return evaluate(document, std::move(loaded), file, options);
+}
+
+Loaded load(const std::filesystem::path& file, const LoadOptions& options) {
+  return load_text(read_text(file), file.string(), options);
+}
+
+}  // namespace vug::session

@@ -1,0 +1,35 @@
+// From a scene file to a shot.
+#pragma once
+
+#include <vug/scene/document.h>
+#include <vug/scene/evaluator.h>
+#include <vug/session/shot.h>
+
+#include <filesystem>
+
+namespace vug::session {
+
+struct LoadOptions {
+  std::vector<scene::Override> overrides;              ///< -D NAME=VALUE, in order.
+  std::optional<uint64_t> seed;                        ///< Instead of the scene's.
+  std::vector<std::filesystem::path> include_folders;  ///< After the scene's own folder.
+};
+
+/// A loaded scene. When `diagnostics` has errors the shot is incomplete and must not be used.
+struct Loaded {
+  Shot shot;
+  Diagnostics diagnostics;
+  std::vector<std::shared_ptr<const scene::Source>> sources;
+
+  bool usable() const { return !diagnostics.has_errors(); }
+  /// The diagnostics with their lines and carets, as `vug check` prints them.
+  std::string report() const;
+};
+
+/// Reads, parses and evaluates the whole scene; derives its grammars. All faults of the text are
+/// collected. Error(bad_input) only when the file cannot be read at all.
+Loaded load(const std::filesystem::path& file, const LoadOptions& options = {});
+/// The same from text; `file` names it in messages and is where relative paths start.
+Loaded load_text(std::string text, const std::string& file, const LoadOptions& options = {});
+
+}  // namespace vug::session

@@ -1,0 +1,100 @@
+#include <vug/base/maths.h>
+#include <vug/base/memory.h>
+#include <vug/render/kinds.h>
+#include <vug/session/picture.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::session {
+namespace {
+
+template <class Named, class Name>
+const auto& find_named(const Named& items, const std::string& name, const std::string& what,
+                       Name name_of) {
+  std::vector<std::string> names;
+  for (const auto& item : items) {
+    if (name_of(item) == name) return item;
+    names.push_back(name_of(item));
+  }
+  throw Error(ErrorCode::bad_input, fmt::format("the scene has no {} '{}'", what, name), {},
+              suggestion(name, names));
+}
+
+/// A camera that sees all of the box from a raised corner.
+render::CameraPtr outside_camera(const Box3d& box) {
+  constexpr double kFov = 45 * kPi / 180;
+  const Vec3d centre = box.center();
+  const double reach = 0.5 * box.size().length() / maths::sin(kFov / 2);
+  const Vec3d eye = centre + Vec3d(-0.55, 0.4, 0.75).normalized() * std::max(reach, 1e-3);
+  return render::make_camera(
+      "perspective", {{"eye", eye}, {"target", centre}, {"fov", Number{kFov, Dimension::angle}}});
+}
+
+}  // namespace
+
+RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
+  RenderPlan plan;
+  if (!options.render.empty())
+    plan = find_named(shot.renders, options.render, "render",
+                      [](const RenderPlan& r) { return r.name; });
+  else if (!shot.renders.empty())
+    plan = shot.renders.front();
+  auto name_of = [](const auto& camera) { return camera.first; };
+  if (!options.camera.empty())
+    plan.camera = find_named(shot.cameras, options.camera, "camera", name_of).second;
+  if (!plan.camera && !shot.cameras.empty()) plan.camera = shot.cameras.front().second;
+  if (options.spp) plan.spp = *options.spp;
+  if (options.size) plan.size = {options.size->x, options.size->y};
+  return plan;
+}
+
+render::Scene assemble(Builder& builder, const RenderPlan& plan) {
+  const Shot& shot = builder.shot();
+  render::Scene scene;
+  std::vector<ObjectPlan> objects = shot.objects;
+  if (objects.empty())
+    for (const MeshPtr& mesh : meshes_of(shot))
+      objects.push_back({mesh->name, mesh, nullptr, false});
+  Box3d bounds;
+  for (const ObjectPlan& object : objects) {
+    const auto mesh = builder.mesh(object.mesh);
+    for (const Vec3f& p : mesh->positions) bounds.extendBy(Vec3d(p));
+    scene.objects.push_back({object.name, mesh, object.material, object.flat});
+  }
+  for (const auto& [name, light] : shot.lights) scene.lights.push_back(light);
+  if (scene.lights.empty())
+    scene.lights.push_back(render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}}));
+  scene.medium = shot.medium;
+  if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
+  scene.camera = plan.camera ? plan.camera : outside_camera(bounds);
+  return scene;
+}
+
+Picture render_picture(Builder& builder, const PictureOptions& options) {
+  Picture picture;
+  picture.plan = render_plan(builder.shot(), options);
+  const RenderPlan& plan = picture.plan;
+  const double pixels = static_cast<double>(plan.size.at(0)) * static_cast<double>(plan.size.at(1));
+  require_memory(pixels * 128, builder.options().max_memory,
+                 fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]));
+  const render::Scene scene = assemble(builder, plan);
+  render::Options render;
+  render.width = plan.size[0];
+  render.height = plan.size[1];
+  render.spp = plan.spp;
+  render.seed = options.seed.value_or(builder.shot().seed);
+  render.max_bounces = plan.max_bounces;
+  render.sampler = plan.sampler;
+  render.integrator = plan.integrator;
+  require_memory(render::memory_estimate(scene, render), builder.options().max_memory,
+                 "the picture");
+  picture.image = render::render(scene, render, builder.progress());
+  picture.metadata = {{"vug:recipe", builder.shot().recipe},
+                      {"vug:seed", std::to_string(render.seed)},
+                      {"vug:spp", std::to_string(plan.spp)}};
+  return picture;
+}
+
+}  // namespace vug::session

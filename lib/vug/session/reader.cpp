@@ -1,0 +1,88 @@
+#include <vug/session/reader.h>
+
+#include <fmt/format.h>
+
+namespace vug::session {
+
+const std::vector<const DeclarationKind*>& declaration_kinds() {
+#define VUG_KIND(name) &name##_declaration(),
+  static const std::vector<const DeclarationKind*> kinds = {
+#include <vug/session/declarations_kinds.inc>
+  };
+#undef VUG_KIND
+  return kinds;
+}
+
+Arguments block_arguments(const scene::Declaration& declaration, Reading& reading) {
+  Arguments arguments;
+  for (const scene::Entry& entry : declaration.entries) {
+    std::vector<Value> values = reading.evaluator.eval(entry, reading.evaluator.key(declaration));
+    bool faulty = false;
+    for (const Value& value : values) faulty = faulty || value.empty();
+    if (faulty) continue;
+    Value value =
+        values.size() == 1 ? std::move(values[0]) : Value(List(values.begin(), values.end()));
+    arguments.push_back({entry.key, std::move(value), entry.where});
+  }
+  return arguments;
+}
+
+namespace {
+
+Value report_unknown(const Family& family, const std::string& name, const SourceLocation& where,
+                     Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const FamilyKind& kind : family.kinds) names.push_back(kind.info->name);
+  diagnostics.error(where, fmt::format("there is no {} '{}'", family.type, name),
+                    suggestion(name, names));
+  return Value();
+}
+
+Value read_block_family(const Family& family, const std::string& fallback,
+                        const scene::Declaration& declaration, Reading& reading) {
+  std::string name = fallback;
+  SourceLocation where = declaration.where;
+  Arguments arguments = block_arguments(declaration, reading);
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i].name != "kind") continue;
+    const auto* given = arguments[i].value.get<Value::Name>();
+    where = arguments[i].where;
+    name = given ? given->text : to_string(arguments[i].value);
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
+    break;
+  }
+  if (name.empty()) {
+    reading.diagnostics.error(where, fmt::format("'{}' needs a kind", declaration.name),
+                              fmt::format("{} {} = KIND(...), or 'kind KIND' in the block",
+                                          declaration.kind, declaration.name));
+    return Value();
+  }
+  if (auto value = reading.resolver.make(family, name, arguments, where, reading.diagnostics))
+    return *value;
+  return report_unknown(family, name, where, reading.diagnostics);
+}
+
+}  // namespace
+
+Value read_family(const std::string& type, const std::string& fallback,
+                  const scene::Declaration& declaration, Reading& reading) {
+  const Family& family = *find_family(type);
+  if (!declaration.value) return read_block_family(family, fallback, declaration, reading);
+  const scene::Expr& expr = *declaration.value;
+  const RandomKey key = reading.evaluator.key(declaration);
+  if (expr.kind == scene::ExprKind::call && !expr.method && family.find(expr.text)) {
+    const Arguments arguments = reading.evaluator.arguments(expr, key);
+    return *reading.resolver.make(family, expr.text, arguments, expr.where, reading.diagnostics);
+  }
+  Value value = reading.evaluator.eval(expr, key);
+  if (value.empty()) return value;
+  const Object* object = value.get<Object>();
+  if (object && object->type == type) return value;
+  if (expr.kind == scene::ExprKind::call && !expr.method)
+    return report_unknown(family, expr.text, expr.where, reading.diagnostics);
+  reading.diagnostics.error(expr.where, fmt::format("'{}' expects a {}, not {}", declaration.name,
+                                                    type, value.type_name()));
+  return Value();
+}
+
+}  // namespace vug::session

@@ -1,0 +1,76 @@
+// What a kind of declaration is read with: one file a kind in declarations/.
+#pragma once
+
+#include <vug/session/objects.h>
+#include <vug/session/resolver.h>
+
+namespace vug::session {
+
+/// Everything a declaration's reader may use and add to.
+struct Reading {
+  const scene::Document& document;
+  scene::Evaluator& evaluator;
+  Resolver& resolver;
+  Diagnostics& diagnostics;
+  Shot& shot;
+};
+
+/// A word that opens a declaration. `read` makes its value, which other expressions see under the
+/// declaration's name, and adds what the shot needs. `info.params` are the keys of its block.
+struct DeclarationKind {
+  KindInfo info;
+  std::function<Value(const scene::Declaration&, Reading&)> read;
+};
+
+#define VUG_KIND(name) const DeclarationKind& name##_declaration();
+#include <vug/session/declarations_kinds.inc>
+#undef VUG_KIND
+
+const std::vector<const DeclarationKind*>& declaration_kinds();
+
+/// The entries of a block as arguments: one value stands for itself, several for a list.
+Arguments block_arguments(const scene::Declaration& declaration, Reading& reading);
+
+/// The block bound to a schema; nothing (with diagnostics) when it does not fit or when the
+/// declaration is written with '='.
+template <class P>
+std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& declaration,
+                            Reading& reading) {
+  if (declaration.value) {
+    reading.diagnostics.error(declaration.where,
+                              "'" + declaration.kind + "' is written with a block",
+                              declaration.kind + " " + declaration.name + " { ... }");
+    return std::nullopt;
+  }
+  Diagnostics own;
+  P params = schema.bind(block_arguments(declaration, reading), declaration.where, own);
+  reading.diagnostics.append(own);
+  if (own.has_errors()) return std::nullopt;
+  return params;
+}
+
+/// A declaration whose value is a kind of one family: `light key = rect(...)`, or in block form
+/// `camera main { kind orthographic  eye ... }` with `fallback` as the kind where none is given.
+Value read_family(const std::string& type, const std::string& fallback,
+                  const scene::Declaration& declaration, Reading& reading);
+
+/// What stands after `on`, as a T; null with a diagnostic that names the expected type.
+template <class T>
+T read_target(const scene::Declaration& declaration, Reading& reading) {
+  const std::string expected = ValueTraits<T>::type();
+  if (!declaration.target) {
+    reading.diagnostics.error(declaration.where,
+                              "'" + declaration.kind + "' needs 'on' and a " + expected,
+                              declaration.kind + " " + declaration.name + " on NAME { ... }");
+    return {};
+  }
+  const Value value =
+      reading.evaluator.eval(*declaration.target, reading.evaluator.key(declaration).at("on"));
+  if (value.empty()) return {};
+  if (auto target = ValueTraits<T>::read(value)) return *target;
+  reading.diagnostics.error(declaration.target->where, "'" + declaration.kind + "' stands on a " +
+                                                           expected + ", not " + value.type_name());
+  return {};
+}
+
+}  // namespace vug::session

@@ -1,0 +1,110 @@
+#include <vug/field/boolean.h>
+#include <vug/field/registry.h>
+#include <vug/session/resolver.h>
+
+#include <fmt/format.h>
+
+namespace vug::session {
+
+void Resolver::declare(const std::string& name, Maker maker) {
+  entries_.emplace(name, Entry{std::move(maker), {}, false, false});
+}
+
+std::optional<Value> Resolver::name(const std::string& name, const SourceLocation& where,
+                                    Diagnostics& diagnostics) {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) return std::nullopt;
+  Entry& entry = found->second;
+  if (entry.pending) {
+    diagnostics.error(where, fmt::format("'{}' is made of itself", name));
+    return Value();
+  }
+  if (!entry.made) {
+    entry.pending = true;
+    entry.value = entry.maker();
+    entry.pending = false;
+    entry.made = true;
+  }
+  return entry.value;
+}
+
+/// Parameters of type "file" are paths beside the scene, wherever the program runs.
+Arguments Resolver::with_files(const FamilyKind& kind, Arguments arguments) const {
+  size_t position = 0;
+  for (Argument& argument : arguments) {
+    const ParamInfo* param = nullptr;
+    if (argument.name.empty()) {
+      if (position < kind.info->params.size()) param = &kind.info->params[position++];
+    } else {
+      for (const ParamInfo& candidate : kind.info->params)
+        if (candidate.name == argument.name) param = &candidate;
+    }
+    const std::string* text = argument.value.get<std::string>();
+    if (!param || param->name != "file" || !text) continue;
+    const std::filesystem::path path(*text);
+    if (path.is_relative()) argument.value = Value((folder_ / path).lexically_normal().string());
+  }
+  return arguments;
+}
+
+std::optional<Value> Resolver::make(const Family& family, const std::string& name,
+                                    const Arguments& arguments, const SourceLocation& where,
+                                    Diagnostics& diagnostics) {
+  const FamilyKind* kind = family.find(name);
+  if (!kind) return std::nullopt;
+  for (const Argument& argument : arguments)
+    if (argument.value.empty()) return Value();  // its fault has been told
+  try {
+    auto value = kind->make(with_files(*kind, arguments), where, diagnostics);
+    return value ? *value : Value();
+  } catch (const Error& error) {
+    diagnostics.error(error.where().known() ? error.where() : where, error.what(), error.hint());
+    return Value();
+  }
+}
+
+std::optional<Value> Resolver::call(const std::string& name, const Arguments& arguments,
+                                    const SourceLocation& where, RandomKey,
+                                    Diagnostics& diagnostics) {
+  for (const Family& family : families())
+    if (auto value = make(family, name, arguments, where, diagnostics)) return value;
+  return std::nullopt;
+}
+
+std::optional<Value> Resolver::binary(char op, const Value& a, const Value& b,
+                                      const SourceLocation& where, Diagnostics& diagnostics) {
+  const auto* f = a.object<field::Field>();
+  const auto* g = b.object<field::Field>();
+  if (f && g) {
+    if (op == '+') return field::as_value(field::unite({*f, *g}));
+    if (op == '-') return field::as_value(field::subtract(*f, {*g}));
+    if (op == '&') return field::as_value(field::intersect({*f, *g}));
+  }
+  diagnostics.error(where,
+                    fmt::format("'{}' does not join {} and {}", op, a.type_name(), b.type_name()),
+                    f && g ? "fields know + (union), - (difference) and & (intersection)" : "");
+  return Value();
+}
+
+std::optional<Value> Resolver::unary(char op, const Value& a, const SourceLocation& where,
+                                     Diagnostics& diagnostics) {
+  const auto* f = a.object<field::Field>();
+  if (f && op == '-') return field::as_value(field::complement(*f));
+  diagnostics.error(where, fmt::format("'{}' does not go before {}", op, a.type_name()));
+  return Value();
+}
+
+std::vector<std::string> Resolver::known_names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : entries_) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> Resolver::known_calls() const {
+  std::vector<std::string> names;
+  for (const Family& family : families())
+    for (const FamilyKind& kind : family.kinds) names.push_back(kind.info->name);
+  return names;
+}
+
+}  // namespace vug::session

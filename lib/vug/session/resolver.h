@@ -1,0 +1,58 @@
+// The resolver that knows every kind and every declaration of a document.
+#pragma once
+
+#include <vug/scene/document.h>
+#include <vug/scene/evaluator.h>
+#include <vug/scene/resolver.h>
+#include <vug/session/family.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace vug::session {
+
+class Resolver final : public scene::Resolver {
+ public:
+  /// Makes the value of a declared name, once, when it is first needed.
+  using Maker = std::function<Value()>;
+
+  /// `folder`: where relative file names of the scene start.
+  explicit Resolver(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Announces a declared object. Names are unique over all kinds (the parser checks).
+  void declare(const std::string& name, Maker maker);
+
+  /// A call of a kind of one family, where a declaration says which family it wants: names such
+  /// as `sphere` stand for a solid and for a lamp.
+  std::optional<Value> make(const Family& family, const std::string& name,
+                            const Arguments& arguments, const SourceLocation& where,
+                            Diagnostics& diagnostics);
+
+  std::optional<Value> name(const std::string& name, const SourceLocation& where,
+                            Diagnostics& diagnostics) override;
+  std::optional<Value> call(const std::string& name, const Arguments& arguments,
+                            const SourceLocation& where, RandomKey key,
+                            Diagnostics& diagnostics) override;
+  std::optional<Value> binary(char op, const Value& a, const Value& b, const SourceLocation& where,
+                              Diagnostics& diagnostics) override;
+  std::optional<Value> unary(char op, const Value& a, const SourceLocation& where,
+                             Diagnostics& diagnostics) override;
+  std::vector<std::string> known_names() const override;
+  std::vector<std::string> known_calls() const override;
+
+ private:
+  struct Entry {
+    Maker maker;
+    Value value;
+    bool made = false;
+    bool pending = false;
+  };
+  Arguments with_files(const FamilyKind& kind, Arguments arguments) const;
+
+  std::filesystem::path folder_;
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace vug::session

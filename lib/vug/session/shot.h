@@ -1,0 +1,89 @@
+// What a scene asks for, evaluated but not yet computed: plain data between text and products.
+#pragma once
+
+#include <vug/field/field.h>
+#include <vug/grammar/tree.h>
+#include <vug/paint/paint.h>
+#include <vug/render/integrator.h>
+#include <vug/render/sampler.h>
+#include <vug/render/scene.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::session {
+
+/// `volume NAME = level_set(...)` or `fog(...)`.
+struct VolumePlan {
+  std::string name;  ///< Also the grid's name in the file.
+  field::Field field;
+  bool fog = false;
+  double voxel = 0.1;         ///< Metres.
+  double half_width = 3;      ///< Of the narrow band, voxels.
+  bool repair = true;         ///< Make band values distances where the field's are not.
+  bool half = false;          ///< Store 16-bit floats.
+  std::optional<Vec3d> from;  ///< With `to`: cut to this box; needed by fields without bounds.
+  std::optional<Vec3d> to;
+};
+using VolumePtr = std::shared_ptr<const VolumePlan>;
+
+enum class MeshFormat { ply, obj, stl };
+
+/// `mesh NAME on VOLUME { ... }`.
+struct MeshPlan {
+  std::string name;
+  VolumePtr volume;
+  double adaptivity = 0;  ///< 0 keeps every quad, 1 merges what is flat.
+  bool polish = true;     ///< Move vertices onto the exact field.
+  MeshFormat format = MeshFormat::ply;
+  paint::Paint paint;  ///< Vertex colours (attribute Cd); null: none.
+};
+using MeshPtr = std::shared_ptr<const MeshPlan>;
+
+/// `object NAME on MESH { ... }`: a mesh with what it is made of, for pictures.
+struct ObjectPlan {
+  std::string name;
+  MeshPtr mesh;
+  render::BsdfPtr material;  ///< Null: grey.
+  bool flat = false;
+};
+
+/// `render NAME { ... }`.
+struct RenderPlan {
+  std::string name = "main";
+  std::vector<int> size = {960, 540};  ///< Pixels: width, height.
+  int spp = 64;
+  int max_bounces = 8;
+  double exposure = 0;       ///< Stops; for the PNG only.
+  bool half = true;          ///< 16-bit colour channels in the EXR.
+  render::CameraPtr camera;  ///< Null: the camera named like the plan, else the first.
+  render::SamplerPtr sampler;
+  render::IntegratorPtr integrator;
+};
+
+/// A grammar's derivation, kept for `vug tree` and for counting productions.
+struct Derivation {
+  std::string name;
+  grammar::Tree tree;
+  int64_t productions = 0;
+};
+
+struct Shot {
+  std::string name;  ///< The scene file's stem.
+  uint64_t seed = 0;
+  std::string recipe;  ///< The scene text with its overrides: what rebuilds all of this.
+  std::vector<VolumePtr> volumes;
+  std::vector<MeshPtr> meshes;
+  std::vector<ObjectPlan> objects;
+  std::vector<std::pair<std::string, render::CameraPtr>> cameras;
+  std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
+  render::MediumPtr medium;
+  std::vector<RenderPlan> renders;
+  std::vector<Derivation> derivations;
+};
+
+}  // namespace vug::session

@@ -1,0 +1,51 @@
+#include <vug/mesh/format.h>
+#include <vug/session/write.h>
+#include <vug/volume/fog.h>
+#include <vug/volume/io.h>
+
+#include <fmt/format.h>
+
+namespace vug::session {
+namespace {
+
+const char* extension(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::ply:
+      return "ply";
+    case MeshFormat::obj:
+      return "obj";
+    case MeshFormat::stl:
+      return "stl";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_products(Builder& builder,
+                                                  const std::filesystem::path& folder) {
+  const Shot& shot = builder.shot();
+  std::vector<std::filesystem::path> paths;
+  if (!shot.volumes.empty()) {
+    volume::WriteOptions options;
+    options.metadata = {{"vug:recipe", shot.recipe}, {"vug:seed", static_cast<int64_t>(shot.seed)}};
+    std::vector<volume::Grid> grids;
+    for (const VolumePtr& plan : shot.volumes) {
+      const volume::LevelSet& level_set = builder.level_set(plan);
+      grids.push_back(
+          (plan->fog ? volume::fog(level_set) : volume::Grid(level_set)).named(plan->name));
+      options.half = options.half || plan->half;
+    }
+    paths.push_back(folder / (shot.name + ".vdb"));
+    volume::write(paths.back(), grids, options);
+  }
+  for (const MeshPtr& plan : shot.meshes) {
+    const std::string stem =
+        shot.meshes.size() == 1 ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
+    paths.push_back(folder / fmt::format("{}.{}", stem, extension(plan->format)));
+    mesh::write_mesh(*builder.mesh(plan), paths.back());
+  }
+  return paths;
+}
+
+}  // namespace vug::session

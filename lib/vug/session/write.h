@@ -1,0 +1,16 @@
+// Products to files.
+#pragma once
+
+#include <vug/session/build.h>
+
+#include <filesystem>
+
+namespace vug::session {
+
+/// Writes everything the shot declares into `folder`, each file whole or not at all: all volumes
+/// in NAME.vdb, the only mesh in NAME.ply (.obj, .stl), several in NAME_MESH.ply, where NAME is
+/// the shot's. Gives the paths in the order they were written.
+std::vector<std::filesystem::path> write_products(Builder& builder,
+                                                  const std::filesystem::path& folder);
+
+}  // namespace vug::session

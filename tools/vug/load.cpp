@@ -1,0 +1,54 @@
+#include "load.h"
+
+#include <fmt/format.h>
+#include <vug/base/memory.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace vug::cli {
+
+void SceneOptions::add_to(CLI::App& app) {
+  app.add_option("scene", scene, "the scene, a .vug file")->required();
+  app.add_option("-D", defines, "NAME=VALUE: set a parameter of the scene")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  app.add_option("--seed", seed, "instead of the scene's seed");
+}
+
+session::LoadOptions SceneOptions::load_options() const {
+  session::LoadOptions options;
+  options.seed = seed;
+  for (const std::string& define : defines) {
+    const size_t equals = define.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw Error(ErrorCode::bad_input, fmt::format("'-D {}' names no parameter and value", define),
+                  {}, "write -D NAME=VALUE");
+    options.overrides.push_back({define.substr(0, equals), define.substr(equals + 1)});
+  }
+  if (const char* folder = std::getenv("VUG_DATA")) options.include_folders.emplace_back(folder);
+  for (const char* folder : {VUG_SOURCE_DATA, VUG_INSTALLED_DATA})
+    if (std::filesystem::is_directory(folder)) options.include_folders.emplace_back(folder);
+  return options;
+}
+
+session::Loaded SceneOptions::load() const {
+  session::Loaded loaded = session::load(scene, load_options());
+  fmt::print(stderr, "{}", loaded.report());
+  if (!loaded.usable()) throw Stop{kUnusable};
+  return loaded;
+}
+
+void WorkOptions::add_to(CLI::App& app) {
+  app.add_option("--threads", threads, "threads to use; 0: all cores")->check(CLI::Range(0, 1024));
+  app.add_option("--max-memory", max_memory, "refuse work that needs more, e.g. 8G");
+  app.add_flag("--quiet,-q", quiet, "no progress bar and no summary");
+}
+
+uint64_t WorkOptions::memory_limit() const {
+  return max_memory.empty() ? available_memory() / 10 * 9 : parse_bytes(max_memory);
+}
+
+}  // namespace vug::cli

@@ -1,0 +1,35 @@
+// Options that every verb with a scene shares.
+#pragma once
+
+#include "verb.h"
+
+#include <vug/session/load.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::cli {
+
+struct SceneOptions {
+  std::string scene;
+  std::vector<std::string> defines;
+  std::optional<uint64_t> seed;
+
+  void add_to(CLI::App& app);
+  /// Loads the scene; prints its diagnostics on stderr. Throws Stop{kUnusable} when it has errors.
+  session::Loaded load() const;
+  session::LoadOptions load_options() const;
+};
+
+struct WorkOptions {
+  int threads = 0;
+  std::string max_memory;
+  bool quiet = false;
+
+  void add_to(CLI::App& app);
+  /// The limit in bytes; without one, nine tenths of what the machine has free.
+  uint64_t memory_limit() const;
+};
+
+}  // namespace vug::cli

@@ -1,0 +1,65 @@
+// vug: caves and terrain out of grammars. Parses arguments and hands over to a verb.
+#include "report.h"
+#include "verb.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+#include <new>
+
+namespace vug::cli {
+namespace {
+
+std::vector<Verb> verbs() {
+  return {
+#define VUG_VERB(name) name##_verb(),
+#include <verbs.inc>
+#undef VUG_VERB
+  };
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Grows film-grade caves out of grammars: text to VDB, mesh and picture.", "vug");
+  app.set_version_flag("--version", "vug " VUG_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  app.footer(
+      "'vug VERB --help' tells more. Exit codes: 0 done, 1 the answer is no, 2 unusable input, 3 a "
+      "failure.");
+  std::map<const CLI::App*, std::function<int()>> runs;
+  for (const Verb& verb : verbs()) {
+    CLI::App* command = app.add_subcommand(verb.name, verb.doc);
+    runs[command] = verb.setup(*command);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kUnusable;
+  }
+  return runs.at(app.get_subcommands().at(0))();
+}
+
+}  // namespace
+}  // namespace vug::cli
+
+int main(int argc, char** argv) {
+  using namespace vug;
+  if (!__builtin_cpu_supports("avx2")) {
+    std::fputs("error: this build of vug needs a processor with AVX2 (2013 or later)\n", stderr);
+    return cli::kFailed;
+  }
+  try {
+    return cli::run(argc, argv);
+  } catch (const cli::Stop& stop) {
+    return stop.exit;
+  } catch (const Error& error) {
+    return cli::report(error);
+  } catch (const std::bad_alloc&) {
+    std::fputs("error: out of memory\nhint: use a larger voxel or fewer pixels\n", stderr);
+    return cli::kFailed;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return cli::kFailed;
+  }
+}

@@ -1,0 +1,11 @@
+// How the command tells of errors.
+#pragma once
+
+#include <vug/base/error.h>
+
+namespace vug::cli {
+
+/// "error: message", its context and its hint on stderr; the exit code that goes with it.
+int report(const Error& error);
+
+}  // namespace vug::cli

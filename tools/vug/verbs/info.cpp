@@ -1,0 +1,51 @@
+#include "verb.h"
+
+#include <fmt/format.h>
+#include <vug/session/describe_file.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  bool json = false;
+};
+
+/// One "key: value" a line, nested parts indented.
+void print(const nlohmann::ordered_json& value, int depth) {
+  const std::string indent(static_cast<size_t>(2 * depth), ' ');
+  for (const auto& [key, part] : value.items()) {
+    const std::string label = value.is_array() ? "-" : key + ":";
+    const bool rows = part.is_object() || (part.is_array() && !part.empty() && part[0].is_object());
+    if (rows) {
+      fmt::print("{}{}\n", indent, label);
+      print(part, depth + 1);
+    } else {
+      const std::string text = part.is_string() ? part.get<std::string>() : part.dump();
+      const size_t line = text.find('\n');
+      fmt::print("{}{} {}{}\n", indent, label, text.substr(0, line),
+                 line == std::string::npos ? "" : " ...");
+    }
+  }
+}
+
+}  // namespace
+
+Verb info_verb() {
+  return {"info", "Tells what is in a .vdb, .exr, .png or mesh file.", [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("file", options->file, "the file")->required();
+            app.add_flag("--json", options->json, "for programs, with whole texts");
+            return [options] {
+              const nlohmann::ordered_json info = session::describe_file(options->file);
+              if (options->json)
+                fmt::print("{}\n", info.dump(2));
+              else
+                print(info, 0);
+              return kDone;
+            };
+          }};
+}
+
+}  // namespace vug::cli

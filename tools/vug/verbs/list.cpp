@@ -1,0 +1,61 @@
+#include "verb.h"
+
+#include <fmt/format.h>
+#include <vug/session/catalogue.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  std::string what;
+  bool json = false;
+};
+
+/// Categories in order of first appearance.
+void print_overview(const std::vector<const KindInfo*>& kinds) {
+  std::string category;
+  for (const KindInfo* kind : kinds) {
+    if (kind->category != category) {
+      category = kind->category;
+      fmt::print("{}{}\n", kind == kinds.front() ? "" : "\n", category);
+    }
+    fmt::print("  {:<22} {}\n", kind->name, kind->doc);
+  }
+}
+
+void print_kind(const KindInfo& kind) {
+  fmt::print("{} ({}): {}\n", kind.name, kind.category, kind.doc);
+  for (const ParamInfo& param : kind.params)
+    fmt::print("  {:<14} {}{}\n", param.name, session::describe(param),
+               param.doc.empty() ? "" : "; " + param.doc);
+}
+
+int run(const Options& options) {
+  const std::vector<const KindInfo*> kinds = session::find_kinds(options.what);
+  if (kinds.empty())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("there is no kind or category '{}'", options.what), {},
+                suggestion(options.what, session::kind_words()));
+  if (options.json)
+    fmt::print("{}\n", session::catalogue_json(kinds).dump(2));
+  else if (options.what.empty() || kinds.front()->name != options.what)
+    print_overview(kinds);
+  else
+    for (const KindInfo* kind : kinds) print_kind(*kind);
+  return kDone;
+}
+
+}  // namespace
+
+Verb list_verb() {
+  return {"list", "Lists everything a scene can say, or one kind with its parameters.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("kind", options->what, "a kind (torus) or a category (primitive)");
+            app.add_flag("--json", options->json, "for programs");
+            return [options] { return run(*options); };
+          }};
+}
+
+}  // namespace vug::cli

@@ -1,0 +1,52 @@
+#include "bar.h"
+#include "load.h"
+
+#include <fmt/format.h>
+#include <vug/base/parallel.h>
+#include <vug/session/measure.h>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  WorkOptions work;
+  std::string mesh;
+  bool json = false;
+};
+
+metrics::Report report_of(const Options& options) {
+  const ThreadLimit threads(options.work.threads);
+  Progress& progress = terminal_progress(options.work.quiet);
+  if (std::filesystem::path(options.scene.scene).extension() != ".vug")
+    return session::measure_file(options.scene.scene, progress);
+  const session::Loaded loaded = options.scene.load();
+  session::Builder builder(loaded.shot, {options.work.memory_limit()}, progress);
+  return session::measure(builder, options.mesh);
+}
+
+int run(const Options& options) {
+  const metrics::Report report = report_of(options);
+  if (options.json)
+    fmt::print("{}\n", metrics::to_json(report));
+  else
+    fmt::print("{}", metrics::to_table(report));
+  return report.sound() ? kDone : kAnswerNo;
+}
+
+}  // namespace
+
+Verb measure_verb() {
+  return {"measure",
+          "Measures a scene's mesh, or a .vdb, .obj, .ply, .stl file; exit 1 when it is broken.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            options->scene.add_to(app);
+            app.add_option("--mesh", options->mesh, "which mesh of the scene; else the first");
+            app.add_flag("--json", options->json, "for programs");
+            options->work.add_to(app);
+            return [options] { return run(*options); };
+          }};
+}
+
+}  // namespace vug::cli
