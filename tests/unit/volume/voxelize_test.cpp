@@ -32,6 +32,8 @@ constexpr double kRounding = 4e-6;
 
 TEST(Voxelize, ExactPrimitivesKeepTheirDistances) {
   expect_clamped_field(make("sphere", {{"radius", 24.3 / 32}}), 1.0 / 32, kRounding);
+  expect_clamped_field(make("torus", {{"radius", 0.5}, {"tube", 0.21}}), 1.0 / 32, kRounding);
+  expect_clamped_field(make("box", {{"size", Vec3d(1.1, 0.8, 0.7)}}), 1.0 / 32, kRounding);
 }
 
 TEST(Voxelize, SharpBooleansKeepTheirValues) {
