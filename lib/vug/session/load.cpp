@@ -5,6 +5,7 @@
 #include <vug/session/grammar_binding.h>
 #include <vug/session/load.h>
 #include <vug/session/reader.h>
+#include <vug/volume/samples.h>
 
 #include <fmt/format.h>
 
@@ -55,6 +56,7 @@ void announce(const scene::Document& document, Reading& reading) {
 Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
                 const LoadOptions& options) {
   loaded.sources = document.sources;
+  volume::install_grid_loader();
   Resolver resolver(file.parent_path());
   scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
                              {options.overrides, options.seed});
