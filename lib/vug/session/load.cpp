@@ -55,11 +55,11 @@ void announce(const scene::Document& document, Reading& reading) {
 
 Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
                 const LoadOptions& options) {
-  loaded.sources = document.sources;
   volume::install_grid_loader();
   Resolver resolver(file.parent_path());
   scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
                              {options.overrides, options.seed});
+  loaded.sources = evaluator.sources();  // with the texts of overrides, which reports quote
   loaded.shot.name = file.stem().string();
   loaded.shot.seed = evaluator.seed();
   loaded.shot.recipe = recipe(document, options, evaluator.seed());
@@ -84,6 +84,10 @@ Loaded load_text(std::string text, const std::string& file, const LoadOptions& o
   parse_options.include_folders = options.include_folders;
   const scene::Document document =
       scene::parse(std::move(text), file, loaded.diagnostics, parse_options);
+  if (loaded.diagnostics.has_errors()) {  // such a document must not be evaluated
+    loaded.sources = document.sources;
+    return loaded;
+  }
   return evaluate(document, std::move(loaded), file, options);
 }
 
