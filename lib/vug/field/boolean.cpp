@@ -158,7 +158,8 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
     }
     if (nearest) of_nearest = nearest->node->restrict_to(ball);
   }
-  const double ceiling = nearest ? of_nearest.range.hi : kInfinity;
+  double ceiling = kInfinity;
+  if (nearest) ceiling = of_nearest.range.hi;
 
   Interval folded(kInfinity, kInfinity);
   for (const Operand& operand : operands_) {

@@ -32,7 +32,7 @@ std::string to_string(const Symbol& symbol);
 
 /// What the callables of a production are given. `key` belongs to that one call alone, so drawing
 /// from it changes nothing else. Callables may run on several threads at once.
-struct Site {
+struct Site {               // NOLINT(cppcoreguidelines-pro-type-member-init): key has no default
   const Symbol& symbol;     ///< The occurrence that is being rewritten.
   RandomKey key;            ///< Source of this call's random numbers.
   int depth = 0;            ///< The occurrence's distance from the tree's root.
