@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -55,6 +56,20 @@ TEST_P(Parallel, PassesAnExceptionOn) {
 
 INSTANTIATE_TEST_SUITE_P(Backends, Parallel, testing::Values(false, true),
                          [](const auto& backend) { return backend.param ? "plain" : "tbb"; });
+
+#ifdef __SANITIZE_THREAD__
+TEST(ThreadSanitizerDeathTest, SeesARaceInOurOwnLoops) {
+  // The proof that tests/sanitizers/tsan.supp hides nothing of what parallel_for calls.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto race = [] {
+    const ThreadLimit limit(4);
+    size_t sum = 0;
+    parallel_for(100000, [&](size_t i) { sum += i; });
+    std::exit(0);
+  };
+  EXPECT_EXIT(race(), testing::ExitedWithCode(66), "data race");
+}
+#endif
 
 TEST(OrderedSum, IsTheSameForAnyNumberOfThreads) {
   const auto sum = [](int threads) {
