@@ -71,7 +71,10 @@ class Formatter {
       row.comment.erase(row.comment.find_last_not_of(" \t") + 1);
     }
     row.indent = begin == end ? inside() : indent(begin);
-    if (begin < end) fill(row, begin, end);
+    if (begin < end) {
+      items_ = in_grammar() && has_items(begin, row.indent);
+      fill(row, begin, end);
+    }
     rows_.push_back(std::move(row));
   }
 
@@ -84,7 +87,7 @@ class Formatter {
     if (closes && !open_.empty()) return open_.back().indent;
     const bool goes_on = is_arithmetic(first) || first.is(".") || first.is("->") ||
                          is_word(first) || first.is(",") ||
-                         (in_grammar() && (is_clause(first) || is_symbol(begin)));
+                         (in_grammar() && ((items_ && is_clause(first)) || is_symbol(begin)));
     return inside() + ((goes_on || hanging_) && !in_brackets() ? 4 : 0);
   }
 
@@ -113,6 +116,11 @@ class Formatter {
 
   bool is_symbol(size_t begin) const {
     return heads_.count(tokens_[begin].text) > 0 && !is_rule(begin);
+  }
+
+  /// Whether the line's items may go on in the next: it is an axiom or a rule, or goes on itself.
+  bool has_items(size_t begin, int indent) const {
+    return tokens_[begin].is_name("axiom") || is_rule(begin) || (items_ && indent > inside());
   }
 
   static bool is_clause(const Token& t) { return t.is_name("label") || t.is_name("blend"); }
@@ -239,6 +247,7 @@ class Formatter {
   std::vector<Row> rows_;
   std::vector<Open> open_;
   std::set<std::string_view> heads_;
+  bool items_ = false;    ///< The line before holds items that a clause may go on.
   bool hanging_ = false;  ///< The line before ends in the middle of an expression or list.
 };
 

@@ -65,6 +65,15 @@ TEST(Format, LinesUpColumns) {
             "  A    -> - g(1, 2)  label -Z\n}\n");
 }
 
+// `blend` and `label` are options above the rules and clauses of the items below them.
+TEST(Format, OptionsOfAGrammarDoNotGoOn) {
+  EXPECT_EQ(
+      format("grammar g {\nlabel +X\n# why\nblend smooth(1)\naxiom + f(1)\nlabel -X\n}\n"),
+      "grammar g {\n  label +X\n  # why\n  blend smooth(1)\n  axiom + f(1)\n      label -X\n}\n");
+  EXPECT_EQ(format("grammar g {\nA -> + f(1)\n- f(2)\nblend round(1)\n}\n"),
+            "grammar g {\n  A -> + f(1)\n      - f(2)\n      blend round(1)\n}\n");
+}
+
 TEST(Format, KeepsCommentsAndSingleBlankLines) {
   EXPECT_EQ(format("\n\n# top\n\n\n\nlet a = 1\ncamera c {\n# in\n  fov 3 # eol\n}\n\n\n"),
             "# top\n\nlet a = 1\ncamera c {\n  # in\n  fov 3  # eol\n}\n");
