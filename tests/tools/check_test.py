@@ -12,9 +12,9 @@ GOOD = {
     ".clang-format": (ROOT / ".clang-format").read_text(),
     "lib/CMakeLists.txt": "foreach(module\n    base\n    scene mesh\n    field\n    volume\n    session)\n",
     "lib/vug/base/CMakeLists.txt": "vug_module(base PUBLIC TBB::tbb)\n",
-    "lib/vug/base/vec.h": "#pragma once\n",
+    "lib/vug/base/vec.h": "// Vectors.\n#pragma once\n",
     "lib/vug/mesh/CMakeLists.txt": "vug_module(mesh DEPENDS base)\n",
-    "lib/vug/mesh/mesh.h": "#pragma once\n\n#include <vug/base/vec.h>\n",
+    "lib/vug/mesh/mesh.h": "// Triangles.\n#pragma once\n\n#include <vug/base/vec.h>\n",
     "lib/vug/field/CMakeLists.txt": "vug_module(field DEPENDS mesh PUBLIC fmt::fmt)\n"
                                     "vug_kinds(field primitives\n  box\n  sphere\n)\n",
     "lib/vug/field/primitives/box.cpp": '#include <vug/base/vec.h>\n// s.cite("lorensen1987")\n',
@@ -23,7 +23,8 @@ GOOD = {
     "lib/vug/volume/grid.cpp": "#include <openvdb/openvdb.h>\n",
     "lib/vug/session/CMakeLists.txt": "vug_module(session DEPENDS volume)\n",
     "docs/references.bib": "@article{lorensen1987, title = {Marching Cubes}}\n",
-    "docs/tour.md": "# The tour\n\n[there](theory.md#two-words) and [here](#the-tour)\n",
+    "docs/tour.md": "# The tour\n\n[there](theory.md#two-words) and [here](#the-tour): `zero` in `mesh/zero.cpp`\n",
+    "lib/vug/mesh/zero.cpp": "int zero() { return 0; }\n",
     "docs/theory.md": "# Theory\n\n## Two words\n\nSee [@lorensen1987].\n",
     "data/cave.vug": "seed 1\n",
 }
@@ -58,7 +59,7 @@ class CheckTest(unittest.TestCase):
     def test_a_good_tree_passes_every_check(self):
         code, output = run({})
         self.assertEqual(code, 0, output)
-        self.assertEqual(output.count(" ok "), 8, output)
+        self.assertEqual(output.count(" ok "), 9, output)
 
     def test_unknown_check(self):
         code, output = run({}, "layer")
@@ -130,7 +131,8 @@ class CheckTest(unittest.TestCase):
 
     def test_forbidden_in_headers(self):
         self.finds("forbidden", {"lib/vug/mesh/a.h": BODY}, "#pragma once")
-        self.finds("forbidden", {"lib/vug/mesh/a.h": "#pragma once\nusing namespace std;\n"}, "a.h:2")
+        self.finds("forbidden", {"lib/vug/mesh/a.h": "// A.\n#pragma once\nusing namespace std;\n"}, "a.h:3")
+        self.finds("forbidden", {"lib/vug/mesh/a.h": "#pragma once\n"}, "starts with a comment")
 
     def test_forbidden_everywhere(self):
         for text in ("// TO" + "DO: more", "ST" + "UB: what it is", "see /" + "root/a", "http://deb.deb" + "ian.org/x"):
@@ -155,6 +157,15 @@ class CheckTest(unittest.TestCase):
         self.finds("links", {"docs/a.md": "[x](theory.md#three-words)\n"}, "no such heading")
         self.finds("links", {"docs/a.md": "![x](picture.png)\n"}, "picture.png")
         self.passes("links", {"docs/a.md": "```\n[x](nowhere.md)\n```\n[y](https://a.b/c)\n"})
+
+    def test_paths(self):
+        for text, what in (("see `mesh/nowhere.cpp`", "docs/a.md:2: there is no mesh/nowhere.cpp"),
+                           ("`lib/nowhere/`", "there is no lib/nowhere/"),
+                           ("`one` in\n`mesh/zero.cpp`", "mesh/zero.cpp has no one"),
+                           ("| `mesh/zero.cpp`, `Zero::one` |", "mesh/zero.cpp has no Zero")):
+            self.finds("paths", {"docs/a.md": "\n" + text + "\n"}, what)
+        self.passes("paths", {"docs/a.md": "`a / b`, `out/a.vdb`, `lib/vug/mesh/`, `field/primitives/box.cpp`"
+                                           "\n```\n`mesh/nowhere.cpp`\n```\n"})
 
     def test_citations(self):
         self.finds("citations", {"lib/vug/mesh/a.cpp": 'void f() { s.cite("nobody1999"); }\n'},

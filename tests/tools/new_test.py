@@ -2,6 +2,7 @@
 
     new_test.py BUILD    the build folder whose compile_commands.json says how to compile
 """
+import difflib
 import json
 import pathlib
 import re
@@ -89,6 +90,47 @@ class NewTest(unittest.TestCase):
         layout = subprocess.run([sys.executable, ROOT / "tools/dev/check", "--root", self.tree,
                                  "layout"], capture_output=True, text=True)
         self.assertEqual(layout.returncode, 0, layout.stdout)
+
+    def texts(self):
+        return {name: (self.tree / name).read_text() for name in Tree(self.tree).files}
+
+    def test_a_kind_is_one_file_and_one_line(self):
+        for kind in KINDS:
+            with self.subTest(kind=kind):
+                place, name = place_of(kind), f"one_more_{kind}"
+                before = self.texts()
+                self.assertEqual(self.new(kind, name).returncode, 0)
+                after = self.texts()
+                self.assertLessEqual(set(before), set(after))
+                in_tests = {path for path in after if path.startswith("tests/")}
+                self.assertEqual(set(after) - set(before) - in_tests, {f"{place}/{name}.cpp"})
+                changed = {path for path in before if before[path] != after[path]}
+                listed = place.rpartition("/")[0] + "/CMakeLists.txt"
+                self.assertEqual(changed - in_tests, {listed})
+                lines = [line for line in difflib.ndiff(before[listed].split("\n"),
+                                                        after[listed].split("\n"))
+                         if line[0] in "+-"]
+                self.assertEqual(lines, [f"+   {name}"])
+                for path in in_tests & (changed | set(after) - set(before)):
+                    self.assertIn(f"{name}_test", path + after[path])
+
+    def test_the_changes_in_the_documentation(self):
+        changes = re.findall(r"^```diff\n(.*?)^```$", (ROOT / "docs/adding.md").read_text(), re.M | re.S)
+        self.assertGreaterEqual(len(changes), 4)
+        for change in changes:
+            files = re.findall(r"^\+\+\+ b/(.*)", change, re.M)
+            with self.subTest(files=files):
+                made = [file for file in files if not (self.tree / file).exists()]
+                lists = [file for file in files if file.endswith("CMakeLists.txt")]
+                self.assertEqual((len(files), len(made), len(lists)), (2, 1, 1))
+                lines = re.findall(r"^[+-](?![+-]).*", change.partition("--- /dev/null")[0], re.M)
+                self.assertEqual(lines, [f"+  {pathlib.Path(made[0]).stem}"])
+                applied = subprocess.run(["git", "apply", "-C1", "-"], cwd=self.tree, input=change,
+                                         capture_output=True, text=True)
+                self.assertEqual(applied.returncode, 0, applied.stderr)
+                self.write_lists()
+                new = self.tree / made[0]
+                self.assertEqual(self.syntax_errors(new, ROOT / made[0].rpartition("/")[0]), "")
 
     def test_its_first_test_compiles_and_is_listed(self):
         self.assertEqual(self.new("primitive", "egg").returncode, 0)

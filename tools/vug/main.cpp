@@ -9,6 +9,11 @@
 #include <new>
 
 namespace vug::cli {
+
+#define VUG_VERB(name) Verb name##_verb();
+#include <verbs.inc>
+#undef VUG_VERB
+
 namespace {
 
 std::vector<Verb> verbs() {

@@ -30,8 +30,4 @@ struct Stop {
   int exit;
 };
 
-#define VUG_VERB(name) Verb name##_verb();
-#include <verbs.inc>
-#undef VUG_VERB
-
 }  // namespace vug::cli

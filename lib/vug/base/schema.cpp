@@ -83,4 +83,11 @@ bool check_number(const ParamInfo& info, double value, Dimension dimension,
   return true;
 }
 
+std::optional<std::filesystem::path> read_file_name(const Argument& argument) {
+  const std::string* text = argument.value.get<std::string>();
+  if (!text) return std::nullopt;
+  const std::filesystem::path folder = std::filesystem::path(argument.where.file).parent_path();
+  return (folder / *text).lexically_normal();  // an absolute name replaces the folder
+}
+
 }  // namespace vug::detail

@@ -1,11 +1,14 @@
 // The schema of a kind: its name, doc, source and parameters. Everything that talks about kinds
-// (binding a scene's arguments, diagnostics, `vug list`, manuals, sweep tests) reads it from here.
+// (binding a scene's arguments, diagnostics, `vug list`, manuals, sweep tests) reads it from here;
+// base/kind.h makes a kind of it.
 #pragma once
 
 #include <vug/base/diagnostics.h>
-#include <vug/base/value.h>
+#include <vug/base/value_traits.h>
 
 #include <cmath>
+#include <concepts>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -26,7 +29,7 @@ using Arguments = std::vector<Argument>;
 /// One parameter as data.
 struct ParamInfo {
   std::string name;
-  std::string type;  ///< "number", "vector", "text", "truth", "name", "field", "list of field", ...
+  std::string type;  ///< "number", "vector", "text", "file", "name", "field", "list of field", ...
   Dimension dimension = Dimension::none;
   std::string doc;       ///< One sentence; states the unit where it is not the dimension's.
   std::string fallback;  ///< Default as scene text; empty when required.
@@ -63,21 +66,23 @@ inline ParamSpec any_length(std::string doc) {
   return {.doc = std::move(doc), .dimension = Dimension::length};
 }
 
-/// Converts one Value to a member's type and back. Modules specialise it for their objects;
-/// `type()` names what is expected, `read` gives nothing when the value is of another type.
-template <class T>
-struct ValueTraits;
-
 /// Describes the parameter struct P; filled by the kind's `describe`.
 template <class P>
 class Schema {
  public:
+  Schema(std::string name, std::string category) {
+    info_.name = std::move(name);
+    info_.category = std::move(category);
+  }
+
   Schema& doc(std::string text) { return info_.doc = std::move(text), *this; }
   Schema& cite(std::string key) { return info_.cite = std::move(key), *this; }
 
-  /// A parameter held in `member`; its default is the member's initialiser in P.
-  template <class T>
-  Schema& param(std::string name, T P::*member, ParamSpec spec = {});
+  /// A parameter held in `member` of P or of a base of P; its default is the member's initialiser.
+  /// A std::filesystem::path is read relative to the folder of the text that names it.
+  template <class T, class Base>
+  requires std::derived_from<P, Base> Schema& param(std::string name, T Base::*member,
+                                                    ParamSpec spec = {});
 
   /// An enumeration in `member`, given in text by one of the names.
   template <class E>
@@ -85,11 +90,12 @@ class Schema {
                  std::string doc);
 
   const KindInfo& info() const { return info_; }
-  KindInfo& info() { return info_; }
 
-  /// The struct that `arguments` describe. Unknown, repeated, missing, ill-typed and
-  /// out-of-range arguments are added to `diagnostics`; then the result is not to be used.
-  P bind(const Arguments& arguments, SourceLocation where, Diagnostics& diagnostics) const;
+  /// The struct that `arguments` describe; nothing, with diagnostics, when an argument is unknown,
+  /// repeated, missing, ill-typed or out of range, or when P has `std::string fault() const`
+  /// (empty, or a sentence on parameters that do not fit together) and that finds one.
+  std::optional<P> bind(const Arguments& arguments, const SourceLocation& where,
+                        Diagnostics& diagnostics) const;
 
  private:
   using Setter = std::function<void(P&, const Argument&, const ParamInfo&, Diagnostics&)>;
@@ -101,22 +107,6 @@ class Schema {
   std::vector<Setter> setters_;
 };
 
-/// A named maker of products, e.g. Kind<Field>. Products come out of arguments alone.
-template <class Product>
-struct Kind {
-  KindInfo info;
-  std::function<std::optional<Product>(const Arguments&, SourceLocation, Diagnostics&)> make;
-};
-
-/// Finds a kind by name, null when there is none.
-template <class Product>
-const Kind<Product>* find_kind(const std::vector<const Kind<Product>*>& kinds,
-                               const std::string& name) {
-  for (const auto* kind : kinds)
-    if (kind->info.name == name) return kind;
-  return nullptr;
-}
-
 namespace detail {
 /// Index of the parameter each argument goes to; -1 (with a diagnostic) when there is none.
 std::vector<int> match_arguments(const KindInfo& kind, const Arguments& arguments,
@@ -125,6 +115,8 @@ void report_type(const ParamInfo& info, const Argument& argument, Diagnostics& d
 /// Checks a number's dimension and range; false with a diagnostic when it does not fit.
 bool check_number(const ParamInfo& info, double value, Dimension dimension,
                   const SourceLocation& where, Diagnostics& diagnostics);
+/// The file that an argument names; see Schema::param. Nothing when it is no text.
+std::optional<std::filesystem::path> read_file_name(const Argument& argument);
 }  // namespace detail
 
 }  // namespace vug

@@ -52,8 +52,8 @@ struct Blend {
 namespace vug {
 
 template <>
-struct ValueTraits<field::Blend> {
-  static std::string type() { return "blend"; }
+struct ValueTraits<field::Blend> : ObjectTraits<field::Blend> {
+  static constexpr const char* kWord = "blend";
   static std::optional<field::Blend> read(const Value& v) {
     if (const auto* b = v.object<field::Blend>()) return *b;
     const auto* name = v.get<Value::Name>();
@@ -61,7 +61,7 @@ struct ValueTraits<field::Blend> {
   }
   static Value write(const field::Blend& b) {
     if (b.profile == field::Profile::sharp) return Value::Name{"sharp"};
-    return Object{"blend", b};
+    return ObjectTraits::write(b);
   }
 };
 

@@ -1,37 +1,23 @@
 #include <vug/base/parallel.h>
 #include <vug/field/noise.h>
 
-#include <fmt/format.h>
-
 namespace vug::field {
 
+#define VUG_KIND(name) const NoiseKind& name##_kind();
+#include <vug/field/noise_kinds.inc>
+#undef VUG_KIND
+
 #define VUG_KIND(name) &name##_kind(),
-const std::vector<const NoiseKind*>& noises() {
-  static const std::vector<const NoiseKind*> kinds = {
+const Kinds<Noise>& noises() {
+  static const Kinds<Noise> kinds = {
 #include <vug/field/noise_kinds.inc>
   };
   return kinds;
 }
 #undef VUG_KIND
 
-Noise make_noise(const std::string& kind,
-                 const std::vector<std::pair<std::string, Value>>& params) {
-  const NoiseKind* found = find_kind(noises(), kind);
-  if (!found) {
-    std::vector<std::string> names;
-    for (const NoiseKind* k : noises()) names.push_back(k->info.name);
-    throw Error(ErrorCode::bad_input, fmt::format("there is no noise '{}'", kind), {},
-                suggestion(kind, names));
-  }
-  Arguments arguments;
-  for (const auto& [name, value] : params) arguments.push_back({name, value, {}});
-  Diagnostics diagnostics;
-  std::optional<Noise> noise = found->make(arguments, {}, diagnostics);
-  if (noise) return *noise;
-  std::string message;
-  for (const Diagnostic& d : diagnostics.all())
-    message += (message.empty() ? "" : "; ") + d.message;
-  throw Error(ErrorCode::bad_input, message);
+Noise make_noise(const std::string& kind, const Named& params) {
+  return make_product(noises(), kind, params);
 }
 
 std::optional<Noise> default_noise(const std::string& kind) {

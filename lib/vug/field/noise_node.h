@@ -52,14 +52,18 @@ Interval centred_bounds(const N& noise, const Ball& ball) {
   return meet({value - reach, value + reach}, noise.range());
 }
 
-/// `prepare` turns parameters into the formula N.
+/// The noise of a formula N.
+template <class N>
+Noise formula_noise(const std::string& name, N formula) {
+  const Interval range = formula.range();
+  return Noise(Field(std::make_shared<NoiseNode<N>>(name, std::move(formula))), range);
+}
+
+/// `prepare` turns parameters into the formula.
 template <class P, class Prepare>
 NoiseKind noise_kind(const std::string& name, Prepare prepare) {
-  return product_kind<Noise, P>(name, "noise", [name, prepare](const P& params) {
-    auto formula = prepare(params);
-    const Interval range = formula.range();
-    using N = decltype(formula);
-    return Noise(Field(std::make_shared<NoiseNode<N>>(name, std::move(formula))), range);
+  return make_kind<Noise, P>(name, "noise", [name, prepare](const P& params) {
+    return formula_noise(name, prepare(params));
   });
 }
 

@@ -19,19 +19,18 @@ struct OctaveParams {
 template <class P>
 Schema<P>& describe_octaves(Schema<P>& s) {
   return s
-      .param("scale", static_cast<Factors P::*>(&OctaveParams::scale),
+      .param("scale", &OctaveParams::scale,
              {.doc = "size of the coarsest features; a vector stretches them along the axes",
               .dimension = Dimension::length,
               .min = 0,
               .above_min = true})
-      .param("octaves", static_cast<int P::*>(&OctaveParams::octaves),
+      .param("octaves", &OctaveParams::octaves,
              {.doc = "layers of ever finer features", .min = 1, .max = 16})
-      .param("lacunarity", static_cast<double P::*>(&OctaveParams::lacunarity),
+      .param("lacunarity", &OctaveParams::lacunarity,
              {.doc = "how many times finer each layer is", .min = 1, .max = 8})
-      .param("gain", static_cast<double P::*>(&OctaveParams::gain),
+      .param("gain", &OctaveParams::gain,
              {.doc = "strength of each layer against the one before", .min = 0, .max = 1})
-      .param("seed", static_cast<int P::*>(&OctaveParams::seed),
-             {.doc = "another seed, another noise"});
+      .param("seed", &OctaveParams::seed, {.doc = "another seed, another noise"});
 }
 
 /// The layers. Each has its own rotation and offset, so that no plane of lattice points, where

@@ -1,41 +1,49 @@
 #include <vug/field/registry.h>
 
-#include <fmt/format.h>
-
 namespace vug::field {
+
+#define VUG_KIND(name) const FieldKind& name##_kind();
+#include <vug/field/deformers_kinds.inc>
+#include <vug/field/detail_kinds.inc>
+#include <vug/field/operators_kinds.inc>
+#include <vug/field/primitives_kinds.inc>
+#undef VUG_KIND
+#define VUG_KIND(name) const BlendKind& name##_kind();
+#include <vug/field/blends_kinds.inc>
+#undef VUG_KIND
 
 #define VUG_KIND(name) &name##_kind(),
 
-const std::vector<const FieldKind*>& primitives() {
-  static const std::vector<const FieldKind*> kinds = {
+const Kinds<Field>& primitives() {
+  static const Kinds<Field> kinds = {
 #include <vug/field/primitives_kinds.inc>
   };
   return kinds;
 }
 
-const std::vector<const FieldKind*>& operators() {
-  static const std::vector<const FieldKind*> kinds = {
+const Kinds<Field>& operators() {
+  static const Kinds<Field> kinds = {
 #include <vug/field/operators_kinds.inc>
   };
   return kinds;
 }
 
-const std::vector<const FieldKind*>& deformers() {
-  static const std::vector<const FieldKind*> kinds = {
+const Kinds<Field>& deformers() {
+  static const Kinds<Field> kinds = {
 #include <vug/field/deformers_kinds.inc>
   };
   return kinds;
 }
 
-const std::vector<const FieldKind*>& details() {
-  static const std::vector<const FieldKind*> kinds = {
+const Kinds<Field>& details() {
+  static const Kinds<Field> kinds = {
 #include <vug/field/detail_kinds.inc>
   };
   return kinds;
 }
 
-const std::vector<const BlendKind*>& blends() {
-  static const std::vector<const BlendKind*> kinds = {
+const Kinds<Blend>& blends() {
+  static const Kinds<Blend> kinds = {
 #include <vug/field/blends_kinds.inc>
   };
   return kinds;
@@ -43,9 +51,9 @@ const std::vector<const BlendKind*>& blends() {
 
 #undef VUG_KIND
 
-const std::vector<const FieldKind*>& field_kinds() {
-  static const std::vector<const FieldKind*> kinds = [] {
-    std::vector<const FieldKind*> all = primitives();
+const Kinds<Field>& field_kinds() {
+  static const Kinds<Field> kinds = [] {
+    Kinds<Field> all = primitives();
     all.insert(all.end(), operators().begin(), operators().end());
     all.insert(all.end(), deformers().begin(), deformers().end());
     all.insert(all.end(), details().begin(), details().end());
@@ -54,23 +62,8 @@ const std::vector<const FieldKind*>& field_kinds() {
   return kinds;
 }
 
-Field make(const std::string& kind, const std::vector<std::pair<std::string, Value>>& params) {
-  const FieldKind* found = find_kind(field_kinds(), kind);
-  if (!found) {
-    std::vector<std::string> names;
-    for (const FieldKind* k : field_kinds()) names.push_back(k->info.name);
-    throw Error(ErrorCode::bad_input, fmt::format("there is no field '{}'", kind), {},
-                suggestion(kind, names));
-  }
-  Arguments arguments;
-  for (const auto& [name, value] : params) arguments.push_back({name, value, {}});
-  Diagnostics diagnostics;
-  std::optional<Field> field = found->make(arguments, {}, diagnostics);
-  if (field) return *field;
-  std::string message;
-  for (const Diagnostic& d : diagnostics.all())
-    message += (message.empty() ? "" : "; ") + d.message;
-  throw Error(ErrorCode::bad_input, message);
+Field make(const std::string& kind, const Named& params) {
+  return make_product(field_kinds(), kind, params);
 }
 
 }  // namespace vug::field

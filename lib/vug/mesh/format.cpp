@@ -1,6 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/mesh/format_kind.h>
+#include <vug/mesh/format.h>
 
 #include <fmt/format.h>
 
@@ -11,6 +11,10 @@
 #include <memory>
 
 namespace vug::mesh {
+
+#define VUG_KIND(name) const Format& name##_format();
+#include <vug/mesh/formats_kinds.inc>
+#undef VUG_KIND
 
 const std::vector<const Format*>& formats() {
   static const std::vector<const Format*> all = {

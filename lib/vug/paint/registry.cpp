@@ -2,18 +2,25 @@
 
 namespace vug::paint {
 
-const std::vector<const MaskKind*>& masks() {
+#define VUG_KIND(name) const MaskKind& name##_mask();
+#include <vug/paint/masks_kinds.inc>
+#undef VUG_KIND
+#define VUG_KIND(name) const PaintKind& name##_paint();
+#include <vug/paint/paints_kinds.inc>
+#undef VUG_KIND
+
+const Kinds<Mask>& masks() {
 #define VUG_KIND(name) &name##_mask(),
-  static const std::vector<const MaskKind*> kinds = {
+  static const Kinds<Mask> kinds = {
 #include <vug/paint/masks_kinds.inc>
   };
 #undef VUG_KIND
   return kinds;
 }
 
-const std::vector<const PaintKind*>& paints() {
+const Kinds<Paint>& paints() {
 #define VUG_KIND(name) &name##_paint(),
-  static const std::vector<const PaintKind*> kinds = {
+  static const Kinds<Paint> kinds = {
 #include <vug/paint/paints_kinds.inc>
   };
 #undef VUG_KIND

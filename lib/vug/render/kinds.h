@@ -2,7 +2,7 @@
 // schema. The lists stand in this module's CMakeLists.txt.
 #pragma once
 
-#include <vug/base/schema.h>
+#include <vug/base/kind.h>
 #include <vug/render/bsdf.h>
 #include <vug/render/camera.h>
 #include <vug/render/integrator.h>
@@ -11,25 +11,20 @@
 #include <vug/render/sampler.h>
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace vug::render {
 
-const std::vector<const Kind<CameraPtr>*>& cameras();
-const std::vector<const Kind<SamplerPtr>*>& samplers();
-const std::vector<const Kind<BsdfPtr>*>& bsdfs();
-const std::vector<const Kind<LightPtr>*>& lights();
-const std::vector<const Kind<MediumPtr>*>& media();
-const std::vector<const Kind<IntegratorPtr>*>& integrators();
+const Kinds<CameraPtr>& cameras();
+const Kinds<SamplerPtr>& samplers();
+const Kinds<BsdfPtr>& bsdfs();
+const Kinds<LightPtr>& lights();
+const Kinds<MediumPtr>& media();
+const Kinds<IntegratorPtr>& integrators();
 
-/// Parameters by name, for callers in C++.
-using Named = std::vector<std::pair<std::string, Value>>;
 /// An angle as a parameter's value.
 inline Value radians(double angle) { return Number{angle, Dimension::angle}; }
 
-/// One product of a kind from named parameters; Error(bad_input) with the first diagnostic when
-/// the kind is unknown or a parameter does not fit.
+/// One product of a kind from named parameters; see make_product.
 CameraPtr make_camera(const std::string& kind, const Named& parameters = {});
 SamplerPtr make_sampler(const std::string& kind, const Named& parameters = {});
 BsdfPtr make_bsdf(const std::string& kind, const Named& parameters = {});
@@ -38,3 +33,32 @@ MediumPtr make_medium(const std::string& kind, const Named& parameters = {});
 IntegratorPtr make_integrator(const std::string& kind, const Named& parameters = {});
 
 }  // namespace vug::render
+
+namespace vug {
+
+template <>
+struct ValueTraits<render::CameraPtr> : ObjectTraits<render::CameraPtr> {
+  static constexpr const char* kWord = "camera";
+};
+template <>
+struct ValueTraits<render::SamplerPtr> : ObjectTraits<render::SamplerPtr> {
+  static constexpr const char* kWord = "sampler";
+};
+template <>
+struct ValueTraits<render::BsdfPtr> : ObjectTraits<render::BsdfPtr> {
+  static constexpr const char* kWord = "material";
+};
+template <>
+struct ValueTraits<render::LightPtr> : ObjectTraits<render::LightPtr> {
+  static constexpr const char* kWord = "light";
+};
+template <>
+struct ValueTraits<render::MediumPtr> : ObjectTraits<render::MediumPtr> {
+  static constexpr const char* kWord = "medium";
+};
+template <>
+struct ValueTraits<render::IntegratorPtr> : ObjectTraits<render::IntegratorPtr> {
+  static constexpr const char* kWord = "integrator";
+};
+
+}  // namespace vug

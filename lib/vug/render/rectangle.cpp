@@ -6,9 +6,8 @@
 
 namespace vug::render {
 
-std::string rectangle_fault(const RectangleParams& p) {
-  if (!(p.normal.length() > 0)) return "the rectangle's normal has no length";
-  return {};
+std::string RectangleParams::fault() const {
+  return normal.length() > 0 ? "" : "the rectangle's normal has no length";
 }
 
 Rectangle::Rectangle(const RectangleParams& p)

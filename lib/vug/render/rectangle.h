@@ -17,23 +17,19 @@ struct RectangleParams {
   Vec3d up{0, 0, 1};
   double width = 1;
   double height = 1;
+
+  std::string fault() const;  ///< Empty, or a sentence on what is wrong.
 };
 
 /// The parameters of a kind P that derives from RectangleParams.
 template <class P>
 void describe_rectangle(Schema<P>& s, const std::string& shines) {
-  s.param("center", static_cast<Vec3d P::*>(&P::center), any_length("Its middle."))
-      .param("normal", static_cast<Vec3d P::*>(&P::normal), {.doc = shines})
-      .param("up", static_cast<Vec3d P::*>(&P::up),
-             {.doc = "Turns the sides: the height runs this way."})
-      .param("width", static_cast<double P::*>(&P::width),
-             positive_length("Length across the up direction."))
-      .param("height", static_cast<double P::*>(&P::height),
-             positive_length("Length along the up direction."));
+  s.param("center", &RectangleParams::center, any_length("Its middle."))
+      .param("normal", &RectangleParams::normal, {.doc = shines})
+      .param("up", &RectangleParams::up, {.doc = "Turns the sides: the height runs this way."})
+      .param("width", &RectangleParams::width, positive_length("Length across the up direction."))
+      .param("height", &RectangleParams::height, positive_length("Length along the up direction."));
 }
-
-/// Empty, or a sentence on what is wrong.
-std::string rectangle_fault(const RectangleParams& p);
 
 /// Seen from its front only, the side the normal points to. Nearby it is sampled by solid angle
 /// (Urena, Fajardo, King 2013, "An area-preserving parametrization for spherical rectangles",

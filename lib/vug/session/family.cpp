@@ -11,15 +11,15 @@ namespace vug::session {
 namespace {
 
 template <class Product>
-Family family(const std::string& type, const std::vector<const Kind<Product>*>& kinds) {
-  Family out{type, {}};
+Family family(const Kinds<Product>& kinds) {
+  Family out{ValueTraits<Product>::type(), {}};
   for (const Kind<Product>* kind : kinds)
     out.kinds.push_back({&kind->info,
-                         [kind, type](const Arguments& arguments, SourceLocation where,
-                                      Diagnostics& diagnostics) -> std::optional<Value> {
-                           auto product = kind->make(arguments, std::move(where), diagnostics);
+                         [kind](const Arguments& arguments, const SourceLocation& where,
+                                Diagnostics& diagnostics) -> std::optional<Value> {
+                           auto product = kind->make(arguments, where, diagnostics);
                            if (!product) return std::nullopt;
-                           return Value(Object{type, std::move(*product)});
+                           return ValueTraits<Product>::write(*product);
                          }});
   return out;
 }
@@ -34,12 +34,10 @@ const FamilyKind* Family::find(const std::string& name) const {
 
 const std::vector<Family>& families() {
   static const std::vector<Family> all = {
-      family("field", field::field_kinds()), family("blend", field::blends()),
-      family("noise", field::noises()),      family("volume", volume_kinds()),
-      family("mask", paint::masks()),        family("paint", paint::paints()),
-      family("material", render::bsdfs()),   family("light", render::lights()),
-      family("medium", render::media()),     family("camera", render::cameras()),
-      family("sampler", render::samplers()), family("integrator", render::integrators()),
+      family(field::field_kinds()), family(field::blends()),    family(field::noises()),
+      family(volume_kinds()),       family(paint::masks()),     family(paint::paints()),
+      family(render::bsdfs()),      family(render::lights()),   family(render::media()),
+      family(render::cameras()),    family(render::samplers()), family(render::integrators()),
   };
   return all;
 }

@@ -2,7 +2,7 @@
 // `vug list` and the reference manual loop over.
 #pragma once
 
-#include <vug/base/schema.h>
+#include <vug/base/kind.h>
 
 #include <functional>
 #include <optional>
@@ -13,7 +13,7 @@ namespace vug::session {
 
 struct FamilyKind {
   const KindInfo* info = nullptr;
-  std::function<std::optional<Value>(const Arguments&, SourceLocation, Diagnostics&)> make;
+  std::function<std::optional<Value>(const Arguments&, const SourceLocation&, Diagnostics&)> make;
 };
 
 /// All kinds whose product is of one type.

@@ -56,7 +56,7 @@ void announce(const scene::Document& document, Reading& reading) {
 Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
                 const LoadOptions& options) {
   volume::install_grid_loader();
-  Resolver resolver(file.parent_path());
+  Resolver resolver;
   scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
                              {options.overrides, options.seed});
   loaded.sources = evaluator.sources();  // with the texts of overrides, which reports quote

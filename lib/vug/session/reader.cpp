@@ -4,6 +4,10 @@
 
 namespace vug::session {
 
+#define VUG_KIND(name) const DeclarationKind& name##_declaration();
+#include <vug/session/declarations_kinds.inc>
+#undef VUG_KIND
+
 const std::vector<const DeclarationKind*>& declaration_kinds() {
 #define VUG_KIND(name) &name##_declaration(),
   static const std::vector<const DeclarationKind*> kinds = {

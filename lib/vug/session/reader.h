@@ -22,10 +22,6 @@ struct DeclarationKind {
   std::function<Value(const scene::Declaration&, Reading&)> read;
 };
 
-#define VUG_KIND(name) const DeclarationKind& name##_declaration();
-#include <vug/session/declarations_kinds.inc>
-#undef VUG_KIND
-
 const std::vector<const DeclarationKind*>& declaration_kinds();
 
 /// The entries of a block as arguments: one value stands for itself, several for a list.
@@ -42,11 +38,7 @@ std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& d
                               declaration.kind + " " + declaration.name + " { ... }");
     return std::nullopt;
   }
-  Diagnostics own;
-  P params = schema.bind(block_arguments(declaration, reading), declaration.where, own);
-  reading.diagnostics.append(own);
-  if (own.has_errors()) return std::nullopt;
-  return params;
+  return schema.bind(block_arguments(declaration, reading), declaration.where, reading.diagnostics);
 }
 
 /// A declaration whose value is a kind of one family: `light key = rect(...)`, or in block form

@@ -28,25 +28,6 @@ std::optional<Value> Resolver::name(const std::string& name, const SourceLocatio
   return entry.value;
 }
 
-/// Parameters of type "file" are paths beside the scene, wherever the program runs.
-Arguments Resolver::with_files(const FamilyKind& kind, Arguments arguments) const {
-  size_t position = 0;
-  for (Argument& argument : arguments) {
-    const ParamInfo* param = nullptr;
-    if (argument.name.empty()) {
-      if (position < kind.info->params.size()) param = &kind.info->params[position++];
-    } else {
-      for (const ParamInfo& candidate : kind.info->params)
-        if (candidate.name == argument.name) param = &candidate;
-    }
-    const std::string* text = argument.value.get<std::string>();
-    if (!param || param->name != "file" || !text) continue;
-    const std::filesystem::path path(*text);
-    if (path.is_relative()) argument.value = Value((folder_ / path).lexically_normal().string());
-  }
-  return arguments;
-}
-
 std::optional<Value> Resolver::make(const Family& family, const std::string& name,
                                     const Arguments& arguments, const SourceLocation& where,
                                     Diagnostics& diagnostics) {
@@ -55,7 +36,7 @@ std::optional<Value> Resolver::make(const Family& family, const std::string& nam
   for (const Argument& argument : arguments)
     if (argument.value.empty()) return Value();  // its fault has been told
   try {
-    auto value = kind->make(with_files(*kind, arguments), where, diagnostics);
+    auto value = kind->make(arguments, where, diagnostics);
     return value ? *value : Value();
   } catch (const Error& error) {
     diagnostics.error(error.where().known() ? error.where() : where, error.what(), error.hint());

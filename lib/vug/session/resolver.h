@@ -6,7 +6,6 @@
 #include <vug/scene/resolver.h>
 #include <vug/session/family.h>
 
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -17,9 +16,6 @@ class Resolver final : public scene::Resolver {
  public:
   /// Makes the value of a declared name, once, when it is first needed.
   using Maker = std::function<Value()>;
-
-  /// `folder`: where relative file names of the scene start.
-  explicit Resolver(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// Announces a declared object. Names are unique over all kinds (the parser checks).
   void declare(const std::string& name, Maker maker);
@@ -49,9 +45,6 @@ class Resolver final : public scene::Resolver {
     bool made = false;
     bool pending = false;
   };
-  Arguments with_files(const FamilyKind& kind, Arguments arguments) const;
-
-  std::filesystem::path folder_;
   std::map<std::string, Entry> entries_;
 };
 

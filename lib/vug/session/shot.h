@@ -28,19 +28,19 @@ struct VolumePlan {
   bool half = false;          ///< Store 16-bit floats.
   std::optional<Vec3d> from;  ///< With `to`: cut to this box; needed by fields without bounds.
   std::optional<Vec3d> to;
+
+  std::string fault() const;  ///< A sentence on `from` and `to` that are no box; else empty.
 };
 using VolumePtr = std::shared_ptr<const VolumePlan>;
-
-enum class MeshFormat { ply, obj, stl };
 
 /// `mesh NAME on VOLUME { ... }`.
 struct MeshPlan {
   std::string name;
   VolumePtr volume;
-  double adaptivity = 0;  ///< 0 keeps every quad, 1 merges what is flat.
-  bool polish = true;     ///< Move vertices onto the exact field.
-  MeshFormat format = MeshFormat::ply;
-  paint::Paint paint;  ///< Vertex colours (attribute Cd); null: none.
+  double adaptivity = 0;       ///< 0 keeps every quad, 1 merges what is flat.
+  bool polish = true;          ///< Move vertices onto the exact field.
+  std::string format = "ply";  ///< A kind of mesh::formats().
+  paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
 };
 using MeshPtr = std::shared_ptr<const MeshPlan>;
 

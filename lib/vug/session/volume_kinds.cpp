@@ -3,19 +3,29 @@
 
 namespace vug::session {
 
-const std::vector<const Kind<VolumePtr>*>& volume_kinds() {
+#define VUG_KIND(name) const Kind<VolumePtr>& name##_volume();
+#include <vug/session/volumes_kinds.inc>
+#undef VUG_KIND
+
+const Kinds<VolumePtr>& volume_kinds() {
 #define VUG_KIND(name) &name##_volume(),
-  static const std::vector<const Kind<VolumePtr>*> kinds = {
+  static const Kinds<VolumePtr> kinds = {
 #include <vug/session/volumes_kinds.inc>
   };
 #undef VUG_KIND
   return kinds;
 }
 
+std::string VolumePlan::fault() const {
+  if (from.has_value() != to.has_value()) return "'from' and 'to' are given together";
+  if (!from) return {};
+  for (int axis = 0; axis < 3; ++axis)
+    if ((*from)[axis] >= (*to)[axis]) return "'to' must lie above 'from' on every axis";
+  return {};
+}
+
 Schema<VolumePlan> volume_schema(std::string name, std::string doc) {
-  Schema<VolumePlan> s;
-  s.info().name = std::move(name);
-  s.info().category = "volume";
+  Schema<VolumePlan> s(std::move(name), "volume");
   s.doc(std::move(doc))
       .param("field", &VolumePlan::field, {.doc = "the solid", .required = true})
       .param("voxel", &VolumePlan::voxel, positive_length("edge of a voxel"))
@@ -27,32 +37,11 @@ Schema<VolumePlan> volume_schema(std::string name, std::string doc) {
   return s;
 }
 
-namespace {
-
-std::string fault(const VolumePlan& plan) {
-  if (plan.from.has_value() != plan.to.has_value()) return "'from' and 'to' are given together";
-  if (!plan.from) return {};
-  for (int axis = 0; axis < 3; ++axis)
-    if ((*plan.from)[axis] >= (*plan.to)[axis]) return "'to' must lie above 'from' on every axis";
-  return {};
-}
-
-}  // namespace
-
 Kind<VolumePtr> volume_kind(Schema<VolumePlan> schema, bool fog) {
-  KindInfo info = schema.info();
-  return {std::move(info),
-          [schema = std::move(schema), fog](const Arguments& arguments, SourceLocation where,
-                                            Diagnostics& diagnostics) -> std::optional<VolumePtr> {
-            Diagnostics own;
-            VolumePlan plan = schema.bind(arguments, where, own);
-            plan.fog = fog;
-            if (const std::string wrong = own.has_errors() ? "" : fault(plan); !wrong.empty())
-              own.error(where, wrong);
-            diagnostics.append(own);
-            if (own.has_errors()) return std::nullopt;
-            return std::make_shared<const VolumePlan>(std::move(plan));
-          }};
+  return make_kind<VolumePtr>(std::move(schema), [fog](VolumePlan plan) {
+    plan.fog = fog;
+    return std::make_shared<const VolumePlan>(std::move(plan));
+  });
 }
 
 }  // namespace vug::session

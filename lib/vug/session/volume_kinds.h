@@ -5,16 +5,12 @@
 
 namespace vug::session {
 
-#define VUG_KIND(name) const Kind<VolumePtr>& name##_volume();
-#include <vug/session/volumes_kinds.inc>
-#undef VUG_KIND
-
-const std::vector<const Kind<VolumePtr>*>& volume_kinds();
+const Kinds<VolumePtr>& volume_kinds();
 
 /// The parameters every volume has: field, voxel, half_width, half, from, to.
 Schema<VolumePlan> volume_schema(std::string name, std::string doc);
 
-/// A kind that binds the schema's parameters over `defaults`.
+/// The kind that declares what the schema binds, as a level set or as a fog.
 Kind<VolumePtr> volume_kind(Schema<VolumePlan> schema, bool fog);
 
 }  // namespace vug::session

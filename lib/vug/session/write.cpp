@@ -6,22 +6,6 @@
 #include <fmt/format.h>
 
 namespace vug::session {
-namespace {
-
-const char* extension(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::ply:
-      return "ply";
-    case MeshFormat::obj:
-      return "obj";
-    case MeshFormat::stl:
-      return "stl";
-  }
-  return "";
-}
-
-}  // namespace
-
 std::vector<std::filesystem::path> write_products(Builder& builder,
                                                   const std::filesystem::path& folder) {
   const Shot& shot = builder.shot();
@@ -42,7 +26,7 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
   for (const MeshPtr& plan : shot.meshes) {
     const std::string stem =
         shot.meshes.size() == 1 ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
-    paths.push_back(folder / fmt::format("{}.{}", stem, extension(plan->format)));
+    paths.push_back(folder / fmt::format("{}.{}", stem, plan->format));
     mesh::write_mesh(*builder.mesh(plan), paths.back());
   }
   return paths;

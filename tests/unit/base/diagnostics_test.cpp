@@ -20,8 +20,7 @@ struct Ring {
 };
 
 Schema<Ring> ring_schema() {
-  Schema<Ring> schema;
-  schema.info().name = "ring";
+  Schema<Ring> schema("ring", "test");
   schema.param("radius", &Ring::radius, positive_length("of the ring"))
       .param("angle", &Ring::angle, {.doc = "turn", .dimension = Dimension::angle})
       .param("centre", &Ring::centre, any_length("middle"));
@@ -36,11 +35,12 @@ std::string first_fault(const Arguments& arguments) {
 
 TEST(Schema, BindsByNameAndPosition) {
   Diagnostics diagnostics;
-  const Ring ring = ring_schema().bind(
+  const auto ring = ring_schema().bind(
       {{"", Value(2.0), {}}, {"centre", Value(Vec3d(1, 2, 3)), {}}}, {}, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors());
-  EXPECT_EQ(ring.radius, 2);
-  EXPECT_EQ(ring.centre, Vec3d(1, 2, 3));
+  ASSERT_TRUE(ring);
+  EXPECT_EQ(ring->radius, 2);
+  EXPECT_EQ(ring->centre, Vec3d(1, 2, 3));
 }
 
 TEST(Schema, NamesEachFault) {

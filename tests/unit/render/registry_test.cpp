@@ -10,7 +10,7 @@ namespace vug::render {
 namespace {
 
 template <class Product>
-void check_infos(const std::vector<const Kind<Product>*>& kinds, const std::string& category) {
+void check_infos(const Kinds<Product>& kinds, const std::string& category) {
   EXPECT_FALSE(kinds.empty());
   std::set<std::string> names;
   for (const auto* kind : kinds) {

@@ -50,6 +50,8 @@ def check(tree):
     for name in tree.select(".h"):
         if "#pragma once" not in tree.text(name):
             yield Finding(name, 1, "a header starts with #pragma once")
+        if name.startswith("lib/") and not tree.text(name).startswith("// "):
+            yield Finding(name, 1, "a header starts with a comment: what it is for, what it promises")
         for pattern, advice in IN_HEADERS if name.startswith("lib/") else ():
             for match in re.finditer(pattern, tree.code(name), re.M):
                 yield Finding(name, number_of(tree.code(name), match.start()), advice)

@@ -44,10 +44,9 @@ void write_new_kind(const Mesh& mesh, const ByteSink& sink) {
 }
 
 }  // namespace
+}  // namespace vug::mesh
 
 VUG_MESH_FORMAT(new_kind) {
   return mesh_format("new_kind", "STUB: what the format holds of a mesh, and what it leaves out",
                      "", read_new_kind, write_new_kind);
 }
-
-}  // namespace vug::mesh

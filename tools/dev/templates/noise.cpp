@@ -24,6 +24,5 @@ struct NewKindShape {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(new_kind) {
-  using namespace vug::field;
   return noise_kind<NewKind>("new_kind", [](const NewKind& p) { return Fractal<NewKindShape>(p); });
 }

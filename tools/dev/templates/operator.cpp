@@ -35,7 +35,6 @@ struct NewKind {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(new_kind) {
-  using namespace vug::field;
   return field_kind<NewKind>("new_kind", "operator", [](const NewKind& k) {
     return Field(std::make_shared<ModifierNode<NewKind>>("new_kind", k, k.field.node()));
   });

@@ -23,4 +23,4 @@ struct NewKind {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(new_kind) { return vug::field::primitive_kind<vug::field::NewKind>("new_kind"); }
+VUG_FIELD_KIND(new_kind) { return primitive_kind<NewKind>("new_kind"); }

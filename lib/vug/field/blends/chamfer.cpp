@@ -16,8 +16,7 @@ struct Chamfer {
 }  // namespace vug::field
 
 VUG_BLEND_KIND(chamfer) {
-  using namespace vug::field;
-  return product_kind<Blend, Chamfer>("chamfer", "blend", [](const Chamfer& b) {
+  return blend_kind<Chamfer>("chamfer", [](const Chamfer& b) {
     return Blend{Profile::chamfer, b.radius};
   });
 }

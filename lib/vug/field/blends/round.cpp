@@ -16,8 +16,5 @@ struct Round {
 }  // namespace vug::field
 
 VUG_BLEND_KIND(round) {
-  using namespace vug::field;
-  return product_kind<Blend, Round>("round", "blend", [](const Round& b) {
-    return Blend{Profile::round, b.radius};
-  });
+  return blend_kind<Round>("round", [](const Round& b) { return Blend{Profile::round, b.radius}; });
 }

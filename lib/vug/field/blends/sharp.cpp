@@ -11,6 +11,5 @@ struct Sharp {
 }  // namespace vug::field
 
 VUG_BLEND_KIND(sharp) {
-  using namespace vug::field;
-  return product_kind<Blend, Sharp>("sharp", "blend", [](const Sharp&) { return Blend{}; });
+  return blend_kind<Sharp>("sharp", [](const Sharp&) { return Blend{}; });
 }

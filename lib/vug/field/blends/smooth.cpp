@@ -18,8 +18,7 @@ struct Smooth {
 }  // namespace vug::field
 
 VUG_BLEND_KIND(smooth) {
-  using namespace vug::field;
-  return product_kind<Blend, Smooth>("smooth", "blend", [](const Smooth& b) {
+  return blend_kind<Smooth>("smooth", [](const Smooth& b) {
     return Blend{Profile::smooth, b.radius};
   });
 }

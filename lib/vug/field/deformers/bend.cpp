@@ -113,7 +113,6 @@ Field bent(const Field& field, double rate) {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(bend) {
-  using namespace vug::field;
   return field_kind<Bend>("bend", "deformer", [](const Bend& b) {
     return along_axis(b.field, {0, 0, 1}, b.axis, [&](const Field& f) { return bent(f, b.rate); });
   });

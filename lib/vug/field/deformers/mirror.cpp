@@ -30,7 +30,6 @@ Transform reflection(const Vec3d& normal) {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(mirror) {
-  using namespace vug::field;
   return field_kind<Mirror>("mirror", "deformer", [](const Mirror& m) {
     const Field image = transformed(m.field, reflection(m.normal));
     return m.keep ? unite({m.field, image}) : image;

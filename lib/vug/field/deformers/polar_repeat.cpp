@@ -35,6 +35,5 @@ Field repeated(const PolarRepeat& r) {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(polar_repeat) {
-  using namespace vug::field;
   return field_kind<PolarRepeat>("polar_repeat", "deformer", repeated);
 }

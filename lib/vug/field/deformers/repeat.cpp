@@ -177,7 +177,4 @@ Field repeated(const Repeat& repeat) {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(repeat) {
-  using namespace vug::field;
-  return field_kind<Repeat>("repeat", "deformer", repeated);
-}
+VUG_FIELD_KIND(repeat) { return field_kind<Repeat>("repeat", "deformer", repeated); }

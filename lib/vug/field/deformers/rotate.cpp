@@ -25,7 +25,6 @@ struct Rotate {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(rotate) {
-  using namespace vug::field;
   using vug::Transform;
   return field_kind<Rotate>("rotate", "deformer", [](const Rotate& r) {
     return transformed(r.field, Transform::translation(r.pivot) *

@@ -26,7 +26,6 @@ struct Scale {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(scale) {
-  using namespace vug::field;
   return field_kind<Scale>("scale", "deformer", [](const Scale& s) {
     return transformed(s.field, vug::Transform::scaling(s.by.each));
   });

@@ -67,7 +67,6 @@ Field tapered(const Field& field, const Taper& taper) {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(taper) {
-  using namespace vug::field;
   return field_kind<Taper>("taper", "deformer", [](const Taper& t) {
     return along_axis(t.field, {0, 1, 0}, t.axis, [&](const Field& f) { return tapered(f, t); });
   });

@@ -19,7 +19,6 @@ struct Translate {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(translate) {
-  using namespace vug::field;
   return field_kind<Translate>("translate", "deformer", [](const Translate& t) {
     return transformed(t.field, vug::Transform::translation(t.by));
   });

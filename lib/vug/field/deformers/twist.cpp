@@ -58,7 +58,6 @@ Field twisted(const Field& field, double rate) {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(twist) {
-  using namespace vug::field;
   return field_kind<Twist>("twist", "deformer", [](const Twist& t) {
     return along_axis(t.field, {0, 1, 0}, t.axis,
                       [&](const Field& f) { return twisted(f, t.rate); });

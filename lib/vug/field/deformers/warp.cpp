@@ -80,7 +80,6 @@ class Warping {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(warp) {
-  using namespace vug::field;
   return field_kind<Warp>("warp", "deformer", [](const Warp& w) {
     return Field(std::make_shared<DeformerNode<Warping>>("warp", Warping(w), w.field.node()));
   });

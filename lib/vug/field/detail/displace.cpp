@@ -14,17 +14,16 @@ struct Displace : Displacement {
         .cite("cook1984")
         .param("field", &Displace::field, {.doc = "whose surface moves", .required = true})
         .param("noise", &Displace::noise, {.doc = "how; 1 moves it outwards by the amount"})
-        .param("amount", static_cast<double Displace::*>(&Displacement::amount),
+        .param("amount", &Displacement::amount,
                any_length("at noise 1; noises reach a little beyond"))
-        .param("floor", static_cast<double Displace::*>(&Displacement::floor),
+        .param("floor", &Displacement::floor,
                {.doc = "factor on the amount where the solid faces up", .min = 0, .max = 100})
-        .param("wall", static_cast<double Displace::*>(&Displacement::wall),
+        .param("wall", &Displacement::wall,
                {.doc = "factor where it faces sideways", .min = 0, .max = 100})
-        .param("ceiling", static_cast<double Displace::*>(&Displacement::ceiling),
+        .param("ceiling", &Displacement::ceiling,
                {.doc = "factor where it faces down", .min = 0, .max = 100})
-        .param("feel", static_cast<double Displace::*>(&Displacement::feel),
-               positive_length("over which the way it faces is felt"))
-        .param("by", static_cast<std::optional<Noise> Displace::*>(&Displacement::by),
+        .param("feel", &Displacement::feel, positive_length("over which the way it faces is felt"))
+        .param("by", &Displacement::by,
                {.doc = "a noise that shares it out: all where 1, nothing where -1"});
   }
 };
@@ -33,7 +32,6 @@ struct Displace : Displacement {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(displace) {
-  using namespace vug::field;
   return field_kind<Displace>("displace", "detail",
                               [](const Displace& d) { return displaced(d.field, d.noise, d); });
 }

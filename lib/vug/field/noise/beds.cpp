@@ -3,6 +3,7 @@
 // a parting at 0. Thin laminae repeat the pattern within the beds, weaker.
 #include <vug/base/rng.h>
 #include <vug/field/bedding.h>
+#include <vug/field/beds.h>
 #include <vug/field/noise_node.h>
 
 #include <algorithm>
@@ -10,39 +11,16 @@
 namespace vug::field {
 namespace {
 
-struct Beds {
-  double thickness = 0.6;
-  Vec3d normal{0, 1, 0};
-  double ledge = 0.3;
-  double laminae = 0.25;
-  double wander = 0.1;
-  double reach = 8;
-  int seed = 1;
-
+struct Beds : BedParams {
   static void describe(Schema<Beds>& s) {
-    s.doc("Layered rock: 1 on the face of the hardest bed, -1 in the notch of the softest.")
-        .param("thickness", &Beds::thickness, positive_length("mean thickness of a bed"))
-        .param("normal", &Beds::normal, {.doc = "across the beds; tilt it to make them dip"})
-        .param("ledge", &Beds::ledge,
-               {.doc = "part of the mean thickness in which a ledge rises; smaller is sharper",
-                .dimension = Dimension::ratio,
-                .min = 0.02,
-                .max = 1})
-        .param("laminae", &Beds::laminae,
-               {.doc = "strength of the thin layers within the beds", .min = 0, .max = 1})
-        .param("wander", &Beds::wander,
-               {.doc = "how far bed surfaces stray from planes",
-                .dimension = Dimension::length,
-                .min = 0})
-        .param("reach", &Beds::reach, positive_length("over which they stray"))
-        .param("seed", &Beds::seed, {.doc = "another seed, other beds"});
+    describe_beds(
+        s.doc("Layered rock: 1 on the face of the hardest bed, -1 in the notch of the softest."));
   }
-  std::string fault() const { return normal.length2() > 0 ? "" : "the normal needs a direction"; }
 };
 
 class Hardness {
  public:
-  explicit Hardness(const Beds& b) : ledge_(b.ledge), laminae_(b.laminae) {
+  explicit Hardness(const BedParams& b) : ledge_(b.ledge), laminae_(b.laminae) {
     RandomStream random(RandomKey(static_cast<uint64_t>(b.seed)).at("beds"));
     coarse_ = {b.normal.normalized(), b.thickness, b.wander, b.reach, random.bits()};
     fine_seed_ = random.bits();
@@ -88,9 +66,9 @@ class Hardness {
 };
 
 }  // namespace
+
+Noise layered_rock(const BedParams& params) { return formula_noise("beds", Hardness(params)); }
+
 }  // namespace vug::field
 
-VUG_NOISE_KIND(beds) {
-  using namespace vug::field;
-  return noise_kind<Beds>("beds", [](const Beds& b) { return Hardness(b); });
-}
+VUG_NOISE_KIND(beds) { return make_kind<Noise, Beds>("beds", "noise", layered_rock); }

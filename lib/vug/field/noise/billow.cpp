@@ -23,6 +23,5 @@ struct BillowShape {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(billow) {
-  using namespace vug::field;
   return noise_kind<Billow>("billow", [](const Billow& p) { return Fractal<BillowShape>(p); });
 }

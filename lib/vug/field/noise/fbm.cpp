@@ -23,6 +23,5 @@ struct FbmShape {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(fbm) {
-  using namespace vug::field;
   return noise_kind<Fbm>("fbm", [](const Fbm& p) { return Fractal<FbmShape>(p); });
 }

@@ -63,6 +63,5 @@ class Cracks {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(joints) {
-  using namespace vug::field;
   return noise_kind<Joints>("joints", [](const Joints& j) { return Cracks(j); });
 }

@@ -31,7 +31,6 @@ struct Plain {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(perlin) {
-  using namespace vug::field;
   return noise_kind<Perlin>("perlin", [](const Perlin& p) {
     OctaveParams one;
     one.scale = p.scale;

@@ -52,6 +52,5 @@ class Ridges {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(ridged) {
-  using namespace vug::field;
   return noise_kind<Ridged>("ridged", [](const Ridged& p) { return Ridges(p); });
 }

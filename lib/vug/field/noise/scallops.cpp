@@ -63,6 +63,5 @@ class Hollows {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(scallops) {
-  using namespace vug::field;
   return noise_kind<Scallops>("scallops", [](const Scallops& s) { return Hollows(s); });
 }

@@ -24,7 +24,6 @@ struct TurbulenceShape {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(turbulence) {
-  using namespace vug::field;
   return noise_kind<Turbulence>("turbulence",
                                 [](const Turbulence& p) { return Fractal<TurbulenceShape>(p); });
 }

@@ -81,6 +81,5 @@ class Cells {
 }  // namespace vug::field
 
 VUG_NOISE_KIND(worley) {
-  using namespace vug::field;
   return noise_kind<Worley>("worley", [](const Worley& w) { return Cells(w); });
 }

@@ -17,7 +17,6 @@ struct Complement {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(complement) {
-  using namespace vug::field;
   return field_kind<Complement>("complement", "operator",
                                 [](const Complement& c) { return complement(c.field); });
 }

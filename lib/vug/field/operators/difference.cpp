@@ -22,7 +22,6 @@ struct Difference {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(difference) {
-  using namespace vug::field;
   return field_kind<Difference>("difference", "operator", [](const Difference& d) {
     return subtract(d.base, d.cuts, d.blend);
   });

@@ -21,7 +21,6 @@ struct Intersection {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(intersection) {
-  using namespace vug::field;
   return field_kind<Intersection>("intersection", "operator",
                                   [](const Intersection& i) { return intersect(i.of, i.blend); });
 }

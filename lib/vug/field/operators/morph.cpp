@@ -23,7 +23,6 @@ struct Morph {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(morph) {
-  using namespace vug::field;
   return field_kind<Morph>("morph", "operator",
                            [](const Morph& m) { return morph(m.a, m.b, m.amount); });
 }

@@ -32,7 +32,6 @@ struct Offset {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(offset) {
-  using namespace vug::field;
   return field_kind<Offset>("offset", "operator", [](const Offset& o) {
     return Field(std::make_shared<ModifierNode<Offset>>("offset", o, o.field.node()));
   });

@@ -31,7 +31,6 @@ struct Shell {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(shell) {
-  using namespace vug::field;
   return field_kind<Shell>("shell", "operator", [](const Shell& o) {
     return Field(std::make_shared<ModifierNode<Shell>>("shell", o, o.field.node()));
   });

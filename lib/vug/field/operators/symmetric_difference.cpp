@@ -21,7 +21,6 @@ struct SymmetricDifference {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(symmetric_difference) {
-  using namespace vug::field;
   return field_kind<SymmetricDifference>(
       "symmetric_difference", "operator",
       [](const SymmetricDifference& d) { return symmetric_difference(d.a, d.b, d.blend); });

@@ -20,7 +20,6 @@ struct Union {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(union) {
-  using namespace vug::field;
   return field_kind<Union>("union", "operator",
                            [](const Union& u) { return unite(u.of, u.blend); });
 }

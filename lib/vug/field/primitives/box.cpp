@@ -36,4 +36,4 @@ struct Box {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(box) { return vug::field::primitive_kind<vug::field::Box>("box"); }
+VUG_FIELD_KIND(box) { return primitive_kind<Box>("box"); }

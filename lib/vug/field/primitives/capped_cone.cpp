@@ -48,6 +48,4 @@ struct CappedCone {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(capped_cone) {
-  return vug::field::primitive_kind<vug::field::CappedCone>("capped_cone");
-}
+VUG_FIELD_KIND(capped_cone) { return primitive_kind<CappedCone>("capped_cone"); }

@@ -52,4 +52,4 @@ struct Capsule {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(capsule) { return vug::field::primitive_kind<vug::field::Capsule>("capsule"); }
+VUG_FIELD_KIND(capsule) { return primitive_kind<Capsule>("capsule"); }

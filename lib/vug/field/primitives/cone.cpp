@@ -35,4 +35,4 @@ struct Cone {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(cone) { return vug::field::primitive_kind<vug::field::Cone>("cone"); }
+VUG_FIELD_KIND(cone) { return primitive_kind<Cone>("cone"); }

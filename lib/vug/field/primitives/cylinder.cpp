@@ -41,4 +41,4 @@ struct Cylinder {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(cylinder) { return vug::field::primitive_kind<vug::field::Cylinder>("cylinder"); }
+VUG_FIELD_KIND(cylinder) { return primitive_kind<Cylinder>("cylinder"); }

@@ -86,4 +86,4 @@ struct Ellipsoid {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(ellipsoid) { return vug::field::primitive_kind<vug::field::Ellipsoid>("ellipsoid"); }
+VUG_FIELD_KIND(ellipsoid) { return primitive_kind<Ellipsoid>("ellipsoid"); }

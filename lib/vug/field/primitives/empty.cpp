@@ -13,6 +13,5 @@ struct Empty {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(empty) {
-  using namespace vug::field;
   return field_kind<Empty>("empty", "primitive", [](const Empty&) { return empty(); });
 }

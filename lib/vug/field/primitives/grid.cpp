@@ -6,7 +6,7 @@ namespace vug::field {
 namespace {
 
 struct Grid {
-  std::string file;
+  std::filesystem::path file;
   std::string name;
 
   static void describe(Schema<Grid>& s) {
@@ -20,7 +20,7 @@ struct Grid {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(grid) {
-  using namespace vug::field;
-  return field_kind<Grid>("grid", "primitive",
-                          [](const Grid& g) { return sampled(load_grid(g.file, g.name)); });
+  return field_kind<Grid>("grid", "primitive", [](const Grid& g) {
+    return sampled(load_grid(g.file.string(), g.name));
+  });
 }

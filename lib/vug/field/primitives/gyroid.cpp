@@ -51,4 +51,4 @@ struct Gyroid {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(gyroid) { return vug::field::primitive_kind<vug::field::Gyroid>("gyroid"); }
+VUG_FIELD_KIND(gyroid) { return primitive_kind<Gyroid>("gyroid"); }

@@ -41,6 +41,4 @@ struct HalfSpace {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(half_space) {
-  return vug::field::primitive_kind<vug::field::HalfSpace>("half_space");
-}
+VUG_FIELD_KIND(half_space) { return primitive_kind<HalfSpace>("half_space"); }

@@ -37,7 +37,7 @@ struct Ground {
 };
 
 struct Heightfield {
-  std::string file;
+  std::filesystem::path file;
   Vec3d size{10, 1, 10};
   double base = 0.1;
   Sampling sampling = Sampling::bicubic;
@@ -63,12 +63,14 @@ struct Heightfield {
 Field ground(const Heightfield& params) {
   image::Image picture = image::read_grey(params.file);
   if (picture.width < 2 || picture.height < 2)
-    throw Error(ErrorCode::bad_input,
-                "'" + params.file + "' is too small for a heightfield: 2 x 2 pixels at least");
+    throw Error(
+        ErrorCode::bad_input,
+        "'" + params.file.string() + "' is too small for a heightfield: 2 x 2 pixels at least");
   for (float& height : picture.pixels) {
     height *= static_cast<float>(params.size.y);
     if (!std::isfinite(height))
-      throw Error(ErrorCode::bad_input, "'" + params.file + "' holds values that are not finite");
+      throw Error(ErrorCode::bad_input,
+                  "'" + params.file.string() + "' holds values that are not finite");
   }
   Ground source{Relief(picture.width, picture.height, std::move(picture.pixels), params.size.x,
                        params.size.z, params.sampling),
@@ -86,7 +88,4 @@ Field ground(const Heightfield& params) {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(heightfield) {
-  return vug::field::field_kind<vug::field::Heightfield>("heightfield", "primitive",
-                                                         vug::field::ground);
-}
+VUG_FIELD_KIND(heightfield) { return field_kind<Heightfield>("heightfield", "primitive", ground); }

@@ -23,7 +23,7 @@ struct MeshSource {
 };
 
 struct MeshFile {
-  std::string file;
+  std::filesystem::path file;
   double scale = 1;
 
   static void describe(Schema<MeshFile>& s) {
@@ -46,7 +46,7 @@ Field solid(const MeshFile& params) {
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' bounds no solid: it has {} triangles, {} open edges, {} edges "
                             "with more than two triangles and {} edges whose sides disagree",
-                            params.file, mesh.triangles.size(), topology.boundary_edges,
+                            params.file.string(), mesh.triangles.size(), topology.boundary_edges,
                             topology.nonmanifold_edges, topology.misoriented_edges),
                 {}, "close the mesh and make its normals agree");
   const mesh::MeshDistance distance(mesh);
@@ -58,6 +58,4 @@ Field solid(const MeshFile& params) {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(mesh) {
-  return vug::field::field_kind<vug::field::MeshFile>("mesh", "primitive", vug::field::solid);
-}
+VUG_FIELD_KIND(mesh) { return field_kind<MeshFile>("mesh", "primitive", solid); }

@@ -70,4 +70,4 @@ struct Prism {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(prism) { return vug::field::primitive_kind<vug::field::Prism>("prism"); }
+VUG_FIELD_KIND(prism) { return primitive_kind<Prism>("prism"); }

@@ -51,4 +51,4 @@ struct Pyramid {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(pyramid) { return vug::field::primitive_kind<vug::field::Pyramid>("pyramid"); }
+VUG_FIELD_KIND(pyramid) { return primitive_kind<Pyramid>("pyramid"); }

@@ -39,4 +39,4 @@ struct Slab {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(slab) { return vug::field::primitive_kind<vug::field::Slab>("slab"); }
+VUG_FIELD_KIND(slab) { return primitive_kind<Slab>("slab"); }

@@ -21,4 +21,4 @@ struct Sphere {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(sphere) { return vug::field::primitive_kind<vug::field::Sphere>("sphere"); }
+VUG_FIELD_KIND(sphere) { return primitive_kind<Sphere>("sphere"); }

@@ -59,6 +59,4 @@ struct TaperedCapsule {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(tapered_capsule) {
-  return vug::field::primitive_kind<vug::field::TaperedCapsule>("tapered_capsule");
-}
+VUG_FIELD_KIND(tapered_capsule) { return primitive_kind<TaperedCapsule>("tapered_capsule"); }

@@ -30,4 +30,4 @@ struct Torus {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(torus) { return vug::field::primitive_kind<vug::field::Torus>("torus"); }
+VUG_FIELD_KIND(torus) { return primitive_kind<Torus>("torus"); }

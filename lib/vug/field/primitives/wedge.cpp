@@ -39,4 +39,4 @@ struct Wedge {
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(wedge) { return vug::field::primitive_kind<vug::field::Wedge>("wedge"); }
+VUG_FIELD_KIND(wedge) { return primitive_kind<Wedge>("wedge"); }

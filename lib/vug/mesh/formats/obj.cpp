@@ -166,6 +166,7 @@ void write_obj(const Mesh& mesh, const ByteSink& sink) {
 }
 
 }  // namespace
+}  // namespace vug::mesh
 
 VUG_MESH_FORMAT(obj) {
   return mesh_format("obj",
@@ -174,5 +175,3 @@ VUG_MESH_FORMAT(obj) {
                      "attributes left out",
                      "wavefront1995", read_obj, write_obj);
 }
-
-}  // namespace vug::mesh

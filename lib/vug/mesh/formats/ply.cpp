@@ -236,6 +236,7 @@ void write_ply(const Mesh& mesh, const ByteSink& sink) {
 }
 
 }  // namespace
+}  // namespace vug::mesh
 
 VUG_MESH_FORMAT(ply) {
   return mesh_format("ply",
@@ -244,5 +245,3 @@ VUG_MESH_FORMAT(ply) {
                      "little-endian binary",
                      "turk1994", read_ply, write_ply);
 }
-
-}  // namespace vug::mesh

@@ -118,6 +118,7 @@ void write_stl(const Mesh& mesh, const ByteSink& sink) {
 }
 
 }  // namespace
+}  // namespace vug::mesh
 
 VUG_MESH_FORMAT(stl) {
   return mesh_format("stl",
@@ -125,5 +126,3 @@ VUG_MESH_FORMAT(stl) {
                      "places made one and triangles without extent dropped; written as binary",
                      "roscoe1988", read_stl, write_stl);
 }
-
-}  // namespace vug::mesh

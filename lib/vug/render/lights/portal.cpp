@@ -13,7 +13,6 @@ struct Portal : RectangleParams {
         .cite("bitterli2015portal");
     describe_rectangle(s, "The side the light of the sky comes in to.");
   }
-  std::string fault() const { return rectangle_fault(*this); }
 };
 
 class PortalLight final : public Light {

@@ -17,7 +17,6 @@ struct Rect : RectangleParams {
             {.doc = "Radiance of red, green, blue in W/sr/m^2.", .min = 0})
         .param("visible", &Rect::visible, {.doc = "Whether the camera sees the lamp itself."});
   }
-  std::string fault() const { return rectangle_fault(*this); }
 };
 
 class RectLight final : public Light {

@@ -14,7 +14,7 @@ namespace vug::render {
 namespace {
 
 struct SkyImage {
-  std::string file;
+  std::filesystem::path file;
   double gain = 1;
   double turn = 0;
 
@@ -67,7 +67,8 @@ class SkyImageLight final : public Light {
       for (int k = 0; k < 3; ++k) {
         if (!std::isfinite(c[k]))
           throw Error(ErrorCode::bad_input,
-                      fmt::format("the sky picture '{}' holds values that are not finite", p.file));
+                      fmt::format("the sky picture '{}' holds values that are not finite",
+                                  p.file.string()));
         c[k] = std::max(0.0f, c[k]) * static_cast<float>(p.gain);
       }
       texels_.push_back(c);

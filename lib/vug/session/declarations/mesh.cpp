@@ -1,22 +1,26 @@
+#include <vug/mesh/format.h>
 #include <vug/paint/kind.h>
 #include <vug/session/reader.h>
 
 namespace vug::session {
 namespace {
 
+std::vector<std::pair<std::string, std::string>> formats() {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const mesh::Format* format : mesh::formats())
+    names.emplace_back(format->info.name, format->info.name);
+  return names;
+}
+
 Schema<MeshPlan> schema() {
-  Schema<MeshPlan> s;
-  s.info().name = "mesh";
-  s.info().category = "declaration";
+  Schema<MeshPlan> s("mesh", "declaration");
   s.doc("A triangle mesh of a level set, written beside the .vdb: mesh NAME on VOLUME { ... }.")
       .param("adaptivity", &MeshPlan::adaptivity,
              {.doc = "0 keeps every face, 1 merges faces that are nearly flat", .min = 0, .max = 1})
       .param("polish", &MeshPlan::polish,
              {.doc = "move vertices onto the exact field, keep creases"})
       .param("paint", &MeshPlan::paint, {.doc = "its vertex colours: a paint or one colour"})
-      .choice("format", &MeshPlan::format,
-              {{"ply", MeshFormat::ply}, {"obj", MeshFormat::obj}, {"stl", MeshFormat::stl}},
-              "the file that is written");
+      .choice("format", &MeshPlan::format, formats(), "the file that is written");
   return s;
 }
 

@@ -4,9 +4,7 @@ namespace vug::session {
 namespace {
 
 Schema<ObjectPlan> schema() {
-  Schema<ObjectPlan> s;
-  s.info().name = "object";
-  s.info().category = "declaration";
+  Schema<ObjectPlan> s("object", "declaration");
   s.doc("A mesh as the picture shows it: object NAME on MESH { material ... }.")
       .param("material", &ObjectPlan::material, {.doc = "what it is made of"})
       .param("flat", &ObjectPlan::flat, {.doc = "shade every face flat"});

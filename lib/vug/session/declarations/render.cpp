@@ -4,9 +4,7 @@ namespace vug::session {
 namespace {
 
 Schema<RenderPlan> schema() {
-  Schema<RenderPlan> s;
-  s.info().name = "render";
-  s.info().category = "declaration";
+  Schema<RenderPlan> s("render", "declaration");
   s.doc("How the picture is made: render NAME { size 1920x1080  spp 256 }.")
       .param("size", &RenderPlan::size, {.doc = "width and height in pixels, as 1920x1080"})
       .param("spp", &RenderPlan::spp, {.doc = "samples per pixel", .min = 1, .max = 1 << 20})

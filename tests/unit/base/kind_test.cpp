@@ -1,0 +1,112 @@
+#include <vug/base/kind.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace vug {
+namespace {
+
+/// What both kinds of rope below have in common.
+struct Strand {
+  double length = 1;
+};
+
+struct Rope : Strand {
+  std::filesystem::path file = "plain.png";
+  int plies = 3;
+
+  static void describe(Schema<Rope>& s) {
+    s.param("length", &Strand::length, positive_length("of the rope"))
+        .param("file", &Rope::file, {.doc = "a picture of it"})
+        .param("plies", &Rope::plies, {.doc = "strands", .min = 1});
+  }
+  std::string fault() const { return plies > 10 * length ? "too many plies for its length" : ""; }
+};
+using RopePtr = std::shared_ptr<const Rope>;
+
+}  // namespace
+
+template <>
+struct ValueTraits<RopePtr> : ObjectTraits<RopePtr> {
+  static constexpr const char* kWord = "rope";
+};
+
+namespace {
+
+const Kind<RopePtr>& rope() {
+  static const auto kind = make_kind<RopePtr, Rope>("rope", "rope", [](const Rope& r) -> RopePtr {
+    if (r.file == "torn.png") throw Error(ErrorCode::bad_input, "cannot read it", {}, "mend it");
+    if (r.file == "gone.png") throw Error(ErrorCode::io, "the disk is gone");
+    return std::make_shared<const Rope>(r);
+  });
+  return kind;
+}
+const Kinds<RopePtr> kRopes = {&rope()};
+
+std::string refusal(const Named& parameters) {
+  try {
+    make_product(kRopes, "rope", parameters);
+  } catch (const Error& error) {
+    return error.what() + (error.hint().empty() ? "" : " / " + error.hint());
+  }
+  return "accepted";
+}
+
+TEST(Kind, MakesItsProductOfArguments) {
+  const RopePtr made = make_product(kRopes, "rope", {{"length", 2.0}, {"plies", 5}});
+  EXPECT_EQ(made->length, 2);  // a member of a base of the parameter struct
+  EXPECT_EQ(made->plies, 5);
+  EXPECT_EQ(made->file, "plain.png");
+}
+
+TEST(Kind, RefusesWhatDoesNotFit) {
+  EXPECT_EQ(refusal({{"plies", 0}}), "'plies' must be at least 1, not 0");
+  EXPECT_EQ(refusal({{"plies", 20}}), "too many plies for its length");
+  EXPECT_EQ(refusal({{"plies", 0}, {"length", -1.0}}),
+            "'plies' must be at least 1, not 0; 'length' must be above 0, not -1");
+  EXPECT_EQ(refusal({{"file", "torn.png"}}), "cannot read it / mend it");
+  EXPECT_EQ(refusal({{"file", 3.0}}), "'file' expects a file, not a number");
+}
+
+TEST(Kind, KnowsItsNeighbours) {
+  try {
+    make_product(kRopes, "rop");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()) + " / " + error.hint(),
+              "there is no rope 'rop' / did you mean 'rope'?");
+  }
+  EXPECT_EQ(find_kind(kRopes, "thread"), nullptr);
+}
+
+TEST(Kind, LeavesFailuresOfTheSystemAlone) {
+  Diagnostics diagnostics;
+  EXPECT_THROW(rope().make({{"file", Value("gone.png"), {}}}, {}, diagnostics), Error);
+  EXPECT_FALSE(diagnostics.has_errors());
+}
+
+TEST(Kind, FilesLieBesideTheTextThatNamesThem) {
+  const auto file = [](const std::string& name, const std::string& text) {
+    Diagnostics diagnostics;
+    const auto made = rope().make({{"file", Value(name), {text, 3, 1}}}, {}, diagnostics);
+    return made ? (*made)->file.string() : "none";
+  };
+  EXPECT_EQ(file("wool.png", "shots/one/cave.vug"), "shots/one/wool.png");
+  EXPECT_EQ(file("../wool.png", "shots/one/cave.vug"), "shots/wool.png");
+  EXPECT_EQ(file("/stock/wool.png", "shots/one/cave.vug"), "/stock/wool.png");
+  EXPECT_EQ(file("wool.png", "cave.vug"), "wool.png");
+  EXPECT_EQ(file("wool.png", ""), "wool.png");
+}
+
+TEST(Kind, ObjectsTravelAsValues) {
+  EXPECT_TRUE(ValueTraits<RopePtr>::write(nullptr).empty());
+  const RopePtr one = std::make_shared<const Rope>();
+  const Value value = ValueTraits<RopePtr>::write(one);
+  EXPECT_EQ(value.type_name(), "a rope");
+  EXPECT_EQ(ValueTraits<RopePtr>::read(value), one);
+  EXPECT_FALSE(ValueTraits<RopePtr>::read(Value(1.0)));
+}
+
+}  // namespace
+}  // namespace vug
