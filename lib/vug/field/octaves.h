@@ -69,6 +69,15 @@ class Octaves {
   std::vector<Layer> layers_;
 };
 
+/// The noise itself, as a Shape of Fractal.
+struct PlainShape {
+  static constexpr double kSlope = 1;
+  template <class T>
+  static T of(const T& n) {
+    return n;
+  }
+};
+
 /// sum of weight_i * Shape(noise_i); Shape: `template <class T> static T of(const T&)` and
 /// `kSlope`, its steepest slope.
 template <class Shape>

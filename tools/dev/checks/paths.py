@@ -32,9 +32,11 @@ def check(tree):
         text = re.sub(r"^```.*?^```", lambda block: re.sub(r"[^\n]", "", block.group(0)),
                       tree.text(document), flags=re.M | re.S)
         for match in re.finditer(PATH, text):
-            if not match.group(1).startswith(MADE) and not resolve(known, document, match.group(1)):
-                yield Finding(document, text.count("\n", 0, match.start()) + 1,
-                              f"there is no {match.group(1)}")
+            path = match.group(1)
+            if "NAME" in path or path.startswith(MADE):
+                continue
+            if not resolve(known, document, path):
+                yield Finding(document, text.count("\n", 0, match.start()) + 1, f"there is no {path}")
         for match in (match for pattern in PAIRS for match in re.finditer(pattern, text)):
             path = match.group("path").strip("`")
             file = resolve(known, document, path)

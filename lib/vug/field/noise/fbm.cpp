@@ -10,18 +10,9 @@ struct Fbm : OctaveParams {
   }
 };
 
-/// The noise itself.
-struct FbmShape {
-  static constexpr double kSlope = 1;
-  template <class T>
-  static T of(const T& n) {
-    return n;
-  }
-};
-
 }  // namespace
 }  // namespace vug::field
 
 VUG_NOISE_KIND(fbm) {
-  return noise_kind<Fbm>("fbm", [](const Fbm& p) { return Fractal<FbmShape>(p); });
+  return noise_kind<Fbm>("fbm", [](const Fbm& p) { return Fractal<PlainShape>(p); });
 }

@@ -19,14 +19,6 @@ struct Perlin {
   }
 };
 
-struct Plain {
-  static constexpr double kSlope = 1;
-  template <class T>
-  static T of(const T& n) {
-    return n;
-  }
-};
-
 }  // namespace
 }  // namespace vug::field
 
@@ -36,6 +28,6 @@ VUG_NOISE_KIND(perlin) {
     one.scale = p.scale;
     one.octaves = 1;
     one.seed = p.seed;
-    return Fractal<Plain>(one);
+    return Fractal<PlainShape>(one);
   });
 }
