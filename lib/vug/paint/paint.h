@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/base/vec.h>
-#include <vug/field/field.h>
+#include <vug/field/sampled.h>
 
 #include <functional>
 #include <memory>
@@ -15,6 +15,7 @@ namespace vug::paint {
 struct Spot {
   Vec3d position;
   Vec3d normal;
+  const field::SampledGrid* solid = nullptr;  ///< The level set whose surface it is, if known.
 };
 
 /// Immutable functions, shared between threads.

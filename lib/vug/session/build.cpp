@@ -1,6 +1,7 @@
 #include <vug/meshing/polygonize.h>
 #include <vug/paint/paint.h>
 #include <vug/session/build.h>
+#include <vug/volume/samples.h>
 #include <vug/volume/voxelize.h>
 
 #include <fmt/format.h>
@@ -23,10 +24,11 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-void add_colors(mesh::Mesh& mesh, const paint::Paint& paint) {
+void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface) {
+  const auto solid = volume::samples(surface);
   std::vector<paint::Spot> spots(mesh.positions.size());
   for (size_t i = 0; i < spots.size(); ++i)
-    spots[i] = {Vec3d(mesh.positions[i]), Vec3d(mesh.normals.at(i)).normalized()};
+    spots[i] = {Vec3d(mesh.positions[i]), Vec3d(mesh.normals.at(i)).normalized(), solid.get()};
   mesh::Attribute color{"Cd", 3, {}};
   color.values.reserve(3 * spots.size());
   for (const Vec3f& rgb : paint::colors(paint, spots))
@@ -63,7 +65,7 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
   const field::Field* exact = plan->polish ? &plan->volume->field : nullptr;
   try {
     mesh::Mesh made = meshing::polygonize(surface, exact, polygonize, progress_).mesh;
-    if (plan->paint) add_colors(made, plan->paint);
+    if (plan->paint) add_colors(made, plan->paint, surface);
     return meshes_.emplace(plan, std::make_shared<const mesh::Mesh>(std::move(made))).first->second;
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));

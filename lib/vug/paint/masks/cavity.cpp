@@ -1,7 +1,6 @@
-// The solid's own field, read a step outside the surface: where less room is left than the step,
-// rock is near on other sides too (after Evans 2006, "Fast approximations for global
-// illumination on dynamic scenes").
+// Hollows of the painted solid: where more than half of what is near is rock.
 #include <vug/paint/kind.h>
+#include <vug/paint/share.h>
 
 #include <algorithm>
 
@@ -9,14 +8,13 @@ namespace vug::paint {
 namespace {
 
 struct Cavity {
-  field::Field field;
-  double reach = 0.1;
+  double radius = 0.1;
 
   static void describe(Schema<Cavity>& s) {
-    s.doc("0 on flat and convex rock, rising to 1 in hollows, corners and cracks.")
-        .cite("evans2006")
-        .param("field", &Cavity::field, {.doc = "the solid whose surface it is", .required = true})
-        .param("reach", &Cavity::reach, positive_length("size of the hollows that count"));
+    s.doc("0 on flat and convex rock, 1 in right-angled hollows, inner corners and cracks.")
+        .cite("pottmann2007")
+        .param("radius", &Cavity::radius,
+               positive_length("size of the hollows that count: two voxels or more"));
   }
 };
 
@@ -25,8 +23,7 @@ struct Cavity {
 const MaskKind& cavity_mask() {
   static const MaskKind kind = mask_kind<Cavity>("cavity", [](const Cavity& c) {
     return make_mask([c](const Spot& spot) {
-      const double room = c.field.value(spot.position + spot.normal * c.reach);
-      return std::clamp(1 - room / c.reach, 0.0, 1.0);
+      return std::clamp(4 * solid_share(spot, c.radius) - 2, 0.0, 1.0);
     });
   });
   return kind;

@@ -1,5 +1,6 @@
-// The counterpart of cavity: the field is read a step inside, where less depth is left near edges.
+// Edges of the painted solid, which weather first: where less than half of what is near is rock.
 #include <vug/paint/kind.h>
+#include <vug/paint/share.h>
 
 #include <algorithm>
 
@@ -7,13 +8,13 @@ namespace vug::paint {
 namespace {
 
 struct Edge {
-  field::Field field;
-  double reach = 0.1;
+  double radius = 0.1;
 
   static void describe(Schema<Edge>& s) {
-    s.doc("0 on flat and hollow rock, rising to 1 on edges and spikes that weather first.")
-        .param("field", &Edge::field, {.doc = "the solid whose surface it is", .required = true})
-        .param("reach", &Edge::reach, positive_length("size of the edges that count"));
+    s.doc("0 on flat and hollow rock, 1 on right-angled edges, corners and spikes.")
+        .cite("pottmann2007")
+        .param("radius", &Edge::radius,
+               positive_length("size of the edges that count: two voxels or more"));
   }
 };
 
@@ -22,8 +23,7 @@ struct Edge {
 const MaskKind& edge_mask() {
   static const MaskKind kind = mask_kind<Edge>("edge", [](const Edge& e) {
     return make_mask([e](const Spot& spot) {
-      const double depth = -e.field.value(spot.position - spot.normal * e.reach);
-      return std::clamp(1 - depth / e.reach, 0.0, 1.0);
+      return std::clamp(2 - 4 * solid_share(spot, e.radius), 0.0, 1.0);
     });
   });
   return kind;
