@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug::cli {
 namespace {
 
-constexpr double kWidth = 640, kPanel = 190, kLeft = 90, kRight = 20, kTop = 40, kGap = 42;
+constexpr double kWidth = 640, kPanel = 206, kLeft = 90, kRight = 20, kTop = 40, kGap = 58;
 
 /// A round step (1, 2 or 5 times a power of ten) that cuts `span` into about four.
 double round_step(double span) {
@@ -19,21 +20,40 @@ double round_step(double span) {
   return 10 * power;
 }
 
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else
+      out += c;
+  }
+  return out;
+}
+
 struct Axis {
   double low, high, step;
   double share(double v) const { return (v - low) / (high - low); }
 };
 
 Axis axis_of(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double step = round_step(*high - *low);
-  Axis axis{step * std::floor(*low / step), step * std::ceil(*high / step), step};
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (low > high) low = high = 0;
+  const double step = round_step(high - low);
+  Axis axis{step * std::floor(low / step), step * std::ceil(high / step), step};
   if (axis.high <= axis.low) axis.high = axis.low + step;
   return axis;
 }
 
-std::string panel(const std::string& x_label, const std::vector<double>& x, const Curve& curve,
-                  double top) {
+std::string panel(const Plot& plot, const Curve& curve, double top) {
+  const std::vector<double>& x = plot.x;
   const Axis ax = axis_of(x), ay = axis_of(curve.y);
   const double bottom = top + kPanel - kGap, width = kWidth - kLeft - kRight, height = bottom - top;
   std::string out;
@@ -49,33 +69,34 @@ std::string panel(const std::string& x_label, const std::vector<double>& x, cons
                        kLeft + width * ax.share(v), bottom + 15, v);
   std::string points;
   for (size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(curve.y[i])) continue;
     const double px = kLeft + width * ax.share(x[i]), py = bottom - height * ay.share(curve.y[i]);
     points += fmt::format("{:.1f},{:.1f} ", px, py);
     out += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='3' fill='#a4501c'/>", px, py);
   }
-  out += fmt::format("<polyline points='{}' fill='none' stroke='#a4501c' stroke-width='1.5'/>\n",
-                     points);
-  out += fmt::format("<text x='{}' y='{:.1f}' font-weight='bold'>{}</text>", kLeft, top - 6,
-                     curve.label);
+  if (plot.lines)
+    out += fmt::format("<polyline points='{}' fill='none' stroke='#a4501c' stroke-width='1.5'/>\n",
+                       points);
+  out += fmt::format("<text x='{}' y='{:.1f}' font-weight='bold'>{}</text>", kLeft, top - 8,
+                     escaped(curve.label));
   out += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>\n", kWidth - kRight,
-                     bottom + 28, x_label);
+                     bottom + 28, escaped(plot.x_label));
   return out;
 }
 
 }  // namespace
 
-std::string plot_svg(const std::string& title, const std::string& x_label,
-                     const std::vector<double>& x, const std::vector<Curve>& curves) {
-  const double height = kTop + kPanel * static_cast<double>(curves.size()) + 10;
+std::string plot_svg(const Plot& plot) {
+  const double height = kTop + kPanel * static_cast<double>(plot.curves.size()) + 10;
   std::string out = fmt::format(
       "<svg xmlns='http://www.w3.org/2000/svg' width='{}' height='{}' font-family='sans-serif' "
       "font-size='11'>\n"
       "<rect width='100%' height='100%' fill='white'/>\n<text x='{}' y='20' "
       "font-size='14'>{}</text>\n",
-      kWidth, height, kLeft, title);
+      kWidth, height, kLeft, escaped(plot.title));
   double top = kTop + 10;
-  for (const Curve& curve : curves) {
-    out += panel(x_label, x, curve, top);
+  for (const Curve& curve : plot.curves) {
+    out += panel(plot, curve, top);
     top += kPanel;
   }
   return out + "</svg>\n";

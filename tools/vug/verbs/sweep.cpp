@@ -7,7 +7,10 @@
 #include <vug/base/parallel.h>
 #include <vug/session/measure.h>
 
-#include <cstdlib>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace vug::cli {
 namespace {
@@ -17,75 +20,188 @@ struct Options {
   WorkOptions work;
   std::string param;
   std::vector<std::string> values;
+  std::vector<std::string> plot = {"seconds", "triangles", "area", "volume"};
   std::string output;
 };
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr size_t kMostValues = 10'000;
+
+template <class T>
+double known(const std::optional<T>& value) {
+  return value ? static_cast<double>(*value) : kUnknown;
+}
+
+/// A column of the table: its name there, its label in a plot, its value.
+struct Column {
+  const char* name;
+  const char* label;
+  int digits;  ///< Significant ones in the table.
+  double (*value)(const metrics::Report&);
+};
+
+const std::vector<Column>& columns() {
+  using R = metrics::Report;
+  static const std::vector<Column> all = {
+      {"seconds", "build time, s", 4, [](const R& r) { return known(r.build_seconds); }},
+      {"vertices", "vertices", 17, [](const R& r) { return static_cast<double>(r.vertices); }},
+      {"triangles", "triangles", 17, [](const R& r) { return static_cast<double>(r.triangles); }},
+      {"area", "surface, m²", 9, [](const R& r) { return r.area; }},
+      {"volume", "volume, m³", 9, [](const R& r) { return r.volume; }},
+      {"volume_cells", "volume of the cells inside, m³", 9,
+       [](const R& r) { return known(r.volume_cells); }},
+      {"cf", "convex edges, %", 6, [](const R& r) { return known(r.cf); }},
+      {"cf_area", "convex edges by area, %", 6, [](const R& r) { return known(r.cf_area); }},
+      {"components", "pieces", 17, [](const R& r) { return static_cast<double>(r.components); }},
+      {"genus", "handles", 17, [](const R& r) { return known(r.genus); }},
+      {"productions", "productions", 17, [](const R& r) { return known(r.productions); }},
+      {"length_x", "length along x, m", 6, [](const R& r) { return r.bounds.size().x; }},
+      {"length_y", "length along y, m", 6, [](const R& r) { return r.bounds.size().y; }},
+      {"length_z", "length along z, m", 6, [](const R& r) { return r.bounds.size().z; }},
+  };
+  return all;
+}
+
+const Column& column(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Column& c : columns()) {
+    if (c.name == name) return c;
+    names.emplace_back(c.name);
+  }
+  throw Error(ErrorCode::bad_input, fmt::format("a sweep has no column '{}'", name), {},
+              suggestion(name, names));
+}
+
+template <class T>
+bool parses(const std::string& text, T& out) {
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return code == std::errc() && end == text.data() + text.size();
+}
+
+/// "1..100" is every whole number from 1 to 100; any other text stands for itself.
+std::vector<std::string> expanded(const std::vector<std::string>& values) {
+  std::vector<std::string> out;
+  for (const std::string& value : values) {
+    const size_t dots = value.find("..");
+    int64_t low = 0, high = 0;
+    if (dots == std::string::npos || !parses(value.substr(0, dots), low) ||
+        !parses(value.substr(dots + 2), high)) {
+      out.push_back(value);
+      continue;
+    }
+    if (low > high || high - low >= static_cast<int64_t>(kMostValues))
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no range to sweep", value), {},
+                  fmt::format("write the smaller number first, {} values at most", kMostValues));
+    for (int64_t v = low; v <= high; ++v) out.push_back(std::to_string(v));
+  }
+  return out;
+}
+
 struct Row {
-  double value = 0;
+  std::string value;
   metrics::Report report;
 };
 
 Row measured(const Options& options, const std::string& value) {
   SceneOptions scene = options.scene;
-  scene.defines.push_back(options.param + "=" + value);
+  if (options.param == "seed") {
+    uint64_t seed = 0;
+    if (!parses(value, seed))
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no seed", value), {},
+                  "a seed is a whole number from 0 on");
+    scene.seed = seed;
+  } else {
+    scene.defines.push_back(options.param + "=" + value);
+  }
   const session::Loaded loaded = scene.load();
   session::Builder builder(loaded.shot, {options.work.memory_limit()},
                            terminal_progress(options.work.quiet));
-  Row row{std::strtod(value.c_str(), nullptr), session::measure(builder)};
-  return row;
+  return {value, session::measure(builder)};
 }
 
 std::string table(const std::string& param, const std::vector<Row>& rows) {
-  std::string out =
-      param + ",seconds,vertices,triangles,area,volume,volume_cells,cf,cf_area,components,genus\n";
+  std::string out = param;
+  for (const Column& c : columns()) out += fmt::format(",{}", c.name);
+  out += '\n';
   for (const Row& row : rows) {
-    const metrics::Report& r = row.report;
-    out += fmt::format("{},{:.3f},{},{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{},{}\n", row.value,
-                       r.build_seconds.value_or(0), r.vertices, r.triangles, r.area, r.volume,
-                       r.volume_cells.value_or(0), r.cf.value_or(0), r.cf_area.value_or(0),
-                       r.components, r.genus.value_or(0));
+    out += row.value;
+    for (const Column& c : columns()) {
+      const double value = c.value(row.report);
+      out += std::isnan(value) ? "," : fmt::format(",{:.{}g}", value, c.digits);
+    }
+    out += '\n';
   }
   return out;
 }
 
-std::string plot(const std::string& title, const std::string& param, const std::vector<Row>& rows) {
-  std::vector<double> x;
-  std::vector<Curve> curves = {
-      {"build time, s", {}}, {"triangles", {}}, {"surface, m²", {}}, {"volume, m³", {}}};
-  for (const Row& row : rows) {
-    x.push_back(row.value);
-    curves[0].y.push_back(row.report.build_seconds.value_or(0));
-    curves[1].y.push_back(static_cast<double>(row.report.triangles));
-    curves[2].y.push_back(row.report.area);
-    curves[3].y.push_back(row.report.volume);
+/// Where the values of each column lie.
+std::string summary(const std::vector<Row>& rows) {
+  std::string out = fmt::format("{:<13} {:>11} {:>11} {:>11}\n", "", "least", "mean", "most");
+  for (const Column& c : columns()) {
+    double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0;
+    int count = 0;
+    for (const Row& row : rows) {
+      const double value = c.value(row.report);
+      if (std::isnan(value)) continue;
+      least = std::min(least, value);
+      most = std::max(most, value);
+      sum += value;
+      ++count;
+    }
+    if (count > 0)
+      out +=
+          fmt::format("{:<13} {:>11.6g} {:>11.6g} {:>11.6g}\n", c.name, least, sum / count, most);
   }
-  return plot_svg(title, param, x, curves);
+  return out;
+}
+
+std::string plot(const Options& options, const std::vector<Row>& rows) {
+  const std::string scene = std::filesystem::path(options.scene.scene).stem().string();
+  Plot plot{scene + " against " + options.param, options.param, {}, {}, options.param != "seed"};
+  for (size_t i = 0; i < rows.size(); ++i) {
+    double x = 0;  // values that are no numbers, such as +X, stand at their places in the list
+    plot.x.push_back(parses(rows[i].value, x) ? x : static_cast<double>(i + 1));
+  }
+  for (const std::string& name : options.plot) {
+    const Column& c = column(name);
+    Curve curve{c.label, {}};
+    for (const Row& row : rows) curve.y.push_back(c.value(row.report));
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot_svg(plot);
 }
 
 int run(const Options& options) {
   const ThreadLimit threads(options.work.threads);
+  for (const std::string& name : options.plot) column(name);  // refused before the work
   std::vector<Row> rows;
-  for (const std::string& value : options.values) rows.push_back(measured(options, value));
+  for (const std::string& value : expanded(options.values))
+    rows.push_back(measured(options, value));
   const std::string text = table(options.param, rows);
   fmt::print("{}", text);
+  if (!options.work.quiet && rows.size() > 1) fmt::print(stderr, "{}", summary(rows));
   if (options.output.empty()) return kDone;
   write_text(options.output + ".csv", text);
-  const std::string title =
-      std::filesystem::path(options.scene.scene).stem().string() + " against " + options.param;
-  write_text(options.output + ".svg", plot(title, options.param, rows));
+  write_text(options.output + ".svg", plot(options, rows));
   return kDone;
 }
 
 }  // namespace
 
 Verb sweep_verb() {
-  return {"sweep", "Measures a scene for several values of a parameter: a table and a plot.",
+  return {"sweep",
+          "Measures a scene for several values of a parameter or seeds: a table and a plot.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
-            app.add_option("--param,-p", options->param, "the parameter, e.g. LD")->required();
-            app.add_option("--values,-v", options->values, "its values: 1,2,4,8")
+            app.add_option("--param,-p", options->param,
+                           "the parameter, e.g. LD; `seed` for the scene's seed")
+                ->required();
+            app.add_option("--values,-v", options->values, "its values: 1,2,4,8 or 1..100")
                 ->required()
+                ->delimiter(',');
+            app.add_option("--plot", options->plot,
+                           "the columns to plot (seconds,triangles,area,volume)")
                 ->delimiter(',');
             app.add_option("-o,--output", options->output, "writes OUTPUT.csv and OUTPUT.svg");
             options->work.add_to(app);
