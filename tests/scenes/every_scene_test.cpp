@@ -1,0 +1,129 @@
+// Builds every scene of data/scenes, holds its meshes against the facts known about them, and
+// looks at what is promised of any scene: closed surfaces on the field, sound level sets.
+#include "facts.h"
+
+#include <vug/mesh/topology.h>
+#include <vug/session/build.h>
+#include <vug/session/write.h>
+#include <vug/volume/io.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace vug::session {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Whether the volume's region cuts the solid off near the point.
+bool near_cut(const VolumePlan& plan, const Vec3d& p) {
+  if (!plan.from) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < (*plan.from)[axis] + 2 * plan.voxel ||
+        p[axis] > (*plan.to)[axis] - 2 * plan.voxel)
+      return true;
+  return false;
+}
+
+/// Root mean square of the vertices' distances from the exact surface, to first order, in voxels.
+double rms_distance(const mesh::Mesh& mesh, const VolumePlan& plan) {
+  double squares = 0;
+  size_t count = 0;
+  for (const Vec3f& v : mesh.positions) {
+    const Vec3d p(v);
+    if (near_cut(plan, p)) continue;
+    const field::Gradient at = plan.field.gradient(p);
+    const double slope = at.gradient.length();
+    const double distance = at.value / (std::max(slope, 1e-3) * plan.voxel);
+    squares += distance * distance;
+    ++count;
+  }
+  return count ? std::sqrt(squares / static_cast<double>(count)) : 0;
+}
+
+void expect_sound(const mesh::Mesh& mesh, const MeshPlan& plan) {
+  const mesh::Topology topology = mesh::inspect(mesh);
+  EXPECT_EQ(topology.boundary_edges, 0U);
+  EXPECT_EQ(topology.nonmanifold_edges, 0U);
+  EXPECT_EQ(topology.misoriented_edges, 0U);
+  EXPECT_EQ(topology.unused_vertices, 0U);
+  EXPECT_LT(rms_distance(mesh, *plan.volume), 0.01);
+}
+
+/// The level sets and fogs that `vug build` writes, read back.
+void expect_written(Builder& builder, const std::string& scene) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "vug_scenes" / scene;
+  fs::create_directories(folder);
+  const std::vector<fs::path> paths = write_products(builder, folder);
+  ASSERT_FALSE(paths.empty());
+  for (const VolumePtr& plan : builder.shot().volumes) {
+    const volume::Grid grid = volume::read_grid(paths.front(), plan->name);
+    if (plan->fog) {
+      EXPECT_EQ(grid.grid_class(), volume::GridClass::fog) << plan->name;
+      EXPECT_GT(grid.statistics().active_voxels, 0U) << plan->name;
+    } else {
+      EXPECT_EQ(volume::check(volume::LevelSet(grid)).fault, "") << plan->name;
+    }
+  }
+  for (const fs::path& path : paths) EXPECT_GT(fs::file_size(path), 0U) << path;
+  fs::remove_all(folder);
+}
+
+bool has_mesh(const Shot& shot, const std::string& name) {
+  const std::vector<MeshPtr> meshes = meshes_of(shot);
+  return std::any_of(meshes.begin(), meshes.end(),
+                     [&](const MeshPtr& plan) { return plan->name == name; });
+}
+
+class EveryScene : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScene, IsAsKnown) {
+  const json& scenes = scene_facts().at("scenes");
+  ASSERT_TRUE(scenes.contains(GetParam()))
+      << "say in tests/data/scene_facts.json what is known about " << GetParam();
+  const json& facts = scenes.at(GetParam());
+  std::vector<scene::Override> overrides;
+  const json defines = facts.value("defines", json::object());
+  for (const auto& [name, value] : defines.items())
+    overrides.push_back({name, value.get<std::string>()});
+  const Loaded loaded = load_scene(GetParam(), overrides);
+  ASSERT_TRUE(loaded.usable());
+  Builder builder(loaded.shot);
+  ASSERT_FALSE(meshes_of(loaded.shot).empty());
+  for (const MeshPtr& plan : meshes_of(loaded.shot)) {
+    SCOPED_TRACE(plan->name);
+    const auto mesh = builder.mesh(plan);
+    expect_sound(*mesh, *plan);
+    const json& known =
+        facts.at("meshes").contains(plan->name) ? facts.at("meshes") : scene_facts().at("shared");
+    ASSERT_TRUE(known.contains(plan->name)) << "no facts about this mesh";
+    expect_facts(metrics::measure(*mesh, {/*self_intersections=*/false}), known.at(plan->name));
+  }
+  for (const auto& entry : facts.at("meshes").items())
+    EXPECT_TRUE(has_mesh(loaded.shot, entry.key())) << "the scene has no mesh " << entry.key();
+  expect_written(builder, GetParam());
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = fs::path(info.param).replace_extension().generic_string();
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, EveryScene, ::testing::ValuesIn(scene_names()), test_name);
+
+// The list of tests is made when the binary is built, the list of scenes lies on disk.
+TEST(Scenes, FactsAndFilesAreTheSameScenes) {
+  std::vector<std::string> known;
+  for (const auto& [name, facts] : scene_facts().at("scenes").items()) known.push_back(name);
+  EXPECT_EQ(known, scene_names());
+}
+
+}  // namespace
+}  // namespace vug::session

@@ -1,0 +1,77 @@
+#include "facts.h"
+
+#include <vug/base/atomic_file.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace vug::session {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const fs::path kScenes = fs::path(VUG_DATA) / "scenes";
+
+json facts_of(const metrics::Report& report) {
+  const Box3d& b = report.bounds;
+  return {{"components", report.components},
+          {"genus", report.genus ? json(*report.genus) : json()},
+          {"area", report.area},
+          {"volume", report.volume},
+          {"bounds", {{b.min.x, b.min.y, b.min.z}, {b.max.x, b.max.y, b.max.z}}}};
+}
+
+/// A number is met by itself, a range [least, most] by what lies in it.
+bool count_fits(const json& measured, const json& wanted) {
+  if (!wanted.is_array()) return measured == wanted;
+  return !measured.is_null() && measured >= wanted.at(0) && measured <= wanted.at(1);
+}
+
+}  // namespace
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(kScenes))
+    if (entry.path().extension() == ".vug")
+      names.push_back(fs::relative(entry.path(), kScenes).generic_string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Loaded load_scene(const std::string& name, const std::vector<scene::Override>& overrides,
+                  std::optional<uint64_t> seed) {
+  LoadOptions options;
+  options.overrides = overrides;
+  options.seed = seed;
+  options.include_folders = {VUG_DATA};
+  Loaded loaded = load(kScenes / name, options);
+  EXPECT_TRUE(loaded.usable()) << loaded.report();
+  return loaded;
+}
+
+const json& scene_facts() {
+  static const json facts = json::parse(read_text(fs::path(VUG_TEST_DATA) / "scene_facts.json"));
+  return facts;
+}
+
+void expect_facts(const metrics::Report& report, const json& facts) {
+  const json measured = facts_of(report);
+  const double share = facts.value("tolerance", 0.01);
+  const double size = report.bounds.size().length();
+  EXPECT_TRUE(count_fits(measured.at("components"), facts.at("components"))) << measured;
+  EXPECT_TRUE(count_fits(measured.at("genus"), facts.at("genus"))) << measured;
+  for (const char* key : {"area", "volume"}) {
+    const double wanted = facts.at(key);
+    EXPECT_NEAR(measured.at(key).get<double>(), wanted, share * wanted) << key << ' ' << measured;
+  }
+  for (const size_t end : {0U, 1U})
+    for (const size_t axis : {0U, 1U, 2U})
+      EXPECT_NEAR(measured.at("bounds").at(end).at(axis).get<double>(),
+                  facts.at("bounds").at(end).at(axis).get<double>(), share * size)
+          << measured;
+}
+
+}  // namespace vug::session

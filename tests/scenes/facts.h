@@ -1,0 +1,31 @@
+// What is known about the scenes of data/scenes: tests/data/scene_facts.json, and how a mesh is
+// held against it.
+#pragma once
+
+#include <vug/metrics/report.h>
+#include <vug/session/load.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vug::session {
+
+/// Every scene of data/scenes and its folders, as "teaching/morph.vug", in order.
+std::vector<std::string> scene_names();
+
+/// Loads a scene of data/scenes; fails the test when it has faults.
+Loaded load_scene(const std::string& name, const std::vector<scene::Override>& overrides = {},
+                  std::optional<uint64_t> seed = {});
+
+/// The file: {"scenes": {NAME: {"defines": {...}, "meshes": {MESH: FACTS}}}, "shared": {MESH:
+/// FACTS}}. FACTS hold components, genus, area, volume, bounds and, where 1 % is not right,
+/// "tolerance", a share. A count may be a range [least, most].
+const nlohmann::json& scene_facts();
+
+/// Fails the test where the report is not what the facts say, and then tells what it is.
+void expect_facts(const metrics::Report& report, const nlohmann::json& facts);
+
+}  // namespace vug::session
