@@ -21,11 +21,27 @@ struct Hit {
   Vec3f origin;
 };
 
+/// How next-event estimation at one place shares its samples out between the lights.
+struct LightOdds {
+  bool all = false;  ///< Every light that matters gets a sample.
+  float total = 0;   ///< Sum of all importances; else half of the choices are in proportion to it,
+  float count = 0;   ///< and half are even between the lights that matter.
+
+  /// Samples to expect for a light of that importance. Importance knows nothing of walls, so a
+  /// light behind one must not take the choices from the one that shines: the even half keeps
+  /// any light's share above 1 / (2 count) (a defensive mixture: Hesterberg 1995, "Weighted average
+  /// importance sampling and defensive mixture distributions", cite hesterberg1995).
+  float of(float importance) const {
+    if (!(importance > 0)) return 0;
+    return all ? 1 : 0.5f * (importance / total + 1 / count);
+  }
+};
+
 /// Which light next-event estimation turns to, and with what probability.
 struct LightChoice {
   const Light* light = nullptr;
   float probability = 0;
-  float total = 0;  ///< Sum of all importances; light i is chosen with importance_i / total.
+  LightOdds odds;
 };
 
 class World {
@@ -49,13 +65,16 @@ class World {
   /// Portals, or without any the skies that sample directions themselves.
   const std::vector<const Light*>& sampled_skies() const { return sampled_skies_; }
 
-  /// Chooses in proportion to importance, with one uniform number; null when none matters.
+  /// All lights that can be sampled: lamps and `sampled_skies`.
+  const std::vector<const Light*>& sampled() const { return sampled_; }
+  /// Chooses one of them by its odds, with one uniform number; null when none matters.
   LightChoice choose(const LitPoint& point, float u) const;
   LightChoice choose_along(const Ray& ray, const Segment& segment, float u) const;
-  /// As `choose` weighs it.
+  /// As `choose` weighs it; 0 where it cannot shine.
   float importance(const Light& light, const LitPoint& point) const;
-  /// Density with which choosing a light and sampling it turns to the sky in a direction.
-  float sky_pdf(const LitPoint& point, float total, const Vec3f& direction) const;
+  float importance_along(const Light& light, const Ray& ray, const Segment& segment) const;
+  /// Density with which sampling lights by these odds turns to the sky in a direction.
+  float sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3f& direction) const;
 
   const Medium* medium() const { return medium_.get(); }
 
@@ -67,12 +86,7 @@ class World {
   std::unique_ptr<Geometry> geometry_;
   std::vector<LightPtr> owned_;
   std::vector<const Light*> lamps_, skies_;
-  struct Sampled {
-    const Light* light;
-    float scale;
-  };
-  std::vector<Sampled> sampled_;
-  std::vector<const Light*> sampled_skies_;
+  std::vector<const Light*> sampled_, sampled_skies_;
   float sky_scale_ = 1;
   MediumPtr medium_;
 };

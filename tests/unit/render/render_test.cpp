@@ -104,6 +104,45 @@ TEST(Render, HazeAndPortalsAgree) {
   EXPECT_LT(std::sqrt(squares / static_cast<double>(a.pixel_count())), 0.2);
 }
 
+// The floor hides a lamp of a thousand times the weight: it may not take the samples of the lamp
+// that shines, whether lights are chosen or all sampled.
+TEST(Render, AHiddenLampDoesNotSpoilTheOthers) {
+  const auto lit = [](size_t hidden) {
+    Scene scene = room();
+    scene.lights.erase(scene.lights.begin());  // the sky
+    for (size_t i = 0; i < hidden; ++i)
+      scene.lights.push_back(make_light("sphere", {{"center", Vec3d(1.5, -3, 0.1 * double(i))},
+                                                   {"radius", 0.2},
+                                                   {"radiance", Vec3d(5000.0)}}));
+    return scene;
+  };
+  const Options o = options(24, 16, 256, 0);
+  const image::Image alone = render(lit(0), o);
+  for (const size_t hidden : {size_t{1}, size_t{12}}) {
+    const image::Image seen = render(lit(hidden), o);
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < seen.pixels.size(); i += seen.channels.size()) {
+      const auto d = static_cast<double>(seen.pixels[i] - alone.pixels[i]);
+      sum += d, squares += d * d;
+    }
+    EXPECT_LE(std::fabs(sum), 4 * std::sqrt(squares)) << hidden;
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(seen.pixel_count())), 0.06) << hidden;
+  }
+}
+
+TEST(Render, ClampDarkensOnlyWhatBounced) {
+  const Scene scene = room();
+  const auto red = [&](int bounces, double clamp) {
+    Options o = options(24, 16, 64, bounces);
+    o.integrator = make_integrator("path", {{"max_bounces", double(bounces)}, {"clamp", clamp}});
+    return mean_of(render(scene, o), "R").value;
+  };
+  EXPECT_EQ(red(0, 1e-3), red(0, 1e6)) << "direct light is not cut";
+  EXPECT_EQ(mean_of(render(scene, options(24, 16, 64, 3)), "R").value, red(3, 1e6));
+  EXPECT_LT(red(3, 0.05), 0.98 * red(3, 1e6));
+  EXPECT_GT(red(3, 0.05), red(0, 1e6));
+}
+
 // Error against the mean of many samples falls as 1/N for independent samples (in the square),
 // and no slower for Sobol points.
 TEST(Render, ErrorFallsWithSamples) {

@@ -16,6 +16,7 @@ namespace {
 struct Path {
   int max_bounces = 8;
   bool roulette = true;
+  std::optional<double> clamp;
 
   static void describe(Schema<Path>& s) {
     s.doc("Path tracing from the camera with direct sampling of lights.")
@@ -23,7 +24,12 @@ struct Path {
         .param("max_bounces", &Path::max_bounces,
                {.doc = "A path scatters at most once more than this.", .min = 0, .max = 1000})
         .param("roulette", &Path::roulette,
-               {.doc = "Ends dim paths at random; without it noise is less and time more."});
+               {.doc = "Ends dim paths at random; without it noise is less and time more."})
+        .param("clamp", &Path::clamp,
+               {.doc = "Cuts light that comes over more than one surface to this radiance: fewer "
+                       "fireflies, and a darker, no longer exact picture. Not cut when not given.",
+                .min = 0,
+                .above_min = true});
   }
 };
 
@@ -32,33 +38,48 @@ constexpr uint32_t kCameraDimensions = 2;
 constexpr uint32_t kBounceDimensions = 8;
 /// Shadow rays stop this part of the way to the lamp, before any wall it may lie against.
 constexpr float kAlmost = 0.9999f;
+constexpr size_t kFewLights = 8;
 
 /// The last place where the path scattered: what a light found by the ray is weighed against.
 struct Vertex {
   enum { camera, surface, medium } kind = camera;
   LitPoint point;
-  float pdf = 0;               ///< Of the direction taken, over solid angle.
-  float total_importance = 0;  ///< Of all lights, as `World::choose` saw it.
+  float pdf = 0;   ///< Of the direction taken, over solid angle.
+  LightOdds odds;  ///< By which lights were sampled.
 };
 
 class PathIntegrator final : public Integrator {
  public:
-  explicit PathIntegrator(const Path& p) : max_bounces_(p.max_bounces), roulette_(p.roulette) {}
+  explicit PathIntegrator(const Path& p)
+      : max_bounces_(p.max_bounces),
+        roulette_(p.roulette),
+        most_(p.clamp ? static_cast<float>(*p.clamp) : kFar) {}
 
   PathResult trace(const World& world, const Ray& camera_ray, SampleCursor& numbers) const override;
 
  private:
-  static void gather_lamps(const World& world, const Ray& ray, float end, const Vertex& from,
-                           const Rgb& throughput, PathResult& result);
-  static void gather_sky(const World& world, const Ray& ray, const Vertex& from,
-                         const Rgb& throughput, PathResult& result);
+  static Rgb lamp_light(const World& world, const Ray& ray, float end, const Vertex& from,
+                        float& alpha);
+  static Rgb sky_light(const World& world, const Ray& ray, const Vertex& from);
   static Rgb surface_light(const World& world, const Hit& hit, const Vec3f& out, const Frame& frame,
                            Vertex& vertex, float choice, const Vec2f& u);
-  static Rgb medium_light(const World& world, const Ray& ray, const Segment& segment, float choice,
-                          float where, const Vec2f& u);
+  static Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
+                        const Vec3f& out, const Frame& frame, const Vertex& vertex, const Vec2f& u);
+  static Rgb medium_light(const World& world, const Ray& ray, const Segment& segment, bool all,
+                          float choice, float where, const Vec2f& u);
+  static Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
+                            const Segment& segment, float where, const Vec2f& u);
+
+  /// What one vertex may add to the picture: everything while the camera sees it itself.
+  Rgb kept(const Rgb& light, int depth) const {
+    const float most = depth <= 0 ? kFar : most_;
+    const float brightest = largest(light);
+    return brightest > most ? light * (most / brightest) : light;
+  }
 
   int max_bounces_;
   bool roulette_;
+  float most_;
 };
 
 float clear_part(const World& world, const Ray& ray, float end) {
@@ -74,9 +95,10 @@ bool shadowed(const World& world, const Ray& ray, float distance) {
   return world.occluded(ray, distance == kFar ? kFar : distance * kAlmost);
 }
 
-/// Emission of lamps between the ray's origin and `end`.
-void PathIntegrator::gather_lamps(const World& world, const Ray& ray, float end, const Vertex& from,
-                                  const Rgb& throughput, PathResult& result) {
+/// Emission of lamps between the ray's origin and `end`; a lamp that the camera sees is opaque.
+Rgb PathIntegrator::lamp_light(const World& world, const Ray& ray, float end, const Vertex& from,
+                               float& alpha) {
+  Rgb light(0.0f);
   for (const Light* lamp : world.lamps()) {
     LightHit hit;
     // From a medium, direct sampling finds all of a lamp's light.
@@ -84,39 +106,51 @@ void PathIntegrator::gather_lamps(const World& world, const Ray& ray, float end,
     float weight = 1;
     if (from.kind == Vertex::camera) {
       if (!lamp->camera_visible()) continue;
-      result.alpha = 1;
-    } else if (from.total_importance > 0) {
-      const float direct = world.importance(*lamp, from.point) / from.total_importance *
-                           lamp->pdf(from.point, ray.direction);
+      alpha = 1;
+    } else {
+      const float direct =
+          from.odds.of(world.importance(*lamp, from.point)) * lamp->pdf(from.point, ray.direction);
       weight = from.pdf / (from.pdf + direct);
     }
-    result.radiance += throughput * hit.radiance * (weight * clear_part(world, ray, hit.distance));
+    light += hit.radiance * (weight * clear_part(world, ray, hit.distance));
   }
+  return light;
 }
 
-void PathIntegrator::gather_sky(const World& world, const Ray& ray, const Vertex& from,
-                                const Rgb& throughput, PathResult& result) {
-  if (!world.has_sky()) return;
+Rgb PathIntegrator::sky_light(const World& world, const Ray& ray, const Vertex& from) {
+  if (!world.has_sky()) return Rgb(0.0f);
   float weight = 1;
-  if (from.kind == Vertex::surface && from.total_importance > 0) {
-    const float direct = world.sky_pdf(from.point, from.total_importance, ray.direction);
+  if (from.kind == Vertex::surface) {
+    const float direct = world.sky_pdf(from.point, from.odds, ray.direction);
     weight = from.pdf / (from.pdf + direct);
   } else if (from.kind == Vertex::medium) {
     // Direct sampling finds the sky only where it may turn to.
     for (const Light* light : world.sampled_skies())
-      if (light->pdf(from.point, ray.direction) > 0) return;
+      if (light->pdf(from.point, ray.direction) > 0) return Rgb(0.0f);
   }
-  result.radiance +=
-      throughput * world.sky_radiance(ray.direction) * (weight * clear_part(world, ray, kFar));
+  return world.sky_radiance(ray.direction) * (weight * clear_part(world, ray, kFar));
 }
 
-/// Direct light at a surface, reflected towards `out`; notes in `vertex` how lights were weighed.
+/// Direct light at a surface, reflected towards `out`; notes in `vertex` how lights were sampled.
 Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Vec3f& out,
                                   const Frame& frame, Vertex& vertex, float choice,
                                   const Vec2f& u) {
+  if (vertex.odds.all) {
+    Rgb sum(0.0f);
+    for (const Light* light : world.sampled())
+      if (world.importance(*light, vertex.point) > 0)
+        sum += light_from(world, {light, 1, vertex.odds}, hit, out, frame, vertex, u);
+    return sum;
+  }
   const LightChoice chosen = world.choose(vertex.point, choice);
-  vertex.total_importance = chosen.total;
+  vertex.odds = chosen.odds;
   if (!chosen.light) return Rgb(0.0f);
+  return light_from(world, chosen, hit, out, frame, vertex, u);
+}
+
+Rgb PathIntegrator::light_from(const World& world, const LightChoice& chosen, const Hit& hit,
+                               const Vec3f& out, const Frame& frame, const Vertex& vertex,
+                               const Vec2f& u) {
   const LightSample s = chosen.light->sample(vertex.point, u);
   if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
   const Vec3f in = frame.to_local(s.direction);
@@ -124,7 +158,7 @@ Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Vec3
   const Rgb light = unshadowed(world, s);
   const Ray ray{hit.origin, s.direction};
   if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
-  const float direct = s.distance == kFar ? world.sky_pdf(vertex.point, chosen.total, s.direction)
+  const float direct = s.distance == kFar ? world.sky_pdf(vertex.point, chosen.odds, s.direction)
                                           : chosen.probability * s.pdf;
   const float density = direct + hit.material->pdf(hit.surface, out, in);
   return density > 0 ? f * light * (clear_part(world, ray, s.distance) / density) : Rgb(0.0f);
@@ -133,9 +167,20 @@ Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Vec3
 /// Light that is scattered once into the ray, anywhere in the segment, weighed by the clear part
 /// of the way back to the ray's origin.
 Rgb PathIntegrator::medium_light(const World& world, const Ray& ray, const Segment& segment,
-                                 float choice, float where, const Vec2f& u) {
+                                 bool all, float choice, float where, const Vec2f& u) {
+  if (all) {
+    Rgb sum(0.0f);
+    for (const Light* light : world.sampled())
+      if (world.importance_along(*light, ray, segment) > 0)
+        sum += scattered_from(world, {light, 1, {}}, ray, segment, where, u);
+    return sum;
+  }
   const LightChoice chosen = world.choose_along(ray, segment, choice);
-  if (!chosen.light) return Rgb(0.0f);
+  return chosen.light ? scattered_from(world, chosen, ray, segment, where, u) : Rgb(0.0f);
+}
+
+Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
+                                   const Segment& segment, float where, const Vec2f& u) {
   const Medium& medium = *world.medium();
   // Distances from the foot of the perpendicular, which equiangular sampling is about.
   const Vec3f to = chosen.light->centre() - ray.origin;
@@ -198,28 +243,33 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
       result.first = {true, hit.surface.position, hit.surface.shading_normal,
                       hit.material->albedo(hit.surface)};
     if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar);
-    gather_lamps(world, ray, end, from, throughput, result);
-    if (!found) gather_sky(world, ray, from, throughput, result);
+    // What a ray runs into belongs to the place it comes from, as direct light there.
+    Rgb seen = lamp_light(world, ray, end, from, result.alpha);
+    if (!found) seen += sky_light(world, ray, from);
+    result.radiance += kept(throughput * seen, depth - 1);
     if (depth > max_bounces_) break;
 
     const Vec2f choice = numbers.pair();  // which light, which lobe
     const Vec2f light_u = numbers.pair();
     const Vec2f scatter_u = numbers.pair();
     const float survive_u = numbers.single();
+    // Where the camera looks, a few lights are cheaper to sample all than to choose from.
+    const bool all_lights = depth == 0 && world.sampled().size() <= kFewLights;
     bool in_medium = false;
     if (medium) {
       const Segment segment = medium->clip(ray, end);
       if (!segment.empty() && segment.end < kFar) {
         const Vec2f distance_u = numbers.pair();
-        result.radiance +=
-            throughput * medium_light(world, ray, segment, choice.x, distance_u.x, numbers.pair());
+        result.radiance += kept(throughput * medium_light(world, ray, segment, all_lights, choice.x,
+                                                          distance_u.x, numbers.pair()),
+                                depth);
         const DistanceSample collision = medium->sample_distance(ray, segment, distance_u.y);
         if (collision.scattered) {
           in_medium = true;
           const Vec3f point = ray.at(collision.distance);
           throughput *= medium->albedo(point);
           ray = {point, medium->sample_phase(ray.direction, scatter_u)};
-          from = {Vertex::medium, {point, Vec3f(0.0f)}, 0, 0};
+          from = {Vertex::medium, {point, Vec3f(0.0f)}, 0, {}};
         }
       }
     }
@@ -227,9 +277,9 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
       if (!found) break;
       const Frame frame(hit.surface.shading_normal);
       const Vec3f out = frame.to_local(-ray.direction);
-      from = {Vertex::surface, {hit.origin, hit.surface.geometric_normal}, 0, 0};
+      from = {Vertex::surface, {hit.origin, hit.surface.geometric_normal}, 0, {all_lights}};
       result.radiance +=
-          throughput * surface_light(world, hit, out, frame, from, choice.x, light_u);
+          kept(throughput * surface_light(world, hit, out, frame, from, choice.x, light_u), depth);
       const BsdfSample s = hit.material->sample(hit.surface, out, choice.y, scatter_u);
       if (!(s.pdf > 0)) break;
       const Vec3f direction = frame.to_world(s.direction);
