@@ -1,0 +1,165 @@
+#include <vug/base/maths.h>
+#include <vug/base/parallel.h>
+#include <vug/base/rng.h>
+#include <vug/field/boolean.h>
+#include <vug/field/dripstone.h>
+#include <vug/field/registry.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::field {
+namespace {
+
+/// A roof or floor must face down or up at least this much (cosine): drips run off steeper stone.
+constexpr double kFacing = 0.45;
+/// Gaps lower than this many tips hold no dripstone.
+constexpr double kLowest = 6;
+/// No stalagmite is thinner (curl1973: 3 cm in diameter and more).
+constexpr double kThinnestStalagmite = 0.015;
+
+/// Where the vertical line through `at` leaves and enters rock, from above to below.
+class Plumb {
+ public:
+  Plumb(const Field& rock, const Vec3d& at, double step) : rock_(rock), at_(at), step_(step) {}
+
+  /// The first change of side below `high` and its height; nothing above `low`.
+  std::optional<double> crossing(double high, double low) const {
+    const bool inside = solid(high);
+    for (double y = high; y > low;) {
+      const double next = std::max(y - step_, low);
+      if (solid(next) != inside) return refined(y, next, inside);
+      y = next;
+    }
+    return std::nullopt;
+  }
+  bool solid(double y) const { return rock_.value({at_.x, y, at_.z}) <= 0; }
+
+ private:
+  double refined(double high, double low, bool inside) const {
+    for (int i = 0; i < 24; ++i) {
+      const double middle = 0.5 * (high + low);
+      (solid(middle) == inside ? high : low) = middle;
+    }
+    return 0.5 * (high + low);
+  }
+  const Field& rock_;
+  Vec3d at_;
+  double step_;
+};
+
+/// Part of the way up that the surface faces at p: 1 a floor, -1 a roof.
+double facing(const Field& rock, const Vec3d& p) {
+  const Vec3d slope = rock.gradient(p).gradient;
+  const double steep = slope.length();
+  return steep > 0 ? slope.y / steep : 0;
+}
+
+/// Few grow long: a cube of an even draw, as most drips are young or dried up.
+Drip grown_drip(const Vec3d& roof, const Vec3d& floor, double vigour, const DripOptions& o,
+                RandomStream& random) {
+  Drip drip{roof, floor, 0, 0, false};
+  const double gap = roof.y - floor.y;
+  const double age = random.uniform();
+  drip.stalactite = o.length * vigour * (0.1 + 0.9 * age * age * age);
+  if (random.uniform() < o.stalagmites)
+    drip.stalagmite = drip.stalactite * random.uniform(0.35, 0.85);
+  drip.column = drip.stalagmite > 0 && drip.stalactite + drip.stalagmite > 0.8 * gap;
+  drip.stalactite = std::min(drip.stalactite, 0.7 * gap);
+  return drip;
+}
+
+std::vector<Drip> drips_at(const Field& rock, const Vec3d& at, double vigour, const DripOptions& o,
+                           RandomStream& random) {
+  std::vector<Drip> drips;
+  const Plumb plumb(rock, at, std::min(0.25 * o.spacing, 0.1));
+  std::optional<double> y = o.to.y;
+  if (!plumb.solid(*y)) y = plumb.crossing(*y, o.from.y);
+  while (y) {
+    const auto roof_y = plumb.crossing(*y, o.from.y);
+    if (!roof_y) break;
+    const auto floor_y = plumb.crossing(*roof_y - 1e-6, o.from.y);
+    if (!floor_y) break;
+    const Vec3d roof(at.x, *roof_y, at.z), floor(at.x, *floor_y, at.z);
+    if (roof.y - floor.y > kLowest * o.tip && facing(rock, roof) < -kFacing) {
+      Drip drip = grown_drip(roof, floor, vigour, o, random);
+      if (facing(rock, floor) < kFacing) {
+        drip.stalagmite = 0;
+        drip.column = false;
+      }
+      drips.push_back(drip);
+    }
+    y = *floor_y - 1e-6;
+  }
+  return drips;
+}
+
+struct Stem {
+  Vec3d root, way;  // way: to the tip
+  double root_radius, tip_radius;
+};
+
+/// A stalactite in its ideal form: the radius grows as the height over the tip to the power 3/4
+/// (short2005). Pieces between a few heights of that curve are cones with round ends.
+void add_stalactite(const Stem& stem, std::vector<Field>& parts) {
+  constexpr double kHeights[] = {1, 0.62, 0.3, 0};
+  const double spread = stem.root_radius - stem.tip_radius;
+  auto radius = [&](double h) { return stem.tip_radius + spread * maths::pow(h, 0.75); };
+  for (int i = 0; i < 3; ++i)
+    parts.push_back(make("tapered_capsule", {{"a", stem.root + stem.way * (1 - kHeights[i])},
+                                             {"b", stem.root + stem.way * (1 - kHeights[i + 1])},
+                                             {"radius_a", radius(kHeights[i])},
+                                             {"radius_b", radius(kHeights[i + 1])}}));
+}
+
+Field rod(const Vec3d& a, const Vec3d& b, double radius_a, double radius_b) {
+  return make("tapered_capsule",
+              {{"a", a}, {"b", b}, {"radius_a", radius_a}, {"radius_b", radius_b}});
+}
+
+}  // namespace
+
+std::vector<Drip> find_drips(const Field& rock, const DripOptions& o) {
+  const auto wide = static_cast<size_t>(std::ceil((o.to.x - o.from.x) / o.spacing)),
+             deep = static_cast<size_t>(std::ceil((o.to.z - o.from.z) / o.spacing));
+  const RandomKey key = RandomKey(static_cast<uint64_t>(o.seed)).at("dripstone");
+  std::vector<std::vector<Drip>> found(wide * deep);
+  parallel_for(found.size(), [&](size_t cell) {
+    RandomStream random(key.at(cell % wide).at(cell / wide));
+    const Vec3d at(o.from.x + o.spacing * (static_cast<double>(cell % wide) + random.uniform()), 0,
+                   o.from.z + o.spacing * (static_cast<double>(cell / wide) + random.uniform()));
+    if (at.x > o.to.x || at.z > o.to.z) return;
+    double chance = 0.5;
+    const double middle = 0.5 * (o.from.y + o.to.y);
+    if (o.where)
+      chance = std::clamp(0.5 + 0.5 * o.where->field.value({at.x, middle, at.z}), 0.0, 1.0);
+    if (random.uniform() < chance) found[cell] = drips_at(rock, at, std::sqrt(chance), o, random);
+  });
+  std::vector<Drip> drips;
+  for (const auto& cell : found) drips.insert(drips.end(), cell.begin(), cell.end());
+  return drips;
+}
+
+Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
+  std::vector<Field> parts;
+  for (const Drip& d : drips) {
+    const double thick = std::max(o.girth * d.stalactite, 1.2 * o.tip);
+    const double foot = std::max({1.5 * o.girth * d.stalagmite, 1.5 * o.tip, kThinnestStalagmite});
+    // Roots start in the rock, so that no slope of the roof leaves them hanging.
+    const Vec3d root = d.roof + Vec3d(0, thick, 0), base = d.floor - Vec3d(0, 0.5 * foot, 0);
+    if (d.column) {
+      const Vec3d waist = d.floor + (d.roof - d.floor) * 0.45;
+      const double slim = std::max(0.6 * thick, o.tip);
+      parts.push_back(rod(root, waist, 1.1 * thick + o.tip, slim));
+      parts.push_back(rod(base, waist, 1.2 * foot + o.tip, slim));
+      continue;
+    }
+    add_stalactite({root, Vec3d(0, -d.stalactite - thick, 0), thick, o.tip}, parts);
+    if (d.stalagmite > foot)
+      parts.push_back(rod(base, d.floor + Vec3d(0, d.stalagmite - 0.5 * foot, 0), foot,
+                          std::max(0.55 * foot, o.tip)));
+  }
+  return unite(std::move(parts));
+}
+
+}  // namespace vug::field

@@ -1,0 +1,30 @@
+#include <vug/field/noise.h>
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct NoiseMask {
+  field::Noise noise;
+  double from = -0.5;
+  double to = 0.5;
+
+  static void describe(Schema<NoiseMask>& s) {
+    s.doc("By a noise in space: stains, beds of another colour, patches.")
+        .param("noise", &NoiseMask::noise, {.doc = "fbm, beds, worley, ...; about -1 to 1"})
+        .param("from", &NoiseMask::from, {.doc = "value of the noise where the mask is 0"})
+        .param("to", &NoiseMask::to, {.doc = "value where the mask is 1"});
+  }
+};
+
+}  // namespace
+
+const MaskKind& noise_mask() {
+  static const MaskKind kind = mask_kind<NoiseMask>("noise", [](const NoiseMask& n) {
+    return make_mask(
+        [n](const Spot& spot) { return ramp(n.noise.field.value(spot.position), n.from, n.to); });
+  });
+  return kind;
+}
+
+}  // namespace vug::paint
