@@ -1,6 +1,7 @@
 #include "plot.h"
 
 #include <fmt/format.h>
+#include <vug/base/xml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,19 +19,6 @@ double round_step(double span) {
   for (const double factor : {1.0, 2.0, 5.0})
     if (raw <= factor * power) return factor * power;
   return 10 * power;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else
-      out += c;
-  }
-  return out;
 }
 
 struct Axis {
@@ -78,9 +66,9 @@ std::string panel(const Plot& plot, const Curve& curve, double top) {
     out += fmt::format("<polyline points='{}' fill='none' stroke='#a4501c' stroke-width='1.5'/>\n",
                        points);
   out += fmt::format("<text x='{}' y='{:.1f}' font-weight='bold'>{}</text>", kLeft, top - 8,
-                     escaped(curve.label));
+                     xml_text(curve.label));
   out += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>\n", kWidth - kRight,
-                     bottom + 28, escaped(plot.x_label));
+                     bottom + 28, xml_text(plot.x_label));
   return out;
 }
 
@@ -93,7 +81,7 @@ std::string plot_svg(const Plot& plot) {
       "font-size='11'>\n"
       "<rect width='100%' height='100%' fill='white'/>\n<text x='{}' y='20' "
       "font-size='14'>{}</text>\n",
-      kWidth, height, kLeft, escaped(plot.title));
+      kWidth, height, kLeft, xml_text(plot.title));
   double top = kTop + 10;
   for (const Curve& curve : plot.curves) {
     out += panel(plot, curve, top);

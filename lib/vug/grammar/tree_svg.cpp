@@ -1,3 +1,4 @@
+#include <vug/base/xml.h>
 #include <vug/grammar/layout.h>
 #include <vug/grammar/tree_output.h>
 
@@ -21,23 +22,6 @@ std::string shortened(const std::string& text, double limit) {
       return text.substr(0, i) + "…";
   }
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (static_cast<unsigned char>(c) < 0x20)
-      out += ' ';  // XML 1.0 forbids most control characters
-    else
-      out += c;
-  }
-  return out;
 }
 
 std::string hover(const Tree& tree, int id) {
@@ -96,7 +80,7 @@ std::string tree_svg(const Tree& tree, const SvgOptions& options) {
   for (size_t i = 0; i < tree.nodes.size(); ++i)
     fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\"><title>{}</title>{}</text>\n",
                    x(i), y(i), tree.nodes[i].production >= 0 ? "#1f4e79" : "#3a3026",
-                   escaped(hover(tree, static_cast<int>(i))), escaped(labels[i]));
+                   xml_text(hover(tree, static_cast<int>(i))), xml_text(labels[i]));
   return out + "</g>\n</svg>\n";
 }
 
