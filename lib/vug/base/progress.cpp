@@ -7,6 +7,7 @@ namespace vug {
 
 void Progress::begin(std::string stage, uint64_t total) {
   check();
+  if (!watcher_) return;  // Nothing to keep: `none` is shared by everyone who watches nothing.
   stage_ = std::move(stage);
   total_ = std::max<uint64_t>(total, 1);
   done_ = 0;
@@ -15,8 +16,8 @@ void Progress::begin(std::string stage, uint64_t total) {
 }
 
 void Progress::advance(uint64_t units) {
-  const uint64_t done = done_.fetch_add(units, std::memory_order_relaxed) + units;
   if (!watcher_) return;
+  const uint64_t done = done_.fetch_add(units, std::memory_order_relaxed) + units;
   const int percent = static_cast<int>(std::min<uint64_t>(100, 100 * done / total_));
   int seen = percent_.load(std::memory_order_relaxed);
   // Whoever moves the percentage forward reports it.

@@ -26,7 +26,7 @@ class Progress {
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
   void check() const;
 
-  /// A Progress nobody watches.
+  /// A Progress nobody watches; any number of works may share it at the same time.
   static Progress& none();
 
  private:

@@ -1,0 +1,50 @@
+// Stages are told to a watcher in order; a Progress without one is shared by works that overlap.
+#include <vug/base/error.h>
+#include <vug/base/progress.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace vug {
+namespace {
+
+TEST(Progress, TellsEachPercentOnceAndEndsAtAll) {
+  std::vector<double> told;
+  Progress progress([&](const std::string& stage, double fraction) {
+    EXPECT_EQ(stage, "digging");
+    told.push_back(fraction);
+  });
+  progress.begin("digging", 1000);
+  for (int i = 0; i < 1000; ++i) progress.advance();
+  progress.end();
+  ASSERT_EQ(told.size(), 101U);
+  for (size_t i = 0; i < told.size(); ++i) EXPECT_DOUBLE_EQ(told[i], static_cast<double>(i) / 100);
+}
+
+TEST(Progress, CancelledWorkStopsAtTheNextCheck) {
+  Progress progress;
+  progress.check();
+  progress.cancel();
+  EXPECT_THROW(progress.check(), Error);
+  EXPECT_THROW(progress.begin("next", 1), Error);
+}
+
+TEST(Progress, WorksThatOverlapShareOneThatNobodyWatches) {
+  std::vector<std::thread> works;
+  for (int work = 0; work < 4; ++work)
+    works.emplace_back([work] {
+      for (int i = 0; i < 20000; ++i) {
+        // Longer than what a string keeps inside itself.
+        Progress::none().begin(std::string(40 + static_cast<size_t>(work), 'x'), 10);
+        Progress::none().advance();
+        Progress::none().end();
+      }
+    });
+  for (std::thread& work : works) work.join();
+}
+
+}  // namespace
+}  // namespace vug
