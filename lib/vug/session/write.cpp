@@ -16,9 +16,8 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
     std::vector<volume::Grid> grids;
     for (const VolumePtr& plan : shot.volumes) {
       const volume::LevelSet& level_set = builder.level_set(plan);
-      grids.push_back(
-          (plan->fog ? volume::fog(level_set) : volume::Grid(level_set)).named(plan->name));
-      options.half = options.half || plan->half;
+      const volume::Grid grid = plan->fog ? volume::fog(level_set) : volume::Grid(level_set);
+      grids.push_back(grid.named(plan->name).stored_as_half(plan->half));
     }
     paths.push_back(folder / (shot.name + ".vdb"));
     volume::write(paths.back(), grids, options);

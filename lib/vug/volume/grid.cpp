@@ -129,4 +129,10 @@ Grid Grid::with(const Metadata& metadata) const {
   return wrap(copy);
 }
 
+Grid Grid::stored_as_half(bool half) const {
+  const openvdb::GridBase::Ptr copy = shallow_copy(*data_->grid);
+  copy->setSaveFloatAsHalf(half);
+  return wrap(copy);
+}
+
 }  // namespace vug::volume

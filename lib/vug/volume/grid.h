@@ -49,6 +49,8 @@ class Grid {
   Grid named(const std::string& name) const;
   /// Metadata of that name is replaced, other metadata kept.
   Grid with(const Metadata& metadata) const;
+  /// Files will hold its floats as 16 bits, or as they are.
+  Grid stored_as_half(bool half) const;
 
   const Data& data() const { return *data_; }
 

@@ -9,7 +9,8 @@
 namespace vug::volume {
 
 struct WriteOptions {
-  bool half = false;  ///< Store floats as 16 bits. Level sets get a band that 16 bits can hold.
+  bool half = false;  ///< Store the floats of every grid as 16 bits, also of those that do not
+                      ///< ask for it. Level sets get a band that 16 bits can hold.
   Metadata metadata;  ///< Added to every grid and to the file: recipe, seed, ...
 };
 

@@ -45,9 +45,9 @@ openvdb::GridBase::Ptr prepared(const Grid& grid, const WriteOptions& options) {
   copy->baseTree().readNonresidentBuffers();
   for (const Metadata& metadata : {standard_metadata(), options.metadata})
     write_metadata(*copy, metadata);
-  copy->setSaveFloatAsHalf(options.half);
-  if (options.half && copy->isType<openvdb::FloatGrid>() &&
-      copy->getGridClass() == openvdb::GRID_LEVEL_SET)
+  const bool half = options.half || grid.saved_as_half();
+  copy->setSaveFloatAsHalf(half);
+  if (half && copy->isType<openvdb::FloatGrid>() && copy->getGridClass() == openvdb::GRID_LEVEL_SET)
     widen_band_to_half(static_cast<openvdb::FloatGrid&>(*copy));
   return copy;
 }

@@ -93,6 +93,21 @@ TEST_F(Files, HalfFloatsPassTheChecksToo) {
   }
 }
 
+TEST_F(Files, EachGridSaysWhetherItIsStoredAsHalf) {
+  const LevelSet original = voxelize(lumpy_solid(), {});
+  write(path("a.vdb"), {original.named("fine"), original.named("coarse").stored_as_half(true)});
+  const LevelSet fine(read_grid(path("a.vdb"), "fine")), coarse(read_grid(path("a.vdb"), "coarse"));
+  EXPECT_FALSE(fine.saved_as_half());
+  EXPECT_TRUE(coarse.saved_as_half());
+  EXPECT_EQ(fine.content(), original.content());
+  EXPECT_NE(coarse.content(), original.content());
+  EXPECT_EQ(check(coarse).fault, "");
+  // What was read keeps its way of being stored, and may be told another.
+  write(path("b.vdb"), {coarse, fine.stored_as_half(true)});
+  EXPECT_TRUE(read_grid(path("b.vdb"), "coarse").saved_as_half());
+  EXPECT_TRUE(read_grid(path("b.vdb"), "fine").saved_as_half());
+}
+
 TEST_F(Files, EmptyGridsCanBeWritten) {
   write(path("a.vdb"), {voxelize(field::empty(), {}).named("air")});
   EXPECT_TRUE(LevelSet(read_grid(path("a.vdb"), "air")).empty());
