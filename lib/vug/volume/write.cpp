@@ -9,7 +9,9 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/ChangeBackground.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <set>
 
@@ -52,6 +54,12 @@ openvdb::GridBase::Ptr prepared(const Grid& grid, const WriteOptions& options) {
   return copy;
 }
 
+/// openvdb::io::File keeps its stream to itself and never looks whether it failed, so that a
+/// full disk would leave half a file without a word.
+struct Archive : openvdb::io::Archive {
+  using openvdb::io::Archive::write;
+};
+
 void check_names(const std::vector<Grid>& grids) {
   std::set<std::string> names;
   for (const Grid& grid : grids) {
@@ -78,18 +86,22 @@ void write(const std::filesystem::path& target, const std::vector<Grid>& grids,
   initialise_openvdb();
   check_names(grids);
   AtomicFile file(target);
-  openvdb::GridPtrVec ready;
+  openvdb::GridCPtrVec ready;
   for (const Grid& grid : grids) ready.push_back(prepared(grid, options));
   openvdb::MetaMap metadata;
   for (const Metadata& part : {standard_metadata(), options.metadata})
     write_metadata(metadata, part);
   try {
-    openvdb::io::File out(file.path().string());
-    out.setCompression(openvdb::io::COMPRESS_ACTIVE_MASK |
-                       (openvdb::io::Archive::hasBloscCompression() ? openvdb::io::COMPRESS_BLOSC
-                                                                    : openvdb::io::COMPRESS_ZIP));
-    out.write(ready, metadata);
+    Archive archive;
+    archive.setCompression(
+        openvdb::io::COMPRESS_ACTIVE_MASK |
+        (Archive::hasBloscCompression() ? openvdb::io::COMPRESS_BLOSC : openvdb::io::COMPRESS_ZIP));
+    std::ofstream out(file.path(), std::ios::binary);
+    archive.write(out, ready, true, metadata);
     out.close();
+    if (!out)
+      throw Error(ErrorCode::io,
+                  fmt::format("cannot write '{}': {}", target.string(), std::strerror(errno)));
   } catch (const openvdb::Exception& fault) {
     throw Error(ErrorCode::io, fmt::format("cannot write '{}': {}", target.string(), fault.what()));
   }
