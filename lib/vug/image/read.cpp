@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/base/memory.h>
 #include <vug/image/io.h>
 
 #include <OpenImageIO/imageio.h>
@@ -12,23 +13,22 @@ namespace {
 /// More pixels than this times channels is taken for a broken header (64 GiB of floats).
 constexpr double kMostValues = 1.6e10;
 
+/// OpenImageIO's reason, of which it may give several, one a line.
+Error refuse(const std::filesystem::path& path, const std::string& reason) {
+  return Error(ErrorCode::bad_input, fmt::format("cannot read picture '{}': {}", path.string(),
+                                                 reason.substr(0, reason.find('\n'))));
+}
+
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read picture '{}': {}", path.string(),
-                            std::filesystem::exists(path) ? "not a file" : "no such file"));
+    throw refuse(path, std::filesystem::exists(path) ? "not a file" : "no such file");
   auto input = OIIO::ImageInput::open(path.string());
-  if (!input)
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read picture '{}': {}", path.string(), OIIO::geterror()));
+  if (!input) throw refuse(path, OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.deep)
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read picture '{}': it is no flat picture", path.string()));
+    throw refuse(path, "it is no flat picture");
   if (static_cast<double>(spec.width) * spec.height * spec.nchannels > kMostValues)
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read picture '{}': its header claims {} x {} pixels",
-                            path.string(), spec.width, spec.height));
+    throw refuse(path, fmt::format("its header claims {} x {} pixels", spec.width, spec.height));
   return input;
 }
 
@@ -39,10 +39,11 @@ bool is_colour(const std::string& name) { return name == "R" || name == "G" || n
 Image read(const std::filesystem::path& path, const ReadOptions& options) {
   const auto input = open(path);
   const OIIO::ImageSpec& spec = input->spec();
+  require_memory(4.0 * spec.width * spec.height * spec.nchannels, available_memory(),
+                 fmt::format("the picture '{}'", path.string()));
   Image image(spec.width, spec.height, spec.channelnames);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read picture '{}': {}", path.string(), input->geterror()));
+    throw refuse(path, input->geterror());
   if (options.linear && !spec.format.is_floating_point())
     for (size_t c = 0; c < image.channels.size(); ++c)
       if (is_colour(image.channels[c]))

@@ -47,6 +47,7 @@ Json describe_vdb(const std::filesystem::path& file) {
 
 Json describe_picture(const std::filesystem::path& file) {
   const image::FileInfo info = image::read_info(file);
+  image::read(file);  // a file that is cut off has a sound header all the same
   Json channels = Json::array();
   for (size_t i = 0; i < info.channels.size(); ++i)
     channels.push_back(fmt::format("{} {}", info.channels[i], info.formats.at(i)));
