@@ -41,16 +41,36 @@ std::vector<int> match_arguments(const KindInfo& kind, const Arguments& argument
   for (size_t slot = 0; slot < names.size(); ++slot)
     if (kind.params[slot].required && !given[slot])
       diagnostics.error(where, fmt::format("'{}' needs '{}'", kind.name, names[slot]),
-                        kind.params[slot].doc);
+                        fmt::format("{}: {}", names[slot], kind.params[slot].doc));
   return target;
 }
 
+namespace {
+
+/// "a number", "a list of fields", "true or false": the type with what stands before it.
+std::string with_article(const std::string& type) {
+  const std::string list = "list of ";
+  if (type == "true or false") return type;
+  if (type.compare(0, list.size(), list) == 0) return fmt::format("a {}s", type);
+  return fmt::format("a {}", type);
+}
+
+/// Type and value where the type alone would say nothing: 5.5 is a number and yet not whole.
+std::string given_text(const Value& value, const std::string& expected) {
+  const bool tells = expected.find("number") == std::string::npos || !value.get<Number>();
+  return tells ? value.type_name() : to_string(value);
+}
+
+}  // namespace
+
 void report_type(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics) {
   const std::string hint = info.choices.empty() ? std::string() : suggestion("", info.choices);
-  diagnostics.error(
-      argument.where,
-      fmt::format("'{}' expects a {}, not {}", info.name, info.type, argument.value.type_name()),
-      hint);
+  const bool both_lists = argument.value.get<List>() && info.type.compare(0, 4, "list") == 0;
+  diagnostics.error(argument.where,
+                    fmt::format("'{}' expects {}, {}", info.name, with_article(info.type),
+                                both_lists ? "and some of these are none"
+                                           : "not " + given_text(argument.value, info.type)),
+                    hint);
 }
 
 bool check_number(const ParamInfo& info, double value, Dimension dimension,
@@ -74,10 +94,14 @@ bool check_number(const ParamInfo& info, double value, Dimension dimension,
   }
   const bool low = value < info.min || (info.above_min && value == info.min);
   if (low || value > info.max) {
-    const std::string bound =
-        low ? fmt::format("{} {}", info.above_min ? "above" : "at least", info.min)
-            : fmt::format("at most {}", info.max);
-    diagnostics.error(where, fmt::format("'{}' must be {}, not {}", info.name, bound, value));
+    const Dimension unit = bare ? info.dimension : dimension;
+    const std::string bound = fmt::format("{} {}",
+                                          !low             ? "at most"
+                                          : info.above_min ? "above"
+                                                           : "at least",
+                                          quantity_text(low ? info.min : info.max, unit));
+    diagnostics.error(where, fmt::format("'{}' must be {}, not {}", info.name, bound,
+                                         quantity_text(value, unit)));
     return false;
   }
   return true;

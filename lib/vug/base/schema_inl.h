@@ -13,6 +13,7 @@ std::optional<T> read_argument(const Argument& argument) {
     return ValueTraits<T>::read(argument.value);
 }
 
+/// Every number in the argument: one, the parts of a vector, the elements of a list.
 inline bool check_range(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics) {
   if (const Number* n = argument.value.get<Number>())
     return check_number(info, n->value, n->dimension, argument.where, diagnostics);
@@ -20,6 +21,10 @@ inline bool check_range(const ParamInfo& info, const Argument& argument, Diagnos
     for (int axis = 0; axis < 3; ++axis)
       if (!check_number(info, v->value[axis], v->dimension, argument.where, diagnostics))
         return false;
+  }
+  if (const List* list = argument.value.get<List>()) {
+    for (const Value& item : *list)
+      if (!check_range(info, {argument.name, item, argument.where}, diagnostics)) return false;
   }
   return true;
 }

@@ -23,6 +23,25 @@ std::string to_string(Dimension dimension) {
   return {};
 }
 
+std::string quantity_text(double value, Dimension dimension) {
+  if (value == 0) return "0";
+  switch (dimension) {
+    case Dimension::none:
+      break;
+    case Dimension::length:
+      return fmt::format("{:.6g}m", value);
+    case Dimension::angle:
+      return fmt::format("{:.6g}deg", value * 180 / kPi);
+    case Dimension::ratio:
+      return fmt::format("{:.6g}%", value * 100);
+    case Dimension::per_length:
+      return fmt::format("{:.6g}/m", value);
+    case Dimension::time:
+      return fmt::format("{:.6g}s", value);
+  }
+  return fmt::format("{:.6g}", value);
+}
+
 namespace {
 
 struct TypeName {

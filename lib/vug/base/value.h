@@ -15,6 +15,9 @@ enum class Dimension { none, length, angle, ratio, per_length, time };
 
 std::string to_string(Dimension dimension);  ///< "length in metres", "angle", ...
 
+/// A value as people write it, to six digits: "30deg", "52%", "0.25m"; 0 without a unit.
+std::string quantity_text(double value, Dimension dimension);
+
 struct Number {
   double value = 0;
   Dimension dimension = Dimension::none;

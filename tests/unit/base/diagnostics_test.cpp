@@ -55,5 +55,36 @@ TEST(Schema, NamesEachFault) {
             "'radius' is given twice");
 }
 
+TEST(Schema, BoundsCarryTheUnitOfWhatWasGiven) {
+  EXPECT_EQ(first_fault({{"radius", Value(-2.0), {}}}), "'radius' must be above 0, not -2m");
+  Schema<Ring> schema("ring", "test");
+  schema.param("radius", &Ring::radius, {.doc = "", .dimension = Dimension::angle, .max = kPi / 2});
+  Diagnostics angle, share;
+  schema.bind({{"radius", Value(Number{kPi, Dimension::angle}), {}}}, {}, angle);
+  EXPECT_EQ(angle.all().at(0).message, "'radius' must be at most 90deg, not 180deg");
+  Schema<Ring> plain("ring", "test");
+  plain.param("radius", &Ring::radius, {.doc = "", .max = 1});
+  plain.bind({{"radius", Value(Number{1.2, Dimension::ratio}), {}}}, {}, share);
+  EXPECT_EQ(share.all().at(0).message, "'radius' must be at most 100%, not 120%");
+}
+
+TEST(Schema, ElementsOfAListKeepTheBounds) {
+  struct Picture {
+    std::vector<int> size;
+  };
+  Schema<Picture> schema("picture", "test");
+  schema.param("size", &Picture::size, {.doc = "", .min = 1, .max = 100});
+  const auto told = [&](const List& size) {
+    Diagnostics diagnostics;
+    schema.bind({{"size", Value(size), {}}}, {}, diagnostics);
+    return diagnostics.all().empty() ? "" : diagnostics.all()[0].message;
+  };
+  EXPECT_EQ(told({1, 100}), "");
+  EXPECT_EQ(told({10, 0}), "'size' must be at least 1, not 0");
+  EXPECT_EQ(told({101, 10}), "'size' must be at most 100, not 101");
+  EXPECT_EQ(told({10, Number{2, Dimension::length}}), "'size' expects a number, not a length");
+  EXPECT_EQ(told({10, 2.5}), "'size' expects a list of whole numbers, and some of these are none");
+}
+
 }  // namespace
 }  // namespace vug

@@ -64,7 +64,7 @@ TEST(Kind, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal({{"plies", 0}}), "'plies' must be at least 1, not 0");
   EXPECT_EQ(refusal({{"plies", 20}}), "too many plies for its length");
   EXPECT_EQ(refusal({{"plies", 0}, {"length", -1.0}}),
-            "'plies' must be at least 1, not 0; 'length' must be above 0, not -1");
+            "'plies' must be at least 1, not 0; 'length' must be above 0, not -1m");
   EXPECT_EQ(refusal({{"file", "torn.png"}}), "cannot read it / mend it");
   EXPECT_EQ(refusal({{"file", 3.0}}), "'file' expects a file, not a number");
 }

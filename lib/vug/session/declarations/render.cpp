@@ -6,7 +6,8 @@ namespace {
 Schema<RenderPlan> schema() {
   Schema<RenderPlan> s("render", "declaration");
   s.doc("How the picture is made: render NAME { size 1920x1080  spp 256 }.")
-      .param("size", &RenderPlan::size, {.doc = "width and height in pixels, as 1920x1080"})
+      .param("size", &RenderPlan::size,
+             {.doc = "width and height in pixels, as 1920x1080", .min = 1, .max = 65535})
       .param("spp", &RenderPlan::spp, {.doc = "samples per pixel", .min = 1, .max = 1 << 20})
       .param("max_bounces", &RenderPlan::max_bounces,
              {.doc = "bounces of light after the first", .min = 0, .max = 10000})
@@ -26,9 +27,11 @@ const DeclarationKind& render_declaration() {
       schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
         std::optional<RenderPlan> plan = read_block(schema(), declaration, reading);
         if (!plan) return Value();
-        if (plan->size.size() != 2 || plan->size[0] < 1 || plan->size[1] < 1) {
-          reading.diagnostics.error(declaration.where, "'size' is a width and a height above 0",
-                                    "size 1920x1080");
+        if (plan->size.size() != 2) {
+          for (const scene::Entry& entry : declaration.entries)
+            if (entry.key == "size")
+              reading.diagnostics.error(entry.where, "'size' is a width and a height",
+                                        "size 1920x1080");
           return Value();
         }
         plan->name = declaration.name;
