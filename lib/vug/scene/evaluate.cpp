@@ -131,6 +131,9 @@ Value Evaluator::unary(const Expr& expr, const Context& context) {
   // Directions: +X and -Z are names of their own.
   if (const auto* axis = value.get<Value::Name>(); axis && is_axis(axis->text))
     return Value::Name{expr.text + axis->text};
+  if (const auto* letter = value.get<Value::Name>(); letter && letter->text.size() == 1)
+    return site(expr).fault(fmt::format("no '{}' for the unknown name '{}'", op, letter->text),
+                            "directions are +X, -X, +Y, -Y, +Z and -Z");
   if (!is_known(value, inner)) return {};
   if (auto result = negated(op, value)) return *std::move(result);
   if (value.get<Object>())
@@ -243,8 +246,17 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
   return arguments;
 }
 
-/// Asks the resolver. Where it refuses an argument that is a name nobody knows, the nearest
-/// known name becomes the hint.
+void Evaluator::tell(const Diagnostics& found, const Arguments& given) {
+  for (Diagnostic one : found.all()) {
+    for (const Argument& argument : given)
+      if (const auto* unknown = argument.value.get<Value::Name>();
+          unknown && one.hint.empty() && argument.where == one.where)
+        one.hint = meant(unknown->text);
+    one.severity == Severity::error ? diagnostics_.error(one.where, one.message, one.hint)
+                                    : diagnostics_.warning(one.where, one.message, one.hint);
+  }
+}
+
 std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& given, RandomKey key) {
   Diagnostics found;
   std::optional<Value> result;
@@ -255,14 +267,7 @@ std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& give
     found.error(error.where().known() ? error.where() : call.where, error.what(), error.hint());
     result = Value();
   }
-  for (Diagnostic one : found.all()) {
-    for (const Argument& argument : given)
-      if (const auto* unknown = argument.value.get<Value::Name>();
-          unknown && one.hint.empty() && argument.where == one.where)
-        one.hint = meant(unknown->text);
-    one.severity == Severity::error ? diagnostics_.error(one.where, one.message, one.hint)
-                                    : diagnostics_.warning(one.where, one.message, one.hint);
-  }
+  tell(found, given);
   return result;
 }
 

@@ -81,6 +81,10 @@ class Evaluator {
 
   Diagnostics& diagnostics() { return diagnostics_; }
 
+  /// Tells what a maker found wrong with what it was given. Where it refuses a name that nothing
+  /// declares, the nearest declared one becomes the hint.
+  void tell(const Diagnostics& found, const Arguments& given);
+
   /// The document's sources and those of the overrides, for `report`.
   std::vector<std::shared_ptr<const Source>> sources() const;
 
@@ -115,8 +119,8 @@ class Evaluator {
   Value like(const Value& fallback, Value given, const std::string& name,
              const SourceLocation& where);
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
-  std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key);
   std::string meant(const std::string& name) const;
+  std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key);
   bool is_known(const Value& value, const Expr& expr);
   Site site(const Expr& expr) const { return {expr.where, diagnostics_}; }
 

@@ -101,8 +101,8 @@ void Binder::read_clause(const scene::Entry& clause, RandomKey key, const scene:
   const auto* n = given.get<Number>();
   auto expect = [&](bool fits, const char* what) {
     if (!fits)
-      fail(clause.where,
-           fmt::format("'{}' expects {}, not {}", clause.key, what, given.type_name()));
+      fail(clause.where, fmt::format("'{}' expects {}, not {}", clause.key, what,
+                                     n ? to_string(given) : given.type_name()));
   };
   if (clause.key == "label" || clause.key == "piece_label") {
     expect(name != nullptr, "a direction such as +X, or random");
@@ -185,10 +185,10 @@ grammar::Part Binder::part(const scene::Item& item, const std::vector<scene::For
   part.symbol = part.terminal ? item.op : item.symbol();
   if (item.count)
     part.count = [this, &item, &formals](const grammar::Site& site) -> int64_t {
-      const double count = number(*item.count, site.key, scope_of(formals, site));
-      if (!(count >= 0 && count <= 1e9) || count != std::floor(count))
-        fail(item.count->where, fmt::format("a count is a whole number from 0 on, not {}", count));
-      return static_cast<int64_t>(count);
+      const scene::Scope scope = scope_of(formals, site);
+      const std::optional<int> count = evaluator_.count(*item.count, site.key, &scope);
+      if (!count) throw Faulty{};
+      return *count;
     };
   part.content = [this, &item, &formals](const grammar::Site& site) -> grammar::Content {
     if (!item.op.empty()) return step(item, formals, site);

@@ -44,12 +44,12 @@ void announce(const scene::Document& document, Reading& reading) {
                                 suggestion(declaration.kind, declaration_words()));
       continue;
     }
-    reading.resolver.declare(declaration.name, [&declaration, kind, &reading] {
+    reading.resolver.declare(declaration.kind, declaration.name, [&declaration, kind, &reading] {
       return kind->read(declaration, reading);
     });
   }
   for (const scene::Grammar& grammar : document.grammars)
-    reading.resolver.declare(grammar.name,
+    reading.resolver.declare("grammar", grammar.name,
                              [&grammar, &reading] { return bind_grammar(grammar, reading); });
 }
 
@@ -67,9 +67,9 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   announce(document, reading);
   evaluator.check_all();
   for (const scene::Declaration& declaration : document.declarations)
-    resolver.name(declaration.name, declaration.where, loaded.diagnostics);
+    resolver.declared(declaration.kind, declaration.name, declaration.where, loaded.diagnostics);
   for (const scene::Grammar& grammar : document.grammars)
-    resolver.name(grammar.name, grammar.where, loaded.diagnostics);
+    resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
   scene::check_params_read(document, loaded.diagnostics);
   return loaded;
 }

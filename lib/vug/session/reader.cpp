@@ -17,10 +17,27 @@ const std::vector<const DeclarationKind*>& declaration_kinds() {
   return kinds;
 }
 
+namespace {
+
+/// What `kind` declares under the name that the expression is; `camera main` means the camera even
+/// where a mesh is called main too.
+std::optional<Value> declared_value(const std::string& kind, const scene::Expr& expr,
+                                    Reading& reading) {
+  if (expr.kind != scene::ExprKind::name) return std::nullopt;
+  return reading.resolver.declared(kind, expr.text, expr.where, reading.diagnostics);
+}
+
+}  // namespace
+
 Arguments block_arguments(const scene::Declaration& declaration, Reading& reading) {
   Arguments arguments;
   for (const scene::Entry& entry : declaration.entries) {
-    std::vector<Value> values = reading.evaluator.eval(entry, reading.evaluator.key(declaration));
+    std::vector<Value> values;
+    if (auto declared = declared_value(entry.key, *entry.values.at(0), reading);
+        declared && entry.values.size() == 1)
+      values = {*declared};
+    else
+      values = reading.evaluator.eval(entry, reading.evaluator.key(declaration));
     bool faulty = false;
     for (const Value& value : values) faulty = faulty || value.empty();
     if (faulty) continue;
@@ -31,7 +48,22 @@ Arguments block_arguments(const scene::Declaration& declaration, Reading& readin
   return arguments;
 }
 
+Value target_value(const std::string& kind, const scene::Declaration& declaration,
+                   Reading& reading) {
+  if (auto value = declared_value(kind, *declaration.target, reading)) return *value;
+  return reading.evaluator.eval(*declaration.target, reading.evaluator.key(declaration).at("on"));
+}
+
 namespace {
+
+/// Makes the kind `name` of the family; nothing when it has none.
+std::optional<Value> make(const Family& family, const std::string& name, const Arguments& arguments,
+                          const SourceLocation& where, Reading& reading) {
+  Diagnostics own;
+  auto value = reading.resolver.make(family, name, arguments, where, own);
+  reading.evaluator.tell(own, arguments);
+  return value;
+}
 
 Value report_unknown(const Family& family, const std::string& name, const SourceLocation& where,
                      Diagnostics& diagnostics) {
@@ -61,8 +93,7 @@ Value read_block_family(const Family& family, const std::string& fallback,
                                           declaration.kind, declaration.name));
     return Value();
   }
-  if (auto value = reading.resolver.make(family, name, arguments, where, reading.diagnostics))
-    return *value;
+  if (auto value = make(family, name, arguments, where, reading)) return *value;
   return report_unknown(family, name, where, reading.diagnostics);
 }
 
@@ -76,7 +107,7 @@ Value read_family(const std::string& type, const std::string& fallback,
   const RandomKey key = reading.evaluator.key(declaration);
   if (expr.kind == scene::ExprKind::call && !expr.method && family.find(expr.text)) {
     const Arguments arguments = reading.evaluator.arguments(expr, key);
-    return *reading.resolver.make(family, expr.text, arguments, expr.where, reading.diagnostics);
+    return *make(family, expr.text, arguments, expr.where, reading);
   }
   Value value = reading.evaluator.eval(expr, key);
   if (value.empty()) return value;
@@ -84,8 +115,10 @@ Value read_family(const std::string& type, const std::string& fallback,
   if (object && object->type == type) return value;
   if (expr.kind == scene::ExprKind::call && !expr.method)
     return report_unknown(family, expr.text, expr.where, reading.diagnostics);
-  reading.diagnostics.error(expr.where, fmt::format("'{}' expects a {}, not {}", declaration.name,
-                                                    type, value.type_name()));
+  Diagnostics own;
+  own.error(expr.where,
+            fmt::format("'{}' expects a {}, not {}", declaration.name, type, value.type_name()));
+  reading.evaluator.tell(own, {{"", value, expr.where}});
   return Value();
 }
 

@@ -34,11 +34,16 @@ std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& d
                             Reading& reading) {
   if (declaration.value) {
     reading.diagnostics.error(declaration.where,
-                              "'" + declaration.kind + "' is written with a block",
-                              declaration.kind + " " + declaration.name + " { ... }");
+                              "'" + declaration.kind + "' is written with a block, not with '='",
+                              "for instance: " + declaration.kind + " " + declaration.name +
+                                  (declaration.kind == "render" ? "" : " on NAME") + " { ... }");
     return std::nullopt;
   }
-  return schema.bind(block_arguments(declaration, reading), declaration.where, reading.diagnostics);
+  Diagnostics own;
+  const Arguments arguments = block_arguments(declaration, reading);
+  std::optional<P> params = schema.bind(arguments, declaration.where, own);
+  reading.evaluator.tell(own, arguments);
+  return params;
 }
 
 /// A declaration whose value is a kind of one family: `light key = rect(...)`, or in block form
@@ -46,22 +51,28 @@ std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& d
 Value read_family(const std::string& type, const std::string& fallback,
                   const scene::Declaration& declaration, Reading& reading);
 
+/// What stands after `on`; a bare name means what `kind` declares under it, if that is something.
+Value target_value(const std::string& kind, const scene::Declaration& declaration,
+                   Reading& reading);
+
 /// What stands after `on`, as a T; null with a diagnostic that names the expected type.
 template <class T>
 T read_target(const scene::Declaration& declaration, Reading& reading) {
   const std::string expected = ValueTraits<T>::type();
+  if (declaration.value) return {};  // read_block has told that a block is needed
   if (!declaration.target) {
     reading.diagnostics.error(declaration.where,
                               "'" + declaration.kind + "' needs 'on' and a " + expected,
                               declaration.kind + " " + declaration.name + " on NAME { ... }");
     return {};
   }
-  const Value value =
-      reading.evaluator.eval(*declaration.target, reading.evaluator.key(declaration).at("on"));
+  const Value value = target_value(expected, declaration, reading);
   if (value.empty()) return {};
   if (auto target = ValueTraits<T>::read(value)) return *target;
-  reading.diagnostics.error(declaration.target->where, "'" + declaration.kind + "' stands on a " +
-                                                           expected + ", not " + value.type_name());
+  Diagnostics own;
+  own.error(declaration.target->where,
+            "'" + declaration.kind + "' stands on a " + expected + ", not " + value.type_name());
+  reading.evaluator.tell(own, {{"on", value, declaration.target->where}});
   return {};
 }
 

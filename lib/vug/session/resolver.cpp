@@ -6,15 +6,12 @@
 
 namespace vug::session {
 
-void Resolver::declare(const std::string& name, Maker maker) {
-  entries_.emplace(name, Entry{std::move(maker), {}, false, false});
+void Resolver::declare(const std::string& kind, const std::string& name, Maker maker) {
+  entries_[name].push_back({kind, std::move(maker), {}, false, false});
 }
 
-std::optional<Value> Resolver::name(const std::string& name, const SourceLocation& where,
-                                    Diagnostics& diagnostics) {
-  const auto found = entries_.find(name);
-  if (found == entries_.end()) return std::nullopt;
-  Entry& entry = found->second;
+Value Resolver::value(Entry& entry, const std::string& name, const SourceLocation& where,
+                      Diagnostics& diagnostics) {
   if (entry.pending) {
     diagnostics.error(where, fmt::format("'{}' is made of itself", name));
     return Value();
@@ -26,6 +23,24 @@ std::optional<Value> Resolver::name(const std::string& name, const SourceLocatio
     entry.made = true;
   }
   return entry.value;
+}
+
+std::optional<Value> Resolver::declared(const std::string& kind, const std::string& name,
+                                        const SourceLocation& where, Diagnostics& diagnostics) {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) return std::nullopt;
+  for (Entry& entry : found->second)
+    if (entry.kind == kind) return value(entry, name, where, diagnostics);
+  return std::nullopt;
+}
+
+std::optional<Value> Resolver::name(const std::string& name, const SourceLocation& where,
+                                    Diagnostics& diagnostics) {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) return std::nullopt;
+  for (Entry& entry : found->second)
+    if (!entry.pending) return value(entry, name, where, diagnostics);
+  return value(found->second.front(), name, where, diagnostics);
 }
 
 std::optional<Value> Resolver::make(const Family& family, const std::string& name,
@@ -77,7 +92,7 @@ std::optional<Value> Resolver::unary(char op, const Value& a, const SourceLocati
 
 std::vector<std::string> Resolver::known_names() const {
   std::vector<std::string> names;
-  for (const auto& [name, entry] : entries_) names.push_back(name);
+  for (const auto& [name, entries] : entries_) names.push_back(name);
   return names;
 }
 

@@ -17,8 +17,12 @@ class Resolver final : public scene::Resolver {
   /// Makes the value of a declared name, once, when it is first needed.
   using Maker = std::function<Value()>;
 
-  /// Announces a declared object. Names are unique over all kinds (the parser checks).
-  void declare(const std::string& name, Maker maker);
+  /// Announces a declared object. Kinds have rooms of names of their own (the parser checks).
+  void declare(const std::string& kind, const std::string& name, Maker maker);
+
+  /// What that kind declares under the name; nothing when it declares none.
+  std::optional<Value> declared(const std::string& kind, const std::string& name,
+                                const SourceLocation& where, Diagnostics& diagnostics);
 
   /// A call of a kind of one family, where a declaration says which family it wants: names such
   /// as `sphere` stand for a solid and for a lamp.
@@ -26,6 +30,7 @@ class Resolver final : public scene::Resolver {
                             const Arguments& arguments, const SourceLocation& where,
                             Diagnostics& diagnostics);
 
+  /// Of several kinds that declare the name, the first; inside of its declaration, the next.
   std::optional<Value> name(const std::string& name, const SourceLocation& where,
                             Diagnostics& diagnostics) override;
   std::optional<Value> call(const std::string& name, const Arguments& arguments,
@@ -40,12 +45,16 @@ class Resolver final : public scene::Resolver {
 
  private:
   struct Entry {
+    std::string kind;
     Maker maker;
     Value value;
     bool made = false;
     bool pending = false;
   };
-  std::map<std::string, Entry> entries_;
+  static Value value(Entry& entry, const std::string& name, const SourceLocation& where,
+                     Diagnostics& diagnostics);
+
+  std::map<std::string, std::vector<Entry>> entries_;  ///< In the order of the text.
 };
 
 }  // namespace vug::session

@@ -18,6 +18,9 @@ const Kinds<VolumePtr>& volume_kinds() {
 
 std::string VolumePlan::fault() const {
   if (from.has_value() != to.has_value()) return "'from' and 'to' are given together";
+  const Box3d& bounds = field.bounds();
+  if (!from && !bounds.isEmpty() && !is_finite(bounds))
+    return "a solid without an end needs 'from' and 'to', or a box to be cut to";
   if (!from) return {};
   for (int axis = 0; axis < 3; ++axis)
     if ((*from)[axis] >= (*to)[axis]) return "'to' must lie above 'from' on every axis";

@@ -21,7 +21,7 @@ Result interpret(grammar::Tree tree, const Options& options, Progress& progress)
     try {
       growth.apply(*step, node.key.at("placement"), leaf);
     } catch (Error& e) {
-      throw e.within("while growing " + tree.path(leaf));
+      throw e.within("growing " + tree.path(leaf));
     }
     ++(step->operation == Operation::morph ? out.counts.morphic : out.counts.classic);
     progress.advance();
