@@ -11,8 +11,8 @@
 namespace vug::session {
 
 struct BuildOptions {
-  uint64_t max_memory = 0;  ///< Bytes; 0: what the machine has free.
-                            ///< Error(too_large) before work that needs more.
+  uint64_t max_memory = 0;  ///< Bytes for all that a Builder holds and does; 0: what the machine
+                            ///< has free. Error(too_large) before work that needs more.
 };
 
 /// Holds products while they are needed. The shot must outlive it. Not for several threads at
@@ -33,12 +33,16 @@ class Builder {
   double seconds() const { return seconds_; }
 
  private:
+  /// Bytes that further work may take, at least 1.
+  uint64_t room() const;
+
   const Shot& shot_;
   BuildOptions options_;
   Progress& progress_;
   std::map<VolumePtr, volume::LevelSet> level_sets_;
   std::map<MeshPtr, std::shared_ptr<const mesh::Mesh>> meshes_;
   double seconds_ = 0;
+  uint64_t held_ = 0;  ///< Bytes of grids and meshes.
 };
 
 /// The meshes a shot shows or measures: those it declares, else one for each level set.
