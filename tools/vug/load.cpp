@@ -15,7 +15,7 @@ void SceneOptions::add_to(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  app.add_option("--seed", seed, "instead of the scene's seed");
+  app.add_option("--seed", seed, "instead of the scene's seed")->check(CLI::NonNegativeNumber);
 }
 
 session::LoadOptions SceneOptions::load_options() const {

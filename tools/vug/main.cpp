@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <new>
+#include <system_error>
 
 namespace vug::cli {
 
@@ -28,7 +31,10 @@ int run(int argc, char** argv) {
   CLI::App app("Grows film-grade caves out of grammars: text to VDB, mesh and picture.", "vug");
   app.set_version_flag("--version", "vug " VUG_VERSION);
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("error: {}\nhint: 'vug --help' and 'vug VERB --help' tell more\n",
+                       error.what());
+  });
   app.footer(
       "'vug VERB --help' tells more. Exit codes: 0 done, 1 the answer is no, 2 unusable input, 3 a "
       "failure.");
@@ -45,6 +51,13 @@ int run(int argc, char** argv) {
   return runs.at(app.get_subcommands().at(0))();
 }
 
+/// Results may wait in a buffer until now, so a full disk may show only here.
+int with_results_out(int exit) {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit;
+  fmt::print(stderr, "error: cannot write to the standard output: {}\n", std::strerror(errno));
+  return kFailed;
+}
+
 }  // namespace
 }  // namespace vug::cli
 
@@ -55,13 +68,16 @@ int main(int argc, char** argv) {
     return cli::kFailed;
   }
   try {
-    return cli::run(argc, argv);
+    return cli::with_results_out(cli::run(argc, argv));
   } catch (const cli::Stop& stop) {
-    return stop.exit;
+    return cli::with_results_out(stop.exit);
   } catch (const Error& error) {
     return cli::report(error);
   } catch (const std::bad_alloc&) {
     std::fputs("error: out of memory\nhint: use a larger voxel or fewer pixels\n", stderr);
+    return cli::kFailed;
+  } catch (const std::system_error& error) {  // what fmt::print throws
+    fmt::print(stderr, "error: cannot write to the standard output: {}\n", error.code().message());
     return cli::kFailed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());

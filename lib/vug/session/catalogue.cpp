@@ -24,13 +24,10 @@ std::vector<const KindInfo*> all_kinds() {
 std::vector<const KindInfo*> find_kinds(const std::string& word) {
   std::vector<const KindInfo*> kinds = all_kinds();
   if (word.empty()) return kinds;
-  auto keep = [&](auto matches) {
-    std::vector<const KindInfo*> kept;
-    std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept), matches);
-    return kept;
-  };
-  auto named = keep([&](const KindInfo* kind) { return kind->name == word; });
-  return named.empty() ? keep([&](const KindInfo* kind) { return kind->category == word; }) : named;
+  std::vector<const KindInfo*> kept;
+  std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept),
+               [&](const KindInfo* kind) { return kind->name == word || kind->category == word; });
+  return kept;
 }
 
 std::vector<std::string> kind_words() {

@@ -8,7 +8,7 @@
 namespace vug::session {
 
 /// Kinds of all families and declarations, by category, in the order of their lists.
-/// With a word: the kinds of that name, else of that category.
+/// With a word: the kinds of that name and those of that category.
 std::vector<const KindInfo*> find_kinds(const std::string& word = {});
 /// Names and categories, for suggestions.
 std::vector<std::string> kind_words();

@@ -1,24 +1,57 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace vug::cli {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  bool quiet = false;
+  bool json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const session::Loaded& loaded, const std::string& file) {
+  Json faults = Json::array();
+  for (const Diagnostic& one : loaded.diagnostics.all())
+    faults.push_back({{"severity", one.severity == Severity::error ? "error" : "warning"},
+                      {"file", one.where.file},
+                      {"line", one.where.line},
+                      {"column", one.where.column},
+                      {"message", one.message},
+                      {"hint", one.hint}});
+  return {{"file", file}, {"fine", loaded.usable()}, {"diagnostics", std::move(faults)}};
+}
+
+int run(const Options& options) {
+  if (options.json) {
+    const session::Loaded loaded = session::load(options.scene.scene, options.scene.load_options());
+    fmt::print(
+        "{}\n",
+        to_json(loaded, options.scene.scene).dump(2, ' ', false, Json::error_handler_t::replace));
+    return loaded.usable() ? kDone : kUnusable;
+  }
+  const session::Loaded loaded = options.scene.load();
+  const session::Shot& shot = loaded.shot;
+  if (!options.quiet)
+    fmt::print("{}: fine; {} volumes, {} meshes, {} objects, {} lights, {} cameras, {} renders\n",
+               options.scene.scene, shot.volumes.size(), shot.meshes.size(), shot.objects.size(),
+               shot.lights.size(), shot.cameras.size(), shot.renders.size());
+  return kDone;
+}
+
+}  // namespace
 
 Verb check_verb() {
   return {"check", "Finds every fault of a scene without computing it.", [](CLI::App& app) {
-            auto options = std::make_shared<SceneOptions>();
-            auto quiet = std::make_shared<bool>(false);
-            options->add_to(app);
-            app.add_flag("--quiet,-q", *quiet, "say nothing when all is well");
-            return [options, quiet] {
-              const session::Loaded loaded = options->load();
-              const session::Shot& shot = loaded.shot;
-              if (!*quiet)
-                fmt::print("{}: fine; {} volumes, {} meshes, {} objects, {} lights, {} cameras\n",
-                           options->scene, shot.volumes.size(), shot.meshes.size(),
-                           shot.objects.size(), shot.lights.size(), shot.cameras.size());
-              return kDone;
-            };
+            auto options = std::make_shared<Options>();
+            options->scene.add_to(app);
+            app.add_flag("--quiet,-q", options->quiet, "say nothing when all is well");
+            app.add_flag("--json", options->json, "the faults, for programs");
+            return [options] { return run(*options); };
           }};
 }
 

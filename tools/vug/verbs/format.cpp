@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/scene/format.h>
+#include <vug/scene/parser.h>
+#include <vug/scene/report.h>
 
 namespace vug::cli {
 namespace {
@@ -13,14 +15,28 @@ struct Options {
   bool write = false;
 };
 
+/// A text with faults is no scene to put in order; what it includes does not matter here.
+bool parses(const std::string& text, const std::string& file) {
+  Diagnostics diagnostics;
+  scene::ParseOptions options;
+  options.read = [](const std::filesystem::path&) { return std::optional<std::string>(""); };
+  const scene::Document document = scene::parse(text, file, diagnostics, options);
+  fmt::print(stderr, "{}", scene::report(diagnostics, document.sources));
+  return !diagnostics.has_errors();
+}
+
 int run(const Options& options) {
   int exit = kDone;
   for (const std::string& file : options.files) {
     const std::string text = read_text(file);
+    if (!parses(text, file)) {
+      exit = kUnusable;
+      continue;
+    }
     const std::string formatted = scene::format(text);
     if (options.check && formatted != text) {
       fmt::print("{}: not formatted\n", file);
-      exit = kAnswerNo;
+      if (exit == kDone) exit = kAnswerNo;
     }
     if (options.write && formatted != text) write_text(file, formatted);
     if (!options.check && !options.write) fmt::print("{}", formatted);

@@ -12,13 +12,14 @@ struct Options {
   bool json = false;
 };
 
-/// Categories in order of first appearance.
-void print_overview(const std::vector<const KindInfo*>& kinds) {
+/// Categories in order of first appearance, set apart from what stands above.
+void print_overview(const std::vector<const KindInfo*>& kinds, bool first) {
   std::string category;
   for (const KindInfo* kind : kinds) {
     if (kind->category != category) {
       category = kind->category;
-      fmt::print("{}{}\n", kind == kinds.front() ? "" : "\n", category);
+      fmt::print("{}{}\n", first ? "" : "\n", category);
+      first = false;
     }
     fmt::print("  {:<22} {}\n", kind->name, kind->doc);
   }
@@ -37,12 +38,14 @@ int run(const Options& options) {
     throw Error(ErrorCode::bad_input,
                 fmt::format("there is no kind or category '{}'", options.what), {},
                 suggestion(options.what, session::kind_words()));
-  if (options.json)
+  if (options.json) {
     fmt::print("{}\n", session::catalogue_json(kinds).dump(2));
-  else if (options.what.empty() || kinds.front()->name != options.what)
-    print_overview(kinds);
-  else
-    for (const KindInfo* kind : kinds) print_kind(*kind);
+    return kDone;
+  }
+  std::vector<const KindInfo*> others;
+  for (const KindInfo* kind : kinds)
+    kind->name == options.what ? print_kind(*kind) : others.push_back(kind);
+  print_overview(others, others.size() == kinds.size());
   return kDone;
 }
 

@@ -28,7 +28,7 @@ metrics::Report report_of(const Options& options) {
 int run(const Options& options) {
   const metrics::Report report = report_of(options);
   if (options.json)
-    fmt::print("{}\n", metrics::to_json(report));
+    fmt::print("{}", metrics::to_json(report));
   else
     fmt::print("{}", metrics::to_table(report));
   return report.sound() ? kDone : kAnswerNo;

@@ -6,6 +6,7 @@
 #include <vug/session/picture.h>
 
 #include <charconv>
+#include <cmath>
 
 namespace vug::cli {
 namespace {
@@ -34,6 +35,10 @@ Vec2i parse_size(const std::string& text) {
 }
 
 int run(Options options) {
+  if (options.exposure && !(std::fabs(*options.exposure) <= 30))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("an exposure of {} stops is out of range", *options.exposure), {},
+                "write --exposure and a number from -30 to 30");
   const std::filesystem::path exr = options.output;
   if (exr.extension() != ".exr")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},

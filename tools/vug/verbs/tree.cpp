@@ -1,6 +1,7 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vug/grammar/tree_output.h>
 #include <nlohmann/json.hpp>
 
@@ -14,31 +15,34 @@ struct Options {
   bool svg = false;
 };
 
-int run(const Options& options) {
-  const session::Loaded loaded = options.scene.load();
-  bool found = false;
-  for (const session::Derivation& derivation : loaded.shot.derivations) {
-    if (!options.grammar.empty() && derivation.name != options.grammar) continue;
-    if (found && (options.json || options.svg))
-      throw Error(ErrorCode::bad_input, "the scene has several grammars", {},
-                  "name one with --grammar");
-    found = true;
-    if (options.json)
-      fmt::print("{}\n", grammar::tree_json(derivation.tree));
-    else if (options.svg)
-      fmt::print("{}", grammar::tree_svg(derivation.tree));
-    else
-      fmt::print("{}", grammar::tree_text(derivation.tree));
+/// The trees that are asked for: at least one, and only one where one document is printed.
+std::vector<const grammar::Tree*> chosen(const session::Shot& shot, const Options& options) {
+  std::vector<const grammar::Tree*> trees;
+  std::vector<std::string> names;
+  for (const session::Derivation& derivation : shot.derivations) {
+    names.push_back(derivation.name);
+    if (options.grammar.empty() || derivation.name == options.grammar)
+      trees.push_back(&derivation.tree);
   }
-  if (!found) {
-    std::vector<std::string> names;
-    for (const auto& derivation : loaded.shot.derivations) names.push_back(derivation.name);
+  if (trees.empty())
     throw Error(ErrorCode::bad_input,
                 options.grammar.empty()
                     ? "the scene has no grammar"
                     : fmt::format("the scene has no grammar '{}'", options.grammar),
                 {}, suggestion(options.grammar, names));
-  }
+  if (trees.size() > 1 && (options.json || options.svg))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the scene has several grammars: {}", fmt::join(names, ", ")), {},
+                "name one with --grammar");
+  return trees;
+}
+
+int run(const Options& options) {
+  const session::Loaded loaded = options.scene.load();
+  for (const grammar::Tree* tree : chosen(loaded.shot, options))
+    fmt::print("{}", options.json  ? grammar::tree_json(*tree)
+                     : options.svg ? grammar::tree_svg(*tree)
+                                   : grammar::tree_text(*tree));
   return kDone;
 }
 
