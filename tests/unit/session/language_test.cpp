@@ -1,0 +1,49 @@
+// Every ```vug example of docs/language.md is a scene that all of the program understands: names
+// of kinds and parameters too, which the parser alone does not know.
+#include <gtest/gtest.h>
+#include <vug/base/atomic_file.h>
+#include <vug/session/load.h>
+
+#include <filesystem>
+
+namespace vug::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The blocks of the page that are fenced as `language`.
+std::vector<std::string> blocks(const std::string& language) {
+  const std::string text = read_text(fs::path(VUG_DATA).parent_path() / "docs" / "language.md");
+  std::vector<std::string> all;
+  const std::string open = "```" + language + "\n", close = "```";
+  for (size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
+    at += open.size();
+    const size_t end = text.find(close, at);
+    all.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return all;
+}
+
+TEST(Language, ExamplesMeanSomething) {
+  ASSERT_GE(blocks("vug").size(), 10u);
+  LoadOptions options;
+  options.include_folders = {fs::path(VUG_TEST_DATA) / "scenes" / "language"};
+  for (const std::string& example : blocks("vug")) {
+    const Loaded loaded = load_text(example, "language.md", options);
+    EXPECT_EQ(loaded.report(), "") << example;
+  }
+}
+
+TEST(Language, TheFaultItShowsIsToldSo) {
+  std::string shown;
+  for (const std::string& block : blocks("text"))
+    if (block.find("error: ") != std::string::npos) shown = block;
+  const size_t line = shown.find('\n') + 1;
+  const std::string faulty = shown.substr(line, shown.find('\n', line) + 1 - line);
+  const Loaded loaded = load_text("let radius = 1m\n\n\n" + faulty, "cave.vug");
+  EXPECT_EQ(loaded.report(), shown);
+}
+
+}  // namespace
+}  // namespace vug::session
