@@ -1,0 +1,110 @@
+"""Truncated and garbage files: a sentence that names the file and exit code 2, never a crash."""
+import random
+import unittest
+
+from vug import BALL, VugTest
+
+READERS = {  # what each kind of file is read by
+    ".vdb": ["info", "measure"],
+    ".ply": ["info", "measure"],
+    ".obj": ["measure"],
+    ".stl": ["measure"],
+    ".exr": ["info"],
+    ".png": ["info"],
+}
+IN_A_SCENE = {
+    ".vdb": 'volume v = level_set(grid(file: "{}"), voxel: 20cm)\n',
+    ".ply": 'volume v = level_set(mesh(file: "{}"), voxel: 20cm)\n',
+    ".obj": 'volume v = level_set(mesh(file: "{}"), voxel: 20cm)\n',
+    ".stl": 'volume v = level_set(mesh(file: "{}"), voxel: 20cm)\n',
+    ".exr": 'light s = sky_image(file: "{}")\n',
+    ".png": 'volume v = level_set(heightfield(file: "{}"), voxel: 1m)\n',
+}
+
+
+class BrokenFiles(VugTest):
+    def setUp(self):
+        super().setUp()
+        self.write("ball.vug", BALL.replace("10cm", "30cm") +
+                   "".join(f"mesh as_{f} on rock {{ format {f} }}\n" for f in ("ply", "obj", "stl")))
+        self.expect(0, "build", "ball.vug", "-o", "out")
+        self.expect(0, "render", "ball.vug", "-o", "out/ball.exr", "--size", "16x8", "--spp", "1")
+        self.whole = {f.suffix: f for f in (self.folder / "out").iterdir()}
+        self.assertEqual(sorted(self.whole), sorted(READERS))
+
+    def refused(self, name, verb):
+        result = self.vug(verb, name)
+        said = f"vug {verb} {name}: {result.code}\n{result.out}{result.err}"
+        self.assertEqual(result.code, 2, said)
+        self.assertIn("error: ", result.err, said)
+        self.assertIn(name, result.err, said)
+        for rude in ("terminate", "what()", "std::", "Exception", "0x"):
+            self.assertNotIn(rude, result.err, said)
+
+    def try_all(self, content, suffix, what, in_a_scene=False):
+        name = f"{what}{suffix}"
+        self.write(name, content)
+        for verb in READERS[suffix]:
+            with self.subTest(file=name, verb=verb):
+                self.refused(name, verb)
+        if not in_a_scene:
+            return
+        with self.subTest(file=name, verb="check"):
+            self.write("use.vug", IN_A_SCENE[suffix].format(name))
+            result = self.expect(2, "check", "use.vug")
+            self.assertRegex(result.err, rf"(?m)^use\.vug:1:\d+: error: .*{name}.*\n{IN_A_SCENE[suffix][:6]}")
+
+    def test_garbage(self):
+        noise = random.Random(1).randbytes(3000)
+        for suffix in READERS:
+            self.try_all(b"", suffix, "empty")
+            self.try_all(noise, suffix, "noise", in_a_scene=True)
+
+    def test_files_of_another_kind(self):
+        for suffix in READERS:
+            self.try_all(self.whole[".vdb" if suffix != ".vdb" else ".exr"].read_bytes(), suffix, "other")
+
+    def test_truncated(self):
+        for suffix, path in self.whole.items():
+            if suffix == ".obj":
+                continue  # see below: a text that ends early still reads
+            whole = path.read_bytes()
+            self.try_all(whole[:int(0.3 * len(whole))], suffix, "cut", in_a_scene=True)
+            if suffix != ".png":  # whose last bytes nobody needs
+                self.try_all(whole[:-1], suffix, "lacks_a_byte")
+
+    def test_a_text_mesh_that_ends_early_is_open(self):
+        whole = self.whole[".obj"].read_bytes()
+        end = whole.rindex(b"\nf ", 0, int(0.9 * len(whole))) + 1
+        self.write("cut.obj", whole[:end])
+        self.expect(1, "measure", "cut.obj")
+        self.write("use.vug", IN_A_SCENE[".obj"].format("cut.obj"))
+        self.assertIn("bounds no solid", self.expect(2, "check", "use.vug").err)
+
+    def test_flipped_bytes_never_crash(self):
+        """A damaged file may still read; then that is the answer. A signal never is."""
+        dice = random.Random(7)
+        for suffix, path in self.whole.items():
+            for trial in range(4):
+                content = bytearray(path.read_bytes())
+                for _ in range(1 + trial):
+                    content[dice.randrange(min(len(content), 2000))] = dice.randrange(256)
+                name = f"bad{trial}{suffix}"
+                self.write(name, bytes(content))
+                with self.subTest(file=name):
+                    result = self.vug(READERS[suffix][-1], name)
+                    self.assertIn(result.code, (0, 1, 2), result.err)
+
+    def test_a_truncated_include(self):
+        self.write("use.vug", 'include "lib.vug"\nvolume v = level_set(hall, voxel: 20cm)\n')
+        self.write("lib.vug", "let hall = union([sphere(1m), box(size: (1,")
+        error = self.expect(2, "check", "use.vug").err
+        self.assertTrue(error.startswith("lib.vug:1:"), error)
+        self.write("lib.vug", b"\xff\xfe\x00l\x00e\x00t")
+        self.assertIn("lib.vug:1:", self.expect(2, "check", "use.vug").err)
+        (self.folder / "lib.vug").unlink()
+        self.assertIn("use.vug:1:9: error: ", self.expect(2, "check", "use.vug").err)
+
+
+if __name__ == "__main__":
+    unittest.main()

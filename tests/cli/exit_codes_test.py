@@ -1,0 +1,186 @@
+"""Exit codes of every verb: 0 done, 1 the answer is no, 2 unusable input, 3 a failure while working."""
+import json
+import resource
+import signal
+import subprocess
+import unittest
+
+from vug import BALL, VugTest
+
+CAVE = """
+grammar cave {
+  axiom Room*2
+  Room -> + sphere(1m) label +X
+}
+volume rock = level_set(cave, voxel: 20cm)
+mesh wall on rock {}
+camera main { eye (0, 0, 8) }
+render main { size 8x6  spp 1 }
+"""
+OPEN_MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n"
+
+
+class Done(VugTest):
+    def test_every_verb(self):
+        self.write("cave.vug", CAVE)
+        self.expect(0, "check", "cave.vug")
+        built = self.expect(0, "build", "cave.vug", "-o", "out")
+        self.assertEqual(built.out.split(), ["out/cave.vdb", "out/cave.ply"])
+        shot = self.expect(0, "render", "cave.vug", "-o", "cave.exr")
+        self.assertEqual(shot.out.split(), ["cave.exr", "cave.png"])
+        for file in built.out.split() + shot.out.split():
+            self.expect(0, "info", file)
+        for thing in ["cave.vug", "out/cave.vdb", "out/cave.ply"]:
+            self.expect(0, "measure", thing)
+        self.expect(0, "tree", "cave.vug")
+        self.expect(0, "list")
+        self.expect(0, "format", "cave.vug")
+        self.expect(0, "--help")
+        self.expect(0, "--version")
+        self.expect(0, "build", "--help")
+
+    def test_results_and_diagnostics_do_not_mix(self):
+        self.write("warned.vug", CAVE.replace("axiom", "Hall -> + box()\n  axiom"))
+        result = self.expect(0, "measure", "warned.vug", "--json")
+        self.assertIn("warned.vug:3:3: warning: nothing reaches", result.err)
+        json.loads(result.out)
+
+    def test_quiet(self):
+        self.write("ball.vug", BALL)
+        for verb in [("check",), ("build", "-o", "out"), ("render", "-o", "a.exr", "--size", "4x4")]:
+            result = self.expect(0, verb[0], "ball.vug", *verb[1:], "--quiet")
+            self.assertEqual(result.err, "")
+        self.assertEqual(self.expect(0, "check", "ball.vug", "-q").out, "")
+
+
+class AnswerIsNo(VugTest):
+    def test_a_broken_mesh(self):
+        self.write("open.obj", OPEN_MESH)
+        table = self.expect(1, "measure", "open.obj")
+        self.assertRegex(table.out, r"boundary_edges +3\n")
+        self.assertEqual(json.loads(self.expect(1, "measure", "open.obj", "--json").out)
+                         ["boundary_edges"], 3)
+
+    def test_a_text_out_of_format(self):
+        self.write("ball.vug", BALL.replace(" = ", "="))
+        result = self.expect(1, "format", "--check", "ball.vug")
+        self.assertEqual(result.out, "ball.vug: not formatted\n")
+
+
+class Unusable(VugTest):
+    """Exit 2: the text, the file or an argument."""
+
+    def refused(self, *args):
+        return self.expect(2, *args).err
+
+    def test_arguments(self):
+        self.write("ball.vug", BALL)
+        for args in [(), ("biuld",), ("build",), ("build", "ball.vug"), ("check",), ("measure",),
+                     ("check", "ball.vug", "other.vug"), ("info",), ("format",),
+                     ("build", "ball.vug", "-o", "out", "--threads", "many"),
+                     ("build", "ball.vug", "-o", "out", "--threads", "-1"),
+                     ("build", "ball.vug", "-o", "out", "--max-memory", "lots"),
+                     ("build", "ball.vug", "-o", "out", "--max-memory", "-1G"),
+                     ("build", "ball.vug", "-o", "out", "-D", "R"),
+                     ("build", "ball.vug", "-o", "out", "-D", "R=2"),
+                     ("render", "ball.vug", "-o", "ball.png"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--size", "0x10"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--size", "10"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--size", "10x-3"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--spp", "0"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--seed", "-1"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--camera", "main"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--render", "main"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--exposure", "nan"),
+                     ("measure", "ball.vug", "--mesh", "wall"),
+                     ("tree", "ball.vug"), ("tree", "ball.vug", "--json", "--svg"),
+                     ("list", "torsu"), ("sweep", "ball.vug", "-p", "R", "-v", "1,2")]:
+            with self.subTest(args=args):
+                self.refused(*args)
+        self.assertEqual(self.files(), ["ball.vug"])
+
+    def test_a_refusal_says_what_to_do(self):
+        self.write("ball.vug", BALL + "camera front { eye (0, 0, 5) }\n")
+        self.assertIn("did you mean 'front'?",
+                      self.refused("render", "ball.vug", "-o", "a.exr", "--camera", "frnt"))
+        self.assertIn("write --size 1920x1080",
+                      self.refused("render", "ball.vug", "-o", "a.exr", "--size", "big"))
+        self.assertIn("did you mean 'rock'?", self.refused("measure", "ball.vug", "--mesh", "rok"))
+        self.assertIn("did you mean 'torus'?", self.refused("list", "torsu"))
+
+    def test_missing_files(self):
+        for args in [("check", "no.vug"), ("build", "no.vug", "-o", "out"), ("tree", "no.vug"),
+                     ("render", "no.vug", "-o", "no.exr"), ("measure", "no.vug"),
+                     ("measure", "no.ply"), ("measure", "no.vdb"), ("info", "no.vdb"),
+                     ("info", "no.exr"), ("info", "no.stl"), ("format", "no.vug"),
+                     ("sweep", "no.vug", "-p", "R", "-v", "1")]:
+            with self.subTest(args=args):
+                self.assertIn(args[1], self.refused(*args))
+        self.assertEqual(self.files(), [])
+
+    def test_a_folder_is_no_file(self):
+        (self.folder / "folder.vug").mkdir()
+        (self.folder / "folder.vdb").mkdir()
+        for args in [("check", "folder.vug"), ("measure", "folder.vdb"), ("info", "folder.vdb"),
+                     ("info", "."), ("measure", ".")]:
+            with self.subTest(args=args):
+                self.refused(*args)
+
+    def test_faults_of_a_text(self):
+        self.write("ball.vug", "volume rock = level_set(sphre(1m), voxel: 10cm)\n")
+        said = ("ball.vug:1:25: error: unknown function 'sphre'\n"
+                "volume rock = level_set(sphre(1m), voxel: 10cm)\n"
+                "                        ^\n"
+                "hint: did you mean 'sphere'?\n")
+        for args in [("check", "ball.vug"), ("build", "ball.vug", "-o", "out"), ("tree", "ball.vug"),
+                     ("measure", "ball.vug"), ("render", "ball.vug", "-o", "ball.exr"),
+                     ("check", "ball.vug", "--quiet")]:
+            self.assertEqual(self.refused(*args), said)
+
+    def test_nothing_to_build(self):
+        self.write("empty.vug", "let a = 1\n")
+        self.assertIn("declares nothing to build", self.refused("build", "empty.vug", "-o", "out"))
+        self.assertEqual(self.files(), ["empty.vug"])
+
+
+class Failed(VugTest):
+    """Exit 3: the system refuses while we work."""
+
+    def test_a_folder_that_cannot_be_made(self):
+        self.write("ball.vug", BALL)
+        self.write("file", "not a folder\n")
+        for args in [("build", "ball.vug", "-o", "file/out"),
+                     ("render", "ball.vug", "-o", "file/a.exr", "--size", "4x4", "--spp", "1")]:
+            with self.subTest(args=args):
+                self.assertIn("file", self.expect(3, *args).err)
+        self.assertEqual(self.files(), ["ball.vug", "file"])
+
+    def test_a_full_disk(self):
+        """A limit on the size of files fails writes as a full disk does: in the middle."""
+        self.write("ball.vug", BALL.replace("10cm", "5cm") + "mesh wall on rock {}\n")
+        self.write("out/ball.vdb", "old\n")
+        self.write("out/ball.ply", "old\n")
+
+        def small_files():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        for args in [("build", "ball.vug", "-o", "out"),
+                     ("render", "ball.vug", "-o", "a.exr", "--size", "64x64", "--spp", "1")]:
+            with self.subTest(args=args):
+                self.expect(3, *args, preexec_fn=small_files, restore_signals=False)
+        self.assertEqual(self.files(), ["ball.vug", "out/ball.ply", "out/ball.vdb"])
+        self.assertEqual((self.folder / "out/ball.vdb").read_text(), "old\n")
+
+    def test_a_standard_output_that_is_full(self):
+        self.write("ball.vug", BALL)
+        for args in [("list",), ("list", "--json"), ("measure", "ball.vug"), ("check", "ball.vug"),
+                     ("format", "ball.vug"), ("build", "ball.vug", "-o", "out")]:
+            with self.subTest(args=args), open("/dev/full", "w") as full:
+                result = self.vug(*args, stdout=full)
+                self.assertEqual(result.code, 3, result.err)
+                self.assertIn("standard output", result.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

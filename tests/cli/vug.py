@@ -1,0 +1,71 @@
+"""The built vug command for tests: run it, look at what it said and wrote.
+
+VUG in the environment names the program; VUG_SLOW says that a sanitizer makes it slow and large.
+"""
+import hashlib
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["VUG"]
+SLOW = bool(os.environ.get("VUG_SLOW"))
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+
+BALL = "volume rock = level_set(sphere(1m), voxel: 10cm)\n"
+
+
+class Result:
+    def __init__(self, process):
+        self.code = process.returncode
+        self.out = process.stdout
+        self.err = process.stderr
+
+
+def digest(path):
+    return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
+
+
+class VugTest(unittest.TestCase):
+    """A test with an empty folder of its own, which is where the command runs."""
+
+    maxDiff = None
+
+    def setUp(self):
+        room = tempfile.TemporaryDirectory(prefix="vug_test_")
+        self.addCleanup(room.cleanup)
+        self.folder = pathlib.Path(room.name)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if isinstance(content, bytes):
+            path.write_bytes(content)
+        else:
+            path.write_text(content)
+        return path
+
+    def vug(self, *args, **options):
+        """Runs to the end; output as text."""
+        options.setdefault("cwd", self.folder)
+        options.setdefault("stdout", subprocess.PIPE)
+        return Result(subprocess.run([PROGRAM, *map(str, args)], stdin=subprocess.DEVNULL,
+                                     stderr=subprocess.PIPE, text=True, timeout=300, **options))
+
+    def expect(self, code, *args, **options):
+        """Runs and asserts the exit code. Diagnostics stand on stderr, results on stdout; a
+        refusal says why in a sentence and leaves stdout empty."""
+        result = self.vug(*args, **options)
+        said = f"vug {' '.join(map(str, args))}\n{result.out}\n{result.err}"
+        self.assertEqual(result.code, code, said)
+        if code >= 2:
+            self.assertIn("error: ", result.err, said)
+            self.assertFalse(result.out, said)
+        elif code == 0:
+            self.assertNotIn("error: ", result.err, said)
+        return result
+
+    def files(self):
+        """Names of all files in the test's folder, those that ls hides too."""
+        return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*") if p.is_file())
