@@ -19,13 +19,14 @@ std::string tree_json(const Tree& tree);
 
 struct SvgOptions {
   double font_size = 12;   ///< Pixels.
-  double row = 20;         ///< Distance of neighbouring leaves, pixels.
+  double row = 24;         ///< Distance of neighbouring leaves, pixels.
   double column_gap = 36;  ///< Between the longest label of a generation and the next, pixels.
   double max_label = 48;   ///< Longer labels are cut and end in an ellipsis, characters.
 };
 
-/// A drawing that grows to the right, one column for each generation; hovering over a label
-/// tells the node's path, production and place.
+/// A drawing that grows to the right, one column for each generation; symbols of one name have one
+/// colour, rewritten ones stand in bold. Hovering over a label tells the node's path, production
+/// and place.
 std::string tree_svg(const Tree& tree, const SvgOptions& options = {});
 
 }  // namespace vug::grammar

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 namespace vug::grammar {
 namespace {
@@ -35,18 +36,35 @@ std::string hover(const Tree& tree, int id) {
   return node.stuck ? out + "; no production applies" : out;
 }
 
+constexpr double kPadding = 6;  // of a label's box, left and right
+
+/// Pale, so that dark text reads on each; symbols take them in order of appearance.
+constexpr const char* kFills[] = {"#ece7df", "#dfe9f4", "#e3f0dc", "#f9e3dc", "#f8efcf",
+                                  "#ebe3f5", "#dcf0ee", "#f6e0ec", "#e6e6e6"};
+
+/// The fill of every node's box: one for each name of a symbol.
+std::vector<const char*> fills(const Tree& tree) {
+  std::map<std::string, size_t> order;
+  std::vector<const char*> out;
+  for (const Node& node : tree.nodes) {
+    const size_t at = order.emplace(node.symbol.name, order.size()).first->second;
+    out.push_back(kFills[at % std::size(kFills)]);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string tree_svg(const Tree& tree, const SvgOptions& options) {
   const std::vector<double> place = tidy_layout(tree);
   const double margin = options.row;
   std::vector<std::string> labels;
-  std::vector<double> widths;  // of labels, by an average glyph of 0.6 em
+  std::vector<double> widths;  // of boxes, by a glyph of 0.61 em
   std::vector<double> column;  // widest label of a generation, then its left edge
   for (const Node& node : tree.nodes) {
     labels.push_back(shortened(to_string(node.symbol), options.max_label));
     const auto glyphs = std::count_if(labels.back().begin(), labels.back().end(), starts_character);
-    widths.push_back(0.6 * options.font_size * static_cast<double>(glyphs));
+    widths.push_back(0.61 * options.font_size * static_cast<double>(glyphs) + 2 * kPadding);
     const auto depth = static_cast<size_t>(node.depth);
     if (column.size() <= depth) column.resize(depth + 1, 0);
     column[depth] = std::max(column[depth], widths.back());
@@ -72,14 +90,24 @@ std::string tree_svg(const Tree& tree, const SvgOptions& options) {
                  options.font_size);
   for (size_t i = 1; i < tree.nodes.size(); ++i) {
     const auto p = static_cast<size_t>(tree.nodes[i].parent);
-    const double x0 = x(p) + widths[p] + 4, x1 = x(i) - 4, bend = 0.5 * options.column_gap;
+    const double x0 = x(p) + widths[p], x1 = x(i), bend = 0.5 * options.column_gap;
     fmt::format_to(to, "<path d=\"M{:.1f} {:.1f}C{:.1f} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f}\"/>\n",
                    x0, y(p), x1 - bend, y(p), x1 - bend, y(i), x1, y(i));
   }
-  fmt::format_to(to, "</g>\n<g dominant-baseline=\"central\">\n");
+  fmt::format_to(to, "</g>\n<g stroke=\"#c9c0b2\" stroke-width=\"0.7\">\n");
+  const std::vector<const char*> fill = fills(tree);
+  const double box = std::min(options.row - 3, 1.5 * options.font_size);
   for (size_t i = 0; i < tree.nodes.size(); ++i)
-    fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\"><title>{}</title>{}</text>\n",
-                   x(i), y(i), tree.nodes[i].production >= 0 ? "#1f4e79" : "#3a3026",
+    fmt::format_to(to,
+                   "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+                   "rx=\"4\" fill=\"{}\"/>\n",
+                   x(i), y(i) - 0.5 * box, widths[i], box, fill[i]);
+  // Not dominant-baseline, which some programs do not know: 0.35 em is half a capital's height.
+  fmt::format_to(to, "</g>\n<g fill=\"#2b241c\">\n");
+  for (size_t i = 0; i < tree.nodes.size(); ++i)
+    fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\"{}><title>{}</title>{}</text>\n",
+                   x(i) + kPadding, y(i) + 0.35 * options.font_size,
+                   tree.nodes[i].production >= 0 ? " font-weight=\"bold\"" : "",
                    xml_text(hover(tree, static_cast<int>(i))), xml_text(labels[i]));
   return out + "</g>\n</svg>\n";
 }
