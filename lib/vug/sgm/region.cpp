@@ -21,10 +21,12 @@ using field::Restriction;
 using field::Scratch;
 using field::Traits;
 
-Traits morph_traits(const Traits& base, const Traits& shape, double amount) {
+/// Far away both terms grow, so their mean does; a blend lowers it by its depth at most.
+Traits morph_traits(const Traits& base, const Traits& shape, double amount, double depth) {
   return {std::max(base.lipschitz, (1 - amount) * base.lipschitz + amount * shape.lipschitz),
           std::max({base.exactness, shape.exactness, Exactness::bound}),
-          united(base.bounds, shape.bounds)};
+          united(base.bounds_below(depth), shape.bounds_below(depth)),
+          std::min(base.grows(), shape.grows())};
 }
 
 /// One node and not a morph of the base with a union, because that would evaluate the base twice,
@@ -102,8 +104,8 @@ Field local_morph(const Field& base, const Field& shape, double amount, const fi
     throw Error(ErrorCode::bad_input, "a morph's amount lies between 0 and 1");
   if (amount == 0) return base;
   if (amount == 1) return field::unite({base, shape}, blend);
-  Traits traits = morph_traits(base.node()->traits(), shape.node()->traits(), amount);
-  traits.bounds = grown(traits.bounds, blend.depth());
+  Traits traits =
+      morph_traits(base.node()->traits(), shape.node()->traits(), amount, blend.depth());
   return Field(
       std::make_shared<LocalMorph>(std::move(traits), base.node(), shape.node(), amount, blend));
 }

@@ -130,5 +130,23 @@ TEST(LocalFields, BoundsHoldTheInside) {
     }
 }
 
+// What offsets, displacement and further blends need to stay finite.
+TEST(LocalFields, GrowAwayFromTheirBounds) {
+  RandomStream random(RandomKey(7));
+  for (const Field& f : samples()) {
+    const field::Traits& traits = f.node()->traits();
+    ASSERT_GT(traits.grows(), 0.5);
+    for (int i = 0; i < 5000; ++i) {
+      const Vec3d p = somewhere(random) * 3;
+      Vec3d nearest;
+      for (int axis = 0; axis < 3; ++axis)
+        nearest[axis] = std::clamp(p[axis], f.bounds().min[axis], f.bounds().max[axis]);
+      const double away = (p - nearest).length();
+      ASSERT_TRUE(away == 0 || f.value(p) >= traits.grows() * away - 1e-9);
+    }
+    EXPECT_TRUE(is_finite(traits.bounds_below(0.5)));
+  }
+}
+
 }  // namespace
 }  // namespace vug::sgm
