@@ -59,7 +59,7 @@ class CheckTest(unittest.TestCase):
     def test_a_good_tree_passes_every_check(self):
         code, output = run({})
         self.assertEqual(code, 0, output)
-        self.assertEqual(output.count(" ok "), 9, output)
+        self.assertEqual(output.count(" ok "), 10, output)
 
     def test_unknown_check(self):
         code, output = run({}, "layer")
@@ -117,6 +117,15 @@ class CheckTest(unittest.TestCase):
         self.finds("spelling", {"docs/a.md": "rec" + "ieve\n"}, "docs/a.md:1")
         self.passes("spelling", {"docs/a.md": "rec" + "ieve\n",
                                  "tools/dev/spelling.txt": "rec" + "ieve\n"})
+
+    def test_scenes(self):
+        scene = {"data/scenes/a.vug": "# A ball. Round.\nseed 1\n"}
+        line = "- [a](../data/scenes/a.vug): A ball."
+        self.passes("scenes", {**scene, "docs/scenes.md": line + "\n"})
+        self.finds("scenes", {**scene, "docs/scenes.md": ""}, line)
+        self.finds("scenes", {**scene, "docs/scenes.md": line + "\n" + line.replace("a", "b")}, "b.vug")
+        self.finds("scenes", {**scene, "docs/scenes.md": line[:-5] + "\n"}, "docs/scenes.md:1")
+        self.finds("scenes", {"data/scenes/a.vug": "seed 1\n"}, "data/scenes/a.vug:1")
 
     def test_forbidden_in_the_library(self):
         for code in ("std::sin(x)", "std::pow(x, y)", "sinf(x)", "std::cout << 1", "printf(text)",
