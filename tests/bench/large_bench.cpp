@@ -61,6 +61,7 @@ double peak_bytes() {
 
 void run(double target, bool json) {
   const field::Field field = solid();
+  const double before = peak_bytes();  // libraries and the expression
   volume::VoxelizeOptions options;
   options.voxel = 0.12;  // a coarse grid tells how fine the wanted one is
   const auto coarse = volume::voxelize(field, options).statistics().active_voxels;
@@ -78,15 +79,15 @@ void run(double target, bool json) {
     fmt::print(
         "{{\"active_voxels\": {}, \"leaves\": {}, \"seconds\": {:.3f}, \"voxels_per_second\": "
         "{:.4g}, \"grid_bytes\": {}, \"peak_bytes\": {:.0f}, \"peak_ratio\": {:.3f}, "
-        "\"estimated_bytes\": {:.0f}}}\n",
+        "\"bytes_before\": {:.0f}, \"estimated_bytes\": {:.0f}}}\n",
         s.active_voxels, s.leaves, seconds, active / seconds, s.memory_bytes, peak, peak / bytes,
-        estimate.bytes);
+        before, estimate.bytes);
   else
     fmt::print(
         "{:12} active {:9} leaves {:8.2f} s {:7.2f} M voxels/s   grid {:7.1f} MB   peak {:7.1f} MB "
-        "= {:.2f} grids   estimated {:7.1f} MB\n",
+        "= {:.2f} grids ({:.1f} MB before)   estimated {:7.1f} MB\n",
         s.active_voxels, s.leaves, seconds, 1e-6 * active / seconds, 1e-6 * bytes, 1e-6 * peak,
-        peak / bytes, 1e-6 * estimate.bytes);
+        peak / bytes, 1e-6 * before, 1e-6 * estimate.bytes);
   std::fflush(stdout);
 }
 

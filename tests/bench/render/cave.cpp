@@ -1,7 +1,9 @@
 // Renders a bench scene (JSON beside a binary PLY) and prints samples per second: the same
 // scenes are rendered by Cycles for comparison, see docs/performance.md.
-//   bench_cave SCENE.json OUT.exr [--size WxH] [--spp N] [--threads N] [--seed N] [--portal]
+//   bench_cave [SCENE.json OUT.exr] [--size WxH] [--spp N] [--threads N] [--seed N] [--portal]
 //              [--mesh FILE.ply] [--sky R,G,B] [--no-lamps] [--bounces N]
+// Without a scene it takes the reference cave of the bench data, which is no part of this
+// repository (-DVUG_BENCH_DATA=FOLDER), and skips where there is none.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/image/io.h>
@@ -61,15 +63,15 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
   rock.material = render::make_bsdf("lambert", {{"albedo", vector(j["albedo"])}});
   scene.objects.push_back(rock);
   const auto rectangle = [](const json& r) {
-    return render::Named{{"center", vector(r["center"])},
-                         {"normal", vector(r["normal"])},
-                         {"up", vector(r["up"])},
-                         {"width", r["size"][0].get<double>()},
-                         {"height", r["size"][1].get<double>()}};
+    return Named{{"center", vector(r["center"])},
+                 {"normal", vector(r["normal"])},
+                 {"up", vector(r["up"])},
+                 {"width", r["size"][0].get<double>()},
+                 {"height", r["size"][1].get<double>()}};
   };
   if (lamps)
     for (const json& l : j["lights"]) {
-      render::Named p = rectangle(l);
+      Named p = rectangle(l);
       p.emplace_back("radiance", vector(l["radiance"]));
       scene.lights.push_back(render::make_light("rect", p));
     }
@@ -86,12 +88,12 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
 
 int main(int argc, char** argv) {
   CLI::App app("Renders a bench scene");
-  std::string file, out, size = "320x180", mesh_file, sky;
+  std::string file = VUG_BENCH_DATA "/cave_scene.json", out, size = "320x180", mesh_file, sky;
   render::Options options;
   bool portal = false, no_lamps = false;
   double haze = 0;
-  app.add_option("scene", file)->required();
-  app.add_option("out", out)->required();
+  app.add_option("scene", file);
+  app.add_option("out", out, "EXR; default: the picture is not kept");
   app.add_option("--size", size);
   app.add_option("--spp", options.spp);
   app.add_option("--threads", options.threads);
@@ -103,6 +105,13 @@ int main(int argc, char** argv) {
   app.add_flag("--portal", portal);
   app.add_flag("--no-lamps", no_lamps);
   CLI11_PARSE(app, argc, argv);
+  const std::filesystem::path mesh = mesh_file.empty()
+                                         ? std::filesystem::path(file).parent_path() / "cave.ply"
+                                         : std::filesystem::path(mesh_file);
+  if (out.empty() && !(std::filesystem::exists(file) && std::filesystem::exists(mesh))) {
+    fmt::print("skipped: the bench needs '{}' and '{}'\n", file, mesh.string());
+    return 0;
+  }
   try {
     std::sscanf(size.c_str(), "%dx%d", &options.width, &options.height);
     render::Scene scene = read_scene(file, mesh_file, sky, !no_lamps, portal);
@@ -116,7 +125,7 @@ int main(int argc, char** argv) {
     });
     const image::Image picture = render::render(scene, options, progress);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count() - preparing;
-    image::write_exr(out, picture);
+    if (!out.empty()) image::write_exr(out, picture);
     fmt::print("{{\"prepare_s\": {:.3f}, \"render_s\": {:.3f}, \"msamples_per_s\": {:.4f}}}\n",
                preparing, seconds, 1e-6 * options.width * options.height * options.spp / seconds);
   } catch (const Error& error) {
