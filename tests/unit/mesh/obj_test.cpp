@@ -1,5 +1,5 @@
-#include <vug/base/error.h>
-#include <vug/mesh/format.h>
+#include "faults.h"
+
 #include <vug/mesh/topology.h>
 
 #include <gtest/gtest.h>
@@ -61,35 +61,21 @@ TEST(Obj, DentsOfPolygonsStayDents) {
 }
 
 TEST(Obj, FaultsNameTheirLine) {
-  const struct {
-    const char* text;
-    int line;
-    const char* part;
-  } cases[] = {
-      {"v 0 0\n", 1, "3 coordinates"},
-      {"v 0 0 0\nv 1 0 x\n", 2, "'x' is no number"},
-      {"v 0 0 nan\n", 1, "not a finite number"},
-      {"v 0 0 1e999\n", 1, "too large"},
-      {"v 0 0 1e39\n", 1, "single precision"},
-      {"v 0 0 0\nf 1 2 3\n", 2, "there is no vertex 2: 1 so far"},
-      {"v 0 0 0\n\nf 0 1 1\n", 3, "there is no vertex 0"},
-      {"v 0 0 0\nf -2 1 1\n", 2, "there is no vertex -2"},
-      {"v 0 0 0\nf 1//1 1 1\n", 2, "there is no normal 1"},
-      {"v 0 0 0\nf 1 1\n", 2, "at least 3 corners"},
-      {"v 0 0 0\nf 1 1 1.5\n", 2, "no whole number"},
-      {"v 0 0 0\nhello\n", 2, "'hello' begins no OBJ statement"},
-      {"# nothing\n", 2, "no vertex"},
-  };
-  for (const auto& c : cases) {
-    SCOPED_TRACE(c.text);
-    try {
-      read(c.text);
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.where().line, c.line);
-      EXPECT_NE(std::string(error.what()).find(c.part), std::string::npos) << error.what();
-    }
-  }
+  expect_faults("obj", {
+                           {"v 0 0\n", 1, "3 coordinates"},
+                           {"v 0 0 0\nv 1 0 x\n", 2, "'x' is no number"},
+                           {"v 0 0 nan\n", 1, "not a finite number"},
+                           {"v 0 0 1e999\n", 1, "too large"},
+                           {"v 0 0 1e39\n", 1, "single precision"},
+                           {"v 0 0 0\nf 1 2 3\n", 2, "there is no vertex 2: 1 so far"},
+                           {"v 0 0 0\n\nf 0 1 1\n", 3, "there is no vertex 0"},
+                           {"v 0 0 0\nf -2 1 1\n", 2, "there is no vertex -2"},
+                           {"v 0 0 0\nf 1//1 1 1\n", 2, "there is no normal 1"},
+                           {"v 0 0 0\nf 1 1\n", 2, "at least 3 corners"},
+                           {"v 0 0 0\nf 1 1 1.5\n", 2, "no whole number"},
+                           {"v 0 0 0\nhello\n", 2, "'hello' begins no OBJ statement"},
+                           {"# nothing\n", 2, "no vertex"},
+                       });
 }
 
 }  // namespace

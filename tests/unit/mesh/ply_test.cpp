@@ -1,5 +1,4 @@
-#include <vug/base/error.h>
-#include <vug/mesh/format.h>
+#include "faults.h"
 
 #include <gtest/gtest.h>
 
@@ -90,37 +89,24 @@ TEST(Ply, FaultsNameTheirLine) {
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
       "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n";
-  const struct {
-    std::string text;
-    int line;
-    const char* part;
-  } cases[] = {
-      {"plyx\n", 1, "begin with 'ply'"},
-      {"ply\nformat ascii 2.0\n", 2, "version 1.0"},
-      {"ply\nformat utf8 1.0\n", 2, "no PLY encoding"},
-      {"ply\nelement vertex 1\nproperty quad x\n", 3, "no PLY type"},
-      {"ply\nproperty float x\n", 2, "before any element"},
-      {"ply\nformat ascii 1.0\nelement vertex 0\n", 4, "end_header"},
-      {"ply\nformat ascii 1.0\nelement vertex 0\nend_header\n", 3, "lack x, y or z"},
-      {"ply\nformat ascii 1.0\nend_header\n", 1, "no vertices"},
-      {head + "0 0 zero\n3 0 0 0\n", 10, "'zero' is no number"},
-      {head + "0 0 inf\n3 0 0 0\n", 10, "not a finite"},
-      {head + "0 0 0\n3 0 0 1\n", 11, "uses vertex 1 of 1"},
-      {head + "0 0 0\n3 0 0 -1\n", 11, "uses vertex -1 of 1"},
-      {head + "0 0 0\n2 0 0\n", 11, "2 corners"},
-      {head + "0 0 0\n3 0 0", 11, "ends inside a list"},
-      {head + "0 0 0\n3 0 0   ", 11, "is missing"},
-  };
-  for (const auto& c : cases) {
-    SCOPED_TRACE(c.text);
-    try {
-      read(c.text);
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.where().line, c.line);
-      EXPECT_NE(std::string(error.what()).find(c.part), std::string::npos) << error.what();
-    }
-  }
+  expect_faults("ply",
+                {
+                    {"plyx\n", 1, "begin with 'ply'"},
+                    {"ply\nformat ascii 2.0\n", 2, "version 1.0"},
+                    {"ply\nformat utf8 1.0\n", 2, "no PLY encoding"},
+                    {"ply\nelement vertex 1\nproperty quad x\n", 3, "no PLY type"},
+                    {"ply\nproperty float x\n", 2, "before any element"},
+                    {"ply\nformat ascii 1.0\nelement vertex 0\n", 4, "end_header"},
+                    {"ply\nformat ascii 1.0\nelement vertex 0\nend_header\n", 3, "lack x, y or z"},
+                    {"ply\nformat ascii 1.0\nend_header\n", 1, "no vertices"},
+                    {head + "0 0 zero\n3 0 0 0\n", 10, "'zero' is no number"},
+                    {head + "0 0 inf\n3 0 0 0\n", 10, "not a finite"},
+                    {head + "0 0 0\n3 0 0 1\n", 11, "uses vertex 1 of 1"},
+                    {head + "0 0 0\n3 0 0 -1\n", 11, "uses vertex -1 of 1"},
+                    {head + "0 0 0\n2 0 0\n", 11, "2 corners"},
+                    {head + "0 0 0\n3 0 0", 11, "ends inside a list"},
+                    {head + "0 0 0\n3 0 0   ", 11, "is missing"},
+                });
 }
 
 }  // namespace

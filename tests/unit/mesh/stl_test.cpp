@@ -1,5 +1,4 @@
-#include <vug/base/error.h>
-#include <vug/mesh/format.h>
+#include "faults.h"
 
 #include <gtest/gtest.h>
 
@@ -31,27 +30,14 @@ TEST(Stl, BinaryFilesMayBeginWithSolid) {
 
 TEST(Stl, FaultsOfTextNameTheirLine) {
   const std::string text = kText;
-  const struct {
-    std::string text;
-    int line;
-    const char* part;
-  } cases[] = {
-      {"solid\nfacet normal 0 0\n", 3, "missing"},
-      {"solid\nvertex", 2, "neither facet nor endsolid"},
-      {text.substr(0, text.find("vertex 1 1")), 6, "ends where 'vertex' should"},
-      {text + "more", 17, "stands where 'solid' should"},
-      {"solid\nfacet normal 0 0 1 outer loop\nvertex 0 0 1e60\n", 3, "single precision"},
-  };
-  for (const auto& c : cases) {
-    SCOPED_TRACE(c.text);
-    try {
-      read(c.text);
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.where().line, c.line) << error.what();
-      EXPECT_NE(std::string(error.what()).find(c.part), std::string::npos) << error.what();
-    }
-  }
+  expect_faults(
+      "stl", {
+                 {"solid\nfacet normal 0 0\n", 3, "missing"},
+                 {"solid\nvertex", 2, "neither facet nor endsolid"},
+                 {text.substr(0, text.find("vertex 1 1")), 6, "ends where 'vertex' should"},
+                 {text + "more", 17, "stands where 'solid' should"},
+                 {"solid\nfacet normal 0 0 1 outer loop\nvertex 0 0 1e60\n", 3, "single precision"},
+             });
 }
 
 }  // namespace
