@@ -22,7 +22,9 @@ Loaded load_scene(const std::string& name, const std::vector<scene::Override>& o
 
 /// The file: {"scenes": {NAME: {"defines": {...}, "meshes": {MESH: FACTS}}}, "shared": {MESH:
 /// FACTS}}. FACTS hold components, genus, area, volume, bounds and, where 1 % is not right,
-/// "tolerance", a share. A count may be a range [least, most].
+/// "tolerance", a share. A count may be a range [least, most]. "residual" is how far vertices may
+/// lie from the exact field (rms, voxels); 0.01 unless a scene is built far coarser than it is
+/// meant to be.
 const nlohmann::json& scene_facts();
 
 /// Fails the test where the report is not what the facts say, and then tells what it is.
