@@ -15,6 +15,8 @@ namespace {
 constexpr double kFacing = 0.45;
 /// Gaps lower than this many tips hold no dripstone.
 constexpr double kLowest = 6;
+/// A foot is no wider than this part of the gap, and no stalagmite lower than so many feet.
+constexpr double kWidestFoot = 0.2, kSquattest = 1.5;
 /// No stalagmite is thinner (curl1973: 3 cm in diameter and more).
 constexpr double kThinnestStalagmite = 0.015;
 
@@ -66,6 +68,7 @@ Drip grown_drip(const Vec3d& roof, const Vec3d& floor, double vigour, const Drip
     drip.stalagmite = drip.stalactite * random.uniform(0.35, 0.85);
   drip.column = drip.stalagmite > 0 && drip.stalactite + drip.stalagmite > 0.8 * gap;
   drip.stalactite = std::min(drip.stalactite, 0.7 * gap);
+  drip.stalagmite = std::min(drip.stalagmite, 0.6 * gap);
   return drip;
 }
 
@@ -117,6 +120,16 @@ Field rod(const Vec3d& a, const Vec3d& b, double radius_a, double radius_b) {
               {{"a", a}, {"b", b}, {"radius_a", radius_a}, {"radius_b", radius_b}});
 }
 
+/// Wider at its foot, where water spreads, and blunt on top, where it splashes.
+void add_stalagmite(const Vec3d& base, double foot, double top, double tip,
+                    std::vector<Field>& parts) {
+  const double blunt = std::max(0.35 * foot, tip), height = top - blunt - base.y;
+  const Vec3d shoulder = base + Vec3d(0, 0.3 * height, 0);
+  const double waist = std::max(0.62 * foot, blunt);
+  parts.push_back(rod(base, shoulder, foot, waist));
+  parts.push_back(rod(shoulder, base + Vec3d(0, height, 0), waist, blunt));
+}
+
 }  // namespace
 
 std::vector<Drip> find_drips(const Field& rock, const DripOptions& o) {
@@ -143,8 +156,11 @@ std::vector<Drip> find_drips(const Field& rock, const DripOptions& o) {
 Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
   std::vector<Field> parts;
   for (const Drip& d : drips) {
+    const double gap = d.roof.y - d.floor.y;
     const double thick = std::max(o.girth * d.stalactite, 1.2 * o.tip);
-    const double foot = std::max({1.5 * o.girth * d.stalagmite, 1.5 * o.tip, kThinnestStalagmite});
+    const double foot =
+        std::min(std::max({1.5 * o.girth * d.stalagmite, 1.5 * o.tip, kThinnestStalagmite}),
+                 kWidestFoot * gap);
     // Roots start in the rock, so that no slope of the roof leaves them hanging.
     const Vec3d root = d.roof + Vec3d(0, thick, 0), base = d.floor - Vec3d(0, 0.5 * foot, 0);
     if (d.column) {
@@ -155,9 +171,8 @@ Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
       continue;
     }
     add_stalactite({root, Vec3d(0, -d.stalactite - thick, 0), thick, o.tip}, parts);
-    if (d.stalagmite > foot)
-      parts.push_back(rod(base, d.floor + Vec3d(0, d.stalagmite - 0.5 * foot, 0), foot,
-                          std::max(0.55 * foot, o.tip)));
+    if (d.stalagmite > kSquattest * foot)
+      add_stalagmite(base, foot, d.floor.y + d.stalagmite, o.tip, parts);
   }
   return unite(std::move(parts));
 }

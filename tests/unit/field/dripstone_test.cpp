@@ -96,6 +96,17 @@ TEST(Dripstone, StalagmitesAreAShare) {
   }
 }
 
+TEST(Dripstone, AnyGirthAndTipMakeAShape) {
+  for (const double girth : {0.01, 0.12, 0.5})
+    for (const double tip : {0.002, 0.03, 0.3})
+      for (const double length : {0.05, 1.0, 20.0}) {
+        DripOptions o = options();
+        o.girth = girth, o.tip = tip, o.length = length, o.stalagmites = 1;
+        EXPECT_NO_THROW(dripstone(find_drips(hall(), o), o))
+            << girth << " " << tip << " " << length;
+      }
+}
+
 TEST(Dripstone, SameForAnyNumberOfThreads) {
   const auto drips_with = [](int threads) {
     const ThreadLimit limit(threads);
