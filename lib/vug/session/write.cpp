@@ -23,8 +23,8 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
     volume::write(paths.back(), grids, options);
   }
   for (const MeshPtr& plan : shot.meshes) {
-    const std::string stem =
-        shot.meshes.size() == 1 ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
+    const bool plain = shot.meshes.size() == 1 || plan->name == shot.name;
+    const std::string stem = plain ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
     paths.push_back(folder / fmt::format("{}.{}", stem, plan->format));
     mesh::write_mesh(*builder.mesh(plan), paths.back());
   }

@@ -8,8 +8,8 @@
 namespace vug::session {
 
 /// Writes everything the shot declares into `folder`, each file whole or not at all: all volumes
-/// in NAME.vdb, the only mesh in NAME.ply (.obj, .stl), several in NAME_MESH.ply, where NAME is
-/// the shot's. Gives the paths in the order they were written.
+/// in NAME.vdb, the only mesh and one of the shot's name in NAME.ply (.obj, .stl), others in
+/// NAME_MESH.ply, where NAME is the shot's. Gives the paths in the order they were written.
 std::vector<std::filesystem::path> write_products(Builder& builder,
                                                   const std::filesystem::path& folder);
 
