@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <vug/base/parallel.h>
 #include <vug/session/picture.h>
+#include <vug/session/write.h>
 
 #include <charconv>
 #include <cmath>
@@ -15,6 +16,7 @@ struct Options {
   SceneOptions scene;
   WorkOptions work;
   std::string output;
+  std::string products;
   std::string size;
   session::PictureOptions picture;
   std::optional<double> exposure;
@@ -59,6 +61,9 @@ int run(Options options) {
   const std::filesystem::path png = std::filesystem::path(exr).replace_extension(".png");
   image::write_png(png, picture.image, view);
   fmt::print("{}\n{}\n", exr.string(), png.string());
+  if (!options.products.empty())
+    for (const auto& path : session::write_products(builder, options.products))
+      fmt::print("{}\n", path.string());
   return kDone;
 }
 
@@ -70,6 +75,8 @@ Verb render_verb() {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
             app.add_option("-o,--output", options->output, "the .exr to write")->required();
+            app.add_option("--products", options->products,
+                           "a folder for what `vug build` would make, too");
             app.add_option("--spp", options->picture.spp, "samples per pixel")
                 ->check(CLI::Range(1, 1 << 20));
             app.add_option("--size", options->size, "WIDTHxHEIGHT in pixels");

@@ -12,10 +12,6 @@ constexpr double kMostPlaces = 4e6;
 struct Dripstone : DripOptions {
   Field field;
 
-  template <class M>
-  static M Dripstone::*own(M DripOptions::*member) {
-    return static_cast<M Dripstone::*>(member);
-  }
   static void describe(Schema<Dripstone>& s) {
     s.doc(
          "Rock with stalactites under its roofs, stalagmites plumb below them, and columns where "
@@ -23,27 +19,26 @@ struct Dripstone : DripOptions {
         .cite("short2005")
         .cite("curl1973")
         .param("field", &Dripstone::field, {.doc = "the rock", .required = true})
-        .param("from", own(&DripOptions::from), any_length("a corner of the box to grow them in"))
-        .param("to", own(&DripOptions::to), any_length("the opposite corner"))
-        .param("spacing", own(&DripOptions::spacing),
+        .param("from", &DripOptions::from, any_length("a corner of the box to grow them in"))
+        .param("to", &DripOptions::to, any_length("the opposite corner"))
+        .param("spacing", &DripOptions::spacing,
                positive_length("mean distance between places where a drip may fall"))
-        .param("length", own(&DripOptions::length), positive_length("of the longest stalactites"))
-        .param("girth", own(&DripOptions::girth),
+        .param("length", &DripOptions::length, positive_length("of the longest stalactites"))
+        .param("girth", &DripOptions::girth,
                {.doc = "radius at the root, as a part of the length",
                 .dimension = Dimension::ratio,
                 .min = 0.01,
                 .max = 0.5})
-        .param("tip", own(&DripOptions::tip), positive_length("radius of every tip"))
-        .param("stalagmites", own(&DripOptions::stalagmites),
+        .param("tip", &DripOptions::tip, positive_length("radius of every tip"))
+        .param("stalagmites", &DripOptions::stalagmites,
                {.doc = "share of the drips that built one below",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1})
-        .param("root", own(&DripOptions::root),
-               positive_length("over which roots flow into the rock"))
-        .param("where", own(&DripOptions::where),
+        .param("root", &DripOptions::root, positive_length("over which roots flow into the rock"))
+        .param("where", &DripOptions::where,
                {.doc = "a noise that gathers them: all where 1, none where -1"})
-        .param("seed", own(&DripOptions::seed), {.doc = "another seed, other drips"});
+        .param("seed", &DripOptions::seed, {.doc = "another seed, other drips"});
   }
   std::string fault() const {
     const Vec3d size = to - from;
