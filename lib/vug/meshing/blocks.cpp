@@ -14,10 +14,8 @@ using Key = std::pair<std::array<int64_t, 3>, uint32_t>;
 
 }  // namespace
 
-void for_each_in_blocks(const field::Field& field, const std::vector<Vec3d>& points,
-                        const BlockOptions& options,
-                        const std::function<void(uint32_t, const field::Field&)>& body,
-                        Progress& progress) {
+void for_each_block(const field::Field& field, const std::vector<Vec3d>& points,
+                    const BlockOptions& options, const BlockBody& body, Progress& progress) {
   std::vector<Key> keys(points.size());
   parallel_for(
       points.size(),
@@ -36,12 +34,25 @@ void for_each_in_blocks(const field::Field& field, const std::vector<Vec3d>& poi
   parallel_for(starts.size() - 1, [&](size_t block) {
     progress.check();
     Box3d box;
-    for (size_t i = starts[block]; i < starts[block + 1]; ++i) box.extendBy(points[keys[i].second]);
+    std::vector<uint32_t> indices;
+    indices.reserve(starts[block + 1] - starts[block]);
+    for (size_t i = starts[block]; i < starts[block + 1]; ++i) {
+      indices.push_back(keys[i].second);
+      box.extendBy(points[indices.back()]);
+    }
     const double radius = 0.5 * box.size().length() + options.margin;
     const field::Field local = field.restricted({box.center(), radius * (1 + 1e-9)}).field;
-    for (size_t i = starts[block]; i < starts[block + 1]; ++i) body(keys[i].second, local);
-    progress.advance(starts[block + 1] - starts[block]);
+    body(indices, local);
+    progress.advance(indices.size());
   });
+}
+
+std::vector<Vec3d> gathered(const std::vector<Vec3d>& points,
+                            const std::vector<uint32_t>& indices) {
+  std::vector<Vec3d> some;
+  some.reserve(indices.size());
+  for (const uint32_t i : indices) some.push_back(points[i]);
+  return some;
 }
 
 }  // namespace vug::meshing

@@ -13,14 +13,19 @@ namespace vug::meshing {
 
 struct BlockOptions {
   double edge = 1;    ///< Of the cubes that points are grouped by, metres.
-  double margin = 0;  ///< How far from its point the body may evaluate the field, metres.
+  double margin = 0;  ///< How far from its points the body may evaluate the field, metres.
 };
 
-/// Calls body(index, field) once for each point, groups in parallel; `field` has the values of
-/// the given field within `margin` of the point. The body writes only what belongs to its index.
-void for_each_in_blocks(const field::Field& field, const std::vector<Vec3d>& points,
-                        const BlockOptions& options,
-                        const std::function<void(uint32_t, const field::Field&)>& body,
-                        Progress& progress);
+using BlockBody =
+    std::function<void(const std::vector<uint32_t>& indices, const field::Field& field)>;
+
+/// Calls body(indices, field) once for each group of points, groups in parallel, indices
+/// ascending; `field` has the values of the given field within `margin` of each of the points.
+/// The body writes only what belongs to its indices. Groups do not depend on the threads.
+void for_each_block(const field::Field& field, const std::vector<Vec3d>& points,
+                    const BlockOptions& options, const BlockBody& body, Progress& progress);
+
+/// The points at the indices.
+std::vector<Vec3d> gathered(const std::vector<Vec3d>& points, const std::vector<uint32_t>& indices);
 
 }  // namespace vug::meshing

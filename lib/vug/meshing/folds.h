@@ -1,8 +1,8 @@
 // How a polygon that moved shows that it is folded.
 #pragma once
 
-#include <vug/field/field.h>
 #include <vug/meshing/faces.h>
+#include <vug/meshing/project.h>
 
 namespace vug::meshing {
 
@@ -11,9 +11,13 @@ namespace vug::meshing {
 bool turned_over(const Face& face, uint32_t k, const std::vector<Vec3d>& before,
                  const std::vector<Vec3d>& after);
 
-/// Whether the triangle at corner k lies on the surface but faces inwards there. Sees folds beside
-/// sharp creases, which the polygon's direction before the move does not tell.
+/// The middle of the triangle at corner k.
+Vec3d corner_middle(const Face& face, uint32_t k, const std::vector<Vec3d>& points);
+
+/// Whether the triangle at corner k lies on the surface but faces inwards there, as the field
+/// says at its middle. Sees folds beside sharp creases, which the polygon's direction before the
+/// move does not tell.
 bool faces_backwards(const Face& face, uint32_t k, const std::vector<Vec3d>& points,
-                     const field::Field& exact, double voxel);
+                     const SurfacePoint& middle, double voxel);
 
 }  // namespace vug::meshing

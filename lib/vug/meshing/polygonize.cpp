@@ -17,11 +17,16 @@ namespace {
 /// Exact normals and the distances that are left, at the rounded positions.
 std::vector<SurfacePoint> probe_vertices(const mesh::Mesh& mesh, const field::Field& exact,
                                          double voxel, Progress& progress) {
-  std::vector<Vec3d> points(mesh.positions.begin(), mesh.positions.end());
+  const std::vector<Vec3d> points(mesh.positions.begin(), mesh.positions.end());
   std::vector<SurfacePoint> found(points.size());
-  for_each_in_blocks(
+  for_each_block(
       exact, points, {8 * voxel, 0.01 * voxel},
-      [&](uint32_t v, const field::Field& local) { found[v] = probe(local, points[v]); }, progress);
+      [&](const std::vector<uint32_t>& indices, const field::Field& local) {
+        const std::vector<Vec3d> here = gathered(points, indices);
+        const auto answers = Surveyor(local, here, kLargestError * voxel).probe(here);
+        for (size_t i = 0; i < indices.size(); ++i) found[indices[i]] = answers[i];
+      },
+      progress);
   return found;
 }
 

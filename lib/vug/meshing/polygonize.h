@@ -36,11 +36,11 @@ struct Polygonized {
 };
 
 /// `exact` is the field that the level set samples, on the lattice through the origin; without
-/// it vertices stay where OpenVDB puts them and normals come from the triangles. Positions are
-/// found in double precision and rounded once. The mesh is closed where the level set is, faces
-/// outwards, and has the same bytes for any number of threads. Walls thinner than a voxel or two,
-/// and the tips of edges sharper than about 60 degrees, are lost in the level set already.
-/// Error(cancelled).
+/// it vertices stay where OpenVDB puts them and normals come from the triangles. Fields are asked
+/// in single precision where that places the surface to 1e-3 voxel, else in double. The mesh is
+/// closed where the level set is, faces outwards, and has the same bytes for any number of threads.
+/// Walls thinner than a voxel or two, and the tips of edges sharper than about 60 degrees, are lost
+/// in the level set already. Error(cancelled).
 Polygonized polygonize(const volume::LevelSet& level_set, const field::Field* exact,
                        const PolygonizeOptions& options = {},
                        Progress& progress = Progress::none());

@@ -13,6 +13,12 @@ constexpr uint8_t kSurface = 2;  ///< Levels 0 and 1 are the two crease targets,
 constexpr uint8_t kStay = 5;     ///< the last is where the vertex was.
 constexpr int kRounds = 10;
 
+using Corners = std::array<bool, 4>;  ///< Whether the triangle at the corner is good.
+
+bool can_be_cut(const Face& face, const Corners& good) {
+  return face.size == 3 ? good[0] : (good[1] && good[3]) || (good[0] && good[2]);
+}
+
 class Settler {
  public:
   Settler(const FaceMesh& raw, const std::vector<Target>& targets, double voxel)
@@ -27,9 +33,13 @@ class Settler {
     std::vector<char> folded(raw_.faces.size());
     std::vector<Vec3d> centres(raw_.faces.size());
     for (size_t f = 0; f < centres.size(); ++f) centres[f] = raw_.centre(raw_.faces[f]);
-    for_each_in_blocks(
+    for_each_block(
         exact, centres, {8 * voxel_, kSight * voxel_},
-        [&](uint32_t f, const field::Field& local) { folded[f] = is_folded(f, local); },
+        [&](const std::vector<uint32_t>& faces, const field::Field& local) {
+          Surveyor surveyor(local, gathered(centres, faces), kLargestError * voxel_);
+          const std::vector<char> found = are_folded(faces, surveyor);
+          for (size_t i = 0; i < faces.size(); ++i) folded[faces[i]] = found[i];
+        },
         Progress::none());
     std::vector<uint32_t> list;
     for (uint32_t f = 0; f < folded.size(); ++f)
@@ -41,7 +51,8 @@ class Settler {
   void mend(uint32_t f, const field::Field& exact, std::vector<uint32_t>& next) {
     const Face& face = raw_.faces[f];
     const field::Field local = exact.restricted({raw_.centre(face), 2 * kSight * voxel_}).field;
-    if (!is_folded(f, local)) return;
+    Surveyor surveyor(local, {raw_.centre(face)}, kLargestError * voxel_);
+    if (!is_folded(f, surveyor)) return;
     // The least step of one vertex that mends it, the one that folds least around it first.
     using Choice = std::tuple<int, size_t, uint32_t>;  // Steps, folds around, corner.
     Choice best{INT32_MAX, 0, 0};
@@ -50,8 +61,8 @@ class Settler {
       const uint8_t level = level_[v];
       for (int to = level + 1; to <= kStay; ++to) {
         set_level(v, static_cast<uint8_t>(to));
-        if (is_folded(f, local)) continue;
-        best = std::min(best, Choice{to - level, folds_around(v, local), k});
+        if (is_folded(f, surveyor)) continue;
+        best = std::min(best, Choice{to - level, folds_around(v, surveyor), k});
         break;
       }
       set_level(v, level);
@@ -90,25 +101,45 @@ class Settler {
                               : from + (targets_[v].surface - from) * kShare[level];
   }
 
-  /// Whether every way to cut the polygon gives a triangle that turned over.
-  bool is_folded(uint32_t f, const field::Field& local) const {
-    const Face& face = raw_.faces[f];
-    bool at_crease = false;
-    for (uint32_t k = 0; k < face.size; ++k)
-      at_crease = at_crease || targets_[face.corners[k]].has_crease;
-    const auto good = [&](uint32_t k) {
-      return !turned_over(face, k, raw_.points, points_) &&
-             !(at_crease && faces_backwards(face, k, points_, local, voxel_));
-    };
-    if (face.size == 3) return !good(0);
-    return !(good(1) && good(3)) && !(good(0) && good(2));
+  /// By face: whether every way to cut the polygon gives a triangle that turned over or, at a
+  /// crease, faces backwards.
+  std::vector<char> are_folded(const std::vector<uint32_t>& faces, Surveyor& surveyor) const {
+    std::vector<Vec3d> asked;
+    std::vector<Corners> good(faces.size());
+    for (size_t i = 0; i < faces.size(); ++i) {
+      const Face& face = raw_.faces[faces[i]];
+      for (uint32_t k = 0; k < face.size; ++k)
+        good[i][k] = !turned_over(face, k, raw_.points, points_);
+      if (needs_field(face, good[i]))
+        for (uint32_t k = 0; k < face.size; ++k)
+          if (good[i][k]) asked.push_back(corner_middle(face, k, points_));
+    }
+    const std::vector<SurfacePoint> answers = surveyor.probe(asked);
+    std::vector<char> folded(faces.size());
+    auto answer = answers.begin();
+    for (size_t i = 0; i < faces.size(); ++i) {
+      const Face& face = raw_.faces[faces[i]];
+      if (needs_field(face, good[i]))
+        for (uint32_t k = 0; k < face.size; ++k)
+          if (good[i][k]) good[i][k] = !faces_backwards(face, k, points_, *answer++, voxel_);
+      folded[i] = !can_be_cut(face, good[i]);
+    }
+    return folded;
   }
 
-  size_t folds_around(uint32_t v, const field::Field& local) const {
-    size_t count = 0;
-    for (uint32_t i = raw_.first[v]; i < raw_.first[v + 1]; ++i)
-      count += is_folded(raw_.around[i], local) ? 1 : 0;
-    return count;
+  bool needs_field(const Face& face, const Corners& good) const {
+    if (!can_be_cut(face, good)) return false;
+    for (uint32_t k = 0; k < face.size; ++k)
+      if (targets_[face.corners[k]].has_crease) return true;
+    return false;
+  }
+
+  bool is_folded(uint32_t f, Surveyor& surveyor) const { return are_folded({f}, surveyor)[0]; }
+
+  size_t folds_around(uint32_t v, Surveyor& surveyor) const {
+    const std::vector<char> folded = are_folded(
+        {raw_.around.begin() + raw_.first[v], raw_.around.begin() + raw_.first[v + 1]}, surveyor);
+    return static_cast<size_t>(std::count(folded.begin(), folded.end(), 1));
   }
 
   const FaceMesh& raw_;

@@ -3,7 +3,7 @@
 #include <vug/meshing/folds.h>
 #include <vug/meshing/split_quads.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace vug::meshing {
 namespace {
@@ -28,19 +28,43 @@ bool shorter_from_0(const Face& face, const std::vector<Vec3d>& points) {
   return from_0 <= from_1;
 }
 
-/// Whether to cut from corner 0 (else from corner 1).
-bool better_from_0(const Face& face, const std::vector<Vec3d>& raw,
-                   const std::vector<Vec3d>& points, const field::Field& exact, double voxel) {
-  const auto good = [&](uint32_t k) {
-    return !turned_over(face, k, raw, points) && !faces_backwards(face, k, points, exact, voxel);
-  };
-  const auto sound = [&](uint32_t k) { return good(k + 1) && good((k + 3) % 4); };
-  if (sound(0) != sound(1)) return sound(0);
-  const auto off = [&](uint32_t k) {
-    return std::fabs(exact.value((points[face.corners[k]] + points[face.corners[k + 2]]) * 0.5));
-  };
-  return off(0) <= off(1);
-}
+/// Chooses the diagonals of bent quads.
+class Cutter {
+ public:
+  Cutter(const FaceMesh& faces, const std::vector<Vec3d>& points, double voxel)
+      : faces_(faces), points_(points), voxel_(voxel) {}
+
+  /// Sets from_0 to whether a quad is to be cut from corner 0 (else from corner 1).
+  void cut(const std::vector<uint32_t>& quads, const field::Field& exact,
+           std::vector<char>& from_0) const {
+    std::vector<Vec3d> asked;  // Six a quad: the triangles' middles, the diagonals'.
+    std::vector<Vec3d> centres;
+    for (const uint32_t f : quads) {
+      const Face& face = faces_.faces[f];
+      centres.push_back(faces_.centre(face));
+      for (uint32_t k = 0; k < 4; ++k) asked.push_back(corner_middle(face, k, points_));
+      for (uint32_t k = 0; k < 2; ++k)
+        asked.push_back((points_[face.corners[k]] + points_[face.corners[k + 2]]) * 0.5);
+    }
+    const auto answers = Surveyor(exact, centres, kLargestError * voxel_).probe(asked);
+    for (size_t i = 0; i < quads.size(); ++i)
+      from_0[quads[i]] = better_from_0(faces_.faces[quads[i]], &answers[6 * i]);
+  }
+
+ private:
+  bool better_from_0(const Face& face, const SurfacePoint* at) const {
+    const auto good = [&](uint32_t k) {
+      return !turned_over(face, k, faces_.points, points_) &&
+             !faces_backwards(face, k, points_, at[k], voxel_);
+    };
+    const auto sound = [&](uint32_t k) { return good(k + 1) && good((k + 3) % 4); };
+    return sound(0) != sound(1) ? sound(0) : at[4].residual <= at[5].residual;
+  }
+
+  const FaceMesh& faces_;
+  const std::vector<Vec3d>& points_;
+  double voxel_;
+};
 
 }  // namespace
 
@@ -66,12 +90,14 @@ std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector
       quads.push_back(f);
       centres.push_back(faces.centre(faces.faces[f]));
     }
+  const Cutter cutter(faces, points, voxel);
   if (exact)
-    for_each_in_blocks(
+    for_each_block(
         *exact, centres, {8 * voxel, 4 * voxel},
-        [&](uint32_t i, const field::Field& local) {
-          from_0[quads[i]] =
-              better_from_0(faces.faces[quads[i]], faces.points, points, local, voxel);
+        [&](const std::vector<uint32_t>& indices, const field::Field& local) {
+          std::vector<uint32_t> some;
+          for (const uint32_t i : indices) some.push_back(quads[i]);
+          cutter.cut(some, local, from_0);
         },
         progress);
   std::vector<mesh::Triangle> triangles;

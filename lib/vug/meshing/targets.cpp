@@ -10,7 +10,8 @@ namespace vug::meshing {
 namespace {
 
 constexpr double kBlock = 8;          ///< Edge of a block of points, voxels.
-constexpr double kTolerance = 1e-5;   ///< Residual at which a projection is done, voxels.
+constexpr double kTolerance = 1e-4;   ///< Residual at which a vertex is on the surface, voxels.
+constexpr double kSampled = 1e-3;     ///< The same for a sample beside it.
 constexpr double kGoodSample = 0.02;  ///< Samples further from the surface are not used, voxels.
 constexpr double kBeyondCell = 0.5;   ///< How far a crease may lie outside its cell, voxels.
 constexpr int kRefinements = 2;
@@ -23,7 +24,8 @@ class Finder {
         voxel_(voxel),
         options_(options),
         crease_cosine_(maths::cos(options.crease_angle * kPi / 180)),
-        reach_{options.max_move * voxel, kTolerance * voxel, 10} {}
+        reach_{options.max_move * voxel, kTolerance * voxel, 10},
+        samples_reach_{options.max_move * voxel, kSampled * voxel, 10} {}
 
   BlockOptions blocks() const { return {kBlock * voxel_, (2 * options_.max_move + 1) * voxel_}; }
 
@@ -32,41 +34,96 @@ class Finder {
     std::vector<Vec3d> centres(raw_.faces.size());
     for (size_t f = 0; f < centres.size(); ++f) centres[f] = raw_.centre(raw_.faces[f]);
     samples_.resize(centres.size());
-    for_each_in_blocks(
+    for_each_block(
         exact, centres, blocks(),
-        [&](uint32_t f, const field::Field& local) {
-          samples_[f] = project(local, centres[f], reach_);
+        [&](const std::vector<uint32_t>& faces, const field::Field& local) {
+          const std::vector<Vec3d> starts = gathered(centres, faces);
+          const auto found = surveyor(local, starts).project(starts, samples_reach_);
+          for (size_t i = 0; i < faces.size(); ++i) samples_[faces[i]] = found[i];
         },
         progress);
   }
 
-  Target target(uint32_t v, const field::Field& local) const {
-    Target target;
-    target.surface = project(local, raw_.points[v], reach_).point;
-    if (!options_.creases) return target;
-    std::vector<SurfacePoint> samples;
-    for (uint32_t i = raw_.first[v]; i < raw_.first[v + 1]; ++i)
-      if (samples_[raw_.around[i]].residual <= kGoodSample * voxel_)
-        samples.push_back(samples_[raw_.around[i]]);
-    if (samples.size() < 2 || least_agreement(samples) > crease_cosine_) return target;
-    Vec3d middle(0);
-    for (const SurfacePoint& s : samples) middle += s.point / static_cast<double>(samples.size());
-    target.crease = on_crease(v, local, samples, raw_.points[v]);
-    target.elsewhere = on_crease(v, local, samples, middle);
-    target.has_crease = true;
-    return target;
+  /// Sets the targets of one block's vertices.
+  void find(const std::vector<uint32_t>& vertices, const field::Field& local,
+            std::vector<Target>& targets) const {
+    const std::vector<Vec3d> starts = gathered(raw_.points, vertices);
+    Surveyor asked = surveyor(local, starts);
+    const auto surface = asked.project(starts, reach_);
+    std::vector<Crease> creases;
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      targets[vertices[i]].surface = surface[i].point;
+      if (options_.creases) add_crease(vertices[i], creases);
+    }
+    for (int i = 0; i < kRefinements; ++i) {
+      refine(creases, asked);
+      if (i == 0) drop_smooth(creases);
+    }
+    std::vector<Vec3d> places;
+    for (const Crease& c : creases) {
+      places.push_back(c.place);
+      places.push_back(clamped(c.vertex, fit_planes(c.samples, c.middle)));
+    }
+    const auto found = asked.project(places, {0.25 * voxel_, kTolerance * voxel_, 10});
+    for (size_t i = 0; i < creases.size(); ++i) {
+      Target& target = targets[creases[i].vertex];
+      target.crease = found[2 * i].point;
+      target.elsewhere = found[2 * i + 1].point;
+      target.has_crease = true;
+    }
   }
 
  private:
-  Vec3d on_crease(uint32_t v, const field::Field& local, std::vector<SurfacePoint> samples,
-                  const Vec3d& anchor) const {
-    Vec3d x = clamped(v, fit_planes(samples, anchor));
-    for (int i = 0; i < kRefinements; ++i) {
-      for (SurfacePoint& s : samples) s = project(local, x + (s.point - x) * kShrink, reach_);
-      x = clamped(v, fit_planes(samples, anchor));
+  struct Crease {
+    uint32_t vertex = 0;
+    Vec3d middle;  ///< Of the first samples.
+    std::vector<SurfacePoint> samples;
+    Vec3d place;  ///< That fits the samples' planes.
+  };
+
+  Surveyor surveyor(const field::Field& local, const std::vector<Vec3d>& near) const {
+    return {local, near, kLargestError * voxel_};
+  }
+
+  /// If the gradients at the faces around the vertex disagree.
+  void add_crease(uint32_t v, std::vector<Crease>& creases) const {
+    Crease crease;
+    crease.vertex = v;
+    for (uint32_t i = raw_.first[v]; i < raw_.first[v + 1]; ++i)
+      if (samples_[raw_.around[i]].residual <= kGoodSample * voxel_)
+        crease.samples.push_back(samples_[raw_.around[i]]);
+    if (!disagree(crease.samples)) return;
+    crease.middle = Vec3d(0);
+    for (const SurfacePoint& s : crease.samples)
+      crease.middle += s.point / static_cast<double>(crease.samples.size());
+    crease.place = clamped(v, fit_planes(crease.samples, raw_.points[v]));
+    creases.push_back(std::move(crease));
+  }
+
+  bool disagree(const std::vector<SurfacePoint>& samples) const {
+    return samples.size() >= 2 && least_agreement(samples) <= crease_cosine_;
+  }
+
+  /// New samples nearer to the creases' places, and new places from these.
+  void refine(std::vector<Crease>& creases, Surveyor& asked) const {
+    std::vector<Vec3d> starts;
+    for (const Crease& c : creases)
+      for (const SurfacePoint& s : c.samples)
+        starts.push_back(c.place + (s.point - c.place) * kShrink);
+    const auto found = asked.project(starts, samples_reach_);
+    auto next = found.begin();
+    for (Crease& c : creases) {
+      for (SurfacePoint& s : c.samples) s = *next++;
+      c.place = clamped(c.vertex, fit_planes(c.samples, raw_.points[c.vertex]));
     }
-    const ProjectOptions close{0.25 * voxel_, kTolerance * voxel_, 10};
-    return project(local, x, close).point;
+  }
+
+  /// A rough but smooth surface looks creased from face to face; seen nearer its gradients agree,
+  /// those beside a crease do not.
+  void drop_smooth(std::vector<Crease>& creases) const {
+    creases.erase(std::remove_if(creases.begin(), creases.end(),
+                                 [&](const Crease& c) { return !disagree(c.samples); }),
+                  creases.end());
   }
 
   /// x kept within half a voxel of the vertex's cell and within reach of the vertex.
@@ -86,6 +143,7 @@ class Finder {
   const PolygonizeOptions& options_;
   double crease_cosine_;
   ProjectOptions reach_;
+  ProjectOptions samples_reach_;
   std::vector<SurfacePoint> samples_;  ///< By face.
 };
 
@@ -96,9 +154,11 @@ std::vector<Target> find_targets(const FaceMesh& raw, const field::Field& exact,
   Finder finder(raw, voxel, options);
   if (options.creases) finder.sample_faces(exact, progress);
   std::vector<Target> targets(raw.points.size());
-  for_each_in_blocks(
+  for_each_block(
       exact, raw.points, finder.blocks(),
-      [&](uint32_t v, const field::Field& local) { targets[v] = finder.target(v, local); },
+      [&](const std::vector<uint32_t>& vertices, const field::Field& local) {
+        finder.find(vertices, local, targets);
+      },
       progress);
   return targets;
 }

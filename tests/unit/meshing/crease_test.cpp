@@ -79,6 +79,19 @@ TEST(Crease, EdgesOfACutBoxStay) {
   EXPECT_TRUE(metrics::self_intersections(found.mesh).empty());
 }
 
+// Gradients around a vertex of these differ by more than the crease angle, and yet nothing is
+// sharp.
+TEST(Crease, StrongCurvatureIsNoCrease) {
+  constexpr double kVoxel = 0.05;
+  for (const double radius : {2.0, 3.0}) {
+    const field::Field ball = turned(field::make("sphere", {{"radius", radius * kVoxel}}),
+                                     {1, 0, 0}, 0, {0.013, 0.007, -0.011});
+    const Polygonized found = polygonized(ball, kVoxel);
+    EXPECT_EQ(found.report.crease_vertices, 0U);
+    EXPECT_LT(found.report.rms_residual, 0.01);
+  }
+}
+
 TEST(Crease, PlanesMeetWhereTheyShould) {
   RandomStream random{RandomKey(11)};
   const auto unit = [&] {

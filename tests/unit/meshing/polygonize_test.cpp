@@ -1,7 +1,9 @@
 #include "solids.h"
 
 #include <vug/base/parallel.h>
+#include <vug/field/noise.h>
 #include <vug/mesh/topology.h>
+#include <vug/meshing/project.h>
 #include <vug/metrics/self_intersections.h>
 
 #include <gtest/gtest.h>
@@ -54,6 +56,29 @@ TEST(Polygonize, SolidsAreClosedAndTheirVerticesOnTheField) {
     RecordProperty(std::string(solid.name) + "_backed_off",
                    static_cast<int>(found.report.backed_off));
   }
+}
+
+// Warped and displaced: what no primitive's formula solves, against the field in double precision.
+TEST(Polygonize, VerticesOfRoughRockAreOnTheField) {
+  constexpr double kVoxel = 0.08;
+  const field::Field ball = field::make("sphere", {{"radius", 1.5}});
+  const field::Field warped =
+      field::make("warp", {{"field", field::as_value(ball)}, {"scale", 1.2}, {"amount", 0.25}});
+  const field::Noise fbm = field::make_noise("fbm", {{"scale", 0.5}, {"octaves", 4}});
+  const field::Field rock = field::make(
+      "displace",
+      {{"field", field::as_value(warped)}, {"noise", field::as_value(fbm)}, {"amount", 0.08}});
+  const Polygonized found = polygonized(rock, kVoxel);
+  expect_closed_outward(found.mesh);
+  double squares = 0;
+  for (const Vec3f& p : found.mesh.positions) {
+    const field::Gradient g = rock.gradient(Vec3d(p));
+    const double distance = g.value / g.gradient.length() / kVoxel;
+    squares += distance * distance;
+  }
+  const double rms = std::sqrt(squares / static_cast<double>(found.mesh.positions.size()));
+  EXPECT_LT(rms, 0.01);
+  EXPECT_NEAR(rms, found.report.rms_residual, kLargestError);
 }
 
 // Flat facets between points of the surface err by O(h^2), on creases too when these are kept.
