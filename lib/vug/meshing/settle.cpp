@@ -102,7 +102,7 @@ class Settler {
   }
 
   /// By face: whether every way to cut the polygon gives a triangle that turned over or, at a
-  /// crease or on rough ground, faces backwards.
+  /// crease, faces backwards.
   std::vector<char> are_folded(const std::vector<uint32_t>& faces, Surveyor& surveyor) const {
     std::vector<Vec3d> asked;
     std::vector<Corners> good(faces.size());
@@ -130,7 +130,7 @@ class Settler {
   bool needs_field(const Face& face, const Corners& good) const {
     if (!can_be_cut(face, good)) return false;
     for (uint32_t k = 0; k < face.size; ++k)
-      if (targets_[face.corners[k]].bent) return true;
+      if (targets_[face.corners[k]].has_crease) return true;
     return false;
   }
 

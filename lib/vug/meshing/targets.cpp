@@ -55,7 +55,6 @@ class Finder {
       targets[vertices[i]].surface = surface[i].point;
       if (options_.creases) add_crease(vertices[i], creases);
     }
-    for (const Crease& c : creases) targets[c.vertex].bent = true;
     for (int i = 0; i < kRefinements; ++i) {
       refine(creases, asked);
       if (i == 0) drop_smooth(creases);

@@ -8,11 +8,10 @@ namespace vug::meshing {
 
 /// The places a vertex may go to.
 struct Target {
-  Vec3d crease;             ///< The point of the crease nearest to the vertex,
-  Vec3d elsewhere;          ///< and the one nearest to the middle of the samples around.
-  Vec3d surface;            ///< The nearest point of the surface.
-  bool bent = false;        ///< Gradients at the faces around disagree: a crease, or roughness.
-  bool has_crease = false;  ///< They disagree close to the vertex, too.
+  Vec3d crease;     ///< The point of the crease nearest to the vertex,
+  Vec3d elsewhere;  ///< and the one nearest to the middle of the samples around.
+  Vec3d surface;    ///< The nearest point of the surface.
+  bool has_crease = false;
 };
 
 /// By vertex. `voxel` in metres; cells of the lattice through the origin hold one raw vertex each.
