@@ -140,7 +140,26 @@ class Unusable(VugTest):
     def test_nothing_to_build(self):
         self.write("empty.vug", "let a = 1\n")
         self.assertIn("declares nothing to build", self.refused("build", "empty.vug", "-o", "out"))
+        self.assertIn("nothing to show", self.refused("render", "empty.vug", "-o", "empty.exr"))
         self.assertEqual(self.files(), ["empty.vug"])
+
+    def test_a_voxel_beyond_all_measure(self):
+        for voxel in ["1e30", "1e299"]:
+            self.write("vast.vug", f"volume rock = level_set(sphere(2m), voxel: {voxel}m)\n")
+            self.assertIn("are larger than", self.refused("build", "vast.vug", "-o", "out"))
+
+    def test_a_solid_of_too_many_steps(self):
+        lets = "".join(f"let a{i} = a{i - 1}.offset(1mm)\n" for i in range(1, 40001))
+        self.write("deep.vug", "let a0 = sphere(1)\n" + lets +
+                   "volume rock = level_set(a40000, voxel: 1m)\n")
+        self.assertIn("steps upon each other", self.refused("build", "deep.vug", "-o", "out"))
+
+    def test_a_solid_that_doubles_itself_without_end(self):
+        lets = "".join(f"let a{i} = a{i - 1} + a{i - 1}.translate((1, 0, 0))\n"
+                       for i in range(1, 61))
+        self.write("many.vug", "let a0 = sphere(1)\n" + lets +
+                   "volume rock = level_set(a60, voxel: 1m)\n")
+        self.assertIn("parts, more than", self.refused("build", "many.vug", "-o", "out"))
 
 
 class Failed(VugTest):

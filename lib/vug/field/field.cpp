@@ -1,7 +1,10 @@
 #include <vug/field/field.h>
 
+#include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 namespace vug::field {
 
@@ -37,6 +40,28 @@ void visit(const NodePtr& node, std::unordered_set<const Node*>& seen) {
   for (const NodePtr& child : node->children()) visit(child, seen);
 }
 
+/// Children before parents, each node once; without recursion, for an expression may be deep.
+std::vector<const Node*> children_first(const NodePtr& root) {
+  struct Step {
+    NodePtr node;
+    bool left;
+  };
+  std::vector<Step> open{{root, false}};
+  std::vector<const Node*> order;
+  std::unordered_set<const Node*> seen;
+  while (!open.empty()) {
+    const Step step = open.back();
+    open.pop_back();
+    if (step.left) {
+      order.push_back(step.node.get());
+    } else if (seen.insert(step.node.get()).second) {
+      open.push_back({step.node, true});
+      for (const NodePtr& child : step.node->children()) open.push_back({child, false});
+    }
+  }
+  return order;
+}
+
 }  // namespace
 
 std::string to_string(const Field& field) {
@@ -49,6 +74,20 @@ size_t node_count(const Field& field) {
   std::unordered_set<const Node*> seen;
   visit(field.node(), seen);
   return seen.size();
+}
+
+Extent extent(const Field& field) {
+  std::unordered_map<const Node*, Extent> known;
+  for (const Node* node : children_first(field.node())) {
+    Extent out;
+    for (const NodePtr& child : node->children()) {
+      const Extent& part = known.at(child.get());
+      out.visits += part.visits;
+      out.depth = std::max(out.depth, part.depth + 1);
+    }
+    known.emplace(node, out);
+  }
+  return known.at(field.node().get());
 }
 
 }  // namespace vug::field

@@ -56,4 +56,11 @@ std::string to_string(const Field& field);
 /// Nodes of the expression, shared ones counted once.
 size_t node_count(const Field& field);
 
+/// What one evaluation costs.
+struct Extent {
+  double visits = 1;  ///< Nodes, shared ones once for each place: too many for an integer at times.
+  size_t depth = 1;   ///< Nodes on the longest way down.
+};
+Extent extent(const Field& field);
+
 }  // namespace vug::field

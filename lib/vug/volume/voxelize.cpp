@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace vug::volume {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 float background_of(const VoxelizeOptions& options) {
   auto background = static_cast<float>(options.half_width * options.voxel);
   while (static_cast<double>(background) / options.voxel < options.half_width)
-    background = std::nextafter(background, 1e30f);
+    background = std::nextafter(background, std::numeric_limits<float>::infinity());
   return background;
 }
 

@@ -31,6 +31,15 @@ TEST(Field, MorphEndsAreTheFieldsThemselves) {
   EXPECT_EQ(morph(a, b, 1).node(), b.node());
 }
 
+TEST(Field, SharedNodesAreCountedOnceAndVisitedInEachPlace) {
+  Field f = make("sphere");
+  for (int i = 0; i < 60; ++i) f = unite({f, complement(f)});
+  EXPECT_LE(node_count(f), 121);
+  EXPECT_GT(extent(f).visits, std::ldexp(1.0, 60));
+  EXPECT_EQ(extent(f).depth, 121);
+  EXPECT_EQ(extent(make("sphere")).visits, 1);
+}
+
 TEST(Field, DeMorganHolds) {
   const Field a = sphere_at({0.5, 0, 0}, 1), b = sphere_at({-0.5, 0.2, 0}, 1.2);
   RandomStream random(RandomKey(1));
