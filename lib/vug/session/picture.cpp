@@ -63,6 +63,9 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
     for (const Vec3f& p : mesh->positions) bounds.extendBy(Vec3d(p));
     scene.objects.push_back({object.name, mesh, object.material, object.flat});
   }
+  if (objects.empty() && shot.lights.empty())
+    throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
+                "add for instance: volume rock = level_set(..., voxel: 5cm)");
   for (const auto& [name, light] : shot.lights) scene.lights.push_back(light);
   if (scene.lights.empty())
     scene.lights.push_back(render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}}));
