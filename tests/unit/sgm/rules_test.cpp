@@ -16,7 +16,7 @@ namespace {
 constexpr uint64_t kSeeds = 100;
 
 /// The box around the solid's points on the lattice of 0.25 m.
-Box3d extent(const Field& f) {
+Box3d box_of(const Field& f) {
   constexpr double kStep = 0.25;
   Box3d out;
   Vec3i low, high;
@@ -44,7 +44,7 @@ TEST(Figure9, HasTwelveProductionsAndGrowsAlongX) {
     EXPECT_EQ(cave.operations.size(), 12u);
     EXPECT_TRUE(cave.diagnostics.all().empty());
     EXPECT_TRUE(inner_point(cave.field));
-    const Box3d all = extent(cave.field), first = extent(cave.operations[0].field);
+    const Box3d all = box_of(cave.field), first = box_of(cave.operations[0].field);
     gain[seed] = all.max.x - first.max.x;
     slender[seed] = all.size().x / std::max(all.size().y, all.size().z);
     for (const Placement& p : cave.operations) EXPECT_EQ(p.side, Label::plus_x);
