@@ -1,7 +1,6 @@
 """A build that is killed leaves the whole old file or none; one that is asked to stop says so."""
 import os
 import pathlib
-import pty
 import signal
 import subprocess
 import time
@@ -19,21 +18,17 @@ render main { size 320x180  spp 512 }
 
 
 class Running:
-    """The command with a terminal for its stderr, so that its bar tells what it is doing."""
+    """The command, whose progress bar tells what it is doing."""
 
     def __init__(self, folder, *args):
-        self.terminal, other = pty.openpty()
-        self.process = subprocess.Popen([PROGRAM, *args], cwd=folder, stdin=subprocess.DEVNULL,
-                                        stdout=subprocess.PIPE, stderr=other, text=True)
-        os.close(other)
+        self.process = subprocess.Popen([PROGRAM, *args, "--progress"], cwd=folder,
+                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE)
         self.said = ""
 
     def read(self):
         """More of what it says; False at its end."""
-        try:
-            text = os.read(self.terminal, 4096).decode(errors="replace")
-        except OSError:  # how a terminal ends on Linux
-            text = ""
+        text = os.read(self.process.stderr.fileno(), 4096).decode(errors="replace")
         self.said += text
         return bool(text)
 
@@ -46,9 +41,8 @@ class Running:
         self.process.send_signal(how)
         while self.read():
             pass
-        os.close(self.terminal)
         out, _ = self.process.communicate(timeout=120)
-        return self.process.returncode, out
+        return self.process.returncode, out.decode()
 
 
 class Stopped(VugTest):

@@ -63,11 +63,13 @@ Bar& bar() {
 
 }  // namespace
 
-Progress& terminal_progress(bool quiet) {
+Progress& terminal_progress(BarShown shown) {
   static Progress silent;
-  static Progress shown(
+  static Progress drawn(
       [](const std::string& stage, double fraction) { bar().draw(stage, fraction); });
-  Progress& progress = !quiet && isatty(STDERR_FILENO) ? shown : silent;
+  const bool draw =
+      shown == BarShown::always || (shown == BarShown::on_terminals && isatty(STDERR_FILENO));
+  Progress& progress = draw ? drawn : silent;
   interrupted = &progress;
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);

@@ -5,9 +5,11 @@
 
 namespace vug::cli {
 
-/// The process's Progress: draws a bar with an estimate of the time left on stderr when that is
-/// a terminal and `quiet` is off; Ctrl-C (SIGINT) and SIGTERM cancel it. Call once.
-Progress& terminal_progress(bool quiet);
+enum class BarShown { on_terminals, always, never };
+
+/// The process's Progress: draws a bar with an estimate of the time left on stderr, by default
+/// when that is a terminal; Ctrl-C (SIGINT) and SIGTERM cancel it. Call once.
+Progress& terminal_progress(BarShown shown);
 
 /// Ends the line a bar may stand on, before other output.
 void clear_bar();

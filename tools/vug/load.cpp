@@ -44,7 +44,13 @@ session::Loaded SceneOptions::load() const {
 void WorkOptions::add_to(CLI::App& app) {
   app.add_option("--threads", threads, "threads to use; 0: all cores")->check(CLI::Range(0, 1024));
   app.add_option("--max-memory", max_memory, "refuse work that needs more, e.g. 8G");
-  app.add_flag("--quiet,-q", quiet, "no progress bar and no summary");
+  auto* silent = app.add_flag("--quiet,-q", quiet, "no progress bar and no summary");
+  app.add_flag("--progress", progress, "a progress bar even where stderr is no terminal")
+      ->excludes(silent);
+}
+
+BarShown WorkOptions::bar() const {
+  return quiet ? BarShown::never : progress ? BarShown::always : BarShown::on_terminals;
 }
 
 uint64_t WorkOptions::memory_limit() const {

@@ -1,6 +1,7 @@
 // Options that every verb with a scene shares.
 #pragma once
 
+#include "bar.h"
 #include "verb.h"
 
 #include <vug/session/load.h>
@@ -26,8 +27,10 @@ struct WorkOptions {
   int threads = 0;
   std::string max_memory;
   bool quiet = false;
+  bool progress = false;
 
   void add_to(CLI::App& app);
+  BarShown bar() const;
   /// The limit in bytes; without one, nine tenths of what the machine has free.
   uint64_t memory_limit() const;
 };

@@ -18,7 +18,7 @@ int run(const Options& options) {
   const session::Loaded loaded = options.scene.load();
   const ThreadLimit threads(options.work.threads);
   session::Builder builder(loaded.shot, {options.work.memory_limit()},
-                           terminal_progress(options.work.quiet));
+                           terminal_progress(options.work.bar()));
   const auto paths = session::write_products(builder, options.folder);
   if (paths.empty())
     throw Error(ErrorCode::bad_input,

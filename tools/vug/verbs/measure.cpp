@@ -17,7 +17,7 @@ struct Options {
 
 metrics::Report report_of(const Options& options) {
   const ThreadLimit threads(options.work.threads);
-  Progress& progress = terminal_progress(options.work.quiet);
+  Progress& progress = terminal_progress(options.work.bar());
   if (std::filesystem::path(options.scene.scene).extension() != ".vug")
     return session::measure_file(options.scene.scene, progress);
   const session::Loaded loaded = options.scene.load();

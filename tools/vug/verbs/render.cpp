@@ -50,7 +50,7 @@ int run(Options options) {
   const session::Loaded loaded = options.scene.load();
   const ThreadLimit threads(options.work.threads);
   session::Builder builder(loaded.shot, {options.work.memory_limit()},
-                           terminal_progress(options.work.quiet));
+                           terminal_progress(options.work.bar()));
   const session::Picture picture = session::render_picture(builder, options.picture);
   image::ExrOptions exr_options;
   exr_options.half = picture.plan.half && !options.full_float;

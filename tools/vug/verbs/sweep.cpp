@@ -115,7 +115,7 @@ Row measured(const Options& options, const std::string& value) {
   }
   const session::Loaded loaded = scene.load();
   session::Builder builder(loaded.shot, {options.work.memory_limit()},
-                           terminal_progress(options.work.quiet));
+                           terminal_progress(options.work.bar()));
   return {value, session::measure(builder)};
 }
 
