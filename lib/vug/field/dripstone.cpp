@@ -97,27 +97,21 @@ std::vector<Drip> drips_at(const Field& rock, const Vec3d& at, double vigour, co
   return drips;
 }
 
-struct Stem {
-  Vec3d root, way;  // way: to the tip
-  double root_radius, tip_radius;
-};
-
-/// A stalactite in its ideal form: the radius grows as the height over the tip to the power 3/4
-/// (short2005). Pieces between a few heights of that curve are cones with round ends.
-void add_stalactite(const Stem& stem, std::vector<Field>& parts) {
-  constexpr double kHeights[] = {1, 0.62, 0.3, 0};
-  const double spread = stem.root_radius - stem.tip_radius;
-  auto radius = [&](double h) { return stem.tip_radius + spread * maths::pow(h, 0.75); };
-  for (int i = 0; i < 3; ++i)
-    parts.push_back(make("tapered_capsule", {{"a", stem.root + stem.way * (1 - kHeights[i])},
-                                             {"b", stem.root + stem.way * (1 - kHeights[i + 1])},
-                                             {"radius_a", radius(kHeights[i])},
-                                             {"radius_b", radius(kHeights[i + 1])}}));
-}
-
 Field rod(const Vec3d& a, const Vec3d& b, double radius_a, double radius_b) {
   return make("tapered_capsule",
               {{"a", a}, {"b", b}, {"radius_a", radius_a}, {"radius_b", radius_b}});
+}
+
+/// A stalactite in its ideal form: the radius grows as the height over the tip to the power 3/4
+/// (short2005). Pieces between a few heights of that curve are cones with round ends.
+void add_stalactite(const Vec3d& root, double length, double thick, double tip,
+                    std::vector<Field>& parts) {
+  constexpr double kHeights[] = {1, 0.62, 0.3, 0};
+  const auto at = [&](double h) { return root - Vec3d(0, length * (1 - h), 0); };
+  const auto radius = [&](double h) { return tip + (thick - tip) * maths::pow(h, 0.75); };
+  for (int i = 0; i < 3; ++i)
+    parts.push_back(
+        rod(at(kHeights[i]), at(kHeights[i + 1]), radius(kHeights[i]), radius(kHeights[i + 1])));
 }
 
 /// Wider at its foot, where water spreads, and blunt on top, where it splashes.
@@ -170,7 +164,7 @@ Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
       parts.push_back(rod(base, waist, 1.2 * foot + o.tip, slim));
       continue;
     }
-    add_stalactite({root, Vec3d(0, -d.stalactite - thick, 0), thick, o.tip}, parts);
+    add_stalactite(root, d.stalactite + thick, thick, o.tip, parts);
     if (d.stalagmite > kSquattest * foot)
       add_stalagmite(base, foot, d.floor.y + d.stalagmite, o.tip, parts);
   }

@@ -5,6 +5,10 @@
 #include <vug/field/kind.h>
 #include <vug/paint/paint.h>
 
+/// Open the one definition that the file of a mask or a paint exports; see VUG_EXPORT_KIND.
+#define VUG_MASK_KIND(name) VUG_EXPORT_KIND(vug::paint, MaskKind, name##_mask)
+#define VUG_PAINT_KIND(name) VUG_EXPORT_KIND(vug::paint, PaintKind, name##_paint)
+
 namespace vug::paint {
 
 using MaskKind = Kind<Mask>;

@@ -54,7 +54,6 @@ struct Dripstone : DripOptions {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(dripstone) {
-  using namespace vug::field;
   return field_kind<Dripstone>("dripstone", "detail", [](const Dripstone& d) {
     return unite({d.field, dripstone(find_drips(d.field, d), d)}, {Profile::smooth, d.root});
   });

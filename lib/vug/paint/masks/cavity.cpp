@@ -19,14 +19,12 @@ struct Cavity {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const MaskKind& cavity_mask() {
-  static const MaskKind kind = mask_kind<Cavity>("cavity", [](const Cavity& c) {
+VUG_MASK_KIND(cavity) {
+  return mask_kind<Cavity>("cavity", [](const Cavity& c) {
     return make_mask([c](const Spot& spot) {
       return std::clamp(4 * solid_share(spot, c.radius) - 2, 0.0, 1.0);
     });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

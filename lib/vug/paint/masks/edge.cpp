@@ -19,14 +19,12 @@ struct Edge {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const MaskKind& edge_mask() {
-  static const MaskKind kind = mask_kind<Edge>("edge", [](const Edge& e) {
+VUG_MASK_KIND(edge) {
+  return mask_kind<Edge>("edge", [](const Edge& e) {
     return make_mask([e](const Spot& spot) {
       return std::clamp(2 - 4 * solid_share(spot, e.radius), 0.0, 1.0);
     });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

@@ -15,12 +15,10 @@ struct Height {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const MaskKind& height_mask() {
-  static const MaskKind kind = mask_kind<Height>("height", [](const Height& h) {
+VUG_MASK_KIND(height) {
+  return mask_kind<Height>("height", [](const Height& h) {
     return make_mask([h](const Spot& spot) { return ramp(spot.position.y, h.from, h.to); });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

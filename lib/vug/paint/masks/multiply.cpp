@@ -13,16 +13,14 @@ struct Multiply {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const MaskKind& multiply_mask() {
-  static const MaskKind kind = mask_kind<Multiply>("multiply", [](const Multiply& m) {
+VUG_MASK_KIND(multiply) {
+  return mask_kind<Multiply>("multiply", [](const Multiply& m) {
     return make_mask([m](const Spot& spot) {
       double product = 1;
       for (const Mask& mask : m.of) product *= (*mask)(spot);
       return product;
     });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

@@ -17,13 +17,11 @@ struct Near {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const MaskKind& near_mask() {
-  static const MaskKind kind = mask_kind<Near>("near", [](const Near& n) {
+VUG_MASK_KIND(near) {
+  return mask_kind<Near>("near", [](const Near& n) {
     return make_mask(
         [n](const Spot& spot) { return ramp(n.field.value(spot.position), n.from, n.to); });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

@@ -18,13 +18,11 @@ struct NoiseMask {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const MaskKind& noise_mask() {
-  static const MaskKind kind = mask_kind<NoiseMask>("noise", [](const NoiseMask& n) {
+VUG_MASK_KIND(noise) {
+  return mask_kind<NoiseMask>("noise", [](const NoiseMask& n) {
     return make_mask(
         [n](const Spot& spot) { return ramp(n.noise.field.value(spot.position), n.from, n.to); });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

@@ -20,13 +20,11 @@ struct Slope {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const MaskKind& slope_mask() {
-  static const MaskKind kind = mask_kind<Slope>("slope", [](const Slope& s) {
+VUG_MASK_KIND(slope) {
+  return mask_kind<Slope>("slope", [](const Slope& s) {
     return make_mask(
         [s](const Spot& spot) { return ramp(maths::acos(spot.normal.y), s.from, s.to); });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

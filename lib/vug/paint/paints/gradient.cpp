@@ -28,12 +28,10 @@ Vec3d color_at(const std::vector<Vec3d>& colors, double t) {
 }
 
 }  // namespace
+}  // namespace vug::paint
 
-const PaintKind& gradient_paint() {
-  static const PaintKind kind = paint_kind<Gradient>("gradient", [](const Gradient& g) {
+VUG_PAINT_KIND(gradient) {
+  return paint_kind<Gradient>("gradient", [](const Gradient& g) {
     return make_paint([g](const Spot& spot) { return color_at(g.colors, (*g.mask)(spot)); });
   });
-  return kind;
 }
-
-}  // namespace vug::paint

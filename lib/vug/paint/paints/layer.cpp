@@ -19,9 +19,10 @@ struct Layer {
 };
 
 }  // namespace
+}  // namespace vug::paint
 
-const PaintKind& layer_paint() {
-  static const PaintKind kind = paint_kind<Layer>("layer", [](const Layer& l) {
+VUG_PAINT_KIND(layer) {
+  return paint_kind<Layer>("layer", [](const Layer& l) {
     return make_paint([l](const Spot& spot) {
       const double t = (*l.mask)(spot);
       if (t <= 0) return (*l.under)(spot);
@@ -29,7 +30,4 @@ const PaintKind& layer_paint() {
       return t >= 1 ? over : (*l.under)(spot) * (1 - t) + over * t;
     });
   });
-  return kind;
 }
-
-}  // namespace vug::paint
