@@ -133,8 +133,11 @@ std::vector<Drip> find_drips(const Field& rock, const DripOptions& o) {
   std::vector<std::vector<Drip>> found(wide * deep);
   parallel_for(found.size(), [&](size_t cell) {
     RandomStream random(key.at(cell % wide).at(cell / wide));
-    const Vec3d at(o.from.x + o.spacing * (static_cast<double>(cell % wide) + random.uniform()), 0,
-                   o.from.z + o.spacing * (static_cast<double>(cell / wide) + random.uniform()));
+    const auto place = [&](double from, size_t index) {
+      return from + o.spacing * (static_cast<double>(index) + random.uniform());
+    };
+    const double z = place(o.from.z, cell / wide);  // one draw a line: arguments have no order
+    const Vec3d at(place(o.from.x, cell % wide), 0, z);
     if (at.x > o.to.x || at.z > o.to.z) return;
     double chance = 0.5;
     const double middle = 0.5 * (o.from.y + o.to.y);

@@ -1,5 +1,6 @@
 // Dripstone obeys water: plumb, rooted, inside its box, and only where drips fall.
 #include <vug/base/parallel.h>
+#include <vug/base/rng.h>
 #include <vug/field/boolean.h>
 #include <vug/field/dripstone.h>
 #include <vug/field/registry.h>
@@ -74,6 +75,20 @@ TEST(Dripstone, WhereSaysAllOrNone) {
   EXPECT_TRUE(find_drips(hall(), o).empty());
   o.where = everywhere(1);
   EXPECT_GE(find_drips(hall(), o).size(), 130u);  // 144 places, some too near to a wall
+}
+
+TEST(Dripstone, PlacesAreTheSameForEveryCompiler) {
+  // Each cell of the plan draws z before x; C++ gives the arguments of one call no order.
+  DripOptions o = options();
+  o.where = everywhere(1);
+  const RandomKey key = RandomKey(static_cast<uint64_t>(o.seed)).at("dripstone");
+  for (const Drip& d : find_drips(hall(), o)) {
+    const double column = std::floor((d.roof.x - o.from.x) / o.spacing);
+    const double row = std::floor((d.roof.z - o.from.z) / o.spacing);
+    RandomStream random(key.at(static_cast<uint64_t>(column)).at(static_cast<uint64_t>(row)));
+    EXPECT_EQ(d.roof.z, o.from.z + o.spacing * (row + random.uniform()));
+    EXPECT_EQ(d.roof.x, o.from.x + o.spacing * (column + random.uniform()));
+  }
 }
 
 TEST(Dripstone, NoDripsWithoutARoof) {
