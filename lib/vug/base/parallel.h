@@ -30,20 +30,29 @@ void parallel_for(size_t count, const Body& body, size_t grain = 1) {
 #endif
 }
 
-/// Sum of term(i) over 0 <= i < count, added in fixed chunks in index order: the same bits for
-/// any number of threads.
-template <class Sum, class Term>
-Sum ordered_sum(size_t count, Sum zero, const Term& term, size_t chunk = 4096) {
-  std::vector<Sum> parts((count + chunk - 1) / chunk, zero);
+/// Results of term(i) over 0 <= i < count, joined in fixed chunks in index order, beginning each
+/// with `zero`: the same bits for any number of threads. join(a, b) is the joint value of both.
+template <class Value, class Term, class Join>
+Value ordered_reduce(size_t count, Value zero, const Term& term, const Join& join,
+                     size_t chunk = 4096) {
+  std::vector<Value> parts((count + chunk - 1) / chunk, zero);
   parallel_for(parts.size(), [&](size_t part) {
     const size_t end = count < (part + 1) * chunk ? count : (part + 1) * chunk;
-    Sum sum = zero;
-    for (size_t i = part * chunk; i < end; ++i) sum += term(i);
-    parts[part] = sum;
+    Value value = zero;
+    for (size_t i = part * chunk; i < end; ++i) value = join(value, term(i));
+    parts[part] = value;
   });
-  Sum total = zero;
-  for (const Sum& part : parts) total += part;
+  Value total = zero;
+  for (const Value& part : parts) total = join(total, part);
   return total;
+}
+
+/// Sum of term(i) over 0 <= i < count: an ordered_reduce.
+template <class Sum, class Term>
+Sum ordered_sum(size_t count, Sum zero, const Term& term, size_t chunk = 4096) {
+  return ordered_reduce(
+      count, zero, term, [](const Sum& a, const auto& b) { return static_cast<Sum>(a + b); },
+      chunk);
 }
 
 /// Bounds the number of threads while it lives; 0 means all cores. More than the cores is fine.

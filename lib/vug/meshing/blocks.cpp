@@ -1,7 +1,6 @@
 #include <vug/base/parallel.h>
+#include <vug/base/parallel_sort.h>
 #include <vug/meshing/blocks.h>
-
-#include <tbb/parallel_sort.h>
 
 #include <array>
 #include <cmath>
@@ -26,7 +25,7 @@ void for_each_block(const field::Field& field, const std::vector<Vec3d>& points,
         keys[i].second = static_cast<uint32_t>(i);
       },
       4096);
-  tbb::parallel_sort(keys.begin(), keys.end());
+  parallel_sort(keys.begin(), keys.end());
   std::vector<size_t> starts;
   for (size_t i = 0; i < keys.size(); ++i)
     if (i == 0 || keys[i].first != keys[i - 1].first) starts.push_back(i);

@@ -8,6 +8,8 @@
 #include <openvdb/tools/Diagnostics.h>
 #include <openvdb/tools/Interpolation.h>
 
+#include <algorithm>
+
 namespace vug::volume {
 namespace {
 
@@ -40,16 +42,16 @@ double LevelSet::value(const Vec3d& p) const { return values({p})[0]; }
 std::vector<double> LevelSet::values(const std::vector<Vec3d>& points) const {
   const openvdb::FloatGrid& grid = floats(*this);
   std::vector<double> out(points.size());
-  tbb::parallel_for(
-      tbb::blocked_range<size_t>(0, points.size(), 1024),
-      [&](const tbb::blocked_range<size_t>& range) {
-        const auto accessor = grid.getConstAccessor();
-        for (size_t i = range.begin(); i != range.end(); ++i) {
-          const openvdb::Vec3d index =
-              grid.worldToIndex(openvdb::Vec3d(points[i].x, points[i].y, points[i].z));
-          out[i] = static_cast<double>(openvdb::tools::BoxSampler::sample(accessor, index));
-        }
-      });
+  constexpr size_t kChunk = 1024;  // for one accessor
+  parallel_for((points.size() + kChunk - 1) / kChunk, [&](size_t chunk) {
+    const auto accessor = grid.getConstAccessor();
+    const size_t end = std::min(points.size(), (chunk + 1) * kChunk);
+    for (size_t i = chunk * kChunk; i < end; ++i) {
+      const openvdb::Vec3d index =
+          grid.worldToIndex(openvdb::Vec3d(points[i].x, points[i].y, points[i].z));
+      out[i] = static_cast<double>(openvdb::tools::BoxSampler::sample(accessor, index));
+    }
+  });
   return out;
 }
 

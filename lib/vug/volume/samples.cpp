@@ -1,13 +1,13 @@
+#include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>
 #include <vug/volume/io.h>
 #include <vug/volume/samples.h>
 
 #include <openvdb/openvdb.h>
-#include <openvdb/tree/LeafManager.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vug::volume {
 namespace {
@@ -21,26 +21,24 @@ const openvdb::FloatGrid& floats(const LevelSet& level_set) {
 
 /// The interpolant's slope is at most the norm of its largest differences along the axes.
 double steepest(const openvdb::FloatGrid& grid, double voxel) {
-  const openvdb::tree::LeafManager<const Tree> leaves(grid.tree());
-  using Steps = Vec3f;
-  const auto larger = [](const Steps& a, const Steps& b) {
-    return Steps(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z));
+  std::vector<const Tree::LeafNodeType*> leaves;
+  grid.tree().getNodes(leaves);
+  const auto larger = [](const Vec3f& a, const Vec3f& b) {
+    return Vec3f(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z));
   };
-  const Steps steps = tbb::parallel_reduce(
-      leaves.leafRange(), Steps(0.0f),
-      [&](const auto& range, Steps most) {
-        const auto at = grid.getConstUnsafeAccessor();
-        for (auto leaf = range.begin(); leaf; ++leaf)
-          for (auto voxel_at = leaf->cbeginValueOn(); voxel_at; ++voxel_at)
-            for (const int side : {-1, 1})
-              for (int axis = 0; axis < 3; ++axis) {
-                Coord next = voxel_at.getCoord();
-                next[axis] += side;
-                most[axis] = std::max(most[axis], std::fabs(at.getValue(next) - *voxel_at));
-              }
-        return most;
-      },
-      larger);
+  const auto in_leaf = [&](size_t n) {
+    const auto at = grid.getConstUnsafeAccessor();
+    Vec3f most(0.0f);
+    for (auto voxel_at = leaves[n]->cbeginValueOn(); voxel_at; ++voxel_at)
+      for (const int side : {-1, 1})
+        for (int axis = 0; axis < 3; ++axis) {
+          Coord next = voxel_at.getCoord();
+          next[axis] += side;
+          most[axis] = std::max(most[axis], std::fabs(at.getValue(next) - *voxel_at));
+        }
+    return most;
+  };
+  const Vec3f steps = ordered_reduce(leaves.size(), Vec3f(0.0f), in_leaf, larger, 16);
   return std::max(1.0, Vec3d(steps).length() / voxel);
 }
 

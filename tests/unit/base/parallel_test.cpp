@@ -1,13 +1,17 @@
 // The loops visit every index once and pass exceptions on, over TBB and on plain threads.
 #include <vug/base/parallel.h>
+#include <vug/base/parallel_sort.h>
 #include <vug/base/plain_threads.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 namespace vug {
 namespace {
@@ -79,6 +83,25 @@ TEST(OrderedSum, IsTheSameForAnyNumberOfThreads) {
   const double alone = sum(1);
   EXPECT_EQ(sum(2), alone);
   EXPECT_EQ(sum(7), alone);
+}
+
+TEST(OrderedReduce, JoinsInIndexOrder) {
+  // Joining texts is associative but not commutative.
+  const ThreadLimit limit(7);
+  const auto text = ordered_reduce(
+      26, std::string(), [](size_t i) { return std::string(1, static_cast<char>('a' + i)); },
+      [](const std::string& a, const std::string& b) { return a + b; }, 3);
+  EXPECT_EQ(text, "abcdefghijklmnopqrstuvwxyz");
+}
+
+TEST(ParallelSort, Sorts) {
+  const ThreadLimit limit(7);
+  std::vector<uint64_t> numbers(20000);
+  for (size_t i = 0; i < numbers.size(); ++i) numbers[i] = i * 7919 % 20011;
+  std::vector<uint64_t> expected = numbers;
+  std::sort(expected.begin(), expected.end());
+  parallel_sort(numbers.begin(), numbers.end());
+  EXPECT_EQ(numbers, expected);
 }
 
 }  // namespace
