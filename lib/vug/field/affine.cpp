@@ -18,6 +18,11 @@ struct Affine {
     return {p.x * x.x + p.y * y.x + p.z * z.x + t.x, p.x * x.y + p.y * y.y + p.z * z.y + t.y,
             p.x * x.z + p.y * y.z + p.z * z.z + t.z};
   }
+  template <class S>
+  Point<S> pull_back(const Point<S>& g) const {
+    auto along = [&](const Vec3d& c) { return g.x * S(c.x) + g.y * S(c.y) + g.z * S(c.z); };
+    return {along(inverse.column(0)), along(inverse.column(1)), along(inverse.column(2))};
+  }
   Ball map(const Ball& ball) const {
     return {inverse.point(ball.centre), ball.radius * stretch_in};
   }
@@ -39,6 +44,10 @@ struct Translation {
   template <class T>
   Point<T> map(const Point<T>& p) const {
     return {p.x - by.x, p.y - by.y, p.z - by.z};
+  }
+  template <class S>
+  Point<S> pull_back(const Point<S>& g) const {
+    return g;
   }
   Ball map(const Ball& ball) const { return {ball.centre - by, ball.radius}; }
   double scale() const { return 1; }

@@ -65,7 +65,7 @@ class FoldNode final : public Readings<FoldNode> {
   }
 
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     Scratch::Frame frame(scratch);
     T* next = frame.template take<T>(static_cast<size_t>(count));
     operands_[0].node->eval(points, count, out, scratch);

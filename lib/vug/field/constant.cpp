@@ -16,7 +16,7 @@ class ConstantNode final : public Readings<ConstantNode> {
     return T(value_);
   }
   template <class T>
-  void fill(const Point<T>*, int count, T* out, Scratch&) const {
+  void fill(const Point<Pack>*, int count, T* out, Scratch&) const {
     for (int i = 0; i < count; ++i) out[i] = T(value_);
   }
   std::string name() const override { return value_ > 0 ? "empty" : "full"; }

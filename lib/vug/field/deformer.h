@@ -5,12 +5,13 @@
 
 namespace vug::field {
 
-/// D has: template <class T> Point<T> map(const Point<T>&) const   (from outside to the child's
-/// space)
-///        Ball map(const Ball&) const        (a ball around the image of a ball, in the child's
-///        space) double scale() const               (factor on the child's value, > 0) Traits
-///        traits(const Traits& child) const
-/// A map that is not continuous (repeat) must return a ball that holds all of the image.
+/// D has
+///   template <class T> Point<T> map(const Point<T>&) const   from outside to the child's space
+///   Ball map(const Ball&) const                   a ball around the image of a ball
+///   double scale() const                          factor on the child's value, > 0
+///   Traits traits(const Traits& child) const
+///   template <class S> Point<S> pull_back(const Point<S>& gradient) const
+///     optional, for maps whose derivative is constant: a gradient of the child, seen outside
 template <class D>
 class DeformerNode final : public Readings<DeformerNode<D>> {
  public:
@@ -25,11 +26,30 @@ class DeformerNode final : public Readings<DeformerNode<D>> {
     return child_->eval(deformer_.map(p)) * T(deformer_.scale());
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     Scratch::Frame frame(scratch);
-    auto* moved = frame.template take<Point<T>>(static_cast<size_t>(count));
-    for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
-    child_->eval(moved, count, out, scratch);
+    const auto size = static_cast<size_t>(count);
+    auto* moved = frame.template take<Point<Pack>>(size);
+    if constexpr (std::is_same_v<T, Pack>) {
+      for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
+      child_->eval(moved, count, out, scratch);
+    } else if constexpr (kConstantDerivative) {
+      for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
+      child_->eval(moved, count, out, scratch);
+      for (int i = 0; i < count; ++i) {
+        const Point<Pack> outside = deformer_.pull_back(gradient_of(out[i]));
+        out[i] = {out[i].v, outside.x, outside.y, outside.z};
+      }
+    } else {
+      auto* mapped = frame.template take<Point<T>>(size);
+      for (int i = 0; i < count; ++i) {
+        mapped[i] = deformer_.map(seeded(points[i]));
+        moved[i] = {mapped[i].x.v, mapped[i].y.v, mapped[i].z.v};
+      }
+      child_->eval(moved, count, out, scratch);
+      for (int i = 0; i < count; ++i)
+        out[i] = differentiated(out[i].v, gradient_of(out[i]), mapped[i]);
+    }
     const double scale = deformer_.scale();
     if (scale != 1)
       for (int i = 0; i < count; ++i) out[i] = out[i] * T(scale);
@@ -47,6 +67,10 @@ class DeformerNode final : public Readings<DeformerNode<D>> {
   std::vector<NodePtr> children() const override { return {child_}; }
 
  private:
+  static constexpr bool kConstantDerivative = requires(const D& deformer, const Point<Pack>& g) {
+    deformer.pull_back(g);
+  };
+
   std::string name_;
   D deformer_;
   NodePtr child_;

@@ -36,16 +36,16 @@ class DisplaceNode final : public Readings<DisplaceNode> {
   }
 
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     Scratch::Frame frame(scratch);
     const auto size = static_cast<size_t>(count);
     T* push = frame.template take<T>(size);
     noise_.field.node()->eval(points, count, push, scratch);
     T* other = frame.template take<T>(size);
     if (feels_slope(how_)) {
-      auto* moved = frame.template take<Point<T>>(size);
+      auto* moved = frame.template take<Point<Pack>>(size);
       T* above = frame.template take<T>(size);
-      const T h(how_.feel);
+      const Pack h(how_.feel);
       for (int i = 0; i < count; ++i) moved[i] = {points[i].x, points[i].y + h, points[i].z};
       child_->eval(moved, count, above, scratch);
       for (int i = 0; i < count; ++i) moved[i].y = points[i].y - h;

@@ -17,8 +17,8 @@ class BoxNode final : public Readings<BoxNode> {
     return length(max(d, 0)) + min(max(max(d.x, d.y), d.z), T(0.0));
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch&) const {
-    for (int i = 0; i < count; ++i) out[i] = at(points[i]);
+  void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) out[i] = at(point_for<T>(points[i]));
   }
   std::string name() const override { return "enclosure"; }
 

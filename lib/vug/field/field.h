@@ -27,8 +27,7 @@ class Field {
   void values(const Point<Pack>* points, int count, Pack* out, Scratch& scratch) const {
     node_->eval(points, count, out, scratch);
   }
-  void gradients(const Point<Dual<Pack>>* points, int count, Dual<Pack>* out,
-                 Scratch& scratch) const {
+  void gradients(const Point<Pack>* points, int count, Dual<Pack>* out, Scratch& scratch) const {
     node_->eval(points, count, out, scratch);
   }
 

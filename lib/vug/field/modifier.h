@@ -23,9 +23,9 @@ class ModifierNode final : public Readings<ModifierNode<M>> {
     return modifier_.apply(child_->eval(p), p);
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     child_->eval(points, count, out, scratch);
-    for (int i = 0; i < count; ++i) out[i] = modifier_.apply(out[i], points[i]);
+    for (int i = 0; i < count; ++i) out[i] = modifier_.apply(out[i], point_for<T>(points[i]));
   }
 
   Restriction restrict_to(const Ball& ball) const override {

@@ -21,7 +21,7 @@ class MorphNode final : public Readings<MorphNode> {
     return a_->eval(p) * (1 - amount_) + b_->eval(p) * amount_;
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     Scratch::Frame frame(scratch);
     T* other = frame.template take<T>(static_cast<size_t>(count));
     a_->eval(points, count, out, scratch);

@@ -48,7 +48,8 @@ struct Restriction {
 };
 
 /// Immutable; shared between expressions and threads. Values are metres, negative inside.
-/// Batches: `count` points in, `count` values out; `out` may not overlap `points`.
+/// Batches: `count` points in, `count` values out, or values with their derivatives along the
+/// points' coordinates; `out` may not overlap `points`.
 class Node {
  public:
   explicit Node(Traits traits) : traits_(std::move(traits)) {}
@@ -60,7 +61,7 @@ class Node {
   virtual Dual<double> eval(const Point<Dual<double>>& p) const = 0;
   virtual Interval eval(const Point<Interval>& p) const = 0;
   virtual void eval(const Point<Pack>* points, int count, Pack* out, Scratch& scratch) const = 0;
-  virtual void eval(const Point<Dual<Pack>>* points, int count, Dual<Pack>* out,
+  virtual void eval(const Point<Pack>* points, int count, Dual<Pack>* out,
                     Scratch& scratch) const = 0;
 
   /// Default: centre value +- lipschitz * radius, nothing dropped.
@@ -80,8 +81,8 @@ class Node {
 
 /// Gives Derived the five virtual readings from two templates:
 ///   template <class T> T at(const Point<T>&) const;
-///   template <class T> void fill(const Point<T>* points, int count, T* out, Scratch&) const;
-/// PointwiseFill below supplies `fill` where `at` is all there is.
+///   template <class T> void fill(const Point<Pack>* points, int count, T* out, Scratch&) const;
+/// with T a Pack or a Dual<Pack>; point_for<T> gives a formula its point.
 template <class Derived>
 class Readings : public Node {
  public:
@@ -92,8 +93,7 @@ class Readings : public Node {
   void eval(const Point<Pack>* points, int count, Pack* out, Scratch& scratch) const final {
     self().fill(points, count, out, scratch);
   }
-  void eval(const Point<Dual<Pack>>* points, int count, Dual<Pack>* out,
-            Scratch& scratch) const final {
+  void eval(const Point<Pack>* points, int count, Dual<Pack>* out, Scratch& scratch) const final {
     self().fill(points, count, out, scratch);
   }
 

@@ -26,8 +26,8 @@ class NoiseNode final : public Readings<NoiseNode<N>> {
     }
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch&) const {
-    for (int i = 0; i < count; ++i) out[i] = noise_.at(points[i]);
+  void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) out[i] = noise_.at(point_for<T>(points[i]));
   }
   Restriction restrict_to(const Ball& ball) const override { return {over(ball), nullptr}; }
   std::string name() const override { return name_; }

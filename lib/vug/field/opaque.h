@@ -33,13 +33,11 @@ class OpaqueNode final : public Readings<OpaqueNode<S>> {
       out[i] = Pack::load(lanes.value);
     }
   }
-  void fill(const Point<Dual<Pack>>* points, int count, Dual<Pack>* out, Scratch&) const {
+  void fill(const Point<Pack>* points, int count, Dual<Pack>* out, Scratch&) const {
     for (int i = 0; i < count; ++i) {
-      const Point<Dual<Pack>>& p = points[i];
-      const Lanes lanes = sample({p.x.v, p.y.v, p.z.v});
-      const Point<Pack> gradient = {Pack::load(lanes.slope[0]), Pack::load(lanes.slope[1]),
-                                    Pack::load(lanes.slope[2])};
-      out[i] = differentiated(Pack::load(lanes.value), gradient, p);
+      const Lanes lanes = sample(points[i]);
+      out[i] = {Pack::load(lanes.value), Pack::load(lanes.slope[0]), Pack::load(lanes.slope[1]),
+                Pack::load(lanes.slope[2])};
     }
   }
   std::string name() const override { return name_; }

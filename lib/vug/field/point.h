@@ -5,6 +5,8 @@
 #include <vug/field/numbers/dual.h>
 #include <vug/field/numbers/interval.h>
 
+#include <type_traits>
+
 namespace vug::field {
 
 template <class T>
@@ -60,12 +62,26 @@ Point<Dual<S>> seeded(const Point<S>& p) {
   return {{p.x, one, zero, zero}, {p.y, zero, one, zero}, {p.z, zero, zero, one}};
 }
 
+/// A point of a batch as a formula over T takes it: seeded where T is differentiated.
+template <class T>
+Point<T> point_for(const Point<Pack>& p) {
+  if constexpr (std::is_same_v<T, Pack>)
+    return p;
+  else
+    return seeded(p);
+}
+
 /// A value with known gradient there, as a function of a point that is itself differentiated.
 template <class S>
 Dual<S> differentiated(const S& value, const Point<S>& gradient, const Point<Dual<S>>& p) {
   return {value, gradient.x * p.x.dx + gradient.y * p.y.dx + gradient.z * p.z.dx,
           gradient.x * p.x.dy + gradient.y * p.y.dy + gradient.z * p.z.dy,
           gradient.x * p.x.dz + gradient.y * p.y.dz + gradient.z * p.z.dz};
+}
+
+template <class S>
+Point<S> gradient_of(const Dual<S>& d) {
+  return {d.dx, d.dy, d.dz};
 }
 
 /// The points of a box as intervals.

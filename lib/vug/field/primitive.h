@@ -26,13 +26,13 @@ class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
     return params_.distance(p);
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch&) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {
     if constexpr (std::is_trivially_copyable_v<P>) {
       const P local =
           params_;  // nothing written to `out` can change it: constants stay in registers
-      for (int i = 0; i < count; ++i) out[i] = local.distance(points[i]);
+      for (int i = 0; i < count; ++i) out[i] = local.distance(point_for<T>(points[i]));
     } else {
-      for (int i = 0; i < count; ++i) out[i] = params_.distance(points[i]);
+      for (int i = 0; i < count; ++i) out[i] = params_.distance(point_for<T>(points[i]));
     }
   }
   std::string name() const override { return name_; }

@@ -53,13 +53,13 @@ Surveyor::Surveyor(const field::Field& field, const std::vector<Vec3d>& near, do
 
 void Surveyor::evaluate_packs(const std::vector<Vec3d>& points) {
   field::Scratch::Frame frame(scratch_);
-  auto* seeds = frame.take<Point<Dual<Pack>>>(kChunk);
+  auto* packs = frame.take<Point<Pack>>(kChunk);
   auto* slopes = frame.take<Dual<Pack>>(kChunk);
   found_.resize(points.size());
   for (size_t begin = 0; begin < points.size(); begin += kChunk * kLanes) {
     const size_t count = std::min(kChunk, (points.size() - begin + kLanes - 1) / kLanes);
-    for (size_t i = 0; i < count; ++i) seeds[i] = seeded(pack_at(points, begin + i * kLanes));
-    field_.gradients(seeds, static_cast<int>(count), slopes, scratch_);
+    for (size_t i = 0; i < count; ++i) packs[i] = pack_at(points, begin + i * kLanes);
+    field_.gradients(packs, static_cast<int>(count), slopes, scratch_);
     for (size_t i = 0; i < count; ++i) {
       float lanes[4][kLanes];
       slopes[i].v.store(lanes[0]);

@@ -15,6 +15,7 @@ using field::Field;
 using field::length;
 using field::max;
 using field::NodePtr;
+using field::Pack;
 using field::point;
 using field::Point;
 using field::Restriction;
@@ -45,7 +46,7 @@ class LocalMorph final : public field::Readings<LocalMorph> {
     return mixed(base_->eval(p), shape_->eval(p));
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     Scratch::Frame frame(scratch);
     T* other = frame.template take<T>(static_cast<size_t>(count));
     base_->eval(points, count, out, scratch);

@@ -44,10 +44,10 @@ void repair(const field::Field& field, const Band& band, const Point<Pack>* poin
   const Pack least(1e-12 * field.lipschitz() * field.lipschitz());
   const auto repair_some = [&](const int* which, int count) {
     field::Scratch::Frame frame(scratch);
-    auto* seeds = frame.take<Point<Dual<Pack>>>(kChunk);
+    auto* some = frame.take<Point<Pack>>(kChunk);
     auto* slopes = frame.take<Dual<Pack>>(kChunk);
-    for (int i = 0; i < count; ++i) seeds[i] = seeded(points[which[i]]);
-    field.gradients(seeds, count, slopes, scratch);
+    for (int i = 0; i < count; ++i) some[i] = points[which[i]];
+    field.gradients(some, count, slopes, scratch);
     for (int i = 0; i < count; ++i) {
       const Dual<Pack>& s = slopes[i];
       Pack& value = values[which[i]];

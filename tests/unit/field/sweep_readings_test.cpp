@@ -65,10 +65,8 @@ struct Batch {
     }
   }
   std::vector<Gradient> gradients(const Field& field, Scratch& scratch) const {
-    Point<Dual<Pack>> seeds[kPacks];
-    for (int k = 0; k < kPacks; ++k) seeds[k] = seeded(points[k]);
     Dual<Pack> out[kPacks];
-    field.gradients(seeds, kPacks, out, scratch);
+    field.gradients(points, kPacks, out, scratch);
     std::vector<Gradient> all(kPoints);
     for (int k = 0; k < kPacks; ++k) {
       float part[4][Pack::kLanes];

@@ -73,14 +73,14 @@ class RepeatNode final : public Readings<RepeatNode> {
     return least;
   }
   template <class T>
-  void fill(const Point<T>* points, int count, T* out, Scratch& scratch) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     Scratch::Frame frame(scratch);
-    auto* moved = frame.template take<Point<T>>(static_cast<size_t>(count));
+    auto* moved = frame.template take<Point<Pack>>(static_cast<size_t>(count));
     T* next = frame.template take<T>(static_cast<size_t>(count));
     for (int i = 0; i < copies(); ++i) {
       for (int k = 0; k < count; ++k) {
-        const Point<T>& p = points[k];
-        const T number[3] = {rows_[0].number(p.x), rows_[1].number(p.y), rows_[2].number(p.z)};
+        const Point<Pack>& p = points[k];
+        const Pack number[3] = {rows_[0].number(p.x), rows_[1].number(p.y), rows_[2].number(p.z)};
         moved[k] = seen(p, number, i);
       }
       child_->eval(moved, count, i == 0 ? out : next, scratch);
