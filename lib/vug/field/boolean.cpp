@@ -196,7 +196,10 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
     std::vector<Operand> operands;
     operands.reserve(kept.size());
     for (Kept& k : kept)
-      operands.push_back({k.smaller ? k.smaller : k.operand->node, k.operand->sign});
+      if (k.smaller)
+        operands.emplace_back(std::move(k.smaller), *k.operand);
+      else
+        operands.push_back(*k.operand);
     Traits traits = this->traits();
     set_slope(traits, operands, blend_);  // steep operands elsewhere do not matter here
     out.node = std::make_shared<FoldNode>(std::move(traits), std::move(operands), sign_, blend_);

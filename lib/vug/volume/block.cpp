@@ -15,6 +15,7 @@ using field::Point;
 namespace {
 
 constexpr int kPacks = Block::kSize / Pack::kLanes;  // one for each run along z
+constexpr double kFar = 1e30;
 constexpr int kChunk = 16;  // packs whose points and derivatives stay in the nearest cache
 
 float coordinate(int64_t index, double voxel) {
@@ -31,39 +32,66 @@ void place_points(const Cell& cell, double voxel, Point<Pack>* points) {
                            Pack(coordinate(cell.origin[1] + y, voxel)), run};
 }
 
-bool any_within(Pack value, Pack limit) { return any(abs(value) < limit); }
+/// A block's packs stand in rows of eight along x and along y. Of every row these three are looked
+/// at first: no other is further than one lattice step from one of them, along either axis.
+constexpr int kLooked[] = {1, 4, 6};
+constexpr int kNearestLooked[8] = {0, 0, 0, 1, 1, 1, 2, 2};  // index into kLooked
 
-/// Repairs those packs that reach into the band. Where the slope vanishes the quotient says
+float least_magnitude(Pack value) {
+  float lanes[Pack::kLanes];
+  abs(value).store(lanes);
+  return *std::min_element(lanes, lanes + Pack::kLanes);
+}
+
+/// Finds the packs that may reach into the band from nine of them and the field's steepest slope.
+/// The others get a value beyond the band, of their side.
+int find_in_reach(const field::Field& field, const Band& band, const Point<Pack>* points,
+                  Pack* values, int* found, field::Scratch& scratch) {
+  Point<Pack> looked[9];
+  Pack seen[9];
+  for (int i = 0; i < 9; ++i) looked[i] = points[8 * kLooked[i / 3] + kLooked[i % 3]];
+  field.values(looked, 9, seen, scratch);
+  const double limit = reach(band, field), slope = 1.0001 * field.lipschitz() * band.voxel;
+  float away[9];
+  for (int i = 0; i < 9; ++i) away[i] = least_magnitude(seen[i]);
+  int count = 0;
+  for (int x = 0; x < 8; ++x)
+    for (int y = 0; y < 8; ++y) {
+      const int near = 3 * kNearestLooked[x] + kNearestLooked[y];
+      const int steps = (x != kLooked[kNearestLooked[x]]) + (y != kLooked[kNearestLooked[y]]);
+      constexpr double kLength[] = {0, 1, 1.41422};
+      if (static_cast<double>(away[near]) < limit + slope * kLength[steps])
+        found[count++] = 8 * x + y;
+      else
+        values[8 * x + y] = select(seen[near] < Pack(0.0), -Pack(kFar), Pack(kFar));
+    }
+  return count;
+}
+
+/// First-order distances where they reach into the band. Where the slope vanishes the quotient says
 /// nothing: voxels that may neighbour a change of sign (|v| <= lipschitz * voxel) then keep a
 /// value just inside the band, so that no surface passes between inactive voxels.
-void repair(const field::Field& field, const Band& band, const Point<Pack>* points, Pack* values,
-            field::Scratch& scratch) {
-  const Pack limit(reach(band, field));
+void distances(const field::Field& field, const Band& band, const Point<Pack>* points, Pack* values,
+               field::Scratch& scratch) {
+  int found[kPacks];
+  const int count = find_in_reach(field, band, points, values, found, scratch);
   const Pack near(1.0001 * field.lipschitz() * band.voxel);
   const Pack inside_band(std::nextafter(band.background, 0.0f));
   const Pack least(1e-12 * field.lipschitz() * field.lipschitz());
-  const auto repair_some = [&](const int* which, int count) {
-    field::Scratch::Frame frame(scratch);
-    auto* some = frame.take<Point<Pack>>(kChunk);
-    auto* slopes = frame.take<Dual<Pack>>(kChunk);
-    for (int i = 0; i < count; ++i) some[i] = points[which[i]];
-    field.gradients(some, count, slopes, scratch);
-    for (int i = 0; i < count; ++i) {
+  field::Scratch::Frame frame(scratch);
+  auto* some = frame.take<Point<Pack>>(kChunk);
+  auto* slopes = frame.take<Dual<Pack>>(kChunk);
+  for (int begin = 0; begin < count; begin += kChunk) {
+    const int now = std::min(kChunk, count - begin);
+    for (int i = 0; i < now; ++i) some[i] = points[found[begin + i]];
+    field.gradients(some, now, slopes, scratch);
+    for (int i = 0; i < now; ++i) {
       const Dual<Pack>& s = slopes[i];
-      Pack& value = values[which[i]];
       const Pack squared = s.dx * s.dx + s.dy * s.dy + s.dz * s.dz;
-      const Pack distance = value / sqrt(max(squared, least));
-      const PackMask close = abs(value) <= near;
-      value = select(close, min(max(distance, -inside_band), inside_band), distance);
-    }
-  };
-  int which[kChunk];
-  int count = 0;
-  for (int i = 0; i < kPacks; ++i) {
-    if (any_within(values[i], limit)) which[count++] = i;
-    if (count == kChunk || (count > 0 && i + 1 == kPacks)) {
-      repair_some(which, count);
-      count = 0;
+      const Pack distance = s.v / sqrt(max(squared, least));
+      const PackMask close = abs(s.v) <= near;
+      values[found[begin + i]] =
+          select(close, min(max(distance, -inside_band), inside_band), distance);
     }
   }
 }
@@ -89,12 +117,12 @@ void evaluate(const field::Field& field, const Cell& cell, const Band& band,
   auto* points = frame.take<Point<Pack>>(kPacks);
   auto* values = frame.take<Pack>(kPacks);
   place_points(cell, band.voxel, points);
-  field.values(points, kPacks, values, scratch);
-  if (field.exactness() > Exactness::eikonal) {
-    if (band.repair)
-      repair(field, band, points, values, scratch);
-    else
-      keep_neighbours(field, band, values);
+  const bool steep = field.exactness() > Exactness::eikonal;
+  if (steep && band.repair) {
+    distances(field, band, points, values, scratch);
+  } else {
+    field.values(points, kPacks, values, scratch);
+    if (steep) keep_neighbours(field, band, values);
   }
   const Pack background(band.background), zero(0.0);
   for (int x = 0; x < 8; ++x) {

@@ -91,6 +91,29 @@ TEST(Repair, SteepFieldsBecomeDistances) {
   EXPECT_LT(check(grid).share_off_unit_slope, 0.001);
 }
 
+TEST(Repair, ReachesEveryPointOfTheBand) {
+  // Steep and shallow slopes in one solid; a point left out would keep the background's value.
+  const Field solid = field::morph(
+      sphere_at({0.7, 0, 0}, 1),
+      field::unite({sphere_at({-0.6, 0.3, 0.2}, 0.8), sphere_at({0, -1, 0.5}, 0.5)}), 0.45);
+  VoxelizeOptions options;
+  options.voxel = 1.0 / 32;
+  const LevelSet grid = voxelize(solid, options);
+  int active = 0;
+  each_lattice_point(grid, [&](const Vec3d& p, double value) {
+    const field::Gradient g = solid.gradient(p);
+    const double slope = g.gradient.length();
+    if (slope < 0.05) return;  // hardly a direction: such values stay inside the band on purpose
+    const Vec3d aside(1e-5, -7e-6, 4e-6);
+    if ((solid.gradient(p + aside).gradient - solid.gradient(p - aside).gradient).length() > 1e-3)
+      return;  // on a crease either side's slope is right
+    const double expected = std::clamp(g.value / slope, -grid.background(), grid.background());
+    ASSERT_NEAR(value, expected, 2e-3 * options.voxel) << p;
+    active += std::fabs(expected) < grid.background();
+  });
+  EXPECT_GT(active, 40000);
+}
+
 TEST(Repair, KeepsEverySign) {
   VoxelizeOptions repaired, raw;
   repaired.voxel = raw.voxel = 1.0 / 24;
