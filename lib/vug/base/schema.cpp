@@ -1,6 +1,7 @@
 #include <vug/base/schema.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -61,33 +62,33 @@ std::string given_text(const Value& value, const std::string& expected) {
   return tells ? value.type_name() : to_string(value);
 }
 
-}  // namespace
-
-void report_type(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics) {
-  const std::string hint = info.choices.empty() ? std::string() : suggestion("", info.choices);
-  const bool both_lists = argument.value.get<List>() && info.type.compare(0, 4, "list") == 0;
-  diagnostics.error(argument.where,
-                    fmt::format("'{}' expects {}, {}", info.name, with_article(info.type),
-                                both_lists ? "and some of these are none"
-                                           : "not " + given_text(argument.value, info.type)),
-                    hint);
+/// "1st", "2nd", "11th", from the index.
+std::string ordinal(size_t index) {
+  const size_t n = index + 1, last = n % 10;
+  const bool teen = n / 10 % 10 == 1;
+  return fmt::format("{}{}", n,
+                     teen || last == 0 || last > 3 ? "th"
+                     : last == 1                   ? "st"
+                     : last == 2                   ? "nd"
+                                                   : "rd");
 }
 
-bool check_number(const ParamInfo& info, double value, Dimension dimension,
+/// One number of what messages call `what`.
+bool check_number(const ParamInfo& info, const std::string& what, double value, Dimension dimension,
                   const SourceLocation& where, Diagnostics& diagnostics) {
   if (!std::isfinite(value)) {
-    diagnostics.error(where, fmt::format("'{}' is not a finite number", info.name));
+    diagnostics.error(where, fmt::format("{} is not a finite number", what));
     return false;
   }
   const bool bare = dimension == Dimension::none;
   if (bare && info.dimension == Dimension::angle && value != 0) {
-    diagnostics.error(where, fmt::format("'{}' is an angle and needs a unit", info.name),
+    diagnostics.error(where, fmt::format("{} is an angle and needs a unit", what),
                       fmt::format("write {}deg or {}rad", value, value));
     return false;
   }
   if (!bare && dimension != info.dimension &&
       !(dimension == Dimension::ratio && info.dimension == Dimension::none)) {
-    diagnostics.error(where, fmt::format("'{}' expects {}, not {}", info.name,
+    diagnostics.error(where, fmt::format("{} expects {}, not {}", what,
                                          Value(Number{0, info.dimension}).type_name(),
                                          Value(Number{0, dimension}).type_name()));
     return false;
@@ -100,11 +101,60 @@ bool check_number(const ParamInfo& info, double value, Dimension dimension,
                                           : info.above_min ? "above"
                                                            : "at least",
                                           quantity_text(low ? info.min : info.max, unit));
-    diagnostics.error(where, fmt::format("'{}' must be {}, not {}", info.name, bound,
-                                         quantity_text(value, unit)));
+    diagnostics.error(
+        where, fmt::format("{} must be {}, not {}", what, bound, quantity_text(value, unit)));
     return false;
   }
   return true;
+}
+
+bool check_value(const ParamInfo& info, const std::string& what, const Value& value,
+                 const SourceLocation& where, Diagnostics& diagnostics) {
+  if (const Number* n = value.get<Number>())
+    return check_number(info, what, n->value, n->dimension, where, diagnostics);
+  if (const auto* v = value.get<Value::Vector>())
+    for (int axis = 0; axis < 3; ++axis)
+      if (!check_number(info, what, v->value[axis], v->dimension, where, diagnostics)) return false;
+  if (const List* list = value.get<List>())
+    for (size_t i = 0; i < list->size(); ++i)
+      if (!check_value(info, fmt::format("the {} of {}", ordinal(i), what), (*list)[i], where,
+                       diagnostics))
+        return false;
+  return true;
+}
+
+}  // namespace
+
+void report_type(const ParamInfo& info, const Argument& argument, int misfit,
+                 Diagnostics& diagnostics) {
+  const std::string hint = info.choices.empty() ? std::string() : suggestion("", info.choices);
+  std::string found = "not " + given_text(argument.value, info.type);
+  if (const List* list = argument.value.get<List>(); list && misfit >= 0) {
+    const auto i = static_cast<size_t>(misfit);
+    found = fmt::format("and the {} is {}", ordinal(i), given_text((*list)[i], info.type));
+  }
+  diagnostics.error(argument.where,
+                    fmt::format("'{}' expects {}, {}", info.name, with_article(info.type), found),
+                    hint);
+}
+
+bool check_range(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics) {
+  return check_value(info, fmt::format("'{}'", info.name), argument.value, argument.where,
+                     diagnostics);
+}
+
+std::string default_text(const Value& value, Dimension dimension) {
+  if (dimension == Dimension::none) return to_string(value);
+  if (const Number* n = value.get<Number>()) return quantity_text(n->value, dimension);
+  if (const auto* v = value.get<Value::Vector>())
+    return fmt::format("({}, {}, {})", quantity_text(v->value.x, dimension),
+                       quantity_text(v->value.y, dimension), quantity_text(v->value.z, dimension));
+  if (const List* list = value.get<List>()) {
+    std::vector<std::string> items;
+    for (const Value& item : *list) items.push_back(default_text(item, dimension));
+    return fmt::format("[{}]", fmt::join(items, ", "));
+  }
+  return to_string(value);
 }
 
 std::optional<std::filesystem::path> read_file_name(const Argument& argument) {

@@ -32,7 +32,7 @@ struct ParamInfo {
   std::string type;  ///< "number", "vector", "text", "file", "name", "field", "list of field", ...
   Dimension dimension = Dimension::none;
   std::string doc;       ///< One sentence; states the unit where it is not the dimension's.
-  std::string fallback;  ///< Default as scene text; empty when required.
+  std::string fallback;  ///< Default as scene text, with its unit; empty when required.
   bool required = false;
   double min = -kInfinity;  ///< Closed bounds for numbers and for each vector component.
   double max = kInfinity;
@@ -111,10 +111,14 @@ namespace detail {
 /// Index of the parameter each argument goes to; -1 (with a diagnostic) when there is none.
 std::vector<int> match_arguments(const KindInfo& kind, const Arguments& arguments,
                                  const SourceLocation& where, Diagnostics& diagnostics);
-void report_type(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics);
-/// Checks a number's dimension and range; false with a diagnostic when it does not fit.
-bool check_number(const ParamInfo& info, double value, Dimension dimension,
-                  const SourceLocation& where, Diagnostics& diagnostics);
+/// `misfit`: index of the element that a list parameter cannot take, -1 when it is no list.
+void report_type(const ParamInfo& info, const Argument& argument, int misfit,
+                 Diagnostics& diagnostics);
+/// Checks dimension and range of every number in the argument: one, the parts of a vector, the
+/// elements of a list. False with a diagnostic when one does not fit.
+bool check_range(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics);
+/// A default as people write it, in the unit of its dimension.
+std::string default_text(const Value& value, Dimension dimension);
 /// The file that an argument names; see Schema::param. Nothing when it is no text.
 std::optional<std::filesystem::path> read_file_name(const Argument& argument);
 }  // namespace detail

@@ -13,21 +13,20 @@ std::optional<T> read_argument(const Argument& argument) {
     return ValueTraits<T>::read(argument.value);
 }
 
-/// Every number in the argument: one, the parts of a vector, the elements of a list.
-inline bool check_range(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics) {
-  if (const Number* n = argument.value.get<Number>())
-    return check_number(info, n->value, n->dimension, argument.where, diagnostics);
-  if (const auto* v = argument.value.get<Value::Vector>()) {
-    for (int axis = 0; axis < 3; ++axis)
-      if (!check_number(info, v->value[axis], v->dimension, argument.where, diagnostics))
-        return false;
+/// Index of the first element that a list of T cannot take; -1 where none is at fault.
+template <class T>
+struct Misfit {
+  static int find(const Value&) { return -1; }
+};
+template <class T>
+struct Misfit<std::vector<T>> {
+  static int find(const Value& value) {
+    const List* list = value.get<List>();
+    for (size_t i = 0; list && i < list->size(); ++i)
+      if (!ValueTraits<T>::read((*list)[i])) return static_cast<int>(i);
+    return -1;
   }
-  if (const List* list = argument.value.get<List>()) {
-    for (const Value& item : *list)
-      if (!check_range(info, {argument.name, item, argument.where}, diagnostics)) return false;
-  }
-  return true;
-}
+};
 
 }  // namespace detail
 
@@ -35,20 +34,23 @@ template <class P>
 template <class T, class Base>
 requires std::derived_from<P, Base> Schema<P>
 &Schema<P>::param(std::string name, T Base::*member, ParamSpec spec) {
-  ParamInfo info{std::move(name),
-                 ValueTraits<T>::type(),
-                 spec.dimension,
-                 std::move(spec.doc),
-                 spec.required ? "" : to_string(ValueTraits<T>::write(P{}.*member)),
-                 spec.required,
-                 spec.min,
-                 spec.max,
-                 spec.above_min,
-                 {}};
+  ParamInfo info{
+      std::move(name),
+      ValueTraits<T>::type(),
+      spec.dimension,
+      std::move(spec.doc),
+      spec.required ? "" : detail::default_text(ValueTraits<T>::write(P{}.*member), spec.dimension),
+      spec.required,
+      spec.min,
+      spec.max,
+      spec.above_min,
+      {}};
   add(std::move(info),
       [member](P& p, const Argument& argument, const ParamInfo& self, Diagnostics& diagnostics) {
         auto value = detail::read_argument<T>(argument);
-        if (!value) return detail::report_type(self, argument, diagnostics);
+        if (!value)
+          return detail::report_type(self, argument, detail::Misfit<T>::find(argument.value),
+                                     diagnostics);
         if (detail::check_range(self, argument, diagnostics)) p.*member = std::move(*value);
       });
   return *this;
@@ -70,7 +72,7 @@ Schema<P>& Schema<P>::choice(std::string name, E P::*member,
   add(std::move(info), [member, names](P& p, const Argument& argument, const ParamInfo& self,
                                        Diagnostics& diagnostics) {
     const auto* given = argument.value.get<Value::Name>();
-    if (!given) return detail::report_type(self, argument, diagnostics);
+    if (!given) return detail::report_type(self, argument, -1, diagnostics);
     for (const auto& [text, value] : names)
       if (text == given->text) {
         p.*member = value;

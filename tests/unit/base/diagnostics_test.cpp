@@ -80,10 +80,39 @@ TEST(Schema, ElementsOfAListKeepTheBounds) {
     return diagnostics.all().empty() ? "" : diagnostics.all()[0].message;
   };
   EXPECT_EQ(told({1, 100}), "");
-  EXPECT_EQ(told({10, 0}), "'size' must be at least 1, not 0");
-  EXPECT_EQ(told({101, 10}), "'size' must be at most 100, not 101");
-  EXPECT_EQ(told({10, Number{2, Dimension::length}}), "'size' expects a number, not a length");
-  EXPECT_EQ(told({10, 2.5}), "'size' expects a list of whole numbers, and some of these are none");
+  EXPECT_EQ(told({10, 0}), "the 2nd of 'size' must be at least 1, not 0");
+  EXPECT_EQ(told({101, 10}), "the 1st of 'size' must be at most 100, not 101");
+  EXPECT_EQ(told({10, Number{2, Dimension::length}}),
+            "the 2nd of 'size' expects a number, not a length");
+  EXPECT_EQ(told({10, 2.5}), "'size' expects a list of whole numbers, and the 2nd is 2.5");
+  EXPECT_EQ(told({1, 2, "three"}), "'size' expects a list of whole numbers, and the 3rd is a text");
+  List many(25, 1);
+  many[10] = 0;
+  EXPECT_EQ(told(many), "the 11th of 'size' must be at least 1, not 0");
+  many[10] = 1, many[22] = 0;
+  EXPECT_EQ(told(many), "the 23rd of 'size' must be at least 1, not 0");
+}
+
+TEST(Schema, DefaultsCarryTheirUnits) {
+  struct Arc {
+    double radius = 0.25;
+    double angle = kPi / 4;
+    double rate = 0.5;
+    double count = 0.52;
+    Vec3d centre{0, -1.5, 0};
+    std::vector<double> steps = {0.1, 0};
+  };
+  Schema<Arc> schema("arc", "test");
+  schema.param("radius", &Arc::radius, any_length(""))
+      .param("angle", &Arc::angle, {.doc = "", .dimension = Dimension::angle})
+      .param("rate", &Arc::rate, {.doc = "", .dimension = Dimension::per_length})
+      .param("count", &Arc::count, {.doc = ""})
+      .param("centre", &Arc::centre, any_length(""))
+      .param("steps", &Arc::steps, any_length(""));
+  std::vector<std::string> defaults;
+  for (const ParamInfo& param : schema.info().params) defaults.push_back(param.fallback);
+  EXPECT_EQ(defaults, (std::vector<std::string>{"0.25m", "45deg", "0.5/m", "0.52", "(0, -1.5m, 0)",
+                                                "[0.1m, 0]"}));
 }
 
 }  // namespace
