@@ -53,7 +53,7 @@ class List(VugTest):
     def test_one_kind(self):
         text = self.expect(0, "list", "torus").out
         self.assertIn("torus (primitive): ", text)
-        self.assertRegex(text, r"\n  tube +number \(length\), above 0, default 0.25")
+        self.assertRegex(text, r"\n  tube +number \(length\), above 0, default 0.25m")
         [torus] = json.loads(self.expect(0, "list", "torus", "--json").out)
         self.assertEqual(torus["cite"], "hart1996")
         self.assertEqual([p["name"] for p in torus["params"]], ["radius", "tube"])

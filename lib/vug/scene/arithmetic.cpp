@@ -125,6 +125,7 @@ std::optional<Dimension> product(Dimension a, Dimension b, int power) {
   for (const Dimension known : {Dimension::none, Dimension::length, Dimension::per_length,
                                 Dimension::angle, Dimension::time})
     if (powers(known) == total) return known;
+  if (total == Powers{-1, 1, 0}) return Dimension::per_length;  // a radian is a plain number
   return std::nullopt;
 }
 

@@ -40,13 +40,40 @@ std::vector<std::string> kind_words() {
   return words;
 }
 
+namespace {
+
+/// A bound as people write it; whole numbers to their last digit.
+std::string bound_text(double bound, Dimension dimension) {
+  return dimension == Dimension::none ? fmt::format("{}", bound) : quantity_text(bound, dimension);
+}
+
+/// What a program counts the bounds of a parameter in.
+const char* unit_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length:
+      return "m";
+    case Dimension::angle:
+      return "rad";
+    case Dimension::per_length:
+      return "1/m";
+    case Dimension::time:
+      return "s";
+    default:
+      return "1";
+  }
+}
+
+}  // namespace
+
 std::string describe(const ParamInfo& param) {
   std::string text = param.type;
   if (param.dimension != Dimension::none) text += fmt::format(" ({})", to_string(param.dimension));
   if (!param.choices.empty()) text = fmt::format("one of {}", fmt::join(param.choices, ", "));
   if (std::isfinite(param.min))
-    text += fmt::format(", {} {}", param.above_min ? "above" : "at least", param.min);
-  if (std::isfinite(param.max)) text += fmt::format(", at most {}", param.max);
+    text += fmt::format(", {} {}", param.above_min ? "above" : "at least",
+                        bound_text(param.min, param.dimension));
+  if (std::isfinite(param.max))
+    text += fmt::format(", at most {}", bound_text(param.max, param.dimension));
   if (param.required) return text + ", required";
   return param.fallback.empty() ? text + ", optional" : text + ", default " + param.fallback;
 }
@@ -57,7 +84,10 @@ nlohmann::ordered_json catalogue_json(const std::vector<const KindInfo*>& kinds)
     nlohmann::ordered_json params = nlohmann::ordered_json::array();
     for (const ParamInfo& param : kind->params) {
       nlohmann::ordered_json p = {{"name", param.name}, {"type", param.type}, {"doc", param.doc}};
-      if (param.dimension != Dimension::none) p["dimension"] = to_string(param.dimension);
+      if (param.dimension != Dimension::none) {
+        p["dimension"] = to_string(param.dimension);
+        p["unit"] = unit_of(param.dimension);
+      }
       if (param.required) p["required"] = true;
       if (!param.fallback.empty()) p["default"] = param.fallback;
       if (std::isfinite(param.min)) p[param.above_min ? "above" : "min"] = param.min;

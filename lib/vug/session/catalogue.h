@@ -13,9 +13,11 @@ std::vector<const KindInfo*> find_kinds(const std::string& word = {});
 /// Names and categories, for suggestions.
 std::vector<std::string> kind_words();
 
-/// "length above 0, default 1m": type, range and default of a parameter.
+/// "number (angle), above 0, at most 170deg, default 60deg": type, range and default of a
+/// parameter.
 std::string describe(const ParamInfo& param);
 
+/// Bounds are numbers in the parameter's `unit`; defaults are scene text.
 nlohmann::ordered_json catalogue_json(const std::vector<const KindInfo*>& kinds);
 
 }  // namespace vug::session

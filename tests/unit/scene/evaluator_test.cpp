@@ -33,6 +33,13 @@ TEST(Evaluator, Arithmetic) {
   EXPECT_EQ(x("4 ^ -1"), "0.25");
 }
 
+TEST(Evaluator, TurnsForEachMetre) {
+  EXPECT_EQ(x("0.25rad/m"), "0.25");
+  EXPECT_EQ(x("(0.5rad / 2m) * 4m"), "1");
+  EXPECT_EQ(x("180deg/m == pi/m"), "true");
+  EXPECT_EQ(x("90deg * 2m"), "! cannot multiply an angle by a length");
+}
+
 TEST(Evaluator, LogicIsLazy) {
   EXPECT_EQ(x("true or 1 / 0 > 1"), "true");
   EXPECT_EQ(x("false and nothere"), "false");

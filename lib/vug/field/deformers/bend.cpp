@@ -24,7 +24,8 @@ struct Bend {
         .cite("barr1984")
         .param("field", &Bend::field, {.doc = "what is bent, of finite size", .required = true})
         .param("rate", &Bend::rate,
-               {.doc = "turn in radians per metre of length; negative bends downwards",
+               {.doc = "turn for each metre of length, as 30deg/m; a number is of radians; "
+                       "negative bends downwards",
                 .dimension = Dimension::per_length})
         .param("axis", &Bend::axis,
                {.doc = "turns the whole deformation from z to this direction"});

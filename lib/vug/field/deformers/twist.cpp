@@ -20,7 +20,8 @@ struct Twist {
         .cite("barr1984")
         .param("field", &Twist::field, {.doc = "what is twisted, of finite size", .required = true})
         .param("rate", &Twist::rate,
-               {.doc = "turn in radians per metre", .dimension = Dimension::per_length})
+               {.doc = "turn for each metre, as 30deg/m; a number is of radians",
+                .dimension = Dimension::per_length})
         .param("axis", &Twist::axis, {.doc = "direction of the axis, of any length but 0"});
   }
   std::string fault() const {
