@@ -58,13 +58,40 @@ void write_text(const fs::path& target, std::string_view text) {
   file.commit();
 }
 
+std::string why_no_file(const fs::path& source) {
+  std::error_code code;
+  switch (fs::status(source, code).type()) {
+    case fs::file_type::regular:
+      return {};
+    case fs::file_type::none:
+      return code.message();
+    case fs::file_type::not_found:
+      return "no such file";
+    case fs::file_type::directory:
+      return "it is a folder";
+    case fs::file_type::fifo:
+      return "it is a pipe";
+    case fs::file_type::block:
+    case fs::file_type::character:
+      return "it is a device";
+    default:
+      return "it is no regular file";
+  }
+}
+
 std::string read_text(const fs::path& source) {
+  const auto fail = [&](const std::string& why) {
+    throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}': {}", source.string(), why));
+  };
+  if (const std::string why = why_no_file(source); !why.empty()) fail(why);
   std::ifstream in(source, std::ios::binary);
-  if (!in || fs::is_directory(source))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read '{}': {}", source.string(),
-                            fs::exists(source) ? "not a readable file" : "no such file"));
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in) fail(std::strerror(errno));
+  std::string text;
+  char block[65536];
+  while (in.read(block, sizeof block) || in.gcount() > 0)
+    text.append(block, static_cast<size_t>(in.gcount()));
+  if (in.bad()) fail(std::strerror(errno));  // files of the kernel that are no files
+  return text;
 }
 
 }  // namespace vug

@@ -29,7 +29,11 @@ class AtomicFile {
 /// Writes the whole text through an AtomicFile.
 void write_text(const std::filesystem::path& target, std::string_view text);
 
-/// Reads a whole file; Error(bad_input) names the path when it cannot be read.
+/// Why the path cannot be read as a file: "no such file", "it is a folder", "it is a pipe", ...;
+/// empty for a regular file. Ask before opening: a pipe that nobody writes to would wait for ever.
+std::string why_no_file(const std::filesystem::path& source);
+
+/// Reads a whole regular file; Error(bad_input) names the path when it cannot be read.
 std::string read_text(const std::filesystem::path& source);
 
 }  // namespace vug

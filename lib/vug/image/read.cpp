@@ -1,3 +1,4 @@
+#include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/image/io.h>
@@ -20,8 +21,7 @@ Error refuse(const std::filesystem::path& path, const std::string& reason) {
 }
 
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path))
-    throw refuse(path, std::filesystem::exists(path) ? "not a file" : "no such file");
+  if (const std::string why = why_no_file(path); !why.empty()) throw refuse(path, why);
   auto input = OIIO::ImageInput::open(path.string());
   if (!input) throw refuse(path, OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();

@@ -1,6 +1,7 @@
 // Layout as OpenVDB writes it since format 222: magic (8 bytes), format version (4), library
 // major and minor (4 + 4), offsets flag (1), identifier (36), metadata, number of grids (4), and
 // for each grid its name, type, parent name and three offsets: start, voxel data, end.
+#include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/hash.h>
 #include <vug/volume/vdb_header.h>
@@ -21,11 +22,10 @@ constexpr uint32_t kOldestChecked = 222, kNewest = 224;
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& source)
-      : source_(source), in_(source, std::ios::binary) {
-    std::error_code code;
-    if (!in_ || !std::filesystem::is_regular_file(source, code))
-      fail(std::filesystem::exists(source, code) ? "it is not a readable file" : "no such file");
+  explicit Reader(const std::filesystem::path& source) : source_(source) {
+    if (const std::string why = why_no_file(source); !why.empty()) fail(why);
+    in_.open(source, std::ios::binary);
+    if (!in_) fail(std::strerror(errno));
     size_ = std::filesystem::file_size(source);
   }
 

@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace vug {
 namespace {
@@ -28,6 +29,28 @@ TEST(AtomicFile, SaysWhatCannotBeRead) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "cannot read '/nowhere/at/all.vug': no such file");
   }
+}
+
+/// None of these ends, or they end the program; so nothing but a regular file is opened.
+TEST(ReadText, RefusesWhatIsNoRegularFile) {
+  const fs::path folder = fs::path(testing::TempDir()) / "vug_no_file";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto refusal = [](const fs::path& path) {
+    try {
+      read_text(path);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::bad_input);
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal(pipe), "cannot read '" + pipe.string() + "': it is a pipe");
+  EXPECT_EQ(refusal(folder), "cannot read '" + folder.string() + "': it is a folder");
+  EXPECT_EQ(refusal("/dev/zero"), "cannot read '/dev/zero': it is a device");
+  EXPECT_EQ(refusal("/proc/self/mem").find("cannot read '/proc/self/mem': "), 0u);
 }
 
 }  // namespace
