@@ -1,4 +1,5 @@
 """Truncated and garbage files: a sentence that names the file and exit code 2, never a crash."""
+import os
 import random
 import unittest
 
@@ -96,13 +97,47 @@ class BrokenFiles(VugTest):
                     result = self.vug(READERS[suffix][-1], name)
                     self.assertIn(result.code, (0, 1, 2), result.err)
 
+    def test_a_scene_that_is_no_text(self):
+        for suffix in (".vdb", ".ply", ".exr", ".png"):
+            self.write("use.vug", self.whole[suffix].read_bytes())
+            for args in [("check", "use.vug"), ("format", "use.vug"), ("build", "use.vug", "-o", "x")]:
+                self.assertEqual(self.expect(2, *args).err,
+                                 "use.vug: error: the file is no text\n"
+                                 "hint: scenes are UTF-8 text; 'vug info' tells of grids, meshes and "
+                                 "pictures\n")
+
+    def test_what_is_no_regular_file(self):
+        """A pipe that nobody writes to would be waited for, a device would never end."""
+        for name, what in [("pipe", "pipe"), ("zero", "device"), ("folder", "folder")]:
+            for suffix in (".vug", ".vdb", ".ply", ".exr"):  # the four ways of opening a file
+                path = self.folder / f"{name}{suffix}"
+                if name == "pipe":
+                    os.mkfifo(path)
+                elif name == "zero":
+                    path.symlink_to("/dev/zero")
+                else:
+                    path.mkdir()
+                for verb in READERS.get(suffix, ["check", "format"]):
+                    with self.subTest(file=path.name, verb=verb):
+                        error = self.expect(2, verb, path.name).err
+                        self.assertIn(f"'{path.name}': it is a {what}", error)
+                if suffix in READERS:
+                    with self.subTest(file=path.name, verb="check"):
+                        self.write("use.vug", IN_A_SCENE[suffix].format(path.name))
+                        self.assertIn(f"it is a {what}", self.expect(2, "check", "use.vug").err)
+        for verb in ("check", "info", "measure"):
+            self.expect(2, verb, "/proc/self/mem")
+        self.write("use.vug", 'include "pipe.vug"\n')
+        self.assertIn("use.vug:1:9: error: ", self.expect(2, "check", "use.vug").err)
+
     def test_a_truncated_include(self):
         self.write("use.vug", 'include "lib.vug"\nvolume v = level_set(hall, voxel: 20cm)\n')
         self.write("lib.vug", "let hall = union([sphere(1m), box(size: (1,")
         error = self.expect(2, "check", "use.vug").err
         self.assertTrue(error.startswith("lib.vug:1:"), error)
         self.write("lib.vug", b"\xff\xfe\x00l\x00e\x00t")
-        self.assertIn("lib.vug:1:", self.expect(2, "check", "use.vug").err)
+        self.assertIn("use.vug:1:9: error: 'lib.vug' is no text",
+                      self.expect(2, "check", "use.vug").err)
         (self.folder / "lib.vug").unlink()
         self.assertIn("use.vug:1:9: error: ", self.expect(2, "check", "use.vug").err)
 

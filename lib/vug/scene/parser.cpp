@@ -2,6 +2,7 @@
 #include <vug/scene/check.h>
 #include <vug/scene/parser.h>
 #include <vug/scene/statement_parser.h>
+#include <vug/scene/utf8.h>
 
 #include <fmt/format.h>
 
@@ -35,6 +36,13 @@ class Loader {
       diagnostics_.error(from.known() ? from : SourceLocation{file, 1, 1},
                          one ? fmt::format("'{}' is larger than {} bytes", file, limit)
                              : fmt::format("all files together are larger than {} bytes", limit));
+      return;
+    }
+    if (is_binary(text)) {
+      const bool included = from.known();
+      diagnostics_.error(included ? from : SourceLocation{file, 0, 0},
+                         fmt::format("{} is no text", included ? "'" + file + "'" : "the file"),
+                         "scenes are UTF-8 text; 'vug info' tells of grids, meshes and pictures");
       return;
     }
     auto source = std::make_shared<const Source>(Source{file, normalise_text(std::move(text))});

@@ -1,5 +1,6 @@
 #include <vug/scene/utf8.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace vug::scene {
@@ -32,6 +33,20 @@ bool is_utf8(std::string_view text) {
     text.remove_prefix(length);
   }
   return true;
+}
+
+bool is_binary(std::string_view text) {
+  constexpr size_t kStart = 4096;
+  const size_t size = std::min(text.size(), kStart);
+  size_t strange = 0;
+  for (size_t at = 0; at < size;) {
+    const size_t length = utf8_length(text.substr(at));
+    const auto first = static_cast<unsigned char>(text[at]);
+    const bool control = first < 0x20 && first != '\t' && first != '\n' && first != '\r';
+    if (length == 0 || control) ++strange;
+    at += std::max<size_t>(length, 1);
+  }
+  return 10 * strange > size;
 }
 
 std::string printable(std::string_view text) {

@@ -16,6 +16,9 @@ size_t utf8_length(std::string_view text);
 /// True when every byte belongs to a well-formed character.
 bool is_utf8(std::string_view text);
 
+/// True when control characters and ill-formed bytes are more than a tenth of how the text starts.
+bool is_binary(std::string_view text);
+
 /// The text with ill-formed bytes and control characters (but tabs) shown as U+FFFD.
 std::string printable(std::string_view text);
 
