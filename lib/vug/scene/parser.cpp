@@ -128,9 +128,9 @@ Document parse_file(const fs::path& file, Diagnostics& diagnostics, const ParseO
 
 ExprPtr parse_expression(const std::string& text, const std::string& file, Diagnostics& diagnostics,
                          const ParseOptions& options) {
+  const size_t before = diagnostics.all().size();
   const std::vector<Token> tokens = lex(text, file, diagnostics);
   Cursor cursor(tokens, file, diagnostics, options);
-  const size_t before = diagnostics.all().size();
   try {
     ExprPtr expr = ExprParser(cursor).whole();
     cursor.skip_newlines();

@@ -142,6 +142,14 @@ TEST(Evaluator, OverridesTakeTheDimensionOfTheDefault) {
   EXPECT_EQ(value_of(text, {{{"LB", "4"}}, {}}), "! param 'LB' is the name '+X', not a number");
 }
 
+TEST(Evaluator, AFaultyOverrideIsOneFault) {
+  const std::string text = "param R = 1m in 10cm..3m\nlet x = R\n";
+  EXPECT_EQ(value_of(text, {{{"R", "1e999"}}, {}}), "1m! the number 1e999 is too large");
+  EXPECT_EQ(value_of(text, {{{"R", "0 parsec"}}, {}}),
+            "1m! expected the end of the expression, found 'parsec'");
+  EXPECT_EQ(value_of(text, {{{"R", "0parsec"}}, {}}), "1m! unknown unit 'parsec'");
+}
+
 TEST(Evaluator, ParamsReportForUserInterfaces) {
   const Document document = parsed("param MP = 52% in 0..100% \"morph\"\nlet x = MP\n");
   Resolver resolver;
