@@ -45,6 +45,25 @@ class Done(VugTest):
         self.assertIn("warned.vug:3:3: warning: nothing reaches", result.err)
         json.loads(result.out)
 
+    def test_warnings_of_what_is_hardly_meant(self):
+        self.write("odd.vug", "param N = 0\ngrammar cave {\n  axiom Room*N\n  Room -> + sphere(1m)\n}\n"
+                              "volume none = level_set(cave, voxel: 20cm)\n"
+                              "volume rock = level_set(box(size: (2, 2, 2)), voxel: 20cm)\n"
+                              "camera main { eye (0.5, 0, 0) }\nrender main { size 4x3  spp 1 }\n")
+        grammar = "odd.vug:2:9: warning: the grammar 'cave' grows nothing\ngrammar cave {\n"
+        volume = "odd.vug:6:8: warning: the volume 'none' comes out empty\nvolume none = "
+        camera = "odd.vug:8:8: warning: the camera stands inside the solid of 'rock'\ncamera main {"
+        self.assertIn(grammar, self.expect(0, "check", "odd.vug").err)
+        for quiet in ([], ["--quiet"]):
+            built = self.expect(0, "build", "odd.vug", "-o", "out", *quiet).err
+            self.assertIn(grammar, built)
+            self.assertEqual(built.count(volume), 1)
+            self.assertNotIn(camera, built)
+            shot = self.expect(0, "render", "odd.vug", "-o", "odd.exr", "--products", "out", *quiet).err
+            self.assertIn(grammar, shot)
+            self.assertEqual((shot.count(volume), shot.count(camera)), (1, 1))
+            self.assertIn("hint: move its eye into the open\n", shot)
+
     def test_quiet(self):
         self.write("ball.vug", BALL)
         for verb in [("check",), ("build", "-o", "out"), ("render", "-o", "a.exr", "--size", "4x4")]:

@@ -44,7 +44,7 @@ session::Loaded SceneOptions::load() const {
 void WorkOptions::add_to(CLI::App& app) {
   app.add_option("--threads", threads, "threads to use; 0: all cores")->check(CLI::Range(0, 1024));
   app.add_option("--max-memory", max_memory, "refuse work that needs more, e.g. 8G");
-  auto* silent = app.add_flag("--quiet,-q", quiet, "no progress bar and no summary");
+  auto* silent = app.add_flag("--quiet,-q", quiet, "no progress bar and no summary; warnings stay");
   app.add_flag("--progress", progress, "a progress bar even where stderr is no terminal")
       ->excludes(silent);
 }
@@ -53,8 +53,14 @@ BarShown WorkOptions::bar() const {
   return quiet ? BarShown::never : progress ? BarShown::always : BarShown::on_terminals;
 }
 
-uint64_t WorkOptions::memory_limit() const {
-  return max_memory.empty() ? available_memory() / 10 * 9 : parse_bytes(max_memory);
+session::BuildOptions WorkOptions::build_options(const session::Loaded& loaded) const {
+  session::BuildOptions options;
+  options.max_memory = max_memory.empty() ? available_memory() / 10 * 9 : parse_bytes(max_memory);
+  options.tell = [&loaded](const Diagnostics& doubtful) {
+    clear_bar();
+    fmt::print(stderr, "{}", loaded.report(doubtful));
+  };
+  return options;
 }
 
 }  // namespace vug::cli

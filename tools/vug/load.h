@@ -4,6 +4,7 @@
 #include "bar.h"
 #include "verb.h"
 
+#include <vug/session/build.h>
 #include <vug/session/load.h>
 
 #include <optional>
@@ -31,8 +32,9 @@ struct WorkOptions {
 
   void add_to(CLI::App& app);
   BarShown bar() const;
-  /// The limit in bytes; without one, nine tenths of what the machine has free.
-  uint64_t memory_limit() const;
+  /// The limit in bytes, without one nine tenths of what the machine has free; warnings go to
+  /// stderr as they come. `loaded` must outlive what is built.
+  session::BuildOptions build_options(const session::Loaded& loaded) const;
 };
 
 }  // namespace vug::cli

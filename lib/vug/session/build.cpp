@@ -25,6 +25,15 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
+/// Why nothing of a volume is there, as far as its plan tells.
+std::string why_empty(const VolumePlan& plan) {
+  const Box3d& bounds = plan.field.bounds();
+  if (bounds.isEmpty()) return "its solid is empty";
+  if (plan.from && !bounds.intersects(Box3d(*plan.from, *plan.to)))
+    return "its solid lies outside of 'from' and 'to'";
+  return "its solid is empty or thinner than a voxel";
+}
+
 void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface) {
   const auto solid = volume::samples(surface);
   std::vector<paint::Spot> spots(mesh.positions.size());
@@ -47,6 +56,14 @@ double meshing_bytes(const volume::LevelSet& surface) {
 
 }  // namespace
 
+void Builder::warn(const SourceLocation& where, const std::string& message,
+                   const std::string& hint) const {
+  if (!options_.tell) return;
+  Diagnostics one;
+  one.warning(where, message, hint);
+  options_.tell(one);
+}
+
 uint64_t Builder::room() const {
   if (options_.max_memory == 0) return available_memory();
   return options_.max_memory > held_ ? options_.max_memory - held_ : 1;
@@ -65,6 +82,9 @@ const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
     const volume::LevelSet& made =
         level_sets_.emplace(plan, volume::voxelize(plan->field, voxelize, progress_)).first->second;
     held_ += made.statistics().memory_bytes;
+    if (made.empty())
+      warn(plan->where, fmt::format("the volume '{}' comes out empty", plan->name),
+           why_empty(*plan));
     return made;
   } catch (Error& error) {
     throw error.within(fmt::format("making the volume '{}'", plan->name));

@@ -1,11 +1,13 @@
 // From a shot to its products: grids and meshes, each computed once when first asked for.
 #pragma once
 
+#include <vug/base/diagnostics.h>
 #include <vug/base/progress.h>
 #include <vug/mesh/mesh.h>
 #include <vug/session/shot.h>
 #include <vug/volume/level_set.h>
 
+#include <functional>
 #include <map>
 
 namespace vug::session {
@@ -13,6 +15,8 @@ namespace vug::session {
 struct BuildOptions {
   uint64_t max_memory = 0;  ///< Bytes for all that a Builder holds and does; 0: what the machine
                             ///< has free. Error(too_large) before work that needs more.
+  /// Told of what is doubtful, such as an empty grid, as soon as it shows.
+  std::function<void(const Diagnostics&)> tell = nullptr;
 };
 
 /// Holds products while they are needed. The shot must outlive it. Not for several threads at
@@ -29,13 +33,14 @@ class Builder {
   const Shot& shot() const { return shot_; }
   const BuildOptions& options() const { return options_; }
   Progress& progress() const { return progress_; }
+  /// Tells of something doubtful that stands in the scene's text at `where`.
+  void warn(const SourceLocation& where, const std::string& message, const std::string& hint) const;
+  /// Bytes that further work may take, at least 1.
+  uint64_t room() const;
   /// Wall-clock seconds spent on grids and meshes so far.
   double seconds() const { return seconds_; }
 
  private:
-  /// Bytes that further work may take, at least 1.
-  uint64_t room() const;
-
   const Shot& shot_;
   BuildOptions options_;
   Progress& progress_;

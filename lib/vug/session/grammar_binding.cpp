@@ -274,7 +274,12 @@ Value bind_grammar(const scene::Grammar& source, Reading& reading) {
     const sgm::Options options = binder.options();
     const grammar::Limits limits{binder.limit("steps", 100'000), binder.limit("limit", 1'000'000)};
     sgm::Result result = sgm::derive(bound, binder.key(), options, limits);
-    reading.diagnostics.append(result.diagnostics);
+    for (const Diagnostic& d : result.diagnostics.all())
+      reading.diagnostics.warning(d.where.known() ? d.where : source.where, d.message, d.hint);
+    if (result.field.bounds().isEmpty())
+      reading.diagnostics.warning(
+          source.where, fmt::format("the grammar '{}' grows nothing", source.name),
+          result.counts.total() == 0 ? "no production of a shape was applied; see 'vug tree'" : "");
     reading.shot.derivations.push_back(
         {source.name, std::move(result.tree), result.counts.total()});
     return Object{"field", result.field};

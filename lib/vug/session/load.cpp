@@ -76,7 +76,9 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
 
 }  // namespace
 
-std::string Loaded::report() const { return scene::report(diagnostics, sources); }
+std::string Loaded::report(const Diagnostics& others) const {
+  return scene::report(others, sources);
+}
 
 Loaded load_text(std::string text, const std::string& file, const LoadOptions& options) {
   Loaded loaded;

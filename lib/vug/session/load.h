@@ -23,7 +23,9 @@ struct Loaded {
 
   bool usable() const { return !diagnostics.has_errors(); }
   /// The diagnostics with their lines and carets, as `vug check` prints them.
-  std::string report() const;
+  std::string report() const { return report(diagnostics); }
+  /// Others in the same way, as of what shows while the scene is built.
+  std::string report(const Diagnostics& others) const;
 };
 
 /// Reads, parses and evaluates the whole scene; derives its grammars. All faults of the text are

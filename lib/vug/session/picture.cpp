@@ -32,6 +32,22 @@ render::CameraPtr outside_camera(const Box3d& box) {
       "perspective", {{"eye", eye}, {"target", centre}, {"fov", Number{kFov, Dimension::angle}}});
 }
 
+/// A picture from inside the rock shows its back side: hardly ever what is meant.
+void warn_of_rock(Builder& builder, const RenderPlan& plan, const std::vector<ObjectPlan>& objects,
+                  const render::Camera& camera) {
+  const Vec3d eye(camera.eye());
+  const auto holds_eye = [&](const ObjectPlan& object) {
+    return builder.level_set(object.mesh->volume).value(eye) < 0;
+  };
+  const auto solid = std::find_if(objects.begin(), objects.end(), holds_eye);
+  if (solid == objects.end()) return;
+  SourceLocation where = plan.where;
+  for (const CameraPlan& declared : builder.shot().cameras)
+    if (declared.camera.get() == &camera) where = declared.where;
+  builder.warn(where, fmt::format("the camera stands inside the solid of '{}'", solid->name),
+               "move its eye into the open");
+}
+
 }  // namespace
 
 RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
@@ -41,10 +57,10 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
                       [](const RenderPlan& r) { return r.name; });
   else if (!shot.renders.empty())
     plan = shot.renders.front();
-  auto name_of = [](const auto& camera) { return camera.first; };
+  auto name_of = [](const CameraPlan& camera) { return camera.name; };
   if (!options.camera.empty())
-    plan.camera = find_named(shot.cameras, options.camera, "camera", name_of).second;
-  if (!plan.camera && !shot.cameras.empty()) plan.camera = shot.cameras.front().second;
+    plan.camera = find_named(shot.cameras, options.camera, "camera", name_of).camera;
+  if (!plan.camera && !shot.cameras.empty()) plan.camera = shot.cameras.front().camera;
   if (options.spp) plan.spp = *options.spp;
   if (options.size) plan.size = {options.size->x, options.size->y};
   return plan;
@@ -72,6 +88,7 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   scene.medium = shot.medium;
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
   scene.camera = plan.camera ? plan.camera : outside_camera(bounds);
+  warn_of_rock(builder, plan, objects, *scene.camera);
   return scene;
 }
 

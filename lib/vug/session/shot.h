@@ -28,6 +28,7 @@ struct VolumePlan {
   bool half = false;          ///< Store 16-bit floats.
   std::optional<Vec3d> from;  ///< With `to`: cut to this box; needed by fields without bounds.
   std::optional<Vec3d> to;
+  SourceLocation where;  ///< Its name in the text.
 
   std::string fault() const;  ///< A sentence on `from` and `to` that are no box; else empty.
 };
@@ -52,6 +53,13 @@ struct ObjectPlan {
   bool flat = false;
 };
 
+/// `camera NAME { ... }`.
+struct CameraPlan {
+  std::string name;
+  render::CameraPtr camera;
+  SourceLocation where;  ///< Its name in the text.
+};
+
 /// `render NAME { ... }`.
 struct RenderPlan {
   std::string name = "main";
@@ -63,6 +71,7 @@ struct RenderPlan {
   render::CameraPtr camera;  ///< Null: the camera named like the plan, else the first.
   render::SamplerPtr sampler;
   render::IntegratorPtr integrator;
+  SourceLocation where;  ///< Its name in the text.
 };
 
 /// A grammar's derivation, kept for `vug tree` and for counting productions.
@@ -79,7 +88,7 @@ struct Shot {
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;
-  std::vector<std::pair<std::string, render::CameraPtr>> cameras;
+  std::vector<CameraPlan> cameras;
   std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
   render::MediumPtr medium;
   std::vector<RenderPlan> renders;

@@ -17,7 +17,7 @@ struct Options {
 int run(const Options& options) {
   const session::Loaded loaded = options.scene.load();
   const ThreadLimit threads(options.work.threads);
-  session::Builder builder(loaded.shot, {options.work.memory_limit()},
+  session::Builder builder(loaded.shot, options.work.build_options(loaded),
                            terminal_progress(options.work.bar()));
   const auto paths = session::write_products(builder, options.folder);
   if (paths.empty())

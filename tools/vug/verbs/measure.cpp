@@ -21,7 +21,7 @@ metrics::Report report_of(const Options& options) {
   if (std::filesystem::path(options.scene.scene).extension() != ".vug")
     return session::measure_file(options.scene.scene, progress);
   const session::Loaded loaded = options.scene.load();
-  session::Builder builder(loaded.shot, {options.work.memory_limit()}, progress);
+  session::Builder builder(loaded.shot, options.work.build_options(loaded), progress);
   return session::measure(builder, options.mesh);
 }
 

@@ -49,7 +49,7 @@ int run(Options options) {
   options.picture.seed = options.scene.seed;
   const session::Loaded loaded = options.scene.load();
   const ThreadLimit threads(options.work.threads);
-  session::Builder builder(loaded.shot, {options.work.memory_limit()},
+  session::Builder builder(loaded.shot, options.work.build_options(loaded),
                            terminal_progress(options.work.bar()));
   const session::Picture picture = session::render_picture(builder, options.picture);
   image::ExrOptions exr_options;

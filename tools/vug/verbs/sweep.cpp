@@ -114,7 +114,7 @@ Row measured(const Options& options, const std::string& value) {
     scene.defines.push_back(options.param + "=" + value);
   }
   const session::Loaded loaded = scene.load();
-  session::Builder builder(loaded.shot, {options.work.memory_limit()},
+  session::Builder builder(loaded.shot, options.work.build_options(loaded),
                            terminal_progress(options.work.bar()));
   return {value, session::measure(builder)};
 }

@@ -62,6 +62,7 @@ class PerspectiveCamera final : public Camera {
     const Vec3f shift = right_ * (d.x * lens_radius_) + up_ * (d.y * lens_radius_);
     return {eye_ + shift, normalized(through * focus_ - shift)};
   }
+  Vec3f eye() const override { return eye_; }
   float depth(const Vec3f& point) const override { return dot(point - eye_, forward_); }
 
  private:

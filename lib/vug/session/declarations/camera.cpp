@@ -12,7 +12,7 @@ const DeclarationKind& camera_declaration() {
       [](const scene::Declaration& declaration, Reading& reading) {
         const Value value = read_family("camera", "perspective", declaration, reading);
         if (const auto* camera = value.object<render::CameraPtr>())
-          reading.shot.cameras.emplace_back(declaration.name, *camera);
+          reading.shot.cameras.push_back({declaration.name, *camera, declaration.where});
         return value;
       }};
   return kind;

@@ -35,6 +35,7 @@ const DeclarationKind& render_declaration() {
           return Value();
         }
         plan->name = declaration.name;
+        plan->where = declaration.where;
         reading.shot.renders.push_back(std::move(*plan));
         return Value(Value::Name{declaration.name});
       }};

@@ -15,6 +15,7 @@ const DeclarationKind& volume_declaration() {
         if (!plan) return Value();
         auto named = std::make_shared<VolumePlan>(**plan);
         named->name = declaration.name;
+        named->where = declaration.where;
         reading.shot.volumes.push_back(named);
         return Object{"volume", VolumePtr(named)};
       }};
