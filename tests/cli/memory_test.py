@@ -45,6 +45,7 @@ class Memory(VugTest):
         error = self.expect(2, "render", "ball.vug", "-o", "a.exr", "--size", "60000x60000",
                             "--max-memory", "8G").err
         self.assertIn("a picture of 60000x60000", error)
+        self.assertIn("hint: use a smaller --size, or raise --max-memory", error)
         self.assertGreater(told(error), 60000 * 60000 * 4 * 10)
 
     @unittest.skipIf(SLOW, "a sanitizer takes memory of its own")

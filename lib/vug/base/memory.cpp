@@ -51,12 +51,13 @@ uint64_t available_memory() {
   return uint64_t{8} << 30;
 }
 
-void require_memory(double estimate, uint64_t limit, const std::string& what) {
+void require_memory(double estimate, uint64_t limit, const std::string& what,
+                    const std::string& remedy) {
   if (estimate <= static_cast<double>(limit)) return;
   throw Error(ErrorCode::too_large,
               fmt::format("{} would take about {} of memory, more than the limit of {}", what,
                           bytes_text(estimate), bytes_text(static_cast<double>(limit))),
-              {}, "use a larger voxel, a smaller region, or raise --max-memory");
+              {}, remedy + ", or raise --max-memory");
 }
 
 }  // namespace vug

@@ -15,7 +15,9 @@ std::string bytes_text(double bytes);
 /// Memory the machine could give now, in bytes (MemAvailable).
 uint64_t available_memory();
 
-/// Throws Error(too_large) when `estimate` (bytes) exceeds `limit`, naming both and `what`.
-void require_memory(double estimate, uint64_t limit, const std::string& what);
+/// Throws Error(too_large) when `estimate` (bytes) exceeds `limit`, naming both and `what`; the
+/// hint is `remedy` or else a higher limit.
+void require_memory(double estimate, uint64_t limit, const std::string& what,
+                    const std::string& remedy = "use a larger voxel, a smaller region");
 
 }  // namespace vug

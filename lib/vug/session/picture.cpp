@@ -10,6 +10,8 @@
 namespace vug::session {
 namespace {
 
+constexpr const char* kFewerPixels = "use a smaller --size";
+
 template <class Named, class Name>
 const auto& find_named(const Named& items, const std::string& name, const std::string& what,
                        Name name_of) {
@@ -97,8 +99,8 @@ Picture render_picture(Builder& builder, const PictureOptions& options) {
   picture.plan = render_plan(builder.shot(), options);
   const RenderPlan& plan = picture.plan;
   const double pixels = static_cast<double>(plan.size.at(0)) * static_cast<double>(plan.size.at(1));
-  require_memory(pixels * 128, builder.options().max_memory,
-                 fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]));
+  require_memory(pixels * 128, builder.room(),
+                 fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
   const render::Scene scene = assemble(builder, plan);
   render::Options render;
   render.width = plan.size[0];
@@ -108,8 +110,8 @@ Picture render_picture(Builder& builder, const PictureOptions& options) {
   render.max_bounces = plan.max_bounces;
   render.sampler = plan.sampler;
   render.integrator = plan.integrator;
-  require_memory(render::memory_estimate(scene, render), builder.options().max_memory,
-                 "the picture");
+  require_memory(render::memory_estimate(scene, render), builder.room(), "the picture",
+                 std::string(kFewerPixels) + " or larger voxels");
   picture.image = render::render(scene, render, builder.progress());
   picture.metadata = {{"vug:recipe", builder.shot().recipe},
                       {"vug:seed", std::to_string(render.seed)},

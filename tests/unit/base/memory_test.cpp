@@ -23,6 +23,13 @@ TEST(Memory, RefusesAndSaysHowMuch) {
     EXPECT_STREQ(
         error.what(),
         "the level set 'rock' would take about 3 GiB of memory, more than the limit of 1 GiB");
+    EXPECT_EQ(error.hint(), "use a larger voxel, a smaller region, or raise --max-memory");
+  }
+  try {
+    require_memory(20, 10, "the picture", "use fewer pixels");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.hint(), "use fewer pixels, or raise --max-memory");
   }
 }
 
