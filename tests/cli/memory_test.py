@@ -48,6 +48,20 @@ class Memory(VugTest):
         self.assertIn("hint: use a smaller --size, or raise --max-memory", error)
         self.assertGreater(told(error), 60000 * 60000 * 4 * 10)
 
+    def test_a_mesh_that_is_too_large_is_refused_before_its_grid(self):
+        self.write("rock.vug", "volume rock = level_set(sphere(10m), voxel: 1cm)\nmesh wall on rock {}\n"
+                               "camera main { eye (0, 0, 30) }\nrender main { size 4x3  spp 1 }\n")
+        # The grid alone, of 1.3e7 voxels in its band a layer, would take about half of this.
+        for args in [("build", "rock.vug", "-o", "out"), ("measure", "rock.vug"),
+                     ("render", "rock.vug", "-o", "rock.exr")]:
+            with self.subTest(args=args):
+                start = time.monotonic()
+                error = self.expect(2, *args, "--max-memory", "2G").err
+                self.assertLess(time.monotonic() - start, 3 if not SLOW else 60)
+                self.assertIn("while making the mesh 'wall'", error)
+                self.assertGreater(told(error), 4 * 2**30)
+        self.assertEqual(self.files(), ["rock.vug"])
+
     @unittest.skipIf(SLOW, "a sanitizer takes memory of its own")
     def test_the_estimates_are_honest(self):
         """Within 1.5 either way of what the kernel counts beyond a build of next to nothing."""

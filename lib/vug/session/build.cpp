@@ -46,12 +46,30 @@ void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::Level
   mesh.attributes.push_back(std::move(color));
 }
 
-/// Peak of making and polishing a mesh. A surface of area A has 1.5 A / voxel^2 vertices on
-/// average over its directions; each took 420 bytes, measured with a ball and a rough one.
-double meshing_bytes(const volume::LevelSet& surface) {
+/// Peak of making and polishing a mesh of a band that is so many voxels wide. A surface of area A
+/// has 1.5 A / voxel^2 vertices on average over its directions; each took 420 bytes, measured with
+/// a ball and a rough one.
+double meshing_bytes(double active_voxels, double band) {
   constexpr double kVertexBytes = 420;
-  const double band = 2 * surface.background() / surface.voxel();
-  return kVertexBytes * 1.5 * static_cast<double>(surface.statistics().active_voxels) / band;
+  return kVertexBytes * 1.5 * active_voxels / band;
+}
+
+volume::VoxelizeOptions voxelize_options(const VolumePlan& plan, uint64_t max_memory) {
+  volume::VoxelizeOptions options;
+  options.voxel = plan.voxel;
+  options.half_width = plan.half_width;
+  options.repair = plan.repair;
+  options.max_memory = max_memory;
+  if (plan.from) options.region = Box3d(*plan.from, *plan.to);
+  return options;
+}
+
+/// No mesh of the plan needs more: as if every voxel were in the band.
+double most_meshing_bytes(const VolumePlan& plan) {
+  const Vec3d size = (plan.from ? Box3d(*plan.from, *plan.to) : plan.field.bounds()).size();
+  double voxels = 1;
+  for (int axis = 0; axis < 3; ++axis) voxels *= size[axis] / plan.voxel + 2 * plan.half_width + 2;
+  return meshing_bytes(voxels, 2 * plan.half_width);
 }
 
 }  // namespace
@@ -72,12 +90,7 @@ uint64_t Builder::room() const {
 const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
   if (const auto found = level_sets_.find(plan); found != level_sets_.end()) return found->second;
   const Stopwatch watch(seconds_);
-  volume::VoxelizeOptions voxelize;
-  voxelize.voxel = plan->voxel;
-  voxelize.half_width = plan->half_width;
-  voxelize.repair = plan->repair;
-  voxelize.max_memory = room();
-  if (plan->from) voxelize.region = Box3d(*plan->from, *plan->to);
+  const volume::VoxelizeOptions voxelize = voxelize_options(*plan, room());
   try {
     const volume::LevelSet& made =
         level_sets_.emplace(plan, volume::voxelize(plan->field, voxelize, progress_)).first->second;
@@ -91,8 +104,22 @@ const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
   }
 }
 
+void Builder::require_room(const MeshPtr& plan) const {
+  const VolumePlan& volume = *plan->volume;
+  if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
+  if (most_meshing_bytes(volume) <= static_cast<double>(room())) return;
+  try {
+    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, room()));
+    require_memory(estimate.bytes + meshing_bytes(estimate.active_voxels, 2 * volume.half_width),
+                   room(), fmt::format("a mesh and its grid with voxels of {} m", volume.voxel));
+  } catch (Error& error) {
+    throw error.within(fmt::format("making the mesh '{}'", plan->name));
+  }
+}
+
 std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
   if (const auto found = meshes_.find(plan); found != meshes_.end()) return found->second;
+  require_room(plan);
   const volume::LevelSet& surface = level_set(plan->volume);
   const Stopwatch watch(seconds_);
   meshing::PolygonizeOptions polygonize;
@@ -100,7 +127,8 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
   polygonize.polish = plan->polish;
   const field::Field* exact = plan->polish ? &plan->volume->field : nullptr;
   try {
-    require_memory(meshing_bytes(surface), room(), "the mesh");
+    const auto active = static_cast<double>(surface.statistics().active_voxels);
+    require_memory(meshing_bytes(active, 2 * plan->volume->half_width), room(), "the mesh");
     mesh::Mesh made = meshing::polygonize(surface, exact, polygonize, progress_).mesh;
     if (plan->paint) add_colors(made, plan->paint, surface);
     held_ += 2 * sizeof(Vec3f) * made.positions.size() + sizeof(Vec3i) * made.triangles.size();

@@ -30,6 +30,10 @@ class Builder {
   const volume::LevelSet& level_set(const VolumePtr& plan);
   std::shared_ptr<const mesh::Mesh> mesh(const MeshPtr& plan);
 
+  /// Error(too_large) where the mesh and its grid are sure to need more than there is, as far as
+  /// that shows before the work.
+  void require_room(const MeshPtr& plan) const;
+
   const Shot& shot() const { return shot_; }
   const BuildOptions& options() const { return options_; }
   Progress& progress() const { return progress_; }

@@ -75,6 +75,7 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   if (objects.empty())
     for (const MeshPtr& mesh : meshes_of(shot))
       objects.push_back({mesh->name, mesh, nullptr, false});
+  for (const ObjectPlan& object : objects) builder.require_room(object.mesh);
   Box3d bounds;
   for (const ObjectPlan& object : objects) {
     const auto mesh = builder.mesh(object.mesh);

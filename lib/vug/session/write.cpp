@@ -10,6 +10,7 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
                                                   const std::filesystem::path& folder) {
   const Shot& shot = builder.shot();
   std::vector<std::filesystem::path> paths;
+  for (const MeshPtr& plan : shot.meshes) builder.require_room(plan);
   if (!shot.volumes.empty()) {
     volume::WriteOptions options;
     options.metadata = {{"vug:recipe", shot.recipe}, {"vug:seed", static_cast<int64_t>(shot.seed)}};
