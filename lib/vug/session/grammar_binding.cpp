@@ -15,6 +15,18 @@ namespace {
 /// Thrown out of a derivation whose text is at fault; the diagnostics already say why.
 struct Faulty {};
 
+/// Says of those from index `first` on what was being done: "..., while growing Room(3)".
+void add_context(Diagnostics& diagnostics, size_t first, const std::string& doing) {
+  Diagnostics out;
+  for (size_t i = 0; i < diagnostics.all().size(); ++i) {
+    const Diagnostic& d = diagnostics.all()[i];
+    const std::string message = i < first ? d.message : d.message + ", while " + doing;
+    d.severity == Severity::error ? out.error(d.where, message, d.hint)
+                                  : out.warning(d.where, message, d.hint);
+  }
+  diagnostics = std::move(out);
+}
+
 /// What an item says beside its shape: the clauses, with the grammar's options as defaults.
 struct ItemClauses {
   std::string label = "random";
@@ -55,6 +67,18 @@ class Binder {
                          const std::string& hint = {}) {
     diagnostics_.error(where, message, hint);
     throw Faulty{};
+  }
+  /// Faults of the work say for which arguments of a symbol they show: the text has names only.
+  template <class Work>
+  auto growing(const grammar::Site& site, const Work& work) {
+    const size_t before = diagnostics_.all().size();
+    try {
+      return work();
+    } catch (const Faulty&) {
+      if (!site.symbol.content.params.empty())
+        add_context(diagnostics_, before, "growing " + grammar::to_string(site.symbol));
+      throw;
+    }
   }
   static scene::Scope scope_of(const std::vector<scene::Formal>& formals,
                                const grammar::Site& site) {
@@ -184,21 +208,25 @@ grammar::Part Binder::part(const scene::Item& item, const std::vector<scene::For
   part.terminal = !item.op.empty();
   part.symbol = part.terminal ? item.op : item.symbol();
   if (item.count)
-    part.count = [this, &item, &formals](const grammar::Site& site) -> int64_t {
-      const scene::Scope scope = scope_of(formals, site);
-      const std::optional<int> count = evaluator_.count(*item.count, site.key, &scope);
-      if (!count) throw Faulty{};
-      return *count;
+    part.count = [this, &item, &formals](const grammar::Site& site) {
+      return growing(site, [&]() -> int64_t {
+        const scene::Scope scope = scope_of(formals, site);
+        const std::optional<int> count = evaluator_.count(*item.count, site.key, &scope);
+        if (!count) throw Faulty{};
+        return *count;
+      });
     };
-  part.content = [this, &item, &formals](const grammar::Site& site) -> grammar::Content {
-    if (!item.op.empty()) return step(item, formals, site);
-    const scene::Scope scope = scope_of(formals, site);
-    grammar::Content content;
-    for (Argument& argument : evaluator_.arguments(*item.shape, site.key, &scope)) {
-      if (argument.value.empty()) throw Faulty{};
-      content.params.push_back(std::move(argument.value));
-    }
-    return content;
+  part.content = [this, &item, &formals](const grammar::Site& site) {
+    return growing(site, [&]() -> grammar::Content {
+      if (!item.op.empty()) return step(item, formals, site);
+      const scene::Scope scope = scope_of(formals, site);
+      grammar::Content content;
+      for (Argument& argument : evaluator_.arguments(*item.shape, site.key, &scope)) {
+        if (argument.value.empty()) throw Faulty{};
+        content.params.push_back(std::move(argument.value));
+      }
+      return content;
+    });
   };
   return part;
 }
@@ -216,16 +244,21 @@ grammar::Grammar Binder::bind() {
     production.where = rule.where;
     if (rule.guard)
       production.guard = [this, &rule](const grammar::Site& site) {
-        const Value holds = value(*rule.guard, site.key, scope_of(rule.formals, site));
-        if (const bool* truth = holds.get<bool>()) return *truth;
-        fail(rule.guard->where, fmt::format("a guard is true or false, not {}", holds.type_name()));
+        return growing(site, [&] {
+          const Value holds = value(*rule.guard, site.key, scope_of(rule.formals, site));
+          if (const bool* truth = holds.get<bool>()) return *truth;
+          fail(rule.guard->where,
+               fmt::format("a guard is true or false, not {}", holds.type_name()));
+        });
       };
     if (rule.weight)
       production.weight = [this, &rule](const grammar::Site& site) {
-        const double weight = number(*rule.weight, site.key, scope_of(rule.formals, site));
-        if (!(weight >= 0) || !std::isfinite(weight))
-          fail(rule.weight->where, fmt::format("a weight is a number from 0 on, not {}", weight));
-        return weight;
+        return growing(site, [&] {
+          const double weight = number(*rule.weight, site.key, scope_of(rule.formals, site));
+          if (!(weight >= 0) || !std::isfinite(weight))
+            fail(rule.weight->where, fmt::format("a weight is a number from 0 on, not {}", weight));
+          return weight;
+        });
       };
     for (const scene::Item& item : rule.items) production.parts.push_back(part(item, rule.formals));
     out.productions.push_back(std::move(production));
@@ -286,7 +319,9 @@ Value bind_grammar(const scene::Grammar& source, Reading& reading) {
   } catch (const Faulty&) {
     return Value();
   } catch (const Error& error) {
-    reading.diagnostics.error(error.where().known() ? error.where() : source.where, error.what(),
+    std::string message = error.what();
+    for (const std::string& doing : error.context()) message += ", while " + doing;
+    reading.diagnostics.error(error.where().known() ? error.where() : source.where, message,
                               error.hint());
     return Value();
   }
