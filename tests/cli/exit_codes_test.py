@@ -118,6 +118,28 @@ class Unusable(VugTest):
                 self.refused(*args)
         self.assertEqual(self.files(), ["ball.vug"])
 
+    def test_empty_values(self):
+        """What a script's unset variable leaves behind."""
+        self.write("ball.vug", BALL)
+        build = ("build", "ball.vug", "-o", "out")
+        render = ("render", "ball.vug", "-o", "a.exr")
+        for args in [("build", "ball.vug", "-o", ""), (*build, "--threads", ""), (*build, "-D", ""),
+                     (*render, "--size", ""), (*render, "--camera", ""), ("check", ""), ("list", ""),
+                     ("sweep", "ball.vug", "-p", "R", "-v", "")]:
+            with self.subTest(args=args):
+                self.assertIn("the value is empty\n", self.refused(*args))
+        self.assertIn("error: --max-memory: the value is empty\n",
+                      self.refused(*build, "--max-memory", ""))
+        self.refused(*build, "--max-memory=")
+        self.assertIn("error: --seed: '-1' is no whole number from 0 on\n",
+                      self.refused(*build, "--seed", "-1"))
+        self.assertEqual(self.files(), ["ball.vug"])
+
+    def test_a_faulty_override_is_one_fault(self):
+        self.write("ball.vug", "param R = 1m\n" + BALL.replace("1m", "R"))
+        self.assertEqual(self.refused("check", "ball.vug", "-D", "R=1e999"),
+                         "-D R:1:1: error: the number 1e999 is too large\n1e999\n^\n")
+
     def test_a_refusal_says_what_to_do(self):
         self.write("ball.vug", BALL + "camera front { eye (0, 0, 5) }\n")
         self.assertIn("did you mean 'front'?",

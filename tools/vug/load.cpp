@@ -3,11 +3,23 @@
 #include <fmt/format.h>
 #include <vug/base/memory.h>
 
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
 namespace vug::cli {
+
+namespace {
+
+std::string whole_number(const std::string& text) {
+  uint64_t number = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = code == std::errc() && end == text.data() + text.size();
+  return whole ? "" : fmt::format("'{}' is no whole number from 0 on", text);
+}
+
+}  // namespace
 
 void SceneOptions::add_to(CLI::App& app) {
   app.add_option("scene", scene, "the scene, a .vug file")->required();
@@ -15,7 +27,7 @@ void SceneOptions::add_to(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  app.add_option("--seed", seed, "instead of the scene's seed")->check(CLI::NonNegativeNumber);
+  app.add_option("--seed", seed, "instead of the scene's seed")->check(whole_number);
 }
 
 session::LoadOptions SceneOptions::load_options() const {

@@ -27,6 +27,9 @@ std::vector<Verb> verbs() {
   };
 }
 
+/// No option takes an empty text: it is what a script's unset variable leaves behind.
+std::string refuse_empty(std::string& text) { return text.empty() ? "the value is empty" : ""; }
+
 int run(int argc, char** argv) {
   CLI::App app("Grows film-grade caves out of grammars: text to VDB, mesh and picture.", "vug");
   app.set_version_flag("--version", "vug " VUG_VERSION);
@@ -42,6 +45,8 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs()) {
     CLI::App* command = app.add_subcommand(verb.name, verb.doc);
     runs[command] = verb.setup(*command);
+    for (CLI::Option* option : command->get_options())  // first of all, before ranges are checked
+      option->transform(CLI::Validator(refuse_empty, ""));
   }
   try {
     app.parse(argc, argv);
