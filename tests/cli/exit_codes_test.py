@@ -148,6 +148,7 @@ class Unusable(VugTest):
                       self.refused("render", "ball.vug", "-o", "a.exr", "--size", "big"))
         self.assertIn("did you mean 'rock'?", self.refused("measure", "ball.vug", "--mesh", "rok"))
         self.assertIn("did you mean 'torus'?", self.refused("list", "torsu"))
+        self.assertTrue(self.refused("list", "bogus").endswith("\nhint: 'vug list' shows them all\n"))
 
     def test_missing_files(self):
         for args in [("check", "no.vug"), ("build", "no.vug", "-o", "out"), ("tree", "no.vug"),

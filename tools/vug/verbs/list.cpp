@@ -34,10 +34,12 @@ void print_kind(const KindInfo& kind) {
 
 int run(const Options& options) {
   const std::vector<const KindInfo*> kinds = session::find_kinds(options.what);
-  if (kinds.empty())
-    throw Error(ErrorCode::bad_input,
-                fmt::format("there is no kind or category '{}'", options.what), {},
-                suggestion(options.what, session::kind_words()));
+  if (kinds.empty()) {
+    const std::string near = nearest_name(options.what, session::kind_words());
+    throw Error(
+        ErrorCode::bad_input, fmt::format("there is no kind or category '{}'", options.what), {},
+        near.empty() ? "'vug list' shows them all" : fmt::format("did you mean '{}'?", near));
+  }
   if (options.json) {
     fmt::print("{}\n", session::catalogue_json(kinds).dump(2));
     return kDone;
