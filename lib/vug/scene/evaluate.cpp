@@ -241,8 +241,14 @@ Value Evaluator::pick(const Expr& expr, const Context& context) {
 Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* scope) {
   Arguments arguments;
   if (call.kind != ExprKind::call) return arguments;
-  for (const Operand& part : call.operands)
-    arguments.push_back({part.name, evaluate(*part.value, {key, scope}), part.where});
+  for (size_t i = 0; i < call.operands.size(); ++i) {
+    const Operand& part = call.operands[i];
+    const bool choice = part.value->kind == ExprKind::name &&
+                        resolver_.is_choice(call.text, i, part.name, part.value->text);
+    Value value =
+        choice ? Value(Value::Name{part.value->text}) : evaluate(*part.value, {key, scope});
+    arguments.push_back({part.name, std::move(value), part.where});
+  }
   return arguments;
 }
 

@@ -11,6 +11,10 @@ std::optional<Value> Resolver::call(const std::string&, const Arguments&, const 
   return std::nullopt;
 }
 
+bool Resolver::is_choice(const std::string&, size_t, const std::string&, const std::string&) const {
+  return false;
+}
+
 std::optional<Value> Resolver::binary(char, const Value&, const Value&, const SourceLocation&,
                                       Diagnostics&) {
   return std::nullopt;

@@ -26,6 +26,10 @@ class Resolver {
   virtual std::optional<Value> call(const std::string& name, const Arguments& arguments,
                                     const SourceLocation& where, RandomKey key,
                                     Diagnostics& diagnostics);
+  /// True where the argument of a call, given by name or (with an empty one) by position, has the
+  /// word among its choices: the word then stands for itself, whatever is declared under it.
+  virtual bool is_choice(const std::string& call, size_t position, const std::string& argument,
+                         const std::string& word) const;
   /// `op` is one of + - & * / ^ where at least one side is an object.
   virtual std::optional<Value> binary(char op, const Value& a, const Value& b,
                                       const SourceLocation& where, Diagnostics& diagnostics);

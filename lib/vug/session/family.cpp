@@ -7,6 +7,8 @@
 #include <vug/session/objects.h>
 #include <vug/session/volume_kinds.h>
 
+#include <algorithm>
+
 namespace vug::session {
 namespace {
 
@@ -25,6 +27,13 @@ Family family(const Kinds<Product>& kinds) {
 }
 
 }  // namespace
+
+bool has_choice(const KindInfo& kind, const std::string& parameter, const std::string& word) {
+  for (const ParamInfo& info : kind.params)
+    if (info.name == parameter)
+      return std::find(info.choices.begin(), info.choices.end(), word) != info.choices.end();
+  return false;
+}
 
 const FamilyKind* Family::find(const std::string& name) const {
   for (const FamilyKind& kind : kinds)

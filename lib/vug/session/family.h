@@ -24,6 +24,9 @@ struct Family {
   const FamilyKind* find(const std::string& name) const;
 };
 
+/// Whether the kind's parameter has the word among its choices.
+bool has_choice(const KindInfo& kind, const std::string& parameter, const std::string& word);
+
 /// Every family there is.
 const std::vector<Family>& families();
 /// The family of a product type; null when there is none.

@@ -118,9 +118,23 @@ sgm::Label Binder::label(const std::string& name, const SourceLocation& where) {
   fail(where, fmt::format("'{}' is no label", name), suggestion(name, sgm::label_names()));
 }
 
+/// The choice that a clause's value is, such as +X or random, whatever is declared as X or random.
+std::optional<std::string> choice(const std::string& key, const scene::Expr& expr) {
+  std::string word = expr.text;
+  if (expr.kind == scene::ExprKind::unary && expr.operands[0].value->kind == scene::ExprKind::name)
+    word += expr.operands[0].value->text;
+  else if (expr.kind != scene::ExprKind::name)
+    return std::nullopt;
+  const bool label = (key == "label" || key == "piece_label") && sgm::label_from(word);
+  const bool reach = key == "reach" && (word == "local" || word == "whole");
+  return label || reach ? std::optional(word) : std::nullopt;
+}
+
 void Binder::read_clause(const scene::Entry& clause, RandomKey key, const scene::Scope& scope,
                          ItemClauses& out) {
-  const Value given = value(*clause.values.at(0), key.at(clause.key), scope);
+  const scene::Expr& expr = *clause.values.at(0);
+  const std::optional<std::string> word = choice(clause.key, expr);
+  const Value given = word ? Value(Value::Name{*word}) : value(expr, key.at(clause.key), scope);
   const auto* name = given.get<Value::Name>();
   const auto* n = given.get<Number>();
   auto expect = [&](bool fits, const char* what) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vug::session {
 
 #define VUG_KIND(name) const DeclarationKind& name##_declaration();
@@ -29,12 +31,17 @@ std::optional<Value> declared_value(const std::string& kind, const scene::Expr& 
 
 }  // namespace
 
-Arguments block_arguments(const scene::Declaration& declaration, Reading& reading) {
+Arguments block_arguments(const scene::Declaration& declaration, const IsChoice& is_choice,
+                          Reading& reading) {
   Arguments arguments;
   for (const scene::Entry& entry : declaration.entries) {
     std::vector<Value> values;
-    if (auto declared = declared_value(entry.key, *entry.values.at(0), reading);
-        declared && entry.values.size() == 1)
+    const scene::Expr& first = *entry.values.at(0);
+    if (entry.values.size() == 1 && first.kind == scene::ExprKind::name &&
+        is_choice(entry.key, first.text))
+      values = {Value::Name{first.text}};
+    else if (auto declared = declared_value(entry.key, first, reading);
+             declared && entry.values.size() == 1)
       values = {*declared};
     else
       values = reading.evaluator.eval(entry, reading.evaluator.key(declaration));
@@ -78,7 +85,12 @@ Value read_block_family(const Family& family, const std::string& fallback,
                         const scene::Declaration& declaration, Reading& reading) {
   std::string name = fallback;
   SourceLocation where = declaration.where;
-  Arguments arguments = block_arguments(declaration, reading);
+  const IsChoice is_choice = [&](const std::string& key, const std::string& word) {
+    if (key == "kind") return family.find(word) != nullptr;
+    return std::any_of(family.kinds.begin(), family.kinds.end(),
+                       [&](const FamilyKind& kind) { return has_choice(*kind.info, key, word); });
+  };
+  Arguments arguments = block_arguments(declaration, is_choice, reading);
   for (size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].name != "kind") continue;
     const auto* given = arguments[i].value.get<Value::Name>();

@@ -24,8 +24,18 @@ struct DeclarationKind {
 
 const std::vector<const DeclarationKind*>& declaration_kinds();
 
-/// The entries of a block as arguments: one value stands for itself, several for a list.
-Arguments block_arguments(const scene::Declaration& declaration, Reading& reading);
+/// Info of a declaration whose value is a kind of a family (see read_family): its keys are `kind`
+/// and, where there is a kind without being asked for one, the parameters of that.
+KindInfo family_info(const std::string& name, const std::string& doc, const std::string& type,
+                     const std::string& fallback);
+
+/// Whether the entry of that key has the word among its choices.
+using IsChoice = std::function<bool(const std::string& key, const std::string& word)>;
+
+/// The entries of a block as arguments: one value stands for itself, several for a list. A choice
+/// stands for itself whatever the text declares under its name.
+Arguments block_arguments(const scene::Declaration& declaration, const IsChoice& is_choice,
+                          Reading& reading);
 
 /// The block bound to a schema; nothing (with diagnostics) when it does not fit or when the
 /// declaration is written with '='.
@@ -40,7 +50,10 @@ std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& d
     return std::nullopt;
   }
   Diagnostics own;
-  const Arguments arguments = block_arguments(declaration, reading);
+  const IsChoice is_choice = [&](const std::string& key, const std::string& word) {
+    return has_choice(schema.info(), key, word);
+  };
+  const Arguments arguments = block_arguments(declaration, is_choice, reading);
   std::optional<P> params = schema.bind(arguments, declaration.where, own);
   reading.evaluator.tell(own, arguments);
   return params;

@@ -67,6 +67,18 @@ std::optional<Value> Resolver::call(const std::string& name, const Arguments& ar
   return std::nullopt;
 }
 
+bool Resolver::is_choice(const std::string& call, size_t position, const std::string& argument,
+                         const std::string& word) const {
+  for (const Family& family : families()) {
+    const FamilyKind* kind = family.find(call);
+    if (!kind) continue;
+    const std::vector<ParamInfo>& params = kind->info->params;
+    const bool placed = argument.empty() && position < params.size();
+    if (has_choice(*kind->info, placed ? params[position].name : argument, word)) return true;
+  }
+  return false;
+}
+
 std::optional<Value> Resolver::binary(char op, const Value& a, const Value& b,
                                       const SourceLocation& where, Diagnostics& diagnostics) {
   const auto* f = a.object<field::Field>();
