@@ -60,7 +60,19 @@ class List(VugTest):
         self.assertEqual(torus["params"][1],
                          {"name": "tube", "type": "number",
                           "doc": "radius of the tube, at most the radius",
-                          "dimension": "length", "default": "0.25", "above": 0.0})
+                          "dimension": "length", "unit": "m", "default": "0.25m", "above": 0.0})
+
+    def test_declarations(self):
+        text = self.expect(0, "list", "camera").out
+        self.assertIn("camera (declaration): ", text)
+        self.assertRegex(text, r"\n  kind +one of perspective, default perspective; ")
+        self.assertRegex(text, r"\n  eye +vector \(length\), default \(0, 0, 5m\); ")
+        self.assertRegex(text, r"\n  fov +number \(angle\), .*, default 60deg; ")
+        self.assertRegex(self.expect(0, "list", "volume").out, r"\n  voxel +number \(length\), above 0, ")
+        self.assertRegex(self.expect(0, "list", "light").out, r"\n  kind +one of .*rect.*, required; ")
+        self.assertRegex(self.expect(0, "list", "grammar").out, r"\n  overlap +number \(ratio\), at least 0, at most 100%, ")
+        for kind in json.loads(self.expect(0, "list", "declaration", "--json").out):
+            self.assertTrue(kind["params"], kind["name"])
 
     def test_a_name_of_two_kinds_shows_both(self):
         kinds = json.loads(self.expect(0, "list", "sphere", "--json").out)

@@ -1,4 +1,5 @@
 #include <vug/session/catalogue.h>
+#include <vug/session/grammar_binding.h>
 #include <vug/session/reader.h>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace {
 std::vector<const KindInfo*> all_kinds() {
   std::vector<const KindInfo*> kinds;
   for (const DeclarationKind* kind : declaration_kinds()) kinds.push_back(&kind->info);
+  kinds.push_back(&grammar_info());
   for (const Family& family : families())
     for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
   return kinds;

@@ -94,9 +94,20 @@ class Binder {
   RandomKey key_;
 };
 
+std::vector<std::string> option_names() {
+  std::vector<std::string> names;
+  for (const ParamInfo& option : grammar_info().params) names.push_back(option.name);
+  return names;
+}
+
+bool is_limit(const std::string& option) { return option == "steps" || option == "limit"; }
+
 const std::vector<std::string>& clause_names() {
-  static const std::vector<std::string> names = {"label", "blend",  "overlap",
-                                                 "reach", "pieces", "piece_label"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = option_names();
+    all.erase(std::remove_if(all.begin(), all.end(), is_limit), all.end());
+    return all;
+  }();
   return names;
 }
 
@@ -292,9 +303,7 @@ int64_t Binder::limit(const std::string& option, int64_t fallback) {
 }
 
 sgm::Options Binder::options() {
-  static const std::vector<std::string> limits = {"steps", "limit"};
-  std::vector<std::string> known = limits;
-  known.insert(known.end(), clause_names().begin(), clause_names().end());
+  const std::vector<std::string> known = option_names();
   for (const scene::Entry& option : source_.options)
     if (std::find(known.begin(), known.end(), option.key) == known.end())
       fail(option.where, fmt::format("a grammar has no option '{}'", option.key),
@@ -319,7 +328,8 @@ Value bind_grammar(const scene::Grammar& source, Reading& reading) {
     reading.diagnostics.append(own);
     if (own.has_errors()) return Value();
     const sgm::Options options = binder.options();
-    const grammar::Limits limits{binder.limit("steps", 100'000), binder.limit("limit", 1'000'000)};
+    const grammar::Limits limits{binder.limit("steps", kMostProductions),
+                                 binder.limit("limit", kMostSymbols)};
     sgm::Result result = sgm::derive(bound, binder.key(), options, limits);
     for (const Diagnostic& d : result.diagnostics.all())
       reading.diagnostics.warning(d.where.known() ? d.where : source.where, d.message, d.hint);

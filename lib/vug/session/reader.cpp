@@ -19,6 +19,26 @@ const std::vector<const DeclarationKind*>& declaration_kinds() {
   return kinds;
 }
 
+KindInfo family_info(const std::string& name, const std::string& doc, const std::string& type,
+                     const std::string& fallback) {
+  constexpr size_t kMostChoices = 12;  // of solids there are many more than anybody reads
+  KindInfo info{name, "declaration", doc, "", {}};
+  const Family& family = *find_family(type);
+  ParamInfo kind;
+  kind.name = "kind";
+  kind.type = "name";
+  kind.doc = fallback.empty() ? "which one it is; then come the parameters of that"
+                              : "which one it is; the parameters below are those of " + fallback;
+  kind.fallback = fallback;
+  kind.required = fallback.empty();
+  if (family.kinds.size() <= kMostChoices)
+    for (const FamilyKind& each : family.kinds) kind.choices.push_back(each.info->name);
+  info.params.push_back(std::move(kind));
+  if (const FamilyKind* usual = family.find(fallback))
+    info.params.insert(info.params.end(), usual->info->params.begin(), usual->info->params.end());
+  return info;
+}
+
 namespace {
 
 /// What `kind` declares under the name that the expression is; `camera main` means the camera even

@@ -4,11 +4,8 @@ namespace vug::session {
 
 const DeclarationKind& camera_declaration() {
   static const DeclarationKind kind = {
-      {"camera",
-       "declaration",
-       "Where the picture is taken from: camera NAME { eye ... }.",
-       "",
-       {}},
+      family_info("camera", "Where the picture is taken from: camera NAME { eye ... }.", "camera",
+                  "perspective"),
       [](const scene::Declaration& declaration, Reading& reading) {
         const Value value = read_family("camera", "perspective", declaration, reading);
         if (const auto* camera = value.object<render::CameraPtr>())

@@ -5,7 +5,7 @@ namespace vug::session {
 
 const DeclarationKind& field_declaration() {
   static const DeclarationKind kind = {
-      {"field", "declaration", "Names a solid: field NAME = EXPRESSION.", "", {}},
+      family_info("field", "Names a solid: field NAME = EXPRESSION.", "field", ""),
       [](const scene::Declaration& declaration, Reading& reading) {
         return read_family("field", "", declaration, reading);
       }};

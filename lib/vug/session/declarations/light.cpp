@@ -4,7 +4,7 @@ namespace vug::session {
 
 const DeclarationKind& light_declaration() {
   static const DeclarationKind kind = {
-      {"light", "declaration", "A lamp or a sky: light NAME = rect(...).", "", {}},
+      family_info("light", "A lamp or a sky: light NAME = rect(...).", "light", ""),
       [](const scene::Declaration& declaration, Reading& reading) {
         const Value value = read_family("light", "", declaration, reading);
         if (const auto* light = value.object<render::LightPtr>())

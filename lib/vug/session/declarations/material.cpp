@@ -3,15 +3,12 @@
 namespace vug::session {
 
 const DeclarationKind& material_declaration() {
-  static const DeclarationKind kind = {{"material",
-                                        "declaration",
-                                        "What a surface is made of: material NAME = lambert(...).",
-                                        "",
-                                        {}},
-                                       [](const scene::Declaration& declaration, Reading& reading) {
-                                         return read_family("material", "lambert", declaration,
-                                                            reading);
-                                       }};
+  static const DeclarationKind kind = {
+      family_info("material", "What a surface is made of: material NAME = lambert(...).",
+                  "material", "lambert"),
+      [](const scene::Declaration& declaration, Reading& reading) {
+        return read_family("material", "lambert", declaration, reading);
+      }};
   return kind;
 }
 

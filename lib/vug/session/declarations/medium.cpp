@@ -4,7 +4,7 @@ namespace vug::session {
 
 const DeclarationKind& medium_declaration() {
   static const DeclarationKind kind = {
-      {"medium", "declaration", "What fills the air: medium NAME = haze(...).", "", {}},
+      family_info("medium", "What fills the air: medium NAME = haze(...).", "medium", ""),
       [](const scene::Declaration& declaration, Reading& reading) {
         const Value value = read_family("medium", "", declaration, reading);
         if (const auto* medium = value.object<render::MediumPtr>()) {

@@ -4,11 +4,8 @@ namespace vug::session {
 
 const DeclarationKind& volume_declaration() {
   static const DeclarationKind kind = {
-      {"volume",
-       "declaration",
-       "A grid of the scene's .vdb file: volume NAME = level_set(...).",
-       "",
-       {}},
+      family_info("volume", "A grid of the scene's .vdb file: volume NAME = level_set(...).",
+                  "volume", "level_set"),
       [](const scene::Declaration& declaration, Reading& reading) -> Value {
         const Value value = read_family("volume", "level_set", declaration, reading);
         const VolumePtr* plan = value.object<VolumePtr>();

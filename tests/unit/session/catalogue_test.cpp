@@ -1,0 +1,92 @@
+// What `vug list` says of a kind is what a scene may write.
+#include <gtest/gtest.h>
+#include <vug/scene/parser.h>
+#include <vug/session/catalogue.h>
+#include <vug/session/resolver.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace vug::session {
+namespace {
+
+const KindInfo& declaration(const std::string& name) {
+  for (const KindInfo* kind : find_kinds("declaration"))
+    if (kind->name == name) return *kind;
+  throw Error(ErrorCode::internal, "no declaration " + name);
+}
+
+const ParamInfo* find_param(const KindInfo& kind, const std::string& name) {
+  for (const ParamInfo& param : kind.params)
+    if (param.name == name) return &param;
+  return nullptr;
+}
+
+Dimension dimension_of(const Value& value) {
+  if (const Number* n = value.get<Number>()) return n->dimension;
+  if (const auto* v = value.get<Value::Vector>()) return v->dimension;
+  if (const List* list = value.get<List>(); list && !list->empty())
+    return dimension_of(list->front());
+  return Dimension::none;
+}
+
+bool is_zero(const Value& value) {
+  if (const Number* n = value.get<Number>()) return n->value == 0;
+  if (const auto* v = value.get<Value::Vector>()) return v->value == Vec3d(0);
+  return false;
+}
+
+TEST(Catalogue, DefaultsAreSceneTextInTheUnitOfTheirDimension) {
+  int numbers = 0;
+  for (const KindInfo* kind : find_kinds())
+    for (const ParamInfo& param : kind->params) {
+      if (param.fallback.empty() || param.dimension == Dimension::none) continue;
+      SCOPED_TRACE(kind->name + " " + param.name + " " + param.fallback);
+      Diagnostics diagnostics;
+      const scene::Document document =
+          scene::parse("let x = " + param.fallback + "\n", "t", diagnostics);
+      ASSERT_TRUE(diagnostics.all().empty());
+      Resolver resolver;
+      scene::Evaluator evaluator(document, resolver, diagnostics);
+      const Value value = evaluator.eval(*document.lets.at(0).value, RandomKey(0));
+      ASSERT_TRUE(diagnostics.all().empty());
+      if (!is_zero(value)) {
+        EXPECT_EQ(dimension_of(value), param.dimension);
+      }
+      ++numbers;
+    }
+  EXPECT_GT(numbers, 30);
+}
+
+TEST(Catalogue, AnglesAreInDegrees) {
+  const ParamInfo& fov = *find_param(*find_kinds("perspective").at(0), "fov");
+  EXPECT_EQ(fov.fallback, "60deg");
+  EXPECT_EQ(describe(fov),
+            "number (angle), at least 5.72958e-05deg, at most 177.617deg, default 60deg");
+  const auto json = catalogue_json(find_kinds("perspective")).at(0).at("params").at(3);
+  EXPECT_EQ(json.at("name"), "fov");
+  EXPECT_EQ(json.at("default"), "60deg");
+  EXPECT_EQ(json.at("unit"), "rad");
+  EXPECT_EQ(json.at("max"), 3.1);
+}
+
+TEST(Catalogue, DeclarationsHaveParameters) {
+  for (const KindInfo* kind : find_kinds("declaration")) {
+    EXPECT_FALSE(kind->params.empty()) << kind->name;
+    for (const ParamInfo& param : kind->params) EXPECT_FALSE(param.doc.empty()) << param.name;
+  }
+  const KindInfo& camera = declaration("camera");
+  for (const char* name : {"kind", "eye", "target", "up", "fov", "aperture", "focus"})
+    EXPECT_TRUE(find_param(camera, name)) << name;
+  EXPECT_EQ(describe(*find_param(camera, "kind")), "one of perspective, default perspective");
+  EXPECT_TRUE(find_param(declaration("volume"), "voxel"));
+  EXPECT_TRUE(find_param(declaration("material"), "albedo"));
+  EXPECT_TRUE(find_param(declaration("render"), "spp"));
+  const std::vector<std::string>& lights = find_param(declaration("light"), "kind")->choices;
+  EXPECT_TRUE(std::find(lights.begin(), lights.end(), "rect") != lights.end());
+  EXPECT_TRUE(find_param(declaration("light"), "kind")->required);
+  EXPECT_TRUE(find_param(declaration("grammar"), "overlap"));
+}
+
+}  // namespace
+}  // namespace vug::session
