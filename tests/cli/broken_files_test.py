@@ -24,12 +24,14 @@ IN_A_SCENE = {
 
 
 class BrokenFiles(VugTest):
-    def setUp(self):
-        super().setUp()
+    def prepare(self):
         self.write("ball.vug", BALL.replace("10cm", "30cm") +
                    "".join(f"mesh as_{f} on rock {{ format {f} }}\n" for f in ("ply", "obj", "stl")))
         self.expect(0, "build", "ball.vug", "-o", "out")
         self.expect(0, "render", "ball.vug", "-o", "out/ball.exr", "--size", "16x8", "--spp", "1")
+
+    def setUp(self):
+        super().setUp()
         self.whole = {f.suffix: f for f in (self.folder / "out").iterdir()}
         self.assertEqual(sorted(self.whole), sorted(READERS))
 

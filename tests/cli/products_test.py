@@ -86,8 +86,7 @@ class List(VugTest):
 
 
 class Info(VugTest):
-    def setUp(self):
-        super().setUp()
+    def prepare(self):
         self.write("cave.vug", CAVE)
         self.expect(0, "build", "cave.vug", "-o", "out")
 

@@ -5,6 +5,7 @@ VUG in the environment names the program; VUG_SLOW says that a sanitizer makes i
 import hashlib
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -28,11 +29,31 @@ def digest(path):
 
 
 class VugTest(unittest.TestCase):
-    """A test with an empty folder of its own, which is where the command runs."""
+    """A test with a folder of its own, which is where the command runs. It is empty, or holds a copy
+    of what `prepare` makes once for all tests of the class."""
 
     maxDiff = None
+    prepared = None
+
+    def prepare(self):
+        """Writes and runs what every test of the class starts from."""
+
+    @classmethod
+    def setUpClass(cls):
+        if cls.prepare is VugTest.prepare:
+            return
+        maker = cls()
+        maker.make_folder()
+        cls.addClassCleanup(maker.doCleanups)
+        maker.prepare()
+        cls.prepared = maker.folder
 
     def setUp(self):
+        self.make_folder()
+        if self.prepared:
+            shutil.copytree(self.prepared, self.folder, dirs_exist_ok=True)
+
+    def make_folder(self):
         room = tempfile.TemporaryDirectory(prefix="vug_test_")
         self.addCleanup(room.cleanup)
         self.folder = pathlib.Path(room.name)
