@@ -118,6 +118,18 @@ TEST(Deformer, TwistBendAndTaperMoveTheSurfaceByTheirMaps) {
   }
 }
 
+TEST(Deformer, NothingFillsTheHollowOfABend) {
+  const Field bar = make("box", {{"size", Vec3d(2, 0.4, 0.6)}});
+  const Field arch = deformed("bend", bar, {{"rate", 1.2}});
+  const double radius = 1 / 1.2, inner = radius - 0.2;
+  RandomStream random(RandomKey(5));
+  for (int i = 0; i < 1000; ++i) {
+    const double rho = inner * std::sqrt(random.uniform()), angle = random.uniform(0, 2 * kPi);
+    const Vec3d p(rho * std::sin(angle), radius - rho * std::cos(angle), random.uniform(-1, 1));
+    EXPECT_GE(arch.value(p), inner - rho - 1e-12) << p;
+  }
+}
+
 TEST(Deformer, ClaimsHoldForEachDeformer) {
   const Field one = ball({0.3, 0.1, 0}, 0.7);
   const std::vector<std::pair<std::string, Field>> fields = {

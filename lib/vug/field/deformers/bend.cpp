@@ -1,7 +1,8 @@
 // A bar along x is wound about the line x = 0, y = 1/rate, parallel to z (barr1984). The map back
 // is (theta / rate, 1/rate - rho): it stretches by 1 / (rate * rho), most at the solid's innermost
-// radius, by which values are divided. Within that radius values fade towards the line, where the
-// map has no limit. Beyond half a turn a point is seen from both ends: two windings, united.
+// radius, by which values are divided. Within that radius there is no solid, and the way out to it
+// is a bound; what the map says there fades towards the line, where it has no limit. Beyond half a
+// turn a point is seen from both ends: two windings, united.
 #include <vug/field/boolean.h>
 #include <vug/field/enclosed.h>
 #include <vug/field/modifier.h>
@@ -71,14 +72,15 @@ struct Core {
   template <class T>
   T apply(const T& value, const Point<T>& p) const {
     const T rho = length(p.x, T(radius) - p.y);
-    return min(value, T(inner)) * min(rho * T(1 / inner), T(1.0));
+    const T faded = min(value, T(inner)) * min(rho * T(1 / inner), T(1.0));
+    return select(rho < T(inner), max(faded, T(inner) - rho), faded);
   }
   Traits traits(const Traits& child) const {
     Traits out = child;
     out.lipschitz = child.lipschitz + 1;
     return out;
   }
-  Interval range(Interval child) const { return hull(min(child, Interval(inner)), Interval(0)); }
+  Interval range(Interval child) const { return hull(min(child, Interval(inner)), {0, inner}); }
 };
 
 Box3d bent_box(const Box3d& box, double radius) {
