@@ -19,9 +19,15 @@ const std::vector<const DeclarationKind*>& declaration_kinds() {
   return kinds;
 }
 
+namespace {
+
+/// Names that a message or a list shows; of solids there are many more than anybody reads.
+constexpr size_t kMostNames = 12;
+
+}  // namespace
+
 KindInfo family_info(const std::string& name, const std::string& doc, const std::string& type,
                      const std::string& fallback) {
-  constexpr size_t kMostChoices = 12;  // of solids there are many more than anybody reads
   KindInfo info{name, "declaration", doc, "", {}};
   const Family& family = *find_family(type);
   ParamInfo kind;
@@ -31,7 +37,7 @@ KindInfo family_info(const std::string& name, const std::string& doc, const std:
                               : "which one it is; the parameters below are those of " + fallback;
   kind.fallback = fallback;
   kind.required = fallback.empty();
-  if (family.kinds.size() <= kMostChoices)
+  if (family.kinds.size() <= kMostNames)
     for (const FamilyKind& each : family.kinds) kind.choices.push_back(each.info->name);
   info.params.push_back(std::move(kind));
   if (const FamilyKind* usual = family.find(fallback))
@@ -97,7 +103,9 @@ Value report_unknown(const Family& family, const std::string& name, const Source
   std::vector<std::string> names;
   for (const FamilyKind& kind : family.kinds) names.push_back(kind.info->name);
   diagnostics.error(where, fmt::format("there is no {} '{}'", family.type, name),
-                    suggestion(name, names));
+                    names.size() <= kMostNames || !nearest_name(name, names).empty()
+                        ? suggestion(name, names)
+                        : "'vug list' shows them all");
   return Value();
 }
 
