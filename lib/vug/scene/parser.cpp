@@ -68,18 +68,26 @@ class Loader {
 
   void include(const std::string& wanted, const fs::path& from, const SourceLocation& where) {
     std::vector<fs::path> places{from.parent_path()};
+    std::string why;
+    std::error_code failed;
     places.insert(places.end(), options_.include_folders.begin(), options_.include_folders.end());
     for (const fs::path& place : places) {
       const fs::path path = (place / wanted).lexically_normal();
       if (circle(path, where)) return;
       if (known_.count(identity(path))) return;
       const auto text = options_.read ? options_.read(path) : read_disk(path);
+      if (!text && !options_.read && why.empty() && fs::exists(path, failed))
+        why = why_no_file(path);
       if (!text) continue;
       if (chain_.size() >= kMaxChain) {
         diagnostics_.error(where, fmt::format("more than {} files include each other", kMaxChain));
         return;
       }
       return load(*text, path, where);
+    }
+    if (!why.empty()) {
+      diagnostics_.error(where, fmt::format("cannot read the file '{}': {}", wanted, why));
+      return;
     }
     std::string looked;
     for (const fs::path& place : places)
