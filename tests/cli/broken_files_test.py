@@ -146,6 +146,10 @@ class BrokenFiles(VugTest):
         self.assertIn("use.vug:1:9: error: cannot read the file 'pipe.vug': it is a pipe\n",
                       self.expect(2, "check", "use.vug").err)
 
+    def test_names_of_any_bytes(self):
+        error = self.expect(2, "check", os.fsdecode(b"no\xff\n.vug")).err
+        self.assertEqual(error, "error: cannot read 'no\ufffd\ufffd.vug': no such file\n")
+
     def test_a_truncated_include(self):
         self.write("use.vug", 'include "lib.vug"\nvolume v = level_set(hall, voxel: 20cm)\n')
         self.write("lib.vug", "let hall = union([sphere(1m), box(size: (1,")

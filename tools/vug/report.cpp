@@ -4,6 +4,7 @@
 #include "verb.h"
 
 #include <fmt/format.h>
+#include <vug/scene/utf8.h>
 
 #include <cstdio>
 
@@ -11,10 +12,12 @@ namespace vug::cli {
 
 int report(const Error& error) {
   clear_bar();
-  const std::string where = to_string(error.where());
-  fmt::print(stderr, "{}{}error: {}\n", where, where.empty() ? "" : ": ", error.what());
-  for (const std::string& doing : error.context()) fmt::print(stderr, "  while {}\n", doing);
-  if (!error.hint().empty()) fmt::print(stderr, "hint: {}\n", error.hint());
+  using scene::printable;  // messages quote names and files, which may hold any bytes
+  const std::string where = printable(to_string(error.where()));
+  fmt::print(stderr, "{}{}error: {}\n", where, where.empty() ? "" : ": ", printable(error.what()));
+  for (const std::string& doing : error.context())
+    fmt::print(stderr, "  while {}\n", printable(doing));
+  if (!error.hint().empty()) fmt::print(stderr, "hint: {}\n", printable(error.hint()));
   switch (error.code()) {
     case ErrorCode::bad_input:
     case ErrorCode::too_large:

@@ -82,12 +82,12 @@ std::string report(const Diagnostics& diagnostics,
   const size_t shown = std::min(rows.size(), static_cast<size_t>(std::max(limit, 0)));
   for (size_t i = 0; i < shown; ++i) {
     const Diagnostic& d = *rows[i].what;
-    const std::string place = to_string(d.where);
+    const std::string place = printable(to_string(d.where));
     out += fmt::format("{}{}{}: {}\n", place, place.empty() ? "" : ": ",
-                       d.severity == Severity::error ? "error" : "warning", d.message);
+                       d.severity == Severity::error ? "error" : "warning", printable(d.message));
     if (d.where.known() && rows[i].rank < sources.size())
       out += excerpt(line_of(sources[rows[i].rank]->text, d.where.line), d.where.column);
-    if (!d.hint.empty()) out += fmt::format("hint: {}\n", d.hint);
+    if (!d.hint.empty()) out += fmt::format("hint: {}\n", printable(d.hint));
   }
   if (rows.size() > shown) out += fmt::format("... and {} more\n", rows.size() - shown);
   return out;

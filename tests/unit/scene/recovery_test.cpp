@@ -41,6 +41,13 @@ TEST(Recovery, WhatIsNoTextIsOneFault) {
       << "a stray byte has a place of its own";
 }
 
+TEST(Recovery, ReportsShowNoBytesOfAnotherKind) {
+  Diagnostics diagnostics;
+  diagnostics.error({"a\xff.vug", 0, 0}, "no channel '\xd6\x01'", "see '\x1b[2J'");
+  EXPECT_EQ(report(diagnostics, {}),
+            "a\uFFFD.vug: error: no channel '\uFFFD\uFFFD'\nhint: see '\uFFFD[2J'\n");
+}
+
 TEST(Recovery, FaultsAreCapped) {
   std::string text;
   for (int i = 0; i < 500; ++i) text += "let a" + std::to_string(i) + " = )\n";
