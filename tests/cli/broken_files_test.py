@@ -1,4 +1,5 @@
 """Truncated and garbage files: a sentence that names the file and exit code 2, never a crash."""
+import json
 import os
 import random
 import re
@@ -145,6 +146,14 @@ class BrokenFiles(VugTest):
         self.write("use.vug", 'include "pipe.vug"\n')
         self.assertIn("use.vug:1:9: error: cannot read the file 'pipe.vug': it is a pipe\n",
                       self.expect(2, "check", "use.vug").err)
+
+    def test_texts_of_any_bytes_in_a_picture(self):
+        content = self.whole[".exr"].read_bytes()
+        self.assertIn(b"volume rock", content)
+        self.write("odd.exr", content.replace(b"volume rock", b"volume \xff\x01\xd6k"))
+        self.assertIn("vug:recipe: volume \ufffd\ufffd\ufffdk", self.expect(0, "info", "odd.exr").out)
+        texts = json.loads(self.expect(0, "info", "odd.exr", "--json").out)["metadata"]
+        self.assertIn("volume \ufffd\x01\ufffdk", texts["vug:recipe"])
 
     def test_names_of_any_bytes(self):
         error = self.expect(2, "check", os.fsdecode(b"no\xff\n.vug")).err
