@@ -95,7 +95,7 @@ const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
     const volume::LevelSet& made =
         level_sets_.emplace(plan, volume::voxelize(plan->field, voxelize, progress_)).first->second;
     held_ += made.statistics().memory_bytes;
-    if (made.empty())
+    if (!made.holds_solid())
       warn(plan->where, fmt::format("the volume '{}' comes out empty", plan->name),
            why_empty(*plan));
     return made;

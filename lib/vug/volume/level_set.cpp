@@ -37,6 +37,14 @@ bool LevelSet::empty() const {
   return !floats(*this).tree().hasActiveTiles() && floats(*this).activeVoxelCount() == 0;
 }
 
+bool LevelSet::holds_solid() const {
+  const auto inside = static_cast<float>(-1e-6 * voxel());
+  for (auto leaf = floats(*this).tree().cbeginLeaf(); leaf; ++leaf)
+    for (auto value = leaf->cbeginValueOn(); value; ++value)
+      if (*value < inside) return true;
+  return false;
+}
+
 double LevelSet::value(const Vec3d& p) const { return values({p})[0]; }
 
 std::vector<double> LevelSet::values(const std::vector<Vec3d>& points) const {

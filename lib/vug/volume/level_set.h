@@ -18,6 +18,7 @@ class LevelSet : public Grid {
   double voxel() const;       ///< Edge of a voxel, metres.
   double background() const;  ///< Half the width of the band, metres.
   bool empty() const;         ///< No voxel is active.
+  bool holds_solid() const;   ///< Some voxel lies inside by more than rounding.
 
   /// Trilinear interpolation at a point of world space; +-background away from the band.
   double value(const Vec3d& p) const;

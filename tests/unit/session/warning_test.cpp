@@ -67,6 +67,9 @@ TEST(Warning, AnEmptyGrid) {
             "hint: its solid is empty\n");
   EXPECT_EQ(hint("level_set(sphere(1m), voxel: 10cm, from: (5, 5, 5), to: (6, 6, 6))"),
             "hint: its solid lies outside of 'from' and 'to'\n");
+  const std::string thin = "hint: its solid is empty or thinner than a voxel\n";
+  EXPECT_EQ(hint("level_set(sphere(1m).offset(-2m), voxel: 1m)"), thin);
+  EXPECT_EQ(hint("level_set(box(size: (2, 2, 0.01)).translate((0, 0, 0.05)), voxel: 20cm)"), thin);
 }
 
 TEST(Warning, AGrammarThatGrowsNothing) {

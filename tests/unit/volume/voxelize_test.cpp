@@ -104,8 +104,10 @@ TEST(Voxelize, NothingGivesAnEmptyGrid) {
     const LevelSet grid = voxelize(f, {});
     EXPECT_EQ(check(grid).fault, "");
     each_lattice_point(grid, [](const Vec3d&, double value) { EXPECT_GE(value, -1e-7); });
+    EXPECT_FALSE(grid.holds_solid());
   }
   EXPECT_TRUE(voxelize(field::empty(), {}).empty());
+  EXPECT_TRUE(voxelize(ball, {}).holds_solid());
 }
 
 TEST(Voxelize, ARegionCutsTheSolidOffFlat) {
