@@ -33,7 +33,7 @@ double steepest(const openvdb::FloatGrid& grid, double voxel) {
       for (const int side : {-1, 1})
         for (int axis = 0; axis < 3; ++axis) {
           Coord next = voxel_at.getCoord();
-          next[axis] += side;
+          next[static_cast<size_t>(axis)] += side;
           most[axis] = std::max(most[axis], std::fabs(at.getValue(next) - *voxel_at));
         }
     return most;
