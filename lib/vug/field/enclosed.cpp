@@ -26,7 +26,35 @@ class BoxNode final : public Readings<BoxNode> {
   Vec3d centre_, half_;
 };
 
+/// At most the distance: the difference of radii over the steepness of the hull's side.
+class SleeveNode final : public Readings<SleeveNode> {
+ public:
+  explicit SleeveNode(const Sleeve& s)
+      : Readings({1, Exactness::bound, infinite_box(), 0}), s_(s), widening_(s.high - s.low) {
+    const double slope = widening_ / (s.to - s.from);
+    scale_ = 1 / std::sqrt(1 + slope * slope);
+  }
+  template <class T>
+  T at(const Point<T>& p) const {
+    const T way = clamp((p.y - T(s_.from)) * T(1 / (s_.to - s_.from)), T(0.0), T(1.0));
+    return (length(p.x, p.z) - (T(s_.low) + way * T(widening_))) * T(scale_);
+  }
+  template <class T>
+  void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {
+    for (int i = 0; i < count; ++i) out[i] = at(point_for<T>(points[i]));
+  }
+  std::string name() const override { return "sleeve"; }
+
+ private:
+  Sleeve s_;
+  double widening_, scale_ = 1;
+};
+
 }  // namespace
+
+Field sleeved(const Field& field, const Sleeve& sleeve) {
+  return intersect({field, Field(std::make_shared<SleeveNode>(sleeve))});
+}
 
 Field enclosed(const Field& field, const Box3d& box) {
   return intersect({field, Field(std::make_shared<BoxNode>(box))});

@@ -130,6 +130,24 @@ TEST(Deformer, NothingFillsTheHollowOfABend) {
   }
 }
 
+TEST(Deformer, NothingGrowsOutOfTheEdgesOfATwistOrTaper) {
+  const Field bar = make("box", {{"size", Vec3d(0.7, 2, 0.7)}});
+  const Field twisted = deformed("twist", bar, {{"rate", 1.0}});
+  const Field tapered = deformed("taper", bar, {{"from", 1.3}, {"to", 0.3}});
+  const double corner = 0.35 * std::sqrt(2.0);
+  RandomStream random(RandomKey(6));
+  for (int i = 0; i < 1000; ++i) {
+    // On and beyond the vertical edges, where the maps draw points onto the box's own corners.
+    const double y = random.uniform(-0.99, 0.99), away = random.uniform(1e-6, 0.5);
+    const double turn = 0.25 * kPi - y;
+    const Vec3d beside((corner + away) * std::cos(turn), y, (corner + away) * std::sin(turn));
+    EXPECT_GE(twisted.value(beside), away - 1e-12) << beside;
+    const double factor = 1.3 - 0.5 * (y + 1), side = (corner * factor + away) / std::sqrt(2.0);
+    const double steep = std::sqrt(1 + 0.25 * corner * corner);
+    EXPECT_GE(tapered.value({side, y, -side}), away / steep - 1e-12) << side << y;
+  }
+}
+
 TEST(Deformer, ClaimsHoldForEachDeformer) {
   const Field one = ball({0.3, 0.1, 0}, 0.7);
   const std::vector<std::pair<std::string, Field>> fields = {

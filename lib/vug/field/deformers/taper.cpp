@@ -59,7 +59,8 @@ Field tapered(const Field& field, const Taper& taper) {
   const double stretch = std::sqrt(0.5 * (f + std::sqrt(f * f - 4 * a * a)));
   const Tapering tapering{taper.from, taper.to, box.min.y, height, r, std::max(1.0, stretch)};
   const double wide = r * most;
-  return enclosed(Field(std::make_shared<DeformerNode<Tapering>>("taper", tapering, field.node())),
+  const Field within(std::make_shared<DeformerNode<Tapering>>("taper", tapering, field.node()));
+  return enclosed(sleeved(within, {r * taper.from, r * taper.to, box.min.y, box.min.y + height}),
                   {{-wide, box.min.y, -wide}, {wide, box.max.y, wide}});
 }
 
