@@ -64,6 +64,13 @@ class Done(VugTest):
             self.assertEqual((shot.count(volume), shot.count(camera)), (1, 1))
             self.assertIn("hint: move its eye into the open\n", shot)
 
+    def test_a_picture_that_is_nearly_black_says_what_would_help(self):
+        self.write("dim.vug", BALL + "\nlight sky = sky(radiance: (1e-4, 1e-4, 1e-4))\nrender main { size 8x6  spp 1 }\n")
+        dim = self.expect(0, "render", "dim.vug", "-o", "dim.exr").err
+        self.assertIn("warning: the picture is very dark\n", dim)
+        stops = dim.split("hint: --exposure ")[1].split()[0]
+        self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops).err, "")
+
     def test_quiet(self):
         self.write("ball.vug", BALL)
         for verb in [("check",), ("build", "-o", "out"), ("render", "-o", "a.exr", "--size", "4x4")]:

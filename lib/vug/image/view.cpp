@@ -52,6 +52,29 @@ double srgb_decode(double encoded) {
   return v <= 0.04045 ? v / 12.92 : maths::pow((v + 0.055) / 1.055, 2.4);
 }
 
+std::optional<double> grey_exposure(const Image& linear) {
+  constexpr double kGrey = 0.18, kLog2 = 0.69314718055994530942;
+  constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Of Rec.709.
+  const int channel[] = {linear.find_channel("R"), linear.find_channel("G"),
+                         linear.find_channel("B")};
+  if (*std::min_element(channel, channel + 3) < 0) return {};
+  double sum = 0;
+  size_t lit = 0;
+  for (size_t p = 0; p < linear.pixel_count(); ++p) {
+    double luminance = 0;
+    for (size_t i = 0; i < 3; ++i)
+      luminance +=
+          kWeights[i] *
+          usable(static_cast<double>(
+              linear.pixels[p * linear.channels.size() + static_cast<size_t>(channel[i])]));
+    if (!(luminance > 0)) continue;
+    sum += maths::log(luminance);
+    ++lit;
+  }
+  if (lit == 0) return {};
+  return (maths::log(kGrey) - sum / static_cast<double>(lit)) / kLog2;
+}
+
 Image display(const Image& linear, const ViewOptions& options) {
   std::array<int, 3> from = {linear.find_channel("R"), linear.find_channel("G"),
                              linear.find_channel("B")};

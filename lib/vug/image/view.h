@@ -3,6 +3,8 @@
 
 #include <vug/image/image.h>
 
+#include <optional>
+
 namespace vug::image {
 
 enum class ViewTransform {
@@ -19,6 +21,10 @@ struct ViewOptions {
 /// Display-referred R, G, B in [0, 1] with the sRGB transfer function; other channels dropped.
 /// A picture without R, G, B but one channel is shown as grey. NaN shows as black.
 Image display(const Image& linear, const ViewOptions& options = {});
+
+/// The exposure, in stops, at which the log-average luminance of the pixels that light reaches is
+/// middle grey, 0.18 (reinhard2002). None for a picture without R, G, B or without light.
+std::optional<double> grey_exposure(const Image& linear);
 
 /// sRGB transfer function (IEC 61966-2-1) and its inverse, for values in [0, 1].
 double srgb_encode(double linear);

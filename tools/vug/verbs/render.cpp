@@ -36,6 +36,20 @@ Vec2i parse_size(const std::string& text) {
               "write --size 1920x1080");
 }
 
+/// A first picture of a scene is often black or white, and its light not to be guessed.
+void warn_of_exposure(const session::Builder& builder, const session::Picture& picture,
+                      double exposure) {
+  constexpr double kOff = 5;  // stops
+  const std::optional<double> grey = image::grey_exposure(picture.image);
+  if (grey && std::fabs(*grey - exposure) <= kOff) return;
+  builder.warn(picture.plan.where,
+               !grey              ? "no light reaches the picture"
+               : *grey > exposure ? "the picture is very dark"
+                                  : "the picture is very bright",
+               grey ? fmt::format("--exposure {:.1f} would show its middle as grey", *grey)
+                    : "put a light where the camera looks, or a sky behind an opening");
+}
+
 int run(Options options) {
   if (options.exposure && !(std::fabs(*options.exposure) <= 30))
     throw Error(ErrorCode::bad_input,
@@ -58,6 +72,7 @@ int run(Options options) {
   image::write_exr(exr, picture.image, exr_options);
   image::ViewOptions view;
   view.exposure = options.exposure.value_or(picture.plan.exposure);
+  warn_of_exposure(builder, picture, view.exposure);
   const std::filesystem::path png = std::filesystem::path(exr).replace_extension(".png");
   image::write_png(png, picture.image, view);
   fmt::print("{}\n{}\n", exr.string(), png.string());
