@@ -54,7 +54,7 @@ PolishReport make_report(const FaceMesh& raw, const Settled& polished,
 Polygonized polygonize(const volume::LevelSet& level_set, const field::Field* exact,
                        const PolygonizeOptions& options, Progress& progress) {
   const double voxel = level_set.voxel();
-  const FaceMesh raw = face_mesh(volume::polygonise(level_set, {0, options.adaptivity}));
+  const FaceMesh raw = face_mesh(volume::polygons_of(level_set, {0, options.adaptivity}));
   const bool has_work = exact && options.polish && !raw.points.empty();
   progress.begin("polishing the mesh", 3 * raw.points.size() + raw.faces.size());
   Settled polished;

@@ -7,7 +7,7 @@
 
 namespace vug::volume {
 
-Polygons polygonise(const LevelSet& level_set, const PolygoniseOptions& options) {
+Polygons polygons_of(const LevelSet& level_set, const PolygonOptions& options) {
   if (!(options.adaptivity >= 0 && options.adaptivity <= 1))
     throw Error(ErrorCode::bad_input, "adaptivity lies between 0 and 1");
   Polygons out;

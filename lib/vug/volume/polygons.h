@@ -9,7 +9,7 @@
 
 namespace vug::volume {
 
-struct PolygoniseOptions {
+struct PolygonOptions {
   double iso = 0;         ///< Level of the surface, metres.
   double adaptivity = 0;  ///< 0..1: how far flat regions are merged into larger polygons.
 };
@@ -22,6 +22,6 @@ struct Polygons {
 };
 
 /// Same polygons in the same order for any number of threads.
-Polygons polygonise(const LevelSet& level_set, const PolygoniseOptions& options = {});
+Polygons polygons_of(const LevelSet& level_set, const PolygonOptions& options = {});
 
 }  // namespace vug::volume

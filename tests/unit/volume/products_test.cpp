@@ -70,7 +70,7 @@ TEST(Fog, DensityRisesFromTheSurfaceInwards) {
 }
 
 TEST(Polygons, BallIsClosedAndWoundOutwards) {
-  const Polygons mesh = polygonise(ball(0.05));
+  const Polygons mesh = polygons_of(ball(0.05));
   double volume = 0;
   std::map<std::pair<uint32_t, uint32_t>, int> edges;
   auto corner = [&](uint32_t i) { return Vec3d(mesh.points[i]); };
@@ -94,10 +94,10 @@ TEST(Polygons, SameForAnyNumberOfThreads) {
   VoxelizeOptions options;
   options.voxel = 0.02;
   const LevelSet grid = voxelize(lumpy_solid(), options);
-  const Polygons first = polygonise(grid, {.adaptivity = 0.3});
+  const Polygons first = polygons_of(grid, {.adaptivity = 0.3});
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
-    const Polygons again = polygonise(grid, {.adaptivity = 0.3});
+    const Polygons again = polygons_of(grid, {.adaptivity = 0.3});
     EXPECT_EQ(again.points, first.points);
     EXPECT_EQ(again.quads, first.quads);
     EXPECT_EQ(again.triangles, first.triangles);
