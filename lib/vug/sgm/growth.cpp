@@ -139,8 +139,7 @@ void Growth::glue(const Step& step, Shape shape, RandomKey key, Placement& place
 
 std::optional<Field> Growth::combined(const Step& step, const Placement& placement,
                                       const Shape& shape) const {
-  const bool whole =
-      step.reach.value_or(options_.reach) == Reach::whole || !is_finite(shape.field.bounds());
+  const bool whole = acts_everywhere(step, options_, shape.field);
   Field out;
   switch (step.operation) {
     case Operation::unite: {
