@@ -35,6 +35,8 @@ struct WorkOptions {
   /// The limit in bytes, without one nine tenths of what the machine has free; warnings go to
   /// stderr as they come. `loaded` must outlive what is built.
   session::BuildOptions build_options(const session::Loaded& loaded) const;
+  /// Tells on stderr what was left out of the meshes, unless quiet.
+  void summarise(const session::Builder& builder) const;
 };
 
 }  // namespace vug::cli

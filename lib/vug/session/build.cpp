@@ -1,4 +1,5 @@
 #include <vug/base/memory.h>
+#include <vug/mesh/pieces.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/paint/paint.h>
 #include <vug/session/build.h>
@@ -129,13 +130,21 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
   try {
     const auto active = static_cast<double>(surface.statistics().active_voxels);
     require_memory(meshing_bytes(active, 2 * plan->volume->half_width), room(), "the mesh");
-    mesh::Mesh made = meshing::polygonize(surface, exact, polygonize, progress_).mesh;
+    mesh::LargePieces pieces = mesh::large_pieces(
+        meshing::polygonize(surface, exact, polygonize, progress_).mesh, plan->smallest_piece);
+    pieces_left_out_[plan] = pieces.left_out;
+    mesh::Mesh made = std::move(pieces.mesh);
     if (plan->paint) add_colors(made, plan->paint, surface);
     held_ += 2 * sizeof(Vec3f) * made.positions.size() + sizeof(Vec3i) * made.triangles.size();
     return meshes_.emplace(plan, std::make_shared<const mesh::Mesh>(std::move(made))).first->second;
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));
   }
+}
+
+size_t Builder::pieces_left_out(const MeshPtr& plan) const {
+  const auto found = pieces_left_out_.find(plan);
+  return found == pieces_left_out_.end() ? 0 : found->second;
 }
 
 std::vector<MeshPtr> meshes_of(const Shot& shot) {

@@ -29,6 +29,8 @@ class Builder {
 
   const volume::LevelSet& level_set(const VolumePtr& plan);
   std::shared_ptr<const mesh::Mesh> mesh(const MeshPtr& plan);
+  /// How many pieces `smallest_piece` has taken from the mesh; 0 before it is made.
+  size_t pieces_left_out(const MeshPtr& plan) const;
 
   /// Error(too_large) where the mesh and its grid are sure to need more than there is, as far as
   /// that shows before the work.
@@ -50,6 +52,7 @@ class Builder {
   Progress& progress_;
   std::map<VolumePtr, volume::LevelSet> level_sets_;
   std::map<MeshPtr, std::shared_ptr<const mesh::Mesh>> meshes_;
+  std::map<MeshPtr, size_t> pieces_left_out_;
   double seconds_ = 0;
   uint64_t held_ = 0;  ///< Bytes of grids and meshes.
 };

@@ -40,6 +40,7 @@ struct MeshPlan {
   VolumePtr volume;
   double adaptivity = 0;       ///< 0 keeps every quad, 1 merges what is flat.
   bool polish = true;          ///< Move vertices onto the exact field.
+  double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
 };

@@ -25,6 +25,7 @@ int run(const Options& options) {
                 fmt::format("'{}' declares nothing to build", options.scene.scene), {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
   for (const auto& path : paths) fmt::print("{}\n", path.string());
+  options.work.summarise(builder);
   return kDone;
 }
 

@@ -79,6 +79,7 @@ int run(Options options) {
   if (!options.products.empty())
     for (const auto& path : session::write_products(builder, options.products))
       fmt::print("{}\n", path.string());
+  options.work.summarise(builder);
   return kDone;
 }
 

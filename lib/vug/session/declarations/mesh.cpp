@@ -19,6 +19,10 @@ Schema<MeshPlan> schema() {
              {.doc = "0 keeps every face, 1 merges faces that are nearly flat", .min = 0, .max = 1})
       .param("polish", &MeshPlan::polish,
              {.doc = "move vertices onto the exact field, keep creases"})
+      .param("smallest_piece", &MeshPlan::smallest_piece,
+             {.doc = "leave out crumbs and closed bubbles whose box has a shorter diagonal",
+              .dimension = Dimension::length,
+              .min = 0})
       .param("paint", &MeshPlan::paint, {.doc = "its vertex colours: a paint or one colour"})
       .choice("format", &MeshPlan::format, formats(), "the file that is written");
   return s;
