@@ -54,7 +54,9 @@ class Builder {
     throw Error(ErrorCode::too_large,
                 "grammar '" + grammar_.name + "' exceeds its limit of " + std::to_string(limit) +
                     " " + what + " while rewriting '" + to_string(at.symbol) + "'",
-                where, "let a guard end the recursion, or raise the limit");
+                where,
+                "let a guard end the recursion, or raise '" +
+                    std::string(what == "symbols" ? "limit" : "steps") + "'");
   }
 
   const Grammar& grammar_;
