@@ -17,7 +17,7 @@ class NameChecker {
  public:
   explicit NameChecker(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  void run(const Document& document) {
+  void run(Document& document) {
     std::vector<Global> all;
     for (const Param& one : document.params) all.push_back({"parameter", &one.name, &one.where});
     for (const Let& one : document.lets) all.push_back({"let", &one.name, &one.where});
@@ -28,12 +28,16 @@ class NameChecker {
       const size_t first = rank[a.where->file], second = rank[b.where->file];
       return first != second ? first < second : a.where->line < b.where->line;
     });
-    for (const Global& one : all) global(one.what, *one.name, *one.where);
+    for (const Global& one : all)
+      if (!global(one.what, *one.name, *one.where)) document.lost.doubtful.insert(*one.name);
     for (const Declaration& made : document.declarations)
-      declared(made.kind, made.name, made.where);
-    for (const Grammar& made : document.grammars) {
-      declared("grammar", made.name, made.where);
+      if (!made.broken && !declared(made.kind, made.name, made.where))
+        document.lost.doubtful.insert(made.name);
+    for (Grammar& made : document.grammars) {
+      if (!declared("grammar", made.name, made.where)) document.lost.doubtful.insert(made.name);
+      const size_t before = diagnostics_.all().size();
       grammar(made);
+      if (diagnostics_.all().size() > before) made.broken = true;
     }
   }
 
@@ -61,24 +65,30 @@ class NameChecker {
   };
 
   /// Parameters and lets share one room of names.
-  void global(const char* what, const std::string& name, const SourceLocation& where) {
-    if (!allowed(name, where)) return;
+  bool global(const char* what, const std::string& name, const SourceLocation& where) {
+    if (!allowed(name, where)) return false;
     const auto [place, fresh] = globals_.emplace(name, where);
     if (!fresh) twice(what, name, where, place->second);
+    return fresh;
   }
 
   /// Declarations of one kind share one; and none may be hidden by a parameter or let.
-  void declared(const std::string& kind, const std::string& name, const SourceLocation& where) {
-    if (!allowed(name, where)) return;
+  bool declared(const std::string& kind, const std::string& name, const SourceLocation& where) {
+    if (!allowed(name, where)) return false;
     const auto [place, fresh] = declared_.emplace(kind + ' ' + name, where);
-    if (!fresh) return twice(kind.c_str(), name, where, place->second);
-    if (const auto hidden = globals_.find(name); hidden != globals_.end())
+    if (!fresh) {
+      twice(kind.c_str(), name, where, place->second);
+      return false;
+    }
+    const auto hidden = globals_.find(name);
+    if (hidden != globals_.end())
       diagnostics_.error(where, fmt::format("'{}' is already a parameter or a let", name),
                          fmt::format("the first is at {}", to_string(hidden->second)));
+    return hidden == globals_.end();
   }
 
   void grammar(const Grammar& grammar) {
-    if (!grammar.axiom_where.known())
+    if (!grammar.axiom_where.known() && !grammar.broken)
       diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
                          "write 'axiom' and the symbols that the derivation starts from");
     std::map<std::string, std::set<size_t>> arities;
@@ -90,6 +100,7 @@ class NameChecker {
           diagnostics_.error(formal.where, fmt::format("the parameter '{}' of '{}' twice",
                                                        formal.name, rule.head));
     }
+    for (const std::string& head : grammar.broken_rules) arities.erase(head);
     items(grammar.axiom, arities);
     for (const Rule& rule : grammar.rules) items(rule.items, arities);
   }
@@ -153,7 +164,7 @@ class NameCollector {
 
 }  // namespace
 
-void check_names(const Document& document, Diagnostics& diagnostics) {
+void check_names(Document& document, Diagnostics& diagnostics) {
   NameChecker(diagnostics).run(document);
 }
 
@@ -174,7 +185,8 @@ void check_params_read(const Document& document, Diagnostics& diagnostics) {
     for (const Rule& rule : grammar.rules) reader.add(rule);
   }
   for (const Param& param : document.params)
-    if (!reader.names.count(param.name))
+    if (!reader.names.count(param.name) && !document.lost.may_mention(param.name) &&
+        !document.lost.doubtful.count(param.name))
       diagnostics.error(param.where, fmt::format("param '{}' is never read", param.name),
                         "use it in an expression or remove it");
 }

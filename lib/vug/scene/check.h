@@ -7,10 +7,11 @@
 namespace vug::scene {
 
 /// Names given twice, names that are units, symbols of a grammar without a rule, calls of
-/// symbols with the wrong number of arguments. `parse` runs it.
-void check_names(const Document& document, Diagnostics& diagnostics);
+/// symbols with the wrong number of arguments; marks what is in doubt by that. `parse` runs it.
+void check_names(Document& document, Diagnostics& diagnostics);
 
-/// An error for each parameter whose name stands in no expression of the document.
+/// An error for each parameter whose name stands in no expression of the document, and
+/// in nothing that was lost.
 void check_params_read(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace vug::scene

@@ -57,6 +57,7 @@ const Token& Cursor::peek(size_t ahead) const {
 const Token& Cursor::take() {
   last_ = visible(at_);
   at_ = tokens_[last_].kind == TokenKind::end ? last_ : last_ + 1;
+  if (tokens_[last_].faulty) ++faults_;
   return tokens_[last_];
 }
 
@@ -103,6 +104,7 @@ bool Cursor::accept_beyond_newlines(std::string_view sign) {
 }
 
 void Cursor::error(const Token& token, std::string message, std::string hint) {
+  ++faults_;
   // A junk token was reported by the lexer; what stumbles over it adds nothing.
   if (token.kind == TokenKind::junk && diagnostics_.has_errors()) return;
   if (errors_++ < options_.max_errors)
@@ -127,6 +129,11 @@ void Cursor::unexpected(const std::string& expected) {
   else if (found.is("~"))
     hint = "'~' stands only before an item of a rule; the complement of a is -a";
   fail(found, fmt::format("expected {}, found {}", expected, describe(found)), std::move(hint));
+}
+
+void Cursor::add_names_since(size_t position, std::set<std::string>& names) const {
+  for (size_t at = position; at < at_; ++at)
+    if (tokens_[at].kind == TokenKind::name) names.emplace(tokens_[at].text);
 }
 
 bool Cursor::first_on_line(size_t at) const {

@@ -4,6 +4,7 @@
 #include <vug/scene/lexer.h>
 #include <vug/scene/parser.h>
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,12 @@ class Cursor {
   const std::string& file() const { return file_; }
   const ParseOptions& options() const { return options_; }
   Diagnostics& diagnostics() const { return diagnostics_; }
+
+  /// How often anything was at fault so far: tokens that were taken and errors, told or dropped.
+  int faults() const { return faults_; }
+  /// The index of the next token, and the names among the tokens since such an index.
+  size_t position() const { return at_; }
+  void add_names_since(size_t position, std::set<std::string>& names) const;
 
   /// Reports at a token and goes on.
   void error(const Token& token, std::string message, std::string hint = {});
@@ -98,6 +105,7 @@ class Cursor {
   int brackets_ = 0;
   int nesting_ = 0;
   int errors_ = 0;
+  int faults_ = 0;
 };
 
 /// How a token is called in messages: "'+'", "the end of the line", "the number 2cm", ...

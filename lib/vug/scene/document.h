@@ -5,6 +5,7 @@
 #include <vug/scene/expr.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,8 @@ struct Entry {
   std::vector<ExprPtr> values;  ///< At least one; clauses have exactly one.
 };
 
-/// `kind name = value` or `kind name on target { entries }`.
+/// `kind name = value` or `kind name on target { entries }`. After a fault it may be broken, when
+/// its kind and name are all that is sure of it, or incomplete, when some of its entries are lost.
 struct Declaration {
   std::string kind;
   SourceLocation kind_where;
@@ -49,6 +51,8 @@ struct Declaration {
   ExprPtr value;               ///< Null in the block form.
   ExprPtr target;              ///< What follows `on`; null without.
   std::vector<Entry> entries;  ///< Empty in the `=` form.
+  bool broken = false;
+  bool incomplete = false;
 };
 
 /// One part of a right-hand side or of the axiom: `op amount shape * count clauses`.
@@ -91,6 +95,19 @@ struct Grammar {
   SourceLocation axiom_where;
   std::vector<Entry> options;
   std::vector<Rule> rules;
+  bool broken = false;                 ///< Something in it is at fault: nothing can be derived.
+  std::set<std::string> broken_rules;  ///< Heads of rules that are left out for their faults.
+};
+
+/// What faults have hidden of a text. It is there so that nobody blames the rest for it.
+struct Lost {
+  std::set<std::string> declared;   ///< Names that statements may give which nobody understood.
+  std::set<std::string> mentioned;  ///< Names in faulty statements, which may use them.
+  std::set<std::string> doubtful;   ///< Parameters and lets of which several meanings are given.
+  bool file = false;                ///< A file that could not be included may do anything.
+
+  bool may_declare(const std::string& name) const { return file || declared.count(name); }
+  bool may_mention(const std::string& name) const { return file || mentioned.count(name); }
 };
 
 struct Document {
@@ -99,6 +116,7 @@ struct Document {
   std::vector<Let> lets;
   std::vector<Declaration> declarations;
   std::vector<Grammar> grammars;
+  Lost lost;  ///< Empty in a text without faults.
   /// Files in the order they were opened, the scene first.
   std::vector<std::shared_ptr<const Source>> sources;
 

@@ -76,6 +76,9 @@ void write(const Expr& expr, std::string& out) {
       write(*expr.operands[1].value, out);
       out += ')';
       return;
+    case ExprKind::broken:
+      out += '?';
+      return;
     case ExprKind::call:
       out += fmt::format("{}{}#{:x}(", expr.method ? "." : "", expr.text, expr.path);
       write_parts(expr, out);

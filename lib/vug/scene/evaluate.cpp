@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vug::scene {
 
 namespace {
@@ -60,6 +62,8 @@ Value Evaluator::evaluate(const Expr& expr, const Context& context) {
       return range(expr, context);
     case ExprKind::call:
       return call(expr, context);
+    case ExprKind::broken:
+      break;
   }
   return {};
 }
@@ -72,6 +76,7 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
   if (expr.text == "pi") return kPi;
   if (const auto unit = with_unit(1, expr.text)) return *unit;
   if (auto value = resolver_.name(expr.text, expr.where, diagnostics_)) return *std::move(value);
+  if (document_.lost.may_declare(expr.text)) return {};
   return Value::Name{expr.text};
 }
 
@@ -281,12 +286,14 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   if (expr.text == "if") return choose(expr, context);
   if (expr.text == "pick") return pick(expr, context);
   const Arguments given = arguments(expr, context.key, context.scope);
-  for (const Argument& argument : given)
-    if (argument.value.empty()) return {};
+  const bool told = std::any_of(given.begin(), given.end(),
+                                [](const Argument& each) { return each.value.empty(); });
   const Function* builtin = find_function(expr.text);
+  if (builtin && told) return {};
   if (builtin)
     if (auto result = builtin->apply(given, site(expr))) return *std::move(result);
-  if (auto result = resolved(expr, given, context.key.at(expr.path))) return *std::move(result);
+  if (auto result = resolved(expr, given, context.key.at(expr.path)))
+    return told ? Value() : *std::move(result);
   for (size_t i = 0; builtin && i < given.size(); ++i)
     if (!is_known(given[i].value, *expr.operands[i].value)) return {};
   if (builtin)

@@ -44,6 +44,7 @@ void Evaluator::read_overrides() {
   for (const Override& given : options_.overrides) {
     const std::string file = "-D " + given.name;
     if (!document_.find_param(given.name)) {
+      if (document_.lost.may_declare(given.name)) continue;
       std::vector<std::string> names;
       for (const Param& param : document_.params) names.push_back(param.name);
       diagnostics_.error({file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
@@ -128,6 +129,7 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   Value value = global.param ? param(*global.param, root().at("param").at(name))
                              : evaluate(*global.let->value, {root().at("let").at(name), nullptr});
   pending_.pop_back();
+  if (document_.lost.doubtful.count(name)) value = {};
   global.value = value;
   return value;
 }
@@ -153,7 +155,7 @@ Value Evaluator::param(ParamValue& param, RandomKey key) {
 /// -D SIZE=2 means metres where the scene says SIZE = 30cm.
 Value Evaluator::like(const Value& fallback, Value given, const std::string& name,
                       const SourceLocation& where) {
-  if (fallback.empty() || given.empty()) return given;
+  if (fallback.empty() || given.empty()) return {};
   const Site there{where, diagnostics_};
   const Number* model = fallback.get<Number>();
   const Number* number = given.get<Number>();

@@ -21,7 +21,8 @@ enum class ExprKind {
   unary,   ///< `text` is "-", "+" or "not"; 1 operand
   binary,  ///< `text` is + - & * / ^ < <= > >= == != and or; 2 operands
   range,   ///< lo..hi, a uniform random draw; 2 operands
-  call     ///< `text` is the function; operands are its arguments
+  call,    ///< `text` is the function; operands are its arguments
+  broken   ///< Could not be understood; its fault has been told, and it has no value.
 };
 
 struct Expr;

@@ -26,11 +26,9 @@ std::vector<std::string> listed(const std::set<std::string>& names) {
 
 }  // namespace
 
-Grammar GrammarParser::parse() {
-  Grammar grammar;
-  const Token& name = cursor_.expect_name("the grammar's name");
-  grammar.name = std::string(name.text);
-  grammar.where = cursor_.where(name);
+void GrammarParser::parse(Grammar& grammar) {
+  const int faults = cursor_.faults();
+  grammar.broken = true;  // until it is read
   if (cursor_.accept(":")) {
     const Token& kind = cursor_.expect_name("the kind of grammar after ':'");
     grammar.kind = std::string(kind.text);
@@ -43,16 +41,22 @@ Grammar GrammarParser::parse() {
   find_heads();
   for (;;) {
     while (cursor_.peek().kind == TokenKind::newline) cursor_.take();
-    if (cursor_.accept("}")) return grammar;
-    if (cursor_.at_end() || cursor_.at_statement()) {
-      cursor_.error(open, fmt::format("the '{{' of grammar '{}' is never closed", name.text));
-      return grammar;
+    if (cursor_.accept("}")) {
+      grammar.broken = cursor_.faults() != faults;
+      return;
     }
+    if (cursor_.at_end() || cursor_.at_statement()) {
+      cursor_.error(open, fmt::format("the '{{' of grammar '{}' is never closed", grammar.name));
+      return;
+    }
+    const Token& first = cursor_.peek();
+    const bool is_rule = at_rule();
     try {
       entry(grammar);
       if (!cursor_.at_line_end()) cursor_.unexpected("the end of the line");
     } catch (const SyntaxFault&) {
       cursor_.recover_entry();
+      if (is_rule) grammar.broken_rules.emplace(first.text);
     }
   }
 }

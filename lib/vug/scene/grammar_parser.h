@@ -13,8 +13,8 @@ class GrammarParser {
  public:
   explicit GrammarParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor) {}
 
-  /// Everything behind the word "grammar".
-  Grammar parse();
+  /// Everything behind the grammar's name, into a grammar that has it.
+  void parse(Grammar& grammar);
 
  private:
   void entry(Grammar& grammar);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace vug::scene {
 
@@ -78,6 +79,7 @@ class Lexer {
     token.column = line_start_.column;
     token.touches = touches_;
     token.number = value;
+    token.faulty = std::exchange(faulty_, false);
     tokens_.push_back(token);
     advance(length);
     touches_ = kind != TokenKind::newline;
@@ -96,6 +98,7 @@ class Lexer {
   }
 
   void error(std::string message, std::string hint = {}) {
+    faulty_ = true;
     if (errors_left_-- <= 0) return;
     diagnostics_.error({file_, line_start_.line, line_start_.column}, std::move(message),
                        std::move(hint));
@@ -224,6 +227,7 @@ class Lexer {
   int line_ = 1;
   int column_ = 1;
   bool touches_ = false;
+  bool faulty_ = false;  ///< The token that is being read.
   Start line_start_;
   std::vector<Token> tokens_;
 };

@@ -29,6 +29,7 @@ struct Token {
   int column = 1;         ///< From 1, in characters (UTF-8), a tab being one.
   bool touches = false;   ///< No space, comment or line break before it.
   Number number;          ///< For TokenKind::number.
+  bool faulty = false;    ///< A diagnostic was given of it.
 
   bool is(std::string_view sign) const { return kind == TokenKind::sign && text == sign; }
   bool is_name(std::string_view name) const { return kind == TokenKind::name && text == name; }

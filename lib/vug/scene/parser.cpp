@@ -27,7 +27,7 @@ class Loader {
   Loader(Document& document, Diagnostics& diagnostics, const ParseOptions& options)
       : document_(document), diagnostics_(diagnostics), options_(options) {}
 
-  void load(std::string text, const fs::path& path, const SourceLocation& from) {
+  bool load(std::string text, const fs::path& path, const SourceLocation& from) {
     const std::string file = path.generic_string();
     bytes_ += text.size();
     if (text.size() > options_.max_bytes || bytes_ > options_.max_total_bytes) {
@@ -36,14 +36,14 @@ class Loader {
       diagnostics_.error(from.known() ? from : SourceLocation{file, 1, 1},
                          one ? fmt::format("'{}' is larger than {} bytes", file, limit)
                              : fmt::format("all files together are larger than {} bytes", limit));
-      return;
+      return false;
     }
     if (is_binary(text)) {
       const bool included = from.known();
       diagnostics_.error(included ? from : SourceLocation{file, 0, 0},
                          fmt::format("{} is no text", included ? "'" + file + "'" : "the file"),
                          "scenes are UTF-8 text; 'vug info' tells of grids, meshes and pictures");
-      return;
+      return false;
     }
     auto source = std::make_shared<const Source>(Source{file, normalise_text(std::move(text))});
     document_.sources.push_back(source);
@@ -54,9 +54,10 @@ class Loader {
     Cursor cursor(tokens, source->file, diagnostics_, options_);
     parse_statements(cursor, document_,
                      [&](const std::string& wanted, const SourceLocation& where) {
-                       include(wanted, path, where);
+                       if (!include(wanted, path, where)) document_.lost.file = true;
                      });
     chain_.pop_back();
+    return true;
   }
 
  private:
@@ -66,34 +67,36 @@ class Loader {
     return failed ? path.lexically_normal() : whole;
   }
 
-  void include(const std::string& wanted, const fs::path& from, const SourceLocation& where) {
+  /// False when what the file says is not known.
+  bool include(const std::string& wanted, const fs::path& from, const SourceLocation& where) {
     std::vector<fs::path> places{from.parent_path()};
     std::string why;
     std::error_code failed;
     places.insert(places.end(), options_.include_folders.begin(), options_.include_folders.end());
     for (const fs::path& place : places) {
       const fs::path path = (place / wanted).lexically_normal();
-      if (circle(path, where)) return;
-      if (known_.count(identity(path))) return;
+      if (circle(path, where)) return true;
+      if (known_.count(identity(path))) return true;
       const auto text = options_.read ? options_.read(path) : read_disk(path);
       if (!text && !options_.read && why.empty() && fs::exists(path, failed))
         why = why_no_file(path);
       if (!text) continue;
       if (chain_.size() >= kMaxChain) {
         diagnostics_.error(where, fmt::format("more than {} files include each other", kMaxChain));
-        return;
+        return false;
       }
       return load(*text, path, where);
     }
     if (!why.empty()) {
       diagnostics_.error(where, fmt::format("cannot read the file '{}': {}", wanted, why));
-      return;
+      return false;
     }
     std::string looked;
     for (const fs::path& place : places)
       looked += (looked.empty() ? "" : ", ") + (place.empty() ? "." : place.generic_string());
     diagnostics_.error(where, fmt::format("cannot find the file '{}'", wanted),
                        "looked in " + looked);
+    return false;
   }
 
   bool circle(const fs::path& path, const SourceLocation& where) {

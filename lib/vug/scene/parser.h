@@ -26,7 +26,8 @@ struct ParseOptions {
 };
 
 /// Parses `text`, called `file` in messages and for relative includes. The document holds what
-/// could be understood; it may be used only if `diagnostics` has no errors.
+/// could be understood, and in `lost` what else there was: an Evaluator finds the further faults of
+/// such a document, but nothing may be made of it.
 Document parse(std::string text, const std::string& file, Diagnostics& diagnostics,
                const ParseOptions& options = {});
 

@@ -17,6 +17,10 @@ class StatementParser {
     for (;;) {
       while (cursor_.peek().kind == TokenKind::newline) cursor_.take();
       if (cursor_.at_end()) return;
+      const size_t start = cursor_.position();
+      const int faults = cursor_.faults();
+      const Counts before = counts();
+      const bool includes = cursor_.peek().is_name("include");
       try {
         statement();
         if (!cursor_.at_end() && cursor_.peek().kind != TokenKind::newline &&
@@ -25,10 +29,53 @@ class StatementParser {
       } catch (const SyntaxFault&) {
         cursor_.recover_statement();
       }
+      if (cursor_.faults() != faults) lose(before, start, includes);
     }
   }
 
  private:
+  struct Counts {
+    size_t params, lets, declarations, grammars;
+  };
+  Counts counts() const {
+    return {document_.params.size(), document_.lets.size(), document_.declarations.size(),
+            document_.grammars.size()};
+  }
+
+  static ExprPtr broken(const SourceLocation& where) {
+    Expr expr;
+    expr.kind = ExprKind::broken;
+    expr.where = where;
+    return std::make_shared<const Expr>(std::move(expr));
+  }
+
+  /// After a fault: keeps what is known of the statement that began at `start`.
+  void lose(const Counts& before, size_t start, bool includes) {
+    Lost& lost = document_.lost;
+    cursor_.add_names_since(start, lost.mentioned);
+    if (includes) {
+      lost.file = true;
+      return;
+    }
+    const Counts now = counts();
+    for (size_t i = before.params; i < now.params; ++i) {
+      Param& param = document_.params[i];
+      param.value = broken(param.where);
+      param.low = param.high = nullptr;
+    }
+    for (size_t i = before.lets; i < now.lets; ++i)
+      document_.lets[i].value = broken(document_.lets[i].where);
+    for (size_t i = before.declarations; i < now.declarations; ++i) {
+      Declaration& made = document_.declarations[i];
+      made.broken = made.broken || made.value;
+      made.incomplete = true;
+    }
+    for (size_t i = before.grammars; i < now.grammars; ++i) document_.grammars[i].broken = true;
+    const bool named = now.params + now.lets + now.declarations + now.grammars >
+                       before.params + before.lets + before.declarations + before.grammars;
+    if (!named) cursor_.add_names_since(start, lost.declared);
+  }
+
   void statement() {
     const Token& word = cursor_.peek();
     if (word.is("}")) cursor_.fail(word, "a '}' without its '{'");
@@ -38,7 +85,11 @@ class StatementParser {
     if (word.text == "let") return let();
     if (word.text == "include") return include();
     if (word.text == "grammar") {
-      document_.grammars.push_back(GrammarParser(cursor_).parse());
+      const Token& name = cursor_.expect_name("the grammar's name");
+      document_.grammars.emplace_back();
+      document_.grammars.back().name = std::string(name.text);
+      document_.grammars.back().where = cursor_.where(name);
+      GrammarParser(cursor_).parse(document_.grammars.back());
       return;
     }
     declaration(word);
@@ -60,20 +111,20 @@ class StatementParser {
                    fmt::format("write it without '=': {}", example));
   }
 
-  /// `NAME =`, with the value to follow.
-  const Token& assigned(const char* what) {
-    const Token& name = cursor_.expect_name(fmt::format("the name of the {}", what));
-    cursor_.expect("=", fmt::format(" after '{}'", name.text));
+  /// `= value`, which comes after the name. The statement is in the document by then: what is
+  /// faulty has a name too.
+  ExprPtr assigned(const std::string& name) {
+    cursor_.expect("=", fmt::format(" after '{}'", name));
     cursor_.skip_newlines();
-    return name;
+    return exprs_.whole();
   }
 
   void param() {
-    Param param;
-    const Token& name = assigned("parameter");
+    const Token& name = cursor_.expect_name("the name of the parameter");
+    Param& param = document_.params.emplace_back();
     param.name = std::string(name.text);
     param.where = cursor_.where(name);
-    param.value = exprs_.whole();
+    param.value = assigned(param.name);
     if (cursor_.beyond_newlines().is_name("in")) {
       cursor_.skip_newlines();
       cursor_.take();
@@ -83,16 +134,14 @@ class StatementParser {
       cursor_.skip_newlines();
       param.doc = unquote(cursor_.take().text);
     }
-    document_.params.push_back(std::move(param));
   }
 
   void let() {
-    Let let;
-    const Token& name = assigned("let");
+    const Token& name = cursor_.expect_name("the name of the let");
+    Let& let = document_.lets.emplace_back();
     let.name = std::string(name.text);
     let.where = cursor_.where(name);
-    let.value = exprs_.whole();
-    document_.lets.push_back(std::move(let));
+    let.value = assigned(let.name);
   }
 
   void include() {
@@ -115,7 +164,9 @@ class StatementParser {
           kind, fmt::format("'{}' starts no statement", kind.text),
           suggestion(std::string(kind.text), {"seed", "param", "let", "include", "grammar"}));
     cursor_.take();
-    Declaration made;
+    const int faults = cursor_.faults();
+    Declaration& made = document_.declarations.emplace_back();
+    made.broken = true;  // until it is read
     made.kind = std::string(kind.text);
     made.kind_where = cursor_.where(kind);
     made.name = std::string(name.text);
@@ -136,9 +187,11 @@ class StatementParser {
         cursor_.fail(kind, fmt::format("'{}' starts no statement", kind.text),
                      fmt::format("did you mean '{}'?", hint));
       }
+      if (cursor_.faults() == faults) made.broken = false;
       entries(made);
+      return;
     }
-    document_.declarations.push_back(std::move(made));
+    if (cursor_.faults() == faults) made.broken = false;
   }
 
   void entries(Declaration& made) {
@@ -147,10 +200,14 @@ class StatementParser {
       while (cursor_.peek().kind == TokenKind::newline) cursor_.take();
       if (cursor_.accept("}")) return;
       if (cursor_.at_end() || cursor_.at_statement()) {
+        made.incomplete = true;
         cursor_.error(open,
                       fmt::format("the '{{' of {} '{}' is never closed", made.kind, made.name));
         return;
       }
+      const int faults = cursor_.faults();
+      const size_t before = made.entries.size();
+      const Token& key = cursor_.peek();
       try {
         made.entries.push_back(parse_entry(cursor_, exprs_));
         if (!cursor_.at_line_end() && cursor_.peek().kind != TokenKind::name)
@@ -159,6 +216,11 @@ class StatementParser {
       } catch (const SyntaxFault&) {
         cursor_.recover_entry();
       }
+      if (cursor_.faults() == faults) continue;
+      made.incomplete = true;
+      if (made.entries.size() == before && key.kind == TokenKind::name)
+        made.entries.push_back({std::string(key.text), cursor_.where(key), {}});
+      if (made.entries.size() > before) made.entries.back().values = {broken(cursor_.where(key))};
     }
   }
 

@@ -314,7 +314,7 @@ sgm::Options Binder::options() {
 }  // namespace
 
 Value bind_grammar(const scene::Grammar& source, Reading& reading) {
-  if (source.kind != "shape") {
+  if (source.kind != "shape" && !source.broken) {
     reading.diagnostics.error(source.where,
                               fmt::format("there is no grammar kind '{}'", source.kind),
                               suggestion(source.kind, {"shape"}));
@@ -322,6 +322,10 @@ Value bind_grammar(const scene::Grammar& source, Reading& reading) {
   }
   Binder binder(source, reading);
   try {
+    if (source.broken) {
+      binder.options();
+      return Value();
+    }
     const grammar::Grammar bound = binder.bind();
     Diagnostics own;
     grammar::check(bound, own);

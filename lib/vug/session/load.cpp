@@ -38,6 +38,9 @@ std::string recipe(const scene::Document& document, const LoadOptions& options, 
 void announce(const scene::Document& document, Reading& reading) {
   for (const scene::Declaration& declaration : document.declarations) {
     const DeclarationKind* kind = find_declaration_kind(declaration.kind);
+    if (!kind || declaration.broken)
+      reading.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });
+    if (declaration.broken) continue;  // its fault has been told
     if (!kind) {
       reading.diagnostics.error(declaration.kind_where,
                                 fmt::format("nothing is declared by '{}'", declaration.kind),
@@ -45,7 +48,8 @@ void announce(const scene::Document& document, Reading& reading) {
       continue;
     }
     reading.resolver.declare(declaration.kind, declaration.name, [&declaration, kind, &reading] {
-      return kind->read(declaration, reading);
+      Value value = kind->read(declaration, reading);
+      return declaration.incomplete ? Value() : value;
     });
   }
   for (const scene::Grammar& grammar : document.grammars)
@@ -86,10 +90,6 @@ Loaded load_text(std::string text, const std::string& file, const LoadOptions& o
   parse_options.include_folders = options.include_folders;
   const scene::Document document =
       scene::parse(std::move(text), file, loaded.diagnostics, parse_options);
-  if (loaded.diagnostics.has_errors()) {  // such a document must not be evaluated
-    loaded.sources = document.sources;
-    return loaded;
-  }
   return evaluate(document, std::move(loaded), file, options);
 }
 

@@ -71,13 +71,14 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
       values = {*declared};
     else
       values = reading.evaluator.eval(entry, reading.evaluator.key(declaration));
-    bool faulty = false;
-    for (const Value& value : values) faulty = faulty || value.empty();
-    if (faulty) continue;
-    Value value =
-        values.size() == 1 ? std::move(values[0]) : Value(List(values.begin(), values.end()));
+    const bool faulty =
+        std::any_of(values.begin(), values.end(), [](const Value& each) { return each.empty(); });
+    Value value = faulty               ? Value()
+                  : values.size() == 1 ? std::move(values[0])
+                                       : Value(List(values.begin(), values.end()));
     arguments.push_back({entry.key, std::move(value), entry.where});
   }
+  if (declaration.incomplete) arguments.push_back({"", Value(), declaration.where});
   return arguments;
 }
 
@@ -119,14 +120,20 @@ Value read_block_family(const Family& family, const std::string& fallback,
                        [&](const FamilyKind& kind) { return has_choice(*kind.info, key, word); });
   };
   Arguments arguments = block_arguments(declaration, is_choice, reading);
+  bool told = false;
   for (size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].name != "kind") continue;
+    if (arguments[i].value.empty()) return Value();
+    told = true;
     const auto* given = arguments[i].value.get<Value::Name>();
     where = arguments[i].where;
     name = given ? given->text : to_string(arguments[i].value);
     arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
     break;
   }
+  if (!told && declaration.incomplete && reading.document.lost.may_mention("kind"))
+    return Value();  // it may stand among the lost entries
+  if (name.empty() && declaration.incomplete) return Value();
   if (name.empty()) {
     reading.diagnostics.error(where, fmt::format("'{}' needs a kind", declaration.name),
                               fmt::format("{} {} = KIND(...), or 'kind KIND' in the block",

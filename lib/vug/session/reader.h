@@ -33,7 +33,8 @@ KindInfo family_info(const std::string& name, const std::string& doc, const std:
 using IsChoice = std::function<bool(const std::string& key, const std::string& word)>;
 
 /// The entries of a block as arguments: one value stands for itself, several for a list. A choice
-/// stands for itself whatever the text declares under its name.
+/// stands for itself whatever the text declares under its name. Entries with faults have no value;
+/// one without name and value stands for those that are lost.
 Arguments block_arguments(const scene::Declaration& declaration, const IsChoice& is_choice,
                           Reading& reading);
 
@@ -49,14 +50,16 @@ std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& d
                                   (declaration.kind == "render" ? "" : " on NAME") + " { ... }");
     return std::nullopt;
   }
-  Diagnostics own;
+  Diagnostics found, own;
   const IsChoice is_choice = [&](const std::string& key, const std::string& word) {
     return has_choice(schema.info(), key, word);
   };
   const Arguments arguments = block_arguments(declaration, is_choice, reading);
-  std::optional<P> params = schema.bind(arguments, declaration.where, own);
+  const SoundArguments sound(arguments);
+  std::optional<P> params = schema.bind(sound.arguments, declaration.where, found);
+  sound.tell(found, declaration.where, own);
   reading.evaluator.tell(own, arguments);
-  return params;
+  return sound.whole ? params : std::nullopt;
 }
 
 /// A declaration whose value is a kind of one family: `light key = rect(...)`, or in block form

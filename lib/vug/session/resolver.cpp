@@ -6,8 +6,32 @@
 
 namespace vug::session {
 
+SoundArguments::SoundArguments(const Arguments& given) {
+  bool placed = true;  // behind one that is lost nobody knows the others' places
+  for (const Argument& each : given) {
+    if (each.value.empty()) {
+      whole = false;
+      placed = placed && !each.name.empty();
+    } else if (placed || !each.name.empty()) {
+      arguments.push_back(each);
+    }
+  }
+}
+
+void SoundArguments::tell(const Diagnostics& found, const SourceLocation& where,
+                          Diagnostics& diagnostics) const {
+  for (const Diagnostic& one : found.all()) {
+    if (!whole && one.where == where) continue;
+    one.severity == Severity::error ? diagnostics.error(one.where, one.message, one.hint)
+                                    : diagnostics.warning(one.where, one.message, one.hint);
+  }
+}
+
 void Resolver::declare(const std::string& kind, const std::string& name, Maker maker) {
-  entries_[name].push_back({kind, std::move(maker), {}, false, false});
+  std::vector<Entry>& entries = entries_[name];
+  for (Entry& entry : entries)
+    if (entry.kind == kind) return entry.makers.push_back(std::move(maker));
+  entries.push_back({kind, {std::move(maker)}, {}, false, false});
 }
 
 Value Resolver::value(Entry& entry, const std::string& name, const SourceLocation& where,
@@ -18,7 +42,8 @@ Value Resolver::value(Entry& entry, const std::string& name, const SourceLocatio
   }
   if (!entry.made) {
     entry.pending = true;
-    entry.value = entry.maker();
+    for (const Maker& maker : entry.makers) entry.value = maker();
+    if (entry.makers.size() > 1) entry.value = Value();
     entry.pending = false;
     entry.made = true;
   }
@@ -48,15 +73,16 @@ std::optional<Value> Resolver::make(const Family& family, const std::string& nam
                                     Diagnostics& diagnostics) {
   const FamilyKind* kind = family.find(name);
   if (!kind) return std::nullopt;
-  for (const Argument& argument : arguments)
-    if (argument.value.empty()) return Value();  // its fault has been told
+  const SoundArguments sound(arguments);
+  Diagnostics found;
+  Value made;
   try {
-    auto value = kind->make(arguments, where, diagnostics);
-    return value ? *value : Value();
+    if (auto value = kind->make(sound.arguments, where, found); value && sound.whole) made = *value;
   } catch (const Error& error) {
-    diagnostics.error(error.where().known() ? error.where() : where, error.what(), error.hint());
-    return Value();
+    found.error(error.where().known() ? error.where() : where, error.what(), error.hint());
   }
+  sound.tell(found, where, diagnostics);
+  return made;
 }
 
 std::optional<Value> Resolver::call(const std::string& name, const Arguments& arguments,

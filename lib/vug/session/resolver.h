@@ -12,6 +12,18 @@
 
 namespace vug::session {
 
+/// What a maker can be asked of arguments some of which have no value, because of faults that have
+/// been told: those with a value whose parameter is sure.
+struct SoundArguments {
+  explicit SoundArguments(const Arguments& given);
+  /// What a maker found of them. When they are not whole, what it says of its own place (that
+  /// something is missing or does not fit together) is not known.
+  void tell(const Diagnostics& found, const SourceLocation& where, Diagnostics& diagnostics) const;
+
+  Arguments arguments;
+  bool whole = true;
+};
+
 class Resolver final : public scene::Resolver {
  public:
   /// Makes the value of a declared name, once, when it is first needed.
@@ -48,7 +60,7 @@ class Resolver final : public scene::Resolver {
  private:
   struct Entry {
     std::string kind;
-    Maker maker;
+    std::vector<Maker> makers;  ///< More than one is a fault, and then there is no value.
     Value value;
     bool made = false;
     bool pending = false;

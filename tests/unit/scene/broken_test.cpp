@@ -42,7 +42,7 @@ std::string diagnose(const fs::path& path) {
   };
   Diagnostics diagnostics;
   const Document document = parse_file(path.filename(), diagnostics, parsing);
-  if (!diagnostics.has_errors()) check_params_read(document, diagnostics);
+  check_params_read(document, diagnostics);
   FakeResolver resolver;
   Evaluator evaluator(document, resolver, diagnostics, options);
   evaluate_all(evaluator, document);
