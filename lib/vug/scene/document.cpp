@@ -19,10 +19,6 @@ const Param* Document::find_param(const std::string& name) const {
 
 const Let* Document::find_let(const std::string& name) const { return find_named(lets, name); }
 
-const Grammar* Document::find_grammar(const std::string& name) const {
-  return find_named(grammars, name);
-}
-
 const Declaration* Document::find(const std::string& name, const std::string& kind) const {
   for (const Declaration& one : declarations)
     if (one.name == name && (kind.empty() || one.kind == kind)) return &one;

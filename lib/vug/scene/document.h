@@ -50,6 +50,7 @@ struct Declaration {
   SourceLocation where;        ///< Of the name.
   ExprPtr value;               ///< Null in the block form.
   ExprPtr target;              ///< What follows `on`; null without.
+  SourceLocation on_where;     ///< Of the word `on`.
   std::vector<Entry> entries;  ///< Empty in the `=` form.
   bool broken = false;
   bool incomplete = false;
@@ -122,7 +123,6 @@ struct Document {
 
   const Param* find_param(const std::string& name) const;
   const Let* find_let(const std::string& name) const;
-  const Grammar* find_grammar(const std::string& name) const;
   /// The first declaration of that name, of any kind or of one.
   const Declaration* find(const std::string& name, const std::string& kind = {}) const;
 };

@@ -177,7 +177,7 @@ class StatementParser {
     } else {
       if (cursor_.beyond_newlines().is_name("on")) {
         cursor_.skip_newlines();
-        cursor_.take();
+        made.on_where = cursor_.where(cursor_.take());
         made.target = exprs_.whole();
       }
       if (!cursor_.accept_beyond_newlines("{")) {

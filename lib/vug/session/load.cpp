@@ -8,6 +8,7 @@
 #include <vug/volume/samples.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -24,6 +25,19 @@ std::vector<std::string> declaration_words() {
   std::vector<std::string> words = {"param", "let", "seed", "include", "grammar"};
   for (const DeclarationKind* kind : declaration_kinds()) words.push_back(kind->info.name);
   return words;
+}
+
+/// Only some kinds stand on something; elsewhere an `on` would mean nothing.
+void check_target(const scene::Declaration& declaration, const DeclarationKind& kind,
+                  Diagnostics& diagnostics) {
+  if (!declaration.target || !kind.stands_on.empty()) return;
+  std::vector<std::string> standing;
+  for (const DeclarationKind* each : declaration_kinds())
+    if (!each->stands_on.empty())
+      standing.push_back(fmt::format("{} (on a {})", each->info.name, each->stands_on));
+  diagnostics.error(
+      declaration.on_where, fmt::format("a {} stands on nothing", declaration.kind),
+      fmt::format("leave out 'on'; what stands on something: {}", fmt::join(standing, ", ")));
 }
 
 /// The scene's own text and what was changed from outside: enough to make it again.
@@ -47,6 +61,7 @@ void announce(const scene::Document& document, Reading& reading) {
                                 suggestion(declaration.kind, declaration_words()));
       continue;
     }
+    check_target(declaration, *kind, reading.diagnostics);
     reading.resolver.declare(declaration.kind, declaration.name, [&declaration, kind, &reading] {
       Value value = kind->read(declaration, reading);
       return declaration.incomplete ? Value() : value;

@@ -20,6 +20,7 @@ struct Reading {
 struct DeclarationKind {
   KindInfo info;
   std::function<Value(const scene::Declaration&, Reading&)> read;
+  std::string stands_on = {};  ///< What follows `on`: "volume", "mesh"; empty: there is no `on`.
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();

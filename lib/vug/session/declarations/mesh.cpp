@@ -32,7 +32,8 @@ Schema<MeshPlan> schema() {
 
 const DeclarationKind& mesh_declaration() {
   static const DeclarationKind kind = {
-      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
+      schema().info(),
+      [](const scene::Declaration& declaration, Reading& reading) -> Value {
         std::optional<MeshPlan> plan = read_block(schema(), declaration, reading);
         const VolumePtr volume = read_target<VolumePtr>(declaration, reading);
         if (!plan || !volume) return Value();
@@ -46,7 +47,8 @@ const DeclarationKind& mesh_declaration() {
         const MeshPtr made = std::make_shared<const MeshPlan>(std::move(*plan));
         reading.shot.meshes.push_back(made);
         return Object{"mesh", made};
-      }};
+      },
+      "volume"};
   return kind;
 }
 

@@ -15,7 +15,8 @@ Schema<ObjectPlan> schema() {
 
 const DeclarationKind& object_declaration() {
   static const DeclarationKind kind = {
-      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
+      schema().info(),
+      [](const scene::Declaration& declaration, Reading& reading) -> Value {
         std::optional<ObjectPlan> plan = read_block(schema(), declaration, reading);
         const MeshPtr mesh = read_target<MeshPtr>(declaration, reading);
         if (!plan || !mesh) return Value();
@@ -23,7 +24,8 @@ const DeclarationKind& object_declaration() {
         plan->mesh = mesh;
         reading.shot.objects.push_back(std::move(*plan));
         return Value(Value::Name{declaration.name});
-      }};
+      },
+      "mesh"};
   return kind;
 }
 
