@@ -108,7 +108,6 @@ Picture render_picture(Builder& builder, const PictureOptions& options) {
   render.height = plan.size[1];
   render.spp = plan.spp;
   render.seed = options.seed.value_or(builder.shot().seed);
-  render.max_bounces = plan.max_bounces;
   render.sampler = plan.sampler;
   render.integrator = plan.integrator;
   require_memory(render::memory_estimate(scene, render), builder.room(), "the picture",

@@ -66,7 +66,6 @@ struct RenderPlan {
   std::string name = "main";
   std::vector<int> size = {960, 540};  ///< Pixels: width, height.
   int spp = 64;
-  int max_bounces = 8;
   double exposure = 0;       ///< Stops; for the PNG only.
   bool half = true;          ///< 16-bit colour channels in the EXR.
   render::CameraPtr camera;  ///< Null: the camera named like the plan, else the first.

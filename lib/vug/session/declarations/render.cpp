@@ -9,14 +9,14 @@ Schema<RenderPlan> schema() {
       .param("size", &RenderPlan::size,
              {.doc = "width and height in pixels, as 1920x1080", .min = 1, .max = 65535})
       .param("spp", &RenderPlan::spp, {.doc = "samples per pixel", .min = 1, .max = 1 << 20})
-      .param("max_bounces", &RenderPlan::max_bounces,
-             {.doc = "bounces of light after the first", .min = 0, .max = 10000})
       .param("exposure", &RenderPlan::exposure,
              {.doc = "stops, for the PNG only", .min = -30, .max = 30})
       .param("half", &RenderPlan::half, {.doc = "store colours as 16-bit floats"})
-      .param("camera", &RenderPlan::camera, {.doc = "a declared camera; else the first one"})
+      .param("camera", &RenderPlan::camera,
+             {.doc = "a declared camera; else the one named like the render, else the first"})
       .param("sampler", &RenderPlan::sampler, {.doc = "where samples fall; else sobol"})
-      .param("integrator", &RenderPlan::integrator, {.doc = "how light is followed; else path"});
+      .param("integrator", &RenderPlan::integrator,
+             {.doc = "how light is followed, as path(max_bounces: 6); else path()"});
   return s;
 }
 
