@@ -62,7 +62,11 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
   auto name_of = [](const CameraPlan& camera) { return camera.name; };
   if (!options.camera.empty())
     plan.camera = find_named(shot.cameras, options.camera, "camera", name_of).camera;
-  if (!plan.camera && !shot.cameras.empty()) plan.camera = shot.cameras.front().camera;
+  if (!plan.camera && !shot.cameras.empty()) {
+    const auto same = std::find_if(shot.cameras.begin(), shot.cameras.end(),
+                                   [&](const CameraPlan& each) { return each.name == plan.name; });
+    plan.camera = (same == shot.cameras.end() ? shot.cameras.front() : *same).camera;
+  }
   if (options.spp) plan.spp = *options.spp;
   if (options.size) plan.size = {options.size->x, options.size->y};
   return plan;

@@ -10,8 +10,8 @@ namespace vug::session {
 /// What the command line may change about a render plan.
 struct PictureOptions {
   std::string render;  ///< Name of the plan; empty: the first, or defaults without any.
-  std::string camera;  ///< Name of a camera; empty: the plan's, else the first, else one that
-                       ///< looks at everything from outside.
+  std::string camera;  ///< Name of a camera; empty: the plan's, else the one named like the
+                       ///< plan, else the first, else one that sees all from outside.
   std::optional<int> spp;
   std::optional<Vec2i> size;
   std::optional<uint64_t> seed;
