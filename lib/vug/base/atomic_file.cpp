@@ -3,49 +3,106 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 namespace vug {
 namespace fs = std::filesystem;
 
-AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+namespace {
+
+constexpr int kMostLinks = 40;  // as Linux does
+
+/// Where the links that the path is lead to, even where nothing is there yet.
+fs::path followed(fs::path path) {
+  std::error_code code;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, code); ++i) {
+    const fs::path next = fs::read_symlink(path, code);
+    if (code) break;
+    path = path.parent_path() / next;  // an absolute one stands for itself
+  }
+  return path;
+}
+
+/// The folder and those above it that are not there, the innermost first.
+std::vector<fs::path> missing_folders(fs::path folder) {
+  std::vector<fs::path> missing;
+  std::error_code code;
+  while (!folder.empty() && fs::status(folder, code).type() == fs::file_type::not_found) {
+    missing.push_back(folder);
+    folder = folder.parent_path();
+  }
+  return missing;
+}
+
+/// Read, write and execute bits of a file; nothing when there is none.
+std::optional<mode_t> mode_of(const fs::path& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return status.st_mode & 0777;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const fs::path& target) : target_(followed(target)) {
   std::error_code code;
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  made_folders_ = missing_folders(folder);
   fs::create_directories(folder, code);
-  if (code)
+  if (code) {
+    discard();
     throw Error(ErrorCode::io,
                 fmt::format("cannot make folder '{}': {}", folder.string(), code.message()));
-  temporary_ = folder / fmt::format(".{}.{}.part{}", target_.stem().string(), getpid(),
-                                    target_.extension().string());
+  }
+  if (fs::exists(target_, code))
+    if (const std::string why = why_no_file(target_); !why.empty()) fail(why);
+  const fs::path temporary =  // its name tells writers the format, where the target is a link too
+      folder /
+      fmt::format(".{}.{}.part{}", target.stem().string(), getpid(), target.extension().string());
+  const mode_t mode = mode_of(target_).value_or(0666) | 0600;  // what is private stays so
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode & 0666);
+  if (file < 0) fail(std::strerror(errno));
+  ::close(file);
+  temporary_ = temporary;
 }
 
 AtomicFile::~AtomicFile() {
-  if (committed_) return;
+  if (!committed_) discard();
+}
+
+void AtomicFile::discard() {
   std::error_code ignored;
-  fs::remove(temporary_, ignored);
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  for (const fs::path& folder : made_folders_) fs::remove(folder, ignored);  // only empty ones go
+}
+
+void AtomicFile::fail(const std::string& why) {
+  discard();
+  throw Error(ErrorCode::io, fmt::format("cannot write '{}': {}", target_.string(), why));
 }
 
 void AtomicFile::commit() {
   const int file = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file >= 0) {
-    const int failed = ::fsync(file);
+    // Some file systems know no permissions; the content is what counts.
+    if (const auto mode = mode_of(target_); mode && ::fchmod(file, *mode) != 0) errno = 0;
+    const int failed = ::fsync(file) ? errno : 0;
     ::close(file);
-    if (failed)
-      throw Error(ErrorCode::io,
-                  fmt::format("cannot write '{}': {}", target_.string(), std::strerror(errno)));
+    if (failed) fail(std::strerror(failed));
   }
   std::error_code code;
   fs::rename(temporary_, target_, code);
-  if (code)
-    throw Error(ErrorCode::io,
-                fmt::format("cannot write '{}': {}", target_.string(), code.message()));
+  if (code) fail(code.message());
   committed_ = true;
 }
+
+void require_writable(const fs::path& target) { const AtomicFile probe(target); }
 
 void write_text(const fs::path& target, std::string_view text) {
   AtomicFile file(target);
@@ -77,6 +134,13 @@ std::string why_no_file(const fs::path& source) {
     default:
       return "it is no regular file";
   }
+}
+
+std::string extension_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
 }
 
 std::string read_text(const fs::path& source) {

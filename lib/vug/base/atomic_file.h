@@ -2,16 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace vug {
 
-/// Makes the target's folder, gives a temporary path in it with the same extension, and moves it
-/// over the target on commit. Without commit the temporary file is removed. A killed process
-/// leaves at most a dot-file behind, never a half-written target.
+/// Makes the target's folder and in it an empty temporary file with the same extension, and moves
+/// that over the target on commit. Without commit the temporary file and the folders that were made
+/// are removed. A killed process leaves at most a dot-file behind, never a half-written target.
+/// Where the target is a link, what it points to is replaced; permissions of a replaced file stay.
 class AtomicFile {
  public:
-  explicit AtomicFile(std::filesystem::path target);
+  /// Error(io) when the target cannot be written: a folder that cannot be made or forbids it, a
+  /// target that is no regular file.
+  explicit AtomicFile(const std::filesystem::path& target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -21,10 +26,18 @@ class AtomicFile {
   void commit();
 
  private:
+  [[noreturn]] void fail(const std::string& why);
+  void discard();
+
   std::filesystem::path target_;
   std::filesystem::path temporary_;
+  std::vector<std::filesystem::path> made_folders_;  ///< The innermost first.
   bool committed_ = false;
 };
+
+/// Error(io) where an AtomicFile of the target could not be made; leaves nothing behind. For asking
+/// before long work whose result goes there.
+void require_writable(const std::filesystem::path& target);
 
 /// Writes the whole text through an AtomicFile.
 void write_text(const std::filesystem::path& target, std::string_view text);
@@ -32,6 +45,9 @@ void write_text(const std::filesystem::path& target, std::string_view text);
 /// Why the path cannot be read as a file: "no such file", "it is a folder", "it is a pipe", ...;
 /// empty for a regular file. Ask before opening: a pipe that nobody writes to would wait for ever.
 std::string why_no_file(const std::filesystem::path& source);
+
+/// The path's extension with its dot, in small letters: people write .VDB too.
+std::string extension_of(const std::filesystem::path& path);
 
 /// Reads a whole regular file; Error(bad_input) names the path when it cannot be read.
 std::string read_text(const std::filesystem::path& source);

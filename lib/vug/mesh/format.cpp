@@ -26,10 +26,8 @@ const std::vector<const Format*>& formats() {
 }
 
 const Format& format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
+  std::string extension = extension_of(file);
   if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   std::vector<std::string> known;
   for (const Format* format : formats()) {
     if (format->info.name == extension) return *format;

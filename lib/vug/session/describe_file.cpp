@@ -1,3 +1,4 @@
+#include <vug/base/atomic_file.h>
 #include <vug/image/io.h>
 #include <vug/mesh/format.h>
 #include <vug/session/describe_file.h>
@@ -5,8 +6,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace vug::session {
 namespace {
@@ -74,9 +73,7 @@ Json describe_mesh(const std::filesystem::path& file) {
 }  // namespace
 
 nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(file);
   if (extension == ".vdb") return describe_vdb(file);
   for (const mesh::Format* format : mesh::formats())
     if (extension == "." + format->info.name) return describe_mesh(file);

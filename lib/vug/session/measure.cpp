@@ -1,3 +1,4 @@
+#include <vug/base/atomic_file.h>
 #include <vug/mesh/format.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/metrics/cells.h>
@@ -41,7 +42,7 @@ metrics::Report measure(Builder& builder, const std::string& name) {
 }
 
 metrics::Report measure_file(const std::filesystem::path& file, Progress& progress) {
-  if (file.extension() != ".vdb") return metrics::measure(mesh::read_mesh(file));
+  if (extension_of(file) != ".vdb") return metrics::measure(mesh::read_mesh(file));
   const volume::LevelSet surface(volume::read_grid(file, ""));
   return metrics::measure(meshing::polygonize(surface, nullptr, {}, progress).mesh);
 }

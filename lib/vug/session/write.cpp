@@ -1,3 +1,4 @@
+#include <vug/base/atomic_file.h>
 #include <vug/mesh/format.h>
 #include <vug/session/write.h>
 #include <vug/volume/fog.h>
@@ -6,10 +7,25 @@
 #include <fmt/format.h>
 
 namespace vug::session {
+
+std::vector<std::filesystem::path> product_paths(const Shot& shot,
+                                                 const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  if (!shot.volumes.empty()) paths.push_back(folder / (shot.name + ".vdb"));
+  for (const MeshPtr& plan : shot.meshes) {
+    const bool plain = shot.meshes.size() == 1 || plan->name == shot.name;
+    const std::string stem = plain ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
+    paths.push_back(folder / fmt::format("{}.{}", stem, plan->format));
+  }
+  return paths;
+}
+
 std::vector<std::filesystem::path> write_products(Builder& builder,
                                                   const std::filesystem::path& folder) {
   const Shot& shot = builder.shot();
-  std::vector<std::filesystem::path> paths;
+  const std::vector<std::filesystem::path> paths = product_paths(shot, folder);
+  for (const auto& path : paths) require_writable(path);
+  auto path = paths.begin();
   for (const MeshPtr& plan : shot.meshes) builder.require_room(plan);
   if (!shot.volumes.empty()) {
     volume::WriteOptions options;
@@ -20,15 +36,9 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
       const volume::Grid grid = plan->fog ? volume::fog(level_set) : volume::Grid(level_set);
       grids.push_back(grid.named(plan->name).stored_as_half(plan->half));
     }
-    paths.push_back(folder / (shot.name + ".vdb"));
-    volume::write(paths.back(), grids, options);
+    volume::write(*path++, grids, options);
   }
-  for (const MeshPtr& plan : shot.meshes) {
-    const bool plain = shot.meshes.size() == 1 || plan->name == shot.name;
-    const std::string stem = plain ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
-    paths.push_back(folder / fmt::format("{}.{}", stem, plan->format));
-    mesh::write_mesh(*builder.mesh(plan), paths.back());
-  }
+  for (const MeshPtr& plan : shot.meshes) mesh::write_mesh(*builder.mesh(plan), *path++);
   return paths;
 }
 

@@ -22,6 +22,57 @@ TEST(AtomicFile, LeavesTheOldFileUntilCommit) {
   EXPECT_EQ(read_text(folder / "a.txt"), "new");
 }
 
+mode_t mode_of(const fs::path& path) {
+  struct stat status = {};
+  EXPECT_EQ(stat(path.c_str(), &status), 0);
+  return status.st_mode & 07777;
+}
+
+TEST(AtomicFile, KeepsLinksAndPermissions) {
+  const fs::path folder = fs::path(testing::TempDir()) / "vug_links";
+  fs::remove_all(folder);
+  write_text(folder / "real" / "a.txt", "old");
+  fs::create_symlink("real/a.txt", folder / "link.txt");
+  fs::create_symlink(folder / "link.txt", folder / "link_of_link.txt");
+  fs::create_symlink("real/new.txt", folder / "ahead.txt");
+  for (const mode_t mode : {0640u, 0750u, 0444u}) {
+    ASSERT_EQ(chmod((folder / "real" / "a.txt").c_str(), mode), 0);
+    write_text(folder / "link_of_link.txt", "new");
+    EXPECT_EQ(mode_of(folder / "real" / "a.txt"), mode);
+  }
+  write_text(folder / "ahead.txt", "made");
+  for (const char* link : {"link.txt", "link_of_link.txt", "ahead.txt"})
+    EXPECT_TRUE(fs::is_symlink(folder / link)) << link;
+  EXPECT_EQ(read_text(folder / "real" / "a.txt"), "new");
+  EXPECT_EQ(read_text(folder / "real" / "new.txt"), "made");
+}
+
+std::string refusal_to_write(const fs::path& path) {
+  try {
+    require_writable(path);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::io);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(AtomicFile, SaysBeforeTheWorkWhatCannotBeWritten) {
+  const fs::path folder = fs::path(testing::TempDir()) / "vug_writable";
+  fs::remove_all(folder);
+  write_text(folder / "file", "a file");
+  EXPECT_EQ(refusal_to_write(folder / "file" / "a.txt"),
+            "cannot make folder '" + (folder / "file").string() + "': Not a directory");
+  EXPECT_EQ(refusal_to_write(folder), "cannot write '" + folder.string() + "': it is a folder");
+  const std::string deep = (folder / "new" / "er" / std::string(300, 'x')).string();
+  EXPECT_EQ(refusal_to_write(deep), "cannot write '" + deep + "': File name too long");
+  EXPECT_EQ(refusal_to_write("/proc/vug.txt").find("cannot write '/proc/vug.txt': "), 0u);
+  EXPECT_EQ(refusal_to_write(folder / "new" / "er" / "a.txt"), "");
+  EXPECT_EQ(refusal_to_write(folder / "file"), "");
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder), {}), 1);  // nothing is left
+  EXPECT_EQ(read_text(folder / "file"), "a file");
+}
+
 TEST(AtomicFile, SaysWhatCannotBeRead) {
   try {
     read_text("/nowhere/at/all.vug");

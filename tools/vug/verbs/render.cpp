@@ -2,6 +2,7 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
 #include <vug/session/picture.h>
 #include <vug/session/write.h>
@@ -56,12 +57,18 @@ int run(Options options) {
                 fmt::format("an exposure of {} stops is out of range", *options.exposure), {},
                 "write --exposure and a number from -30 to 30");
   const std::filesystem::path exr = options.output;
-  if (exr.extension() != ".exr")
+  if (extension_of(exr) != ".exr")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},
                 "the picture is an EXR; a PNG is written beside it");
   if (!options.size.empty()) options.picture.size = parse_size(options.size);
   options.picture.seed = options.scene.seed;
   const session::Loaded loaded = options.scene.load();
+  const std::filesystem::path png = std::filesystem::path(exr).replace_extension(".png");
+  std::vector<std::filesystem::path> outputs = {exr, png};
+  if (!options.products.empty())
+    for (auto& path : session::product_paths(loaded.shot, options.products))
+      outputs.push_back(std::move(path));
+  for (const auto& path : outputs) require_writable(path);
   const ThreadLimit threads(options.work.threads);
   session::Builder builder(loaded.shot, options.work.build_options(loaded),
                            terminal_progress(options.work.bar()));
@@ -73,7 +80,6 @@ int run(Options options) {
   image::ViewOptions view;
   view.exposure = options.exposure.value_or(picture.plan.exposure);
   warn_of_exposure(builder, picture, view.exposure);
-  const std::filesystem::path png = std::filesystem::path(exr).replace_extension(".png");
   image::write_png(png, picture.image, view);
   fmt::print("{}\n{}\n", exr.string(), png.string());
   if (!options.products.empty())
