@@ -95,6 +95,19 @@ class Stopped(VugTest):
                 self.assertEqual(out, "")
                 self.assertEqual(self.files(), ["rock.vug"])
 
+    def test_a_sweep_keeps_what_it_has(self):
+        ball = "param R = 1m\n" + SCENE.replace("sphere(2m)", "sphere(R)")
+        self.write("ball.vug", ball)
+        running = Running(self.folder, "sweep", "ball.vug", "-p", "R", "-v", "20cm,3m", "-o", "out/a")
+        running.wait_for("polishing")
+        while "voxels" not in running.said.rpartition("polishing")[2] and running.read():
+            pass  # until the second value's grid is on its way
+        code, out = running.stop(signal.SIGINT)
+        self.assertEqual(code, 3, running.said)
+        self.assertIn("while measuring R = 3m\n", running.said)
+        self.assertEqual([line.split(",")[0] for line in out.splitlines()], ["R", "20cm"])
+        self.assertEqual((self.folder / "out/a.csv").read_text(), out)
+
     def test_a_second_signal_ends_it_the_hard_way(self):
         running = Running(self.folder, "render", "rock.vug", "-o", "out/rock.exr", "--spp", "100000")
         running.wait_for("rendering")

@@ -1,6 +1,7 @@
 #include "bar.h"
 #include "load.h"
 #include "plot.h"
+#include "report.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -171,19 +172,47 @@ std::string plot(const Options& options, const std::vector<Row>& rows) {
   return plot_svg(plot);
 }
 
+/// Rows until a value fails; the exit code that goes with its fault, which has been told.
+int measure_all(const Options& options, const std::vector<std::string>& values,
+                std::vector<Row>& rows) {
+  for (const std::string& value : values) {
+    const std::string doing = fmt::format("measuring {} = {}", options.param, value);
+    try {
+      rows.push_back(measured(options, value));
+    } catch (Error& error) {
+      return report(error.within(doing));
+    } catch (const Stop& stop) {
+      fmt::print(stderr, "  while {}\n", doing);
+      return stop.exit;
+    }
+  }
+  return kDone;
+}
+
 int run(const Options& options) {
   const ThreadLimit threads(options.work.threads);
   for (const std::string& name : options.plot) column(name);  // refused before the work
+  if (options.param == "seed" && options.scene.seed)
+    throw Error(ErrorCode::bad_input, "the seed is swept and given by --seed", {},
+                "leave out --seed");
+  const std::string csv = options.output + ".csv", svg = options.output + ".svg";
+  if (!options.output.empty())
+    for (const std::string& path : {csv, svg}) require_writable(path);
+  const std::vector<std::string> values = expanded(options.values);
   std::vector<Row> rows;
-  for (const std::string& value : expanded(options.values))
-    rows.push_back(measured(options, value));
+  const int exit = measure_all(options, values, rows);
+  if (rows.empty()) return exit;
+  if (exit != kDone)
+    fmt::print(stderr, "the table holds the {} of {} values before that\n", rows.size(),
+               values.size());
   const std::string text = table(options.param, rows);
   fmt::print("{}", text);
   if (!options.work.quiet && rows.size() > 1) fmt::print(stderr, "{}", summary(rows));
-  if (options.output.empty()) return kDone;
-  write_text(options.output + ".csv", text);
-  write_text(options.output + ".svg", plot(options, rows));
-  return kDone;
+  if (!options.output.empty()) {
+    write_text(csv, text);
+    write_text(svg, plot(options, rows));
+  }
+  return exit;
 }
 
 }  // namespace
