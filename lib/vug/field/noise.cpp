@@ -27,7 +27,7 @@ std::optional<Noise> default_noise(const std::string& kind) {
   return found->make({}, {}, diagnostics);
 }
 
-Noise::Noise() : Noise(*default_noise("fbm")) {}
+Noise::Noise() : Noise(*default_noise(kUsualNoise)) { usual = true; }
 
 std::vector<float> sample(const Field& field, const std::vector<Vec3f>& points) {
   constexpr size_t kPacks = 64, kChunk = kPacks * Pack::kLanes;

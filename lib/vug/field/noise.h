@@ -5,6 +5,8 @@
 
 namespace vug::field {
 
+constexpr const char* kUsualNoise = "fbm";
+
 /// Values without a unit, about -1..1; `field` evaluates it (points in metres) and knows its
 /// Lipschitz constant per metre. By default: fbm with its defaults.
 struct Noise {
@@ -12,7 +14,8 @@ struct Noise {
   Noise(Field values, Interval bounds) : field(std::move(values)), range(bounds) {}
 
   Field field;
-  Interval range;  ///< Holds every value.
+  Interval range;      ///< Holds every value.
+  bool usual = false;  ///< Whether it is the one by default.
 };
 
 using NoiseKind = Kind<Noise>;
@@ -44,6 +47,10 @@ struct ValueTraits<field::Noise> : ObjectTraits<field::Noise> {
     if (const auto* n = v.object<field::Noise>()) return *n;
     const auto* name = v.get<Value::Name>();
     return name ? field::default_noise(name->text) : std::nullopt;
+  }
+  static Value write(const field::Noise& noise) {
+    if (noise.usual) return Value::Name{field::kUsualNoise};
+    return ObjectTraits::write(noise);
   }
 };
 

@@ -26,9 +26,13 @@ std::vector<const KindInfo*> all_kinds() {
 std::vector<const KindInfo*> find_kinds(const std::string& word) {
   std::vector<const KindInfo*> kinds = all_kinds();
   if (word.empty()) return kinds;
+  const Family* family = find_family(word);
+  const auto belongs = [&](const KindInfo* kind) {
+    return kind->name == word || kind->category == word ||
+           (family && family->find(kind->name) && family->find(kind->name)->info == kind);
+  };
   std::vector<const KindInfo*> kept;
-  std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept),
-               [&](const KindInfo* kind) { return kind->name == word || kind->category == word; });
+  std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept), belongs);
   return kept;
 }
 
@@ -39,6 +43,7 @@ std::vector<std::string> kind_words() {
     if (std::find(words.begin(), words.end(), kind->category) == words.end())
       words.push_back(kind->category);
   }
+  for (const Family& family : families()) words.push_back(family.type);
   return words;
 }
 

@@ -8,9 +8,10 @@
 namespace vug::session {
 
 /// Kinds of all families and declarations, by category, in the order of their lists.
-/// With a word: the kinds of that name and those of that category.
+/// With a word: the kinds of that name, of that category and of the family that the word declares:
+/// "material" finds the declaration and all that can stand there.
 std::vector<const KindInfo*> find_kinds(const std::string& word = {});
-/// Names and categories, for suggestions.
+/// Names, categories and families, for suggestions.
 std::vector<std::string> kind_words();
 
 /// "number (angle), above 0, at most 170deg, default 60deg": type, range and default of a

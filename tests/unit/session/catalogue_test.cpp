@@ -58,6 +58,25 @@ TEST(Catalogue, DefaultsAreSceneTextInTheUnitOfTheirDimension) {
   EXPECT_GT(numbers, 30);
 }
 
+TEST(Catalogue, DefaultsThatAreObjectsHaveASpelling) {
+  for (const KindInfo* kind : find_kinds())
+    for (const ParamInfo& param : kind->params)
+      EXPECT_EQ(param.fallback.find('<'), std::string::npos) << kind->name << " " << param.name;
+  EXPECT_EQ(describe(*find_param(*find_kinds("displace").at(0), "noise")), "noise, default fbm");
+}
+
+TEST(Catalogue, TheWordOfADeclarationFindsWhatStandsThere) {
+  for (const Family& family : families()) {
+    const std::vector<const KindInfo*> found = find_kinds(family.type);
+    for (const FamilyKind& kind : family.kinds)
+      EXPECT_EQ(std::count(found.begin(), found.end(), kind.info), 1)
+          << family.type << " " << kind.info->name;
+  }
+  const std::vector<const KindInfo*> materials = find_kinds("material");
+  ASSERT_GE(materials.size(), 3u);
+  EXPECT_EQ(materials.front()->category, "declaration");
+}
+
 TEST(Catalogue, AnglesAreInDegrees) {
   const ParamInfo& fov = *find_param(*find_kinds("perspective").at(0), "fov");
   EXPECT_EQ(fov.fallback, "60deg");

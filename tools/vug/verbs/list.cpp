@@ -57,7 +57,8 @@ Verb list_verb() {
   return {"list", "Lists everything a scene can say, or one kind with its parameters.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
-            app.add_option("kind", options->what, "a kind (torus) or a category (primitive)");
+            app.add_option("kind", options->what,
+                           "a kind (torus), a category (primitive) or what is declared (material)");
             app.add_flag("--json", options->json, "for programs");
             return [options] { return run(*options); };
           }};
