@@ -71,6 +71,16 @@ class Done(VugTest):
         stops = dim.split("hint: --exposure ")[1].split()[0]
         self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops).err, "")
 
+    def test_extensions_in_capitals(self):
+        self.write("ball.vug", BALL)
+        self.expect(0, "build", "ball.vug", "-o", ".")
+        (self.folder / "ball.vdb").rename(self.folder / "BALL.VDB")
+        (self.folder / "ball.vug").rename(self.folder / "BALL.VUG")
+        for args in [("measure", "BALL.VDB"), ("measure", "BALL.VUG"), ("check", "BALL.VUG"),
+                     ("info", "BALL.VDB"), ("render", "BALL.VUG", "-o", "A.EXR", "--size", "4x4")]:
+            with self.subTest(args=args):
+                self.expect(0, *args)
+
     def test_quiet(self):
         self.write("ball.vug", BALL)
         for verb in [("check",), ("build", "-o", "out"), ("render", "-o", "a.exr", "--size", "4x4")]:
@@ -157,6 +167,34 @@ class Unusable(VugTest):
         self.assertIn("did you mean 'torus'?", self.refused("list", "torsu"))
         self.assertTrue(self.refused("list", "bogus").endswith("\nhint: 'vug list' shows them all\n"))
 
+    def test_an_unknown_verb_is_named(self):
+        self.assertEqual(self.refused("biuld", "ball.vug"),
+                         "error: there is no verb 'biuld'\nhint: did you mean 'build'?\n")
+        self.assertIn("error: there is no verb 'bogus'\nhint: known: ", self.refused("bogus"))
+
+    def test_what_would_be_ignored(self):
+        self.write("ball.vug", "param R = 1m\n" + BALL.replace("1m", "R"))
+        self.write("open.obj", OPEN_MESH)
+        for args, said in [
+                (("measure", "open.obj", "-D", "X=1"), "-D is for scenes, and 'open.obj' is none"),
+                (("measure", "open.obj", "--mesh", "foo"), "--mesh is for scenes"),
+                (("measure", "open.obj", "--seed", "4"), "--seed is for scenes"),
+                (("check", "ball.vug", "-D", "R=1", "-D", "R=2"), "'R' is set twice"),
+                (("sweep", "ball.vug", "-p", "seed", "-v", "1", "--seed", "2"), "leave out --seed"),
+                (("check", "ball.vug", "--seed", "18446744073709551616"), "is no whole number")]:
+            with self.subTest(args=args):
+                self.assertIn(said, self.refused(*args))
+
+    def test_faults_for_programs(self):
+        for args in [("no.vug",), ("no.vug", "-D", "R")]:
+            result = self.vug("check", *args, "--json")
+            self.assertEqual((result.code, result.err), (2, ""))
+            report = json.loads(result.out)
+            self.assertFalse(report["fine"])
+            self.assertEqual(len(report["diagnostics"]), 1)
+        self.assertIn("cannot read 'no.vug'", json.loads(
+            self.vug("check", "no.vug", "--json").out)["diagnostics"][0]["message"])
+
     def test_missing_files(self):
         for args in [("check", "no.vug"), ("build", "no.vug", "-o", "out"), ("tree", "no.vug"),
                      ("render", "no.vug", "-o", "no.exr"), ("measure", "no.vug"),
@@ -222,6 +260,27 @@ class Failed(VugTest):
             with self.subTest(args=args):
                 self.assertIn("file", self.expect(3, *args).err)
         self.assertEqual(self.files(), ["ball.vug", "file"])
+
+    def test_what_cannot_be_written_is_told_before_the_work(self):
+        """The work would take hours."""
+        self.write("vast.vug", "volume rock = level_set(sphere(1m), voxel: 5cm)\n"
+                               "mesh wall on rock {}\nrender main { size 8000x8000  spp 100000 }\n"
+                               "param R = 1\nlet used = R\n")
+        self.write("file", "not a folder\n")
+        (self.folder / "taken.png").mkdir()
+        self.write("shut/vast.vdb/in", "a folder\n")
+        before = sorted(str(p) for p in self.folder.rglob("*"))
+        many = ("-p", "seed", "-v", "1..9999")
+        for args in [("render", "vast.vug", "-o", "/proc/a.exr"),
+                     ("render", "vast.vug", "-o", "taken.exr"),
+                     ("render", "vast.vug", "-o", "new/a.exr", "--products", "file/out"),
+                     ("render", "vast.vug", "-o", "new/a.exr", "--products", "shut"),
+                     ("sweep", "vast.vug", *many, "-o", "file/a"),
+                     ("sweep", "vast.vug", *many, "-o", "/proc/a"),
+                     ("build", "vast.vug", "-o", "/proc/out")]:
+            with self.subTest(args=args):
+                self.expect(3, *args)
+        self.assertEqual(sorted(str(p) for p in self.folder.rglob("*")), before)
 
     def test_a_full_disk(self):
         """A limit on the size of files fails writes as a full disk does: in the middle."""

@@ -38,7 +38,12 @@ session::LoadOptions SceneOptions::load_options() const {
     if (equals == std::string::npos || equals == 0)
       throw Error(ErrorCode::bad_input, fmt::format("'-D {}' names no parameter and value", define),
                   {}, "write -D NAME=VALUE");
-    options.overrides.push_back({define.substr(0, equals), define.substr(equals + 1)});
+    const std::string name = define.substr(0, equals);
+    for (const scene::Override& other : options.overrides)
+      if (other.name == name)
+        throw Error(ErrorCode::bad_input, fmt::format("'{}' is set twice", name), {},
+                    "write -D once for each parameter");
+    options.overrides.push_back({name, define.substr(equals + 1)});
   }
   if (const char* folder = std::getenv("VUG_DATA")) options.include_folders.emplace_back(folder);
   for (const char* folder : {VUG_SOURCE_DATA, VUG_INSTALLED_DATA})

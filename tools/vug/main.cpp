@@ -3,7 +3,9 @@
 #include "verb.h"
 
 #include <fmt/format.h>
+#include <vug/base/diagnostics.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -30,7 +32,18 @@ std::vector<Verb> verbs() {
 /// No option takes an empty text: it is what a script's unset variable leaves behind.
 std::string refuse_empty(std::string& text) { return text.empty() ? "the value is empty" : ""; }
 
+/// What does not start with a dash in the first place must be a verb.
+void require_verb(const std::string& word) {
+  if (word.empty() || word[0] == '-') return;
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs()) names.push_back(verb.name);
+  if (std::find(names.begin(), names.end(), word) == names.end())
+    throw Error(ErrorCode::bad_input, fmt::format("there is no verb '{}'", word), {},
+                suggestion(word, names));
+}
+
 int run(int argc, char** argv) {
+  if (argc > 1) require_verb(argv[1]);
   CLI::App app("Grows film-grade caves out of grammars: text to VDB, mesh and picture.", "vug");
   app.set_version_flag("--version", "vug " VUG_VERSION);
   app.require_subcommand(1);

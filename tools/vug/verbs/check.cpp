@@ -26,14 +26,22 @@ Json to_json(const session::Loaded& loaded, const std::string& file) {
   return {{"file", file}, {"fine", loaded.usable()}, {"diagnostics", std::move(faults)}};
 }
 
-int run(const Options& options) {
-  if (options.json) {
-    const session::Loaded loaded = session::load(options.scene.scene, options.scene.load_options());
-    fmt::print(
-        "{}\n",
-        to_json(loaded, options.scene.scene).dump(2, ' ', false, Json::error_handler_t::replace));
-    return loaded.usable() ? kDone : kUnusable;
+/// Faults as JSON even where there is no text to find any in.
+int run_json(const Options& options) {
+  session::Loaded loaded;
+  try {
+    loaded = session::load(options.scene.scene, options.scene.load_options());
+  } catch (const Error& error) {
+    loaded.diagnostics.error(error.where(), error.what(), error.hint());
   }
+  fmt::print(
+      "{}\n",
+      to_json(loaded, options.scene.scene).dump(2, ' ', false, Json::error_handler_t::replace));
+  return loaded.usable() ? kDone : kUnusable;
+}
+
+int run(const Options& options) {
+  if (options.json) return run_json(options);
   const session::Loaded loaded = options.scene.load();
   const session::Shot& shot = loaded.shot;
   if (!options.quiet)

@@ -2,6 +2,7 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
 #include <vug/session/measure.h>
 
@@ -15,11 +16,25 @@ struct Options {
   bool json = false;
 };
 
+/// A file is what it is: nothing of it can be chosen or set.
+void refuse_scene_options(const Options& options) {
+  const char* option = !options.scene.defines.empty() ? "-D"
+                       : options.scene.seed           ? "--seed"
+                       : !options.mesh.empty()        ? "--mesh"
+                                                      : nullptr;
+  if (option)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("{} is for scenes, and '{}' is none", option, options.scene.scene), {},
+                "give a .vug file or leave out " + std::string(option));
+}
+
 metrics::Report report_of(const Options& options) {
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar());
-  if (std::filesystem::path(options.scene.scene).extension() != ".vug")
+  if (extension_of(options.scene.scene) != ".vug") {
+    refuse_scene_options(options);
     return session::measure_file(options.scene.scene, progress);
+  }
   const session::Loaded loaded = options.scene.load();
   session::Builder builder(loaded.shot, options.work.build_options(loaded), progress);
   return session::measure(builder, options.mesh);
