@@ -30,7 +30,7 @@ Field sampled(std::shared_ptr<const SampledGrid> grid);
 using GridLoader = std::function<std::shared_ptr<const SampledGrid>(const std::string& file,
                                                                     const std::string& name)>;
 
-/// Gives the kind `grid` its loader; call it once, before scenes are built.
+/// Gives the kind `grid` its loader, instead of an earlier one; not while scenes are read.
 void set_grid_loader(GridLoader loader);
 /// Error(bad_input) when no loader was given.
 std::shared_ptr<const SampledGrid> load_grid(const std::string& file, const std::string& name);

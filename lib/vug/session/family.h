@@ -1,5 +1,5 @@
-// The families of kinds a scene can call, with their product types erased: what the resolver,
-// `vug list` and the reference manual loop over.
+// The families of kinds a scene can call, with their product types erased: what the resolver and
+// `vug list` loop over.
 #pragma once
 
 #include <vug/base/kind.h>

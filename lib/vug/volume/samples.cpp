@@ -92,9 +92,13 @@ std::shared_ptr<const field::SampledGrid> samples(const LevelSet& level_set) {
 }
 
 void install_grid_loader() {
-  field::set_grid_loader([](const std::string& file, const std::string& name) {
-    return samples(LevelSet(read_grid(file, name)));
-  });
+  static const bool installed = [] {
+    field::set_grid_loader([](const std::string& file, const std::string& name) {
+      return samples(LevelSet(read_grid(file, name)));
+    });
+    return true;
+  }();
+  static_cast<void>(installed);
 }
 
 }  // namespace vug::volume

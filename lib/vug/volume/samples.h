@@ -9,7 +9,8 @@ namespace vug::volume {
 /// Trilinear samples of a level set; its gradient is that of the interpolant.
 std::shared_ptr<const field::SampledGrid> samples(const LevelSet& level_set);
 
-/// Lets the field kind `grid` read .vdb files; call once, before scenes are built.
+/// Lets the field kind `grid` read .vdb files; to be called before scenes are read, as often as one
+/// likes and by any thread.
 void install_grid_loader();
 
 }  // namespace vug::volume
