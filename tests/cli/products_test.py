@@ -320,10 +320,11 @@ class Build(VugTest):
     def test_overrides(self):
         self.write("ball.vug", "param R = 1m\n" + BALL.replace("1m", "R"))
         sizes = []
-        for override in [(), ("-D", "R=2"), ("-D", "R=200cm"), ("-D", "R=2", "-D", "R=1")]:
+        for override in [(), ("-D", "R=2"), ("-D", "R=200cm")]:
             report = self.expect(0, "measure", "ball.vug", "--json", *override).out
             sizes.append(round(json.loads(report)["bounds"][1][0], 1))
-        self.assertEqual(sizes, [1, 2, 2, 1])
+        self.assertEqual(sizes, [1, 2, 2])
+        self.expect(2, "measure", "ball.vug", "-D", "R=2", "-D", "R=1")
 
     def test_files_of_a_scene_lie_beside_it_wherever_one_stands(self):
         self.write("shot/ball.vug", BALL)
