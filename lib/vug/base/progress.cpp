@@ -24,12 +24,18 @@ void Progress::advance(uint64_t units) {
   while (percent > seen && !percent_.compare_exchange_weak(seen, percent)) {
   }
   if (percent > seen)
-    watcher_(stage_, std::min(1.0, static_cast<double>(done) / static_cast<double>(total_)));
+    report(percent, std::min(1.0, static_cast<double>(done) / static_cast<double>(total_)));
+}
+
+void Progress::report(int percent, double fraction) {
+  const std::lock_guard<std::mutex> one_at_a_time(reporting_);
+  // Who waited here may have been overtaken.
+  if (percent == percent_.load(std::memory_order_relaxed)) watcher_(stage_, fraction);
 }
 
 void Progress::end() {
   check();
-  if (watcher_ && percent_.exchange(100) < 100) watcher_(stage_, 1.0);
+  if (watcher_ && percent_.exchange(100) < 100) report(100, 1.0);
 }
 
 void Progress::check() const {

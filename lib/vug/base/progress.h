@@ -3,13 +3,15 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <string>
 
 namespace vug {
 
 /// Shared by the worker and whoever watches; thread-safe. Work calls `check` now and then, which
 /// throws Error(cancelled) once `cancel` was called, and `advance` as it goes. The watcher's
-/// callback runs on a working thread, at most once per percent, and must not throw.
+/// callback runs on a working thread, at most once per percent, one call at a time and never
+/// backwards within a stage, and must not throw.
 class Progress {
  public:
   using Watcher = std::function<void(const std::string& stage, double fraction)>;
@@ -30,7 +32,10 @@ class Progress {
   static Progress& none();
 
  private:
+  void report(int percent, double fraction);
+
   Watcher watcher_;
+  std::mutex reporting_;
   std::string stage_;
   std::atomic<uint64_t> done_{0};
   uint64_t total_ = 0;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +23,33 @@ TEST(Progress, TellsEachPercentOnceAndEndsAtAll) {
   progress.end();
   ASSERT_EQ(told.size(), 101U);
   for (size_t i = 0; i < told.size(); ++i) EXPECT_DOUBLE_EQ(told[i], static_cast<double>(i) / 100);
+}
+
+TEST(Progress, TellsOneAtATimeAndNeverBackwards) {
+  std::atomic<int> inside{0};
+  double last = -1;
+  bool overlapped = false, fell = false;
+  Progress progress([&](const std::string&, double fraction) {
+    overlapped = overlapped || ++inside > 1;
+    std::this_thread::yield();
+    fell = fell || fraction <= last;
+    last = fraction;
+    --inside;
+  });
+  for (int round = 0; round < 20; ++round) {
+    last = -1;
+    progress.begin("digging", 4000);
+    std::vector<std::thread> diggers;
+    for (int i = 0; i < 8; ++i)
+      diggers.emplace_back([&] {
+        for (int k = 0; k < 500; ++k) progress.advance();
+      });
+    for (std::thread& digger : diggers) digger.join();
+    progress.end();
+    EXPECT_EQ(last, 1);
+  }
+  EXPECT_FALSE(overlapped);
+  EXPECT_FALSE(fell);
 }
 
 TEST(Progress, CancelledWorkStopsAtTheNextCheck) {
