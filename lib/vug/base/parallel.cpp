@@ -3,23 +3,57 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <atomic>
+
 namespace vug {
+namespace {
+
+using tbb::global_control;
+
+int all_cores() { return tbb::info::default_concurrency(); }
+
+}  // namespace
+
+#ifdef __SANITIZE_THREAD__
+
+namespace {
+
+/// Tasks of the libraries that we call stay on the thread that calls, because the sanitizer cannot
+/// see how TBB, which is not built for it, hands them over. Our own loops run on plain threads.
+const global_control no_workers(global_control::max_allowed_parallelism, 1);
+
+std::atomic<int> limit{0};  // 0: none
+
+}  // namespace
 
 struct ThreadLimit::Control {
-  tbb::global_control limit;
+  explicit Control(int threads) : before(limit.exchange(threads)) {}
+  ~Control() { limit = before; }
+  int before;
 };
 
-ThreadLimit::ThreadLimit(int threads)
-    : control_(new Control{tbb::global_control(
-          tbb::global_control::max_allowed_parallelism,
-          threads > 0 ? static_cast<size_t>(threads)
-                      : static_cast<size_t>(tbb::info::default_concurrency()))}) {}
+int thread_count() {
+  const int threads = limit;
+  return threads > 0 ? threads : all_cores();
+}
 
-ThreadLimit::~ThreadLimit() = default;
+#else
+
+struct ThreadLimit::Control {
+  explicit Control(int threads)
+      : limit(global_control::max_allowed_parallelism,
+              static_cast<size_t>(threads > 0 ? threads : all_cores())) {}
+  global_control limit;
+};
 
 int thread_count() {
-  return static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  return static_cast<int>(global_control::active_value(global_control::max_allowed_parallelism));
 }
+
+#endif
+
+ThreadLimit::ThreadLimit(int threads) : control_(std::make_unique<Control>(threads)) {}
+
+ThreadLimit::~ThreadLimit() = default;
 
 }  // namespace vug
