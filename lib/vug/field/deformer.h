@@ -30,16 +30,15 @@ class DeformerNode final : public Readings<DeformerNode<D>> {
     Scratch::Frame frame(scratch);
     const auto size = static_cast<size_t>(count);
     auto* moved = frame.template take<Point<Pack>>(size);
-    if constexpr (std::is_same_v<T, Pack>) {
+    constexpr bool kValues = std::is_same_v<T, Pack>;
+    if constexpr (kValues || kConstantDerivative) {
       for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
       child_->eval(moved, count, out, scratch);
-    } else if constexpr (kConstantDerivative) {
-      for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
-      child_->eval(moved, count, out, scratch);
-      for (int i = 0; i < count; ++i) {
-        const Point<Pack> outside = deformer_.pull_back(gradient_of(out[i]));
-        out[i] = {out[i].v, outside.x, outside.y, outside.z};
-      }
+      if constexpr (!kValues)
+        for (int i = 0; i < count; ++i) {
+          const Point<Pack> outside = deformer_.pull_back(gradient_of(out[i]));
+          out[i] = {out[i].v, outside.x, outside.y, outside.z};
+        }
     } else {
       auto* mapped = frame.template take<Point<T>>(size);
       for (int i = 0; i < count; ++i) {

@@ -35,11 +35,6 @@ void print(const Node& node, int depth, std::string& out) {
   for (const NodePtr& child : node.children()) print(*child, depth + 1, out);
 }
 
-void visit(const NodePtr& node, std::unordered_set<const Node*>& seen) {
-  if (!seen.insert(node.get()).second) return;
-  for (const NodePtr& child : node->children()) visit(child, seen);
-}
-
 /// Children before parents, each node once; without recursion, for an expression may be deep.
 std::vector<const Node*> children_first(const NodePtr& root) {
   struct Step {
@@ -70,11 +65,7 @@ std::string to_string(const Field& field) {
   return out;
 }
 
-size_t node_count(const Field& field) {
-  std::unordered_set<const Node*> seen;
-  visit(field.node(), seen);
-  return seen.size();
-}
+size_t node_count(const Field& field) { return children_first(field.node()).size(); }
 
 Extent extent(const Field& field) {
   std::unordered_map<const Node*, Extent> known;

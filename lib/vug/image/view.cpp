@@ -40,6 +40,25 @@ double usable(double v) {
   return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, 1e6);
 }
 
+using Channels = std::array<size_t, 3>;
+
+std::optional<Channels> colour_channels(const Image& image) {
+  Channels out{};
+  for (size_t i = 0; i < 3; ++i) {
+    const int found = image.find_channel(std::string(1, "RGB"[i]));
+    if (found < 0) return std::nullopt;
+    out[i] = static_cast<size_t>(found);
+  }
+  return out;
+}
+
+Colour colour_at(const Image& image, size_t pixel, const Channels& from) {
+  Colour out{};
+  for (size_t i = 0; i < 3; ++i)
+    out[i] = static_cast<double>(image.pixels[pixel * image.channels.size() + from[i]]);
+  return out;
+}
+
 }  // namespace
 
 double srgb_encode(double linear) {
@@ -55,18 +74,14 @@ double srgb_decode(double encoded) {
 std::optional<double> grey_exposure(const Image& linear) {
   constexpr double kGrey = 0.18, kLog2 = 0.69314718055994530942;
   constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Of Rec.709.
-  const int channel[] = {linear.find_channel("R"), linear.find_channel("G"),
-                         linear.find_channel("B")};
-  if (*std::min_element(channel, channel + 3) < 0) return {};
+  const std::optional<Channels> channels = colour_channels(linear);
+  if (!channels) return {};
   double sum = 0;
   size_t lit = 0;
   for (size_t p = 0; p < linear.pixel_count(); ++p) {
+    const Colour c = colour_at(linear, p, *channels);
     double luminance = 0;
-    for (size_t i = 0; i < 3; ++i)
-      luminance +=
-          kWeights[i] *
-          usable(static_cast<double>(
-              linear.pixels[p * linear.channels.size() + static_cast<size_t>(channel[i])]));
+    for (size_t i = 0; i < 3; ++i) luminance += kWeights[i] * usable(c[i]);
     if (!(luminance > 0)) continue;
     sum += maths::log(luminance);
     ++lit;
@@ -76,21 +91,17 @@ std::optional<double> grey_exposure(const Image& linear) {
 }
 
 Image display(const Image& linear, const ViewOptions& options) {
-  std::array<int, 3> from = {linear.find_channel("R"), linear.find_channel("G"),
-                             linear.find_channel("B")};
-  if (from[0] < 0 || from[1] < 0 || from[2] < 0) {
+  std::optional<Channels> from = colour_channels(linear);
+  if (!from) {
     if (linear.channels.size() != 1)
       throw Error(ErrorCode::bad_input, "a picture to be shown needs the channels R, G and B");
-    from = {0, 0, 0};
+    from = Channels{0, 0, 0};
   }
   const double gain = maths::exp(options.exposure * 0.69314718055994530942);
   Image out(linear.width, linear.height, {"R", "G", "B"});
   for (size_t p = 0; p < linear.pixel_count(); ++p) {
-    Colour c{};
-    for (size_t i = 0; i < 3; ++i)
-      c[i] = usable(gain *
-                    static_cast<double>(
-                        linear.pixels[p * linear.channels.size() + static_cast<size_t>(from[i])]));
+    Colour c = colour_at(linear, p, *from);
+    for (double& v : c) v = usable(gain * v);
     if (options.transform == ViewTransform::filmic) c = filmic(c);
     for (size_t i = 0; i < 3; ++i) out.pixels[p * 3 + i] = static_cast<float>(srgb_encode(c[i]));
   }

@@ -119,7 +119,7 @@ void Builder::require_room(const MeshPtr& plan) const {
 }
 
 std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
-  if (const auto found = meshes_.find(plan); found != meshes_.end()) return found->second;
+  if (const auto found = meshes_.find(plan); found != meshes_.end()) return found->second.mesh;
   require_room(plan);
   const volume::LevelSet& surface = level_set(plan->volume);
   const Stopwatch watch(seconds_);
@@ -132,19 +132,19 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
     require_memory(meshing_bytes(active, 2 * plan->volume->half_width), room(), "the mesh");
     mesh::LargePieces pieces = mesh::large_pieces(
         meshing::polygonize(surface, exact, polygonize, progress_).mesh, plan->smallest_piece);
-    pieces_left_out_[plan] = pieces.left_out;
     mesh::Mesh made = std::move(pieces.mesh);
     if (plan->paint) add_colors(made, plan->paint, surface);
     held_ += 2 * sizeof(Vec3f) * made.positions.size() + sizeof(Vec3i) * made.triangles.size();
-    return meshes_.emplace(plan, std::make_shared<const mesh::Mesh>(std::move(made))).first->second;
+    auto kept = std::make_shared<const mesh::Mesh>(std::move(made));
+    return meshes_.emplace(plan, MadeMesh{std::move(kept), pieces.left_out}).first->second.mesh;
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));
   }
 }
 
 size_t Builder::pieces_left_out(const MeshPtr& plan) const {
-  const auto found = pieces_left_out_.find(plan);
-  return found == pieces_left_out_.end() ? 0 : found->second;
+  const auto found = meshes_.find(plan);
+  return found == meshes_.end() ? 0 : found->second.pieces_left_out;
 }
 
 std::vector<MeshPtr> meshes_of(const Shot& shot) {

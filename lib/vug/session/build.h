@@ -51,8 +51,11 @@ class Builder {
   BuildOptions options_;
   Progress& progress_;
   std::map<VolumePtr, volume::LevelSet> level_sets_;
-  std::map<MeshPtr, std::shared_ptr<const mesh::Mesh>> meshes_;
-  std::map<MeshPtr, size_t> pieces_left_out_;
+  struct MadeMesh {
+    std::shared_ptr<const mesh::Mesh> mesh;
+    size_t pieces_left_out = 0;
+  };
+  std::map<MeshPtr, MadeMesh> meshes_;
   double seconds_ = 0;
   uint64_t held_ = 0;  ///< Bytes of grids and meshes.
 };

@@ -68,15 +68,29 @@ int find_in_reach(const field::Field& field, const Band& band, const Point<Pack>
   return count;
 }
 
+/// Voxels that may neighbour a change of sign (|v| <= lipschitz * voxel) keep a value inside the
+/// band, so that no surface passes between inactive voxels.
+class Neighbours {
+ public:
+  Neighbours(const field::Field& field, const Band& band)
+      : near_(1.0001 * field.lipschitz() * band.voxel),
+        inside_band_(std::nextafter(band.background, 0.0f)) {}
+  /// `distance` as it is stored where the field's value is `value`.
+  Pack held(Pack value, Pack distance) const {
+    return select(abs(value) <= near_, min(max(distance, -inside_band_), inside_band_), distance);
+  }
+
+ private:
+  Pack near_, inside_band_;
+};
+
 /// First-order distances where they reach into the band. Where the slope vanishes the quotient says
-/// nothing: voxels that may neighbour a change of sign (|v| <= lipschitz * voxel) then keep a
-/// value just inside the band, so that no surface passes between inactive voxels.
+/// nothing, and only `Neighbours` keeps it in the band.
 void distances(const field::Field& field, const Band& band, const Point<Pack>* points, Pack* values,
                field::Scratch& scratch) {
   int found[kPacks];
   const int count = find_in_reach(field, band, points, values, found, scratch);
-  const Pack near(1.0001 * field.lipschitz() * band.voxel);
-  const Pack inside_band(std::nextafter(band.background, 0.0f));
+  const Neighbours neighbours(field, band);
   const Pack least(1e-12 * field.lipschitz() * field.lipschitz());
   field::Scratch::Frame frame(scratch);
   auto* some = frame.take<Point<Pack>>(kChunk);
@@ -88,21 +102,15 @@ void distances(const field::Field& field, const Band& band, const Point<Pack>* p
     for (int i = 0; i < now; ++i) {
       const Dual<Pack>& s = slopes[i];
       const Pack squared = s.dx * s.dx + s.dy * s.dy + s.dz * s.dz;
-      const Pack distance = s.v / sqrt(max(squared, least));
-      const PackMask close = abs(s.v) <= near;
-      values[found[begin + i]] =
-          select(close, min(max(distance, -inside_band), inside_band), distance);
+      values[found[begin + i]] = neighbours.held(s.v, s.v / sqrt(max(squared, least)));
     }
   }
 }
 
-/// Unrepaired steep values keep the voxels next to a change of sign active in the same way.
+/// Unrepaired steep values.
 void keep_neighbours(const field::Field& field, const Band& band, Pack* values) {
-  const Pack near(1.0001 * field.lipschitz() * band.voxel);
-  const Pack inside_band(std::nextafter(band.background, 0.0f));
-  for (int i = 0; i < kPacks; ++i)
-    values[i] =
-        select(abs(values[i]) <= near, min(max(values[i], -inside_band), inside_band), values[i]);
+  const Neighbours neighbours(field, band);
+  for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], values[i]);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include <vug/base/error.h>
-#include <vug/field/boolean.h>
-#include <vug/field/primitive.h>
+#include <vug/field/enclosed.h>
 #include <vug/volume/region.h>
 
 #include <fmt/format.h>
@@ -9,20 +8,6 @@
 
 namespace vug::volume {
 namespace {
-
-/// The exact distance to a box.
-struct ClipBox {
-  Box3d box;
-
-  template <class T>
-  T distance(const field::Point<T>& p) const {
-    using field::max, field::min;
-    const Vec3d half = 0.5 * box.size();
-    const field::Point<T> q = abs(p - field::constant<T>(box.center())) - field::constant<T>(half);
-    return length(max(q, 0.0)) + min(max(q.x, max(q.y, q.z)), T(0.0));
-  }
-  Box3d bounds() const { return box; }
-};
 
 bool holds(const Box3d& outer, const Box3d& inner) {
   return inner.isEmpty() || (outer.intersects(inner.min) && outer.intersects(inner.max));
@@ -72,11 +57,7 @@ Region region_of(const field::Field& field, const VoxelizeOptions& options) {
     if (out.box.isEmpty() || !(out.box.min.x < out.box.max.x && out.box.min.y < out.box.max.y &&
                                out.box.min.z < out.box.max.z))
       return {field, Box3d()};
-    if (is_finite(*options.region)) {
-      const field::Field clip(
-          std::make_shared<field::PrimitiveNode<ClipBox>>("region", ClipBox{*options.region}));
-      out.field = field::intersect({field, clip});
-    }
+    if (is_finite(*options.region)) out.field = field::enclosed(field, *options.region);
   }
   if (!is_finite(out.box))
     throw Error(ErrorCode::bad_input, "a solid without an end cannot become a level set", {},
