@@ -18,8 +18,8 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 struct ExrOptions {
   /// 16-bit floats (relative error 5e-4, largest value 65504); false: 32-bit.
   bool half = false;
-  /// Channels (or layers) kept in 32 bits even when `half` is set: depth and position.
-  std::vector<std::string> full_channels = {"Z", "P"};
+  /// Channels (or layers) kept in 32 bits even when `half` is set: what 16 bits would spoil.
+  std::vector<std::string> full_channels = {"Z", "P", "variance", "samples"};
   Metadata metadata;
 };
 

@@ -30,6 +30,11 @@ struct Options {
 ///              surface; 1e10 where none did
 ///   N.X N.Y N.Z, P.X P.Y P.Z, albedo.R albedo.G albedo.B
 ///              normal, position and albedo of the first surface (means as for Z, 0 without)
+///   variance.R variance.G variance.B
+///              variance of R, G, B: the squared standard error of the pixel's mean, estimated from
+///              the spread of its samples as if they were independent. Sobol points err less than
+///              that. 0 for a single sample
+///   samples    how many samples the means are over
 /// The same bytes for any number of threads. Error(bad_input): no camera, sizes or spp below 1,
 /// a mesh with indices out of range or positions that are not finite. Error(cancelled).
 image::Image render(const Scene& scene, const Options& options,

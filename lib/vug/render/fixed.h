@@ -1,0 +1,44 @@
+// Sums that do not depend on the order of their terms: numbers are rounded to a fixed step once,
+// then added as integers (the idea of a superaccumulator, Kulisch 2013, cite kulisch2013arithmetic,
+// cut down to the range that light has).
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace vug::render {
+
+__extension__ typedef __int128 Wide;
+
+/// The steps of sums: light in 2^-64, its square in 2^-48, everything else in 2^-24 of its unit.
+constexpr int kLightBits = 64, kSquareBits = 48, kPlainBits = 24;
+/// Largest radiance a sample may have (W/sr/m^2) and largest other number (metres): sums of 2^20
+/// of them and of their squares fit with room to spare.
+constexpr double kMostLight = 0x1p28, kMostPlain = 0x1p18;
+
+/// v rounded towards zero to a multiple of 2^-bits, in such steps. |v| must be less than
+/// 2^(126 - bits).
+inline Wide to_wide(double v, int bits) {
+  uint64_t pattern = 0;
+  std::memcpy(&pattern, &v, sizeof pattern);
+  const uint64_t mantissa = (pattern & 0xfffffffffffffull) | 0x10000000000000ull;
+  const int shift = static_cast<int>(pattern >> 52 & 0x7ff) - 1075 + bits;
+  if (shift <= -53) return 0;
+  const Wide size =
+      shift >= 0 ? static_cast<Wide>(mantissa) << shift : static_cast<Wide>(mantissa >> -shift);
+  return pattern >> 63 ? -size : size;
+}
+
+/// The nearest double to sum * 2^-bits, but for one unit in the last place.
+inline double from_wide(Wide sum, int bits) {
+  double step = 1;
+  for (int b = 0; b < bits; ++b) step *= 0.5;
+  const bool negative = sum < 0;
+  const auto size =
+      negative ? -static_cast<unsigned __int128>(sum) : static_cast<unsigned __int128>(sum);
+  const double v = static_cast<double>(static_cast<uint64_t>(size >> 64)) * 0x1p64 +
+                   static_cast<double>(static_cast<uint64_t>(size));
+  return (negative ? -v : v) * step;
+}
+
+}  // namespace vug::render
