@@ -154,7 +154,7 @@ class NewTest(unittest.TestCase):
     def test_a_name_twice(self):
         self.assertEqual(self.new("light", "glow").returncode, 0)
         self.assertEqual(self.new("light", "glow").returncode, 2)
-        self.assertEqual(self.new("bsdf", "glow").returncode, 0)
+        self.assertEqual(self.new("material", "glow").returncode, 0)
 
 
 if __name__ == "__main__":

@@ -1,40 +1,68 @@
-// The seam of materials: how a surface scatters light.
+// The seam of scattering: what a surface does with light at one place, seen from one side.
 #pragma once
 
 #include <vug/render/vectors.h>
 
-#include <memory>
+#include <cstddef>
+#include <new>
+#include <type_traits>
+#include <utility>
 
 namespace vug::render {
 
-/// What a material may read at a hit.
-struct Surface {
-  Vec3f position;
-  Vec3f geometric_normal;  ///< Unit, on the side of the viewer.
-  Vec3f shading_normal;  ///< Unit, on the side of the viewer; interpolated where the mesh has any.
-  Rgb color{1, 1, 1};    ///< Vertex colour "Cd", white without.
+/// f(out, in) * |cos in| in 1/sr, by kind of lobe, and the density with which `sample` chooses
+/// `in`, over solid angle. Where `in` lies below the surface, all of it is transmission.
+struct Scattering {
+  Rgb diffuse{0, 0, 0};
+  Rgb specular{0, 0, 0};
+  float pdf = 0;
+
+  Rgb total() const { return diffuse + specular; }
 };
 
 struct BsdfSample {
-  Vec3f direction;  ///< Local, unit; zero pdf means: nothing was sampled.
-  Rgb weight;       ///< f |cos| / pdf.
-  float pdf = 0;    ///< Over solid angle.
+  Vec3f direction;  ///< Local, unit; below the surface (z < 0) light is let through.
+  Rgb weight;       ///< f |cos| / pdf, of all lobes together.
+  Rgb diffuse;      ///< The part of `weight` that diffuse lobes have.
+  float pdf = 0;    ///< Over solid angle; zero means: nothing was sampled.
 };
 
-/// Directions are unit vectors in the local frame of the shading normal (z), pointing away from
-/// the surface; `out` (towards the viewer) has z > 0. Reflects only the side the viewer is on.
+/// Made by a Material for one hit and one viewer, in a BsdfMemory. Directions are unit vectors in
+/// the local frame of the shading normal (z), which is on the viewer's side, and point away from
+/// the surface.
 class Bsdf {
  public:
-  virtual ~Bsdf() = default;
-  /// f(out, in) * |cos in|, in 1/sr.
-  virtual Rgb evaluate(const Surface& surface, const Vec3f& out, const Vec3f& in) const = 0;
-  /// Density with which `sample` chooses `in`, over solid angle.
-  virtual float pdf(const Surface& surface, const Vec3f& out, const Vec3f& in) const = 0;
-  virtual BsdfSample sample(const Surface& surface, const Vec3f& out, float lobe,
-                            const Vec2f& u) const = 0;
+  virtual Scattering evaluate(const Vec3f& in) const = 0;
+  /// `lobe` and `u`: uniform numbers in [0, 1).
+  virtual BsdfSample sample(float lobe, const Vec2f& u) const = 0;
   /// Share of light that is reflected, about: the picture's albedo layer.
-  virtual Rgb albedo(const Surface& surface) const = 0;
+  virtual Rgb albedo() const = 0;
+
+ protected:
+  ~Bsdf() = default;  // it is never destroyed, its memory is used again
 };
-using BsdfPtr = std::shared_ptr<const Bsdf>;
+
+/// Where the Bsdf of one hit stands: on the stack of the path.
+class BsdfMemory {
+ public:
+  static constexpr size_t kBytes = 2048;
+
+  /// What `make` takes of the memory for a T; a material's are counted when it is made.
+  template <class T>
+  static constexpr size_t bytes() {
+    return (sizeof(T) + alignof(std::max_align_t) - 1) & ~(alignof(std::max_align_t) - 1);
+  }
+  template <class T, class... Arguments>
+  T& make(Arguments&&... arguments) {
+    static_assert(std::is_trivially_destructible_v<T> && bytes<T>() <= kBytes);
+    T* made = new (data_ + used_) T(std::forward<Arguments>(arguments)...);
+    used_ += bytes<T>();
+    return *made;
+  }
+
+ private:
+  size_t used_ = 0;
+  alignas(std::max_align_t) std::byte data_[kBytes];
+};
 
 }  // namespace vug::render

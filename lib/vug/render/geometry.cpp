@@ -42,7 +42,7 @@ struct World::Geometry::Embree {
 
 World::Geometry::Geometry(const std::vector<Object>& objects)
     : embree_(std::make_unique<Embree>()) {
-  const BsdfPtr grey = make_bsdf("lambert");
+  const MaterialPtr grey = make_material("lambert");
   // One instruction set everywhere: wider ones would choose other triangles at exact ties.
   embree_->device = rtcNewDevice("isa=avx2,set_affinity=0,start_threads=0,verbose=0");
   if (!embree_->device)
@@ -141,6 +141,7 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
   const float side = dot(n, ray.direction) > 0 ? -1.0f : 1.0f;
   surface.geometric_normal = area > 0 ? n * (side / area) : -ray.direction;
   surface.shading_normal = surface.geometric_normal;
+  surface.inside = side < 0;
   Vec3f origin = surface.position;
   if (part.normals) {
     const Vec3f na = part.normals[corner[0]] * side, nb = part.normals[corner[1]] * side,
@@ -162,8 +163,9 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
     return std::max(std::fabs(corner_at.x),
                     std::max(std::fabs(corner_at.y), std::fabs(corner_at.z)));
   };
-  hit.origin =
-      lifted(origin, surface.geometric_normal, std::max(extent(a), std::max(extent(b), extent(c))));
+  const float size = std::max(extent(a), std::max(extent(b), extent(c)));
+  hit.origin = lifted(origin, surface.geometric_normal, size);
+  hit.behind = lifted(surface.position, -surface.geometric_normal, size);
   surface.color = Rgb(1.0f);
   if (part.colours) {
     const auto colour = [&](uint32_t vertex) {

@@ -28,7 +28,7 @@ struct World::Geometry {
     mesh::MeshPtr mesh;
     const Vec3f* normals = nullptr;
     const float* colours = nullptr;
-    BsdfPtr material;
+    MaterialPtr material;
   };
   void fill(const Part& part, uint32_t triangle, const Ray& ray, Hit& hit) const;
 

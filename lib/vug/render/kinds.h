@@ -3,10 +3,10 @@
 #pragma once
 
 #include <vug/base/kind.h>
-#include <vug/render/bsdf.h>
 #include <vug/render/camera.h>
 #include <vug/render/integrator.h>
 #include <vug/render/light.h>
+#include <vug/render/material.h>
 #include <vug/render/medium.h>
 #include <vug/render/sampler.h>
 
@@ -16,7 +16,7 @@ namespace vug::render {
 
 const Kinds<CameraPtr>& cameras();
 const Kinds<SamplerPtr>& samplers();
-const Kinds<BsdfPtr>& bsdfs();
+const Kinds<MaterialPtr>& materials();
 const Kinds<LightPtr>& lights();
 const Kinds<MediumPtr>& media();
 const Kinds<IntegratorPtr>& integrators();
@@ -27,7 +27,7 @@ inline Value radians(double angle) { return Number{angle, Dimension::angle}; }
 /// One product of a kind from named parameters; see make_product.
 CameraPtr make_camera(const std::string& kind, const Named& parameters = {});
 SamplerPtr make_sampler(const std::string& kind, const Named& parameters = {});
-BsdfPtr make_bsdf(const std::string& kind, const Named& parameters = {});
+MaterialPtr make_material(const std::string& kind, const Named& parameters = {});
 LightPtr make_light(const std::string& kind, const Named& parameters = {});
 MediumPtr make_medium(const std::string& kind, const Named& parameters = {});
 IntegratorPtr make_integrator(const std::string& kind, const Named& parameters = {});
@@ -45,7 +45,7 @@ struct ValueTraits<render::SamplerPtr> : ObjectTraits<render::SamplerPtr> {
   static constexpr const char* kWord = "sampler";
 };
 template <>
-struct ValueTraits<render::BsdfPtr> : ObjectTraits<render::BsdfPtr> {
+struct ValueTraits<render::MaterialPtr> : ObjectTraits<render::MaterialPtr> {
   static constexpr const char* kWord = "material";
 };
 template <>

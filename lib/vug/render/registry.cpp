@@ -7,8 +7,8 @@ namespace vug::render {
 #define VUG_KIND(name) const Kind<SamplerPtr>& name##_sampler();
 #include <vug/render/samplers_kinds.inc>
 #undef VUG_KIND
-#define VUG_KIND(name) const Kind<BsdfPtr>& name##_bsdf();
-#include <vug/render/bsdfs_kinds.inc>
+#define VUG_KIND(name) const Kind<MaterialPtr>& name##_material();
+#include <vug/render/materials_kinds.inc>
 #undef VUG_KIND
 #define VUG_KIND(name) const Kind<LightPtr>& name##_light();
 #include <vug/render/lights_kinds.inc>
@@ -38,10 +38,10 @@ const Kinds<SamplerPtr>& samplers() {
 }
 #undef VUG_KIND
 
-#define VUG_KIND(name) &name##_bsdf(),
-const Kinds<BsdfPtr>& bsdfs() {
-  static const Kinds<BsdfPtr> all = {
-#include <vug/render/bsdfs_kinds.inc>
+#define VUG_KIND(name) &name##_material(),
+const Kinds<MaterialPtr>& materials() {
+  static const Kinds<MaterialPtr> all = {
+#include <vug/render/materials_kinds.inc>
   };
   return all;
 }
@@ -80,8 +80,8 @@ CameraPtr make_camera(const std::string& kind, const Named& parameters) {
 SamplerPtr make_sampler(const std::string& kind, const Named& parameters) {
   return make_product(samplers(), kind, parameters);
 }
-BsdfPtr make_bsdf(const std::string& kind, const Named& parameters) {
-  return make_product(bsdfs(), kind, parameters);
+MaterialPtr make_material(const std::string& kind, const Named& parameters) {
+  return make_product(materials(), kind, parameters);
 }
 LightPtr make_light(const std::string& kind, const Named& parameters) {
   return make_product(lights(), kind, parameters);

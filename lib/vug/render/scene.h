@@ -2,9 +2,9 @@
 #pragma once
 
 #include <vug/mesh/mesh.h>
-#include <vug/render/bsdf.h>
 #include <vug/render/camera.h>
 #include <vug/render/light.h>
+#include <vug/render/material.h>
 #include <vug/render/medium.h>
 
 #include <memory>
@@ -18,7 +18,7 @@ namespace vug::render {
 struct Object {
   std::string name;
   mesh::MeshPtr mesh;
-  BsdfPtr material;  ///< Null: a grey Lambert surface of albedo 0.5.
+  MaterialPtr material;  ///< Null: a grey Lambert surface of albedo 0.5.
   bool flat = false;
 };
 

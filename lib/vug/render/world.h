@@ -13,12 +13,13 @@ namespace vug::render {
 /// The nearest surface on a ray.
 struct Hit {
   float distance = 0;
-  const Bsdf* material = nullptr;
+  const Material* material = nullptr;
   Surface surface;
   /// Where rays leave from, on the viewer's side: lifted to the smooth surface that vertex normals
   /// stand for, against shadow steps (Hanika 2021, "Hacking the shadow terminator",
   /// cite hanika2021terminator), and clear of the triangle itself.
   Vec3f origin;
+  Vec3f behind;  ///< Where rays leave from that the surface lets through.
 };
 
 /// How next-event estimation at one place shares its samples out between the lights.

@@ -45,7 +45,7 @@ const std::vector<Family>& families() {
   static const std::vector<Family> all = {
       family(field::field_kinds()), family(field::blends()),    family(field::noises()),
       family(volume_kinds()),       family(paint::masks()),     family(paint::paints()),
-      family(render::bsdfs()),      family(render::lights()),   family(render::media()),
+      family(render::materials()),  family(render::lights()),   family(render::media()),
       family(render::cameras()),    family(render::samplers()), family(render::integrators()),
   };
   return all;

@@ -50,7 +50,7 @@ using MeshPtr = std::shared_ptr<const MeshPlan>;
 struct ObjectPlan {
   std::string name;
   MeshPtr mesh;
-  render::BsdfPtr material;  ///< Null: grey.
+  render::MaterialPtr material;  ///< Null: grey.
   bool flat = false;
 };
 

@@ -60,7 +60,7 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
   rock.name = "rock";
   rock.mesh = read_ply(mesh_file.empty() ? path.parent_path() / j["mesh"].get<std::string>()
                                          : std::filesystem::path(mesh_file));
-  rock.material = render::make_bsdf("lambert", {{"albedo", vector(j["albedo"])}});
+  rock.material = render::make_material("lambert", {{"albedo", vector(j["albedo"])}});
   scene.objects.push_back(rock);
   const auto rectangle = [](const json& r) {
     return Named{{"center", vector(r["center"])},

@@ -53,29 +53,36 @@ TEST(ChiSquare, TailMatchesTables) {  // Abramowitz and Stegun, table 26.8
   EXPECT_NEAR(chi2_tail(135.807, 100), 0.01, 5e-4);
 }
 
-TEST(ChiSquare, EveryBsdfSamplesItsDensity) {
+Surface flat_surface() {
+  Surface surface;
+  surface.position = {0, 0, 0};
+  surface.geometric_normal = surface.shading_normal = {0, 0, 1};
+  return surface;
+}
+
+TEST(ChiSquare, EveryMaterialSamplesItsDensity) {
   const float cosines[] = {1.0f, 0.7f, 0.3f, 0.01f};
-  const int tests = static_cast<int>(bsdfs().size()) * 4;
-  for (const auto* kind : bsdfs())
+  const int tests = static_cast<int>(materials().size()) * 4;
+  for (const auto* kind : materials())
     for (const float cosine : cosines) {
       SCOPED_TRACE(kind->info.name + " at cosine " + std::to_string(cosine));
-      const BsdfPtr bsdf = make_bsdf(kind->info.name, needed(kind->info));
-      const Surface surface{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {1, 1, 1}};
-      const Vec3f out = direction_at(cosine, 0.3f);
+      const MaterialPtr material = make_material(kind->info.name, needed(kind->info));
+      BsdfMemory memory;
+      const Bsdf& bsdf = material->at(flat_surface(), direction_at(cosine, 0.3f), memory);
       RandomStream random(RandomKey(5).at(kind->info.name));
       const Chi2 result = chi2(
           {0, 0, 1}, 2, kSamples,
           [&](int) -> DirectionSample {
             const float lobe = static_cast<float>(random.uniform());
-            const BsdfSample s =
-                bsdf->sample(surface, out, std::min(lobe, 0x1.fffffep-1f), two(random));
+            const BsdfSample s = bsdf.sample(std::min(lobe, 0x1.fffffep-1f), two(random));
             if (s.pdf > 0) {
-              const Rgb f = bsdf->evaluate(surface, out, s.direction);
-              EXPECT_NEAR(s.weight.x * s.pdf, f.x, 2e-3f * f.x + 1e-6f);
+              const Scattering f = bsdf.evaluate(s.direction);
+              EXPECT_NEAR(s.weight.x * s.pdf, f.total().x, 2e-3f * f.total().x + 1e-6f);
+              EXPECT_NEAR(s.diffuse.x * s.pdf, f.diffuse.x, 2e-3f * f.diffuse.x + 1e-6f);
             }
             return {s.direction, static_cast<double>(s.pdf)};
           },
-          [&](const Vec3f& in) { return static_cast<double>(bsdf->pdf(surface, out, in)); });
+          [&](const Vec3f& in) { return static_cast<double>(bsdf.evaluate(in).pdf); });
       EXPECT_GT(result.p, level(tests));
       EXPECT_LT(result.integral, 1.002);
       EXPECT_EQ(result.stray, 0);
@@ -83,24 +90,29 @@ TEST(ChiSquare, EveryBsdfSamplesItsDensity) {
     }
 }
 
-TEST(ChiSquare, BsdfsAreReciprocalAndKeepEnergy) {
-  for (const auto* kind : bsdfs()) {
+TEST(ChiSquare, MaterialsAreReciprocalAndKeepEnergy) {
+  for (const auto* kind : materials()) {
     SCOPED_TRACE(kind->info.name);
-    const BsdfPtr bsdf = make_bsdf(kind->info.name, needed(kind->info));
-    const Surface surface{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {1, 1, 1}};
+    const MaterialPtr material = make_material(kind->info.name, needed(kind->info));
     RandomStream random(RandomKey(6).at(kind->info.name));
+    const auto f = [&](const Vec3f& out, const Vec3f& in) {
+      BsdfMemory memory;
+      return material->at(flat_surface(), out, memory).evaluate(in).total().y / in.z;
+    };
     for (int trial = 0; trial < 1000; ++trial) {
       Vec3f a = sample_cosine_hemisphere(two(random)), b = sample_cosine_hemisphere(two(random));
       a.z = std::max(a.z, 1e-3f), b.z = std::max(b.z, 1e-3f);
       a.normalize(), b.normalize();
-      const float there = bsdf->evaluate(surface, a, b).y / b.z;
-      EXPECT_NEAR(there, bsdf->evaluate(surface, b, a).y / a.z, 1e-3f * there + 1e-6f);
+      const float there = f(a, b);
+      EXPECT_NEAR(there, f(b, a), 1e-3f * there + 1e-6f);
     }
     for (const float cosine : {1.0f, 0.5f, 0.05f}) {
+      BsdfMemory memory;
+      const Bsdf& bsdf = material->at(flat_surface(), direction_at(cosine, 0), memory);
       double sum = 0;
       for (int i = 0; i < 20000; ++i) {
         const float lobe = static_cast<float>(i % 997) / 997;
-        const BsdfSample s = bsdf->sample(surface, direction_at(cosine, 0), lobe, two(random));
+        const BsdfSample s = bsdf.sample(lobe, two(random));
         if (s.pdf > 0) sum += static_cast<double>(largest(s.weight));
       }
       EXPECT_LT(sum / 20000, 1.01);

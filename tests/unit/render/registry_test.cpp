@@ -25,7 +25,7 @@ void check_infos(const Kinds<Product>& kinds, const std::string& category) {
 TEST(Kinds, AreDocumented) {
   check_infos(cameras(), "camera");
   check_infos(samplers(), "sampler");
-  check_infos(bsdfs(), "bsdf");
+  check_infos(materials(), "material");
   check_infos(lights(), "light");
   check_infos(media(), "medium");
   check_infos(integrators(), "integrator");

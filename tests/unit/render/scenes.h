@@ -15,7 +15,7 @@ inline Object object(mesh::Mesh mesh, double albedo) {
   Object out;
   out.name = "object";
   out.mesh = std::make_shared<mesh::Mesh>(std::move(mesh));
-  out.material = make_bsdf("lambert", {{"albedo", Vec3d(albedo)}});
+  out.material = make_material("lambert", {{"albedo", Vec3d(albedo)}});
   return out;
 }
 

@@ -42,7 +42,8 @@ constexpr size_t kFewLights = 8;
 
 /// The last place where the path scattered: what a light found by the ray is weighed against.
 struct Vertex {
-  enum { camera, surface, medium } kind = camera;
+  /// `through`: behind a surface that lets light through, where lights are not sampled.
+  enum { camera, surface, through, medium } kind = camera;
   LitPoint point;
   float pdf = 0;   ///< Of the direction taken, over solid angle.
   LightOdds odds;  ///< By which lights were sampled.
@@ -61,10 +62,10 @@ class PathIntegrator final : public Integrator {
   static Rgb lamp_light(const World& world, const Ray& ray, float end, const Vertex& from,
                         float& alpha);
   static Rgb sky_light(const World& world, const Ray& ray, const Vertex& from);
-  static Rgb surface_light(const World& world, const Hit& hit, const Vec3f& out, const Frame& frame,
+  static Rgb surface_light(const World& world, const Hit& hit, const Bsdf& bsdf, const Frame& frame,
                            Vertex& vertex, float choice, const Vec2f& u);
   static Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
-                        const Vec3f& out, const Frame& frame, const Vertex& vertex, const Vec2f& u);
+                        const Bsdf& bsdf, const Frame& frame, const Vertex& vertex, const Vec2f& u);
   static Rgb medium_light(const World& world, const Ray& ray, const Segment& segment, bool all,
                           float choice, float where, const Vec2f& u);
   static Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
@@ -87,6 +88,12 @@ float clear_part(const World& world, const Ray& ray, float end) {
   return medium ? medium->transmittance(ray, medium->clip(ray, end)) : 1;
 }
 
+Rgb albedo_of(const Hit& hit, const Ray& ray) {
+  const Frame frame(hit.surface.shading_normal);
+  BsdfMemory memory;
+  return hit.material->at(hit.surface, frame.to_local(-ray.direction), memory).albedo();
+}
+
 /// Light from a sampled light that reaches the ray's origin, over the sample's density.
 Rgb unshadowed(const World& world, const LightSample& s) {
   return s.distance == kFar ? world.sky_radiance(s.direction) : s.radiance;
@@ -107,7 +114,7 @@ Rgb PathIntegrator::lamp_light(const World& world, const Ray& ray, float end, co
     if (from.kind == Vertex::camera) {
       if (!lamp->camera_visible()) continue;
       alpha = 1;
-    } else {
+    } else if (from.kind == Vertex::surface) {
       const float direct =
           from.odds.of(world.importance(*lamp, from.point)) * lamp->pdf(from.point, ray.direction);
       weight = from.pdf / (from.pdf + direct);
@@ -132,35 +139,37 @@ Rgb PathIntegrator::sky_light(const World& world, const Ray& ray, const Vertex& 
 }
 
 /// Direct light at a surface, reflected towards `out`; notes in `vertex` how lights were sampled.
-Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Vec3f& out,
+Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Bsdf& bsdf,
                                   const Frame& frame, Vertex& vertex, float choice,
                                   const Vec2f& u) {
   if (vertex.odds.all) {
     Rgb sum(0.0f);
     for (const Light* light : world.sampled())
       if (world.importance(*light, vertex.point) > 0)
-        sum += light_from(world, {light, 1, vertex.odds}, hit, out, frame, vertex, u);
+        sum += light_from(world, {light, 1, vertex.odds}, hit, bsdf, frame, vertex, u);
     return sum;
   }
   const LightChoice chosen = world.choose(vertex.point, choice);
   vertex.odds = chosen.odds;
   if (!chosen.light) return Rgb(0.0f);
-  return light_from(world, chosen, hit, out, frame, vertex, u);
+  return light_from(world, chosen, hit, bsdf, frame, vertex, u);
 }
 
 Rgb PathIntegrator::light_from(const World& world, const LightChoice& chosen, const Hit& hit,
-                               const Vec3f& out, const Frame& frame, const Vertex& vertex,
+                               const Bsdf& bsdf, const Frame& frame, const Vertex& vertex,
                                const Vec2f& u) {
   const LightSample s = chosen.light->sample(vertex.point, u);
   if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
   const Vec3f in = frame.to_local(s.direction);
-  const Rgb f = hit.material->evaluate(hit.surface, out, in);
+  if (!(in.z > 0)) return Rgb(0.0f);
+  const Scattering scattering = bsdf.evaluate(in);
+  const Rgb f = scattering.total();
   const Rgb light = unshadowed(world, s);
   const Ray ray{hit.origin, s.direction};
   if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
   const float direct = s.distance == kFar ? world.sky_pdf(vertex.point, chosen.odds, s.direction)
                                           : chosen.probability * s.pdf;
-  const float density = direct + hit.material->pdf(hit.surface, out, in);
+  const float density = direct + scattering.pdf;
   return density > 0 ? f * light * (clear_part(world, ray, s.distance) / density) : Rgb(0.0f);
 }
 
@@ -240,8 +249,7 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
     const bool found = world.intersect(ray, hit);
     const float end = found ? hit.distance : kFar;
     if (depth == 0 && found)
-      result.first = {true, hit.surface.position, hit.surface.shading_normal,
-                      hit.material->albedo(hit.surface)};
+      result.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray)};
     if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar);
     // What a ray runs into belongs to the place it comes from, as direct light there.
     Rgb seen = lamp_light(world, ray, end, from, result.alpha);
@@ -276,17 +284,20 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
     if (!in_medium) {
       if (!found) break;
       const Frame frame(hit.surface.shading_normal);
-      const Vec3f out = frame.to_local(-ray.direction);
+      BsdfMemory memory;
+      const Bsdf& bsdf = hit.material->at(hit.surface, frame.to_local(-ray.direction), memory);
       from = {Vertex::surface, {hit.origin, hit.surface.geometric_normal}, 0, {all_lights}};
       result.radiance +=
-          kept(throughput * surface_light(world, hit, out, frame, from, choice.x, light_u), depth);
-      const BsdfSample s = hit.material->sample(hit.surface, out, choice.y, scatter_u);
+          kept(throughput * surface_light(world, hit, bsdf, frame, from, choice.x, light_u), depth);
+      const BsdfSample s = bsdf.sample(choice.y, scatter_u);
       if (!(s.pdf > 0)) break;
       const Vec3f direction = frame.to_world(s.direction);
-      if (!(dot(direction, hit.surface.geometric_normal) > 0)) break;
+      const bool through = s.direction.z < 0;
+      if ((dot(direction, hit.surface.geometric_normal) > 0) == through) break;
       throughput *= s.weight;
       from.pdf = s.pdf;
-      ray = {hit.origin, direction};
+      if (through) from.kind = Vertex::through;
+      ray = {through ? hit.behind : hit.origin, direction};
     }
     if (roulette_) {
       // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.

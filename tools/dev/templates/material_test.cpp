@@ -8,7 +8,7 @@
 namespace vug::render {
 namespace {
 
-TEST(NewKind, IsMadeWithItsDefaults) { EXPECT_NE(make_bsdf("new_kind"), nullptr); }
+TEST(NewKind, IsMadeWithItsDefaults) { EXPECT_NE(make_material("new_kind"), nullptr); }
 
 }  // namespace
 }  // namespace vug::render

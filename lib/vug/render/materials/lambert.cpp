@@ -1,0 +1,55 @@
+// Ideal diffuse reflection, the same on both sides.
+#include <vug/render/kind.h>
+#include <vug/render/sampling.h>
+
+namespace vug::render {
+namespace {
+
+struct Lambert {
+  Vec3d albedo{0.5, 0.5, 0.5};
+
+  static void describe(Schema<Lambert>& s) {
+    s.doc("Ideal diffuse reflection, the same on both sides of the surface.")
+        .param("albedo", &Lambert::albedo,
+               {.doc = "Share of the light that is reflected, linear Rec.709; the vertex colour "
+                       "multiplies it.",
+                .min = 0,
+                .max = 1});
+  }
+};
+
+class LambertBsdf final : public Bsdf {
+ public:
+  explicit LambertBsdf(const Rgb& albedo) : albedo_(albedo) {}
+
+  Scattering evaluate(const Vec3f& in) const override {
+    if (!(in.z > 0)) return {};
+    return {albedo_ * (in.z / kPif), Rgb(0.0f), in.z / kPif};
+  }
+  BsdfSample sample(float, const Vec2f& u) const override {
+    const Vec3f in = sample_cosine_hemisphere(u);
+    return {in, albedo_, albedo_, in.z / kPif};
+  }
+  Rgb albedo() const override { return albedo_; }
+
+ private:
+  Rgb albedo_;
+};
+
+class LambertMaterial final : public Material {
+ public:
+  explicit LambertMaterial(const Lambert& p) : albedo_(to_float(p.albedo)) {}
+
+  const Bsdf& at(const Surface& surface, const Vec3f&, BsdfMemory& memory) const override {
+    return memory.make<LambertBsdf>(albedo_ * surface.color);
+  }
+  size_t memory_bytes() const override { return BsdfMemory::bytes<LambertBsdf>(); }
+
+ private:
+  Rgb albedo_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(lambert, material, MaterialPtr, Lambert, LambertMaterial)
