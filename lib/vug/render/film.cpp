@@ -6,52 +6,48 @@
 namespace vug::render {
 namespace {
 
-int64_t to_plain(float v) {
-  const double most = kMostPlain, step = 1 << kPlainBits;
-  return std::llrint(std::clamp(static_cast<double>(v), -most, most) * step);
-}
-
-double from_plain(int64_t sum) { return static_cast<double>(sum) / (1 << kPlainBits); }
-
 std::array<float, 3> parts(const Vec3f& v) { return {v.x, v.y, v.z}; }
+
+double limited(float light) {
+  return std::clamp(static_cast<double>(light), -kMostLight, kMostLight);
+}
 
 void add_plain(std::array<int64_t, 3>& sums, const Vec3f& v) {
   const auto part = parts(v);
   for (size_t i = 0; i < 3; ++i) sums[i] += to_plain(part[i]);
 }
 
-}  // namespace
-
-const std::vector<std::string>& layer_names() {
-  static const std::vector<std::string> names = {
-      "R",        "G",        "B",          "A",          "Z",          "N.X",
-      "N.Y",      "N.Z",      "P.X",        "P.Y",        "P.Z",        "albedo.R",
-      "albedo.G", "albedo.B", "variance.R", "variance.G", "variance.B", "samples"};
-  return names;
+void add_coverage(Coverage& list, uint32_t object, uint32_t samples) {
+  auto place = std::lower_bound(list.begin(), list.end(), std::pair(object, 0u));
+  if (place == list.end() || place->first != object) place = list.insert(place, {object, 0});
+  place->second += samples;
 }
 
-void PixelSum::add(const PathResult& sample, const Camera& camera) {
+}  // namespace
+
+bool PixelSum::add(const PathResult& sample, const Camera& camera) {
   const auto radiance = parts(sample.radiance);
   if (!(std::isfinite(radiance[0]) && std::isfinite(radiance[1]) && std::isfinite(radiance[2]))) {
     ++refused;
-    return;
+    return false;
   }
   ++samples;
   if (std::max({std::fabs(radiance[0]), std::fabs(radiance[1]), std::fabs(radiance[2])}) >
       static_cast<float>(kMostLight))
     ++cut;
   for (size_t i = 0; i < 3; ++i) {
-    const double v = std::clamp(static_cast<double>(radiance[i]), -kMostLight, kMostLight);
+    const double v = limited(radiance[i]);
     light[i] += to_wide(v, kLightBits);
     square[i] += to_wide(v * v, kSquareBits);
   }
   alpha += to_plain(sample.alpha);
-  if (!sample.first.hit) return;
+  if (!sample.first.hit) return true;
   ++hits;
   add_plain(normal, sample.first.normal);
   add_plain(position, sample.first.position);
   add_plain(albedo, sample.first.albedo);
   depth += to_plain(camera.depth(sample.first.position));
+  return true;
 }
 
 void PixelSum::merge(const PixelSum& other) {
@@ -75,21 +71,38 @@ double PixelSum::variance(size_t channel) const {
   return std::max(0.0, spread) / (n - 1);
 }
 
-void PixelSum::store(image::Image& image, int x, int y) const {
-  const double all = 1.0 / std::max(samples, 1u), hit = 1.0 / std::max(hits, 1u);
-  float* out = &image.at(x, y);
-  const auto put = [&](double v) { *out++ = static_cast<float>(v); };
-  const auto put_plain = [&](const std::array<int64_t, 3>& sums) {
-    for (const int64_t sum : sums) put(from_plain(sum) * hit);
-  };
-  for (size_t i = 0; i < 3; ++i) put(mean(i));
-  put(from_plain(alpha) * all);
-  put(hits > 0 ? from_plain(depth) * hit : 1e10);
-  put_plain(normal);
-  put_plain(position);
-  put_plain(albedo);
-  for (size_t i = 0; i < 3; ++i) put(variance(i));
-  put(samples);
+Film::Film(const Region& region, const Gather& gather)
+    : region_(region),
+      gather_(gather),
+      sums_(region.pixels()),
+      lights_(region.pixels() * gather.lights * 3),
+      coverage_(gather.coverage ? region.pixels() : 0) {}
+
+void Film::add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* colours) {
+  if (!at(x, y).add(sample, camera)) return;
+  Wide* to = lights(x, y);
+  for (size_t i = 0; i < gather_.lights; ++i)
+    for (const float v : parts(colours[i]))
+      *to++ += std::isfinite(v) ? to_wide(limited(v), kLightBits) : 0;
+}
+
+void Film::merge(const Film& other) {
+  const Region both = region_.overlap(other.region_);
+  for (int y = both.y0; y < both.y1; ++y)
+    for (int x = both.x0; x < both.x1; ++x) {
+      at(x, y).merge(other.at(x, y));
+      const Wide* from = other.lights(x, y);
+      Wide* to = lights(x, y);
+      for (size_t i = 0; i < gather_.lights * 3; ++i) to[i] += from[i];
+      if (!gather_.coverage) continue;
+      for (const auto& [object, samples] : other.coverage(x, y))
+        add_coverage(coverage(x, y), object, samples);
+    }
+}
+
+double Film::pixel_bytes(const Gather& gather) {
+  return sizeof(PixelSum) + 3.0 * sizeof(Wide) * static_cast<double>(gather.lights) +
+         (gather.coverage ? sizeof(Coverage) : 0);
 }
 
 }  // namespace vug::render

@@ -2,17 +2,17 @@
 // may fill in any order, and get the same bits.
 #pragma once
 
-#include <vug/image/image.h>
 #include <vug/render/camera.h>
 #include <vug/render/fixed.h>
 #include <vug/render/integrator.h>
+#include <vug/render/region.h>
 
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vug::render {
-
-/// Names of the channels in the order of `render`.
-const std::vector<std::string>& layer_names();
 
 /// The sums of one pixel. Each sample counts for its pixel alone and for all of it (box filter).
 /// Sums are integers: `add` in any order and `merge` of any split give the same bits.
@@ -25,16 +25,61 @@ struct PixelSum {
   uint32_t refused = 0;  ///< Samples with a radiance that is no number: left out of everything.
   uint32_t cut = 0;      ///< Samples brighter than kMostLight, cut to it.
 
-  void add(const PathResult& sample, const Camera& camera);
+  /// False when the sample was refused.
+  bool add(const PathResult& sample, const Camera& camera);
   void merge(const PixelSum& other);
   /// Mean radiance of a channel 0..2, and the variance of that mean (its squared standard error),
   /// from the spread of the samples; 0 for fewer than two samples.
   double mean(size_t channel) const;
   double variance(size_t channel) const;
-  /// Writes the means into a pixel of an image with the channels of layer_names().
-  void store(image::Image& image, int x, int y) const;
 
   bool operator==(const PixelSum&) const = default;
+};
+
+/// The objects of a scene that a pixel's rays meet first, each with its number of samples, in the
+/// order of their indices.
+using Coverage = std::vector<std::pair<uint32_t, uint32_t>>;
+
+/// What is summed beyond a PixelSum.
+struct Gather {
+  size_t lights = 0;      ///< Further colours for each pixel: parts of the light.
+  bool coverage = false;  ///< Which objects the rays meet.
+
+  bool operator==(const Gather&) const = default;
+};
+
+/// The sums of a rectangle of pixels.
+class Film {
+ public:
+  Film() = default;
+  Film(const Region& region, const Gather& gather);
+
+  const Region& region() const { return region_; }
+  const Gather& gather() const { return gather_; }
+  PixelSum& at(int x, int y) { return sums_[region_.index(x, y)]; }
+  const PixelSum& at(int x, int y) const { return sums_[region_.index(x, y)]; }
+  /// Three sums, as PixelSum::light, for each of Gather::lights.
+  Wide* lights(int x, int y) { return lights_.data() + region_.index(x, y) * gather_.lights * 3; }
+  const Wide* lights(int x, int y) const {
+    return lights_.data() + region_.index(x, y) * gather_.lights * 3;
+  }
+  Coverage& coverage(int x, int y) { return coverage_[region_.index(x, y)]; }
+  const Coverage& coverage(int x, int y) const { return coverage_[region_.index(x, y)]; }
+
+  /// `colours`: Gather::lights of them.
+  void add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* colours);
+  /// Adds what a film of the same Gather holds where both overlap.
+  void merge(const Film& other);
+
+  /// Bytes of a pixel, without coverage's lists.
+  static double pixel_bytes(const Gather& gather);
+
+ private:
+  Region region_;
+  Gather gather_;
+  std::vector<PixelSum> sums_;
+  std::vector<Wide> lights_;
+  std::vector<Coverage> coverage_;
 };
 
 }  // namespace vug::render

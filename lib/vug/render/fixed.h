@@ -3,6 +3,8 @@
 // cut down to the range that light has).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -40,5 +42,12 @@ inline double from_wide(Wide sum, int bits) {
                    static_cast<double>(static_cast<uint64_t>(size));
   return (negative ? -v : v) * step;
 }
+
+/// The same for numbers that are no light, in 64 bits; what is larger than kMostPlain is cut to it.
+inline int64_t to_plain(float v) {
+  const double most = kMostPlain, step = 1 << kPlainBits;
+  return std::llrint(std::clamp(static_cast<double>(v), -most, most) * step);
+}
+inline double from_plain(int64_t sum) { return static_cast<double>(sum) / (1 << kPlainBits); }
 
 }  // namespace vug::render

@@ -8,6 +8,7 @@
 
 namespace vug::render {
 
+class Tally;
 class World;
 
 /// What the first surface on a camera ray looks like.
@@ -27,7 +28,9 @@ struct PathResult {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  virtual PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers) const = 0;
+  /// `tally`: null, or where to keep the parts of the radiance apart.
+  virtual PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers,
+                           Tally* tally = nullptr) const = 0;
 };
 using IntegratorPtr = std::shared_ptr<const Integrator>;
 

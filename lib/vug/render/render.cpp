@@ -2,6 +2,7 @@
 #include <vug/base/parallel.h>
 #include <vug/render/film.h>
 #include <vug/render/kinds.h>
+#include <vug/render/layers.h>
 #include <vug/render/render.h>
 #include <vug/render/world.h>
 
@@ -28,6 +29,12 @@ void require_usable(const Scene& scene, const Options& options) {
     throw Error(ErrorCode::bad_input, "a picture needs at least one sample for each pixel");
 }
 
+TallyPlan plan_tally(const LayerPlan& layers) {
+  TallyPlan plan;
+  plan.parts = layers.parts();
+  return plan;
+}
+
 }  // namespace
 
 image::Image render(const Scene& scene, const Options& options, Progress& progress) {
@@ -42,37 +49,41 @@ image::Image render(const Scene& scene, const Options& options, Progress& progre
   const World world(scene);
   progress.end();
 
-  image::Image picture(options.width, options.height, layer_names());
+  const Region whole{0, 0, options.width, options.height};
+  image::Image picture(options.width, options.height, options.layers.channels());
+  const TallyPlan tally_plan = plan_tally(options.layers);
   const float width = static_cast<float>(options.width);
   const float height = static_cast<float>(options.height);
   const float aspect = width / height;
-  const auto render_pixel = [&](int x, int y) {
-    PixelSum sum;
+  const auto render_pixel = [&](Film& film, Tally& tally, int x, int y) {
     SampleId id;
     id.x = static_cast<uint32_t>(x), id.y = static_cast<uint32_t>(y);
     id.spp = static_cast<uint32_t>(options.spp), id.seed = options.seed;
     for (; id.index < id.spp; ++id.index) {
       SampleCursor numbers(*sampler, id);
       const Vec2f inside = numbers.pair(), lens = numbers.pair();
-      const Vec2f film((static_cast<float>(x) + inside.x) / width,
-                       (static_cast<float>(y) + inside.y) / height);
-      const Ray ray = scene.camera->ray(film, aspect, lens);
-      sum.add(integrator->trace(world, ray, numbers), *scene.camera);
+      const Vec2f place((static_cast<float>(x) + inside.x) / width,
+                        (static_cast<float>(y) + inside.y) / height);
+      const Ray ray = scene.camera->ray(place, aspect, lens);
+      tally.clear();
+      const PathResult result =
+          integrator->trace(world, ray, numbers, tally.colours().empty() ? nullptr : &tally);
+      film.add(x, y, result, *scene.camera, tally.colours().data());
     }
-    sum.store(picture, x, y);
   };
 
   const int tile = std::max(options.tile, 1);
-  const int across = (options.width + tile - 1) / tile, down = (options.height + tile - 1) / tile;
-  const auto tiles = static_cast<size_t>(across) * static_cast<size_t>(down);
+  const size_t tiles = whole.blocks(tile);
   progress.begin("rendering", tiles);
   parallel_for(tiles, [&](size_t index) {
-    const int x0 = static_cast<int>(index % static_cast<size_t>(across)) * tile;
-    const int y0 = static_cast<int>(index / static_cast<size_t>(across)) * tile;
-    for (int y = y0; y < std::min(y0 + tile, options.height); ++y) {
+    const Region region = whole.block(index, tile);
+    Film film(region, options.layers.gather());
+    Tally tally(tally_plan);
+    for (int y = region.y0; y < region.y1; ++y) {
       progress.check();
-      for (int x = x0; x < std::min(x0 + tile, options.width); ++x) render_pixel(x, y);
+      for (int x = region.x0; x < region.x1; ++x) render_pixel(film, tally, x, y);
     }
+    develop(film, options.layers, whole, picture);
     progress.advance();
   });
   progress.end();
@@ -80,7 +91,8 @@ image::Image render(const Scene& scene, const Options& options, Progress& progre
 }
 
 double memory_estimate(const Scene& scene, const Options& options) {
-  double bytes = 4.0 * static_cast<double>(layer_names().size()) * options.width * options.height;
+  double bytes =
+      4.0 * static_cast<double>(options.layers.channels().size()) * options.width * options.height;
   for (const Object& object : scene.objects) {
     if (!object.mesh) continue;
     bytes += static_cast<double>(sizeof(Vec3f) * object.mesh->positions.size());

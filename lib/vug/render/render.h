@@ -4,6 +4,7 @@
 #include <vug/base/progress.h>
 #include <vug/image/image.h>
 #include <vug/render/integrator.h>
+#include <vug/render/layers.h>
 #include <vug/render/sampler.h>
 #include <vug/render/scene.h>
 
@@ -21,20 +22,10 @@ struct Options {
   int tile = 16;        ///< Pixels on a side of what one task renders; no effect on the picture.
   SamplerPtr sampler;   ///< Null: sobol.
   IntegratorPtr integrator;  ///< Null: path.
+  LayerPlan layers = plan_layers({}, {});
 };
 
-/// Layers of the picture, 32-bit channels in this order:
-///   R G B      radiance, linear Rec.709
-///   A          1 where a surface or lamp is seen, 0 where only the sky is
-///   Z          distance along the axis of view in metres, mean over the samples that hit a
-///              surface; 1e10 where none did
-///   N.X N.Y N.Z, P.X P.Y P.Z, albedo.R albedo.G albedo.B
-///              normal, position and albedo of the first surface (means as for Z, 0 without)
-///   variance.R variance.G variance.B
-///              variance of R, G, B: the squared standard error of the pixel's mean, estimated from
-///              the spread of its samples as if they were independent. Sobol points err less than
-///              that. 0 for a single sample
-///   samples    how many samples the means are over
+/// The picture with the layers of the plan, 32-bit channels, means over the samples; see layers().
 /// The same bytes for any number of threads. Error(bad_input): no camera, sizes or spp below 1,
 /// a mesh with indices out of range or positions that are not finite. Error(cancelled).
 image::Image render(const Scene& scene, const Options& options,

@@ -62,6 +62,7 @@ class World {
   /// Lamps: what a ray meets on its way. Skies: what it gathers when it escapes.
   const std::vector<const Light*>& lamps() const { return lamps_; }
   bool has_sky() const { return !skies_.empty(); }
+  const std::vector<const Light*>& skies() const { return skies_; }
   Rgb sky_radiance(const Vec3f& direction) const;
   /// Portals, or without any the skies that sample directions themselves.
   const std::vector<const Light*>& sampled_skies() const { return sampled_skies_; }

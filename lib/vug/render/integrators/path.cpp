@@ -6,6 +6,7 @@
 // in participating media", cite kulla2012media) or by the medium itself, half and half.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
+#include <vug/render/tally.h>
 #include <vug/render/world.h>
 
 #include <algorithm>
@@ -56,26 +57,29 @@ class PathIntegrator final : public Integrator {
         roulette_(p.roulette),
         most_(p.clamp ? static_cast<float>(*p.clamp) : kFar) {}
 
-  PathResult trace(const World& world, const Ray& camera_ray, SampleCursor& numbers) const override;
+  PathResult trace(const World& world, const Ray& camera_ray, SampleCursor& numbers,
+                   Tally* tally) const override;
 
  private:
   static Rgb lamp_light(const World& world, const Ray& ray, float end, const Vertex& from,
-                        float& alpha);
-  static Rgb sky_light(const World& world, const Ray& ray, const Vertex& from);
+                        float& alpha, Tally* tally);
+  static Rgb sky_light(const World& world, const Ray& ray, const Vertex& from, Tally* tally);
   static Rgb surface_light(const World& world, const Hit& hit, const Bsdf& bsdf, const Frame& frame,
-                           Vertex& vertex, float choice, const Vec2f& u);
+                           Vertex& vertex, float choice, const Vec2f& u, Tally* tally);
   static Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
-                        const Bsdf& bsdf, const Frame& frame, const Vertex& vertex, const Vec2f& u);
+                        const Bsdf& bsdf, const Frame& frame, const Vertex& vertex, const Vec2f& u,
+                        Tally* tally);
   static Rgb medium_light(const World& world, const Ray& ray, const Segment& segment, bool all,
-                          float choice, float where, const Vec2f& u);
+                          float choice, float where, const Vec2f& u, Tally* tally);
   static Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
-                            const Segment& segment, float where, const Vec2f& u);
+                            const Segment& segment, float where, const Vec2f& u, Tally* tally);
 
-  /// What one vertex may add to the picture: everything while the camera sees it itself.
-  Rgb kept(const Rgb& light, int depth) const {
+  /// Which part of the light of one vertex may go into the picture: all while the camera sees it
+  /// itself.
+  float kept(const Rgb& light, int depth) const {
     const float most = depth <= 0 ? kFar : most_;
     const float brightest = largest(light);
-    return brightest > most ? light * (most / brightest) : light;
+    return brightest > most ? most / brightest : 1;
   }
 
   int max_bounces_;
@@ -104,7 +108,7 @@ bool shadowed(const World& world, const Ray& ray, float distance) {
 
 /// Emission of lamps between the ray's origin and `end`; a lamp that the camera sees is opaque.
 Rgb PathIntegrator::lamp_light(const World& world, const Ray& ray, float end, const Vertex& from,
-                               float& alpha) {
+                               float& alpha, Tally* tally) {
   Rgb light(0.0f);
   for (const Light* lamp : world.lamps()) {
     LightHit hit;
@@ -119,12 +123,15 @@ Rgb PathIntegrator::lamp_light(const World& world, const Ray& ray, float end, co
           from.odds.of(world.importance(*lamp, from.point)) * lamp->pdf(from.point, ray.direction);
       weight = from.pdf / (from.pdf + direct);
     }
-    light += hit.radiance * (weight * clear_part(world, ray, hit.distance));
+    const Rgb arriving = hit.radiance * (weight * clear_part(world, ray, hit.distance));
+    if (tally) tally->note(lamp, arriving);
+    light += arriving;
   }
   return light;
 }
 
-Rgb PathIntegrator::sky_light(const World& world, const Ray& ray, const Vertex& from) {
+Rgb PathIntegrator::sky_light(const World& world, const Ray& ray, const Vertex& from,
+                              Tally* tally) {
   if (!world.has_sky()) return Rgb(0.0f);
   float weight = 1;
   if (from.kind == Vertex::surface) {
@@ -135,29 +142,31 @@ Rgb PathIntegrator::sky_light(const World& world, const Ray& ray, const Vertex& 
     for (const Light* light : world.sampled_skies())
       if (light->pdf(from.point, ray.direction) > 0) return Rgb(0.0f);
   }
-  return world.sky_radiance(ray.direction) * (weight * clear_part(world, ray, kFar));
+  weight *= clear_part(world, ray, kFar);
+  if (tally) tally->note_sky(world, ray.direction, Rgb(weight));
+  return world.sky_radiance(ray.direction) * weight;
 }
 
 /// Direct light at a surface, reflected towards `out`; notes in `vertex` how lights were sampled.
 Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Bsdf& bsdf,
-                                  const Frame& frame, Vertex& vertex, float choice,
-                                  const Vec2f& u) {
+                                  const Frame& frame, Vertex& vertex, float choice, const Vec2f& u,
+                                  Tally* tally) {
   if (vertex.odds.all) {
     Rgb sum(0.0f);
     for (const Light* light : world.sampled())
       if (world.importance(*light, vertex.point) > 0)
-        sum += light_from(world, {light, 1, vertex.odds}, hit, bsdf, frame, vertex, u);
+        sum += light_from(world, {light, 1, vertex.odds}, hit, bsdf, frame, vertex, u, tally);
     return sum;
   }
   const LightChoice chosen = world.choose(vertex.point, choice);
   vertex.odds = chosen.odds;
   if (!chosen.light) return Rgb(0.0f);
-  return light_from(world, chosen, hit, bsdf, frame, vertex, u);
+  return light_from(world, chosen, hit, bsdf, frame, vertex, u, tally);
 }
 
 Rgb PathIntegrator::light_from(const World& world, const LightChoice& chosen, const Hit& hit,
                                const Bsdf& bsdf, const Frame& frame, const Vertex& vertex,
-                               const Vec2f& u) {
+                               const Vec2f& u, Tally* tally) {
   const LightSample s = chosen.light->sample(vertex.point, u);
   if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
   const Vec3f in = frame.to_local(s.direction);
@@ -170,26 +179,34 @@ Rgb PathIntegrator::light_from(const World& world, const LightChoice& chosen, co
   const float direct = s.distance == kFar ? world.sky_pdf(vertex.point, chosen.odds, s.direction)
                                           : chosen.probability * s.pdf;
   const float density = direct + scattering.pdf;
-  return density > 0 ? f * light * (clear_part(world, ray, s.distance) / density) : Rgb(0.0f);
+  if (!(density > 0)) return Rgb(0.0f);
+  const float weight = clear_part(world, ray, s.distance) / density;
+  if (tally && s.distance == kFar)
+    tally->note_sky(world, s.direction, f * weight, scattering.diffuse * weight);
+  else if (tally)
+    tally->note(chosen.light, f * light * weight, scattering.diffuse * light * weight);
+  return f * light * weight;
 }
 
 /// Light that is scattered once into the ray, anywhere in the segment, weighed by the clear part
 /// of the way back to the ray's origin.
 Rgb PathIntegrator::medium_light(const World& world, const Ray& ray, const Segment& segment,
-                                 bool all, float choice, float where, const Vec2f& u) {
+                                 bool all, float choice, float where, const Vec2f& u,
+                                 Tally* tally) {
   if (all) {
     Rgb sum(0.0f);
     for (const Light* light : world.sampled())
       if (world.importance_along(*light, ray, segment) > 0)
-        sum += scattered_from(world, {light, 1, {}}, ray, segment, where, u);
+        sum += scattered_from(world, {light, 1, {}}, ray, segment, where, u, tally);
     return sum;
   }
   const LightChoice chosen = world.choose_along(ray, segment, choice);
-  return chosen.light ? scattered_from(world, chosen, ray, segment, where, u) : Rgb(0.0f);
+  return chosen.light ? scattered_from(world, chosen, ray, segment, where, u, tally) : Rgb(0.0f);
 }
 
 Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
-                                   const Segment& segment, float where, const Vec2f& u) {
+                                   const Segment& segment, float where, const Vec2f& u,
+                                   Tally* tally) {
   const Medium& medium = *world.medium();
   // Distances from the foot of the perpendicular, which equiangular sampling is about.
   const Vec3f to = chosen.light->centre() - ray.origin;
@@ -233,11 +250,16 @@ Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen
   const float scattered =
       medium.extinction(point.position) * medium.phase(dot(ray.direction, s.direction)) *
       medium.transmittance(ray, {segment.begin, distance}) * clear_part(world, shadow, s.distance);
-  return light * medium.albedo(point.position) * (scattered / (pdf * density));
+  const Rgb weight = medium.albedo(point.position) * (scattered / (pdf * density));
+  if (tally && s.distance == kFar)
+    tally->note_sky(world, s.direction, weight);
+  else if (tally)
+    tally->note(chosen.light, light * weight);
+  return light * weight;
 }
 
-PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
-                                 SampleCursor& numbers) const {
+PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray, SampleCursor& numbers,
+                                 Tally* tally) const {
   PathResult result;
   Ray ray = camera_ray;
   Rgb throughput(1.0f);
@@ -252,9 +274,12 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
       result.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray)};
     if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar);
     // What a ray runs into belongs to the place it comes from, as direct light there.
-    Rgb seen = lamp_light(world, ray, end, from, result.alpha);
-    if (!found) seen += sky_light(world, ray, from);
-    result.radiance += kept(throughput * seen, depth - 1);
+    Rgb seen = lamp_light(world, ray, end, from, result.alpha, tally);
+    if (!found) seen += sky_light(world, ray, from, tally);
+    seen *= throughput;
+    const float kept_seen = kept(seen, depth - 1);
+    result.radiance += seen * kept_seen;
+    if (tally) tally->settle_met(depth, throughput * kept_seen);
     if (depth > max_bounces_) break;
 
     const Vec2f choice = numbers.pair();  // which light, which lobe
@@ -268,9 +293,11 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
       const Segment segment = medium->clip(ray, end);
       if (!segment.empty() && segment.end < kFar) {
         const Vec2f distance_u = numbers.pair();
-        result.radiance += kept(throughput * medium_light(world, ray, segment, all_lights, choice.x,
-                                                          distance_u.x, numbers.pair()),
-                                depth);
+        const Rgb light = throughput * medium_light(world, ray, segment, all_lights, choice.x,
+                                                    distance_u.x, numbers.pair(), tally);
+        const float kept_light = kept(light, depth);
+        result.radiance += light * kept_light;
+        if (tally) tally->settle_medium(depth, throughput * kept_light);
         const DistanceSample collision = medium->sample_distance(ray, segment, distance_u.y);
         if (collision.scattered) {
           in_medium = true;
@@ -278,6 +305,7 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
           throughput *= medium->albedo(point);
           ray = {point, medium->sample_phase(ray.direction, scatter_u)};
           from = {Vertex::medium, {point, Vec3f(0.0f)}, 0, {}};
+          if (tally && depth == 0) tally->turned_in_medium();
         }
       }
     }
@@ -287,13 +315,17 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray,
       BsdfMemory memory;
       const Bsdf& bsdf = hit.material->at(hit.surface, frame.to_local(-ray.direction), memory);
       from = {Vertex::surface, {hit.origin, hit.surface.geometric_normal}, 0, {all_lights}};
-      result.radiance +=
-          kept(throughput * surface_light(world, hit, bsdf, frame, from, choice.x, light_u), depth);
+      const Rgb light =
+          throughput * surface_light(world, hit, bsdf, frame, from, choice.x, light_u, tally);
+      const float kept_light = kept(light, depth);
+      result.radiance += light * kept_light;
+      if (tally) tally->settle_surface(depth, throughput * kept_light);
       const BsdfSample s = bsdf.sample(choice.y, scatter_u);
       if (!(s.pdf > 0)) break;
       const Vec3f direction = frame.to_world(s.direction);
       const bool through = s.direction.z < 0;
       if ((dot(direction, hit.surface.geometric_normal) > 0) == through) break;
+      if (tally && depth == 0) tally->turned_at_surface(through, s.weight, s.diffuse);
       throughput *= s.weight;
       from.pdf = s.pdf;
       if (through) from.kind = Vertex::through;

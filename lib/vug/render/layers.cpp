@@ -1,0 +1,179 @@
+#include <vug/base/diagnostics.h>
+#include <vug/render/layers.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::render {
+namespace {
+
+/// The picture's depth where no surface is.
+constexpr double kNowhere = 1e10;
+constexpr const char* kLight = "light_";
+
+struct Out {
+  const PixelSum& sum;
+  float* to;
+
+  void put(double v) { *to++ = static_cast<float>(v); }
+  /// Means over the samples that met a surface.
+  void hits(const std::array<int64_t, 3>& sums) {
+    for (const int64_t v : sums) hit(v);
+  }
+  void hit(int64_t v) { put(from_plain(v) / std::max(sum.hits, 1u)); }
+};
+
+struct Kind {
+  LayerInfo info;
+  void (*write)(Out&);
+};
+
+/// The layers that come straight out of a PixelSum.
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all = {
+      {{"beauty", "Radiance, linear Rec.709.", {"R", "G", "B"}, true},
+       [](Out& o) {
+         for (size_t i = 0; i < 3; ++i) o.put(o.sum.mean(i));
+       }},
+      {{"A", "1 where a surface or lamp is seen, 0 where only the sky is.", {"A"}, true},
+       [](Out& o) { o.put(from_plain(o.sum.alpha) / std::max(o.sum.samples, 1u)); }},
+      {{"Z", "Depth along the axis of view in metres; 1e10 where no surface is.", {"Z"}, true},
+       [](Out& o) { o.sum.hits > 0 ? o.hit(o.sum.depth) : o.put(kNowhere); }},
+      {{"N", "Normal of the first surface, in world axes.", {"N.X", "N.Y", "N.Z"}, true},
+       [](Out& o) { o.hits(o.sum.normal); }},
+      {{"P", "Position of the first surface in metres.", {"P.X", "P.Y", "P.Z"}, true},
+       [](Out& o) { o.hits(o.sum.position); }},
+      {{"albedo",
+        "Share of light that the first surface reflects.",
+        {"albedo.R", "albedo.G", "albedo.B"},
+        true},
+       [](Out& o) { o.hits(o.sum.albedo); }},
+      {{"variance",
+        "Squared standard error of the beauty's pixels.",
+        {"variance.R", "variance.G", "variance.B"},
+        true},
+       [](Out& o) {
+         for (size_t i = 0; i < 3; ++i) o.put(o.sum.variance(i));
+       }},
+      {{"samples", "How many samples a pixel's means are over.", {"samples"}, true},
+       [](Out& o) { o.put(o.sum.samples); }},
+  };
+  return all;
+}
+
+std::vector<std::string> colour(const std::string& layer) {
+  return {layer + ".R", layer + ".G", layer + ".B"};
+}
+
+bool is_part(const std::string& name) {
+  const auto& parts = part_names();
+  return std::find(parts.begin(), parts.end(), name) != parts.end();
+}
+
+/// Where a coloured layer stands among a film's lights.
+size_t colour_index(const LayerPlan& plan, const std::string& name) {
+  const auto& parts = part_names();
+  const auto part = std::find(parts.begin(), parts.end(), name);
+  if (part != parts.end()) return static_cast<size_t>(part - parts.begin());
+  size_t index = plan.parts() ? parts.size() : 0;
+  for (const std::string& group : plan.groups) {
+    if (kLight + group == name) break;
+    ++index;
+  }
+  return index;
+}
+
+}  // namespace
+
+const std::vector<LayerInfo>& layers() {
+  static const std::vector<LayerInfo> all = [] {
+    std::vector<LayerInfo> list;
+    for (const Kind& kind : kinds()) list.push_back(kind.info);
+    for (const std::string& part : part_names())
+      list.push_back({part, "A part of the beauty: see docs/rendering.md.", colour(part), false});
+    return list;
+  }();
+  return all;
+}
+
+std::vector<std::string> LayerPlan::channels() const {
+  std::vector<std::string> out;
+  for (const std::string& name : names) {
+    const auto& known = layers();
+    const auto layer = std::find_if(known.begin(), known.end(),
+                                    [&](const LayerInfo& info) { return info.name == name; });
+    const auto more = layer == known.end() ? colour(name) : layer->channels;
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
+
+Gather LayerPlan::gather() const {
+  Gather gather;
+  gather.lights = (parts() ? part_names().size() : 0) + groups.size();
+  return gather;
+}
+
+bool LayerPlan::has(const std::string& name) const {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool LayerPlan::parts() const { return std::any_of(names.begin(), names.end(), is_part); }
+
+LayerPlan plan_layers(const std::vector<std::string>& names,
+                      const std::vector<std::string>& groups) {
+  std::vector<std::string> known;
+  for (const LayerInfo& layer : layers()) known.push_back(layer.name);
+  for (const std::string& group : groups) known.push_back(kLight + group);
+  std::vector<bool> chosen(known.size());
+  for (size_t i = 0; i < layers().size(); ++i) chosen[i] = names.empty() && layers()[i].usual;
+  for (const std::string& name : names) {
+    bool found = name == "parts" || name == "lights" || name == "all";
+    for (size_t i = 0; i < known.size(); ++i) {
+      const bool light = i >= layers().size();
+      if (!(known[i] == name || name == "all" || (name == "parts" && is_part(known[i])) ||
+            (name == "lights" && light)))
+        continue;
+      chosen[i] = found = true;
+    }
+    if (found) continue;
+    known.insert(known.end(), {"parts", "lights", "all"});
+    throw Error(ErrorCode::bad_input, fmt::format("there is no layer '{}'", name), {},
+                suggestion(name, known));
+  }
+  LayerPlan plan;
+  for (size_t i = 0; i < known.size(); ++i) {
+    if (!chosen[i]) continue;
+    plan.names.push_back(known[i]);
+    if (i >= layers().size()) plan.groups.push_back(groups[i - layers().size()]);
+  }
+  if (!plan.has("beauty"))
+    throw Error(ErrorCode::bad_input, "a picture needs the layer 'beauty'", {}, "add it to layers");
+  return plan;
+}
+
+void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image) {
+  std::vector<void (*)(Out&)> writers;
+  std::vector<size_t> colours;
+  for (const std::string& name : plan.names) {
+    const auto kind = std::find_if(kinds().begin(), kinds().end(),
+                                   [&](const Kind& k) { return k.info.name == name; });
+    if (kind != kinds().end())
+      writers.push_back(kind->write);
+    else
+      colours.push_back(colour_index(plan, name));
+  }
+  const Region& region = film.region();
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      Out out{film.at(x, y), &image.at(x - origin.x0, y - origin.y0)};
+      for (const auto& write : writers) write(out);
+      const double share = 1.0 / std::max(out.sum.samples, 1u);
+      for (const size_t colour : colours)
+        for (size_t i = 0; i < 3; ++i)
+          out.put(from_wide(film.lights(x, y)[3 * colour + i], kLightBits) * share);
+    }
+}
+
+}  // namespace vug::render

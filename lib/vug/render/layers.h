@@ -1,0 +1,49 @@
+// Which layers a picture has, and how they come out of a film's sums.
+#pragma once
+
+#include <vug/image/image.h>
+#include <vug/render/film.h>
+#include <vug/render/tally.h>
+
+#include <string>
+#include <vector>
+
+namespace vug::render {
+
+struct Scene;
+
+/// A layer that any scene has.
+struct LayerInfo {
+  std::string name;
+  std::string doc;
+  std::vector<std::string> channels;
+  bool usual = false;  ///< Written when nothing else is asked for.
+};
+const std::vector<LayerInfo>& layers();
+
+/// The layers of one picture, in the order of `layers()`, then lights by their groups.
+struct LayerPlan {
+  std::vector<std::string> names;   ///< Of layers() and "light_GROUP".
+  std::vector<std::string> groups;  ///< Groups of lights that have a layer.
+
+  /// Names of the channels of the picture.
+  std::vector<std::string> channels() const;
+  /// What a film must gather for it.
+  Gather gather() const;
+  bool has(const std::string& name) const;
+  bool parts() const;  ///< Any of the parts of the beauty.
+
+  bool operator==(const LayerPlan&) const = default;
+};
+
+/// The plan for names as people give them: those of layers(), "light_GROUP", "parts" (all of the
+/// beauty's), "lights" (all groups) or "all"; none: the usual ones. Error(bad_input) with the
+/// nearest name for any other, or when R, G, B would be missing.
+LayerPlan plan_layers(const std::vector<std::string>& names,
+                      const std::vector<std::string>& groups);
+
+/// Writes the means of a film into the image, whose pixel (0, 0) is `origin` of the film and whose
+/// channels are the plan's.
+void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image);
+
+}  // namespace vug::render

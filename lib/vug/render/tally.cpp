@@ -1,0 +1,99 @@
+#include <vug/render/light.h>
+#include <vug/render/tally.h>
+#include <vug/render/world.h>
+
+#include <algorithm>
+
+namespace vug::render {
+
+const std::vector<std::string>& part_names() {
+  static const std::vector<std::string> names = {
+      "emission",          "diffuse_direct",      "diffuse_indirect",      "specular_direct",
+      "specular_indirect", "transmission_direct", "transmission_indirect", "volume_direct",
+      "volume_indirect"};
+  return names;
+}
+
+void Tally::clear() {
+  std::fill(colours_.begin(), colours_.end(), Rgb(0.0f));
+  notes_.clear();
+}
+
+void Tally::note(const Light* source, const Rgb& light, const Rgb& diffuse) {
+  notes_.push_back({source, light, diffuse});
+}
+
+void Tally::note_sky(const World& world, const Vec3f& direction, const Rgb& weight,
+                     const Rgb& diffuse_weight) {
+  for (const Light* sky : world.skies()) {
+    const Rgb light = sky->escape_radiance(direction);
+    note(sky, light * weight, light * diffuse_weight);
+  }
+}
+
+void Tally::settle_met(int depth, const Rgb& scale) {
+  if (plan_.parts)
+    for (const Note& n : notes_) {
+      if (depth == 0)
+        part(Part::emission) += n.light * scale;
+      else
+        file(n.light * scale, depth == 1);
+    }
+  settle_groups(scale);
+}
+
+void Tally::settle_surface(int depth, const Rgb& scale) {
+  if (plan_.parts)
+    for (const Note& n : notes_) {
+      if (depth == 0) {
+        part(Part::diffuse_direct) += n.diffuse * scale;
+        part(Part::specular_direct) += (n.light - n.diffuse) * scale;
+      } else {
+        file(n.light * scale, false);
+      }
+    }
+  settle_groups(scale);
+}
+
+void Tally::settle_medium(int depth, const Rgb& scale) {
+  if (plan_.parts)
+    for (const Note& n : notes_) {
+      if (depth == 0)
+        part(Part::volume_direct) += n.light * scale;
+      else
+        file(n.light * scale, false);
+    }
+  settle_groups(scale);
+}
+
+void Tally::settle_groups(const Rgb& scale) {
+  if (plan_.groups > 0)
+    for (const Note& n : notes_) {
+      const auto found = plan_.group_of.find(n.source);
+      if (found != plan_.group_of.end())
+        colours_[colours_.size() - plan_.groups + found->second] += n.light * scale;
+    }
+  notes_.clear();
+}
+
+void Tally::turned_in_medium() {
+  diffuse_ = Rgb(0.0f);
+  other_ = Part::volume_direct;
+}
+
+void Tally::turned_at_surface(bool through, const Rgb& weight, const Rgb& diffuse) {
+  const auto share = [](float part_of, float whole) { return whole > 0 ? part_of / whole : 0; };
+  diffuse_ = through ? Rgb(0.0f)
+                     : Rgb(share(diffuse.x, weight.x), share(diffuse.y, weight.y),
+                           share(diffuse.z, weight.z));
+  other_ = through ? Part::transmission_direct : Part::specular_direct;
+}
+
+void Tally::file(const Rgb& light, bool direct) {
+  const size_t later = direct ? 0 : 1;
+  const Rgb diffuse = light * diffuse_;
+  colours_[static_cast<size_t>(Part::diffuse_direct) + later] += diffuse;
+  colours_[static_cast<size_t>(other_) + later] += light - diffuse;
+}
+
+}  // namespace vug::render

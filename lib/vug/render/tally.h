@@ -1,0 +1,89 @@
+// Keeps the light of a path apart: by how it came and by which lights. Only for pictures that ask.
+#pragma once
+
+#include <vug/render/vectors.h>
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace vug::render {
+
+class Light;
+class World;
+
+/// The parts that sum to the beauty: what the camera sees shine by itself, and for everything else
+/// what scattered the light last before the camera, and whether the light came to that place
+/// straight from its source. Diffuse and specular mean reflection.
+enum class Part : size_t {
+  emission,
+  diffuse_direct,
+  diffuse_indirect,
+  specular_direct,
+  specular_indirect,
+  transmission_direct,
+  transmission_indirect,
+  volume_direct,
+  volume_indirect,
+  count
+};
+/// "emission", "diffuse_direct", ...
+const std::vector<std::string>& part_names();
+
+/// What a tally sums: all Parts or none, then a colour for each group of lights.
+struct TallyPlan {
+  bool parts = false;
+  size_t groups = 0;
+  std::unordered_map<const Light*, size_t> group_of;  ///< Lights without a group are not in it.
+
+  size_t colours() const { return (parts ? static_cast<size_t>(Part::count) : 0) + groups; }
+};
+
+/// The light of one path. An integrator notes what each light source gives at a vertex, as it
+/// stands before the path's throughput, and then settles all of it with the throughput.
+class Tally {
+ public:
+  explicit Tally(const TallyPlan& plan) : plan_(plan), colours_(plan.colours()) {}
+
+  /// Before a path.
+  void clear();
+  /// `diffuse`: the part of `light` that was reflected by diffuse lobes; only for light that a
+  /// surface at depth 0 reflects.
+  void note(const Light* source, const Rgb& light, const Rgb& diffuse = Rgb(0.0f));
+  /// The same for light from the sky: it comes from all skies.
+  void note_sky(const World& world, const Vec3f& direction, const Rgb& weight,
+                const Rgb& diffuse_weight = Rgb(0.0f));
+
+  /// Files what was noted: light that the ray meets whose origin is the vertex before `depth`.
+  void settle_met(int depth, const Rgb& scale);
+  /// Light that the surface at `depth` reflects, or the medium before it scatters into the ray.
+  void settle_surface(int depth, const Rgb& scale);
+  void settle_medium(int depth, const Rgb& scale);
+
+  /// What turned the path at depth 0: a medium, or a surface; of that, `diffuse` (for each channel,
+  /// 0 to 1) by diffuse lobes unless the light went through it.
+  void turned_in_medium();
+  void turned_at_surface(bool through, const Rgb& weight, const Rgb& diffuse);
+
+  /// TallyPlan::colours() of them.
+  const std::vector<Rgb>& colours() const { return colours_; }
+
+ private:
+  struct Note {
+    const Light* source;
+    Rgb light, diffuse;
+  };
+  Rgb& part(Part p) { return colours_[static_cast<size_t>(p)]; }
+  void file(const Rgb& light, bool direct);
+  void settle_groups(const Rgb& scale);
+
+  const TallyPlan& plan_;
+  std::vector<Rgb> colours_;
+  std::vector<Note> notes_;
+  Rgb diffuse_{0, 0, 0};
+  Part other_ =
+      Part::volume_direct;  ///< Where what is not diffuse goes; the indirect part follows.
+};
+
+}  // namespace vug::render

@@ -1,0 +1,92 @@
+// What layers promise of each other.
+#include <vug/base/error.h>
+#include <vug/render/layers.h>
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace vug::render {
+namespace {
+
+/// A lit corner with a wet floor, a lamp in view and haze: every part has light.
+Scene corner() {
+  Scene scene;
+  scene.camera = view({0, 1.5, 4}, {0, 0.5, 0}, 1.1);
+  Object floor = object(floor_mesh(4), 0.5);
+  floor.material = make_material("coated", {{"albedo", Vec3d(0.6, 0.4, 0.3)}, {"roughness", 0.2}});
+  mesh::Mesh wall = floor_mesh(4);
+  for (Vec3f& p : wall.positions) p = {p.x, p.z, -2.0f};
+  scene.objects = {floor, object(wall, 0.7)};
+  scene.lights = {make_light("sphere", {{"center", Vec3d(0.8, 1.4, 0)}, {"radius", 0.2}}),
+                  make_light("sky", {{"radiance", Vec3d(0.1, 0.2, 0.3)}})};
+  scene.medium = make_medium("haze", {{"extinction", 0.1}});
+  return scene;
+}
+
+double sum_of(const image::Image& picture, const std::string& channel) {
+  return mean_of(picture, channel).value;
+}
+
+TEST(Layers, PartsSumToTheBeauty) {
+  for (const bool clamp : {false, true}) {
+    Options o = options(40, 30, 16, 4);
+    if (clamp) o.integrator = make_integrator("path", {{"max_bounces", 4.0}, {"clamp", 0.02}});
+    o.layers = plan_layers({"beauty", "parts"}, {});
+    const image::Image picture = render(corner(), o);
+    for (const char* c : {"R", "G", "B"})
+      for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+          double sum = 0;
+          for (const std::string& part : part_names())
+            sum += static_cast<double>(
+                picture.at(x, y, static_cast<size_t>(picture.find_channel(part + "." + c))));
+          const auto beauty =
+              static_cast<double>(picture.at(x, y, static_cast<size_t>(picture.find_channel(c))));
+          ASSERT_NEAR(sum, beauty, 1e-5 * beauty + 1e-9) << x << " " << y << " " << c;
+        }
+    for (const char* part : {"emission", "diffuse_direct", "diffuse_indirect", "specular_direct",
+                             "specular_indirect", "volume_direct", "volume_indirect"})
+      EXPECT_GT(sum_of(picture, std::string(part) + ".G"), 0) << part;
+    EXPECT_EQ(sum_of(picture, "transmission_direct.G"), 0);
+  }
+}
+
+// Direct light is what a path without bounces brings.
+TEST(Layers, DirectLightIsThatOfAShortPath) {
+  Scene scene = corner();
+  scene.medium = nullptr;
+  Options o = options(40, 30, 64, 4);
+  o.layers = plan_layers({"beauty", "parts"}, {});
+  const image::Image longer = render(scene, o);
+  o.integrator = make_integrator("path", {{"max_bounces", 0.0}});
+  const image::Image direct = render(scene, o);
+  for (const char* part : {"emission", "diffuse_direct", "specular_direct"})
+    EXPECT_NEAR(sum_of(longer, std::string(part) + ".R"), sum_of(direct, std::string(part) + ".R"),
+                1e-6)
+        << part;
+  EXPECT_EQ(sum_of(direct, "diffuse_indirect.R"), 0);
+}
+
+TEST(Layers, WhatIsAskedForDoesNotChangeTheRest) {
+  Options o = options(20, 15, 4, 2);
+  const image::Image usual = render(corner(), o);
+  o.layers = plan_layers({"all"}, {});
+  EXPECT_EQ(render(corner(), o).select(usual.channels), usual);
+}
+
+TEST(Layers, NamesAreChecked) {
+  EXPECT_EQ(plan_layers({"samples", "beauty"}, {}).channels(),
+            (std::vector<std::string>{"R", "G", "B", "samples"}));
+  EXPECT_TRUE(plan_layers({"beauty", "lights"}, {"key", "sky"}).has("light_sky"));
+  try {
+    plan_layers({"beauty", "difuse_direct"}, {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(error.hint().find("diffuse_direct"), std::string::npos) << error.hint();
+  }
+  EXPECT_THROW(plan_layers({"Z"}, {}), Error);
+}
+
+}  // namespace
+}  // namespace vug::render
