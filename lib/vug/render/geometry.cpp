@@ -58,7 +58,12 @@ World::Geometry::Geometry(const std::vector<Object>& objects)
     mesh::validate(mesh, fmt::format("object '{}'", object.name));
     if (mesh.triangles.empty()) continue;
     for (const Vec3f& p : mesh.positions) bounds.extendBy(p);
-    Part part{object.mesh, nullptr, nullptr, object.material ? object.material : grey};
+    Part part{object.mesh,
+              nullptr,
+              nullptr,
+              object.material ? object.material : grey,
+              static_cast<uint32_t>(&object - objects.data()),
+              object.emission};
     if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
     if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
       part.colours = colour->values.data();
@@ -137,8 +142,11 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
   surface.position = a + ab * u + ac * v;
   hit.distance = dot(surface.position - ray.origin, ray.direction);
   hit.material = part.material.get();
+  hit.object = part.object;
+  hit.triangle = triangle;
   const float area = length(n);
   const float side = dot(n, ray.direction) > 0 ? -1.0f : 1.0f;
+  hit.emission = side > 0 ? part.emission : Rgb(0.0f);
   surface.geometric_normal = area > 0 ? n * (side / area) : -ray.direction;
   surface.shading_normal = surface.geometric_normal;
   surface.inside = side < 0;

@@ -29,6 +29,8 @@ struct World::Geometry {
     const Vec3f* normals = nullptr;
     const float* colours = nullptr;
     MaterialPtr material;
+    uint32_t object = 0;
+    Rgb emission{0, 0, 0};
   };
   void fill(const Part& part, uint32_t triangle, const Ray& ray, Hit& hit) const;
 

@@ -4,15 +4,20 @@
 
 #include <vug/render/vectors.h>
 
+#include <cstdint>
 #include <memory>
 
 namespace vug::render {
+
+/// Index of an object in a scene.
+inline constexpr uint32_t kNoObject = ~0u;
 
 /// A point that asks for light: on a surface (normal of unit length, light arrives from the
 /// normal's side only) or in a medium (normal zero).
 struct LitPoint {
   Vec3f position;
   Vec3f normal{0, 0, 0};
+  uint32_t object = kNoObject;  ///< Whose surface it is.
 
   bool on_surface() const { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
 };
@@ -30,6 +35,15 @@ struct LightHit {
   Rgb radiance{0, 0, 0};
 };
 
+/// Where a lamp is, which way it shines and how strongly: what a tree of lights knows of it.
+struct LightBounds {
+  Box3f box;
+  Vec3f axis{0, 0, 1};    ///< Unit; the lamp's normals all lie ...
+  float cos_spread = -1;  ///< ... within the angle of this cosine from it, and
+  float cos_reach = 0;    ///< light leaves at up to the angle of this cosine from a normal.
+  float strength = 0;     ///< Luminance times area, in W/sr.
+};
+
 class Light {
  public:
   virtual ~Light() = default;
@@ -43,6 +57,8 @@ class Light {
   virtual float importance(const LitPoint& point) const = 0;
   /// The same for all points of a ray between two distances, together.
   virtual float importance_along(const Ray& ray, float begin, float end) const = 0;
+  /// Bounds of a lamp; never asked of skies.
+  virtual LightBounds bounds() const { return {}; }
   /// The place that equiangular sampling in a medium turns to; meaningless for whole skies.
   virtual Vec3f centre() const { return {0, 0, 0}; }
 

@@ -115,6 +115,19 @@ float Rectangle::pdf(const Vec3f& point, const Vec3f& direction) const {
   return v.usable() ? static_cast<float>(1 / v.solid_angle) : 0;
 }
 
+LightBounds Rectangle::bounds(float luminance) const {
+  LightBounds out;
+  const Vec3f hx = x_ * (0.5f * width_), hy = y_ * (0.5f * height_);
+  out.box.extendBy(center_ - hx - hy);
+  out.box.extendBy(center_ - hx + hy);
+  out.box.extendBy(center_ + hx - hy);
+  out.box.extendBy(center_ + hx + hy);
+  out.axis = normal_;
+  out.cos_spread = 1;
+  out.strength = luminance * area();
+  return out;
+}
+
 float Rectangle::importance(const LitPoint& point) const {
   const Vec3f to = center_ - point.position;
   const float squared = dot(to, to);

@@ -49,6 +49,7 @@ class Rectangle {
   float importance(const LitPoint& point) const;
   float importance_along(const Ray& ray, float begin, float end) const;
 
+  LightBounds bounds(float luminance) const;
   const Vec3f& center() const { return center_; }
   float area() const { return width_ * height_; }
 

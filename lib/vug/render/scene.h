@@ -20,6 +20,8 @@ struct Object {
   mesh::MeshPtr mesh;
   MaterialPtr material;  ///< Null: a grey Lambert surface of albedo 0.5.
   bool flat = false;
+  /// Radiance (W/sr/m^2) that its triangles send out from their front, the outside.
+  Rgb emission{0, 0, 0};
 };
 
 struct Scene {

@@ -19,15 +19,16 @@ void Tally::clear() {
   notes_.clear();
 }
 
-void Tally::note(const Light* source, const Rgb& light, const Rgb& diffuse) {
-  notes_.push_back({source, light, diffuse});
+void Tally::note(uint32_t group, const Rgb& light, const Rgb& diffuse) {
+  notes_.push_back({group, light, diffuse});
 }
 
 void Tally::note_sky(const World& world, const Vec3f& direction, const Rgb& weight,
                      const Rgb& diffuse_weight) {
-  for (const Light* sky : world.skies()) {
-    const Rgb light = sky->escape_radiance(direction);
-    note(sky, light * weight, light * diffuse_weight);
+  const LightSet& lights = world.lights();
+  for (const LightId id : lights.skies()) {
+    const Rgb light = lights.sky(id).escape_radiance(direction);
+    note(lights.group(id), light * weight, light * diffuse_weight);
   }
 }
 
@@ -69,7 +70,7 @@ void Tally::settle_medium(int depth, const Rgb& scale) {
 void Tally::settle_groups(const Rgb& scale) {
   if (plan_.groups > 0)
     for (const Note& n : notes_) {
-      const auto found = plan_.group_of.find(n.source);
+      const auto found = plan_.group_of.find(n.group);
       if (found != plan_.group_of.end())
         colours_[colours_.size() - plan_.groups + found->second] += n.light * scale;
     }

@@ -10,7 +10,6 @@
 
 namespace vug::render {
 
-class Light;
 class World;
 
 /// The parts that sum to the beauty: what the camera sees shine by itself, and for everything else
@@ -35,7 +34,8 @@ const std::vector<std::string>& part_names();
 struct TallyPlan {
   bool parts = false;
   size_t groups = 0;
-  std::unordered_map<const Light*, size_t> group_of;  ///< Lights without a group are not in it.
+  /// Colours of LightSet::groups(); groups without a colour are not in it.
+  std::unordered_map<uint32_t, size_t> group_of;
 
   size_t colours() const { return (parts ? static_cast<size_t>(Part::count) : 0) + groups; }
 };
@@ -49,8 +49,8 @@ class Tally {
   /// Before a path.
   void clear();
   /// `diffuse`: the part of `light` that was reflected by diffuse lobes; only for light that a
-  /// surface at depth 0 reflects.
-  void note(const Light* source, const Rgb& light, const Rgb& diffuse = Rgb(0.0f));
+  /// surface at depth 0 reflects. `group` is the light's.
+  void note(uint32_t group, const Rgb& light, const Rgb& diffuse = Rgb(0.0f));
   /// The same for light from the sky: it comes from all skies.
   void note_sky(const World& world, const Vec3f& direction, const Rgb& weight,
                 const Rgb& diffuse_weight = Rgb(0.0f));
@@ -71,7 +71,7 @@ class Tally {
 
  private:
   struct Note {
-    const Light* source;
+    uint32_t group;
     Rgb light, diffuse;
   };
   Rgb& part(Part p) { return colours_[static_cast<size_t>(p)]; }

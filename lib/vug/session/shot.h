@@ -52,6 +52,7 @@ struct ObjectPlan {
   MeshPtr mesh;
   render::MaterialPtr material;  ///< Null: grey.
   bool flat = false;
+  Vec3d emission{0, 0, 0};  ///< W/sr/m^2.
 };
 
 /// `camera NAME { ... }`.

@@ -39,7 +39,6 @@ constexpr uint32_t kCameraDimensions = 2;
 constexpr uint32_t kBounceDimensions = 8;
 /// Shadow rays stop this part of the way to the lamp, before any wall it may lie against.
 constexpr float kAlmost = 0.9999f;
-constexpr size_t kFewLights = 8;
 
 /// The last place where the path scattered: what a light found by the ray is weighed against.
 struct Vertex {
@@ -63,6 +62,8 @@ class PathIntegrator final : public Integrator {
  private:
   static Rgb lamp_light(const World& world, const Ray& ray, float end, const Vertex& from,
                         float& alpha, Tally* tally);
+  static Rgb emitted_light(const World& world, const Ray& ray, const Hit& hit, const Vertex& from,
+                           Tally* tally);
   static Rgb sky_light(const World& world, const Ray& ray, const Vertex& from, Tally* tally);
   static Rgb surface_light(const World& world, const Hit& hit, const Bsdf& bsdf, const Frame& frame,
                            Vertex& vertex, float choice, const Vec2f& u, Tally* tally);
@@ -100,7 +101,7 @@ Rgb albedo_of(const Hit& hit, const Ray& ray) {
 
 /// Light from a sampled light that reaches the ray's origin, over the sample's density.
 Rgb unshadowed(const World& world, const LightSample& s) {
-  return s.distance == kFar ? world.sky_radiance(s.direction) : s.radiance;
+  return s.distance == kFar ? world.lights().sky_radiance(s.direction) : s.radiance;
 }
 bool shadowed(const World& world, const Ray& ray, float distance) {
   return world.occluded(ray, distance == kFar ? kFar : distance * kAlmost);
@@ -110,41 +111,60 @@ bool shadowed(const World& world, const Ray& ray, float distance) {
 Rgb PathIntegrator::lamp_light(const World& world, const Ray& ray, float end, const Vertex& from,
                                float& alpha, Tally* tally) {
   Rgb light(0.0f);
-  for (const Light* lamp : world.lamps()) {
+  // From a medium, direct sampling finds all of a lamp's light.
+  if (from.kind == Vertex::medium) return light;
+  world.lights().each_lamp_on(ray, end, [&](LightId id, const Light& lamp) {
     LightHit hit;
-    // From a medium, direct sampling finds all of a lamp's light.
-    if (from.kind == Vertex::medium || !lamp->intersect(ray, end, hit)) continue;
+    if (!lamp.intersect(ray, end, hit)) return;
     float weight = 1;
     if (from.kind == Vertex::camera) {
-      if (!lamp->camera_visible()) continue;
+      if (!lamp.camera_visible()) return;
       alpha = 1;
     } else if (from.kind == Vertex::surface) {
       const float direct =
-          from.odds.of(world.importance(*lamp, from.point)) * lamp->pdf(from.point, ray.direction);
+          world.lights().share(id, from.point, from.odds) * lamp.pdf(from.point, ray.direction);
       weight = from.pdf / (from.pdf + direct);
     }
     const Rgb arriving = hit.radiance * (weight * clear_part(world, ray, hit.distance));
-    if (tally) tally->note(lamp, arriving);
+    if (tally) tally->note(world.lights().group(id), arriving);
     light += arriving;
-  }
+  });
   return light;
+}
+
+/// What the surface that a ray meets sends out itself; as with lamps, but it ends the ray.
+Rgb PathIntegrator::emitted_light(const World& world, const Ray& ray, const Hit& hit,
+                                  const Vertex& from, Tally* tally) {
+  if (is_black(hit.emission) || from.kind == Vertex::medium) return Rgb(0.0f);
+  const LightSet& lights = world.lights();
+  const LightId id = lights.emitter(hit.object, hit.triangle);
+  float weight = 1;
+  if (from.kind == Vertex::surface) {
+    const float share = lights.share(id, from.point, from.odds);
+    const float direct = share > 0 ? share * lights.pdf(id, from.point, ray.direction) : 0;
+    weight = from.pdf / (from.pdf + direct);
+  }
+  const Rgb arriving = hit.emission * (weight * clear_part(world, ray, hit.distance));
+  if (tally) tally->note(lights.group(id), arriving);
+  return arriving;
 }
 
 Rgb PathIntegrator::sky_light(const World& world, const Ray& ray, const Vertex& from,
                               Tally* tally) {
-  if (!world.has_sky()) return Rgb(0.0f);
+  const LightSet& lights = world.lights();
+  if (!lights.has_sky()) return Rgb(0.0f);
   float weight = 1;
   if (from.kind == Vertex::surface) {
-    const float direct = world.sky_pdf(from.point, from.odds, ray.direction);
+    const float direct = lights.sky_pdf(from.point, from.odds, ray.direction);
     weight = from.pdf / (from.pdf + direct);
   } else if (from.kind == Vertex::medium) {
     // Direct sampling finds the sky only where it may turn to.
-    for (const Light* light : world.sampled_skies())
-      if (light->pdf(from.point, ray.direction) > 0) return Rgb(0.0f);
+    for (const LightId id : lights.sampled_skies())
+      if (lights.pdf(id, from.point, ray.direction) > 0) return Rgb(0.0f);
   }
   weight *= clear_part(world, ray, kFar);
   if (tally) tally->note_sky(world, ray.direction, Rgb(weight));
-  return world.sky_radiance(ray.direction) * weight;
+  return lights.sky_radiance(ray.direction) * weight;
 }
 
 /// Direct light at a surface, reflected towards `out`; notes in `vertex` how lights were sampled.
@@ -153,21 +173,21 @@ Rgb PathIntegrator::surface_light(const World& world, const Hit& hit, const Bsdf
                                   Tally* tally) {
   if (vertex.odds.all) {
     Rgb sum(0.0f);
-    for (const Light* light : world.sampled())
-      if (world.importance(*light, vertex.point) > 0)
-        sum += light_from(world, {light, 1, vertex.odds}, hit, bsdf, frame, vertex, u, tally);
+    for (const LightId id : world.lights().few())
+      if (world.lights().share(id, vertex.point, vertex.odds) > 0)
+        sum += light_from(world, {id, 1, vertex.odds}, hit, bsdf, frame, vertex, u, tally);
     return sum;
   }
-  const LightChoice chosen = world.choose(vertex.point, choice);
+  const LightChoice chosen = world.lights().choose(vertex.point, choice);
   vertex.odds = chosen.odds;
-  if (!chosen.light) return Rgb(0.0f);
+  if (chosen.light == kNoLight) return Rgb(0.0f);
   return light_from(world, chosen, hit, bsdf, frame, vertex, u, tally);
 }
 
 Rgb PathIntegrator::light_from(const World& world, const LightChoice& chosen, const Hit& hit,
                                const Bsdf& bsdf, const Frame& frame, const Vertex& vertex,
                                const Vec2f& u, Tally* tally) {
-  const LightSample s = chosen.light->sample(vertex.point, u);
+  const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
   if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
   const Vec3f in = frame.to_local(s.direction);
   if (!(in.z > 0)) return Rgb(0.0f);
@@ -176,15 +196,17 @@ Rgb PathIntegrator::light_from(const World& world, const LightChoice& chosen, co
   const Rgb light = unshadowed(world, s);
   const Ray ray{hit.origin, s.direction};
   if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
-  const float direct = s.distance == kFar ? world.sky_pdf(vertex.point, chosen.odds, s.direction)
-                                          : chosen.probability * s.pdf;
+  const float direct = s.distance == kFar
+                           ? world.lights().sky_pdf(vertex.point, chosen.odds, s.direction)
+                           : chosen.probability * s.pdf;
   const float density = direct + scattering.pdf;
   if (!(density > 0)) return Rgb(0.0f);
   const float weight = clear_part(world, ray, s.distance) / density;
   if (tally && s.distance == kFar)
     tally->note_sky(world, s.direction, f * weight, scattering.diffuse * weight);
   else if (tally)
-    tally->note(chosen.light, f * light * weight, scattering.diffuse * light * weight);
+    tally->note(world.lights().group(chosen.light), f * light * weight,
+                scattering.diffuse * light * weight);
   return f * light * weight;
 }
 
@@ -195,13 +217,15 @@ Rgb PathIntegrator::medium_light(const World& world, const Ray& ray, const Segme
                                  Tally* tally) {
   if (all) {
     Rgb sum(0.0f);
-    for (const Light* light : world.sampled())
-      if (world.importance_along(*light, ray, segment) > 0)
-        sum += scattered_from(world, {light, 1, {}}, ray, segment, where, u, tally);
+    const LightOdds every{true};
+    for (const LightId id : world.lights().few())
+      if (world.lights().share_along(id, ray, segment, every) > 0)
+        sum += scattered_from(world, {id, 1, every}, ray, segment, where, u, tally);
     return sum;
   }
-  const LightChoice chosen = world.choose_along(ray, segment, choice);
-  return chosen.light ? scattered_from(world, chosen, ray, segment, where, u, tally) : Rgb(0.0f);
+  const LightChoice chosen = world.lights().choose_along(ray, segment, choice);
+  return chosen.light == kNoLight ? Rgb(0.0f)
+                                  : scattered_from(world, chosen, ray, segment, where, u, tally);
 }
 
 Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
@@ -209,7 +233,7 @@ Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen
                                    Tally* tally) {
   const Medium& medium = *world.medium();
   // Distances from the foot of the perpendicular, which equiangular sampling is about.
-  const Vec3f to = chosen.light->centre() - ray.origin;
+  const Vec3f to = world.lights().centre(chosen.light) - ray.origin;
   const float foot = dot(to, ray.direction);
   const auto height = static_cast<double>(
       std::max(length(to - ray.direction * foot), 1e-4f * (segment.end - segment.begin)));
@@ -234,7 +258,7 @@ Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen
   const float distance = static_cast<float>(t) + foot;
 
   const LitPoint point{ray.at(distance), Vec3f(0.0f)};
-  const LightSample s = chosen.light->sample(point, u);
+  const LightSample s = world.lights().sample(chosen.light, point, u);
   if (!(s.pdf > 0) || !(density > 0)) return Rgb(0.0f);
   const Rgb light = unshadowed(world, s);
   const Ray shadow{point.position, s.direction};
@@ -243,8 +267,8 @@ Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen
   float sharing = 1;
   if (s.distance == kFar) {
     sharing = 0;
-    for (const Light* sky : world.sampled_skies())
-      if (sky == chosen.light || sky->pdf(point, s.direction) > 0) sharing += 1;
+    for (const LightId sky : world.lights().sampled_skies())
+      if (sky == chosen.light || world.lights().pdf(sky, point, s.direction) > 0) sharing += 1;
   }
   const float pdf = chosen.probability * s.pdf * sharing;
   const float scattered =
@@ -254,7 +278,7 @@ Rgb PathIntegrator::scattered_from(const World& world, const LightChoice& chosen
   if (tally && s.distance == kFar)
     tally->note_sky(world, s.direction, weight);
   else if (tally)
-    tally->note(chosen.light, light * weight);
+    tally->note(world.lights().group(chosen.light), light * weight);
   return light * weight;
 }
 
@@ -275,7 +299,8 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray, Samp
     if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar);
     // What a ray runs into belongs to the place it comes from, as direct light there.
     Rgb seen = lamp_light(world, ray, end, from, result.alpha, tally);
-    if (!found) seen += sky_light(world, ray, from, tally);
+    seen +=
+        found ? emitted_light(world, ray, hit, from, tally) : sky_light(world, ray, from, tally);
     seen *= throughput;
     const float kept_seen = kept(seen, depth - 1);
     result.radiance += seen * kept_seen;
@@ -287,7 +312,7 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray, Samp
     const Vec2f scatter_u = numbers.pair();
     const float survive_u = numbers.single();
     // Where the camera looks, a few lights are cheaper to sample all than to choose from.
-    const bool all_lights = depth == 0 && world.sampled().size() <= kFewLights;
+    const bool all_lights = depth == 0 && !world.lights().few().empty();
     bool in_medium = false;
     if (medium) {
       const Segment segment = medium->clip(ray, end);
@@ -314,7 +339,8 @@ PathResult PathIntegrator::trace(const World& world, const Ray& camera_ray, Samp
       const Frame frame(hit.surface.shading_normal);
       BsdfMemory memory;
       const Bsdf& bsdf = hit.material->at(hit.surface, frame.to_local(-ray.direction), memory);
-      from = {Vertex::surface, {hit.origin, hit.surface.geometric_normal}, 0, {all_lights}};
+      from = {
+          Vertex::surface, {hit.origin, hit.surface.geometric_normal, hit.object}, 0, {all_lights}};
       const Rgb light =
           throughput * surface_light(world, hit, bsdf, frame, from, choice.x, light_u, tally);
       const float kept_light = kept(light, depth);

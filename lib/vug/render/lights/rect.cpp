@@ -38,6 +38,7 @@ class RectLight final : public Light {
   float importance_along(const Ray& ray, float begin, float end) const override {
     return power_ * shape_.importance_along(ray, begin, end);
   }
+  LightBounds bounds() const override { return shape_.bounds(power_); }
   Vec3f centre() const override { return shape_.center(); }
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
     const float t = shape_.hit(ray);

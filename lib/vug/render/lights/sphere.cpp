@@ -69,6 +69,12 @@ class SphereLight final : public Light {
     const float distance = std::max(length(center_ - ray.at(t)), radius_);
     return power_ * kPif * radius_ * radius_ / distance;
   }
+  LightBounds bounds() const override {
+    LightBounds out;
+    out.box = {center_ - Vec3f(radius_), center_ + Vec3f(radius_)};
+    out.strength = power_ * kPif * radius_ * radius_;
+    return out;
+  }
   Vec3f centre() const override { return center_; }
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
     const Vec3f to = center_ - ray.origin;

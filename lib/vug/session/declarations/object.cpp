@@ -7,7 +7,10 @@ Schema<ObjectPlan> schema() {
   Schema<ObjectPlan> s("object", "declaration");
   s.doc("A mesh as the picture shows it: object NAME on MESH { material ... }.")
       .param("material", &ObjectPlan::material, {.doc = "what it is made of"})
-      .param("flat", &ObjectPlan::flat, {.doc = "shade every face flat"});
+      .param("flat", &ObjectPlan::flat, {.doc = "shade every face flat"})
+      .param(
+          "emission", &ObjectPlan::emission,
+          {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside", .min = 0});
   return s;
 }
 

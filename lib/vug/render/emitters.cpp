@@ -1,0 +1,156 @@
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/render/emitters.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::render {
+
+struct Emitters::Corners {
+  Vec3f a, b, c;
+  Vec3f normal;  ///< Unit; zero for a triangle without area.
+  float area;
+
+  Vec3f middle() const { return (a + b + c) * (1 / 3.0f); }
+  /// The distance at which 1 / distance^2 varies by about a quarter over the triangle.
+  bool is_far(const Vec3f& point) const {
+    const Vec3f m = middle(), to = m - point;
+    const auto squared = [&](const Vec3f& p) { return dot(p - m, p - m); };
+    return dot(to, to) > 256 * std::max(squared(a), std::max(squared(b), squared(c)));
+  }
+  bool faces(const Vec3f& point) const { return dot(normal, point - a) > 0; }
+};
+
+namespace {
+
+/// A triangle as seen from a point; names as in the paper.
+struct SphericalTriangle {
+  Vec3d a, b, c;
+  double area = 0, alpha = 0;
+
+  SphericalTriangle(const Vec3f& from, const Vec3f& pa, const Vec3f& pb, const Vec3f& pc)
+      : a(Vec3d(pa - from).normalized()),
+        b(Vec3d(pb - from).normalized()),
+        c(Vec3d(pc - from).normalized()) {
+    // Van Oosterom and Strackee 1983, "The solid angle of a plane triangle".
+    const double volume = std::fabs(a.dot(b.cross(c)));
+    area = 2 * maths::atan2(volume, 1 + a.dot(b) + b.dot(c) + c.dot(a));
+    const Vec3d ab = a.cross(b), ac = a.cross(c);
+    alpha = maths::atan2(ab.cross(ac).length(), ab.dot(ac));
+  }
+  /// Else too thin a sliver for the difference of angles to mean anything.
+  bool usable() const { return area > 1e-7 && area < 6.2 && alpha > 1e-5 && alpha < kPi - 1e-5; }
+
+  Vec3d sample(const Vec2f& u) const {
+    const double phi = static_cast<double>(u.x) * area - alpha;
+    const double s = maths::sin(phi), t = maths::cos(phi);
+    const double cos_alpha = maths::cos(alpha), sin_alpha = maths::sin(alpha);
+    const double v1 = t - cos_alpha, v2 = s + sin_alpha * a.dot(b);
+    const double q = ((v2 * t - v1 * s) * cos_alpha - v2) / ((v2 * s + v1 * t) * sin_alpha);
+    const auto towards = [](const Vec3d& x, const Vec3d& axis, double cosine) {
+      const double clamped = std::isfinite(cosine) ? std::clamp(cosine, -1.0, 1.0) : 1;
+      const Vec3d aside = x - axis * x.dot(axis);
+      return axis * clamped +
+             aside * (std::sqrt(1 - clamped * clamped) / std::max(aside.length(), 1e-30));
+    };
+    const Vec3d corner = towards(c, a, q);
+    return towards(corner, b, 1 - static_cast<double>(u.y) * (1 - corner.dot(b)));
+  }
+};
+
+}  // namespace
+
+Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), kNone) {
+  for (size_t i = 0; i < objects.size(); ++i) {
+    const Object& object = objects[i];
+    if (!object.mesh || object.mesh->triangles.empty() || is_black(object.emission)) continue;
+    if (count_ + object.mesh->triangles.size() > (1u << 28))
+      throw Error(ErrorCode::too_large,
+                  fmt::format("object '{}' brings the triangles that shine to more than {}",
+                              object.name, 1u << 28));
+    first_[i] = static_cast<uint32_t>(count_);
+    parts_.push_back(
+        {object.mesh, object.emission, static_cast<uint32_t>(i), static_cast<uint32_t>(count_)});
+    count_ += object.mesh->triangles.size();
+  }
+}
+
+const Emitters::Part& Emitters::part_of(uint32_t number) const {
+  const auto next =
+      std::upper_bound(parts_.begin(), parts_.end(), number,
+                       [](uint32_t value, const Part& part) { return value < part.first; });
+  return *(next - 1);
+}
+
+Emitters::Corners Emitters::corners(uint32_t number) const {
+  const Part& part = part_of(number);
+  const mesh::Triangle& t = part.mesh->triangles[number - part.first];
+  const auto& p = part.mesh->positions;
+  Corners out{p[t[0]], p[t[1]], p[t[2]], Vec3f(0.0f), 0};
+  const Vec3f n = cross(out.b - out.a, out.c - out.a);
+  const float size = length(n);
+  if (size > 0) out.normal = n * (1 / size);
+  out.area = 0.5f * size;
+  return out;
+}
+
+LightBounds Emitters::bounds(uint32_t number) const {
+  const Corners t = corners(number);
+  LightBounds out;
+  out.box = Box3f(t.a);
+  out.box.extendBy(t.b);
+  out.box.extendBy(t.c);
+  out.axis = t.normal;
+  out.cos_spread = 1;
+  out.cos_reach = 0;
+  out.strength = luminance(part_of(number).radiance) * t.area;
+  return out;
+}
+
+Vec3f Emitters::centre(uint32_t number) const { return corners(number).middle(); }
+
+LightSample Emitters::sample(uint32_t number, const LitPoint& point, const Vec2f& u) const {
+  LightSample s;
+  const Corners t = corners(number);
+  if (!t.faces(point.position)) return s;
+  s.radiance = part_of(number).radiance;
+  if (!t.is_far(point.position)) {
+    const SphericalTriangle seen(point.position, t.a, t.b, t.c);
+    if (seen.usable()) {
+      s.direction = Vec3f(seen.sample(u));
+      const float facing = -dot(s.direction, t.normal);
+      if (!(facing > 0)) return s;
+      s.distance = dot(t.normal, point.position - t.a) / facing;
+      s.pdf = static_cast<float>(1 / seen.area);
+      return s;
+    }
+  }
+  // Heitz 2019, "A low-distortion map between triangle and square".
+  const float x = u.y > u.x ? 0.5f * u.x : u.x - 0.5f * u.y;
+  const float y = u.y > u.x ? u.y - 0.5f * u.x : 0.5f * u.y;
+  const Vec3f to = t.a + (t.b - t.a) * x + (t.c - t.a) * y - point.position;
+  const float squared = dot(to, to);
+  s.distance = std::sqrt(squared);
+  if (!(s.distance > 0)) return s;
+  s.direction = to * (1 / s.distance);
+  const float facing = -dot(s.direction, t.normal);
+  s.pdf = facing > 0 ? squared / (t.area * facing) : 0;
+  return s;
+}
+
+float Emitters::pdf(uint32_t number, const LitPoint& point, const Vec3f& direction) const {
+  const Corners t = corners(number);
+  const float facing = -dot(direction, t.normal);
+  if (!(facing > 0) || !t.faces(point.position)) return 0;
+  if (!t.is_far(point.position)) {
+    const SphericalTriangle seen(point.position, t.a, t.b, t.c);
+    if (seen.usable()) return static_cast<float>(1 / seen.area);
+  }
+  const float distance = dot(t.normal, point.position - t.a) / facing;
+  return distance * distance / (t.area * facing);
+}
+
+}  // namespace vug::render

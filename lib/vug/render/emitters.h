@@ -1,0 +1,47 @@
+// Meshes that shine: every triangle is a light, and none costs memory of its own.
+#pragma once
+
+#include <vug/render/light_tree.h>
+#include <vug/render/scene.h>
+
+#include <vector>
+
+namespace vug::render {
+
+/// Triangles shine from their front, with the radiance of their object. Nearby they are sampled by
+/// solid angle (Arvo 1995, "Stratified sampling of spherical triangles", cite arvo1995triangle),
+/// from afar by area, which is as good there and cheaper.
+class Emitters {
+ public:
+  Emitters() = default;
+  explicit Emitters(const std::vector<Object>& objects);
+
+  size_t size() const { return count_; }
+  /// Number of a triangle of an object that shines; ~0 for any other.
+  uint32_t number(uint32_t object, uint32_t triangle) const {
+    return object < first_.size() && first_[object] != kNone ? first_[object] + triangle : kNone;
+  }
+  uint32_t object(uint32_t number) const { return part_of(number).object; }
+
+  LightBounds bounds(uint32_t number) const;
+  Vec3f centre(uint32_t number) const;
+  LightSample sample(uint32_t number, const LitPoint& point, const Vec2f& u) const;
+  float pdf(uint32_t number, const LitPoint& point, const Vec3f& direction) const;
+
+ private:
+  static constexpr uint32_t kNone = ~0u;
+  struct Part {
+    mesh::MeshPtr mesh;
+    Rgb radiance;
+    uint32_t object, first;
+  };
+  struct Corners;
+  const Part& part_of(uint32_t number) const;
+  Corners corners(uint32_t number) const;
+
+  size_t count_ = 0;
+  std::vector<Part> parts_;
+  std::vector<uint32_t> first_;  ///< Of each object; kNone for those that do not shine.
+};
+
+}  // namespace vug::render

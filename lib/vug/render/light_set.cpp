@@ -1,0 +1,141 @@
+#include <vug/render/light_set.h>
+
+namespace vug::render {
+
+/// Importances at a point: of skies, of lamps as they tell it themselves, of triangles and
+/// branches by their bounds.
+struct LightSet::AtPoint {
+  const LightSet& set;
+  const LitPoint& point;
+
+  float sky(LightId id) const { return set.sky_scale_ * set.lights_[id]->importance(point); }
+  float branch(const LightTree& tree, uint32_t node) const {
+    if (&tree == &set.lamp_tree_ && tree.is_leaf(node))
+      return set.lights_[tree.light(node)]->importance(point);
+    return tree.importance(node, point);
+  }
+};
+
+struct LightSet::AlongRay {
+  const LightSet& set;
+  const Ray& ray;
+  const Segment& segment;
+
+  float sky(LightId id) const {
+    return set.sky_scale_ * set.lights_[id]->importance_along(ray, segment.begin, segment.end);
+  }
+  float branch(const LightTree& tree, uint32_t node) const {
+    if (&tree == &set.lamp_tree_ && tree.is_leaf(node))
+      return set.lights_[tree.light(node)]->importance_along(ray, segment.begin, segment.end);
+    return tree.importance_along(node, ray, segment.begin, segment.end);
+  }
+};
+
+LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects)
+    : lights_(std::move(lights)), emitters_(objects) {
+  lights_.erase(std::remove(lights_.begin(), lights_.end(), nullptr), lights_.end());
+  bool portals = false;
+  for (LightId id = 0; id < lamp_ids(); ++id) {
+    const Light& light = *lights_[id];
+    portals |= light.is_portal();
+    if (!light.is_sky() || light.is_portal()) continue;
+    skies_.push_back(id);
+    sky_scale_ += light.mean_luminance();
+  }
+  for (LightId id = 0; id < lamp_ids() && sky_scale_ > 0; ++id) {
+    // Where portals are, they find the sky better than the sky does.
+    if (!lights_[id]->is_sky() || lights_[id]->is_portal() != portals) continue;
+    sampled_skies_.push_back(id);
+    branches_.push_back({nullptr, id});
+  }
+  lamp_tree_ = LightTree(lights_.size(), 0, [&](size_t i) {
+    return lights_[i]->is_sky() ? LightBounds{} : lights_[i]->bounds();
+  });
+  emitter_tree_ = LightTree(emitters_.size(), lamp_ids(),
+                            [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
+    for (const uint32_t node : tree->cut()) branches_.push_back({tree, node});
+  size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
+  if (size_ <= kFew)
+    for (const Branch& b : branches_) few_.push_back(b.tree ? b.tree->light(b.node) : b.node);
+}
+
+/// One pass: each branch takes the place of those before it with the odds of its weight, and the
+/// uniform number is stretched back to [0, 1) each time (Chao 1982, reservoir sampling).
+template <class Weight>
+LightChoice LightSet::choose_by(float u, const Weight& weight) const {
+  LightChoice choice;
+  const bool even = u < 0.5f;
+  double total = 0, count = 0, chosen_weight = 0;
+  double rest = 2 * static_cast<double>(u) - (even ? 0 : 1);
+  const Branch* chosen = nullptr;
+  for (const Branch& branch : branches_) {
+    const auto w = static_cast<double>(branch.tree ? weight.branch(*branch.tree, branch.node)
+                                                   : weight.sky(branch.node));
+    if (!(w > 0)) continue;
+    total += w;
+    count += 1;
+    const double odds = even ? 1 / count : w / total;
+    if (rest < odds) {
+      rest /= odds;
+      chosen = &branch;
+      chosen_weight = w;
+    } else {
+      rest = (rest - odds) / (1 - odds);
+    }
+  }
+  choice.odds = {false, static_cast<float>(total), static_cast<float>(count)};
+  if (!chosen) return choice;
+  choice.light = chosen->node;
+  choice.probability = choice.odds.of(static_cast<float>(chosen_weight));
+  if (chosen->tree) {
+    const LightTree::Found found = chosen->tree->descend(
+        chosen->node, rest, [&](uint32_t node) { return weight.branch(*chosen->tree, node); });
+    choice.light = found.light;
+    choice.probability *= found.probability;
+  }
+  return choice;
+}
+
+template <class Weight>
+float LightSet::share_by(LightId light, const Weight& weight, const LightOdds& odds) const {
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_}) {
+    if (!tree->holds(light)) continue;
+    const LightTree::Place place =
+        tree->place(light, [&](uint32_t node) { return weight.branch(*tree, node); });
+    return place.probability > 0 ? place.probability * odds.of(weight.branch(*tree, place.branch))
+                                 : 0;
+  }
+  return light < lights_.size() && lights_[light]->is_sky() ? odds.of(weight.sky(light)) : 0;
+}
+
+LightChoice LightSet::choose(const LitPoint& point, float u) const {
+  return choose_by(u, AtPoint{*this, point});
+}
+LightChoice LightSet::choose_along(const Ray& ray, const Segment& segment, float u) const {
+  return choose_by(u, AlongRay{*this, ray, segment});
+}
+float LightSet::share(LightId light, const LitPoint& point, const LightOdds& odds) const {
+  return share_by(light, AtPoint{*this, point}, odds);
+}
+float LightSet::share_along(LightId light, const Ray& ray, const Segment& segment,
+                            const LightOdds& odds) const {
+  return share_by(light, AlongRay{*this, ray, segment}, odds);
+}
+
+Rgb LightSet::sky_radiance(const Vec3f& direction) const {
+  Rgb sum(0.0f);
+  for (const LightId id : skies_) sum += lights_[id]->escape_radiance(direction);
+  return sum;
+}
+
+float LightSet::sky_pdf(const LitPoint& point, const LightOdds& odds,
+                        const Vec3f& direction) const {
+  float sum = 0;
+  for (const LightId id : sampled_skies_)
+    if (const float samples = share(id, point, odds); samples > 0)
+      sum += samples * lights_[id]->pdf(point, direction);
+  return sum;
+}
+
+}  // namespace vug::render

@@ -1,0 +1,120 @@
+// All lights of a scene that sampling can turn to, and the choice between them.
+#pragma once
+
+#include <vug/render/emitters.h>
+#include <vug/render/light.h>
+#include <vug/render/light_tree.h>
+#include <vug/render/medium.h>
+
+#include <vector>
+
+namespace vug::render {
+
+/// How next-event estimation at one place shares its samples out between branches of lights.
+struct LightOdds {
+  bool all = false;  ///< Every light that matters gets a sample.
+  float total = 0;   ///< Sum of all importances; half of the choices are in proportion to it,
+  float count = 0;   ///< and half are even between the branches that matter.
+
+  /// Samples to expect for a branch of that importance. Importance knows nothing of walls, so a
+  /// light behind one must not take the choices from the one that shines: the even half keeps
+  /// any branch's share above 1 / (2 count) (a defensive mixture: Hesterberg 1995, "Weighted
+  /// average importance sampling and defensive mixture distributions", cite hesterberg1995).
+  float of(float importance) const {
+    if (!(importance > 0)) return 0;
+    return all ? 1 : 0.5f * (importance / total + 1 / count);
+  }
+};
+
+/// Which light next-event estimation turns to, and with what probability.
+struct LightChoice {
+  LightId light = kNoLight;  ///< kNoLight: none matters.
+  float probability = 0;
+  LightOdds odds;
+};
+
+/// Ids: first the scene's lights in order, then triangles that shine. Skies and portals, and the
+/// upper branches of a tree of lamps and of one of triangles, are weighed one by one; from a
+/// branch the choice goes down its tree.
+class LightSet {
+ public:
+  LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects);
+  LightSet(const LightSet&) = delete;
+  LightSet& operator=(const LightSet&) = delete;
+
+  /// Lights that can be chosen.
+  size_t size() const { return size_; }
+  /// Their ids, when they are few enough to sample all of them; else empty.
+  const std::vector<LightId>& few() const { return few_; }
+  static constexpr size_t kFew = 8;
+
+  /// Chooses a light by its odds, with one uniform number.
+  LightChoice choose(const LitPoint& point, float u) const;
+  LightChoice choose_along(const Ray& ray, const Segment& segment, float u) const;
+  /// Samples to expect for that light: its probability in `choose` at a point where that gave
+  /// `odds`; with odds.all 1, or 0 for a light that cannot shine there.
+  float share(LightId light, const LitPoint& point, const LightOdds& odds) const;
+  float share_along(LightId light, const Ray& ray, const Segment& segment,
+                    const LightOdds& odds) const;
+
+  /// See Light.
+  LightSample sample(LightId light, const LitPoint& point, const Vec2f& u) const {
+    return light < lights_.size() ? lights_[light]->sample(point, u)
+                                  : emitters_.sample(light - lamp_ids(), point, u);
+  }
+  /// For a direction in which the light is seen from there.
+  float pdf(LightId light, const LitPoint& point, const Vec3f& direction) const {
+    return light < lights_.size() ? lights_[light]->pdf(point, direction)
+                                  : emitters_.pdf(light - lamp_ids(), point, direction);
+  }
+  Vec3f centre(LightId light) const {
+    return light < lights_.size() ? lights_[light]->centre() : emitters_.centre(light - lamp_ids());
+  }
+  /// The light's place in the list of groups; kNoGroup without one.
+  uint32_t group(LightId light) const { return light < groups_.size() ? groups_[light] : kNoGroup; }
+  static constexpr uint32_t kNoGroup = ~0u;
+  /// The id of a triangle that shines.
+  LightId emitter(uint32_t object, uint32_t triangle) const {
+    return lamp_ids() + emitters_.number(object, triangle);
+  }
+
+  /// Calls visit(id, lamp) for each lamp that the ray may meet before `end`.
+  template <class Visit>
+  void each_lamp_on(const Ray& ray, float end, const Visit& visit) const {
+    lamp_tree_.each_on(ray, end, [&](LightId id) { visit(id, *lights_[id]); });
+  }
+
+  bool has_sky() const { return !skies_.empty(); }
+  const std::vector<LightId>& skies() const { return skies_; }
+  Rgb sky_radiance(const Vec3f& direction) const;
+  /// Skies that can be chosen: portals, or where there are none the skies that sample directions.
+  const std::vector<LightId>& sampled_skies() const { return sampled_skies_; }
+  const Light& sky(LightId id) const { return *lights_[id]; }
+  /// Density with which sampling lights by these odds turns to the sky in a direction.
+  float sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3f& direction) const;
+
+ private:
+  /// What is weighed one by one: a sky, or a branch of a tree.
+  struct Branch {
+    const LightTree* tree;  ///< Null for a sky.
+    uint32_t node;          ///< Or the sky's id.
+  };
+  struct AtPoint;
+  struct AlongRay;
+  LightId lamp_ids() const { return static_cast<LightId>(lights_.size()); }
+  template <class Weight>
+  LightChoice choose_by(float u, const Weight& weight) const;
+  template <class Weight>
+  float share_by(LightId light, const Weight& weight, const LightOdds& odds) const;
+
+  std::vector<LightPtr> lights_;
+  Emitters emitters_;
+  LightTree lamp_tree_, emitter_tree_;
+  std::vector<Branch> branches_;
+  std::vector<LightId> few_, skies_, sampled_skies_;
+  float sky_scale_ = 0;
+  std::vector<uint32_t> groups_;
+  size_t size_ = 0;
+};
+
+}  // namespace vug::render

@@ -1,0 +1,224 @@
+// The choice of one light among many: that it is fair, that its probabilities are those it says,
+// and that it is worth its price.
+#include "chi2.h"
+#include "scenes.h"
+
+#include <vug/base/rng.h>
+#include <vug/render/light_set.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vug::render {
+namespace {
+
+float one(RandomStream& random) { return static_cast<float>(random.bits() >> 8) * 0x1p-24f; }
+Vec3d place(RandomStream& random) {
+  const double x = random.uniform(-4, 4), y = random.uniform(-4, 4);
+  return {x, y, random.uniform(-4, 4)};
+}
+
+std::vector<LightPtr> lamps(int count, uint64_t seed) {
+  RandomStream random{RandomKey(seed)};
+  std::vector<LightPtr> out;
+  for (int i = 0; i < count; ++i) {
+    const Vec3d center = place(random), normal = place(random);
+    const double radiance = random.uniform(0.1, 10);
+    if (i % 3)
+      out.push_back(make_light("rect", {{"center", center},
+                                        {"normal", normal},
+                                        {"width", 0.2},
+                                        {"height", 0.1},
+                                        {"radiance", Vec3d(radiance)}}));
+    else
+      out.push_back(make_light(
+          "sphere", {{"center", center}, {"radius", 0.03}, {"radiance", Vec3d(radiance)}}));
+  }
+  return out;
+}
+
+/// A ball that shines, and lamps and a sky beside it.
+std::vector<Object> shining_ball() {
+  Object ball = object(mesh::sphere_mesh({1, 0.5, -2}, 0.7, 2), 0.5);
+  ball.emission = Rgb(1, 2, 3);
+  return {object(floor_mesh(3), 0.5), ball};
+}
+
+LitPoint somewhere(RandomStream& random) {
+  LitPoint point{Vec3f(place(random)), Vec3f(place(random).normalized())};
+  if (random.bits() % 3 == 0) point.normal = Vec3f(0.0f);
+  return point;
+}
+
+/// The estimate of sum 1 over the lights that can shine, 1 / p each time, must be their number.
+TEST(LightTree, EveryLightIsChosenWithItsProbability) {
+  for (const int count : {1, 5, 40, 300}) {
+    SCOPED_TRACE(count);
+    std::vector<LightPtr> all = lamps(count, 3);
+    all.push_back(make_light("portal", {{"center", Vec3d(0, 6, 0)}, {"width", 3.0}}));
+    all.push_back(make_light("sky"));
+    const LightSet set(all, shining_ball());
+    RandomStream random{RandomKey(5)};
+    for (int trial = 0; trial < 6; ++trial) {
+      const LitPoint point = somewhere(random);
+      const Ray ray{point.position, Vec3f(place(random).normalized())};
+      const Segment segment{0.5f, 3};
+      for (const bool along : {false, true}) {
+        constexpr int kDraws = 100000;
+        const auto choose = [&](float u) {
+          return along ? set.choose_along(ray, segment, u) : set.choose(point, u);
+        };
+        const LightOdds odds = choose(0.5f).odds;
+        std::map<LightId, int> seen;
+        double inverse = 0, squares = 0;
+        for (int i = 0; i < kDraws; ++i) {
+          const LightChoice c = choose(one(random));
+          if (c.light == kNoLight) continue;
+          const float share = along ? set.share_along(c.light, ray, segment, odds)
+                                    : set.share(c.light, point, odds);
+          ASSERT_NEAR(c.probability, share, 1e-4f * share);
+          ++seen[c.light];
+          inverse += 1 / static_cast<double>(share);
+          squares += 1 / static_cast<double>(share) / static_cast<double>(share);
+        }
+        double sum = 0, possible = 0, statistic = 0;
+        int cells = 0;
+        for (LightId id = 0; id < all.size() + 1000; ++id) {
+          const bool known =
+              id < all.size() || id - all.size() < shining_ball()[1].mesh->triangles.size();
+          if (!known) break;
+          const double share = static_cast<double>(along ? set.share_along(id, ray, segment, odds)
+                                                         : set.share(id, point, odds));
+          sum += share;
+          if (share > 0) possible += 1;
+          EXPECT_TRUE(share > 0 || seen[id] == 0);
+          if (share * kDraws < 5) continue;
+          statistic += std::pow(seen[id] - share * kDraws, 2) / (share * kDraws);
+          ++cells;
+        }
+        EXPECT_LT(sum, 1 + 1e-4);
+        const double mean = inverse / kDraws;
+        const double error = std::sqrt((squares / kDraws - mean * mean) / kDraws);
+        EXPECT_NEAR(mean, possible, 4.5 * error + 1e-4 * possible);
+        if (cells > 1) {
+          EXPECT_GT(chi2_tail(statistic, cells - 1), 1e-5);
+        }
+      }
+    }
+  }
+}
+
+/// Bounds may not leave a light out: where a lamp or one of its samples shines, its branch counts.
+TEST(LightTree, NoLightThatShinesIsLeftOut) {
+  const std::vector<LightPtr> all = lamps(200, 7);
+  const std::vector<Object> objects = shining_ball();
+  const LightSet set(all, objects);
+  RandomStream random{RandomKey(6)};
+  const auto ids = static_cast<LightId>(all.size() + objects[1].mesh->triangles.size());
+  int lit = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const LitPoint point = somewhere(random);
+    const LightOdds odds = set.choose(point, 0.5f).odds;
+    for (LightId id = 0; id < ids; ++id) {
+      const LightSample s = set.sample(id, point, {one(random), one(random)});
+      if (!(s.pdf > 0) || (point.on_surface() && dot(s.direction, point.normal) < 1e-3f)) continue;
+      EXPECT_GT(set.share(id, point, odds), 0) << "light " << id;
+      ++lit;
+    }
+  }
+  EXPECT_GT(lit, 10000);
+}
+
+TEST(LightTree, UnitedConesHoldBoth) {
+  RandomStream random{RandomKey(9)};
+  for (int trial = 0; trial < 2000; ++trial) {
+    LightBounds parts[2];
+    for (LightBounds& b : parts) {
+      b.box = Box3f(Vec3f(place(random)));
+      b.axis = Vec3f(place(random).normalized());
+      b.cos_spread = static_cast<float>(random.uniform(-1, 1));
+      b.strength = 1;
+    }
+    const LightBounds both = united(parts[0], parts[1]);
+    EXPECT_EQ(both.strength, 2);
+    for (const LightBounds& b : parts)
+      for (int i = 0; i < 20; ++i) {
+        const float off = (1 - b.cos_spread) * one(random);
+        const Vec3f inside = Frame(b.axis).to_world(direction_off_axis(off, one(random)));
+        EXPECT_GE(dot(inside, both.axis), both.cos_spread - 1e-5f);
+      }
+  }
+}
+
+TEST(LightTree, ARayMeetsTheSameLampsAsWithoutATree) {
+  const std::vector<LightPtr> all = lamps(400, 11);
+  const LightSet set(all, {});
+  RandomStream random{RandomKey(12)};
+  int met = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Ray ray{Vec3f(place(random)), Vec3f(place(random).normalized())};
+    const float end = trial % 2 ? kFar : 3;
+    std::vector<LightId> with, without;
+    LightHit hit;
+    set.each_lamp_on(ray, end, [&](LightId id, const Light& lamp) {
+      if (lamp.intersect(ray, end, hit)) with.push_back(id);
+    });
+    for (LightId id = 0; id < all.size(); ++id)
+      if (all[id]->intersect(ray, end, hit)) without.push_back(id);
+    std::sort(with.begin(), with.end());
+    EXPECT_EQ(with, without);
+    met += static_cast<int>(with.size());
+  }
+  EXPECT_GT(met, 100);
+}
+
+TEST(Emitters, TrianglesSampleTheirDensity) {
+  Object crystal;
+  mesh::Mesh mesh;
+  mesh.positions = {{-0.5f, 0, -0.4f}, {0.6f, 0.1f, -0.2f}, {0.1f, -0.2f, 0.7f}};
+  mesh.triangles = {{0, 1, 2}};
+  crystal.name = "crystal";
+  crystal.mesh = std::make_shared<mesh::Mesh>(mesh);
+  crystal.emission = Rgb(1);
+  const Emitters emitters({crystal});
+  ASSERT_EQ(emitters.size(), 1u);
+  const Vec3f points[] = {
+      {0.1f, -0.3f, 0.05f}, {0.2f, -1, 0.3f}, {2, -0.6f, 1}, {0.3f, -0.06f, -0.1f}, {4, -20, 9}};
+  for (const Vec3f& position : points) {
+    SCOPED_TRACE("from y = " + std::to_string(position.y));
+    RandomStream random{RandomKey(13)};
+    const LitPoint point{position};
+    const Vec3f axis = normalized(emitters.centre(0) - position);
+    const Vec3f &a = mesh.positions[0], &b = mesh.positions[1], &c = mesh.positions[2];
+    const auto inside = [&](const Vec3f& d) {
+      const auto side = [&](const Vec3f& p, const Vec3f& q) {
+        return dot(cross(p - position, q - position), d);
+      };
+      const float ab = side(a, b), bc = side(b, c), ca = side(c, a);
+      return (ab < 0 && bc < 0 && ca < 0) || (ab > 0 && bc > 0 && ca > 0);
+    };
+    double widest = 0;
+    for (const Vec3f& corner : mesh.positions)
+      widest = std::max(widest, 1 - static_cast<double>(dot(axis, normalized(corner - position))));
+    const Chi2 result = chi2(
+        axis, std::min(2.0, 1.05 * widest), 200000,
+        [&](int) -> DirectionSample {
+          const float u = one(random);
+          const LightSample s = emitters.sample(0, point, {u, one(random)});
+          return {s.direction, static_cast<double>(s.pdf)};
+        },
+        [&](const Vec3f& d) {
+          return inside(d) ? static_cast<double>(emitters.pdf(0, point, d)) : 0.0;
+        });
+    EXPECT_GT(result.p, 0.002);
+    EXPECT_NEAR(result.integral, 1, 5e-3);
+    EXPECT_LT(result.stray, 40);
+    EXPECT_LT(result.disagreements, 100);
+  }
+  EXPECT_FALSE(emitters.sample(0, {{0, 2, 0}}, {0.5f, 0.5f}).pdf > 0) << "from behind";
+}
+
+}  // namespace
+}  // namespace vug::render
