@@ -23,6 +23,8 @@ struct Options {
   SamplerPtr sampler;   ///< Null: sobol.
   IntegratorPtr integrator;  ///< Null: path.
   LayerPlan layers = plan_layers({}, {});
+  Region crop;       ///< Which pixels of the picture; empty: all.
+  double noise = 0;  ///< Blocks whose noise is below this get no more samples; 0: `spp` for all.
 };
 
 /// The picture with the layers of the plan, 32-bit channels, means over the samples; see layers().
@@ -31,7 +33,11 @@ struct Options {
 image::Image render(const Scene& scene, const Options& options,
                     Progress& progress = Progress::none());
 
-/// Bytes that `render` will need beyond the scene itself: acceleration structure and film.
-double memory_estimate(const Scene& scene, const Options& options);
+/// Options::crop or all of the picture; Error(bad_input) when it lies beyond.
+Region wanted_region(const Options& options);
+
+/// Bytes that `render` will need beyond the scene itself: acceleration structure and film;
+/// `whole_film`: the sums of all pixels are held, not those of one block for each thread.
+double memory_estimate(const Scene& scene, const Options& options, bool whole_film = false);
 
 }  // namespace vug::render

@@ -1,0 +1,119 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/render/kinds.h>
+#include <vug/render/shooter.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace vug::render {
+namespace {
+
+const Scene& usable(const Scene& scene, const Options& options) {
+  if (!scene.camera) throw Error(ErrorCode::bad_input, "the scene has no camera to render");
+  if (options.width < 1 || options.height < 1)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("a picture cannot be {} x {} pixels", options.width, options.height));
+  if (options.width > 65535 || options.height > 65535)
+    throw Error(ErrorCode::bad_input, "a picture can be at most 65535 pixels wide or high");
+  if (options.spp < 1)
+    throw Error(ErrorCode::bad_input, "a picture needs at least one sample for each pixel");
+  if (options.spp > 1 << 20)
+    throw Error(ErrorCode::bad_input, "a picture can have at most 1048576 samples for each pixel");
+  return scene;
+}
+
+/// The scene's tree as the world of `progress`'s first stage.
+const Scene& announced(const Scene& scene, Progress& progress) {
+  progress.begin("preparing the scene", 1);
+  return scene;
+}
+
+TallyPlan plan_tally(const LayerPlan& layers) {
+  TallyPlan plan;
+  plan.parts = layers.parts();
+  return plan;
+}
+
+}  // namespace
+
+Region wanted_region(const Options& options) {
+  const Region all{0, 0, options.width, options.height};
+  if (options.crop == Region()) return all;
+  if (options.crop.empty() || !(options.crop.overlap(all) == options.crop))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("a crop of x {} to {}, y {} to {} is no part of a picture of {} x {}",
+                            options.crop.x0, options.crop.x1, options.crop.y0, options.crop.y1,
+                            options.width, options.height),
+                {}, "give left, top, right and bottom in pixels; right and bottom are beyond it");
+  return options.crop;
+}
+
+Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
+    : scene_(usable(scene, options)),
+      options_(options),
+      progress_(progress),
+      sampler_(options.sampler ? options.sampler : make_sampler("sobol")),
+      integrator_(options.integrator
+                      ? options.integrator
+                      : make_integrator("path", {{"max_bounces", options.max_bounces}})),
+      world_(announced(scene, progress)),
+      tally_(plan_tally(options.layers)),
+      wanted_(wanted_region(options)) {
+  progress.end();
+}
+
+PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
+  SampleId id;
+  id.x = static_cast<uint32_t>(x), id.y = static_cast<uint32_t>(y), id.index = index;
+  id.spp = static_cast<uint32_t>(options_.spp), id.seed = options_.seed;
+  SampleCursor numbers(*sampler_, id);
+  const Vec2f inside = numbers.pair(), lens = numbers.pair();
+  const float width = static_cast<float>(options_.width);
+  const float height = static_cast<float>(options_.height);
+  const Vec2f place((static_cast<float>(x) + inside.x) / width,
+                    (static_cast<float>(y) + inside.y) / height);
+  tally.clear();
+  return integrator_->trace(world_, scene_.camera->ray(place, width / height, lens), numbers,
+                            tally.colours().empty() ? nullptr : &tally);
+}
+
+Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end) const {
+  Film film(region, options_.layers.gather());
+  Tally tally(tally_);
+  for (int y = region.y0; y < region.y1; ++y) {
+    progress_.check();
+    for (int x = region.x0; x < region.x1; ++x)
+      for (uint32_t index = begin; index < end; ++index)
+        film.add(x, y, sample(x, y, index, tally), *scene_.camera, tally.colours().data());
+  }
+  return film;
+}
+
+double Shooter::seconds(double samples) const {
+  using Clock = std::chrono::steady_clock;
+  constexpr size_t kBatch = 512;
+  constexpr double kEnough = 0.1;  // seconds
+  const Clock::time_point start = Clock::now();
+  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  size_t taken = 0;
+  while (passed() < kEnough && static_cast<double>(taken) < 0.02 * samples) {
+    parallel_for(
+        kBatch,
+        [&](size_t i) {
+          // Pixels all over the picture, by multiples of the golden section and of its square root.
+          const auto step = static_cast<double>(taken + i);
+          const double u = step * 0.6180339887498949, v = step * 0.7548776662466927;
+          Tally tally(tally_);
+          sample(wanted_.x0 + static_cast<int>((u - std::floor(u)) * wanted_.width()),
+                 wanted_.y0 + static_cast<int>((v - std::floor(v)) * wanted_.height()), 0, tally);
+        },
+        16);
+    taken += kBatch;
+    progress_.check();
+  }
+  return taken > 0 ? passed() / static_cast<double>(taken) * samples : 0;
+}
+
+}  // namespace vug::render

@@ -1,0 +1,38 @@
+// A scene ready to be sampled anywhere in the picture.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/render/film.h>
+#include <vug/render/render.h>
+#include <vug/render/tally.h>
+#include <vug/render/world.h>
+
+namespace vug::render {
+
+/// Takes samples of pixels; any thread may ask for any of them, and gets the same ones.
+class Shooter {
+ public:
+  /// The scene and the options must outlive it. Throws as `render` does.
+  Shooter(const Scene& scene, const Options& options, Progress& progress);
+
+  /// The pixels of the picture that are wanted: Options::crop, or all.
+  const Region& wanted() const { return wanted_; }
+  /// Samples begin <= i < end of each pixel of the region.
+  Film shoot(const Region& region, uint32_t begin, uint32_t end) const;
+  /// Wall-clock seconds that `samples` will take, about, from a few taken now.
+  double seconds(double samples) const;
+
+ private:
+  PathResult sample(int x, int y, uint32_t index, Tally& tally) const;
+
+  const Scene& scene_;
+  const Options& options_;
+  Progress& progress_;
+  SamplerPtr sampler_;
+  IntegratorPtr integrator_;
+  World world_;
+  TallyPlan tally_;
+  Region wanted_;
+};
+
+}  // namespace vug::render

@@ -1,0 +1,111 @@
+// Pictures rendered in parts, in passes and down to a noise.
+#include <vug/base/error.h>
+#include <vug/render/state.h>
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace vug::render {
+namespace {
+
+Scene lit_floor() {
+  Scene scene;
+  scene.camera = view({0, 1.5, 4}, {0, 0.5, 0}, 1.1);
+  scene.objects = {object(floor_mesh(4), 0.5)};
+  scene.lights = {make_light("sphere", {{"center", Vec3d(0.8, 1.4, 0)}, {"radius", 0.2}}),
+                  make_light("sky", {{"radiance", Vec3d(0.1, 0.2, 0.3)}})};
+  return scene;
+}
+
+State rendered(const Options& o, const Share& share = {}, const Watch& watch = {}) {
+  State state = start(o, share);
+  Progress progress;
+  proceed(lit_floor(), o, state, watch, progress);
+  return state;
+}
+
+TEST(State, PartsHaveTheBitsOfTheWhole) {
+  Options o = options(50, 37, 10, 2);
+  o.layers = plan_layers({"all"}, {});
+  const image::Image whole = render(lit_floor(), o);
+  o.threads = 1;
+  State joint = start(o);
+  for (const int tile : {2, 0, 1})
+    for (const auto& [begin, end] : {std::pair(7u, 10u), {0u, 3u}, {3u, 7u}}) {
+      o.threads = 1 + (tile + static_cast<int>(begin)) % 3;
+      joint.film.merge(rendered(o, {tile, 3, begin, end}).film);
+    }
+  EXPECT_EQ(develop(joint, o.layers), whole);
+}
+
+TEST(State, PassesHaveTheBitsOfTheWhole) {
+  const Options o = options(50, 37, 21, 2);
+  std::vector<uint32_t> seen;
+  Watch watch;
+  watch.pass = [&](const State& state) { seen.push_back(state.done[3]); };
+  EXPECT_EQ(develop(rendered(o, {}, watch), o.layers), render(lit_floor(), o));
+  EXPECT_EQ(seen, (std::vector<uint32_t>{4, 8, 16, 21}));
+}
+
+TEST(State, WorkThatWasStoppedGoesOn) {
+  for (const double noise : {0.0, 0.08}) {
+    Options o = options(50, 37, 64, 2);
+    o.noise = noise;
+    const image::Image whole = render(lit_floor(), o);
+    State kept = start(o);
+    for (int stop = 0; stop < 12; ++stop) {
+      // Saves after every block, and lets go of all after some.
+      State state = kept;
+      Progress progress;
+      int saves = 0;
+      Watch watch;
+      watch.save_every = 0;
+      watch.save = [&](const State& now) {
+        if (progress.cancelled()) return;
+        kept = now;
+        if (++saves == 1 + 2 * stop) progress.cancel();
+      };
+      try {
+        proceed(lit_floor(), o, state, watch, progress);
+        break;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::cancelled);
+      }
+    }
+    EXPECT_GT(kept.fraction(), 0);
+    Progress progress;
+    proceed(lit_floor(), o, kept, {}, progress);
+    EXPECT_TRUE(kept.complete());
+    EXPECT_EQ(develop(kept, o.layers), whole) << noise;
+  }
+}
+
+TEST(State, ACropHasThePixelsOfTheWhole) {
+  Options o = options(50, 37, 4, 2);
+  const image::Image whole = render(lit_floor(), o);
+  o.crop = {11, 5, 31, 30};
+  const image::Image part = render(lit_floor(), o);
+  ASSERT_EQ(part.width, 20);
+  ASSERT_EQ(part.height, 25);
+  for (int y = 0; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x)
+      for (size_t c = 0; c < part.channels.size(); ++c)
+        ASSERT_EQ(part.at(x, y, c), whole.at(x + 11, y + 5, c));
+  o.crop = {0, 0, 51, 10};
+  EXPECT_THROW(render(lit_floor(), o), Error);
+}
+
+TEST(State, SharesThatAreNoneAreRefused) {
+  Options o = options(50, 37, 4, 2);
+  EXPECT_THROW(start(o, {3, 3, 0, 0}), Error);
+  EXPECT_THROW(start(o, {0, 38, 0, 0}), Error);
+  EXPECT_THROW(start(o, {0, 1, 0, 5}), Error);
+  EXPECT_THROW(start(o, {0, 1, 3, 3}), Error);
+  o.noise = 0.1;
+  EXPECT_THROW(start(o, {0, 2, 0, 0}), Error);
+  EXPECT_THROW(start(o, {0, 1, 0, 2}), Error);
+}
+
+}  // namespace
+}  // namespace vug::render
