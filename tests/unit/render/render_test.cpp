@@ -3,7 +3,7 @@
 
 #include <vug/base/error.h>
 #include <vug/base/hash.h>
-#include <vug/image/compare.h>
+#include <vug/image/measure.h>
 
 #include <gtest/gtest.h>
 
@@ -154,8 +154,9 @@ TEST(Render, ErrorFallsWithSamples) {
     const auto squared = [&](int spp) {
       Options few = options(32, 24, spp, 3);
       few.sampler = make_sampler(sampler);
-      const auto d = image::compare(reference, render(scene, few).select({"R", "G", "B"})).back();
-      return d.rmse * d.rmse;
+      const double rmse =
+          image::measure("rmse", reference, render(scene, few).select({"R", "G", "B"}));
+      return rmse * rmse;
     };
     error_at_16 = squared(16);
     return std::log(squared(64) / error_at_16) / std::log(4.0);

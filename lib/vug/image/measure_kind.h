@@ -1,0 +1,31 @@
+// What a file of a measure needs: the macro that opens its one exported definition, outside of any
+// namespace:
+//   VUG_MEASURE(rmse) { return low_is_alike("rmse", "...", "", measure); }
+#pragma once
+
+#include <vug/base/kind.h>
+#include <vug/image/measure.h>
+
+#define VUG_MEASURE(name) VUG_EXPORT_KIND(vug::image, Measure, name##_measure)
+
+namespace vug::image {
+
+inline Measure low_is_alike(std::string name, std::string doc, std::string cite,
+                            Measured (*measure)(const Comparison&), bool needs_colour = false) {
+  return {{std::move(name), "measure", std::move(doc), std::move(cite), {}},
+          Measure::Better::low,
+          needs_colour,
+          0,
+          measure};
+}
+
+inline Measure high_is_alike(std::string name, std::string doc, std::string cite, double equal,
+                             Measured (*measure)(const Comparison&), bool needs_colour = true) {
+  return {{std::move(name), "measure", std::move(doc), std::move(cite), {}},
+          Measure::Better::high,
+          needs_colour,
+          equal,
+          measure};
+}
+
+}  // namespace vug::image

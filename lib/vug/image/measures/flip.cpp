@@ -1,0 +1,29 @@
+// LDR-FLIP of the pictures as shown: through the view transform at the exposure of the comparison.
+#include <vug/image/flip.h>
+#include <vug/image/measure_kind.h>
+
+namespace vug::image {
+namespace {
+
+/// The light that a screen gives off for the picture.
+Image screen_light(const Image& picture, const ViewOptions& view) {
+  Image shown = display(picture, view);
+  for (float& v : shown.pixels) v = static_cast<float>(srgb_decode(static_cast<double>(v)));
+  return shown;
+}
+
+Measured ldr_flip(const Comparison& pair) {
+  Measured out;
+  out.map =
+      flip(screen_light(pair.reference, pair.view), screen_light(pair.test, pair.view)).values;
+  out.value = pooled_mean(pair, out.map);
+  return out;
+}
+
+}  // namespace
+}  // namespace vug::image
+
+VUG_MEASURE(flip) {
+  return low_is_alike("flip", "LDR-FLIP of the pictures as shown, mean over the pixels, in [0, 1].",
+                      "andersson2020flip", ldr_flip, true);
+}

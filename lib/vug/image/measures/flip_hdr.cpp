@@ -1,0 +1,33 @@
+// HDR-FLIP. The paper takes the range of exposures from the reference; by default it is here the
+// range that holds those of both pictures, so that it does not matter which is called the
+// reference.
+#include <vug/image/flip.h>
+#include <vug/image/measure_kind.h>
+
+#include <algorithm>
+
+namespace vug::image {
+namespace {
+
+Measured hdr_flip(const Comparison& pair) {
+  std::optional<ExposureRange> range = exposure_range(pair.reference);
+  if (!pair.reference_exposures || !range)
+    if (const auto other = exposure_range(pair.test)) {
+      if (!range) range = other;
+      range->start = std::min(range->start, other->start);
+      range->stop = std::max(range->stop, other->stop);
+    }
+  Measured out;
+  if (!range) return out;  // two black pictures
+  out.map = flip_hdr(pair.reference, pair.test, *range).values;
+  out.value = pooled_mean(pair, out.map);
+  return out;
+}
+
+}  // namespace
+}  // namespace vug::image
+
+VUG_MEASURE(flip_hdr) {
+  return low_is_alike("flip_hdr", "HDR-FLIP over all exposures, mean over the pixels, in [0, 1].",
+                      "andersson2021flip", hdr_flip, true);
+}

@@ -1,0 +1,16 @@
+#include <vug/image/measure_kind.h>
+
+namespace vug::image {
+namespace {
+
+Measured largest(const Comparison& pair) {
+  Differences d = differences(pair);
+  return {d.largest, std::move(d.largest_of_pixel)};
+}
+
+}  // namespace
+}  // namespace vug::image
+
+VUG_MEASURE(max) {
+  return low_is_alike("max", "Largest difference of two values, without sign.", "", largest);
+}
