@@ -1,0 +1,325 @@
+#include <vug/base/diagnostics.h>
+#include <vug/base/error.h>
+#include <vug/image/diff.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::image {
+namespace {
+
+constexpr const char* kSamples = "samples";
+
+bool is_bookkeeping(const std::string& layer) { return layer == kVariance || layer == kSamples; }
+
+const Layer* find_layer(const std::vector<Layer>& layers, const std::string& name) {
+  for (const Layer& layer : layers)
+    if (layer.name == name) return &layer;
+  return nullptr;
+}
+
+std::vector<std::string> names_of(const std::vector<Layer>& layers) {
+  std::vector<std::string> out;
+  for (const Layer& layer : layers) out.push_back(layer.name);
+  return out;
+}
+
+std::vector<Layer> without_bookkeeping(std::vector<Layer> layers) {
+  layers.erase(std::remove_if(layers.begin(), layers.end(),
+                              [](const Layer& layer) { return is_bookkeeping(layer.name); }),
+               layers.end());
+  return layers;
+}
+
+/// A layer and whether measures of all kinds and limits without a name are for it.
+struct Chosen {
+  Layer layer;
+  bool main = false;
+};
+
+void require_channels(const Layer& layer, const Subject& has, const Subject& lacks) {
+  std::vector<std::string> missing;
+  for (const std::string& channel : layer.channels)
+    if (lacks.image.find_channel(channel) < 0) missing.push_back(channel);
+  if (missing.empty()) return;
+  throw Error(ErrorCode::bad_input,
+              fmt::format("'{}' has no channel {}, which '{}' has", lacks.name,
+                          fmt::join(missing, ", "), has.name),
+              {}, "choose the layers to compare, for instance --layer beauty");
+}
+
+std::vector<Chosen> choose_layers(const Subject& a, const Subject& b, const DiffOptions& options) {
+  const std::vector<Layer> of_a = layers_of(a.image.channels), of_b = layers_of(b.image.channels);
+  std::vector<Chosen> out;
+  if (!options.layers.empty()) {
+    for (const std::string& name : options.layers) {
+      const Layer *in_a = find_layer(of_a, name), *in_b = find_layer(of_b, name);
+      if (!in_a || !in_b)
+        throw Error(ErrorCode::bad_input,
+                    fmt::format("'{}' has no layer '{}'", in_a ? b.name : a.name, name), {},
+                    suggestion(name, names_of(in_a ? of_b : of_a)));
+      require_channels(*in_a, a, b);
+      require_channels(*in_b, b, a);
+      out.push_back({*in_a, true});
+    }
+    return out;
+  }
+  for (const Layer& layer : without_bookkeeping(of_b)) require_channels(layer, b, a);
+  const std::vector<Layer> layers = without_bookkeeping(of_a);
+  const bool beauty = find_layer(layers, kBeauty) != nullptr;
+  for (const Layer& layer : layers) {
+    require_channels(layer, a, b);
+    out.push_back({layer, !beauty || layer.name == kBeauty});
+  }
+  if (out.empty())
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' has nothing to compare", a.name));
+  return out;
+}
+
+std::vector<const Measure*> measures_for(const Chosen& chosen, const DiffOptions& options,
+                                         const std::vector<Limit>& limits) {
+  std::vector<const Measure*> out;
+  for (const Measure* each : measures()) {
+    const std::string& name = each->info.name;
+    const bool limited = std::any_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+      return limit.measure == name &&
+             (limit.layer.empty() ? chosen.main : limit.layer == chosen.layer.name);
+    });
+    const bool asked =
+        std::find(options.measures.begin(), options.measures.end(), name) != options.measures.end();
+    const bool usual =
+        options.measures.empty() ? chosen.main || !each->needs_colour : asked && chosen.main;
+    if (each->needs_colour && !chosen.layer.colour()) {
+      if (limited && chosen.layer.name == kBeauty)
+        throw Error(
+            ErrorCode::bad_input,
+            fmt::format("the layer '{}' has no colour, which {} needs", chosen.layer.name, name));
+      continue;
+    }
+    if (limited || usual) out.push_back(each);
+  }
+  return out;
+}
+
+const Limit* limit_for(const Chosen& chosen, const std::string& measure,
+                       const std::vector<Limit>& limits) {
+  const Limit* general = nullptr;
+  for (const Limit& limit : limits) {
+    if (limit.measure != measure) continue;
+    if (limit.layer == chosen.layer.name) return &limit;
+    if (limit.layer.empty() && chosen.main) general = &limit;
+  }
+  return general;
+}
+
+void require_known(const std::vector<Chosen>& chosen, const DiffOptions& options) {
+  std::vector<std::string> names;
+  for (const Chosen& each : chosen) names.push_back(each.layer.name);
+  for (const std::string& name : options.measures) measure_of(name);
+  for (const Limit& limit : options.limits) {
+    measure_of(limit.measure);
+    if (!limit.layer.empty() && std::find(names.begin(), names.end(), limit.layer) == names.end())
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format("a limit is set for the layer '{}', which is not compared", limit.layer), {},
+          suggestion(limit.layer, names));
+  }
+}
+
+bool passes(const Measure& measure, double value, double limit) {
+  return measure.better == Measure::Better::low ? value <= limit : value >= limit;
+}
+
+/// Light of both pictures at which their middle is grey.
+double exposure_of(const Comparison& pair) {
+  const auto a = grey_exposure(pair.reference), b = grey_exposure(pair.test);
+  if (a && b) return 0.5 * (*a + *b);
+  return a ? *a : b.value_or(0);
+}
+
+Comparison comparison_of(const Layer& layer, const Subject& a, const Subject& b,
+                         const DiffOptions& options, double exposure) {
+  Comparison pair;
+  pair.reference = extract(a.image, layer);
+  pair.test = b.image.select(layer.channels);  // in the order of the reference
+  pair.test.channels = pair.reference.channels;
+  pair.mask = options.mask;
+  pair.reference_exposures = options.reference_exposures;
+  pair.view.dither = false;
+  pair.view.exposure = exposure;
+  if (a.screen && b.screen) pair.view.transform = ViewTransform::srgb;
+  return pair;
+}
+
+double samples_of(const Metadata& metadata) {
+  for (const auto& [name, text] : metadata)
+    if (name == "vug:spp") return std::strtod(text.c_str(), nullptr);
+  return 0;
+}
+
+NoisyPicture noisy(const Subject& subject) {
+  NoisyPicture out;
+  out.mean = subject.image.select({"R", "G", "B"});
+  const std::vector<Layer> layers = layers_of(subject.image.channels);
+  const Layer* variance = find_layer(layers, kVariance);
+  if (variance && variance->colour())
+    out.variance = extract(subject.image, *variance).select({"R", "G", "B"});
+  if (const int channel = subject.image.find_channel(kSamples); channel >= 0) {
+    const size_t stride = subject.image.channels.size();
+    for (size_t p = 0; p < subject.image.pixel_count(); ++p)
+      out.samples.push_back(subject.image.pixels[p * stride + static_cast<size_t>(channel)]);
+  } else if (const double spp = samples_of(subject.metadata); spp > 0) {
+    out.samples.assign(subject.image.pixel_count(), static_cast<float>(spp));
+  }
+  return out;
+}
+
+std::optional<Significance> significance_of(const std::vector<Chosen>& chosen, const Subject& a,
+                                            const Subject& b, const DiffOptions& options) {
+  const bool beauty = std::any_of(chosen.begin(), chosen.end(), [](const Chosen& each) {
+    return each.layer.name == kBeauty && each.layer.colour();
+  });
+  std::string why = beauty ? "" : "only the beauty (R, G, B) can be tested for significance";
+  if (beauty) {
+    const NoisyPicture noisy_a = noisy(a), noisy_b = noisy(b);
+    if (noisy_a.variance || noisy_b.variance)
+      return test_significance(noisy_a, noisy_b, options.mask,
+                               {.alarm = options.alarm.value_or(kAlarm)});
+    why = fmt::format("neither '{}' nor '{}' tells the variance of its pixels", a.name, b.name);
+  }
+  if (options.alarm)
+    throw Error(ErrorCode::bad_input, why, {},
+                "the test of significance reads variance.R, variance.G and variance.B; without "
+                "them set a limit, for instance --max relative_rmse=0.01");
+  return {};
+}
+
+/// The limits given, or without anything to judge by, what rounding explains in every layer.
+std::vector<Limit> limits_for(const std::vector<Chosen>& chosen, const DiffOptions& options,
+                              bool tested) {
+  std::vector<Limit> out = options.limits;
+  if (out.empty() && !tested)
+    for (const Chosen& each : chosen) out.push_back({each.layer.name, "relative_max", kRounding});
+  return out;
+}
+
+std::string unlikely(const Finding& finding) {
+  if (finding.name == "pixels")
+    return fmt::format("{:.2f} % of the pixels are further apart than their noise allows",
+                       100 * finding.value);
+  const char* what = finding.name == "bias"     ? "blocks lean to one side"
+                     : finding.name == "spread" ? "blocks are further apart than their noise allows"
+                                                : "one block is off";
+  return fmt::format("{} (z = {:.1f} in {}, chance {:.2g})", what, finding.value, finding.channel,
+                     finding.chance);
+}
+
+void judge(Diff& out, const DiffOptions& options) {
+  out.basis = !options.limits.empty() ? Basis::limits
+              : out.tested            ? Basis::significance
+                                      : Basis::rounding;
+  for (const Row& row : out.rows)
+    if (!row.passed)
+      out.reasons.push_back(fmt::format(
+          "{} of {} is {:.4g}, {} {:.4g} is allowed", row.measure, row.layer, row.value,
+          measure_of(row.measure).better == Measure::Better::low ? "at most" : "at least",
+          *row.limit));
+  if (out.tested)
+    for (const Finding& finding : out.significance->findings)
+      if (finding.different) out.reasons.push_back(unlikely(finding));
+  out.same = out.reasons.empty();
+}
+
+/// What differs although nothing judges it.
+void find_unjudged(Diff& out, const std::vector<Chosen>& chosen,
+                   const std::vector<double>& largest) {
+  for (size_t i = 0; i < chosen.size(); ++i) {
+    const std::string& name = chosen[i].layer.name;
+    const bool limited = std::any_of(out.rows.begin(), out.rows.end(), [&](const Row& row) {
+      return row.layer == name && row.limit;
+    });
+    const bool tested = name == kBeauty && out.tested;
+    if (largest[i] != 0 && !limited && !tested) out.unjudged.push_back(name);
+  }
+}
+
+void fill_heat(Diff& out, const Comparison& pair, bool colour) {
+  out.heat_measure = colour ? "flip" : "max";
+  out.heat = measure_of(out.heat_measure).measure(pair).map;
+  if (colour) return;
+  float most = 0;
+  for (const float v : out.heat)
+    if (std::isfinite(v)) most = std::max(most, v);
+  for (float& v : out.heat) v = std::isfinite(v) ? (most > 0 ? v / most : 0) : 1;
+}
+
+}  // namespace
+
+Limit limit_of(const std::string& name, double value) {
+  const size_t dot = name.rfind('.');
+  Limit out;
+  if (dot != std::string::npos) out.layer = name.substr(0, dot);
+  out.measure = dot == std::string::npos ? name : name.substr(dot + 1);
+  out.value = value;
+  measure_of(out.measure);
+  return out;
+}
+
+Diff diff(const Subject& reference, const Subject& test, const DiffOptions& options) {
+  if (reference.image.width != test.image.width || reference.image.height != test.image.height)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' has {} x {} pixels and '{}' {} x {}", reference.name,
+                            reference.image.width, reference.image.height, test.name,
+                            test.image.width, test.image.height),
+                {}, "compare pictures of one size");
+  const std::vector<Chosen> chosen = choose_layers(reference, test, options);
+  require_known(chosen, options);
+  const auto main =
+      std::find_if(chosen.begin(), chosen.end(), [](const Chosen& each) { return each.main; });
+  Diff out;
+  out.shown_layer = main->layer.name;
+  const bool screen = reference.screen && test.screen;
+  if (!screen)
+    out.exposure = options.exposure.value_or(
+        exposure_of(comparison_of(main->layer, reference, test, options, 0)));
+  out.significance = significance_of(chosen, reference, test, options);
+  const std::vector<Limit> limits = limits_for(chosen, options, out.significance.has_value());
+  const auto of_beauty = [&](const Chosen& each) {
+    return each.layer.name == kBeauty &&
+           std::any_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+             return limit.layer == kBeauty || (limit.layer.empty() && each.main);
+           });
+  };
+  out.tested =
+      out.significance && (options.alarm || std::none_of(chosen.begin(), chosen.end(), of_beauty));
+  std::vector<double> largest;  // of each layer's differences
+  for (const Chosen& each : chosen) {
+    const Comparison pair = comparison_of(each.layer, reference, test, options, out.exposure);
+    const Differences d = differences(pair);
+    out.not_finite += d.not_finite;
+    largest.push_back(d.largest);
+    if (each.layer.name == kBeauty && out.tested && std::isinf(d.largest))
+      out.reasons.push_back("values of the beauty are not finite in one picture only");
+    for (const Measure* measure : measures_for(each, options, limits)) {
+      Row row{each.layer.name, measure->info.name, measure->equal, {}, true};
+      if (d.largest > 0) row.value = measure->measure(pair).value;
+      if (const Limit* limit = limit_for(each, row.measure, limits)) row.limit = limit->value;
+      if (row.limit) row.passed = passes(*measure, row.value, *row.limit);
+      out.rows.push_back(row);
+    }
+    if (&each == &*main) {
+      out.shown = pair;
+      fill_heat(out, pair, each.layer.colour());
+    }
+  }
+  judge(out, options);
+  if (out.same && *std::max_element(largest.begin(), largest.end()) == 0)
+    out.basis = Basis::identical;
+  find_unjudged(out, chosen, largest);
+  return out;
+}
+
+}  // namespace vug::image
