@@ -34,6 +34,10 @@ void write_exr(const std::filesystem::path& path, const Image& image,
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view = {},
                const Metadata& metadata = {});
 
+/// What write_png writes.
+std::string png_bytes(const Image& image, const ViewOptions& view = {},
+                      const Metadata& metadata = {});
+
 /// Any file OpenImageIO reads, all channels as float. Integer files become [0, 1]; with
 /// `linear`, R, G, B of 8- and 16-bit files are turned from sRGB to linear light.
 /// Error(bad_input) names the file and the reason (missing, no picture, cut short).

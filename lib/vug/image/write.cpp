@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 
 namespace vug::image {
@@ -41,16 +40,6 @@ bool in_layer(const std::string& channel, const std::string& layer) {
           channel[layer.size()] == '.');
 }
 
-/// Ordered dither of 16 x 16 thresholds in (-1/2, 1/2) code values: Bayer's matrix, 1973, by
-/// interleaving the bits of x ^ y and y (cite bayer1973dither).
-double dither(int x, int y) {
-  const auto u = static_cast<unsigned>(x), v = static_cast<unsigned>(y);
-  unsigned rank = 0;
-  for (unsigned bit = 0; bit < 4; ++bit)
-    rank |= (((u ^ v) >> bit & 1u) << (7 - 2 * bit)) | ((v >> bit & 1u) << (6 - 2 * bit));
-  return (rank + 0.5) / 256 - 0.5;
-}
-
 }  // namespace
 
 void write_exr(const std::filesystem::path& path, const Image& image, const ExrOptions& options) {
@@ -80,25 +69,6 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrO
         stored.pixels[i] = std::clamp(stored.pixels[i], -65504.0f, 65504.0f);
   }
   write(path, spec, OIIO::TypeDesc::FLOAT, stored.pixels.data(), options.metadata);
-}
-
-void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view,
-               const Metadata& metadata) {
-  require_whole(image);
-  const Image shown = display(image, view);
-  std::vector<uint8_t> bytes(shown.pixels.size());
-  for (int y = 0; y < shown.height; ++y)
-    for (int x = 0; x < shown.width; ++x) {
-      const double shift = view.dither ? dither(x, y) : 0;
-      for (size_t c = 0; c < 3; ++c) {
-        const double code = 255 * static_cast<double>(shown.at(x, y, c)) + shift;
-        bytes[shown.index(x, y, c)] =
-            static_cast<uint8_t>(std::clamp(std::floor(code + 0.5), 0.0, 255.0));
-      }
-    }
-  OIIO::ImageSpec spec(shown.width, shown.height, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  write(path, spec, OIIO::TypeDesc::UINT8, bytes.data(), metadata);
 }
 
 }  // namespace vug::image

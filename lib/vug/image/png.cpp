@@ -1,0 +1,67 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/image/io.h>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace vug::image {
+namespace {
+
+/// Ordered dither of 16 x 16 thresholds in (-1/2, 1/2) code values: Bayer's matrix, 1973, by
+/// interleaving the bits of x ^ y and y (cite bayer1973dither).
+double dither(int x, int y) {
+  const auto u = static_cast<unsigned>(x), v = static_cast<unsigned>(y);
+  unsigned rank = 0;
+  for (unsigned bit = 0; bit < 4; ++bit)
+    rank |= (((u ^ v) >> bit & 1u) << (7 - 2 * bit)) | ((v >> bit & 1u) << (6 - 2 * bit));
+  return (rank + 0.5) / 256 - 0.5;
+}
+
+/// R, G, B as they are shown, a byte each.
+std::vector<uint8_t> codes(const Image& shown, bool dithered) {
+  std::vector<uint8_t> bytes(shown.pixels.size());
+  for (int y = 0; y < shown.height; ++y)
+    for (int x = 0; x < shown.width; ++x) {
+      const double shift = dithered ? dither(x, y) : 0;
+      for (size_t c = 0; c < 3; ++c) {
+        const double code = 255 * static_cast<double>(shown.at(x, y, c)) + shift;
+        bytes[shown.index(x, y, c)] =
+            static_cast<uint8_t>(std::clamp(std::floor(code + 0.5), 0.0, 255.0));
+      }
+    }
+  return bytes;
+}
+
+}  // namespace
+
+std::string png_bytes(const Image& image, const ViewOptions& view, const Metadata& metadata) {
+  if (image.width < 1 || image.height < 1 ||
+      image.pixels.size() != image.pixel_count() * image.channels.size())
+    throw Error(ErrorCode::bad_input, "a picture without pixels cannot be written");
+  const Image shown = display(image, view);
+  const std::vector<uint8_t> bytes = codes(shown, view.dither);
+  OIIO::ImageSpec spec(shown.width, shown.height, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  for (const auto& [name, text] : metadata) spec.attribute(name, text);
+  std::vector<unsigned char> out;
+  OIIO::Filesystem::IOVecOutput memory(out);
+  const auto output = OIIO::ImageOutput::create("memory.png", &memory);
+  if (!output) throw Error(ErrorCode::internal, OIIO::geterror());
+  if (!output->open("memory.png", spec) ||
+      !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close())
+    throw Error(ErrorCode::internal, "cannot make a PNG: " + output->geterror());
+  return {out.begin(), out.end()};
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view,
+               const Metadata& metadata) {
+  write_text(path, png_bytes(image, view, metadata));
+}
+
+}  // namespace vug::image
