@@ -28,13 +28,15 @@ std::vector<uint32_t> stops(const State& state, const Options& options, const Wa
 }
 
 /// Samples that the blocks still need at most.
-uint64_t missing(const State& state) {
+uint64_t missing(const State& state, const Region& region) {
   uint64_t samples = 0;
   for (size_t i = 0; i < state.done.size(); ++i)
     if (!state.settled[i])
-      samples += state.region().block(i, State::kBlock).pixels() * (state.end - state.done[i]);
+      samples += region.block(i, State::kBlock).pixels() * (state.end - state.done[i]);
   return samples;
 }
+
+uint64_t missing(const State& state) { return missing(state, state.region()); }
 
 uint64_t all_samples(const State& state) {
   return state.region().pixels() * uint64_t{state.end - state.begin};
@@ -90,9 +92,11 @@ class Work {
 
 bool State::complete() const { return missing(*this) == 0; }
 
-double State::fraction() const {
-  const auto all = static_cast<double>(all_samples(*this));
-  return all > 0 ? 1 - static_cast<double>(missing(*this)) / all : 1;
+double State::fraction() const { return fraction_done(*this, region()); }
+
+double fraction_done(const State& state, const Region& region) {
+  const auto all = static_cast<double>(region.pixels()) * (state.end - state.begin);
+  return all > 0 ? 1 - static_cast<double>(missing(state, region)) / all : 1;
 }
 
 State start(const Options& options, const Share& share) {

@@ -32,6 +32,9 @@ struct State {
   double fraction() const;
 };
 
+/// The same for a state whose film is not there.
+double fraction_done(const State& state, const Region& region);
+
 /// Nothing done yet. Error(bad_input): a share that is no part of the picture, or a true part of
 /// one whose noise decides on its samples, for which the whole picture is looked at.
 State start(const Options& options, const Share& share = {});

@@ -36,7 +36,7 @@ void Tally::settle_met(int depth, const Rgb& scale) {
   if (plan_.parts)
     for (const Note& n : notes_) {
       if (depth == 0)
-        part(Part::emission) += n.light * scale;
+        part(LightPart::emission) += n.light * scale;
       else
         file(n.light * scale, depth == 1);
     }
@@ -47,8 +47,8 @@ void Tally::settle_surface(int depth, const Rgb& scale) {
   if (plan_.parts)
     for (const Note& n : notes_) {
       if (depth == 0) {
-        part(Part::diffuse_direct) += n.diffuse * scale;
-        part(Part::specular_direct) += (n.light - n.diffuse) * scale;
+        part(LightPart::diffuse_direct) += n.diffuse * scale;
+        part(LightPart::specular_direct) += (n.light - n.diffuse) * scale;
       } else {
         file(n.light * scale, false);
       }
@@ -60,7 +60,7 @@ void Tally::settle_medium(int depth, const Rgb& scale) {
   if (plan_.parts)
     for (const Note& n : notes_) {
       if (depth == 0)
-        part(Part::volume_direct) += n.light * scale;
+        part(LightPart::volume_direct) += n.light * scale;
       else
         file(n.light * scale, false);
     }
@@ -79,7 +79,7 @@ void Tally::settle_groups(const Rgb& scale) {
 
 void Tally::turned_in_medium() {
   diffuse_ = Rgb(0.0f);
-  other_ = Part::volume_direct;
+  other_ = LightPart::volume_direct;
 }
 
 void Tally::turned_at_surface(bool through, const Rgb& weight, const Rgb& diffuse) {
@@ -87,13 +87,13 @@ void Tally::turned_at_surface(bool through, const Rgb& weight, const Rgb& diffus
   diffuse_ = through ? Rgb(0.0f)
                      : Rgb(share(diffuse.x, weight.x), share(diffuse.y, weight.y),
                            share(diffuse.z, weight.z));
-  other_ = through ? Part::transmission_direct : Part::specular_direct;
+  other_ = through ? LightPart::transmission_direct : LightPart::specular_direct;
 }
 
 void Tally::file(const Rgb& light, bool direct) {
   const size_t later = direct ? 0 : 1;
   const Rgb diffuse = light * diffuse_;
-  colours_[static_cast<size_t>(Part::diffuse_direct) + later] += diffuse;
+  colours_[static_cast<size_t>(LightPart::diffuse_direct) + later] += diffuse;
   colours_[static_cast<size_t>(other_) + later] += light - diffuse;
 }
 

@@ -15,7 +15,7 @@ class World;
 /// The parts that sum to the beauty: what the camera sees shine by itself, and for everything else
 /// what scattered the light last before the camera, and whether the light came to that place
 /// straight from its source. Diffuse and specular mean reflection.
-enum class Part : size_t {
+enum class LightPart : size_t {
   emission,
   diffuse_direct,
   diffuse_indirect,
@@ -37,7 +37,7 @@ struct TallyPlan {
   /// Colours of LightSet::groups(); groups without a colour are not in it.
   std::unordered_map<uint32_t, size_t> group_of;
 
-  size_t colours() const { return (parts ? static_cast<size_t>(Part::count) : 0) + groups; }
+  size_t colours() const { return (parts ? static_cast<size_t>(LightPart::count) : 0) + groups; }
 };
 
 /// The light of one path. An integrator notes what each light source gives at a vertex, as it
@@ -74,7 +74,7 @@ class Tally {
     uint32_t group;
     Rgb light, diffuse;
   };
-  Rgb& part(Part p) { return colours_[static_cast<size_t>(p)]; }
+  Rgb& part(LightPart p) { return colours_[static_cast<size_t>(p)]; }
   void file(const Rgb& light, bool direct);
   void settle_groups(const Rgb& scale);
 
@@ -82,8 +82,8 @@ class Tally {
   std::vector<Rgb> colours_;
   std::vector<Note> notes_;
   Rgb diffuse_{0, 0, 0};
-  Part other_ =
-      Part::volume_direct;  ///< Where what is not diffuse goes; the indirect part follows.
+  LightPart other_ =
+      LightPart::volume_direct;  ///< Where what is not diffuse goes; the indirect part follows.
 };
 
 }  // namespace vug::render

@@ -1,0 +1,135 @@
+// Parts as files: they come back whole, are refused when they are not, and merge to the picture.
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/render/part.h>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "scenes.h"
+
+namespace vug::render {
+namespace {
+namespace fs = std::filesystem;
+
+Scene lit_floor() {
+  Scene scene;
+  scene.camera = view({0, 1.5, 4}, {0, 0.5, 0}, 1.1);
+  scene.objects = {object(floor_mesh(4), 0.5)};
+  scene.lights = {make_light("sky", {{"radiance", Vec3d(0.1, 0.2, 0.3)}})};
+  return scene;
+}
+
+class Parts : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("vug_parts_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path file(const std::string& name) const { return folder_ / name; }
+  fs::path part(const std::string& name, const Options& o, const Share& share) const {
+    State state = start(o, share);
+    Progress progress;
+    proceed(lit_floor(), o, state, {}, progress);
+    write_part(file(name), part_header(o), state);
+    return file(name);
+  }
+  /// What merging them is refused with; empty when it is not.
+  std::string refusal(const std::vector<fs::path>& paths) const {
+    try {
+      merge(paths);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::bad_input);
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  fs::path folder_;
+};
+
+Options small() {
+  Options o = options(64, 48, 12, 2);
+  o.layers = plan_layers({"all"}, {});
+  return o;
+}
+
+TEST_F(Parts, MergeToTheBitsOfTheWhole) {
+  const Options o = small();
+  const std::vector<fs::path> paths = {part("c", o, {1, 2, 0, 0}), part("a", o, {0, 2, 8, 12}),
+                                       part("b", o, {0, 2, 0, 8})};
+  const Part whole = merge(paths);
+  EXPECT_EQ(develop(whole.state, whole.header.layers), render(lit_floor(), o));
+}
+
+TEST_F(Parts, ComeBackAsTheyWere) {
+  const Options o = small();
+  PartHeader header = part_header(o);
+  header.identity = "abc", header.notes = {{"half", "true"}, {"", "empty name"}};
+  State state = start(o, {1, 3, 2, 9});
+  write_part(file("early"), header, state);
+  state.settled[1] = 1, state.done[0] = 5;
+  state.film.at(0, 20).samples = 7;
+  write_part(file("p"), header, state);
+  const Part back = read_part(file("p"));
+  EXPECT_EQ(back.header, header);
+  EXPECT_EQ(back.state.done, state.done);
+  EXPECT_EQ(back.state.settled, state.settled);
+  EXPECT_EQ(back.state.film.at(0, 20), state.film.at(0, 20));
+  EXPECT_EQ(read_outline(file("p")).fraction, state.fraction());
+  EXPECT_EQ(read_outline(file("early")).fraction, 0);
+  EXPECT_EQ(read_outline(file("p")).region, state.region());
+}
+
+TEST_F(Parts, ThatDoNotBelongTogetherAreNamed) {
+  const Options o = small();
+  const fs::path top = part("top", o, {0, 2, 0, 0}), low = part("low", o, {1, 2, 0, 0});
+  Options other = o;
+  other.seed = 3;
+  EXPECT_NE(refusal({top, part("seed", other, {1, 2, 0, 0})}).find("seeds, 0 and 3"),
+            std::string::npos);
+  other = o, other.width = 65;
+  EXPECT_NE(refusal({top, part("size", other, {1, 2, 0, 0})}).find("sizes, 64 x 48 and 65 x 48"),
+            std::string::npos);
+  EXPECT_NE(refusal({top, low, low}).find("both have the samples 0..12"), std::string::npos);
+  EXPECT_NE(refusal({top}).find("samples 0..12 of the pixels x 0..63, y 24..47 are missing"),
+            std::string::npos);
+  EXPECT_NE(refusal({top, part("some", o, {1, 2, 0, 7})}).find("samples 7..12"), std::string::npos);
+  State state = start(o, {1, 2, 0, 0});
+  PartHeader header = part_header(o);
+  write_part(file("begun"), header, state);
+  EXPECT_NE(refusal({top, file("begun")}).find("done only to 0 %"), std::string::npos);
+  header.identity = "another scene";
+  std::fill(state.done.begin(), state.done.end(), state.end);
+  write_part(file("scene"), header, state);
+  EXPECT_NE(refusal({top, file("scene")}).find("different scenes"), std::string::npos);
+  EXPECT_EQ(refusal({low, top}), "");
+}
+
+TEST_F(Parts, BrokenFilesAreRefused) {
+  const std::string whole = read_text(part("p", small(), {}));
+  const auto refused = [&](const std::string& text) {
+    write_text(file("broken"), text);
+    try {
+      read_part(file("broken"));
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::bad_input;
+    }
+    return false;
+  };
+  for (const size_t cut : {size_t{0}, size_t{7}, size_t{40}, whole.size() / 2, whole.size() - 1})
+    EXPECT_TRUE(refused(whole.substr(0, cut))) << cut;
+  EXPECT_TRUE(refused(whole + "x"));
+  for (size_t at = 0; at < whole.size(); at += at < 400 ? 1 : 19997) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 0x41);
+    ASSERT_TRUE(refused(changed)) << at;
+  }
+  EXPECT_THROW(read_part(file("none")), Error);
+}
+
+}  // namespace
+}  // namespace vug::render
