@@ -62,6 +62,14 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
                                          : std::filesystem::path(mesh_file));
   rock.material = render::make_material("lambert", {{"albedo", vector(j["albedo"])}});
   scene.objects.push_back(rock);
+  for (const json& e : j.value("emissive_meshes", json::array())) {
+    render::Object crystals;
+    crystals.name = "crystals";
+    crystals.mesh = read_ply(path.parent_path() / e["mesh"].get<std::string>());
+    crystals.material = render::make_material("lambert", {{"albedo", Vec3d(0)}});
+    crystals.emission = Vec3f(vector(e["radiance"]));
+    scene.objects.push_back(crystals);
+  }
   const auto rectangle = [](const json& r) {
     return Named{{"center", vector(r["center"])},
                  {"normal", vector(r["normal"])},
