@@ -21,6 +21,11 @@ struct ExrOptions {
   /// Channels (or layers) kept in 32 bits even when `half` is set: what 16 bits would spoil.
   std::vector<std::string> full_channels = {"Z", "P", "variance", "samples"};
   Metadata metadata;
+  /// Where a crop lies: the image's top left pixel in a picture of full_width x full_height (EXR's
+  /// data and display windows). Zeros: the image is the whole picture.
+  struct Window {
+    int x = 0, y = 0, full_width = 0, full_height = 0;
+  } window;
 };
 
 /// Multi-channel scan-line EXR, ZIP compression, whole or not there (AtomicFile).

@@ -46,6 +46,10 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrO
   require_whole(image);
   OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
                        OIIO::TypeDesc::FLOAT);
+  if (options.window.full_width > 0) {
+    spec.x = options.window.x, spec.y = options.window.y;
+    spec.full_width = options.window.full_width, spec.full_height = options.window.full_height;
+  }
   spec.channelnames = image.channels;
   spec.alpha_channel = image.find_channel("A");
   spec.z_channel = image.find_channel("Z");

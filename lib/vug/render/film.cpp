@@ -100,6 +100,12 @@ void Film::merge(const Film& other) {
     }
 }
 
+std::pair<uint64_t, uint64_t> Film::faults() const {
+  std::pair<uint64_t, uint64_t> all;
+  for (const PixelSum& sum : sums_) all.first += sum.refused, all.second += sum.cut;
+  return all;
+}
+
 double Film::pixel_bytes(const Gather& gather) {
   return sizeof(PixelSum) + 3.0 * sizeof(Wide) * static_cast<double>(gather.lights) +
          (gather.coverage ? sizeof(Coverage) : 0);

@@ -71,6 +71,9 @@ class Film {
   /// Adds what a film of the same Gather holds where both overlap.
   void merge(const Film& other);
 
+  /// PixelSum::refused and ::cut of all pixels.
+  std::pair<uint64_t, uint64_t> faults() const;
+
   /// Bytes of a pixel, without coverage's lists.
   static double pixel_bytes(const Gather& gather);
 

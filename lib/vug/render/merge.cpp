@@ -14,19 +14,6 @@ struct Named {
   PartOutline outline;
 };
 
-/// In what two headers differ, as people call it; empty when they do not.
-std::string difference(const PartHeader& a, const PartHeader& b) {
-  if (a.width != b.width || a.height != b.height)
-    return fmt::format("sizes, {} x {} and {} x {}", a.width, a.height, b.width, b.height);
-  if (a.seed != b.seed) return fmt::format("seeds, {} and {}", a.seed, b.seed);
-  if (a.spp != b.spp) return fmt::format("samples per pixel, {} and {}", a.spp, b.spp);
-  if (!(a.crop == b.crop)) return "crops";
-  if (!(a.layers == b.layers)) return "layers";
-  if (a.noise < b.noise || a.noise > b.noise) return "noise thresholds";
-  if (a.identity != b.identity) return "scenes";
-  return a.notes == b.notes ? "" : "settings";
-}
-
 std::string place(const Region& r) {
   return fmt::format("x {}..{}, y {}..{}", r.x0, r.x1 - 1, r.y0, r.y1 - 1);
 }
@@ -71,6 +58,18 @@ void require_cover(const std::vector<Named>& parts) {
 }
 
 }  // namespace
+
+std::string difference(const PartHeader& a, const PartHeader& b) {
+  if (a.width != b.width || a.height != b.height)
+    return fmt::format("sizes, {} x {} and {} x {}", a.width, a.height, b.width, b.height);
+  if (a.seed != b.seed) return fmt::format("seeds, {} and {}", a.seed, b.seed);
+  if (a.spp != b.spp) return fmt::format("samples per pixel, {} and {}", a.spp, b.spp);
+  if (!(a.crop == b.crop)) return "crops";
+  if (!(a.layers == b.layers)) return "layers";
+  if (a.noise < b.noise || a.noise > b.noise) return "noise thresholds";
+  if (a.identity != b.identity) return "scenes";
+  return a.notes == b.notes ? "" : "settings";
+}
 
 Part merge(const std::vector<std::filesystem::path>& paths, Progress& progress) {
   if (paths.empty()) throw Error(ErrorCode::bad_input, "there are no parts to merge");

@@ -26,6 +26,8 @@ struct PartHeader {
 };
 
 PartHeader part_header(const Options& options);
+/// In what two headers differ, as people call it ("seeds, 1 and 2"); empty when they do not.
+std::string difference(const PartHeader& a, const PartHeader& b);
 
 struct Part {
   PartHeader header;

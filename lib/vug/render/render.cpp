@@ -4,6 +4,7 @@
 #include <vug/render/state.h>
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 
 namespace vug::render {
@@ -15,26 +16,33 @@ constexpr double kTreeBytes = 125;
 
 }  // namespace
 
-image::Image render(const Scene& scene, const Options& options, Progress& progress) {
+image::Image render(const Scene& scene, const Options& options, Progress& progress,
+                    const Watch& watch) {
   std::optional<ThreadLimit> limit;
   if (options.threads > 0) limit.emplace(options.threads);
-  if (options.noise > 0) {
+  if (options.noise > 0 || watch.pass || watch.save) {
     State state = start(options);
-    proceed(scene, options, state, {}, progress);
+    proceed(scene, options, state, watch, progress);
     return develop(state, options.layers);
   }
   // Blocks are finished one by one, so that only the layers are held.
   const Shooter shooter(scene, options, progress);
   const Region& all = shooter.wanted();
+  if (watch.estimate)
+    watch.estimate(shooter.seconds(static_cast<double>(all.pixels()) * options.spp));
   image::Image picture(all.width(), all.height(), options.layers.channels());
   const int tile = std::max(options.tile, 1);
+  std::atomic<uint64_t> refused{0}, cut{0};
   progress.begin("rendering", all.blocks(tile));
   parallel_for(all.blocks(tile), [&](size_t index) {
     const Film film = shooter.shoot(all.block(index, tile), 0, static_cast<uint32_t>(options.spp));
     develop(film, options.layers, all, picture);
+    const auto faults = film.faults();
+    refused += faults.first, cut += faults.second;
     progress.advance();
   });
   progress.end();
+  if (watch.faults && refused + cut > 0) watch.faults(refused, cut);
   return picture;
 }
 

@@ -9,6 +9,7 @@
 #include <vug/render/scene.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace vug::render {
 
@@ -27,11 +28,26 @@ struct Options {
   double noise = 0;  ///< Blocks whose noise is below this get no more samples; 0: `spp` for all.
 };
 
+struct State;
+
+/// Who follows the work. Each is called on a working thread, one at a time, while nothing changes
+/// the state; the state may be written to disk then.
+struct Watch {
+  std::function<void(double seconds)> estimate = nullptr;  ///< Before the work: how long, about.
+  std::function<void(const State&)> pass =
+      nullptr;  ///< All pixels have the same samples or enough.
+  std::function<void(const State&)> save = nullptr;  ///< From time to time and when stopped.
+  double save_every = 60;                            ///< Seconds.
+  /// At the end, if there were any: samples left out because they are no number, and those cut for
+  /// being brighter than kMostLight.
+  std::function<void(uint64_t refused, uint64_t cut)> faults = nullptr;
+};
+
 /// The picture with the layers of the plan, 32-bit channels, means over the samples; see layers().
 /// The same bytes for any number of threads. Error(bad_input): no camera, sizes or spp below 1,
 /// a mesh with indices out of range or positions that are not finite. Error(cancelled).
 image::Image render(const Scene& scene, const Options& options,
-                    Progress& progress = Progress::none());
+                    Progress& progress = Progress::none(), const Watch& watch = {});
 
 /// Options::crop or all of the picture; Error(bad_input) when it lies beyond.
 Region wanted_region(const Options& options);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <shared_mutex>
@@ -18,13 +19,25 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Counts of samples after which the whole picture is looked at: 4, 8, 16, ... and the last.
-std::vector<uint32_t> stops(const State& state, const Options& options, const Watch& watch) {
-  std::vector<uint32_t> counts;
+/// A count of samples that all blocks are brought to before any gets more.
+struct Stop {
+  uint32_t count;
+  bool look;  ///< The picture is looked at: noise is measured, a preview shown.
+};
+
+/// It is looked at after 4, 8, 16, ... samples and the last; whether it is also saved now and then
+/// must not change when. Saving asks for stops of its own, as it waits for whole blocks.
+std::vector<Stop> stops(const State& state, const Options& options, const Watch& watch) {
+  constexpr uint32_t kSaved = 256;
+  std::map<uint32_t, bool> looks = {{state.end, true}};
   if (watch.pass || options.noise > 0)
-    for (uint32_t n = 4; n < state.end - state.begin; n *= 2) counts.push_back(state.begin + n);
-  counts.push_back(state.end);
-  return counts;
+    for (uint32_t n = 4; n < state.end - state.begin; n *= 2) looks[state.begin + n] = true;
+  if (watch.save)
+    for (uint32_t n = kSaved; n < state.end - state.begin; n += kSaved)
+      looks.try_emplace(state.begin + n, false);
+  std::vector<Stop> list;
+  for (const auto& [count, look] : looks) list.push_back({count, look});
+  return list;
 }
 
 /// Samples that the blocks still need at most.
@@ -143,13 +156,14 @@ void proceed(const Scene& scene, const Options& options, State& state, const Wat
   progress.advance(all - missing(state));
   Work work(shooter, state, watch, progress);
   try {
-    for (const uint32_t count : stops(state, options, watch)) {
+    for (const Stop& stop : stops(state, options, watch)) {
       // A state that was saved later than this has been looked at here already.
       if (std::any_of(state.done.begin(), state.done.end(),
-                      [&](uint32_t done) { return done > count; }))
+                      [&](uint32_t done) { return done > stop.count; }))
         continue;
-      work.up_to(count);
-      if (options.noise > 0 && count < state.end) {
+      work.up_to(stop.count);
+      if (!stop.look) continue;
+      if (options.noise > 0 && stop.count < state.end) {
         const uint64_t needed = missing(state);
         settle(state, options.noise);
         progress.advance(needed - missing(state));
@@ -162,6 +176,8 @@ void proceed(const Scene& scene, const Options& options, State& state, const Wat
     throw;
   }
   work.save();
+  if (const auto [refused, cut] = state.film.faults(); watch.faults && refused + cut > 0)
+    watch.faults(refused, cut);
 }
 
 image::Image develop(const State& state, const LayerPlan& layers) {

@@ -7,7 +7,6 @@
 #include <vug/render/render.h>
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace vug::render {
@@ -38,16 +37,6 @@ double fraction_done(const State& state, const Region& region);
 /// Nothing done yet. Error(bad_input): a share that is no part of the picture, or a true part of
 /// one whose noise decides on its samples, for which the whole picture is looked at.
 State start(const Options& options, const Share& share = {});
-
-/// Who follows the work. Each is called on a working thread, one at a time, while nothing changes
-/// the state; the state may be written to disk then.
-struct Watch {
-  std::function<void(double seconds)> estimate = nullptr;  ///< Before the work: how long, about.
-  std::function<void(const State&)> pass =
-      nullptr;  ///< All pixels have the same samples or enough.
-  std::function<void(const State&)> save = nullptr;  ///< From time to time and when stopped.
-  double save_every = 60;                            ///< Seconds.
-};
 
 /// Renders what the state misses. The film's bits depend on nothing but what is in it at the end.
 void proceed(const Scene& scene, const Options& options, State& state, const Watch& watch,

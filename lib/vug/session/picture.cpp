@@ -1,3 +1,4 @@
+#include <vug/base/hash.h>
 #include <vug/base/maths.h>
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
@@ -50,6 +51,25 @@ void warn_of_rock(Builder& builder, const RenderPlan& plan, const std::vector<Ob
                "move its eye into the open");
 }
 
+/// Tells pictures of different scenes, or with different names of cameras and renders, apart.
+std::string identity(const render::Scene& scene, const std::string& recipe,
+                     const PictureOptions& options) {
+  Hasher hash;
+  const auto add_all = [&](const auto& values) {
+    hash.add_value(values.size());
+    if (!values.empty()) hash.add(values.data(), values.size() * sizeof(values[0]));
+  };
+  for (const std::string& text : {recipe, options.render, options.camera}) add_all(text);
+  for (const render::Object& object : scene.objects) {
+    add_all(object.name);
+    add_all(object.mesh->positions);
+    add_all(object.mesh->triangles);
+    add_all(object.mesh->normals);
+    for (const auto& attribute : object.mesh->attributes) add_all(attribute.values);
+  }
+  return hash.finish().hex();
+}
+
 }  // namespace
 
 RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
@@ -69,6 +89,11 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
   }
   if (options.spp) plan.spp = *options.spp;
   if (options.size) plan.size = {options.size->x, options.size->y};
+  if (options.noise) plan.noise = *options.noise;
+  if (options.exposure) plan.exposure = *options.exposure;
+  if (options.full_float) plan.half = false;
+  if (!options.layers.empty()) plan.layers = options.layers;
+  if (!options.crop.empty()) plan.crop = options.crop;
   return plan;
 }
 
@@ -100,28 +125,38 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   return scene;
 }
 
-Picture render_picture(Builder& builder, const PictureOptions& options) {
-  Picture picture;
-  picture.plan = render_plan(builder.shot(), options);
-  const RenderPlan& plan = picture.plan;
-  const double pixels = static_cast<double>(plan.size.at(0)) * static_cast<double>(plan.size.at(1));
-  require_memory(pixels * 128, builder.room(),
-                 fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
-  const render::Scene scene = assemble(builder, plan);
-  render::Options render;
+PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool whole_film) {
+  const RenderPlan plan = render_plan(builder.shot(), options);
+  PictureJob job;
+  job.where = plan.where;
+  render::Options& render = job.options;
   render.width = plan.size[0];
   render.height = plan.size[1];
   render.spp = plan.spp;
   render.seed = options.seed.value_or(builder.shot().seed);
   render.sampler = plan.sampler;
   render.integrator = plan.integrator;
-  require_memory(render::memory_estimate(scene, render), builder.room(), "the picture",
-                 std::string(kFewerPixels) + " or larger voxels");
-  picture.image = render::render(scene, render, builder.progress());
-  picture.metadata = {{"vug:recipe", builder.shot().recipe},
-                      {"vug:seed", std::to_string(render.seed)},
-                      {"vug:spp", std::to_string(plan.spp)}};
-  return picture;
+  render.noise = plan.noise;
+  if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
+  try {
+    render.layers = render::plan_layers(plan.layers, {});
+  } catch (const Error& error) {
+    throw Error(error.code(), error.what(), plan.where, error.hint());
+  }
+  require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
+                 fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
+  job.scene = assemble(builder, plan);
+  require_memory(render::memory_estimate(job.scene, render, whole_film), builder.room(),
+                 "the picture", std::string(kFewerPixels) + " or larger voxels");
+  job.look.exposure = plan.exposure;
+  job.look.half = plan.half;
+  job.look.metadata = {{"vug:recipe", builder.shot().recipe},
+                       {"vug:seed", std::to_string(render.seed)},
+                       {"vug:spp", std::to_string(plan.spp)}};
+  job.header = render::part_header(render);
+  job.header.identity = identity(job.scene, builder.shot().recipe, options);
+  job.header.notes = to_notes(job.look);
+  return job;
 }
 
 }  // namespace vug::session

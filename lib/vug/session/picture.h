@@ -1,9 +1,9 @@
 // A shot as the renderer sees it.
 #pragma once
 
-#include <vug/image/io.h>
-#include <vug/render/render.h>
+#include <vug/render/part.h>
 #include <vug/session/build.h>
+#include <vug/session/picture_file.h>
 
 namespace vug::session {
 
@@ -15,12 +15,11 @@ struct PictureOptions {
   std::optional<int> spp;
   std::optional<Vec2i> size;
   std::optional<uint64_t> seed;
-};
-
-struct Picture {
-  image::Image image;
-  RenderPlan plan;
-  image::Metadata metadata;  ///< Recipe, seed, samples.
+  std::optional<double> noise;
+  std::optional<double> exposure;   ///< Stops; for the PNG only.
+  bool full_float = false;          ///< 32-bit colour channels whatever the plan says.
+  std::vector<std::string> layers;  ///< Instead of the plan's.
+  std::vector<int> crop;            ///< Likewise.
 };
 
 /// The plan with the options applied; Error(bad_input) with the nearest name for unknown ones.
@@ -30,7 +29,19 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options);
 /// lights gets a soft sky.
 render::Scene assemble(Builder& builder, const RenderPlan& plan);
 
-/// Builds what is needed and renders it.
-Picture render_picture(Builder& builder, const PictureOptions& options);
+/// Everything that a picture needs, ready to be rendered.
+struct PictureJob {
+  render::Scene scene;
+  render::Options options;
+  PictureLook look;
+  /// What makes it this picture and no other, for parts of it. With everything in its notes that
+  /// writing the picture takes.
+  render::PartHeader header;
+  SourceLocation where;  ///< The plan's name in the text.
+};
+
+/// Builds what is needed; `whole_film`: the rendering will hold the sums of all pixels. Refuses
+/// what does not fit into memory.
+PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool whole_film);
 
 }  // namespace vug::session

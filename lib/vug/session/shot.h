@@ -67,9 +67,12 @@ struct RenderPlan {
   std::string name = "main";
   std::vector<int> size = {960, 540};  ///< Pixels: width, height.
   int spp = 64;
-  double exposure = 0;       ///< Stops; for the PNG only.
-  bool half = true;          ///< 16-bit colour channels in the EXR.
-  render::CameraPtr camera;  ///< Null: the camera named like the plan, else the first.
+  double exposure = 0;              ///< Stops; for the PNG only.
+  bool half = true;                 ///< 16-bit colour channels in the EXR.
+  double noise = 0;                 ///< See render::Options.
+  std::vector<std::string> layers;  ///< As render::plan_layers takes them.
+  std::vector<int> crop;            ///< Left, top, right, bottom in pixels; empty: all.
+  render::CameraPtr camera;         ///< Null: the camera named like the plan, else the first.
   render::SamplerPtr sampler;
   render::IntegratorPtr integrator;
   SourceLocation where;  ///< Its name in the text.

@@ -48,6 +48,17 @@ TEST(State, PassesHaveTheBitsOfTheWhole) {
   EXPECT_EQ(seen, (std::vector<uint32_t>{4, 8, 16, 21}));
 }
 
+TEST(State, SavingChangesNoDecision) {
+  Options o = options(40, 30, 700, 1);
+  o.noise = 0.03;
+  Watch watch;
+  watch.save_every = 0;
+  int saves = 0;
+  watch.save = [&](const State&) { ++saves; };
+  EXPECT_EQ(develop(rendered(o, {}, watch), o.layers), render(lit_floor(), o));
+  EXPECT_GT(saves, 0);
+}
+
 TEST(State, WorkThatWasStoppedGoesOn) {
   for (const double noise : {0.0, 0.08}) {
     Options o = options(50, 37, 64, 2);

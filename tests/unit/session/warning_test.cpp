@@ -1,7 +1,7 @@
 // What is no fault and yet hardly meant is told with its place, and the work goes on.
 #include <gtest/gtest.h>
 #include <vug/session/load.h>
-#include <vug/session/picture.h>
+#include <vug/session/long_render.h>
 
 namespace vug::session {
 namespace {
@@ -14,10 +14,10 @@ std::string told(const std::string& text) {
   BuildOptions options;
   options.tell = [&](const Diagnostics& doubtful) { out += loaded.report(doubtful); };
   Builder builder(loaded.shot, options);
-  PictureOptions picture;
-  picture.size = Vec2i(4, 3);
-  picture.spp = 1;
-  render_picture(builder, picture);
+  RenderOptions render;
+  render.picture.size = Vec2i(4, 3);
+  render.picture.spp = 1;
+  render_picture(builder, render);
   return out;
 }
 

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
-#include <vug/session/picture.h>
+#include <vug/session/long_render.h>
 #include <vug/session/write.h>
 
 #include <charconv>
@@ -18,32 +19,83 @@ struct Options {
   WorkOptions work;
   std::string output;
   std::string products;
-  std::string size;
-  session::PictureOptions picture;
-  std::optional<double> exposure;
-  bool full_float = false;
+  std::string size, tile, samples, crop;
+  std::string part, checkpoint, preview;
+  session::RenderOptions render;
 };
 
-/// "1920x1080".
-Vec2i parse_size(const std::string& text) {
-  Vec2i size(0, 0);
-  const char* end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.x);
-  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-    const auto height = std::from_chars(width.ptr + 1, end, size.y);
-    if (height.ec == std::errc() && height.ptr == end && size.x > 0 && size.y > 0) return size;
+/// The whole numbers of a text that reads like `pattern`, in which each 'N' stands for one.
+std::vector<int> parse_numbers(const std::string& text, const std::string& pattern,
+                               const std::string& what, const std::string& hint) {
+  std::vector<int> numbers;
+  const char *at = text.data(), *end = text.data() + text.size();
+  bool good = true;
+  for (const char c : pattern) {
+    if (c != 'N') {
+      good = good && at != end && *at == c;
+      if (good) ++at;
+      continue;
+    }
+    const auto read = std::from_chars(at, end, numbers.emplace_back());
+    good = good && read.ec == std::errc() && numbers.back() >= 0;
+    at = read.ptr;
   }
-  throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", text), {},
-              "write --size 1920x1080");
+  if (!good || at != end)
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no {}", text, what), {}, hint);
+  return numbers;
+}
+
+void parse(Options& options) {
+  session::RenderOptions& render = options.render;
+  if (!options.size.empty()) {
+    const auto size = parse_numbers(options.size, "NxN", "size", "write --size 1920x1080");
+    render.picture.size = Vec2i(size[0], size[1]);
+    if (size[0] < 1 || size[1] < 1)
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", options.size), {},
+                  "write --size 1920x1080");
+  }
+  if (!options.crop.empty())
+    render.picture.crop =
+        parse_numbers(options.crop, "N,N,N,N", "crop", "write --crop left,top,right,bottom");
+  if (!options.tile.empty()) {
+    const auto tile = parse_numbers(options.tile, "N/N", "tile", "write --tile 1/4 to --tile 4/4");
+    render.share.tile = tile[0] - 1, render.share.tiles = tile[1];
+  }
+  if (!options.samples.empty()) {
+    const auto range = parse_numbers(options.samples, "N..N", "range of samples",
+                                     "write --samples 0..64, and --samples 64..128 for the next");
+    render.share.begin = static_cast<uint32_t>(range[0]);
+    render.share.end = static_cast<uint32_t>(range[1]);
+    if (range[0] >= range[1])
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no samples", options.samples), {},
+                  "write --samples 0..64: the second number is beyond the range");
+  }
+  render.picture.seed = options.scene.seed;
+  render.part = options.part, render.checkpoint = options.checkpoint;
+  render.preview = options.preview;
+  if (render.picture.exposure && !(std::fabs(*render.picture.exposure) <= 30))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("an exposure of {} stops is out of range", *render.picture.exposure),
+                {}, "write --exposure and a number from -30 to 30");
+  if (options.output.empty() == options.part.empty())
+    throw Error(ErrorCode::bad_input,
+                options.part.empty() ? "there is no name for the picture"
+                                     : "a part is no picture: it cannot be both",
+                {}, "give -o and an .exr for the picture, or --part and a file for a part of it");
+  if (!options.output.empty() && extension_of(options.output) != ".exr")
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},
+                "the picture is an EXR; a PNG is written beside it");
+  if (!options.preview.empty() && extension_of(options.preview) != ".png")
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .png", options.preview));
 }
 
 /// A first picture of a scene is often black or white, and its light not to be guessed.
-void warn_of_exposure(const session::Builder& builder, const session::Picture& picture,
-                      double exposure) {
+void warn_of_exposure(const session::Builder& builder, const session::Rendered& picture) {
   constexpr double kOff = 5;  // stops
-  const std::optional<double> grey = image::grey_exposure(picture.image);
+  const double exposure = session::from_notes(picture.header.notes).exposure;
+  const std::optional<double> grey = image::grey_exposure(*picture.image);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
-  builder.warn(picture.plan.where,
+  builder.warn(picture.where,
                !grey              ? "no light reaches the picture"
                : *grey > exposure ? "the picture is very dark"
                                   : "the picture is very bright",
@@ -51,40 +103,45 @@ void warn_of_exposure(const session::Builder& builder, const session::Picture& p
                     : "put a light where the camera looks, or a sky behind an opening");
 }
 
+std::string time_text(double seconds) {
+  if (seconds < 90) return fmt::format("about {:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("about {:.0f} min", seconds / 60);
+  return fmt::format("about {:.1f} h", seconds / 3600);
+}
+
 int run(Options options) {
-  if (options.exposure && !(std::fabs(*options.exposure) <= 30))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("an exposure of {} stops is out of range", *options.exposure), {},
-                "write --exposure and a number from -30 to 30");
-  const std::filesystem::path exr = options.output;
-  if (extension_of(exr) != ".exr")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},
-                "the picture is an EXR; a PNG is written beside it");
-  if (!options.size.empty()) options.picture.size = parse_size(options.size);
-  options.picture.seed = options.scene.seed;
+  parse(options);
   const session::Loaded loaded = options.scene.load();
-  const std::filesystem::path png = std::filesystem::path(exr).replace_extension(".png");
-  std::vector<std::filesystem::path> outputs = {exr, png};
+  std::vector<std::filesystem::path> outputs;
+  for (const std::string& path :
+       {options.output, options.part, options.checkpoint, options.preview})
+    if (!path.empty()) outputs.emplace_back(path);
+  if (!options.output.empty()) outputs.push_back(session::png_beside(options.output));
   if (!options.products.empty())
     for (auto& path : session::product_paths(loaded.shot, options.products))
       outputs.push_back(std::move(path));
   for (const auto& path : outputs) require_writable(path);
+  if (!options.work.quiet)
+    options.render.estimate = [](double seconds, double bytes) {
+      if (seconds < 5 && bytes < 0x1p30) return;  // not worth a line
+      clear_bar();
+      fmt::print(stderr, "rendering takes {} and {}\n", time_text(seconds), bytes_text(bytes));
+    };
   const ThreadLimit threads(options.work.threads);
   session::Builder builder(loaded.shot, options.work.build_options(loaded),
                            terminal_progress(options.work.bar()));
-  const session::Picture picture = session::render_picture(builder, options.picture);
-  image::ExrOptions exr_options;
-  exr_options.half = picture.plan.half && !options.full_float;
-  exr_options.metadata = picture.metadata;
-  image::write_exr(exr, picture.image, exr_options);
-  image::ViewOptions view;
-  view.exposure = options.exposure.value_or(picture.plan.exposure);
-  warn_of_exposure(builder, picture, view.exposure);
-  image::write_png(png, picture.image, view);
-  fmt::print("{}\n{}\n", exr.string(), png.string());
+  const session::Rendered picture = session::render_picture(builder, options.render);
+  if (picture.image) {
+    warn_of_exposure(builder, picture);
+    for (const auto& path : session::write_picture(options.output, *picture.image, picture.header))
+      fmt::print("{}\n", path.string());
+  } else {
+    fmt::print("{}\n", options.part);
+  }
   if (!options.products.empty())
     for (const auto& path : session::write_products(builder, options.products))
       fmt::print("{}\n", path.string());
+  session::remove_checkpoint(options.render);
   options.work.summarise(builder);
   return kDone;
 }
@@ -92,23 +149,41 @@ int run(Options options) {
 }  // namespace
 
 Verb render_verb() {
-  return {"render", "Renders a picture: an EXR with layers, and a PNG beside it.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            options->scene.add_to(app);
-            app.add_option("-o,--output", options->output, "the .exr to write")->required();
-            app.add_option("--products", options->products,
-                           "a folder for what `vug build` would make, too");
-            app.add_option("--spp", options->picture.spp, "samples per pixel")
-                ->check(CLI::Range(1, 1 << 20));
-            app.add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
-            app.add_option("--camera", options->picture.camera, "which camera");
-            app.add_option("--render", options->picture.render, "which render block");
-            app.add_option("--exposure", options->exposure, "stops, for the PNG");
-            app.add_flag("--float", options->full_float, "32-bit colour channels");
-            options->work.add_to(app);
-            return [options] { return run(*options); };
-          }};
+  return {
+      "render", "Renders a picture: an EXR with layers, and a PNG beside it.", [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        options->scene.add_to(app);
+        auto& render = options->render;
+        auto& picture = render.picture;
+        app.add_option("-o,--output", options->output, "the .exr to write");
+        app.add_option("--products", options->products,
+                       "a folder for what `vug build` would make, too");
+        app.add_option("--spp", picture.spp, "samples per pixel")->check(CLI::Range(1, 1 << 20));
+        app.add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
+        app.add_option("--crop", options->crop, "LEFT,TOP,RIGHT,BOTTOM: only these pixels");
+        app.add_option("--camera", picture.camera, "which camera");
+        app.add_option("--render", picture.render, "which render block");
+        app.add_option("--layers", picture.layers, "names of layers, or all")->delimiter(',');
+        app.add_option("--noise", picture.noise,
+                       "stop sampling where the relative error is below this, e.g. 0.05")
+            ->check(CLI::Range(0.0, 1.0));
+        app.add_option("--exposure", picture.exposure, "stops, for the PNG");
+        app.add_flag("--float", picture.full_float, "32-bit colour channels");
+        app.add_option("--preview", options->preview,
+                       "a .png of the picture so far, written again and again");
+        auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
+                                          "a file to go on from after a failure");
+        app.add_option("--checkpoint-every", render.checkpoint_every, "in seconds")
+            ->check(CLI::Range(0.0, 1e6))
+            ->needs(checkpoint);
+        app.add_flag("--resume", render.resume, "go on from the checkpoint, if there is one")
+            ->needs(checkpoint);
+        app.add_option("--part", options->part, "write a part for `vug merge`, no picture");
+        app.add_option("--tile", options->tile, "I/N: band I of N of the picture");
+        app.add_option("--samples", options->samples, "A..B: samples A to B-1 of each pixel");
+        options->work.add_to(app);
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli

@@ -12,6 +12,16 @@ Schema<RenderPlan> schema() {
       .param("exposure", &RenderPlan::exposure,
              {.doc = "stops, for the PNG only", .min = -30, .max = 30})
       .param("half", &RenderPlan::half, {.doc = "store colours as 16-bit floats"})
+      .param("noise", &RenderPlan::noise,
+             {.doc = "stop sampling where the relative error is below this, as 5%; 0: never",
+              .min = 0,
+              .max = 1})
+      .param(
+          "layers", &RenderPlan::layers,
+          {.doc = "names of layers, as [\"beauty\", \"Z\"], or \"all\"; without, the usual ones"})
+      .param(
+          "crop", &RenderPlan::crop,
+          {.doc = "left, top, right and bottom in pixels: only that part", .min = 0, .max = 65535})
       .param("camera", &RenderPlan::camera,
              {.doc = "a declared camera; else the one named like the render, else the first"})
       .param("sampler", &RenderPlan::sampler, {.doc = "where samples fall; else sobol"})
@@ -27,13 +37,15 @@ const DeclarationKind& render_declaration() {
       schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
         std::optional<RenderPlan> plan = read_block(schema(), declaration, reading);
         if (!plan) return Value();
-        if (plan->size.size() != 2) {
+        const auto refuse = [&](const char* key, const char* what, const char* hint) {
           for (const scene::Entry& entry : declaration.entries)
-            if (entry.key == "size")
-              reading.diagnostics.error(entry.where, "'size' is a width and a height",
-                                        "size 1920x1080");
+            if (entry.key == key) reading.diagnostics.error(entry.where, what, hint);
           return Value();
-        }
+        };
+        if (plan->size.size() != 2)
+          return refuse("size", "'size' is a width and a height", "size 1920x1080");
+        if (!plan->crop.empty() && plan->crop.size() != 4)
+          return refuse("crop", "'crop' is left, top, right and bottom", "crop [0, 0, 960, 540]");
         plan->name = declaration.name;
         plan->where = declaration.where;
         reading.shot.renders.push_back(std::move(*plan));

@@ -1,0 +1,94 @@
+#include <vug/session/long_render.h>
+
+#include <fmt/format.h>
+
+namespace vug::session {
+namespace {
+namespace fs = std::filesystem;
+
+bool whole(const render::Share& share) {
+  return share.tiles == 1 && share.tile == 0 && share.begin == 0 && share.end == 0;
+}
+
+void require_fit(const RenderOptions& options) {
+  if (!whole(options.share) && options.part.empty())
+    throw Error(ErrorCode::bad_input, "a part of a picture is no picture yet", {},
+                "name a file for it with --part, and put all parts together with vug merge");
+  if (options.resume && options.checkpoint.empty())
+    throw Error(ErrorCode::bad_input, "there is nothing to resume from", {},
+                "name the file with --checkpoint");
+  if (!options.checkpoint.empty() && !options.resume && fs::exists(options.checkpoint))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the checkpoint '{}' is there already", options.checkpoint.string()),
+                {}, "go on from it with --resume, or remove it");
+}
+
+/// The state to begin with: that of the checkpoint, or an empty one.
+render::State first_state(const PictureJob& job, const RenderOptions& options) {
+  render::State state = render::start(job.options, options.share);
+  if (!options.resume || !fs::exists(options.checkpoint)) return state;
+  render::Part kept = render::read_part(options.checkpoint);
+  const auto refuse = [&](const std::string& what) {
+    return Error(ErrorCode::bad_input,
+                 fmt::format("the checkpoint '{}' is of another picture: {}",
+                             options.checkpoint.string(), what),
+                 {}, "remove it to begin anew");
+  };
+  if (const std::string what = render::difference(kept.header, job.header); !what.empty())
+    throw refuse("different " + what);
+  if (!(kept.state.region() == state.region()) || kept.state.begin != state.begin ||
+      kept.state.end != state.end)
+    throw refuse("another tile or range of samples");
+  return std::move(kept.state);
+}
+
+}  // namespace
+
+Rendered render_picture(Builder& builder, const RenderOptions& options) {
+  require_fit(options);
+  const bool kept =
+      !options.part.empty() || !options.checkpoint.empty() || !options.preview.empty();
+  PictureJob job = prepare_picture(builder, options.picture, kept);
+  Rendered rendered{std::nullopt, job.header, job.where};
+  render::Watch watch;
+  if (options.estimate)
+    watch.estimate = [&](double seconds) {
+      options.estimate(seconds, render::memory_estimate(job.scene, job.options, kept));
+    };
+  watch.faults = [&](uint64_t refused, uint64_t cut) {
+    if (refused > 0)
+      builder.warn(job.where, fmt::format("{} samples were no number and left out", refused),
+                   "a material or a light gives values that are none");
+    if (cut > 0)
+      builder.warn(job.where, fmt::format("{} samples were cut to {:.0f}", cut, render::kMostLight),
+                   "a light is brighter than pictures can hold");
+  };
+  if (!kept) {
+    rendered.image = render::render(job.scene, job.options, builder.progress(), watch);
+    return rendered;
+  }
+  if (!options.checkpoint.empty()) {
+    watch.save_every = options.checkpoint_every;
+    watch.save = [&](const render::State& state) {
+      render::write_part(options.checkpoint, job.header, state);
+    };
+  }
+  if (!options.preview.empty())
+    watch.pass = [&](const render::State& state) {
+      write_preview(options.preview, render::develop(state, job.options.layers), job.header);
+    };
+  render::State state = first_state(job, options);
+  render::proceed(job.scene, job.options, state, watch, builder.progress());
+  if (!options.part.empty())
+    render::write_part(options.part, job.header, state);
+  else
+    rendered.image = render::develop(state, job.options.layers);
+  return rendered;
+}
+
+void remove_checkpoint(const RenderOptions& options) {
+  std::error_code ignored;
+  if (!options.checkpoint.empty()) fs::remove(options.checkpoint, ignored);
+}
+
+}  // namespace vug::session

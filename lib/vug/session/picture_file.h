@@ -1,0 +1,36 @@
+// How a rendered picture is written: the EXR with its layers, and the PNG beside it.
+#pragma once
+
+#include <vug/image/io.h>
+#include <vug/render/part.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug::session {
+
+/// What writing a picture takes beyond its pixels.
+struct PictureLook {
+  double exposure = 0;  ///< Stops, for the PNG.
+  bool half = true;     ///< 16-bit colour channels in the EXR.
+  image::Metadata metadata;
+};
+
+/// The look as notes of a part, so that merging writes the same files, and back.
+std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& look);
+PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& notes);
+
+/// Writes `exr` and the PNG of the same name beside it; returns both paths. The header tells where
+/// in the picture the image lies.
+std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
+                                                 const image::Image& image,
+                                                 const render::PartHeader& header);
+std::filesystem::path png_beside(const std::filesystem::path& exr);
+
+/// Only the PNG, as write_picture would write it.
+void write_preview(const std::filesystem::path& png, const image::Image& image,
+                   const render::PartHeader& header);
+
+}  // namespace vug::session

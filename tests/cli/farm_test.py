@@ -1,0 +1,150 @@
+"""Long renders: parts that merge to the whole, and renders that are killed and go on, bit for bit."""
+import random
+import signal
+import subprocess
+import time
+import unittest
+
+from vug import PROGRAM, SLOW, VugTest, digest
+
+SCENE = """seed 5
+volume rock = level_set(box(size: (6, 4, 6)) - sphere(1.8m), voxel: 20cm)
+camera main { eye (-1.2, 0.3, 0.4)  target (1, 0, 0)  fov 70deg }
+light lamp = sphere(center: (0.5, 0.6, 0.3), radius: 10cm, radiance: (90, 60, 30))
+medium dust = haze(extinction: 5%/m)
+render main { size 64x40  spp 48 }
+render noisy { size 64x40  spp 256  noise 20%  camera main }
+"""
+
+
+class Farm(VugTest):
+    def prepare(self):
+        self.write("s.vug", SCENE)
+        self.expect(0, "render", "s.vug", "-o", "whole.exr")
+
+    def expect_whole(self, name, whole="whole"):
+        for end in ("exr", "png"):
+            self.assertEqual(digest(self.folder / f"{name}.{end}"),
+                             digest(self.folder / f"{whole}.{end}"), f"{name}.{end}")
+
+    def part(self, name, *args, code=0):
+        return self.expect(code, "render", "s.vug", "--part", name, *args)
+
+    def test_tiles(self):
+        for i in (3, 1, 2):
+            self.part(f"t{i}", "--tile", f"{i}/3", "--threads", i)
+        self.expect(0, "merge", "t2", "t1", "t3", "-o", "tiles.exr")
+        self.expect_whole("tiles")
+
+    def test_samples_and_tiles(self):
+        self.part("a", "--samples", "0..7", "--tile", "1/2")
+        self.part("b", "--samples", "7..48", "--tile", "1/2")
+        self.part("c", "--tile", "2/2")
+        self.expect(0, "merge", "c", "b", "a", "-o", "both.exr")
+        self.expect_whole("both")
+
+    def test_all_layers_and_a_crop(self):
+        args = ("--layers", "all", "--crop", "10,5,50,35", "--exposure", "1.5", "--float")
+        self.expect(0, "render", "s.vug", "-o", "crop.exr", *args)
+        for i in (1, 2):
+            self.part(f"c{i}", "--tile", f"{i}/2", *args)
+        self.expect(0, "merge", "c1", "c2", "-o", "joint.exr")
+        self.expect_whole("joint", "crop")
+
+    def test_parts_that_make_no_picture(self):
+        self.part("a", "--tile", "1/2")
+        self.part("b", "--tile", "2/2")
+        self.part("b_seed", "--tile", "2/2", "--seed", "6")
+        self.part("b_half", "--tile", "2/2", "--samples", "0..24")
+        self.write("other.vug", SCENE.replace("(90, 60, 30)", "(90, 60, 31)"))
+        self.expect(0, "render", "other.vug", "--part", "b_scene", "--tile", "2/2")
+        self.write("text", "this is no part")
+        for parts, sentence in [(["a"], "the samples 0..48 of the pixels x 0..63, y 20..39 are missing"),
+                                (["a", "b", "a"], "'a' and 'a' both have the samples 0..48"),
+                                (["a", "b_half"], "samples 24..48 of the pixels x 0..63, y 20..39 are missing"),
+                                (["a", "b_seed"], "'a' and 'b_seed' are of different seeds, 5 and 6"),
+                                (["a", "b_scene"], "'a' and 'b_scene' are of different scenes"),
+                                (["a", "text"], "'text': it is no part of a picture"),
+                                (["a", "none"], "'none': no such file")]:
+            self.assertIn(sentence, self.expect(2, "merge", *parts, "-o", "m.exr").err)
+        self.assertFalse((self.folder / "m.exr").exists())
+
+    def test_what_cannot_be_a_part(self):
+        for args in [("--tile", "0/2"), ("--tile", "3/2"), ("--tile", "2"), ("--tile", "1/41"),
+                     ("--samples", "0..49"), ("--samples", "7..7"), ("--samples", "7-9"),
+                     ("--crop", "0,0,65,10"), ("--crop", "5,5,5,9"),
+                     ("--noise", "0.1", "--tile", "1/2"), ("-o", "a.exr")]:
+            self.part("p", *args, code=2)
+        self.expect(2, "render", "s.vug", "-o", "a.exr", "--tile", "1/2")
+        self.expect(2, "render", "s.vug", "-o", "a.exr", "--resume")
+        self.expect(2, "render", "s.vug")
+        self.assertIn("did you mean 'albedo'", self.expect(
+            2, "render", "s.vug", "-o", "a.exr", "--layers", "beauty,albdo").err)
+
+    def killed(self, delay, *args):
+        """Runs for that long, then kills the hard way; true when it had ended before."""
+        process = subprocess.Popen([PROGRAM, *args], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        try:
+            process.communicate(timeout=delay)
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGKILL)
+            process.communicate()
+            return False
+        self.assertEqual(process.returncode, 0)
+        return True
+
+    def kill_and_resume(self, name, whole, *args):
+        started = time.monotonic()
+        self.expect(0, "render", "s.vug", "-o", f"{whole}.exr", *args)
+        duration = time.monotonic() - started
+        options = ("-o", f"{name}.exr", "--checkpoint", "state", "--checkpoint-every", "0.02",
+                   "--preview", "so_far.png", "--resume", *args)
+        moments = random.Random(7)
+        ended = False
+        for _ in range(10):
+            ended = self.killed(moments.uniform(0.1, 1.1) * duration, "render", "s.vug", *options)
+            if not ended:
+                self.assertFalse((self.folder / f"{name}.exr").exists())
+            else:
+                (self.folder / f"{name}.exr").unlink()
+        self.expect(0, "render", "s.vug", *options)
+        self.expect_whole(name, whole)
+        self.assertFalse((self.folder / "state").exists())
+        self.assertEqual(digest(self.folder / "so_far.png"), digest(self.folder / f"{whole}.png"))
+
+    def test_killed_ten_times(self):
+        self.kill_and_resume("killed", "whole2", *(() if SLOW else ("--spp", "96")))
+
+    def test_killed_while_sampling_down_to_a_noise(self):
+        self.kill_and_resume("noisy", "whole_noisy", "--render", "noisy")
+
+    def test_a_checkpoint_is_not_lost_or_mistaken(self):
+        process = subprocess.Popen([PROGRAM, "render", "s.vug", "-o", "a.exr", "--spp", "4096",
+                                    "--checkpoint", "state", "--checkpoint-every", "0"],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL)
+        while not (self.folder / "state").exists() and process.poll() is None:
+            time.sleep(0.02)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        kept = digest(self.folder / "state")
+        args = ("render", "s.vug", "-o", "a.exr", "--checkpoint", "state")
+        self.assertIn("is there already", self.expect(2, *args, "--spp", "4096").err)
+        self.assertIn("different seeds, 5 and 9",
+                      self.expect(2, *args, "--spp", "4096", "--resume", "--seed", "9").err)
+        self.assertIn("done only to", self.expect(2, "merge", "state", "-o", "a.exr").err)
+        self.assertEqual(digest(self.folder / "state"), kept)
+
+    def test_ctrl_c_saves(self):
+        process = subprocess.Popen([PROGRAM, "render", "s.vug", "-o", "c.exr", "--spp", "100000",
+                                    "--checkpoint", "state"], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        process.wait()
+        self.assertEqual(process.returncode, 3)
+        self.assertTrue((self.folder / "state").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+#include "bar.h"
+#include "load.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/session/picture_file.h>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> parts;
+  std::string output;
+  WorkOptions work;
+};
+
+int run(const Options& options) {
+  if (extension_of(options.output) != ".exr")
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},
+                "the picture is an EXR; a PNG is written beside it");
+  for (const auto& path :
+       {std::filesystem::path(options.output), session::png_beside(options.output)})
+    require_writable(path);
+  const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
+  const render::Part whole = render::merge(paths, terminal_progress(options.work.bar()));
+  const image::Image image = render::develop(whole.state, whole.header.layers);
+  for (const auto& path : session::write_picture(options.output, image, whole.header))
+    fmt::print("{}\n", path.string());
+  return kDone;
+}
+
+}  // namespace
+
+Verb merge_verb() {
+  return {"merge", "Puts the parts of a picture, made by `vug render --part`, together.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("parts", options->parts, "all parts of one picture")->required();
+            app.add_option("-o,--output", options->output, "the .exr to write")->required();
+            options->work.add_to(app);
+            return [options] { return run(*options); };
+          }};
+}
+
+}  // namespace vug::cli
