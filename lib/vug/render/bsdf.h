@@ -37,6 +37,9 @@ class Bsdf {
   virtual BsdfSample sample(float lobe, const Vec2f& u) const = 0;
   /// Share of light that is reflected, about: the picture's albedo layer.
   virtual Rgb albedo() const = 0;
+  /// How much of the sampling a guide to the light may take over: about half of the share that
+  /// broad lobes have; 0 where `sample` finds lobes that `evaluate` cannot see.
+  virtual float guided() const { return 0.5f; }
 
  protected:
   ~Bsdf() = default;  // it is never destroyed, its memory is used again

@@ -1,6 +1,7 @@
 // The seam of integrators: from a camera ray to radiance.
 #pragma once
 
+#include <vug/base/progress.h>
 #include <vug/render/sampler.h>
 #include <vug/render/vectors.h>
 
@@ -8,6 +9,7 @@
 
 namespace vug::render {
 
+class Camera;
 class Tally;
 class World;
 
@@ -25,9 +27,26 @@ struct PathResult {
   FirstHit first;
 };
 
+/// The picture that paths will be traced for, as far as they can learn from it beforehand.
+struct Rehearsal {
+  const World& world;
+  const Camera& camera;
+  const Sampler& sampler;
+  float aspect = 1;      ///< Width over height.
+  uint64_t samples = 0;  ///< Of the whole picture.
+  uint64_t seed = 0;
+};
+
 class Integrator {
  public:
   virtual ~Integrator() = default;
+  /// The integrator that knows this scene; null when there is nothing to learn. The same for any
+  /// number of threads and for every part of the picture.
+  virtual std::shared_ptr<const Integrator> rehearsed(const Rehearsal& rehearsal,
+                                                      Progress& progress) const {
+    (void)rehearsal, (void)progress;
+    return nullptr;
+  }
   /// `tally`: null, or where to keep the parts of the radiance apart.
   virtual PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers,
                            Tally* tally = nullptr) const = 0;

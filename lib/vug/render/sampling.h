@@ -32,6 +32,22 @@ inline SinCos sincos_turns(float turns) {
   }
 }
 
+/// The angle of (x, y) in turns, [0, 1); error below 1e-7 (Abramowitz and Stegun 1964, 4.4.49).
+inline float turns_of(float y, float x) {
+  const float ax = std::fabs(x), ay = std::fabs(y), most = std::max(ax, ay);
+  if (!(most > 0)) return 0;
+  const float t = std::min(ax, ay) / most, tt = t * t;
+  float polynomial = 0.0028662257f;
+  for (const float c : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f,
+                        -0.1420889944f, 0.1999355085f, -0.3333314528f, 1.0f})
+    polynomial = polynomial * tt + c;
+  float turns = t * polynomial * (0.5f / kPif);
+  if (ay > ax) turns = 0.25f - turns;
+  if (x < 0) turns = 0.5f - turns;
+  if (y < 0) turns = 1 - turns;
+  return turns < 1 ? turns : 0;
+}
+
 /// Uniform on the unit disk, keeping strata whole: Shirley and Chiu 1997 (cite shirley1997disk).
 inline Vec2f sample_disk(const Vec2f& u) {
   const float a = 2 * u.x - 1, b = 2 * u.y - 1;
@@ -56,6 +72,14 @@ inline Vec3f direction_off_axis(float one_minus_cosine, float turn) {
   return {sine * sc.cos, sine * sc.sin, 1 - one_minus_cosine};
 }
 inline Vec3f direction_at(float cosine, float turn) { return direction_off_axis(1 - cosine, turn); }
+
+/// The unit square laid over the sphere so that areas keep their ratios: x runs from pole to pole,
+/// y goes round.
+inline Vec3f direction_of(const Vec2f& place) { return direction_at(1 - 2 * place.x, place.y); }
+inline Vec2f place_of(const Vec3f& direction) {
+  return {std::clamp(0.5f - 0.5f * direction.z, 0.0f, 0.99999994f),
+          turns_of(direction.y, direction.x)};
+}
 
 /// Uniform on the unit sphere; density 1 / (4 pi).
 inline Vec3f sample_sphere(const Vec2f& u) { return direction_at(1 - 2 * u.x, u.y); }

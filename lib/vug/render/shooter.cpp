@@ -62,6 +62,12 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
       tally_(plan_tally(options.layers)),
       wanted_(wanted_region(options)) {
   progress.end();
+  const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
+  const auto samples = static_cast<uint64_t>(options.width) *
+                       static_cast<uint64_t>(options.height) * static_cast<uint64_t>(options.spp);
+  if (IntegratorPtr ready = integrator_->rehearsed(
+          {world_, *scene.camera, *sampler_, aspect, samples, options.seed}, progress))
+    integrator_ = std::move(ready);
 }
 
 PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {

@@ -1,0 +1,50 @@
+#include <vug/render/paths/direct.h>
+#include <vug/render/tally.h>
+
+namespace vug::render {
+namespace {
+
+Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
+               const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex, const Vec2f& u,
+               Tally* tally) {
+  const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
+  if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
+  const Vec3f in = frame.to_local(s.direction);
+  if (!(in.z > 0)) return Rgb(0.0f);
+  const Scattering scattering = bsdf.evaluate(in, s.direction);
+  const Rgb f = scattering.total();
+  const Rgb light = unshadowed(world, s);
+  const Ray ray{hit.origin, s.direction};
+  if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
+  const float direct = s.distance == kFar
+                           ? world.lights().sky_pdf(vertex.point, chosen.odds, s.direction)
+                           : chosen.probability * s.pdf;
+  const float density = direct + scattering.pdf;
+  if (!(density > 0)) return Rgb(0.0f);
+  const float weight = clear_part(world, ray, s.distance) / density;
+  if (tally && s.distance == kFar)
+    tally->note_sky(world, s.direction, f * weight, scattering.diffuse * weight);
+  else if (tally)
+    tally->note(world.lights().group(chosen.light), f * light * weight,
+                scattering.diffuse * light * weight);
+  return f * light * weight;
+}
+
+}  // namespace
+
+Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
+                 PathVertex& vertex, float choice, const Vec2f& u, Tally* tally) {
+  if (vertex.odds.all) {
+    Rgb sum(0.0f);
+    for (const LightId id : world.lights().few())
+      if (world.lights().share(id, vertex.point, vertex.odds) > 0)
+        sum += light_from(world, {id, 1, vertex.odds}, hit, bsdf, frame, vertex, u, tally);
+    return sum;
+  }
+  const LightChoice chosen = world.lights().choose(vertex.point, choice);
+  vertex.odds = chosen.odds;
+  if (chosen.light == kNoLight) return Rgb(0.0f);
+  return light_from(world, chosen, hit, bsdf, frame, vertex, u, tally);
+}
+
+}  // namespace vug::render

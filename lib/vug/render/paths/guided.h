@@ -1,0 +1,63 @@
+// A surface's scattering, sampled half by itself and half by what a guide knows of the light.
+#pragma once
+
+#include <vug/render/bsdf.h>
+#include <vug/render/guiding/direction_tree.h>
+
+namespace vug::render {
+
+/// One-sample mixture of the Bsdf's own density and the guide's (Mueller, Gross, Novak 2017,
+/// section 3.5, mueller2017guiding); the Bsdf alone where there is no guide.
+class GuidedBsdf {
+ public:
+  GuidedBsdf(const Bsdf& bsdf, const Frame& frame, const DirectionTree* guide)
+      : bsdf_(bsdf), frame_(frame), guide_(guide), share_(guide ? bsdf.guided() : 0) {}
+
+  /// `direction` is the world's, `in` the same in the frame.
+  Scattering evaluate(const Vec3f& in, const Vec3f& direction) const {
+    Scattering s = bsdf_.evaluate(in);
+    if (share_ > 0) s.pdf += share_ * (guide_->pdf(direction) - s.pdf);
+    return s;
+  }
+
+  struct Sample {
+    BsdfSample scattered;  ///< Its direction is local, its weight over the mixture's density.
+    Vec3f direction;       ///< The world's.
+    Rgb unled{0, 0, 0};    ///< The weight as if the Bsdf alone had chosen.
+  };
+  Sample sample(float lobe, const Vec2f& u) const {
+    Sample out;
+    if (!(share_ > 0)) {
+      out.scattered = bsdf_.sample(lobe, u);
+      out.direction = frame_.to_world(out.scattered.direction);
+      out.unled = out.scattered.weight;
+      return out;
+    }
+    Vec3f in;
+    if (lobe < share_) {
+      out.direction = guide_->sample(u);
+      in = frame_.to_local(out.direction);
+    } else {
+      const BsdfSample own = bsdf_.sample((lobe - share_) / (1 - share_), u);
+      if (!(own.pdf > 0)) return out;
+      in = own.direction;
+      out.direction = frame_.to_world(in);
+    }
+    const Scattering s = bsdf_.evaluate(in);
+    const float pdf = s.pdf + share_ * (guide_->pdf(out.direction) - s.pdf);
+    const Rgb f = s.total();
+    if (!(s.pdf > 0 && pdf > 0) || is_black(f)) return out;
+    out.scattered = {in, f * (1 / pdf), s.diffuse * (1 / pdf), pdf};
+    // Where the Bsdf itself would hardly go this may be huge.
+    out.unled = f * (1 / std::fmax(s.pdf, largest(f)));
+    return out;
+  }
+
+ private:
+  const Bsdf& bsdf_;
+  const Frame& frame_;
+  const DirectionTree* guide_;
+  float share_;
+};
+
+}  // namespace vug::render

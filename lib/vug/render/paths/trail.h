@@ -1,0 +1,42 @@
+// What a path learns about how bright the surfaces are that it comes by.
+#pragma once
+
+#include <vug/render/guiding/radiance_cache.h>
+
+#include <algorithm>
+#include <array>
+
+namespace vug::render {
+
+/// The surfaces of one path: each sent back all light that the path gathers from there on.
+class Trail {
+ public:
+  explicit Trail(RadianceCache& cache) : cache_(cache) {}
+
+  /// The path arrives with `throughput`, and has gathered `so_far` until now.
+  void add(const Vec3f& point, const Vec3f& normal, const Rgb& throughput, const Rgb& so_far) {
+    if (count_ < places_.size()) places_[count_++] = {point, normal, throughput, so_far};
+  }
+  /// The path ends, having gathered `all`.
+  void learn(const Rgb& all) const {
+    for (size_t i = 0; i < count_; ++i) {
+      const Place& place = places_[i];
+      Rgb left(0.0f);
+      for (int k = 0; k < 3; ++k)
+        if (place.throughput[k] > 0)
+          left[k] = std::max(0.0f, all[k] - place.so_far[k]) / place.throughput[k];
+      cache_.record(place.point, place.normal, luminance(left));
+    }
+  }
+
+ private:
+  struct Place {
+    Vec3f point, normal;
+    Rgb throughput, so_far;
+  };
+  RadianceCache& cache_;
+  std::array<Place, 32> places_;
+  size_t count_ = 0;
+};
+
+}  // namespace vug::render

@@ -1,0 +1,82 @@
+#include <vug/render/paths/vertex.h>
+#include <vug/render/tally.h>
+
+namespace vug::render {
+namespace {
+
+/// Shadow rays stop this part of the way to the lamp, before any wall it may lie against.
+constexpr float kAlmost = 0.9999f;
+
+}  // namespace
+
+float clear_part(const World& world, const Ray& ray, float end) {
+  const Medium* medium = world.medium();
+  return medium ? medium->transmittance(ray, medium->clip(ray, end)) : 1;
+}
+
+Rgb unshadowed(const World& world, const LightSample& s) {
+  return s.distance == kFar ? world.lights().sky_radiance(s.direction) : s.radiance;
+}
+
+bool shadowed(const World& world, const Ray& ray, float distance) {
+  return world.occluded(ray, distance == kFar ? kFar : distance * kAlmost);
+}
+
+Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& from, float& alpha,
+              Tally* tally) {
+  Rgb light(0.0f);
+  // From a medium, direct sampling finds all of a lamp's light.
+  if (from.kind == PathVertex::medium) return light;
+  world.lights().each_lamp_on(ray, end, [&](LightId id, const Light& lamp) {
+    LightHit hit;
+    if (!lamp.intersect(ray, end, hit)) return;
+    float weight = 1;
+    if (from.kind == PathVertex::camera) {
+      if (!lamp.camera_visible()) return;
+      alpha = 1;
+    } else if (from.kind == PathVertex::surface) {
+      const float direct =
+          world.lights().share(id, from.point, from.odds) * lamp.pdf(from.point, ray.direction);
+      weight = from.pdf / (from.pdf + direct);
+    }
+    const Rgb arriving = hit.radiance * (weight * clear_part(world, ray, hit.distance));
+    if (tally) tally->note(world.lights().group(id), arriving);
+    light += arriving;
+  });
+  return light;
+}
+
+Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVertex& from,
+                Tally* tally) {
+  if (is_black(hit.emission) || from.kind == PathVertex::medium) return Rgb(0.0f);
+  const LightSet& lights = world.lights();
+  const LightId id = lights.emitter(hit.object, hit.triangle);
+  float weight = 1;
+  if (from.kind == PathVertex::surface) {
+    const float share = lights.share(id, from.point, from.odds);
+    const float direct = share > 0 ? share * lights.pdf(id, from.point, ray.direction) : 0;
+    weight = from.pdf / (from.pdf + direct);
+  }
+  const Rgb arriving = hit.emission * (weight * clear_part(world, ray, hit.distance));
+  if (tally) tally->note(lights.group(id), arriving);
+  return arriving;
+}
+
+Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, Tally* tally) {
+  const LightSet& lights = world.lights();
+  if (!lights.has_sky()) return Rgb(0.0f);
+  float weight = 1;
+  if (from.kind == PathVertex::surface) {
+    const float direct = lights.sky_pdf(from.point, from.odds, ray.direction);
+    weight = from.pdf / (from.pdf + direct);
+  } else if (from.kind == PathVertex::medium) {
+    // Direct sampling finds the sky only where it may turn to.
+    for (const LightId id : lights.sampled_skies())
+      if (lights.pdf(id, from.point, ray.direction) > 0) return Rgb(0.0f);
+  }
+  weight *= clear_part(world, ray, kFar);
+  if (tally) tally->note_sky(world, ray.direction, Rgb(weight));
+  return lights.sky_radiance(ray.direction) * weight;
+}
+
+}  // namespace vug::render

@@ -1,0 +1,37 @@
+// A place where a path scattered, and how light that its next ray meets is weighed.
+#pragma once
+
+#include <vug/render/world.h>
+
+namespace vug::render {
+
+class Tally;
+
+/// Lights are found both by choosing them and by following the path, weighed by the balance
+/// heuristic (Veach 1997, "Robust Monte Carlo methods for light transport simulation", section 9.2,
+/// veach1997).
+struct PathVertex {
+  /// `through`: behind a surface that lets light through, where lights are not sampled.
+  enum { camera, surface, through, medium } kind = camera;
+  LitPoint point;
+  float pdf = 0;   ///< Of the direction taken, over solid angle.
+  LightOdds odds;  ///< By which lights were sampled.
+};
+
+/// Emission of lamps between the ray's origin and `end`, as the vertex that the ray comes from
+/// may count it. A lamp that the camera sees is opaque: it sets `alpha` to 1. `tally` may be null.
+Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& from, float& alpha,
+              Tally* tally);
+/// What the surface that the ray meets sends out itself; as with lamps, but it ends the ray.
+Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVertex& from,
+                Tally* tally);
+/// The sky, for a ray that escapes.
+Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, Tally* tally);
+
+/// Part of the light that the medium lets through, up to `end` (may be kFar).
+float clear_part(const World& world, const Ray& ray, float end);
+/// Light of a sampled light before walls and medium.
+Rgb unshadowed(const World& world, const LightSample& sample);
+bool shadowed(const World& world, const Ray& ray, float distance);
+
+}  // namespace vug::render
