@@ -14,6 +14,7 @@ constexpr double kStorage = 5e-4;       ///< Relative error of a half.
 constexpr double kFloor = 1e-4;         ///< Of the log-average of the picture.
 constexpr double kPixelShare = 0.0025;  ///< Of the pixels that may fail (Mitsuba 3).
 constexpr size_t kFamilies = 4;
+constexpr double kLeastScatter = 12;  ///< Pixels of a block whose scatter means something.
 constexpr size_t kChannels = 3;
 
 std::string channel_name(size_t channel) { return std::string(1, "RGB"[channel]); }
@@ -93,28 +94,34 @@ std::vector<Entry> entries(const NoisyPicture& a, const NoisyPicture& b,
   return out;
 }
 
-/// A block's means.
+/// Sums over a block, and how far its mean difference lies from 0 in standard errors. Of these
+/// there are two: one that the pictures tell, one from the scatter of the block's own pixels.
 struct Block {
-  double difference = 0, size = 0, variance = 0;
-  size_t count = 0;
+  double difference = 0, square = 0, size = 0, variance = 0;
+  double count = 0;
 
   void add(const Entry& e) {
     if (!e.counts) return;
-    difference += e.difference, size += e.size, variance += e.variance;
+    difference += e.difference, square += e.difference * e.difference;
+    size += e.size, variance += e.variance;
     ++count;
   }
-  double deviation() const {
-    const double n = static_cast<double>(count), stored = kStorage * size / n;
-    return std::sqrt(variance / (n * n) + stored * stored);
+  double stored() const { return kStorage * size / count; }
+  double deviation() const { return std::sqrt(variance / (count * count) + stored() * stored()); }
+  double z() const { return count > 0 && deviation() > 0 ? difference / count / deviation() : 0; }
+  /// Student's t of the pixels, as the normal deviate of the same chance (wallace1959).
+  double scatter_z() const {
+    if (count < kLeastScatter) return 0;
+    const double mean = difference / count, free = count - 1;
+    const double error = std::max(0.0, square / count - mean * mean) / free;
+    const double deviation = std::sqrt(error + stored() * stored());
+    if (!(deviation > 0)) return 0;
+    const double t = mean / deviation;
+    const double z =
+        (8 * free + 1) / (8 * free + 3) * std::sqrt(free * maths::log(1 + t * t / free));
+    return std::copysign(z, t);
   }
-  double z() const {
-    const double sigma = deviation();
-    return count > 0 && sigma > 0 ? difference / static_cast<double>(count) / sigma : 0;
-  }
-  double signal() const {
-    const double sigma = deviation();
-    return sigma > 0 ? size / static_cast<double>(count) / sigma : 0;
-  }
+  double signal() const { return deviation() > 0 ? size / count / deviation() : 0; }
 };
 
 struct Grid {
@@ -143,69 +150,85 @@ Blocks blocks_of(const std::vector<Entry>& entries, const Image& image, const Gr
   return out;
 }
 
-/// The most unlikely channel of a finding for each of which there is a z-score.
-Finding of_channels(const char* name, const std::array<double, kChannels>& z,
-                    double (*chance)(double)) {
-  Finding out = finding_of(name);
-  for (size_t c = 0; c < kChannels; ++c) {
-    const double p = chance(z[c]);
-    if (c > 0 && p >= out.chance) continue;
-    out.value = z[c], out.chance = p, out.channel = channel_name(c);
-  }
-  out.chance = any_of_chance(out.chance, kChannels);
+/// The z-scores of one channel's blocks, and what they weigh.
+struct Scores {
+  size_t channel = 0;
+  std::vector<double> z, signal;
+};
+
+/// Those that the variances give; then, where both pictures have as many samples, those of the
+/// pixels' scatter: a difference is then as likely as its opposite, whatever the noise, and the
+/// scatter shows what Sobol points gained.
+std::vector<Scores> scores_of(const Blocks& blocks, bool exchangeable) {
+  std::vector<Scores> out;
+  for (const bool scatter : {false, true})
+    for (size_t c = 0; c < kChannels && (!scatter || exchangeable); ++c) {
+      Scores scores;
+      scores.channel = c;
+      for (const Block& b : blocks[c]) {
+        if (b.count == 0) continue;
+        scores.z.push_back(scatter ? b.scatter_z() : b.z());
+        scores.signal.push_back(b.signal());
+      }
+      out.push_back(std::move(scores));
+    }
   return out;
 }
 
-Finding find_bias(const Blocks& blocks) {
-  std::array<double, kChannels> t{};
-  for (size_t c = 0; c < kChannels; ++c) {
-    std::vector<double> weights;
-    for (const Block& b : blocks[c])
-      if (b.count > 0) weights.push_back(b.signal());
-    if (weights.empty()) continue;
-    std::vector<double> ordered = weights;
-    std::nth_element(ordered.begin(),
-                     ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2),
-                     ordered.end());
+/// The most unlikely of the scores by `statistic`, a z-score, and its `chance`.
+template <class Statistic, class Chance>
+Finding most_unlikely(const char* name, const std::vector<Scores>& all, Statistic statistic,
+                      Chance chance) {
+  Finding out = finding_of(name);
+  bool first = true;
+  for (const Scores& scores : all) {
+    const double z = statistic(scores), p = chance(z);
+    if (!first && p >= out.chance) continue;
+    out.value = z, out.chance = p, out.channel = channel_name(scores.channel);
+    first = false;
+  }
+  out.chance = any_of_chance(out.chance, static_cast<double>(all.size()));
+  return out;
+}
+
+Finding find_bias(const std::vector<Scores>& all) {
+  const auto lean = [](const Scores& scores) {
+    std::vector<double> ordered = scores.signal;
+    std::sort(ordered.begin(), ordered.end());
     const double most = 4 * ordered[ordered.size() / 2];
     double sum = 0, squares = 0;
-    size_t i = 0;
-    for (const Block& b : blocks[c]) {
-      if (b.count == 0) continue;
-      const double w = std::min(weights[i++], most) * b.z();
+    for (size_t i = 0; i < scores.z.size(); ++i) {
+      const double w = std::min(scores.signal[i], most) * scores.z[i];
       sum += w, squares += w * w;
     }
-    t[c] = squares > 0 ? sum / std::sqrt(squares) : 0;
-  }
-  return of_channels("bias", t, two_sided_chance);
+    return squares > 0 ? sum / std::sqrt(squares) : 0.0;
+  };
+  return most_unlikely("bias", all, lean, two_sided_chance);
 }
 
-Finding find_spread(const Blocks& blocks) {
-  std::array<double, kChannels> z{};
-  for (size_t c = 0; c < kChannels; ++c) {
-    double squares = 0, n = 0;
-    for (const Block& b : blocks[c])
-      if (b.count > 0) squares += b.z() * b.z(), ++n;
-    if (n == 0) continue;
+Finding find_spread(const std::vector<Scores>& all) {
+  const auto spread = [](const Scores& scores) {
+    double squares = 0;
+    for (const double z : scores.z) squares += z * z;
+    const double n = static_cast<double>(scores.z.size());
     // Wilson and Hilferty's cube root of a chi-square deviate (wilson1931).
     const double k = 2 / (9 * n);
-    z[c] = ((squares > 0 ? maths::pow(squares / n, 1.0 / 3) : 0) - (1 - k)) / std::sqrt(k);
-  }
-  return of_channels("spread", z, [](double v) { return v > 0 ? 0.5 * two_sided_chance(v) : 1.0; });
+    return ((squares > 0 ? maths::pow(squares / n, 1.0 / 3) : 0) - (1 - k)) / std::sqrt(k);
+  };
+  return most_unlikely("spread", all, spread,
+                       [](double z) { return z > 0 ? 0.5 * two_sided_chance(z) : 1.0; });
 }
 
-Finding find_block(const Blocks& blocks) {
-  Finding out = finding_of("block");
-  double count = 0;
-  for (size_t c = 0; c < kChannels; ++c)
-    for (const Block& b : blocks[c]) {
-      if (b.count == 0) continue;
-      ++count;
-      if (std::fabs(b.z()) <= std::fabs(out.value)) continue;
-      out.value = b.z(), out.channel = channel_name(c);
-    }
-  out.chance = any_of_chance(two_sided_chance(out.value), count);
-  return out;
+Finding find_block(const std::vector<Scores>& all) {
+  const auto furthest = [](const Scores& scores) {
+    double most = 0;
+    for (const double z : scores.z)
+      if (std::fabs(z) > std::fabs(most)) most = z;
+    return most;
+  };
+  const auto count = static_cast<double>(all.front().z.size());
+  return most_unlikely("block", all, furthest,
+                       [&](double z) { return any_of_chance(two_sided_chance(z), count); });
 }
 
 Finding find_pixels(const std::vector<Entry>& entries, double level) {
@@ -228,13 +251,14 @@ Finding find_pixels(const std::vector<Entry>& entries, double level) {
   return out;
 }
 
-void summarise(const Blocks& blocks, const Image& image, const Grid& grid, Significance& out) {
+void summarise(const Blocks& blocks, bool exchangeable, const Image& image, const Grid& grid,
+               Significance& out) {
   double sum = 0, squares = 0, beyond = 0, n = 0;
   std::vector<double> furthest(blocks[0].size(), 0.0);
   for (const std::vector<Block>& channel : blocks)
     for (size_t i = 0; i < channel.size(); ++i) {
       if (channel[i].count == 0) continue;
-      const double z = channel[i].z();
+      const double z = exchangeable ? channel[i].scatter_z() : channel[i].z();
       sum += z, squares += z * z, ++n;
       if (std::fabs(z) > 3) ++beyond;
       if (std::fabs(z) > std::fabs(furthest[i])) furthest[i] = z;
@@ -247,6 +271,15 @@ void summarise(const Blocks& blocks, const Image& image, const Grid& grid, Signi
     for (int x = 0; x < image.width; ++x)
       out.z.push_back(static_cast<float>(
           furthest[static_cast<size_t>(grid.block_of(x, y, image.width, image.height))]));
+}
+
+/// As many samples in both pictures, within a tenth.
+bool same_samples(const NoisyPicture& a, const NoisyPicture& b) {
+  if (a.samples.empty() || b.samples.empty()) return false;
+  double sum_a = 0, sum_b = 0;
+  for (const float n : a.samples) sum_a += static_cast<double>(n);
+  for (const float n : b.samples) sum_b += static_cast<double>(n);
+  return sum_a > 0 && std::fabs(sum_a - sum_b) <= 0.1 * sum_a;
 }
 
 void require_usable(const NoisyPicture& a, const NoisyPicture& b) {
@@ -288,7 +321,9 @@ Significance test_significance(const NoisyPicture& reference, const NoisyPicture
   const Grid grid{std::max(1, image.width / out.block), std::max(1, image.height / out.block)};
   const Blocks blocks = blocks_of(all, image, grid);
   const double level = share_of_chance(options.alarm, kFamilies);
-  out.findings = {find_bias(blocks), find_spread(blocks), find_block(blocks),
+  const bool exchangeable = same_samples(reference, test);
+  const std::vector<Scores> scores = scores_of(blocks, exchangeable);
+  out.findings = {find_bias(scores), find_spread(scores), find_block(scores),
                   find_pixels(all, level)};
   for (Finding& finding : out.findings) {
     finding.different = finding.different || finding.chance < level;
@@ -300,7 +335,7 @@ Significance test_significance(const NoisyPicture& reference, const NoisyPicture
     if (all[i].counts)
       difference += all[i].difference, size += value(image, i / kChannels, i % kChannels);
   out.bias = size > 0 ? difference / size : 0;
-  summarise(blocks, image, grid, out);
+  summarise(blocks, exchangeable, image, grid, out);
   return out;
 }
 

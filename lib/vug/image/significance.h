@@ -51,12 +51,15 @@ struct Significance {
   std::vector<float> z;  ///< Of the block each pixel lies in: the channel that is furthest off.
 };
 
-/// Findings, each at its part of the alarm rate (Sidak):
-///   bias    the z-scores of blocks lean to one side. Self-normalised, t = sum w z / sqrt(sum w^2
-///   z^2),
-///           so that wrong variances do not matter; w favours blocks with much signal and is capped
+/// Blocks have z-scores: their mean difference over its standard error. One set comes from the
+/// pixels' variances. Where both pictures have as many samples (within a tenth) a second set comes
+/// from the scatter of the block's own pixels (Student's t): their noise is then symmetric, so that
+/// no variance is needed, and what Sobol points gain is gained here too. Findings, each at its part
+/// of the alarm rate (Sidak), and over both sets and the channels:
+///   bias    z-scores lean to one side: t = sum w z / sqrt(sum w^2 z^2), which wrong variances do
+///           not disturb; w favours blocks with much signal and is capped
 ///   spread  z-scores lie further from 0 than chance allows (sum of squares, chi-square)
-///   block   one block is off (largest |z|, Sidak over blocks and channels)
+///   block   one block is off (largest |z|, Sidak over blocks)
 ///   pixels  more than 0.25 % of the pixels have a chance below the level that is corrected for
 ///           their number (the rule of Mitsuba 3's render tests, jakob2022mitsuba3)
 /// Variances of both pictures are pooled over their samples (as in Student's test), which keeps

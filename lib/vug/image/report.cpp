@@ -1,0 +1,117 @@
+#include <vug/image/report.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace vug::image {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* basis_text(const Diff& diff) {
+  switch (diff.basis) {
+    case Basis::identical:
+      return "identical";
+    case Basis::limits:
+      return diff.tested ? "limits and significance" : "limits";
+    case Basis::significance:
+      return "significance";
+    case Basis::rounding:
+      break;
+  }
+  return "rounding";
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+std::string row_text(const Row& row) {
+  std::string out = fmt::format("{:<16} {:<14} {:>12.6g}", row.layer, row.measure, row.value);
+  if (row.limit) {
+    const bool low = measure_of(row.measure).better == Measure::Better::low;
+    out += fmt::format("   {} {:<10.6g} {}", low ? "at most " : "at least", *row.limit,
+                       row.passed ? "" : "FAILED");
+  }
+  while (out.back() == ' ') out.pop_back();
+  return out + "\n";
+}
+
+Json to_json(const Significance& s, bool heeded) {
+  Json out{{"different", s.different}, {"heeded", heeded}, {"chance", s.chance},
+           {"bias", number(s.bias)},   {"block", s.block}, {"blocks", s.blocks},
+           {"mean_z", s.mean_z},       {"std_z", s.std_z}, {"beyond_3", s.beyond_3}};
+  for (const Finding& f : s.findings)
+    out["findings"].push_back({{"name", f.name},
+                               {"channel", f.channel},
+                               {"value", number(f.value)},
+                               {"chance", f.chance},
+                               {"different", f.different}});
+  return out;
+}
+
+}  // namespace
+
+std::string verdict_text(const Diff& diff) {
+  if (!diff.same) return fmt::format("different: {}", fmt::join(diff.reasons, "; "));
+  switch (diff.basis) {
+    case Basis::identical:
+      return "identical";
+    case Basis::limits:
+      return diff.tested ? "the same: within the limits and the noise"
+                         : "the same: within the limits";
+    case Basis::significance:
+      return "the same: noise explains what differs";
+    case Basis::rounding:
+      break;
+  }
+  return "the same: rounding explains what differs";
+}
+
+std::string to_table(const Diff& diff) {
+  std::string out = fmt::format("{:<16} {:<14} {:>12}\n", "layer", "measure", "value");
+  for (const Row& row : diff.rows) out += row_text(row);
+  if (diff.significance) {
+    const Significance& s = *diff.significance;
+    out += fmt::format(
+        "\nsignificance of the beauty, {} blocks of {} x {} pixels: mean z {:.3f}, std z {:.3f}, "
+        "|z| > 3 in {:.2f} %, brightness {:+.3f} %\n",
+        s.blocks, s.block, s.block, s.mean_z, s.std_z, 100 * s.beyond_3, 100 * s.bias);
+    for (const Finding& f : s.findings)
+      out += fmt::format("  {:<8} {:>10.4g} in {}   chance {:<10.3g} {}\n", f.name, f.value,
+                         f.channel, f.chance, f.different ? "FAILED" : "");
+  }
+  if (diff.not_finite > 0) out += fmt::format("\n{} values are not finite\n", diff.not_finite);
+  if (!diff.unjudged.empty())
+    out +=
+        fmt::format("\nnot judged though they differ: {} (set limits, as in --max {}.rmse=0.01)\n",
+                    fmt::join(diff.unjudged, ", "), diff.unjudged.front());
+  return out + "\n" + verdict_text(diff) + "\n";
+}
+
+std::string to_json(const Diff& diff, const std::string& reference, const std::string& test) {
+  Json out{{"reference", reference},
+           {"test", test},
+           {"same", diff.same},
+           {"basis", basis_text(diff)},
+           {"reasons", diff.reasons},
+           {"exposure", diff.exposure},
+           {"not_finite", diff.not_finite},
+           {"unjudged", diff.unjudged}};
+  out["layers"] = Json::object();
+  for (const Row& row : diff.rows) {
+    Json& entry = out["layers"][row.layer][row.measure];
+    entry["value"] = number(row.value);
+    if (row.limit) entry["limit"] = *row.limit, entry["passed"] = row.passed;
+  }
+  if (diff.significance) out["significance"] = to_json(*diff.significance, diff.tested);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Image heat_picture(const Diff& diff) {
+  return heat_map(diff.heat, diff.shown.reference.width, diff.shown.reference.height);
+}
+
+}  // namespace vug::image

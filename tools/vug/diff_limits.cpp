@@ -1,0 +1,68 @@
+#include "diff_limits.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace vug::cli {
+
+image::Limit parse_limit(const std::string& text, image::Measure::Better better) {
+  const bool low = better == image::Measure::Better::low;
+  const char* option = low ? "--max" : "--min";
+  const size_t equals = text.find('=');
+  const char* end = text.data() + text.size();
+  double value = 0;
+  const bool number = equals != std::string::npos && [&] {
+    const auto [stop, code] = std::from_chars(text.data() + equals + 1, end, value);
+    return code == std::errc() && stop == end && std::isfinite(value);
+  }();
+  if (!number)
+    throw Error(ErrorCode::bad_input, fmt::format("'{} {}' sets no limit", option, text), {},
+                low ? "write --max rmse=0.01 or --max N.rmse=0.01" : "write --min psnr=40");
+  const image::Limit limit = image::limit_of(text.substr(0, equals), value);
+  if (image::measure_of(limit.measure).better != better)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("{} is better the {} it is", limit.measure, low ? "higher" : "lower"),
+                {}, fmt::format("write {} {}", low ? "--min" : "--max", text));
+  return limit;
+}
+
+nlohmann::ordered_json read_json(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  try {
+    return nlohmann::ordered_json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto until =
+        text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), until, '\n');
+    throw Error(ErrorCode::bad_input, "this is no JSON", {file.string(), static_cast<int>(line), 0},
+                "see docs/image_tests.md");
+  }
+}
+
+std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object,
+                                    const std::string& where) {
+  if (!object.is_object())
+    throw Error(ErrorCode::bad_input, fmt::format("the limits in '{}' are no JSON object", where),
+                {}, "write {\"rmse\": 0.01, \"N.max\": 0.1}");
+  std::vector<image::Limit> out;
+  for (const auto& [name, value] : object.items()) {
+    if (!value.is_number())
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the limit '{}' in '{}' is no number", name, where), {},
+                  "write {\"rmse\": 0.01, \"N.max\": 0.1}");
+    out.push_back(image::limit_of(name, value.get<double>()));
+  }
+  return out;
+}
+
+std::vector<image::Limit> read_limits(const std::filesystem::path& file) {
+  return limits_of(read_json(file), file.string());
+}
+
+}  // namespace vug::cli
