@@ -301,6 +301,8 @@ Diff diff(const Subject& reference, const Subject& test, const DiffOptions& opti
     const Differences d = differences(pair);
     out.not_finite += d.not_finite;
     largest.push_back(d.largest);
+    const bool brief = d.largest == 0 && !each.main;  // one word says it all
+    if (brief) out.identical.push_back(each.layer.name);
     if (each.layer.name == kBeauty && out.tested && std::isinf(d.largest))
       out.reasons.push_back("values of the beauty are not finite in one picture only");
     for (const Measure* measure : measures_for(each, options, limits)) {
@@ -308,7 +310,7 @@ Diff diff(const Subject& reference, const Subject& test, const DiffOptions& opti
       if (d.largest > 0) row.value = measure->measure(pair).value;
       if (const Limit* limit = limit_for(each, row.measure, limits)) row.limit = limit->value;
       if (row.limit) row.passed = passes(*measure, row.value, *row.limit);
-      out.rows.push_back(row);
+      if (!brief || row.limit) out.rows.push_back(row);
     }
     if (&each == &*main) {
       out.shown = pair;

@@ -74,7 +74,8 @@ inline constexpr double kAlarm = 0.01;
 struct Diff {
   bool same = true;
   Basis basis = Basis::identical;
-  std::vector<Row> rows;  ///< Layer by layer.
+  std::vector<Row> rows;  ///< Layer by layer; of identical ones that are not main only limits.
+  std::vector<std::string> identical;  ///< Layers without a difference, the main ones aside.
   std::optional<Significance> significance;
   bool tested = false;                ///< Whether the verdict heeds `significance`.
   size_t not_finite = 0;              ///< Values in either picture, among those that count.

@@ -41,7 +41,7 @@ figure + figure { position: absolute; inset: 0; }
 .bar { display: none; position: absolute; top: 0; bottom: 0; left: var(--cut); width: 1px; background: #fffc; }
 .stage[data-mode=slide] .bar { display: block; }
 .columns { display: flex; flex-wrap: wrap; gap: 20px 44px; margin-top: 26px; }
-section { flex: 1; min-width: 330px; } section p { margin: 0 0 10px; font-size: 13.5px; color: #a8a8a8; }
+section { flex: 1; min-width: 330px; } section p { margin: 8px 0 10px; font-size: 13.5px; color: #a8a8a8; }
 table { border-collapse: collapse; width: 100%; font-size: 13.5px; }
 th { text-align: left; font-weight: 500; color: #8f8f8f; padding: 3px 10px 3px 0; }
 td { padding: 2px 10px 2px 0; } tr.first td { border-top: 1px solid #303030; padding-top: 5px; }

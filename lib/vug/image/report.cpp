@@ -73,6 +73,8 @@ std::string verdict_text(const Diff& diff) {
 std::string to_table(const Diff& diff) {
   std::string out = fmt::format("{:<16} {:<14} {:>12}\n", "layer", "measure", "value");
   for (const Row& row : diff.rows) out += row_text(row);
+  if (!diff.identical.empty())
+    out += fmt::format("\nidentical: {}\n", fmt::join(diff.identical, ", "));
   if (diff.significance) {
     const Significance& s = *diff.significance;
     out += fmt::format(
@@ -99,7 +101,8 @@ std::string to_json(const Diff& diff, const std::string& reference, const std::s
            {"reasons", diff.reasons},
            {"exposure", diff.exposure},
            {"not_finite", diff.not_finite},
-           {"unjudged", diff.unjudged}};
+           {"unjudged", diff.unjudged},
+           {"identical", diff.identical}};
   out["layers"] = Json::object();
   for (const Row& row : diff.rows) {
     Json& entry = out["layers"][row.layer][row.measure];

@@ -3,6 +3,7 @@
 #include <vug/image/report.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +106,15 @@ void add_measures(const Diff& diff, std::string& out) {
         xml_text(measure_of(row.measure).info.doc), row.measure, row.value, limit_cell(row));
     layer = row.layer;
   }
-  out += "</table></section>\n";
+  out += "</table>";
+  if (!diff.identical.empty())
+    out += fmt::format("<p>Identical: {}.</p>",
+                       xml_text(fmt::format("{}", fmt::join(diff.identical, ", "))));
+  if (!diff.unjudged.empty())
+    out += fmt::format("<p>Not judged though they differ: {}.</p>",
+                       xml_text(fmt::format("{}", fmt::join(diff.unjudged, ", "))));
+  if (diff.not_finite > 0) out += fmt::format("<p>{} values are not finite.</p>", diff.not_finite);
+  out += "</section>\n";
 }
 
 void add_significance(const Significance& s, bool heeded, std::string& out) {
