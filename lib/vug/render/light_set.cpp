@@ -123,6 +123,13 @@ float LightSet::share_along(LightId light, const Ray& ray, const Segment& segmen
   return share_by(light, AlongRay{*this, ray, segment}, odds);
 }
 
+bool LightSet::sky_is_plain() const {
+  const LitPoint anywhere{Vec3f(0.0f)};
+  return std::all_of(sampled_skies_.begin(), sampled_skies_.end(), [&](LightId id) {
+    return !lights_[id]->is_portal() && !(lights_[id]->importance(anywhere) > 0);
+  });
+}
+
 Rgb LightSet::sky_radiance(const Vec3f& direction) const {
   Rgb sum(0.0f);
   for (const LightId id : skies_) sum += lights_[id]->escape_radiance(direction);

@@ -85,6 +85,8 @@ class LightSet {
   }
 
   bool has_sky() const { return !skies_.empty(); }
+  /// No light knows where the sky shines: there are no portals, and no sky samples directions.
+  bool sky_is_plain() const;
   const std::vector<LightId>& skies() const { return skies_; }
   Rgb sky_radiance(const Vec3f& direction) const;
   /// Skies that can be chosen: portals, or where there are none the skies that sample directions.

@@ -24,7 +24,8 @@ struct Options {
   SamplerPtr sampler;   ///< Null: sobol.
   IntegratorPtr integrator;  ///< Null: path.
   LayerPlan layers = plan_layers({}, {});
-  Region crop;       ///< Which pixels of the picture; empty: all.
+  bool openings = true;  ///< Find where the sky shines in; no effect on the picture's mean.
+  Region crop;           ///< Which pixels of the picture; empty: all.
   double noise = 0;  ///< Blocks whose noise is below this get no more samples; 0: `spp` for all.
 };
 

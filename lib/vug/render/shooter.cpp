@@ -1,6 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/render/kinds.h>
+#include <vug/render/paths/openings.h>
 #include <vug/render/shooter.h>
 
 #include <fmt/format.h>
@@ -58,15 +59,20 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
       integrator_(options.integrator
                       ? options.integrator
                       : make_integrator("path", {{"max_bounces", options.max_bounces}})),
-      world_(announced(scene, progress)),
+      world_(std::make_unique<const World>(announced(scene, progress))),
       tally_(plan_tally(options.layers)),
       wanted_(wanted_region(options)) {
   progress.end();
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const auto samples = static_cast<uint64_t>(options.width) *
                        static_cast<uint64_t>(options.height) * static_cast<uint64_t>(options.spp);
-  if (IntegratorPtr ready = integrator_->rehearsed(
-          {world_, *scene.camera, *sampler_, aspect, samples, options.seed}, progress))
+  const auto rehearsal = [&] {
+    return Rehearsal{*world_, *scene.camera, *sampler_, aspect, samples, options.seed};
+  };
+  if (options.openings)
+    if (const auto portals = find_openings(rehearsal(), progress); !portals.empty())
+      world_ = std::make_unique<const World>(*world_, scene, portals);
+  if (IntegratorPtr ready = integrator_->rehearsed(rehearsal(), progress))
     integrator_ = std::move(ready);
 }
 
@@ -81,7 +87,7 @@ PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
   const Vec2f place((static_cast<float>(x) + inside.x) / width,
                     (static_cast<float>(y) + inside.y) / height);
   tally.clear();
-  return integrator_->trace(world_, scene_.camera->ray(place, width / height, lens), numbers,
+  return integrator_->trace(*world_, scene_.camera->ray(place, width / height, lens), numbers,
                             tally.colours().empty() ? nullptr : &tally);
 }
 

@@ -30,7 +30,7 @@ class Shooter {
   Progress& progress_;
   SamplerPtr sampler_;
   IntegratorPtr integrator_;
-  World world_;
+  std::unique_ptr<const World> world_;
   TallyPlan tally_;
   Region wanted_;
 };

@@ -2,12 +2,26 @@
 #include <vug/render/world.h>
 
 namespace vug::render {
+namespace {
+
+std::vector<LightPtr> joined(std::vector<LightPtr> lights, const std::vector<LightPtr>& more) {
+  lights.insert(lights.end(), more.begin(), more.end());
+  return lights;
+}
+
+}  // namespace
+
 World::World(const Scene& scene)
-    : geometry_(std::make_unique<Geometry>(scene.objects)), lights_(scene.lights, scene.objects) {
+    : geometry_(std::make_shared<Geometry>(scene.objects)), lights_(scene.lights, scene.objects) {
   medium_ = scene.medium;
   if (medium_)
     if (MediumPtr fitted = medium_->fitted(geometry_->bounds)) medium_ = fitted;
 }
+
+World::World(const World& other, const Scene& scene, const std::vector<LightPtr>& more)
+    : geometry_(other.geometry_),
+      lights_(joined(scene.lights, more), scene.objects),
+      medium_(other.medium_) {}
 
 World::~World() = default;
 

@@ -29,6 +29,8 @@ class World {
  public:
   /// Keeps references into the scene's meshes. Throws as `render` does.
   explicit World(const Scene& scene);
+  /// The same surfaces under more lights.
+  World(const World& other, const Scene& scene, const std::vector<LightPtr>& more);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -46,7 +48,7 @@ class World {
  private:
   struct Geometry;
 
-  std::unique_ptr<Geometry> geometry_;
+  std::shared_ptr<const Geometry> geometry_;
   LightSet lights_;
   MediumPtr medium_;
 };

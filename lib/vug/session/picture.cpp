@@ -137,6 +137,7 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   render.sampler = plan.sampler;
   render.integrator = plan.integrator;
   render.noise = plan.noise;
+  render.openings = plan.openings;
   if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
   try {
     render.layers = render::plan_layers(plan.layers, {});

@@ -68,6 +68,7 @@ struct RenderPlan {
   std::vector<int> size = {960, 540};  ///< Pixels: width, height.
   int spp = 64;
   double exposure = 0;              ///< Stops; for the PNG only.
+  bool openings = true;             ///< See render::Options.
   bool half = true;                 ///< 16-bit colour channels in the EXR.
   double noise = 0;                 ///< See render::Options.
   std::vector<std::string> layers;  ///< As render::plan_layers takes them.

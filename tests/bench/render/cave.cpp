@@ -96,7 +96,8 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
 
 int main(int argc, char** argv) {
   CLI::App app("Renders a bench scene");
-  std::string file = VUG_BENCH_DATA "/cave_scene.json", out, size = "320x180", mesh_file, sky;
+  std::string file = VUG_BENCH_DATA "/cave_scene.json", out, size = "320x180", mesh_file, sky,
+              guide = "auto";
   render::Options options;
   bool portal = false, no_lamps = false;
   double haze = 0;
@@ -111,8 +112,12 @@ int main(int argc, char** argv) {
   app.add_option("--sky", sky);
   app.add_option("--haze", haze);
   app.add_flag("--portal", portal);
+  app.add_flag("!--no-openings", options.openings, "leave the sky to chance where no portal is");
+  app.add_option("--guide", guide, "auto, on or off");
   app.add_flag("--no-lamps", no_lamps);
   CLI11_PARSE(app, argc, argv);
+  options.integrator = render::make_integrator(
+      "path", {{"max_bounces", options.max_bounces}, {"guide", Value::Name{guide}}});
   const std::filesystem::path mesh = mesh_file.empty()
                                          ? std::filesystem::path(file).parent_path() / "cave.ply"
                                          : std::filesystem::path(mesh_file);

@@ -16,6 +16,9 @@ Schema<RenderPlan> schema() {
              {.doc = "stop sampling where the relative error is below this, as 5%; 0: never",
               .min = 0,
               .max = 1})
+      .param("openings", &RenderPlan::openings,
+             {.doc = "look first where an even sky shines in, when no portal tells; only the noise "
+                     "depends on it"})
       .param(
           "layers", &RenderPlan::layers,
           {.doc = "names of layers, as [\"beauty\", \"Z\"], or \"all\"; without, the usual ones"})
