@@ -6,6 +6,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vug::render {
 
@@ -44,9 +47,17 @@ struct LightBounds {
   float strength = 0;     ///< Luminance times area, in W/sr.
 };
 
+/// What a scene says of a light beside its shape and brightness.
+struct LightNotes {
+  std::string group;                      ///< Of the picture's layers of lights; empty: none.
+  std::vector<std::string> only, except;  ///< Names of objects; both empty: it lights all.
+};
+
 class Light {
  public:
+  explicit Light(LightNotes notes = {}) : notes_(std::move(notes)) {}
   virtual ~Light() = default;
+  const LightNotes& notes() const { return notes_; }
 
   /// Chooses a direction towards the light.
   virtual LightSample sample(const LitPoint& point, const Vec2f& u) const = 0;
@@ -74,12 +85,17 @@ class Light {
   /// arrives from a direction is the sum of all skies' `escape_radiance`.
   virtual bool is_sky() const { return false; }
   virtual bool is_portal() const { return false; }
-  /// Over all directions; sets the importance of portals and skies against that of lamps.
+  /// Over all directions; times it the importance of portals stands against that of lamps.
   virtual float mean_luminance() const { return 0; }
   virtual Rgb escape_radiance(const Vec3f& direction) const {
     (void)direction;
     return {0, 0, 0};
   }
+  /// A sky that portals would hardly find, as the sun: it is sampled beside them.
+  virtual bool beside_portals() const { return false; }
+
+ private:
+  LightNotes notes_;
 };
 using LightPtr = std::shared_ptr<const Light>;
 

@@ -1,4 +1,10 @@
+#include <vug/base/diagnostics.h>
+#include <vug/base/error.h>
 #include <vug/render/light_set.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vug::render {
 
@@ -8,10 +14,16 @@ struct LightSet::AtPoint {
   const LightSet& set;
   const LitPoint& point;
 
-  float sky(LightId id) const { return set.sky_scale_ * set.lights_[id]->importance(point); }
+  float sky(LightId id) const {
+    if (!set.reaches(id, point.object)) return 0;
+    const Light& light = *set.lights_[id];
+    return (light.is_portal() ? set.sky_scale_ : 1) * light.importance(point);
+  }
   float branch(const LightTree& tree, uint32_t node) const {
-    if (&tree == &set.lamp_tree_ && tree.is_leaf(node))
-      return set.lights_[tree.light(node)]->importance(point);
+    if (&tree == &set.lamp_tree_ && tree.is_leaf(node)) {
+      const LightId id = tree.light(node);
+      return set.reaches(id, point.object) ? set.lights_[id]->importance(point) : 0;
+    }
     return tree.importance(node, point);
   }
 };
@@ -22,7 +34,9 @@ struct LightSet::AlongRay {
   const Segment& segment;
 
   float sky(LightId id) const {
-    return set.sky_scale_ * set.lights_[id]->importance_along(ray, segment.begin, segment.end);
+    const Light& light = *set.lights_[id];
+    return (light.is_portal() ? set.sky_scale_ : 1) *
+           light.importance_along(ray, segment.begin, segment.end);
   }
   float branch(const LightTree& tree, uint32_t node) const {
     if (&tree == &set.lamp_tree_ && tree.is_leaf(node))
@@ -40,11 +54,14 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
     portals |= light.is_portal();
     if (!light.is_sky() || light.is_portal()) continue;
     skies_.push_back(id);
-    sky_scale_ += light.mean_luminance();
+    if (!light.beside_portals()) sky_scale_ += light.mean_luminance();
   }
-  for (LightId id = 0; id < lamp_ids() && sky_scale_ > 0; ++id) {
+  for (LightId id = 0; id < lamp_ids(); ++id) {
+    const Light& light = *lights_[id];
     // Where portals are, they find the sky better than the sky does.
-    if (!lights_[id]->is_sky() || lights_[id]->is_portal() != portals) continue;
+    if (!light.is_sky() ||
+        (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.beside_portals()))
+      continue;
     sampled_skies_.push_back(id);
     branches_.push_back({nullptr, id});
   }
@@ -55,9 +72,44 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
                             [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
     for (const uint32_t node : tree->cut()) branches_.push_back({tree, node});
+  link(objects);
   size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
   if (size_ <= kFew)
     for (const Branch& b : branches_) few_.push_back(b.tree ? b.tree->light(b.node) : b.node);
+}
+
+void LightSet::link(const std::vector<Object>& objects) {
+  std::vector<std::string> names;
+  for (const Object& object : objects) {
+    names.push_back(object.name);
+    object_groups_.push_back(group_of(object.light_group));
+  }
+  for (const LightPtr& light : lights_) {
+    const LightNotes& notes = light->notes();
+    light_groups_.push_back(group_of(notes.group));
+    const bool only = !notes.only.empty();
+    std::vector<bool> lit;
+    if (only || !notes.except.empty()) lit.assign(objects.size(), !only);
+    for (const std::string& name : only ? notes.only : notes.except) {
+      bool found = false;
+      for (size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) lit[i] = only, found = true;
+      if (!found)
+        throw Error(ErrorCode::bad_input,
+                    fmt::format("a light is linked to '{}', but no object has that name", name), {},
+                    suggestion(name, names));
+    }
+    linked_ |= !lit.empty();
+    lit_.push_back(std::move(lit));
+  }
+}
+
+uint32_t LightSet::group_of(const std::string& name) {
+  if (name.empty()) return kNoGroup;
+  const auto at = std::find(group_names_.begin(), group_names_.end(), name);
+  if (at != group_names_.end()) return static_cast<uint32_t>(at - group_names_.begin());
+  group_names_.push_back(name);
+  return static_cast<uint32_t>(group_names_.size() - 1);
 }
 
 /// One pass: each branch takes the place of those before it with the odds of its weight, and the
@@ -126,13 +178,15 @@ float LightSet::share_along(LightId light, const Ray& ray, const Segment& segmen
 bool LightSet::sky_is_plain() const {
   const LitPoint anywhere{Vec3f(0.0f)};
   return std::all_of(sampled_skies_.begin(), sampled_skies_.end(), [&](LightId id) {
-    return !lights_[id]->is_portal() && !(lights_[id]->importance(anywhere) > 0);
+    const Light& sky = *lights_[id];
+    return !sky.is_portal() && (sky.beside_portals() || !(sky.importance(anywhere) > 0));
   });
 }
 
-Rgb LightSet::sky_radiance(const Vec3f& direction) const {
+Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {
   Rgb sum(0.0f);
-  for (const LightId id : skies_) sum += lights_[id]->escape_radiance(direction);
+  for (const LightId id : skies_)
+    if (reaches(id, object)) sum += lights_[id]->escape_radiance(direction);
   return sum;
 }
 

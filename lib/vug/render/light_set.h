@@ -38,6 +38,7 @@ struct LightChoice {
 /// branch the choice goes down its tree.
 class LightSet {
  public:
+  /// Error(bad_input) for a light that is linked to the name of no object.
   LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects);
   LightSet(const LightSet&) = delete;
   LightSet& operator=(const LightSet&) = delete;
@@ -70,26 +71,41 @@ class LightSet {
   Vec3f centre(LightId light) const {
     return light < lights_.size() ? lights_[light]->centre() : emitters_.centre(light - lamp_ids());
   }
-  /// The light's place in the list of groups; kNoGroup without one.
-  uint32_t group(LightId light) const { return light < groups_.size() ? groups_[light] : kNoGroup; }
+  /// Names of the groups of lights, and a light's place in that list; kNoGroup without one.
+  const std::vector<std::string>& groups() const { return group_names_; }
+  uint32_t group(LightId light) const {
+    return light < lights_.size() ? light_groups_[light]
+                                  : object_groups_[emitters_.object(light - lamp_ids())];
+  }
   static constexpr uint32_t kNoGroup = ~0u;
+  /// False for a light that is linked to other objects than that; all light media and the camera.
+  bool reaches(LightId light, uint32_t object) const {
+    return !linked_ || object == kNoObject || light >= lit_.size() || lit_[light].empty() ||
+           lit_[light][object];
+  }
   /// The id of a triangle that shines.
   LightId emitter(uint32_t object, uint32_t triangle) const {
     return lamp_ids() + emitters_.number(object, triangle);
   }
 
-  /// Calls visit(id, lamp) for each lamp that the ray may meet before `end`.
+  /// Calls visit(id, lamp) for each lamp that the ray may meet before `end` and that lights the
+  /// object the ray comes from.
   template <class Visit>
-  void each_lamp_on(const Ray& ray, float end, const Visit& visit) const {
-    lamp_tree_.each_on(ray, end, [&](LightId id) { visit(id, *lights_[id]); });
+  void each_lamp_on(const Ray& ray, float end, uint32_t object, const Visit& visit) const {
+    lamp_tree_.each_on(ray, end, [&](LightId id) {
+      if (reaches(id, object)) visit(id, *lights_[id]);
+    });
   }
 
   bool has_sky() const { return !skies_.empty(); }
-  /// No light knows where the sky shines: there are no portals, and no sky samples directions.
+  /// No light knows where the sky shines: there are no portals, and but for suns no sky samples
+  /// directions.
   bool sky_is_plain() const;
   const std::vector<LightId>& skies() const { return skies_; }
-  Rgb sky_radiance(const Vec3f& direction) const;
-  /// Skies that can be chosen: portals, or where there are none the skies that sample directions.
+  /// Of all skies that light the object.
+  Rgb sky_radiance(const Vec3f& direction, uint32_t object) const;
+  /// Skies that can be chosen: portals and skies that these would hardly find, or where there are
+  /// no portals all skies that sample directions.
   const std::vector<LightId>& sampled_skies() const { return sampled_skies_; }
   const Light& sky(LightId id) const { return *lights_[id]; }
   /// Density with which sampling lights by these odds turns to the sky in a direction.
@@ -103,6 +119,8 @@ class LightSet {
   };
   struct AtPoint;
   struct AlongRay;
+  void link(const std::vector<Object>& objects);
+  uint32_t group_of(const std::string& name);
   LightId lamp_ids() const { return static_cast<LightId>(lights_.size()); }
   template <class Weight>
   LightChoice choose_by(float u, const Weight& weight) const;
@@ -115,7 +133,10 @@ class LightSet {
   std::vector<Branch> branches_;
   std::vector<LightId> few_, skies_, sampled_skies_;
   float sky_scale_ = 0;
-  std::vector<uint32_t> groups_;
+  std::vector<std::vector<bool>> lit_;  ///< Of each light: by object; empty for all of them.
+  bool linked_ = false;
+  std::vector<std::string> group_names_;
+  std::vector<uint32_t> light_groups_, object_groups_;
   size_t size_ = 0;
 };
 

@@ -52,6 +52,8 @@ class Rectangle {
   LightBounds bounds(float luminance) const;
   const Vec3f& center() const { return center_; }
   float area() const { return width_ * height_; }
+  /// To its corners.
+  float radius() const { return 0.5f * std::sqrt(width_ * width_ + height_ * height_); }
 
  private:
   struct View;  ///< The rectangle in coordinates of its own around a point.

@@ -23,10 +23,11 @@ void Tally::note(uint32_t group, const Rgb& light, const Rgb& diffuse) {
   notes_.push_back({group, light, diffuse});
 }
 
-void Tally::note_sky(const World& world, const Vec3f& direction, const Rgb& weight,
+void Tally::note_sky(const World& world, uint32_t object, const Vec3f& direction, const Rgb& weight,
                      const Rgb& diffuse_weight) {
   const LightSet& lights = world.lights();
   for (const LightId id : lights.skies()) {
+    if (!lights.reaches(id, object)) continue;
     const Rgb light = lights.sky(id).escape_radiance(direction);
     note(lights.group(id), light * weight, light * diffuse_weight);
   }

@@ -51,8 +51,8 @@ class Tally {
   /// `diffuse`: the part of `light` that was reflected by diffuse lobes; only for light that a
   /// surface at depth 0 reflects. `group` is the light's.
   void note(uint32_t group, const Rgb& light, const Rgb& diffuse = Rgb(0.0f));
-  /// The same for light from the sky: it comes from all skies.
-  void note_sky(const World& world, const Vec3f& direction, const Rgb& weight,
+  /// The same for light from the sky: it comes from all skies that light the object.
+  void note_sky(const World& world, uint32_t object, const Vec3f& direction, const Rgb& weight,
                 const Rgb& diffuse_weight = Rgb(0.0f));
 
   /// Files what was noted: light that the ray meets whose origin is the vertex before `depth`.

@@ -103,14 +103,14 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   std::vector<ObjectPlan> objects = shot.objects;
   if (objects.empty())
     for (const MeshPtr& mesh : meshes_of(shot))
-      objects.push_back({mesh->name, mesh, nullptr, false, Vec3d(0)});
+      objects.push_back({mesh->name, mesh, nullptr, false, Vec3d(0), {}});
   for (const ObjectPlan& object : objects) builder.require_room(object.mesh);
   Box3d bounds;
   for (const ObjectPlan& object : objects) {
     const auto mesh = builder.mesh(object.mesh);
     for (const Vec3f& p : mesh->positions) bounds.extendBy(Vec3d(p));
-    scene.objects.push_back(
-        {object.name, mesh, object.material, object.flat, Vec3f(object.emission)});
+    scene.objects.push_back({object.name, mesh, object.material, object.flat,
+                             Vec3f(object.emission), object.light_group});
   }
   if (objects.empty() && shot.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},

@@ -53,6 +53,7 @@ struct ObjectPlan {
   render::MaterialPtr material;  ///< Null: grey.
   bool flat = false;
   Vec3d emission{0, 0, 0};  ///< W/sr/m^2.
+  std::string light_group;
 };
 
 /// `camera NAME { ... }`.

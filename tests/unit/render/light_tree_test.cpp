@@ -162,7 +162,7 @@ TEST(LightTree, ARayMeetsTheSameLampsAsWithoutATree) {
     const float end = trial % 2 ? kFar : 3;
     std::vector<LightId> with, without;
     LightHit hit;
-    set.each_lamp_on(ray, end, [&](LightId id, const Light& lamp) {
+    set.each_lamp_on(ray, end, kNoObject, [&](LightId id, const Light& lamp) {
       if (lamp.intersect(ray, end, hit)) with.push_back(id);
     });
     for (LightId id = 0; id < all.size(); ++id)

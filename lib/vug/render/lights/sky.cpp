@@ -1,23 +1,25 @@
 // A sky of one colour. No direction towards it is better than another, so it is found by the
 // material's own directions and through portals, and samples nothing itself.
 #include <vug/render/kind.h>
+#include <vug/render/lamp.h>
 
 namespace vug::render {
 namespace {
 
-struct Sky {
+struct Sky : LightNotes {
   Vec3d radiance{1, 1, 1};
 
   static void describe(Schema<Sky>& s) {
     s.doc("A sky of one colour all round.")
         .param("radiance", &Sky::radiance,
                {.doc = "Radiance of red, green, blue in W/sr/m^2.", .min = 0});
+    describe_notes(s);
   }
 };
 
 class SkyLight final : public Light {
  public:
-  explicit SkyLight(const Sky& p) : radiance_(p.radiance) {}
+  explicit SkyLight(const Sky& p) : Light(p), radiance_(p.radiance) {}
 
   LightSample sample(const LitPoint&, const Vec2f&) const override { return {}; }
   float pdf(const LitPoint&, const Vec3f&) const override { return 0; }

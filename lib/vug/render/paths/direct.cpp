@@ -13,7 +13,7 @@ Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
   if (!(in.z > 0)) return Rgb(0.0f);
   const Scattering scattering = bsdf.evaluate(in, s.direction);
   const Rgb f = scattering.total();
-  const Rgb light = unshadowed(world, s);
+  const Rgb light = unshadowed(world, s, hit.object);
   const Ray ray{hit.origin, s.direction};
   if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
   const float direct = s.distance == kFar
@@ -23,7 +23,7 @@ Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
   if (!(density > 0)) return Rgb(0.0f);
   const float weight = clear_part(world, ray, s.distance) / density;
   if (tally && s.distance == kFar)
-    tally->note_sky(world, s.direction, f * weight, scattering.diffuse * weight);
+    tally->note_sky(world, hit.object, s.direction, f * weight, scattering.diffuse * weight);
   else if (tally)
     tally->note(world.lights().group(chosen.light), f * light * weight,
                 scattering.diffuse * light * weight);

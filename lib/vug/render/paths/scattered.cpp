@@ -38,7 +38,7 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
   const LitPoint point{ray.at(distance), Vec3f(0.0f)};
   const LightSample s = world.lights().sample(chosen.light, point, u);
   if (!(s.pdf > 0) || !(density > 0)) return Rgb(0.0f);
-  const Rgb light = unshadowed(world, s);
+  const Rgb light = unshadowed(world, s, kNoObject);
   const Ray shadow{point.position, s.direction};
   if (is_black(light) || shadowed(world, shadow, s.distance)) return Rgb(0.0f);
   // Portals that share a direction share its light.
@@ -54,7 +54,7 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
       medium.transmittance(ray, {segment.begin, distance}) * clear_part(world, shadow, s.distance);
   const Rgb weight = medium.albedo(point.position) * (scattered / (pdf * density));
   if (tally && s.distance == kFar)
-    tally->note_sky(world, s.direction, weight);
+    tally->note_sky(world, kNoObject, s.direction, weight);
   else if (tally)
     tally->note(world.lights().group(chosen.light), light * weight);
   return light * weight;

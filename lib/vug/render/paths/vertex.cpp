@@ -14,8 +14,8 @@ float clear_part(const World& world, const Ray& ray, float end) {
   return medium ? medium->transmittance(ray, medium->clip(ray, end)) : 1;
 }
 
-Rgb unshadowed(const World& world, const LightSample& s) {
-  return s.distance == kFar ? world.lights().sky_radiance(s.direction) : s.radiance;
+Rgb unshadowed(const World& world, const LightSample& s, uint32_t object) {
+  return s.distance == kFar ? world.lights().sky_radiance(s.direction, object) : s.radiance;
 }
 
 bool shadowed(const World& world, const Ray& ray, float distance) {
@@ -27,7 +27,7 @@ Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& f
   Rgb light(0.0f);
   // From a medium, direct sampling finds all of a lamp's light.
   if (from.kind == PathVertex::medium) return light;
-  world.lights().each_lamp_on(ray, end, [&](LightId id, const Light& lamp) {
+  world.lights().each_lamp_on(ray, end, from.point.object, [&](LightId id, const Light& lamp) {
     LightHit hit;
     if (!lamp.intersect(ray, end, hit)) return;
     float weight = 1;
@@ -75,8 +75,8 @@ Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, Tally* t
       if (lights.pdf(id, from.point, ray.direction) > 0) return Rgb(0.0f);
   }
   weight *= clear_part(world, ray, kFar);
-  if (tally) tally->note_sky(world, ray.direction, Rgb(weight));
-  return lights.sky_radiance(ray.direction) * weight;
+  if (tally) tally->note_sky(world, from.point.object, ray.direction, Rgb(weight));
+  return lights.sky_radiance(ray.direction, from.point.object) * weight;
 }
 
 }  // namespace vug::render

@@ -30,8 +30,8 @@ Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, Tally* t
 
 /// Part of the light that the medium lets through, up to `end` (may be kFar).
 float clear_part(const World& world, const Ray& ray, float end);
-/// Light of a sampled light before walls and medium.
-Rgb unshadowed(const World& world, const LightSample& sample);
+/// Light of a sampled light before walls and medium, as far as it lights the object.
+Rgb unshadowed(const World& world, const LightSample& sample, uint32_t object);
 bool shadowed(const World& world, const Ray& ray, float distance);
 
 }  // namespace vug::render

@@ -1,0 +1,38 @@
+// A ball as seen from a point: the shape of lamps that are small beside what they light.
+#pragma once
+
+#include <vug/render/light.h>
+
+namespace vug::render {
+
+/// Seen from outside. Sampled by the cone it fills (Shirley, Wang, Zimmerman 1996, "Monte Carlo
+/// techniques for direct lighting calculations", cite shirley1996direct).
+class Ball {
+ public:
+  Ball(const Vec3d& center, double radius) : center_(center), radius_(static_cast<float>(radius)) {}
+
+  /// Direction, distance and pdf; radiance is left alone. Zero pdf inside the ball.
+  LightSample sample(const Vec3f& point, const Vec2f& u) const;
+  float pdf(const Vec3f& point, const Vec3f& direction) const;
+  /// Distance at which the ray enters, 0 when it does not.
+  float hit(const Ray& ray) const;
+
+  /// Projected area over squared distance, about: exactly 0 inside and below the point's horizon.
+  float importance(const LitPoint& point) const;
+  float importance_along(const Ray& ray, float begin, float end) const;
+  LightBounds bounds(float luminance) const;
+
+  const Vec3f& center() const { return center_; }
+  float radius() const { return radius_; }
+  /// Of its shadow: the area that light of one direction comes from.
+  float cross_section() const { return kPif * radius_ * radius_; }
+
+ private:
+  /// 1 - cos of the half angle it fills, without cancellation; 0 inside.
+  float cone(const Vec3f& to) const;
+
+  Vec3f center_;
+  float radius_;
+};
+
+}  // namespace vug::render

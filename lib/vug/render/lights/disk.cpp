@@ -1,0 +1,113 @@
+// A round lamp that shines from one side. Points are chosen evenly over its area, so that the
+// density over solid angle is distance^2 / (area * cosine at the lamp).
+#include <vug/render/kind.h>
+#include <vug/render/sampling.h>
+#include <vug/render/shape_lamp.h>
+
+namespace vug::render {
+namespace {
+
+struct Disk : LampParams {
+  Vec3d center{0, 0, 0};
+  Vec3d normal{0, -1, 0};
+  double radius = 0.5;
+
+  static void describe(Schema<Disk>& s) {
+    s.doc("A round lamp that shines from its front; it does not block light.")
+        .cite("shirley1997disk")
+        .param("center", &Disk::center, any_length("Its middle."))
+        .param("normal", &Disk::normal, {.doc = "The side it shines to."})
+        .param("radius", &Disk::radius, positive_length("Its radius."));
+    describe_lamp(s);
+  }
+  std::string fault() const {
+    return normal.length() > 0 ? LampParams::fault() : "the disk's normal has no length";
+  }
+};
+
+class DiskShape {
+ public:
+  explicit DiskShape(const Disk& p)
+      : center_(p.center),
+        radius_(static_cast<float>(p.radius)),
+        axes_(Vec3f(p.normal.normalized())) {}
+
+  LightSample sample(const Vec3f& point, const Vec2f& u) const {
+    const Vec2f d = sample_disk(u);
+    const Vec3f to = center_ + (axes_.x * d.x + axes_.y * d.y) * radius_ - point;
+    LightSample s;
+    s.distance = length(to);
+    if (!(s.distance > 0)) return s;
+    s.direction = to * (1 / s.distance);
+    s.pdf = density(s.distance, s.direction);
+    return s;
+  }
+  float pdf(const Vec3f& point, const Vec3f& direction) const {
+    const float t = hit({point, direction});
+    return t > 0 ? density(t, direction) : 0;
+  }
+  float hit(const Ray& ray) const {
+    const float facing = dot(axes_.z, ray.direction);
+    if (!(facing < 0)) return 0;
+    const float t = dot(axes_.z, center_ - ray.origin) / facing;
+    return t > 0 && length(ray.at(t) - center_) <= radius_ ? t : 0;
+  }
+  float importance(const LitPoint& point) const {
+    const Vec3f to = center_ - point.position;
+    const float squared = dot(to, to), distance = std::sqrt(squared);
+    const float front = -dot(axes_.z, to);
+    if (!(front > 0)) return 0;
+    float cosine = 1;
+    if (point.on_surface()) {
+      // The highest point of its edge above the horizon decides.
+      const float slope = dot(point.normal, axes_.z);
+      const float height =
+          dot(point.normal, to) + radius_ * std::sqrt(std::max(0.0f, 1 - slope * slope));
+      if (!(height > 0)) return 0;
+      cosine = std::min(1.0f, height / std::max(distance, radius_));
+    }
+    const float lamp_cosine = std::max(std::min(1.0f, front / distance), 0.05f);
+    return cosine *
+           std::min(2 * kPif, area() * lamp_cosine / std::max(squared, 0.25f * radius_ * radius_));
+  }
+  float importance_along(const Ray& ray, float begin, float end) const {
+    const auto front = [&](float t) { return dot(ray.at(t) - center_, axes_.z) > 0; };
+    if (!front(begin) && !front(end)) return 0;
+    const float t = std::clamp(dot(center_ - ray.origin, ray.direction), begin, end);
+    return area() / std::max(length(center_ - ray.at(t)), 0.5f * radius_);
+  }
+  LightBounds bounds(float luminance) const {
+    const auto reach = [&](float n) { return radius_ * std::sqrt(std::max(0.0f, 1 - n * n)); };
+    const Vec3f half(reach(axes_.z.x), reach(axes_.z.y), reach(axes_.z.z));
+    LightBounds out;
+    out.box = {center_ - half, center_ + half};
+    out.axis = axes_.z;
+    out.cos_spread = 1;
+    out.strength = luminance * area();
+    return out;
+  }
+  const Vec3f& center() const { return center_; }
+  float radius() const { return radius_; }
+
+ private:
+  float area() const { return kPif * radius_ * radius_; }
+  float density(float distance, const Vec3f& direction) const {
+    const float facing = -dot(axes_.z, direction);
+    return facing > 0 ? distance * distance / (area() * facing) : 0;
+  }
+
+  Vec3f center_;
+  float radius_;
+  Frame axes_;
+};
+
+class DiskLight final : public ShapeLamp<DiskShape> {
+ public:
+  explicit DiskLight(const Disk& p)
+      : ShapeLamp(DiskShape(p), p, p.radiance_of(kPi * kPi * p.radius * p.radius)) {}
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(disk, light, LightPtr, Disk, DiskLight)

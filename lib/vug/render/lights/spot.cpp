@@ -1,0 +1,85 @@
+// A small ball that shines into a cone with a smooth edge.
+#include <vug/base/maths.h>
+#include <vug/render/ball.h>
+#include <vug/render/kind.h>
+#include <vug/render/shape_lamp.h>
+
+namespace vug::render {
+namespace {
+
+struct Spot : LampParams {
+  Vec3d center{0, 0, 0};
+  Vec3d direction{0, -1, 0};
+  double angle = 40 * kPi / 180;
+  double edge = 0.3;
+  double radius = 0.03;
+
+  static void describe(Schema<Spot>& s) {
+    s.doc("A small ball that shines into a cone with a smooth edge.")
+        .param("center", &Spot::center, any_length("Its middle."))
+        .param("direction", &Spot::direction, {.doc = "The middle of the cone."})
+        .param("angle", &Spot::angle,
+               {.doc = "From one side of the cone to the other.",
+                .dimension = Dimension::angle,
+                .min = 0,
+                .max = 2 * kPi,
+                .above_min = true})
+        .param("edge", &Spot::edge,
+               {.doc = "Part of the cone, from its edge on, in which the light fades.",
+                .dimension = Dimension::ratio,
+                .min = 0,
+                .max = 1})
+        .param("radius", &Spot::radius, positive_length("Its radius: how soft shadows are."));
+    describe_lamp(s);
+  }
+  std::string fault() const {
+    return direction.length() > 0 ? LampParams::fault() : "the spot's direction has no length";
+  }
+  /// Of the cone, from its axis; light fades from the inner angle to the outer.
+  double outer() const { return maths::cos(0.5 * angle); }
+  double inner() const { return maths::cos(0.5 * angle * (1 - edge)); }
+  /// Intensity is the radiance of the axis times the ball's cross section times the profile, whose
+  /// integral over the smooth edge is half of the edge's solid angle.
+  double watts_per_radiance() const {
+    return kPi * radius * radius * kPi * (2 - inner() - outer());
+  }
+};
+
+struct Cone {
+  Vec3f axis;
+  float inner, outer;
+
+  float operator()(const Vec3f& direction) const {
+    const float cosine = dot(direction, axis);
+    if (cosine >= inner) return 1;
+    if (cosine <= outer) return 0;
+    const float t = (cosine - outer) / (inner - outer);
+    return t * t * (3 - 2 * t);
+  }
+  float most(const Vec3f& direction, float ball) const {
+    const float cosine = std::min(1.0f, dot(direction, axis));
+    // The cosine of the angle less that of the ball.
+    const float root = std::sqrt(std::max(0.0f, 1 - ball * ball));
+    const float nearest =
+        cosine >= root ? 1 : cosine * root + std::sqrt(std::max(0.0f, 1 - cosine * cosine)) * ball;
+    return nearest > outer - 1e-6f ? std::max((*this)(direction), 0.05f) : 0;
+  }
+  void narrow(LightBounds& bounds) const {
+    bounds.axis = axis;
+    bounds.cos_spread = 1;
+    bounds.cos_reach = outer;
+  }
+};
+
+class SpotLight final : public ShapeLamp<Ball, Cone> {
+ public:
+  explicit SpotLight(const Spot& p)
+      : ShapeLamp(Ball(p.center, p.radius), p, p.radiance_of(p.watts_per_radiance()),
+                  {Vec3f(p.direction.normalized()), static_cast<float>(p.inner()),
+                   static_cast<float>(p.outer())}) {}
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(spot, light, LightPtr, Spot, SpotLight)

@@ -1,0 +1,88 @@
+// A disk in the sky, infinitely far: every place sees it in the same direction.
+#include <vug/base/maths.h>
+#include <vug/render/kind.h>
+#include <vug/render/lamp.h>
+#include <vug/render/sampling.h>
+#include <vug/render/sun.h>
+
+namespace vug::render {
+namespace {
+
+struct Sun : SunParams, LightNotes {
+  double angle = 0.533 * kPi / 180;
+  double turbidity = 3;
+  std::optional<Vec3d> irradiance;
+
+  static void describe(Schema<Sun>& s) {
+    s.doc("The sun, or any round light infinitely far away.").cite("preetham1999");
+    describe_sun(s);
+    s.param("angle", &Sun::angle,
+            {.doc = "How wide it looks: how soft its shadows are.",
+             .dimension = Dimension::angle,
+             .min = 0.0005,
+             .max = kPi})
+        .param("turbidity", &Sun::turbidity,
+               {.doc = "Haziness of the air that its light comes through; 2 clear, 10 hazy.",
+                .min = 1,
+                .max = 20})
+        .param(
+            "irradiance", &Sun::irradiance,
+            {.doc = "W/m^2 that reach a surface that faces it, instead of the air's.", .min = 0});
+    describe_notes(s);
+  }
+};
+
+class SunLight final : public Light {
+ public:
+  explicit SunLight(const Sun& p) : Light(p), axes_(Vec3f(p.direction())) {
+    const double cosine = maths::cos(p.angle / 2), sine = maths::sin(p.angle / 2);
+    part_ = static_cast<float>(sine * sine / (1 + cosine));
+    const Vec3d irradiance = p.irradiance.value_or(sun_irradiance(p.direction(), p.turbidity));
+    // The integral of the cosine over the disk is pi sin^2.
+    radiance_ = Rgb(irradiance / (kPi * sine * sine));
+    strength_ = luminance(Rgb(irradiance));
+    sine_ = static_cast<float>(sine);
+  }
+
+  LightSample sample(const LitPoint&, const Vec2f& u) const override {
+    LightSample s;
+    s.direction = axes_.to_world(direction_off_axis(u.x * part_, u.y));
+    s.distance = kFar;
+    s.pdf = 1 / (2 * kPif * part_);
+    return s;
+  }
+  float pdf(const LitPoint&, const Vec3f& direction) const override {
+    return inside(direction) ? 1 / (2 * kPif * part_) : 0;
+  }
+  float importance(const LitPoint& point) const override {
+    if (!point.on_surface()) return strength_;
+    const float cosine = dot(point.normal, axes_.z);
+    return cosine > -sine_ ? strength_ * std::max(cosine, 0.02f) : 0;
+  }
+  float importance_along(const Ray&, float begin, float end) const override {
+    return strength_ * (end - begin);
+  }
+  bool is_sky() const override { return true; }
+  bool beside_portals() const override { return true; }
+  float mean_luminance() const override { return luminance(radiance_) * 0.5f * part_; }
+  Rgb escape_radiance(const Vec3f& direction) const override {
+    return inside(direction) ? radiance_ : Rgb(0.0f);
+  }
+
+ private:
+  /// By the distance from the axis, which small angles do not cancel in.
+  bool inside(const Vec3f& direction) const {
+    const float along = dot(direction, axes_.z);
+    const Vec3f off = direction - axes_.z * along;
+    return part_ >= 1 ? along >= 1 - part_ : along > 0 && dot(off, off) <= sine_ * sine_;
+  }
+
+  Frame axes_;
+  float part_, strength_, sine_;  ///< 1 - cos and sin of half the angle.
+  Rgb radiance_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(sun, light, LightPtr, Sun, SunLight)

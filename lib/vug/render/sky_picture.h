@@ -1,0 +1,46 @@
+// A sky of even texels in lat-long order, sampled by brightness: what skies from pictures and from
+// models share. Marginal and conditional tables as in Pharr, Jakob, Humphreys 2023, "Physically
+// based rendering", section 12.5.
+#pragma once
+
+#include <vug/render/light.h>
+
+#include <vector>
+
+namespace vug::render {
+
+/// Up is y, the middle column lies towards -z, columns run to the right seen from inside.
+class SkyPicture : public Light {
+ public:
+  LightSample sample(const LitPoint& point, const Vec2f& u) const override;
+  float pdf(const LitPoint& point, const Vec3f& direction) const override;
+  float importance(const LitPoint&) const override { return importance_; }
+  float importance_along(const Ray&, float begin, float end) const override {
+    return importance_ * (end - begin);
+  }
+  bool is_sky() const override { return true; }
+  float mean_luminance() const override { return mean_luminance_; }
+  /// Interpolated between the middles of texels.
+  Rgb escape_radiance(const Vec3f& direction) const override;
+
+ protected:
+  /// `texels` row by row from straight up; `turn` of the way round to the left.
+  SkyPicture(LightNotes notes, size_t width, size_t height, std::vector<Rgb> texels, double turn);
+
+ private:
+  struct Cell;
+  static Cell find_cell(const float* table, size_t cells, float u);
+  static size_t index_of(float place, size_t count);
+  const Rgb& texel(long x, long y) const;
+  Vec3f direction(float x, float v) const;
+  Vec2f locate(const Vec3f& d) const;
+  float density(float probability, float v) const;
+  void build_tables();
+
+  size_t width_, height_;
+  float turn_, importance_ = 0, mean_luminance_ = 0;
+  std::vector<Rgb> texels_;
+  std::vector<float> rows_, columns_;
+};
+
+}  // namespace vug::render
