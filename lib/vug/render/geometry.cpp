@@ -80,6 +80,9 @@ World::Geometry::Geometry(const std::vector<Object>& objects)
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(parts_.size()));
     rtcReleaseGeometry(geometry);
+    part.corners.reserve(mesh.triangles.size());
+    for (const mesh::Triangle& t : mesh.triangles)
+      part.corners.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
     embree_->check("taking in a mesh");
     parts_.push_back(std::move(part));
   }
@@ -120,9 +123,7 @@ bool World::Geometry::occluded(const Ray& ray, float distance) const {
 
 void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, Hit& hit) const {
   const mesh::Triangle& corner = part.mesh->triangles[triangle];
-  const Vec3f& a = part.mesh->positions[corner[0]];
-  const Vec3f& b = part.mesh->positions[corner[1]];
-  const Vec3f& c = part.mesh->positions[corner[2]];
+  const auto& [a, b, c] = part.corners[triangle];
   const Vec3f ab = b - a, ac = c - a, n = cross(ab, ac);
 
   // Moeller and Trumbore 1997; barycentric weights are clamped onto the triangle, since Embree

@@ -5,6 +5,7 @@
 #include <vug/render/vectors.h>
 #include <vug/render/world.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct World::Geometry {
     MaterialPtr material;
     uint32_t object = 0;
     Rgb emission{0, 0, 0};
+    /// Of each triangle, side by side: a hit waits for one place in memory, not for four in turn.
+    std::vector<std::array<Vec3f, 3>> corners = {};
   };
   void fill(const Part& part, uint32_t triangle, const Ray& ray, Hit& hit) const;
 
