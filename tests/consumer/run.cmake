@@ -1,5 +1,5 @@
 # cmake -DBUILD=... -DSOURCE=... -DCOMPILER=... -DTYPE=... -P run.cmake: installs BUILD into a
-# temporary prefix, then configures, builds and runs the consumer project against it.
+# temporary prefix, then configures, builds, runs and tests the consumer project against it.
 set(place ${BUILD}/tests/consumer)
 file(REMOVE_RECURSE ${place}/prefix ${place}/build)
 
@@ -15,3 +15,4 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${place}/build -G Ninja -DCMAKE_PREFIX_PATH
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${TYPE})
 run(${CMAKE_COMMAND} --build ${place}/build)
 run(${place}/build/consumer)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${place}/build --output-on-failure)

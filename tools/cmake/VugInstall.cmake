@@ -24,9 +24,10 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Vug)
 list(TRANSFORM modules REPLACE "^vug_" "" OUTPUT_VARIABLE VUG_COMPONENTS)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/VugConfig.cmake.in
   ${PROJECT_BINARY_DIR}/VugConfig.cmake INSTALL_DESTINATION ${package_folder}
-  PATH_VARS CMAKE_INSTALL_DATADIR)
+  PATH_VARS CMAKE_INSTALL_DATADIR CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/VugConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/VugConfig.cmake ${PROJECT_BINARY_DIR}/VugConfigVersion.cmake
-  ${PROJECT_SOURCE_DIR}/tools/cmake/VugDependencies.cmake DESTINATION ${package_folder})
+  ${PROJECT_SOURCE_DIR}/tools/cmake/VugDependencies.cmake
+  ${PROJECT_SOURCE_DIR}/tools/cmake/VugImageTest.cmake DESTINATION ${package_folder})
 install(EXPORT VugTargets NAMESPACE Vug:: DESTINATION ${package_folder})

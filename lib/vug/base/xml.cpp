@@ -11,6 +11,8 @@ std::string xml_text(const std::string& text) {
       out += "&lt;";
     else if (c == '>')
       out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
     else if (static_cast<unsigned char>(c) < 0x20)
       out += ' ';
     else

@@ -70,7 +70,7 @@ void parse(Options& options) {
       throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no samples", options.samples), {},
                   "write --samples 0..64: the second number is beyond the range");
   }
-  render.picture.seed = options.scene.seed;
+  if (!render.picture.seed) render.picture.seed = options.scene.seed;
   render.part = options.part, render.checkpoint = options.checkpoint;
   render.preview = options.preview;
   if (render.picture.exposure && !(std::fabs(*render.picture.exposure) <= 30))
@@ -158,6 +158,8 @@ Verb render_verb() {
         app.add_option("-o,--output", options->output, "the .exr to write");
         app.add_option("--products", options->products,
                        "a folder for what `vug build` would make, too");
+        app.add_option("--sample-seed", options->render.picture.seed,
+                       "draws other samples of the same scene, which --seed may change");
         app.add_option("--spp", picture.spp, "samples per pixel")->check(CLI::Range(1, 1 << 20));
         app.add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
         app.add_option("--crop", options->crop, "LEFT,TOP,RIGHT,BOTTOM: only these pixels");

@@ -1,0 +1,78 @@
+# Image tests of a project that uses an installed Vug: pictures that shall stay as they are.
+#
+#   find_package(Vug REQUIRED)
+#   enable_testing()
+#   vug_add_image_test(looks FOLDER tests/looks)
+#   vug_add_image_test(hall SCENE hall.vug REFERENCE hall.exr RENDER --size 64x36 --spp 64)
+#
+# vug_add_image_test(NAME FOLDER folder [OUTPUT folder] [ARGS options of `vug test`...])
+#   One test that runs all cases of the folder, each a folder with a case.json.
+# vug_add_image_test(NAME SCENE file REFERENCE file [RENDER options of `vug render`...]
+#                    [LIMITS measure=value...] [LAYERS names...] [MASK file] [ALARM rate]
+#                    [OUTPUT folder] [ARGS ...])
+#   One case without a folder of its own.
+#
+# Either way the reports of what failed are in OUTPUT, by default image_tests/NAME in the folder of
+# the build, with index.html and junit.xml. The target update_NAME takes the pictures as they are
+# now for the references; the reason stands in the environment: VUG_REASON="..." cmake --build
+# build --target update_NAME. The program is Vug_EXECUTABLE.
+
+function(vug_add_image_test name)
+  cmake_parse_arguments(ARG "" "FOLDER;SCENE;REFERENCE;MASK;ALARM;OUTPUT" "RENDER;LIMITS;LAYERS;ARGS"
+    ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS OR ARG_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "vug_add_image_test(${name}): cannot use "
+      "'${ARG_UNPARSED_ARGUMENTS}${ARG_KEYWORDS_MISSING_VALUES}'")
+  endif()
+  if(NOT ARG_OUTPUT)
+    set(ARG_OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/image_tests/${name})
+  endif()
+  if(ARG_SCENE AND ARG_REFERENCE AND NOT ARG_FOLDER)
+    vug_write_image_case(${CMAKE_CURRENT_BINARY_DIR}/image_cases/${name})
+    set(ARG_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/image_cases/${name})
+  elseif(NOT ARG_FOLDER OR ARG_SCENE OR ARG_REFERENCE)
+    message(FATAL_ERROR "vug_add_image_test(${name}): give FOLDER, or SCENE and REFERENCE")
+  endif()
+  cmake_path(ABSOLUTE_PATH ARG_FOLDER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  set(command ${Vug_EXECUTABLE} test ${ARG_FOLDER} ${ARG_ARGS})
+  add_test(NAME ${name} COMMAND ${command} --output ${ARG_OUTPUT} --junit ${ARG_OUTPUT}/junit.xml)
+  add_custom_target(update_${name} COMMAND ${command} --update --reason "$$VUG_REASON" VERBATIM
+    USES_TERMINAL)
+endfunction()
+
+# Writes the case.json of vug_add_image_test(SCENE ...), whose arguments are in ARG_*.
+function(vug_write_image_case folder)
+  foreach(file SCENE REFERENCE MASK)
+    if(ARG_${file})
+      cmake_path(ABSOLUTE_PATH ARG_${file} BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    endif()
+  endforeach()
+  set(json "{}")
+  string(JSON json SET "${json}" reference "\"${ARG_REFERENCE}\"")
+  string(JSON json SET "${json}" command "[]")
+  set(i 0)
+  foreach(word {vug} render ${ARG_SCENE} -o {output} --sample-seed {seed} --quiet ${ARG_RENDER})
+    string(JSON json SET "${json}" command ${i} "\"${word}\"")
+    math(EXPR i "${i} + 1")
+  endforeach()
+  if(ARG_MASK)
+    string(JSON json SET "${json}" mask "\"${ARG_MASK}\"")
+  endif()
+  if(ARG_ALARM)
+    string(JSON json SET "${json}" alarm ${ARG_ALARM})
+  endif()
+  if(ARG_LAYERS)
+    list(JOIN ARG_LAYERS "\", \"" layers)
+    string(JSON json SET "${json}" layers "[\"${layers}\"]")
+  endif()
+  if(ARG_LIMITS)
+    string(JSON json SET "${json}" limits "{}")
+    foreach(limit ${ARG_LIMITS})
+      string(REPLACE "=" ";" limit ${limit})
+      list(GET limit 0 measure)
+      list(GET limit 1 value)
+      string(JSON json SET "${json}" limits ${measure} ${value})
+    endforeach()
+  endif()
+  file(CONFIGURE OUTPUT ${folder}/case.json CONTENT "${json}\n" @ONLY)
+endfunction()

@@ -1,0 +1,191 @@
+#include "case_run.h"
+
+#include "process.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/image/report.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace vug::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What another program said last, for a message of one line.
+std::string last_words(const fs::path& log) {
+  std::string said, line;
+  for (const char c : read_text(log) + "\n") {
+    if (c != '\n') {
+      line += c;
+      continue;
+    }
+    if (line.rfind("hint: ", 0) != 0 && !line.empty()) said = line;
+    if (line.find("error: ") != std::string::npos) break;  // what follows explains it
+    line.clear();
+  }
+  return said;
+}
+
+/// Makes the case's picture; throws where that fails.
+fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, const fs::path& room,
+                      std::optional<uint64_t> seed) {
+  const std::string stem = seed ? fmt::format("seed{}", *seed) : "test";
+  const fs::path picture = room / (stem + image_case.reference.extension().string());
+  const fs::path log = room / (seed ? stem + ".txt" : "log.txt");
+  fs::remove(picture);
+  const Ended ended = run_program(image_case.making(picture, options.threads, seed),
+                                  image_case.folder, log, image_case.timeout);
+  if (ended.timed_out)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("it was not done after {} seconds", image_case.timeout), {},
+                "raise \"timeout\" in its case.json or make it smaller");
+  if (ended.exit != 0)
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("making its picture failed with exit {}: {}", ended.exit, last_words(log)), {},
+        "all it said is in " + log.string());
+  if (!fs::exists(picture))
+    throw Error(ErrorCode::bad_input, "its command wrote no picture", {},
+                "write {output} where the program takes the file to write");
+  return picture;
+}
+
+image::Diff judge(const ImageCase& image_case, const fs::path& picture) {
+  image::DiffOptions options = image_case.diff;
+  const image::Subject reference = image::read_subject(image_case.reference);
+  if (!image_case.mask.empty())
+    options.mask = image::read_mask(image_case.mask, reference.image.width, reference.image.height);
+  return image::diff(reference, image::read_subject(picture), options);
+}
+
+void write_report(const ImageCase& image_case, const image::Diff& diff, const fs::path& picture,
+                  const fs::path& room) {
+  const std::string reference = image_case.reference.filename().string();
+  const std::string test = picture.filename().string();
+  write_text(room / "report.html", to_html(diff, image_case.name, reference, test));
+  write_text(room / "report.json", to_json(diff, reference, test));
+}
+
+/// Reseeds the case; a verdict that is not always `first` makes it flaky.
+void reseed(const ImageCase& image_case, const CaseOptions& options, const fs::path& room,
+            bool first, Outcome& out) {
+  if (!image_case.can_be_reseeded()) {
+    out.message += "; its command has no {seed}, so it was not reseeded";
+    return;
+  }
+  int same = first ? 1 : 0;
+  for (int i = 1; i <= options.reseed; ++i)
+    if (judge(image_case, make_picture(image_case, options, room, static_cast<uint64_t>(i))).same)
+      ++same;
+  const int all = options.reseed + 1;
+  out.message += fmt::format("; {} of {} seeds pass", same, all);
+  if (same == 0 || same == all) return;
+  out.verdict = Verdict::flaky;
+  out.hint = "render more samples, or loosen its limits";
+}
+
+void update(const ImageCase& image_case, const CaseOptions& options, const fs::path& picture,
+            Outcome& out) {
+  const bool had = fs::exists(image_case.reference);
+  replace_reference(image_case, picture, options.reason);
+  out.verdict = Verdict::updated;
+  out.message = had ? "the reference is replaced" : "the reference is made";
+  out.hint.clear();
+}
+
+void run_in(const fs::path& room, const CaseFolder& folder, const CaseOptions& options,
+            Outcome& out) {
+  const ImageCase image_case = read_case(folder.folder, folder.name);
+  const bool missing = !fs::exists(image_case.reference);
+  if (missing && !options.update)
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("its reference '{}' is missing", image_case.reference.filename().string()), {},
+        "look at what it makes, then: vug test --update --reason \"...\"");
+  if (!missing && !options.update) require_recorded(image_case.reference);
+  const fs::path picture = make_picture(image_case, options, room, {});
+  if (missing) return update(image_case, options, picture, out);
+  image::Diff diff;
+  try {
+    diff = judge(image_case, picture);
+  } catch (const Error&) {  // of another size, or with other layers
+    if (!options.update) throw;
+    return update(image_case, options, picture, out);
+  }
+  out.verdict = diff.same ? Verdict::same : Verdict::different;
+  out.message = verdict_text(diff);
+  if (!diff.same && options.update) return update(image_case, options, picture, out);
+  if (options.reseed > 0) reseed(image_case, options, room, diff.same, out);
+  if (out.verdict == Verdict::same) return;
+  write_report(image_case, diff, picture, room);
+  out.page = fs::path(folder.name) / "report.html";
+}
+
+}  // namespace
+
+const char* to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::same:
+      return "same";
+    case Verdict::different:
+      return "different";
+    case Verdict::flaky:
+      return "flaky";
+    case Verdict::updated:
+      return "updated";
+    case Verdict::unusable:
+      break;
+  }
+  return "unusable";
+}
+
+Outcome run_case(const CaseFolder& folder, const CaseOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  Outcome out;
+  out.name = folder.name;
+  try {
+    const fs::path room = fs::absolute(options.output) / folder.name;
+    fs::create_directories(room);
+    for (const char* old : {"report.html", "report.json"}) fs::remove(room / old);
+    run_in(room, folder, options, out);
+  } catch (const Error& error) {
+    out.verdict = Verdict::unusable;
+    const std::string where = to_string(error.where());
+    out.message = (where.empty() ? "" : where + ": ") + error.what();
+    out.hint = error.hint();
+  } catch (const std::exception& error) {  // of the file system, out of memory
+    out.verdict = Verdict::unusable;
+    out.message = error.what();
+  }
+  out.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return out;
+}
+
+std::vector<Outcome> run_cases(const std::vector<CaseFolder>& folders, const CaseOptions& options,
+                               const std::function<void(const Outcome&)>& done) {
+  std::vector<Outcome> out(folders.size());
+  std::atomic<size_t> next{0};
+  std::mutex telling;
+  const auto work = [&] {
+    for (size_t i = next++; i < folders.size(); i = next++) {
+      out[i] = run_case(folders[i], options);
+      const std::lock_guard lock(telling);
+      done(out[i]);
+    }
+  };
+  std::vector<std::thread> workers;
+  const size_t count = std::min(static_cast<size_t>(std::max(options.jobs, 1)), folders.size());
+  for (size_t i = 1; i < count; ++i) workers.emplace_back(work);
+  work();
+  for (std::thread& worker : workers) worker.join();
+  return out;
+}
+
+}  // namespace vug::cli

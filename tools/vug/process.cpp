@@ -1,0 +1,70 @@
+#include "process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vug/base/error.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+namespace vug::cli {
+namespace {
+
+/// What the new process does before it becomes the program.
+class Actions {
+ public:
+  Actions(const std::filesystem::path& folder, const std::filesystem::path& log) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions_, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&actions_, 1, 2);
+    posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
+  }
+  ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
+  Actions(const Actions&) = delete;
+  Actions& operator=(const Actions&) = delete;
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
+
+}  // namespace
+
+Ended run_program(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                  const std::filesystem::path& log, double seconds) {
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  const Actions actions(std::filesystem::absolute(folder), std::filesystem::absolute(log));
+  pid_t child = 0;
+  const int fault = posix_spawnp(&child, words[0], actions.get(), nullptr, words.data(), environ);
+  if (fault != 0)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("cannot run '{}': {}", command.at(0), std::strerror(fault)), {},
+                "name a program in PATH, or {vug} for this one");
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  Ended out;
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (Clock::now() > end && !out.timed_out) {
+      kill(child, SIGKILL);
+      out.timed_out = true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  out.exit = code_of(status);
+  return out;
+}
+
+std::filesystem::path own_program() { return std::filesystem::read_symlink("/proc/self/exe"); }
+
+}  // namespace vug::cli

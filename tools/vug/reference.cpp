@@ -1,0 +1,79 @@
+// References of image cases and their histories.
+#include "image_case.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/base/hash.h>
+
+#include <algorithm>
+
+namespace vug::cli {
+namespace {
+
+std::string hash_of(const std::filesystem::path& file) { return digest(read_text(file)).hex(); }
+
+std::string last_line(const std::string& text) {
+  const size_t end = text.find_last_not_of('\n');
+  if (end == std::string::npos) return "";
+  const size_t start = text.rfind('\n', end);
+  return text.substr(start == std::string::npos ? 0 : start + 1, end + 1 - (start + 1));
+}
+
+bool kept(const image::Layer& layer, const std::vector<std::string>& compared) {
+  return layer.name == image::kVariance || layer.name == "samples" ||
+         std::find(compared.begin(), compared.end(), layer.name) != compared.end();
+}
+
+/// Only what is compared: references are kept for years.
+void store(const image::Subject& subject, const image::FileInfo& info,
+           const ImageCase& image_case) {
+  std::vector<std::string> channels;
+  for (const image::Layer& layer : image::layers_of(subject.image.channels))
+    if (kept(layer, image_case.diff.layers))
+      channels.insert(channels.end(), layer.channels.begin(), layer.channels.end());
+  image::ExrOptions options;
+  options.half = std::find(info.formats.begin(), info.formats.end(), "half") != info.formats.end();
+  for (const auto& entry : subject.metadata)
+    if (entry.first.rfind("vug:", 0) == 0) options.metadata.push_back(entry);
+  image::write_exr(image_case.reference, subject.image.select(channels), options);
+}
+
+}  // namespace
+
+std::filesystem::path history_of(const std::filesystem::path& reference) {
+  return std::filesystem::path(reference).replace_extension(".history");
+}
+
+void require_recorded(const std::filesystem::path& reference) {
+  const std::filesystem::path history = history_of(reference);
+  if (!std::filesystem::exists(history)) return;
+  if (last_line(read_text(history)).find(hash_of(reference)) == std::string::npos)
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("'{}' is not the picture that its history tells of", reference.string()), {},
+        "put the picture back, or make a new one with --update --reason \"...\"");
+}
+
+void replace_reference(const ImageCase& image_case, const std::filesystem::path& picture,
+                       const std::string& reason) {
+  const image::Subject subject = image::read_subject(picture);
+  for (const std::string& name : image_case.diff.layers) {
+    const auto layers = image::layers_of(subject.image.channels);
+    if (std::none_of(layers.begin(), layers.end(),
+                     [&](const image::Layer& layer) { return layer.name == name; }))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the picture of '{}' has no layer '{}'", image_case.name, name), {},
+                  "name its layers in case.json");
+  }
+  if (extension_of(image_case.reference) == ".exr")
+    store(subject, image::read_info(picture), image_case);
+  else
+    write_text(image_case.reference, read_text(picture));
+  const std::filesystem::path history = history_of(image_case.reference);
+  const std::string before = std::filesystem::exists(history) ? read_text(history) : "";
+  write_text(history, fmt::format("{}vug {} {} {}\n", before, VUG_VERSION,
+                                  hash_of(image_case.reference), reason));
+}
+
+}  // namespace vug::cli

@@ -1,0 +1,139 @@
+#include "bar.h"
+#include "case_run.h"
+#include "verb.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string filter;
+  std::string output, junit;
+  CaseOptions cases;
+  int jobs = 0;
+  bool quiet = false;
+};
+
+/// A folder for the time of the run.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (std::filesystem::temp_directory_path() / "vug_test_XXXXXX").string();
+    if (!mkdtemp(name.data())) throw Error(ErrorCode::io, "cannot make a temporary folder");
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void require_fitting(const Options& options) {
+  const bool reasoned = options.cases.reason.find_first_not_of(" \t\n") != std::string::npos;
+  if (options.cases.update && !reasoned)
+    throw Error(ErrorCode::bad_input, "a reference changes only with a reason", {},
+                "write --update --reason \"why the pictures are right as they are now\"");
+  if (!options.cases.update && !options.cases.reason.empty())
+    throw Error(ErrorCode::bad_input, "there is a reason, but nothing to update", {},
+                "write --update as well");
+  if (options.cases.update && options.cases.reseed > 0)
+    throw Error(ErrorCode::bad_input, "cases are updated or reseeded, not both");
+  if (options.cases.reason.find('\n') != std::string::npos)
+    throw Error(ErrorCode::bad_input, "a reason is one line");
+}
+
+std::string line_of(const Outcome& outcome) {
+  std::string out =
+      fmt::format("{:<10} {}  {}\n", to_text(outcome.verdict), outcome.name, outcome.message);
+  if (!outcome.hint.empty()) out += fmt::format("{:<10} hint: {}\n", "", outcome.hint);
+  return out;
+}
+
+int exit_of(const std::vector<Outcome>& outcomes) {
+  int exit = kDone;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.verdict == Verdict::unusable)
+      return kUnusable;
+    else if (outcome.verdict == Verdict::different || outcome.verdict == Verdict::flaky)
+      exit = kAnswerNo;
+  return exit;
+}
+
+int run(Options options) {
+  require_fitting(options);
+  const std::vector<CaseFolder> folders = find_cases(options.folder, options.filter);
+  if (folders.empty())
+    throw Error(ErrorCode::bad_input,
+                options.filter.empty() ? fmt::format("'{}' holds no case", options.folder)
+                                       : fmt::format("no case in '{}' has '{}' in its name",
+                                                     options.folder, options.filter),
+                {}, "a case is a folder with a case.json; see docs/image_tests.md");
+  const int cores = thread_count();
+  options.cases.jobs = options.jobs > 0 ? options.jobs : cores;
+  options.cases.threads =
+      std::max(1, cores / std::min(options.cases.jobs, static_cast<int>(folders.size())));
+  std::optional<Scratch> scratch;
+  if (options.output.empty()) scratch.emplace();
+  options.cases.output = scratch ? scratch->path() : std::filesystem::path(options.output);
+  if (!scratch) require_writable(options.cases.output / "index.html");
+  if (!options.junit.empty()) require_writable(options.junit);
+  size_t ended = 0;
+  const auto outcomes = run_cases(folders, options.cases, [&](const Outcome& outcome) {
+    if (!options.quiet)
+      fmt::print(stderr, "[{}/{}] {}: {} ({:.1f} s)\n", ++ended, folders.size(), outcome.name,
+                 to_text(outcome.verdict), outcome.seconds);
+  });
+  for (const Outcome& outcome : outcomes)
+    if (!options.quiet || outcome.verdict != Verdict::same) fmt::print("{}", line_of(outcome));
+  const std::string suite =
+      std::filesystem::absolute(options.folder).lexically_normal().filename().string();
+  if (!options.junit.empty()) write_text(options.junit, to_junit(outcomes, suite));
+  if (!scratch) {
+    write_text(options.cases.output / "index.html", to_index(outcomes, suite));
+    fmt::print("{}\n", (options.cases.output / "index.html").string());
+  }
+  const int exit = exit_of(outcomes);
+  if (exit == kUnusable) fmt::print(stderr, "error: not every case can be judged\n");
+  return exit;
+}
+
+}  // namespace
+
+Verb test_verb() {
+  return {"test", "Renders the cases of a folder and compares them with their references.",
+          [](CLI::App& app) {
+            auto o = std::make_shared<Options>();
+            app.add_option("folder", o->folder, "a case, or a folder of cases")->required();
+            app.add_option("--filter", o->filter, "only cases with this in their name");
+            app.add_option("-o,--output", o->output,
+                           "a folder for pictures, reports and index.html; else none are kept");
+            app.add_option("--junit", o->junit, "writes the outcome for build servers");
+            app.add_option("-j,--jobs", o->jobs, "cases at the same time; 0: as many as cores")
+                ->check(CLI::Range(0, 1024));
+            app.add_option("--flaky", o->cases.reseed,
+                           "reseeds each case N times and tells whose verdict changes")
+                ->check(CLI::Range(1, 1000));
+            app.add_flag("--update", o->cases.update,
+                         "makes what differs or is missing the new reference; needs --reason");
+            app.add_option("--reason", o->cases.reason, "why, for the reference's history");
+            app.add_flag("--quiet,-q", o->quiet, "only cases that are not the same");
+            return [o] { return run(*o); };
+          }};
+}
+
+}  // namespace vug::cli
