@@ -49,7 +49,7 @@ fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, c
     throw Error(
         ErrorCode::bad_input,
         fmt::format("making its picture failed with exit {}: {}", ended.exit, last_words(log)), {},
-        "all it said is in " + log.string());
+        fmt::format("all it said goes to {}/log.txt in the folder of --output", image_case.name));
   if (!fs::exists(picture))
     throw Error(ErrorCode::bad_input, "its command wrote no picture", {},
                 "write {output} where the program takes the file to write");

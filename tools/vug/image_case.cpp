@@ -43,8 +43,10 @@ double number(const Json& value, double low, double high) {
   return value.get<double>();
 }
 
-/// {"size": "64x36", "spp": 64, "float": true, "D": ["LD=4"]} as options of the command line.
+/// {"size": "64x36", "spp": 64, "float": true, "D": ["LD=4"]} as options of the command line; a
+/// list of words stands for itself.
 std::vector<std::string> render_options(const Json& value) {
+  if (value.is_array()) return texts(value);
   if (!value.is_object()) refuse("it is no object", "write {\"size\": \"64x36\", \"spp\": 64}");
   std::vector<std::string> out;
   for (const auto& [key, given] : value.items()) {

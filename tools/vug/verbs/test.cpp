@@ -75,6 +75,8 @@ int exit_of(const std::vector<Outcome>& outcomes) {
 }
 
 int run(Options options) {
+  if (const char* reason = std::getenv("VUG_REASON"); reason && options.cases.update)
+    if (options.cases.reason.empty()) options.cases.reason = reason;
   require_fitting(options);
   const std::vector<CaseFolder> folders = find_cases(options.folder, options.filter);
   if (folders.empty())
@@ -130,7 +132,8 @@ Verb test_verb() {
                 ->check(CLI::Range(1, 1000));
             app.add_flag("--update", o->cases.update,
                          "makes what differs or is missing the new reference; needs --reason");
-            app.add_option("--reason", o->cases.reason, "why, for the reference's history");
+            app.add_option("--reason", o->cases.reason,
+                           "why, for the reference's history (or VUG_REASON in the environment)");
             app.add_flag("--quiet,-q", o->quiet, "only cases that are not the same");
             return [o] { return run(*o); };
           }};
