@@ -6,7 +6,9 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 namespace vug::image {
 namespace {
@@ -34,16 +36,52 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
 
 bool is_colour(const std::string& name) { return name == "R" || name == "G" || name == "B"; }
 
+/// The parts that show the same window as the first: those of a multi-part EXR, not the smaller
+/// pictures that some formats add.
+std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input) {
+  std::vector<OIIO::ImageSpec> parts = {input.spec()};
+  const bool many = std::string_view(input.format_name()) == "openexr";
+  for (int i = 1; many && input.seek_subimage(i, 0); ++i) {
+    const OIIO::ImageSpec& part = input.spec();
+    const OIIO::ImageSpec& first = parts.front();
+    if (part.deep || part.width != first.width || part.height != first.height ||
+        part.x != first.x || part.y != first.y)
+      break;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/// Channels of all parts; a name that is there already gets its part's name before it.
+std::vector<std::string> channels_of(const std::vector<OIIO::ImageSpec>& parts) {
+  std::vector<std::string> out;
+  for (const OIIO::ImageSpec& part : parts) {
+    const std::string name = part.get_string_attribute("oiio:subimagename", "part");
+    for (const std::string& channel : part.channelnames)
+      out.push_back(std::find(out.begin(), out.end(), channel) == out.end() ? channel
+                                                                            : name + "." + channel);
+  }
+  return out;
+}
+
 }  // namespace
 
 Image read(const std::filesystem::path& path, const ReadOptions& options) {
   const auto input = open(path);
-  const OIIO::ImageSpec& spec = input->spec();
-  require_memory(4.0 * spec.width * spec.height * spec.nchannels, available_memory(),
-                 fmt::format("the picture '{}'", path.string()));
-  Image image(spec.width, spec.height, spec.channelnames);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
-    throw refuse(path, input->geterror());
+  const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
+  const OIIO::ImageSpec& spec = parts.front();
+  const std::vector<std::string> channels = channels_of(parts);
+  require_memory(4.0 * spec.width * spec.height * static_cast<double>(channels.size()),
+                 available_memory(), fmt::format("the picture '{}'", path.string()));
+  Image image(spec.width, spec.height, channels);
+  const auto stride = static_cast<OIIO::stride_t>(sizeof(float) * channels.size());
+  size_t channel = 0;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (!input->read_image(static_cast<int>(i), 0, 0, parts[i].nchannels, OIIO::TypeDesc::FLOAT,
+                           &image.pixels[channel], stride))
+      throw refuse(path, input->geterror());
+    channel += static_cast<size_t>(parts[i].nchannels);
+  }
   if (options.linear && !spec.format.is_floating_point())
     for (size_t c = 0; c < image.channels.size(); ++c)
       if (is_colour(image.channels[c]))
@@ -54,12 +92,17 @@ Image read(const std::filesystem::path& path, const ReadOptions& options) {
 
 FileInfo read_info(const std::filesystem::path& path) {
   const auto input = open(path);
-  const OIIO::ImageSpec& spec = input->spec();
+  const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
+  const OIIO::ImageSpec& spec = parts.front();
   FileInfo info;
   info.width = spec.width;
   info.height = spec.height;
-  info.channels = spec.channelnames;
-  for (int c = 0; c < spec.nchannels; ++c) info.formats.emplace_back(spec.channelformat(c).c_str());
+  info.left = spec.x - spec.full_x;
+  info.top = spec.y - spec.full_y;
+  info.channels = channels_of(parts);
+  for (const OIIO::ImageSpec& part : parts)
+    for (int c = 0; c < part.nchannels; ++c)
+      info.formats.emplace_back(part.channelformat(c).c_str());
   for (const auto& attribute : spec.extra_attribs)
     if (attribute.type() == OIIO::TypeDesc::STRING)
       info.metadata.emplace_back(attribute.name().string(), attribute.get_string());
