@@ -5,7 +5,9 @@
 #include <vug/image/image.h>
 #include <vug/image/view.h>
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +20,8 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 struct ExrOptions {
   /// 16-bit floats (relative error 5e-4, largest value 65504); false: 32-bit.
   bool half = false;
-  /// Channels (or layers) kept in 32 bits even when `half` is set: what 16 bits would spoil.
+  /// Channels or layers, also numbered ones, kept in 32 bits even when `half` is set: what 16 bits
+  /// would spoil.
   std::vector<std::string> full_channels = {"Z", "P", "variance", "samples"};
   Metadata metadata;
   /// Where a crop lies: the image's top left pixel in a picture of full_width x full_height (EXR's
@@ -26,9 +29,16 @@ struct ExrOptions {
   struct Window {
     int x = 0, y = 0, full_width = 0, full_height = 0;
   } window;
+  /// One part for each layer instead of all channels in one: readers that want one layer need not
+  /// read the others.
+  bool parts = false;
+  /// Tiles of 64 x 64 pixels instead of lines.
+  bool tiles = false;
+  /// Standard attributes of the camera, row after row, for points as rows: p * M.
+  std::optional<std::array<float, 16>> world_to_camera, world_to_ndc;
 };
 
-/// Multi-channel scan-line EXR, ZIP compression, whole or not there (AtomicFile).
+/// Multi-channel EXR, ZIP compression, whole or not there (AtomicFile).
 /// Values beyond the range of half are clamped to it when they are stored as half.
 /// Throws Error(io) when the file cannot be written, Error(bad_input) on an unusable image.
 void write_exr(const std::filesystem::path& path, const Image& image,
@@ -43,9 +53,10 @@ void write_png(const std::filesystem::path& path, const Image& image, const View
 std::string png_bytes(const Image& image, const ViewOptions& view = {},
                       const Metadata& metadata = {});
 
-/// Any file OpenImageIO reads, all channels as float; those of an EXR's parts together. Integer
-/// files become [0, 1]; with `linear`, R, G, B of 8- and 16-bit files are turned from sRGB to
-/// linear light. Error(bad_input) names the file and the reason (missing, no picture, cut short).
+/// Any file OpenImageIO reads, all channels as float; those of all parts that have the first one's
+/// size. Integer files become [0, 1]; with
+/// `linear`, R, G, B of 8- and 16-bit files are turned from sRGB to linear light.
+/// Error(bad_input) names the file and the reason (missing, no picture, cut short).
 struct ReadOptions {
   bool linear = false;
 };
@@ -55,7 +66,6 @@ Image read(const std::filesystem::path& path, const ReadOptions& options = {});
 struct FileInfo {
   int width = 0;
   int height = 0;
-  int left = 0, top = 0;  ///< Where its pixels begin in the whole picture, which may be larger.
   std::vector<std::string> channels;
   std::vector<std::string> formats;  ///< "half", "float", "uint8", one for each channel.
   Metadata metadata;

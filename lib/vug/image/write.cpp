@@ -18,61 +18,143 @@ void require_whole(const Image& image) {
     throw Error(ErrorCode::bad_input, "a picture without pixels cannot be written");
 }
 
-/// Writes through a temporary file of the same extension, which tells OpenImageIO the format.
-void write(const std::filesystem::path& path, OIIO::ImageSpec spec, OIIO::TypeDesc type,
-           const void* pixels, const Metadata& metadata) {
-  for (const auto& [name, text] : metadata) spec.attribute(name, text);
-  AtomicFile file(path);
-  const auto refuse = [&](const std::string& why) {
-    return Error(ErrorCode::io, fmt::format("cannot write picture '{}': {}", path.string(), why));
-  };
-  const auto output = OIIO::ImageOutput::create(file.path().string());
-  if (!output) throw refuse(OIIO::geterror());
-  if (!output->open(file.path().string(), spec) || !output->write_image(type, pixels) ||
-      !output->close())
-    throw refuse(output->geterror());
-  file.commit();
+/// Channels `from` on, `count` of them, that go into one part of a file.
+struct PartOf {
+  std::string name;
+  size_t from, count;
+};
+
+/// The layer of a channel, where a file has a part for each: those of a Cryptomatte together, and
+/// alpha with the colour.
+std::string part_name(const std::string& channel) {
+  const size_t dot = channel.find('.');
+  if (dot == std::string::npos) return channel.find_first_of("RGBA") == 0 ? "beauty" : channel;
+  size_t end = dot;
+  while (end > 0 && channel[end - 1] >= '0' && channel[end - 1] <= '9') --end;
+  return channel.substr(0, end);
+}
+
+std::vector<PartOf> parts_of(const std::vector<std::string>& channels, bool split) {
+  std::vector<PartOf> parts;
+  for (size_t c = 0; c < channels.size(); ++c) {
+    const std::string name = split ? part_name(channels[c]) : "";
+    if (parts.empty() || parts.back().name != name)
+      parts.push_back({name, c, 1});
+    else
+      ++parts.back().count;
+  }
+  return parts;
 }
 
 bool in_layer(const std::string& channel, const std::string& layer) {
-  return channel == layer ||
-         (channel.size() > layer.size() && channel.compare(0, layer.size(), layer) == 0 &&
-          channel[layer.size()] == '.');
+  if (channel.compare(0, layer.size(), layer) != 0) return false;
+  const size_t rest = channel.find_first_not_of("0123456789", layer.size());
+  return rest == std::string::npos || channel[rest] == '.';
+}
+
+}  // namespace
+
+namespace {
+
+/// What all parts of the file share.
+OIIO::ImageSpec base_spec(const Image& image, const ExrOptions& options) {
+  OIIO::ImageSpec spec(image.width, image.height, 1, OIIO::TypeDesc::FLOAT);
+  if (options.window.full_width > 0) {
+    spec.x = options.window.x, spec.y = options.window.y;
+    spec.full_width = options.window.full_width, spec.full_height = options.window.full_height;
+  }
+  if (options.tiles) spec.tile_width = spec.tile_height = 64;
+  spec.attribute("compression", "zip");
+  // OpenImageIO would write the time of day: the same picture shall have the same bytes.
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
+  spec.attribute("oiio:ColorSpace", "linear");
+  // Red, green, blue and white of Rec.709 (ITU-R BT.709, item 1.4).
+  const float primaries[] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), primaries);
+  const auto matrix = [&](const char* name, const std::optional<std::array<float, 16>>& values) {
+    if (values) spec.attribute(name, OIIO::TypeDesc::TypeMatrix, values->data());
+  };
+  matrix("worldToCamera", options.world_to_camera);
+  matrix("worldToNDC", options.world_to_ndc);
+  return spec;
+}
+
+bool is_full(const std::string& channel, const ExrOptions& options) {
+  return !options.half ||
+         std::any_of(options.full_channels.begin(), options.full_channels.end(),
+                     [&](const std::string& layer) { return in_layer(channel, layer); });
+}
+
+/// The channels of a part, those stored as half within its range.
+std::vector<float> pixels_of(const Image& image, const PartOf& part, const ExrOptions& options) {
+  std::vector<float> out(image.pixel_count() * part.count);
+  for (size_t c = 0; c < part.count; ++c) {
+    const bool full = is_full(image.channels[part.from + c], options);
+    for (size_t p = 0; p < image.pixel_count(); ++p) {
+      const float v = image.pixels[p * image.channels.size() + part.from + c];
+      out[p * part.count + c] = full || !std::isfinite(v) ? v : std::clamp(v, -65504.0f, 65504.0f);
+    }
+  }
+  return out;
 }
 
 }  // namespace
 
 void write_exr(const std::filesystem::path& path, const Image& image, const ExrOptions& options) {
   require_whole(image);
-  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
-                       OIIO::TypeDesc::FLOAT);
-  if (options.window.full_width > 0) {
-    spec.x = options.window.x, spec.y = options.window.y;
-    spec.full_width = options.window.full_width, spec.full_height = options.window.full_height;
+  const std::vector<PartOf> parts = parts_of(image.channels, options.parts);
+  std::vector<OIIO::ImageSpec> specs;
+  for (const PartOf& part : parts) {
+    OIIO::ImageSpec spec = base_spec(image, options);
+    spec.nchannels = static_cast<int>(part.count);
+    spec.channelnames.assign(
+        image.channels.begin() + static_cast<std::ptrdiff_t>(part.from),
+        image.channels.begin() + static_cast<std::ptrdiff_t>(part.from + part.count));
+    const auto place = [&](const char* channel) {
+      const auto found =
+          std::find(spec.channelnames.begin(), spec.channelnames.end(), std::string(channel));
+      return found == spec.channelnames.end() ? -1
+                                              : static_cast<int>(found - spec.channelnames.begin());
+    };
+    spec.alpha_channel = place("A"), spec.z_channel = place("Z");
+    if (options.parts) spec.attribute("oiio:subimagename", part.name);
+    for (const auto& [name, text] : options.metadata) {
+      // A list of names stands with the channels it is for, everything else in the first part.
+      const bool matte = name.rfind("cryptomatte/", 0) == 0;
+      if (!options.parts || (matte ? part.name.rfind("Crypto", 0) == 0 : part.from == 0))
+        spec.attribute(name, text);
+    }
+    bool mixed = false;
+    for (const std::string& channel : spec.channelnames) {
+      spec.channelformats.push_back(is_full(channel, options) ? OIIO::TypeDesc::FLOAT
+                                                              : OIIO::TypeDesc::HALF);
+      mixed |= spec.channelformats.back() != spec.channelformats.front();
+    }
+    spec.format = spec.channelformats.front();
+    if (!mixed) spec.channelformats.clear();
+    specs.push_back(std::move(spec));
   }
-  spec.channelnames = image.channels;
-  spec.alpha_channel = image.find_channel("A");
-  spec.z_channel = image.find_channel("Z");
-  spec.attribute("compression", "zip");
-  // OpenImageIO would write the time of day: the same picture shall have the same bytes.
-  spec.attribute("DateTime", "1970:01:01 00:00:00");
-  spec.attribute("oiio:ColorSpace", "linear");
-  if (!options.half)
-    return write(path, spec, OIIO::TypeDesc::FLOAT, image.pixels.data(), options.metadata);
 
-  Image stored = image;
-  spec.format = OIIO::TypeDesc::HALF;
-  for (size_t c = 0; c < image.channels.size(); ++c) {
-    const bool full =
-        std::any_of(options.full_channels.begin(), options.full_channels.end(),
-                    [&](const std::string& layer) { return in_layer(image.channels[c], layer); });
-    spec.channelformats.push_back(full ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::HALF);
-    if (full) continue;
-    for (size_t i = c; i < stored.pixels.size(); i += image.channels.size())
-      if (std::isfinite(stored.pixels[i]))
-        stored.pixels[i] = std::clamp(stored.pixels[i], -65504.0f, 65504.0f);
+  AtomicFile file(path);
+  const auto refuse = [&](const std::string& why) {
+    return Error(ErrorCode::io, fmt::format("cannot write picture '{}': {}", path.string(), why));
+  };
+  const auto output = OIIO::ImageOutput::create(file.path().string());  // by its extension
+  if (!output) throw refuse(OIIO::geterror());
+  const bool opened =
+      parts.size() == 1
+          ? output->open(file.path().string(), specs[0])
+          : output->open(file.path().string(), static_cast<int>(specs.size()), specs.data());
+  if (!opened) throw refuse(output->geterror());
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0 && !output->open(file.path().string(), specs[i], OIIO::ImageOutput::AppendSubimage))
+      throw refuse(output->geterror());
+    const std::vector<float> pixels = pixels_of(image, parts[i], options);
+    if (!output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()))
+      throw refuse(output->geterror());
   }
-  write(path, spec, OIIO::TypeDesc::FLOAT, stored.pixels.data(), options.metadata);
+  if (!output->close()) throw refuse(output->geterror());
+  file.commit();
 }
 
 }  // namespace vug::image

@@ -84,6 +84,7 @@ void Film::add(int x, int y, const PathResult& sample, const Camera& camera, con
   for (size_t i = 0; i < gather_.lights; ++i)
     for (const float v : parts(colours[i]))
       *to++ += std::isfinite(v) ? to_wide(limited(v), kLightBits) : 0;
+  if (gather_.coverage && sample.first.hit) add_coverage(coverage(x, y), sample.first.object, 1);
 }
 
 void Film::merge(const Film& other) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vug/base/progress.h>
+#include <vug/render/light.h>
 #include <vug/render/sampler.h>
 #include <vug/render/vectors.h>
 
@@ -19,6 +20,7 @@ struct FirstHit {
   Vec3f position{0, 0, 0};
   Vec3f normal{0, 0, 0};  ///< Shading normal, on the viewer's side.
   Rgb albedo{0, 0, 0};
+  uint32_t object = kNoObject;  ///< Index in the scene.
 };
 
 struct PathResult {

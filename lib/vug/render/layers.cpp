@@ -1,5 +1,7 @@
 #include <vug/base/diagnostics.h>
+#include <vug/render/cryptomatte.h>
 #include <vug/render/layers.h>
+#include <vug/render/scene.h>
 
 #include <fmt/format.h>
 
@@ -92,6 +94,10 @@ const std::vector<LayerInfo>& layers() {
     for (const Kind& kind : kinds()) list.push_back(kind.info);
     for (const std::string& part : part_names())
       list.push_back({part, "A part of the beauty: see docs/rendering.md.", colour(part), false});
+    list.push_back(
+        {kCryptoObject, "Cryptomatte of objects.", crypto_channels(kCryptoObject), false});
+    list.push_back(
+        {kCryptoMaterial, "Cryptomatte of materials.", crypto_channels(kCryptoMaterial), false});
     return list;
   }();
   return all;
@@ -112,6 +118,7 @@ std::vector<std::string> LayerPlan::channels() const {
 Gather LayerPlan::gather() const {
   Gather gather;
   gather.lights = (parts() ? part_names().size() : 0) + groups.size();
+  gather.coverage = has(kCryptoObject) || has(kCryptoMaterial);
   return gather;
 }
 
@@ -129,16 +136,16 @@ LayerPlan plan_layers(const std::vector<std::string>& names,
   std::vector<bool> chosen(known.size());
   for (size_t i = 0; i < layers().size(); ++i) chosen[i] = names.empty() && layers()[i].usual;
   for (const std::string& name : names) {
-    bool found = name == "parts" || name == "lights" || name == "all";
+    bool found = name == "parts" || name == "lights" || name == "cryptomatte" || name == "all";
     for (size_t i = 0; i < known.size(); ++i) {
       const bool light = i >= layers().size();
       if (!(known[i] == name || name == "all" || (name == "parts" && is_part(known[i])) ||
-            (name == "lights" && light)))
+            (name == "lights" && light) || (name == "cryptomatte" && is_crypto(known[i]))))
         continue;
       chosen[i] = found = true;
     }
     if (found) continue;
-    known.insert(known.end(), {"parts", "lights", "all"});
+    known.insert(known.end(), {"parts", "lights", "cryptomatte", "all"});
     throw Error(ErrorCode::bad_input, fmt::format("there is no layer '{}'", name), {},
                 suggestion(name, known));
   }
@@ -148,19 +155,43 @@ LayerPlan plan_layers(const std::vector<std::string>& names,
     plan.names.push_back(known[i]);
     if (i >= layers().size()) plan.groups.push_back(groups[i - layers().size()]);
   }
+  // `develop` writes them last.
+  std::stable_partition(plan.names.begin(), plan.names.end(),
+                        [](const std::string& name) { return !is_crypto(name); });
   if (!plan.has("beauty"))
     throw Error(ErrorCode::bad_input, "a picture needs the layer 'beauty'", {}, "add it to layers");
+  return plan;
+}
+
+LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names) {
+  std::vector<std::string> groups;
+  const auto add_group = [&](const std::string& group) {
+    if (!group.empty() && std::find(groups.begin(), groups.end(), group) == groups.end())
+      groups.push_back(group);
+  };
+  for (const LightPtr& light : scene.lights)
+    if (light) add_group(light->notes().group);
+  for (const Object& object : scene.objects) add_group(object.light_group);
+  LayerPlan plan = plan_layers(names, groups);
+  if (!plan.gather().coverage) return plan;
+  for (const Object& object : scene.objects) {
+    plan.objects.push_back(object.name);
+    plan.materials.push_back(object.material_name);
+  }
   return plan;
 }
 
 void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image) {
   std::vector<void (*)(Out&)> writers;
   std::vector<size_t> colours;
+  std::vector<CryptoIds> cryptos;
   for (const std::string& name : plan.names) {
     const auto kind = std::find_if(kinds().begin(), kinds().end(),
                                    [&](const Kind& k) { return k.info.name == name; });
     if (kind != kinds().end())
       writers.push_back(kind->write);
+    else if (is_crypto(name))
+      cryptos.push_back(crypto_ids(name == kCryptoObject ? plan.objects : plan.materials));
     else
       colours.push_back(colour_index(plan, name));
   }
@@ -173,6 +204,8 @@ void develop(const Film& film, const LayerPlan& plan, const Region& origin, imag
       for (const size_t colour : colours)
         for (size_t i = 0; i < 3; ++i)
           out.put(from_wide(film.lights(x, y)[3 * colour + i], kLightBits) * share);
+      for (const CryptoIds& ids : cryptos)
+        out.to = write_crypto(film.coverage(x, y), out.sum.samples, ids, out.to);
     }
 }
 

@@ -25,6 +25,8 @@ const std::vector<LayerInfo>& layers();
 struct LayerPlan {
   std::vector<std::string> names;   ///< Of layers() and "light_GROUP".
   std::vector<std::string> groups;  ///< Groups of lights that have a layer.
+  /// Of the scene's objects, by their index, for the layers of the Cryptomatte.
+  std::vector<std::string> objects, materials;
 
   /// Names of the channels of the picture.
   std::vector<std::string> channels() const;
@@ -37,10 +39,13 @@ struct LayerPlan {
 };
 
 /// The plan for names as people give them: those of layers(), "light_GROUP", "parts" (all of the
-/// beauty's), "lights" (all groups) or "all"; none: the usual ones. Error(bad_input) with the
-/// nearest name for any other, or when R, G, B would be missing.
+/// beauty's), "lights" (all groups), "cryptomatte" (both of its) or "all"; none: the usual ones.
+/// Error(bad_input) with the nearest name for any other, or when R, G, B would be missing.
 LayerPlan plan_layers(const std::vector<std::string>& names,
                       const std::vector<std::string>& groups);
+
+/// The same with the groups of lights, objects and materials of the scene.
+LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names);
 
 /// Writes the means of a film into the image, whose pixel (0, 0) is `origin` of the film and whose
 /// channels are the plan's.

@@ -144,6 +144,8 @@ void header_of(File& file, H& h) {
   file.number(h.noise);
   list(file, h.layers.names, 4, [&](auto& name) { text(file, name); });
   list(file, h.layers.groups, 4, [&](auto& name) { text(file, name); });
+  list(file, h.layers.objects, 4, [&](auto& name) { text(file, name); });
+  list(file, h.layers.materials, 4, [&](auto& name) { text(file, name); });
   list(file, h.notes, 8, [&](auto& note) { text(file, note.first), text(file, note.second); });
 }
 

@@ -22,7 +22,8 @@ struct Object {
   bool flat = false;
   /// Radiance (W/sr/m^2) that its triangles send out from their front, the outside.
   Rgb emission{0, 0, 0};
-  std::string light_group;  ///< Of its emission; see LightNotes.
+  std::string light_group;                ///< Of its emission; see LightNotes.
+  std::string material_name = "default";  ///< For mattes.
 };
 
 struct Scene {

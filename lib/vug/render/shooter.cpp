@@ -31,9 +31,13 @@ const Scene& announced(const Scene& scene, Progress& progress) {
   return scene;
 }
 
-TallyPlan plan_tally(const LayerPlan& layers) {
+TallyPlan plan_tally(const LayerPlan& layers, const std::vector<std::string>& scene_groups) {
   TallyPlan plan;
   plan.parts = layers.parts();
+  plan.groups = layers.groups.size();
+  for (size_t colour = 0; colour < layers.groups.size(); ++colour)
+    for (uint32_t group = 0; group < scene_groups.size(); ++group)
+      if (scene_groups[group] == layers.groups[colour]) plan.group_of[group] = colour;
   return plan;
 }
 
@@ -60,9 +64,9 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
                       ? options.integrator
                       : make_integrator("path", {{"max_bounces", options.max_bounces}})),
       world_(std::make_unique<const World>(announced(scene, progress))),
-      tally_(plan_tally(options.layers)),
       wanted_(wanted_region(options)) {
   progress.end();
+  tally_ = plan_tally(options.layers, world_->lights().groups());
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const auto samples = static_cast<uint64_t>(options.width) *
                        static_cast<uint64_t>(options.height) * static_cast<uint64_t>(options.spp);

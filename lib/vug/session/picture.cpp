@@ -35,6 +35,14 @@ render::CameraPtr outside_camera(const Box3d& box) {
       "perspective", {{"eye", eye}, {"target", centre}, {"fov", Number{kFov, Dimension::angle}}});
 }
 
+/// What mattes call an object's material: its name, or that of the object when it has none.
+std::string material_name(const Shot& shot, const ObjectPlan& object) {
+  if (!object.material) return "default";
+  for (const auto& [name, material] : shot.materials)
+    if (material == object.material) return name;
+  return object.name;
+}
+
 /// A picture from inside the rock shows its back side: hardly ever what is meant.
 void warn_of_rock(Builder& builder, const RenderPlan& plan, const std::vector<ObjectPlan>& objects,
                   const render::Camera& camera) {
@@ -59,7 +67,8 @@ std::string identity(const render::Scene& scene, const std::string& recipe,
     hash.add_value(values.size());
     if (!values.empty()) hash.add(values.data(), values.size() * sizeof(values[0]));
   };
-  for (const std::string& text : {recipe, options.render, options.camera}) add_all(text);
+  for (const std::string& text : {recipe, options.render, options.camera, std::string(VUG_VERSION)})
+    add_all(text);
   for (const render::Object& object : scene.objects) {
     add_all(object.name);
     add_all(object.mesh->positions);
@@ -92,6 +101,8 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
   if (options.noise) plan.noise = *options.noise;
   if (options.exposure) plan.exposure = *options.exposure;
   if (options.full_float) plan.half = false;
+  if (options.multi_part) plan.multi_part = true;
+  if (options.tiled) plan.tiled = true;
   if (!options.layers.empty()) plan.layers = options.layers;
   if (!options.crop.empty()) plan.crop = options.crop;
   return plan;
@@ -110,7 +121,8 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
     const auto mesh = builder.mesh(object.mesh);
     for (const Vec3f& p : mesh->positions) bounds.extendBy(Vec3d(p));
     scene.objects.push_back({object.name, mesh, object.material, object.flat,
-                             Vec3f(object.emission), object.light_group});
+                             Vec3f(object.emission), object.light_group,
+                             material_name(shot, object)});
   }
   if (objects.empty() && shot.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
@@ -139,19 +151,33 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   render.noise = plan.noise;
   render.openings = plan.openings;
   if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
-  try {
-    render.layers = render::plan_layers(plan.layers, {});
-  } catch (const Error& error) {
-    throw Error(error.code(), error.what(), plan.where, error.hint());
-  }
+  const auto plan_for = [&](const render::Scene& scene) {
+    try {
+      return render::scene_layers(scene, plan.layers);
+    } catch (const Error& error) {
+      throw Error(error.code(), error.what(), plan.where, error.hint());
+    }
+  };
+  // Before meshes are made of it all.
+  render::Scene lights;
+  for (const auto& [name, light] : builder.shot().lights) lights.lights.push_back(light);
+  for (const ObjectPlan& object : builder.shot().objects)
+    lights.objects.emplace_back().light_group = object.light_group;
+  render.layers = plan_for(lights);
   require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
   job.scene = assemble(builder, plan);
+  render.layers = plan_for(job.scene);
   require_memory(render::memory_estimate(job.scene, render, whole_film), builder.room(),
                  "the picture", std::string(kFewerPixels) + " or larger voxels");
   job.look.exposure = plan.exposure;
   job.look.half = plan.half;
+  job.look.multi_part = plan.multi_part;
+  job.look.tiled = plan.tiled;
+  job.look.camera = job.scene.camera->matrices(static_cast<float>(render.width) /
+                                               static_cast<float>(render.height));
   job.look.metadata = {{"vug:recipe", builder.shot().recipe},
+                       {"vug:version", VUG_VERSION},
                        {"vug:seed", std::to_string(render.seed)},
                        {"vug:spp", std::to_string(plan.spp)}};
   job.header = render::part_header(render);

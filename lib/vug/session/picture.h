@@ -16,8 +16,11 @@ struct PictureOptions {
   std::optional<Vec2i> size;
   std::optional<uint64_t> seed;
   std::optional<double> noise;
-  std::optional<double> exposure;   ///< Stops; for the PNG only.
-  bool full_float = false;          ///< 32-bit colour channels whatever the plan says.
+  std::optional<double> exposure;  ///< Stops; for the PNG only.
+  // Whatever the plan says:
+  bool full_float = false;  ///< 32-bit colour channels.
+  bool multi_part = false;
+  bool tiled = false;
   std::vector<std::string> layers;  ///< Instead of the plan's.
   std::vector<int> crop;            ///< Likewise.
 };

@@ -1,3 +1,4 @@
+#include <vug/render/cryptomatte.h>
 #include <vug/session/picture_file.h>
 
 #include <fmt/format.h>
@@ -9,13 +10,39 @@ namespace {
 
 constexpr const char* kExposure = "exposure";
 constexpr const char* kHalf = "half";
+constexpr const char* kMultiPart = "multi_part";
+constexpr const char* kTiled = "tiled";
+constexpr const char* kToCamera = "world_to_camera";
+constexpr const char* kToNdc = "world_to_ndc";
 constexpr const char* kMetadata = "metadata:";
+
+std::string matrix_text(const std::array<float, 16>& matrix) {
+  return fmt::format("{}", fmt::join(matrix, " "));
+}
+
+std::array<float, 16> read_matrix(const std::string& text) {
+  std::array<float, 16> matrix{};
+  const char* at = text.c_str();
+  for (float& v : matrix) {
+    char* end = nullptr;
+    v = std::strtof(at, &end);
+    at = end;
+  }
+  return matrix;
+}
 
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& look) {
   std::vector<std::pair<std::string, std::string>> notes = {
-      {kExposure, fmt::format("{}", look.exposure)}, {kHalf, look.half ? "true" : "false"}};
+      {kExposure, fmt::format("{}", look.exposure)},
+      {kHalf, look.half ? "true" : "false"},
+      {kMultiPart, look.multi_part ? "true" : "false"},
+      {kTiled, look.tiled ? "true" : "false"}};
+  if (look.camera) {
+    notes.emplace_back(kToCamera, matrix_text(look.camera->world_to_camera));
+    notes.emplace_back(kToNdc, matrix_text(look.camera->world_to_ndc));
+  }
   for (const auto& [name, text] : look.metadata) notes.emplace_back(kMetadata + name, text);
   return notes;
 }
@@ -25,6 +52,11 @@ PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& n
   for (const auto& [name, text] : notes) {
     if (name == kExposure) look.exposure = std::strtod(text.c_str(), nullptr);
     if (name == kHalf) look.half = text == "true";
+    if (name == kMultiPart) look.multi_part = text == "true";
+    if (name == kTiled) look.tiled = text == "true";
+    if ((name == kToCamera || name == kToNdc) && !look.camera) look.camera.emplace();
+    if (name == kToCamera) look.camera->world_to_camera = read_matrix(text);
+    if (name == kToNdc) look.camera->world_to_ndc = read_matrix(text);
     if (name.rfind(kMetadata, 0) == 0)
       look.metadata.emplace_back(name.substr(std::string(kMetadata).size()), text);
   }
@@ -41,7 +73,17 @@ std::vector<std::filesystem::path> write_picture(const std::filesystem::path& ex
   const PictureLook look = from_notes(header.notes);
   image::ExrOptions options;
   options.half = look.half;
+  options.parts = look.multi_part;
+  options.tiles = look.tiled;
+  if (look.camera) {
+    options.world_to_camera = look.camera->world_to_camera;
+    options.world_to_ndc = look.camera->world_to_ndc;
+  }
   options.metadata = look.metadata;
+  for (const auto& entry : render::crypto_metadata(header.layers))
+    options.metadata.push_back(entry);
+  options.full_channels.insert(options.full_channels.end(),
+                               {render::kCryptoObject, render::kCryptoMaterial});
   options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
   image::write_exr(exr, image, options);
   write_preview(png_beside(exr), image, header);

@@ -5,6 +5,7 @@
 #include <vug/render/part.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,9 +14,12 @@ namespace vug::session {
 
 /// What writing a picture takes beyond its pixels.
 struct PictureLook {
-  double exposure = 0;  ///< Stops, for the PNG.
-  bool half = true;     ///< 16-bit colour channels in the EXR.
+  double exposure = 0;      ///< Stops, for the PNG.
+  bool half = true;         ///< 16-bit colour channels in the EXR.
+  bool multi_part = false;  ///< A part of the EXR for each layer.
+  bool tiled = false;       ///< Tiles instead of lines.
   image::Metadata metadata;
+  std::optional<render::CameraMatrices> camera;
 };
 
 /// The look as notes of a part, so that merging writes the same files, and back.

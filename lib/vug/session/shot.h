@@ -71,6 +71,8 @@ struct RenderPlan {
   double exposure = 0;              ///< Stops; for the PNG only.
   bool openings = true;             ///< See render::Options.
   bool half = true;                 ///< 16-bit colour channels in the EXR.
+  bool multi_part = false;          ///< A part of the EXR for each layer.
+  bool tiled = false;               ///< Tiles in the EXR instead of lines.
   double noise = 0;                 ///< See render::Options.
   std::vector<std::string> layers;  ///< As render::plan_layers takes them.
   std::vector<int> crop;            ///< Left, top, right, bottom in pixels; empty: all.
@@ -97,6 +99,7 @@ struct Shot {
   std::vector<CameraPlan> cameras;
   std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
   render::MediumPtr medium;
+  std::vector<std::pair<std::string, render::MaterialPtr>> materials;  ///< Those with names.
   std::vector<RenderPlan> renders;
   std::vector<Derivation> derivations;
 };

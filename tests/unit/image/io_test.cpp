@@ -79,6 +79,34 @@ TEST_F(Files, HalfRoundsByAtMostItsUnitAndKeepsDepthExact) {
         << info.channels[c];
 }
 
+TEST_F(Files, PartsAndTilesHoldTheSamePixels) {
+  const Image image =
+      noise(100, 70, {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "CryptoObject00.R"}, 10);
+  for (const bool half : {false, true}) {
+    ExrOptions options;
+    options.half = half;
+    options.full_channels.push_back("CryptoObject");
+    options.metadata = {{"vug:seed", "7"}, {"cryptomatte/1234567/name", "CryptoObject"}};
+    write_exr(file("plain.exr"), image, options);
+    const Image plain = read(file("plain.exr")).select(image.channels);
+    for (const bool tiles : {false, true})
+      for (const bool parts : {false, true}) {
+        options.tiles = tiles, options.parts = parts;
+        write_exr(file("other.exr"), image, options);
+        EXPECT_EQ(read(file("other.exr")).select(image.channels), plain) << tiles << parts;
+        const FileInfo info = read_info(file("other.exr"));
+        EXPECT_EQ(info.channels.size(), image.channels.size());
+        for (const auto& entry : options.metadata)
+          EXPECT_EQ(std::count(info.metadata.begin(), info.metadata.end(), entry), 1)
+              << entry.first;
+        for (size_t c = 0; c < info.channels.size(); ++c)
+          if (info.channels[c] == "CryptoObject00.R") {
+            EXPECT_EQ(info.formats[c], "float");
+          }
+      }
+  }
+}
+
 TEST_F(Files, HalfClampsWhatItCannotHold) {
   Image image(2, 1, {"R"});
   image.pixels = {1e8f, -1e8f};

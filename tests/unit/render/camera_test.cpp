@@ -42,6 +42,28 @@ TEST(Perspective, LensKeepsTheFocusPlaneSharp) {
   }
 }
 
+// What the EXR's header says of the camera sends points to where their rays were.
+TEST(Perspective, MatricesSayWhereThePictureShowsAPoint) {
+  const CameraPtr camera = make_camera(
+      "perspective", {{"eye", Vec3d(1, 2, 3)}, {"target", Vec3d(-2, 1, 0)}, {"fov", radians(1.1)}});
+  const auto times = [](const Vec3f& p, const std::array<float, 16>& m) {
+    std::array<float, 4> out{};
+    for (size_t c = 0; c < 4; ++c)
+      out[c] = p.x * m[c] + p.y * m[4 + c] + p.z * m[8 + c] + m[12 + c];
+    return out;
+  };
+  const CameraMatrices m = camera->matrices(1.5f).value();
+  for (const Vec2f& film : {Vec2f(0, 0), Vec2f(1, 1), Vec2f(0.3f, 0.8f), Vec2f(0.5f, 0.5f)}) {
+    const Vec3f point = camera->ray(film, 1.5f, Vec2f(0.5f)).at(7);
+    const auto ndc = times(point, m.world_to_ndc), local = times(point, m.world_to_camera);
+    EXPECT_NEAR(ndc[0] / ndc[3], film.x, 1e-5);
+    EXPECT_NEAR(ndc[1] / ndc[3], film.y, 1e-5);
+    EXPECT_NEAR(local[2], camera->depth(point), 1e-5);
+    EXPECT_EQ(local[0] > 1e-4f, film.x > 0.5f) << "x is right";
+    EXPECT_EQ(local[1] > 1e-4f, film.y < 0.5f) << "y is up";
+  }
+}
+
 TEST(Perspective, RefusesViewsThatAreNone) {
   EXPECT_THROW(make_camera("perspective", {{"eye", Vec3d(0, 0, 0)}, {"target", Vec3d(0, 0, 0)}}),
                Error);

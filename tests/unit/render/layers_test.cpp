@@ -68,6 +68,33 @@ TEST(Layers, DirectLightIsThatOfAShortPath) {
   EXPECT_EQ(sum_of(direct, "diffuse_indirect.R"), 0);
 }
 
+// Light groups hold the light of their lights: what a picture with those alone shows.
+TEST(Layers, GroupsAreThePicturesOfTheirLights) {
+  const auto scene_with = [](bool lamp, bool sky) {
+    Scene scene = corner();
+    scene.lights.clear();
+    if (lamp)
+      scene.lights.push_back(make_light(
+          "sphere", {{"center", Vec3d(0.8, 1.4, 0)}, {"radius", 0.2}, {"group", "key"}}));
+    if (sky)
+      scene.lights.push_back(
+          make_light("sky", {{"radiance", Vec3d(0.1, 0.2, 0.3)}, {"group", "fill"}}));
+    return scene;
+  };
+  Options o = options(40, 30, 256, 2);
+  o.layers = scene_layers(scene_with(true, true), {"beauty", "lights", "parts"});
+  EXPECT_EQ(o.layers.groups, (std::vector<std::string>{"key", "fill"}));
+  const image::Image both = render(scene_with(true, true), o);
+  const image::Image key = render(scene_with(true, false), options(40, 30, 256, 2));
+  const image::Image fill = render(scene_with(false, true), options(40, 30, 256, 2));
+  for (const std::string c : {"R", "B"}) {
+    EXPECT_NEAR(sum_of(both, "light_key." + c), sum_of(key, c), 0.01 * sum_of(key, c));
+    EXPECT_NEAR(sum_of(both, "light_fill." + c), sum_of(fill, c), 0.01 * sum_of(fill, c));
+    EXPECT_NEAR(sum_of(both, "light_key." + c) + sum_of(both, "light_fill." + c), sum_of(both, c),
+                1e-5 * sum_of(both, c));
+  }
+}
+
 TEST(Layers, WhatIsAskedForDoesNotChangeTheRest) {
   Options o = options(20, 15, 4, 2);
   const image::Image usual = render(corner(), o);

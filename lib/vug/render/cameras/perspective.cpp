@@ -64,6 +64,29 @@ class PerspectiveCamera final : public Camera {
   }
   Vec3f eye() const override { return eye_; }
   float depth(const Vec3f& point) const override { return dot(point - eye_, forward_); }
+  std::optional<CameraMatrices> matrices(float aspect) const override {
+    CameraMatrices m;
+    const Vec3f axes[] = {right_, up_, forward_};
+    for (size_t column = 0; column < 3; ++column) {
+      const Vec3f& axis = axes[column];
+      m.world_to_camera[column] = axis.x;
+      m.world_to_camera[4 + column] = axis.y;
+      m.world_to_camera[8 + column] = axis.z;
+      m.world_to_camera[12 + column] = -dot(axis, eye_);
+    }
+    m.world_to_camera[15] = 1;
+    // w is the depth z; x = z/2 + right / (2 tan(fov/2)), y likewise and downwards. The third
+    // column, z - 1, is free: it keeps the matrix invertible.
+    for (size_t row = 0; row < 4; ++row) {
+      const float* from = &m.world_to_camera[4 * row];
+      float* to = &m.world_to_ndc[4 * row];
+      to[0] = 0.5f * (from[2] + from[0] / half_width_);
+      to[1] = 0.5f * (from[2] - from[1] * aspect / half_width_);
+      to[2] = from[2] - (row == 3 ? 1.0f : 0.0f);
+      to[3] = from[2];
+    }
+    return m;
+  }
 
  private:
   Vec3f eye_, forward_, right_, up_;

@@ -111,7 +111,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
     const bool found = world.intersect(ray, hit);
     const float end = found ? hit.distance : kFar;
     if (depth == 0 && found)
-      result.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray)};
+      result.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray),
+                      hit.object};
     if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar);
     // What a ray runs into belongs to the place it comes from, as direct light there.
     Rgb seen = lamps_met(world, ray, end, from, result.alpha, tally);

@@ -7,7 +7,10 @@ const DeclarationKind& material_declaration() {
       family_info("material", "What a surface is made of: material NAME = lambert(...).",
                   "material", "lambert"),
       [](const scene::Declaration& declaration, Reading& reading) {
-        return read_family("material", "lambert", declaration, reading);
+        const Value value = read_family("material", "lambert", declaration, reading);
+        if (const auto* material = value.object<render::MaterialPtr>())
+          reading.shot.materials.emplace_back(declaration.name, *material);
+        return value;
       }};
   return kind;
 }

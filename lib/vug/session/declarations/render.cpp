@@ -12,6 +12,9 @@ Schema<RenderPlan> schema() {
       .param("exposure", &RenderPlan::exposure,
              {.doc = "stops, for the PNG only", .min = -30, .max = 30})
       .param("half", &RenderPlan::half, {.doc = "store colours as 16-bit floats"})
+      .param("multi_part", &RenderPlan::multi_part,
+             {.doc = "a part of the EXR for each layer, instead of all in one"})
+      .param("tiled", &RenderPlan::tiled, {.doc = "tiles in the EXR, instead of lines"})
       .param("noise", &RenderPlan::noise,
              {.doc = "stop sampling where the relative error is below this, as 5%; 0: never",
               .min = 0,

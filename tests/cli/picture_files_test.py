@@ -1,0 +1,150 @@
+"""The files of pictures as others read them: OpenImageIO's and OpenEXR's own programs, and readers
+written from the specifications alone."""
+import json
+import shutil
+import struct
+import subprocess
+import unittest
+
+import exr
+from vug import VugTest
+
+SCENE = """seed 5
+volume rock = level_set(box(size: (6, 4, 6)) - sphere(1.8m), voxel: 20cm)
+volume stone = level_set(sphere(50cm).translate((0.6, -1, 0)), voxel: 10cm)
+mesh wall on rock {}
+mesh pebble on stone {}
+material chalk = lambert(albedo: (0.7, 0.7, 0.6))
+object cave on wall { material chalk }
+object "a_stone" on pebble {}
+camera main { eye (-1.2, 0.3, 0.4)  target (1, 0, 0)  fov 70deg }
+light lamp = sphere(center: (0.5, 0.6, 0.3), radius: 10cm, radiance: (90, 60, 30))
+render main { size 70x40  spp 16 }
+""".replace('"a_stone"', "a_stone")
+
+
+def murmur3(text):
+    """MurmurHash3_x86_32 with seed 0."""
+    data, mask, h = text.encode(), 0xffffffff, 0
+
+    def mixed(k):
+        k = k * 0xcc9e2d51 & mask
+        k = (k << 15 | k >> 17) & mask
+        return k * 0x1b873593 & mask
+    whole = len(data) // 4 * 4
+    for i in range(0, whole, 4):
+        h ^= mixed(int.from_bytes(data[i:i + 4], "little"))
+        h = ((h << 13 | h >> 19) * 5 + 0xe6546b64) & mask
+    if len(data) > whole:
+        h ^= mixed(int.from_bytes(data[whole:], "little"))
+    h ^= len(data)
+    for shift, factor in ((16, 0x85ebca6b), (13, 0xc2b2ae35)):
+        h = (h ^ h >> shift) * factor & mask
+    return h ^ h >> 16
+
+
+def bits(value):
+    return struct.unpack("<I", struct.pack("<f", value))[0]
+
+
+FORMS = {"plain": (), "tiled": ("--tiled",), "parts": ("--multi-part",),
+         "both": ("--multi-part", "--tiled"), "crop": ("--crop", "10,5,50,35"), "full": ("--float",)}
+
+
+class PictureFiles(VugTest):
+    def prepare(self):
+        self.write("s.vug", SCENE)
+        for name, form in FORMS.items():
+            self.expect(0, "render", "s.vug", "-o", f"{name}.exr", "--layers", "all", *form)
+
+    def channels(self, name):
+        """Pixels of all channels, of whichever part."""
+        found = {}
+        for part in exr.read(self.folder / f"{name}.exr"):
+            found.update(part.pixels)
+        return found
+
+    def test_programs_of_others_accept_them(self):
+        for name in FORMS:
+            for program in (["oiiotool", "--info", "-v", "--stats"], ["exrinfo", "-s", "-v"],
+                            ["exrheader"], ["exrcheck"]):
+                if not shutil.which(program[0]):
+                    continue  # exrcheck is not in every OpenEXR package
+                run = subprocess.run([*program, f"{name}.exr"], cwd=self.folder, text=True,
+                                     capture_output=True)
+                self.assertEqual(run.returncode, 0, f"{program} {name}: {run.stderr}")
+                self.assertNotIn("error", run.stderr.lower(), f"{program} {name}")
+                if program[0] == "oiiotool":
+                    self.assertIn("NanCount: 0 0 0", run.stdout)
+
+    def test_every_form_holds_the_same_pixels(self):
+        plain = self.channels("plain")
+        for name in ("tiled", "parts", "both"):
+            self.assertEqual(self.channels(name), plain, name)
+        crop = self.channels("crop")
+        self.assertEqual(crop.keys(), plain.keys())
+        for channel, values in crop.items():
+            for y in range(30):
+                self.assertEqual(values[40 * y:40 * y + 40],
+                                 plain[channel][70 * (y + 5) + 10:70 * (y + 5) + 50], channel)
+
+    def test_parts_are_layers(self):
+        names = [part.text("name") for part in exr.read(self.folder / "parts.exr")]
+        self.assertEqual(len(names), len(set(names)))
+        for name in ("beauty", "Z", "N", "diffuse_direct", "CryptoObject"):
+            self.assertIn(name, names)
+
+    def test_headers_tell(self):
+        part, = exr.read(self.folder / "crop.exr")
+        self.assertEqual(part.window, (10, 5, 49, 34))
+        self.assertEqual(part.display, (0, 0, 69, 39))
+        self.assertEqual(part.text("vug:seed"), "5")
+        self.assertEqual(part.text("vug:spp"), "16")
+        self.assertIn("sphere(1.8m)", part.text("vug:recipe"))
+        self.assertRegex(part.text("vug:version"), r"\d+\.\d+")
+        self.assertEqual(part.attributes["chromaticities"][0], "chromaticities")
+        whole, = exr.read(self.folder / "full.exr")
+        ndc = struct.unpack("<16f", whole.attributes["worldToNDC"][1])
+        self.assertEqual(whole.attributes["worldToCamera"][0], "m44f")
+        # Positions of the P layer, averaged over a pixel, land in that pixel.
+        for x, y in ((5, 5), (35, 20), (64, 33)):
+            at = 70 * y + x
+            p = [whole.pixels[f"P.{axis}"][at] for axis in "XYZ"] + [1]
+            u, v, _, w = (sum(p[r] * ndc[4 * r + c] for r in range(4)) for c in range(4))
+            self.assertAlmostEqual(u / w * 70, x + 0.5, delta=0.6)
+            self.assertAlmostEqual(v / w * 40, y + 0.5, delta=0.6)
+
+    def test_cryptomatte_decodes(self):
+        for name in ("plain", "parts"):
+            parts = exr.read(self.folder / f"{name}.exr")
+            for layer, names in (("CryptoObject", {"cave", "a_stone"}),
+                                 ("CryptoMaterial", {"chalk", "default"})):
+                part = next(p for p in parts if f"{layer}00.R" in p.pixels)
+                key = f"cryptomatte/{murmur3(layer):08x}"[:19]
+                self.assertEqual(part.text(f"{key}/name"), layer)
+                self.assertEqual(part.text(f"{key}/hash"), "MurmurHash3_32")
+                self.assertEqual(part.text(f"{key}/conversion"), "uint32_to_float32")
+                manifest = json.loads(part.text(f"{key}/manifest"))
+                self.assertEqual(set(manifest), names)
+                for known, hexadecimal in manifest.items():
+                    self.assertEqual(int(hexadecimal, 16), murmur3(known))
+                alpha = next(p for p in parts if "A" in p.pixels).pixels["A"]
+                ids = {int(h, 16): n for n, h in manifest.items()}
+                covered = dict.fromkeys(manifest, 0.0)
+                for i, a in enumerate(alpha):
+                    total, before = 0, 2
+                    for rank in range(6):
+                        at, share = ("RG", "BA")[rank % 2]
+                        identity = part.pixels[f"{layer}{rank // 2:02}.{at}"][i]
+                        coverage = part.pixels[f"{layer}{rank // 2:02}.{share}"][i]
+                        self.assertLessEqual(coverage, before)
+                        before = coverage
+                        if coverage > 0:
+                            covered[ids[bits(identity)]] += coverage
+                            total += coverage
+                    self.assertAlmostEqual(total, 1, delta=0.01 + abs(1 - a))
+                self.assertTrue(all(share > 10 for share in covered.values()), covered)
+
+
+if __name__ == "__main__":
+    unittest.main()

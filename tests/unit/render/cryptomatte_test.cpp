@@ -1,0 +1,71 @@
+// Cryptomatte: hashes of the specification, and shares that are those of the samples.
+#include <vug/render/cryptomatte.h>
+#include <vug/render/layers.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "scenes.h"
+
+namespace vug::render {
+namespace {
+
+// Published values of MurmurHash3_x86_32 with seed 0.
+TEST(Cryptomatte, HashIsMurmur3) {
+  EXPECT_EQ(murmur3(""), 0u);
+  EXPECT_EQ(murmur3("hello"), 0x248bfa47u);
+  EXPECT_EQ(murmur3("hello, world"), 0x149bbb7fu);
+  EXPECT_EQ(murmur3("The quick brown fox jumps over the lazy dog"), 0x2e4ff723u);
+}
+
+TEST(Cryptomatte, IdsAreUsableFloats) {
+  for (int i = 0; i < 20000; ++i) {
+    const uint32_t id = crypto_id("object" + std::to_string(i));
+    float value = 0;
+    std::memcpy(&value, &id, 4);
+    ASSERT_TRUE(std::isnormal(value)) << i;
+  }
+}
+
+TEST(Cryptomatte, SharesAreSortedAndObjectsOfOneNameJoined) {
+  const CryptoIds ids = crypto_ids({"a", "b", "a"});
+  float out[2 * kCryptoRanks];
+  EXPECT_EQ(write_crypto({{0, 2}, {1, 5}, {2, 4}}, 16, ids, out), out + 2 * kCryptoRanks);
+  uint32_t id = 0;
+  std::memcpy(&id, &out[0], 4);
+  EXPECT_EQ(id, crypto_id("a"));
+  EXPECT_EQ(out[1], 6.0f / 16);
+  EXPECT_EQ(out[3], 5.0f / 16);
+  for (size_t i = 4; i < 2 * kCryptoRanks; ++i) EXPECT_EQ(out[i], 0);
+}
+
+TEST(Cryptomatte, MattesSplitTheAlpha) {
+  Scene scene;
+  scene.camera = view({0, 1.5, 4}, {0, 0.5, 0}, 1.1);
+  mesh::Mesh wall = floor_mesh(1);
+  for (Vec3f& p : wall.positions) p = {p.x, p.z, -1};
+  scene.objects = {object(floor_mesh(2), 0.5), object(wall, 0.5)};
+  scene.objects[0].name = "floor", scene.objects[1].name = "wall";
+  Options o = options(40, 30, 16, 0);
+  o.layers = scene_layers(scene, {"beauty", "A", "cryptomatte"});
+  const image::Image picture = render(scene, o);
+  const auto at = [&](int x, int y, const std::string& channel) {
+    return picture.at(x, y, static_cast<size_t>(picture.find_channel(channel)));
+  };
+  bool mixed = false;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const float first = at(x, y, "CryptoObject00.G"), second = at(x, y, "CryptoObject00.A");
+      ASSERT_EQ(first + second, at(x, y, "A"));
+      ASSERT_EQ(at(x, y, "CryptoMaterial00.G"), at(x, y, "A")) << "both are of one material";
+      mixed |= second > 0;
+    }
+  EXPECT_TRUE(mixed);
+  const float id = at(20, 20, "CryptoObject00.R");
+  const uint32_t expected = crypto_id("floor");
+  EXPECT_EQ(std::memcmp(&id, &expected, 4), 0);
+}
+
+}  // namespace
+}  // namespace vug::render
