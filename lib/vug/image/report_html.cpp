@@ -43,12 +43,12 @@ Image z_picture(const std::vector<float>& z, int width, int height) {
 }
 
 std::string picture(const std::string& id, const std::string& label, const Image& image,
-                    const ViewOptions& view) {
+                    const ViewOptions& view, const std::string& scale = {}) {
   return fmt::format(
-      "<figure id=\"{}\"><img{} alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}"
+      "<figure id=\"{}\"><img{} alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}{}"
       "</figcaption></figure>\n",
       id, image.width < kSmall ? " class=\"small\"" : "", label, base64(png_bytes(image, view)),
-      label);
+      label, scale);
 }
 
 /// A layer without colours is shown from its least to its greatest value.
@@ -80,10 +80,12 @@ void add_pictures(const Diff& diff, std::string& out) {
   }
   out += "<div class=\"stage\" id=\"stage\" data-mode=\"slide\">\n";
   out += picture("reference", "reference", a, view) + picture("test", "test", b, view);
-  out += picture("heat", "heat map (" + diff.heat_measure + ")", heat_picture(diff), plain);
+  out += picture("heat", "heat map (" + diff.heat_measure + ")", heat_picture(diff), plain,
+                 diff.heat_measure == "flip" ? ", from 0 to 1" : ", from 0 to the largest");
   if (diff.significance)
-    out += picture("blocks", "z-scores of blocks",
-                   z_picture(diff.significance->z, a.width, a.height), plain);
+    out +=
+        picture("blocks", "z-scores of blocks", z_picture(diff.significance->z, a.width, a.height),
+                plain, ": blue where the test is darker, orange where brighter");
   out += "<div class=\"bar\"></div></div>\n";
 }
 
