@@ -3,6 +3,7 @@ import base64
 import html.parser
 import json
 import re
+import subprocess
 import unittest
 
 from pictures import scene, shown, write_hdr, write_png
@@ -165,6 +166,13 @@ class OfRenders(VugTest):
         self.expect(1, "diff", "a.exr", "ball.exr", "--layer", "albedo", "--max", "mean=1e-4")
         self.expect(0, "diff", "a.exr", "b.exr", *limits)
         self.expect(1, "diff", "a.exr", "dark.exr", *limits)  # the beauty is judged by its noise
+
+    def test_parts_of_one_file_are_one_picture(self):
+        parts = ["a.exr", "--ch", "R,G,B,samples", "--attrib", "oiio:subimagename", "light",
+                 "a.exr", "--ch", "variance.R,variance.G,variance.B,Z", "--siappend"]
+        subprocess.run(["oiiotool", *parts, "-o", "parts.exr"], cwd=self.folder, check=True)
+        self.expect(0, "diff", "a.exr", "parts.exr", "--layer", "beauty,Z,variance")
+        self.assertIn("noise explains", self.expect(0, "diff", "parts.exr", "b.exr", "--layer", "beauty").out)
 
     def test_the_page_shows_the_blocks(self):
         self.expect(1, "diff", "a.exr", "dark.exr", "--html", "page.html", "--quiet")

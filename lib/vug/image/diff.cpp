@@ -275,6 +275,13 @@ Diff diff(const Subject& reference, const Subject& test, const DiffOptions& opti
                             reference.image.width, reference.image.height, test.name,
                             test.image.width, test.image.height),
                 {}, "compare pictures of one size");
+  if (reference.left != test.left || reference.top != test.top)
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("'{}' shows the part of a picture from {}, {} on and '{}' that from "
+                    "{}, {} on",
+                    reference.name, reference.left, reference.top, test.name, test.left, test.top),
+        {}, "compare the same part of both");
   const std::vector<Chosen> chosen = choose_layers(reference, test, options);
   require_known(chosen, options);
   const auto main =

@@ -19,7 +19,8 @@ struct Subject {
   std::string name;  ///< For messages: the file.
   Image image;
   Metadata metadata;
-  bool screen = false;  ///< Integer codes of a screen's picture (PNG), read as linear light.
+  int left = 0, top = 0;  ///< Where it lies in a larger picture.
+  bool screen = false;    ///< Integer codes of a screen's picture (PNG), read as linear light.
 };
 
 /// Error(bad_input) as for `read`.

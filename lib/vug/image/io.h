@@ -53,10 +53,9 @@ void write_png(const std::filesystem::path& path, const Image& image, const View
 std::string png_bytes(const Image& image, const ViewOptions& view = {},
                       const Metadata& metadata = {});
 
-/// Any file OpenImageIO reads, all channels as float; those of all parts that have the first one's
-/// size. Integer files become [0, 1]; with
-/// `linear`, R, G, B of 8- and 16-bit files are turned from sRGB to linear light.
-/// Error(bad_input) names the file and the reason (missing, no picture, cut short).
+/// Any file OpenImageIO reads, all channels as float; those of an EXR's parts together. Integer
+/// files become [0, 1]; with `linear`, R, G, B of 8- and 16-bit files are turned from sRGB to
+/// linear light. Error(bad_input) names the file and the reason (missing, no picture, cut short).
 struct ReadOptions {
   bool linear = false;
 };
@@ -66,6 +65,7 @@ Image read(const std::filesystem::path& path, const ReadOptions& options = {});
 struct FileInfo {
   int width = 0;
   int height = 0;
+  int left = 0, top = 0;  ///< Where its pixels begin in the whole picture, which may be larger.
   std::vector<std::string> channels;
   std::vector<std::string> formats;  ///< "half", "float", "uint8", one for each channel.
   Metadata metadata;

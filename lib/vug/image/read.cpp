@@ -6,7 +6,9 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 namespace vug::image {
 namespace {
@@ -32,62 +34,53 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
   return input;
 }
 
-/// Further parts that make one picture with the first: of its size, with channels of their own.
-std::vector<OIIO::ImageSpec> other_parts(OIIO::ImageInput& input) {
-  const OIIO::ImageSpec& first = input.spec();
-  std::vector<OIIO::ImageSpec> parts;
-  if (std::string(input.format_name()) != "openexr") return parts;
-  for (int part = 1;; ++part) {
-    const OIIO::ImageSpec spec = input.spec(part);
-    if (spec.undefined()) return parts;
-    if (spec.deep || spec.x != first.x || spec.y != first.y || spec.width != first.width ||
-        spec.height != first.height)
-      continue;
-    if (static_cast<double>(spec.width) * spec.height * spec.nchannels > kMostValues) continue;
-    parts.push_back(spec);
-    parts.back().attribute("vug:part", part);
+bool is_colour(const std::string& name) { return name == "R" || name == "G" || name == "B"; }
+
+/// The parts that show the same window as the first: those of a multi-part EXR, not the smaller
+/// pictures that some formats add.
+std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input) {
+  std::vector<OIIO::ImageSpec> parts = {input.spec()};
+  const bool many = std::string_view(input.format_name()) == "openexr";
+  for (int i = 1; many && input.seek_subimage(i, 0); ++i) {
+    const OIIO::ImageSpec& part = input.spec();
+    const OIIO::ImageSpec& first = parts.front();
+    if (part.deep || part.width != first.width || part.height != first.height ||
+        part.x != first.x || part.y != first.y)
+      break;
+    parts.push_back(part);
   }
+  return parts;
 }
 
-/// A picture with the channels of both; where both have one, that of `a` stays.
-Image joined(const Image& a, const Image& b) {
-  std::vector<std::string> names = a.channels;
-  std::vector<size_t> from;
-  for (size_t c = 0; c < b.channels.size(); ++c)
-    if (a.find_channel(b.channels[c]) < 0) {
-      names.push_back(b.channels[c]);
-      from.push_back(c);
-    }
-  Image out(a.width, a.height, names);
-  float* to = out.pixels.data();
-  for (size_t p = 0; p < a.pixel_count(); ++p) {
-    for (size_t c = 0; c < a.channels.size(); ++c) *to++ = a.pixels[p * a.channels.size() + c];
-    for (const size_t c : from) *to++ = b.pixels[p * b.channels.size() + c];
+/// Channels of all parts; a name that is there already gets its part's name before it.
+std::vector<std::string> channels_of(const std::vector<OIIO::ImageSpec>& parts) {
+  std::vector<std::string> out;
+  for (const OIIO::ImageSpec& part : parts) {
+    const std::string name = part.get_string_attribute("oiio:subimagename", "part");
+    for (const std::string& channel : part.channelnames)
+      out.push_back(std::find(out.begin(), out.end(), channel) == out.end() ? channel
+                                                                            : name + "." + channel);
   }
   return out;
 }
-
-bool is_colour(const std::string& name) { return name == "R" || name == "G" || name == "B"; }
 
 }  // namespace
 
 Image read(const std::filesystem::path& path, const ReadOptions& options) {
   const auto input = open(path);
-  const OIIO::ImageSpec spec = input->spec();
-  const std::vector<OIIO::ImageSpec> parts = other_parts(*input);
-  int channels = spec.nchannels;
-  for (const OIIO::ImageSpec& part : parts) channels += part.nchannels;
-  require_memory((parts.empty() ? 4.0 : 8.0) * spec.width * spec.height * channels,
+  const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
+  const OIIO::ImageSpec& spec = parts.front();
+  const std::vector<std::string> channels = channels_of(parts);
+  require_memory(4.0 * spec.width * spec.height * static_cast<double>(channels.size()),
                  available_memory(), fmt::format("the picture '{}'", path.string()));
-  Image image(spec.width, spec.height, spec.channelnames);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
-    throw refuse(path, input->geterror());
-  for (const OIIO::ImageSpec& part : parts) {
-    Image more(part.width, part.height, part.channelnames);
-    if (!input->read_image(part.get_int_attribute("vug:part"), 0, 0, part.nchannels,
-                           OIIO::TypeDesc::FLOAT, more.pixels.data()))
+  Image image(spec.width, spec.height, channels);
+  const auto stride = static_cast<OIIO::stride_t>(sizeof(float) * channels.size());
+  size_t channel = 0;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (!input->read_image(static_cast<int>(i), 0, 0, parts[i].nchannels, OIIO::TypeDesc::FLOAT,
+                           &image.pixels[channel], stride))
       throw refuse(path, input->geterror());
-    image = joined(image, more);
+    channel += static_cast<size_t>(parts[i].nchannels);
   }
   if (options.linear && !spec.format.is_floating_point())
     for (size_t c = 0; c < image.channels.size(); ++c)
@@ -99,25 +92,24 @@ Image read(const std::filesystem::path& path, const ReadOptions& options) {
 
 FileInfo read_info(const std::filesystem::path& path) {
   const auto input = open(path);
-  const OIIO::ImageSpec spec = input->spec();
+  const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
+  const OIIO::ImageSpec& spec = parts.front();
   FileInfo info;
   info.width = spec.width;
   info.height = spec.height;
-  info.channels = spec.channelnames;
-  const auto take_texts = [&](const OIIO::ImageSpec& from) {
-    for (const auto& attribute : from.extra_attribs)
-      if (attribute.type() == OIIO::TypeDesc::STRING)
-        info.metadata.emplace_back(attribute.name().string(), attribute.get_string());
-  };
-  for (int c = 0; c < spec.nchannels; ++c) info.formats.emplace_back(spec.channelformat(c).c_str());
-  take_texts(spec);
-  for (const OIIO::ImageSpec& part : other_parts(*input)) {
-    for (int c = 0; c < part.nchannels; ++c) {
-      info.channels.push_back(part.channelnames[static_cast<size_t>(c)]);
+  info.left = spec.x - spec.full_x;
+  info.top = spec.y - spec.full_y;
+  info.channels = channels_of(parts);
+  for (const OIIO::ImageSpec& part : parts)
+    for (int c = 0; c < part.nchannels; ++c)
       info.formats.emplace_back(part.channelformat(c).c_str());
+  for (const OIIO::ImageSpec& part : parts)
+    for (const auto& attribute : part.extra_attribs) {
+      if (attribute.type() != OIIO::TypeDesc::STRING) continue;
+      std::pair<std::string, std::string> entry(attribute.name().string(), attribute.get_string());
+      if (std::find(info.metadata.begin(), info.metadata.end(), entry) == info.metadata.end())
+        info.metadata.push_back(std::move(entry));
     }
-    take_texts(part);
-  }
   return info;
 }
 

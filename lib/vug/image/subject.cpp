@@ -12,6 +12,7 @@ Subject read_subject(const std::filesystem::path& file) {
   Subject out;
   out.name = file.string();
   out.metadata = info.metadata;
+  out.left = info.left, out.top = info.top;
   out.screen = std::all_of(info.formats.begin(), info.formats.end(),
                            [](const std::string& format) { return format.rfind("uint", 0) == 0; });
   out.image = read(file, {.linear = true});

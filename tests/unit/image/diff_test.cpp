@@ -151,6 +151,9 @@ TEST(Diff, RefusalsAreSentencesWithHints) {
   EXPECT_NE(refusal([&] { diff(a, small); }).find("2 x 2"), std::string::npos);
   EXPECT_NE(refusal([&] { diff(a, bare); }).find("no channel Z"), std::string::npos);
   EXPECT_NE(refusal([&] { diff(bare, a); }).find("no channel Z"), std::string::npos);
+  Subject moved = a;
+  moved.left = 3;
+  EXPECT_NE(refusal([&] { diff(a, moved); }).find("from 3, 0 on"), std::string::npos);
   DiffOptions options;
   options.layers = {"albeda"};
   EXPECT_NE(refusal([&] { diff(a, a, options); }).find("albeda"), std::string::npos);

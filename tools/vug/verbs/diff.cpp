@@ -18,6 +18,13 @@ struct Options {
   bool quiet = false;
 };
 
+std::string measure_names() {
+  std::string out;
+  for (const image::Measure* each : image::measures())
+    out += (out.empty() ? "" : ", ") + each->info.name;
+  return out;
+}
+
 void require_outputs(const Options& options) {
   if (!options.heat.empty() && extension_of(options.heat) != ".png")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .png", options.heat), {},
@@ -78,7 +85,7 @@ Verb diff_verb() {
             ->check(CLI::Range(1e-9, 0.5));
         app.add_option("--layer", o->diff.layers, "compare these layers only, e.g. beauty,albedo")
             ->delimiter(',');
-        app.add_option("--metric", o->diff.measures, "measure these only, e.g. rmse,flip")
+        app.add_option("--metric", o->diff.measures, "measure these only: " + measure_names())
             ->delimiter(',');
         app.add_option("--mask", o->mask, "a picture that is 0.5 or more where pixels count");
         app.add_option("--exposure", o->diff.exposure,
