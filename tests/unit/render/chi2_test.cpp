@@ -43,7 +43,9 @@ std::string sky_file() {
 Named needed(const KindInfo& info) {
   Named out;
   for (const ParamInfo& p : info.params)
-    if (p.required && p.name == "file") out.emplace_back("file", sky_file());
+    if (p.required && p.name == "file")
+      out.emplace_back("file",
+                       info.name == "ies" ? VUG_TEST_DATA "/lights/cosine.ies" : sky_file());
   return out;
 }
 

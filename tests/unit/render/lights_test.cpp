@@ -16,6 +16,11 @@ namespace {
 
 float one(RandomStream& random) { return static_cast<float>(random.bits() >> 8) * 0x1p-24f; }
 
+/// What a kind of lamp cannot do without.
+Named needed(const KindInfo& info) {
+  return info.name == "ies" ? Named{{"file", VUG_TEST_DATA "/lights/cosine.ies"}} : Named{};
+}
+
 bool has(const KindInfo& info, const std::string& parameter) {
   return std::any_of(info.params.begin(), info.params.end(),
                      [&](const ParamInfo& p) { return p.name == parameter; });
@@ -62,6 +67,15 @@ TEST(Lights, SpotOnItsAxisAndOnItsEdge) {
   const double outside = wide + 0.02;
   const LightPtr away = spot({std::sin(outside), -std::cos(outside), 0});
   EXPECT_EQ(away->importance({{0, 0, 0}, {0, 1, 0}}), 0);
+}
+
+TEST(Lights, MeasuredLampsGiveTheirCandela) {
+  // 1000 cd straight down at 2 m: 250 lx; a white floor sends back E / pi.
+  const LightPtr lamp = make_light("ies", {{"file", VUG_TEST_DATA "/lights/cosine.ies"},
+                                           {"center", Vec3d(0, 2, 0)},
+                                           {"radius", 0.01},
+                                           {"visible", false}});
+  expect_floor({lamp}, 250 / kLumenPerWatt / kPi);
 }
 
 TEST(Lights, SunShinesByTheSineOfItsHeight) {
@@ -129,7 +143,9 @@ TEST(Lights, EveryLampSendsOutItsLumen) {
   for (const auto* kind : lights()) {
     if (!has(kind->info, "lumen")) continue;
     SCOPED_TRACE(kind->info.name);
-    Named given{{"lumen", 10 * kLumenPerWatt}, {"radiance", Vec3d(0.2, 1, 3)}};
+    Named given = needed(kind->info);
+    given.emplace_back("lumen", 10 * kLumenPerWatt);
+    given.emplace_back("radiance", Vec3d(0.2, 1, 3));
     const LightPtr lamp = make_light(kind->info.name, given);
     constexpr float kAway = 60;
     constexpr int kSamples = 200000;
@@ -153,7 +169,7 @@ TEST(Lights, BranchesKnowWhereLampsShine) {
     if (!has(kind->info, "lumen")) continue;
     SCOPED_TRACE(kind->info.name);
     // The second lamp makes a branch, whose bounds are asked.
-    const LightPtr lamp = make_light(kind->info.name, {});
+    const LightPtr lamp = make_light(kind->info.name, needed(kind->info));
     const LightTree tree(1, 0, [&](size_t) { return lamp->bounds(); });
     RandomStream random{RandomKey(22)};
     int shines = 0;

@@ -1,0 +1,88 @@
+// A lamp that shines as it was measured: a small ball whose brightness in each direction is the
+// measured intensity over its cross section.
+#include <vug/base/maths.h>
+#include <vug/render/ball.h>
+#include <vug/render/ies_profile.h>
+#include <vug/render/kind.h>
+#include <vug/render/sampling.h>
+#include <vug/render/shape_lamp.h>
+
+namespace vug::render {
+namespace {
+
+struct Ies : LampParams {
+  std::filesystem::path file;
+  Vec3d center{0, 0, 0};
+  Vec3d direction{0, -1, 0};
+  double turn = 0;
+  double radius = 0.03;
+
+  static void describe(Schema<Ies>& s) {
+    s.doc("A lamp with a measured profile; radiance tells only the colour.")
+        .cite("ies2002lm63")
+        .param("file", &Ies::file, {.doc = "Profile, LM-63 type C.", .required = true})
+        .param("center", &Ies::center, any_length("Its middle."))
+        .param("direction", &Ies::direction, {.doc = "Where the file's straight down lies."})
+        .param("turn", &Ies::turn,
+               {.doc = "Turns the profile about that direction.", .dimension = Dimension::angle})
+        .param("radius", &Ies::radius, positive_length("Its radius: how soft shadows are."));
+    describe_lamp(s);
+  }
+  std::string fault() const {
+    if (!(direction.length() > 0)) return "the lamp's direction has no length";
+    if (!(Vec3d(radiance).length() > 0)) return "a lamp of black radiance has no colour";
+    return LampParams::fault();
+  }
+};
+
+/// The profile over its peak.
+struct Measured {
+  std::shared_ptr<const IesProfile> profile;
+  Frame axes;
+  float turn;
+
+  float operator()(const Vec3f& direction) const {
+    const Vec3f local = axes.to_local(direction);
+    const double around = maths::atan2(static_cast<double>(local.y), static_cast<double>(local.x));
+    return profile->candela(local.z, static_cast<float>(around / (2 * kPi)) - turn) /
+           profile->peak();
+  }
+  float most(const Vec3f& direction, float ball) const {
+    const float cosine = std::min(1.0f, dot(direction, axes.z));
+    const float root = std::sqrt(std::max(0.0f, 1 - ball * ball));
+    // The cosine of the angle to straight down, less that of the ball.
+    const float nearest =
+        cosine >= root ? 1 : cosine * root + std::sqrt(std::max(0.0f, 1 - cosine * cosine)) * ball;
+    return nearest >= profile->lowest_cosine() ? std::max((*this)(direction), 0.05f) : 0;
+  }
+  void narrow(LightBounds& bounds) const {
+    bounds.axis = axes.z;
+    bounds.cos_spread = 1;
+    bounds.cos_reach = profile->lowest_cosine();
+  }
+};
+
+class IesLight final : public ShapeLamp<Ball, Measured> {
+ public:
+  explicit IesLight(const Ies& p)
+      : IesLight(p, std::make_shared<const IesProfile>(read_ies(p.file))) {}
+
+ private:
+  IesLight(const Ies& p, const std::shared_ptr<const IesProfile>& profile)
+      : ShapeLamp(Ball(p.center, p.radius), p, radiance(p, *profile),
+                  {profile, Frame(Vec3f(p.direction.normalized())),
+                   static_cast<float>(p.turn / (2 * kPi))}) {}
+
+  static Rgb radiance(const Ies& p, const IesProfile& profile) {
+    const Vec3d colour = p.tinted();
+    const double luminance = 0.2126 * colour.x + 0.7152 * colour.y + 0.0722 * colour.z;
+    const double scale = p.watts() ? *p.watts() * kLumenPerWatt / profile.lumen() : 1;
+    const double intensity = static_cast<double>(profile.peak()) * scale / kLumenPerWatt;
+    return Rgb(colour * (intensity / (kPi * p.radius * p.radius * luminance)));
+  }
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(ies, light, LightPtr, Ies, IesLight)
