@@ -74,6 +74,8 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
     for (const uint32_t node : tree->cut()) branches_.push_back({tree, node});
   link(objects);
   size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
+  // Among branches of many lights there is less to be missed than among single ones.
+  even_ = branches_.size() < size_ ? 0.25f : 0.5f;
   if (size_ <= kFew)
     for (const Branch& b : branches_) few_.push_back(b.tree ? b.tree->light(b.node) : b.node);
 }
@@ -117,9 +119,10 @@ uint32_t LightSet::group_of(const std::string& name) {
 template <class Weight>
 LightChoice LightSet::choose_by(float u, const Weight& weight) const {
   LightChoice choice;
-  const bool even = u < 0.5f;
+  const bool even = u < even_;
   double total = 0, count = 0, chosen_weight = 0;
-  double rest = 2 * static_cast<double>(u) - (even ? 0 : 1);
+  const auto part = static_cast<double>(even_);
+  double rest = even ? static_cast<double>(u) / part : (static_cast<double>(u) - part) / (1 - part);
   const Branch* chosen = nullptr;
   for (const Branch& branch : branches_) {
     const auto w = static_cast<double>(branch.tree ? weight.branch(*branch.tree, branch.node)
@@ -136,7 +139,7 @@ LightChoice LightSet::choose_by(float u, const Weight& weight) const {
       rest = (rest - odds) / (1 - odds);
     }
   }
-  choice.odds = {false, static_cast<float>(total), static_cast<float>(count)};
+  choice.odds = {false, static_cast<float>(total), static_cast<float>(count), even_};
   if (!chosen) return choice;
   choice.light = chosen->node;
   choice.probability = choice.odds.of(static_cast<float>(chosen_weight));

@@ -12,17 +12,18 @@ namespace vug::render {
 
 /// How next-event estimation at one place shares its samples out between branches of lights.
 struct LightOdds {
-  bool all = false;  ///< Every light that matters gets a sample.
-  float total = 0;   ///< Sum of all importances; half of the choices are in proportion to it,
-  float count = 0;   ///< and half are even between the branches that matter.
+  bool all = false;   ///< Every light that matters gets a sample.
+  float total = 0;    ///< Sum of all importances; most choices are in proportion to it,
+  float count = 0;    ///< and some are even between the branches that matter:
+  float even = 0.5f;  ///< this part of them.
 
   /// Samples to expect for a branch of that importance. Importance knows nothing of walls, so a
-  /// light behind one must not take the choices from the one that shines: the even half keeps
-  /// any branch's share above 1 / (2 count) (a defensive mixture: Hesterberg 1995, "Weighted
+  /// light behind one must not take the choices from the one that shines: the even part keeps
+  /// any branch's share above even / count (a defensive mixture: Hesterberg 1995, "Weighted
   /// average importance sampling and defensive mixture distributions", cite hesterberg1995).
   float of(float importance) const {
     if (!(importance > 0)) return 0;
-    return all ? 1 : 0.5f * (importance / total + 1 / count);
+    return all ? 1 : (1 - even) * importance / total + even / count;
   }
 };
 
@@ -138,6 +139,7 @@ class LightSet {
   std::vector<std::string> group_names_;
   std::vector<uint32_t> light_groups_, object_groups_;
   size_t size_ = 0;
+  float even_ = 0.5f;
 };
 
 }  // namespace vug::render

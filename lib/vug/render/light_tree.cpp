@@ -121,7 +121,7 @@ void LightTree::build(std::vector<Item>& items, size_t begin, size_t end, uint32
   out.cos_spread = all.cos_spread, out.cos_reach = all.cos_reach;
   out.sin_spread = safe_root(1 - all.cos_spread * all.cos_spread);
   const Vec3f half = all.box.size() * 0.5f;
-  out.radius_squared = dot(half, half);
+  out.radius = length(half);
   out.parent = parent;
   if (count == 1) {
     out.child = items[begin].light;
@@ -202,7 +202,7 @@ void LightTree::make_cut() {
     float most = -1;
     for (size_t i = 0; i < cut_.size(); ++i) {
       const Node& node = nodes_[cut_[i]];
-      const float gain = node.strength * node.radius_squared;
+      const float gain = node.strength * node.radius * node.radius;
       if (!is_leaf(cut_[i]) && gain > most) best = i, most = gain;
     }
     if (best == cut_.size()) break;
@@ -220,36 +220,38 @@ float LightTree::importance(uint32_t index, const LitPoint& point) const {
   const Node& node = nodes_[index];
   const Vec3f to = (node.box.min + node.box.max) * 0.5f - point.position;
   const float squared = dot(to, to);
-  if (!(squared > node.radius_squared))
-    return node.strength / std::max(node.radius_squared, 1e-12f);
+  if (!(squared > node.radius * node.radius))
+    return node.strength / std::max(node.radius * node.radius, 1e-12f);
   const float inverse = 1 / std::sqrt(squared);
-  const float part = node.radius_squared / squared;
   // The ball around the box fills this angle; all that is sure is measured less it.
-  const Angle ball{safe_root(1 - part), std::sqrt(part)};
-  const auto angle = [&](float cosine) {
+  const float sine = node.radius * inverse;
+  const Angle ball{safe_root(1 - sine * sine), sine};
+  const auto angle = [](float cosine) {
     const float c = std::clamp(cosine, -1.0f, 1.0f);
     return Angle{c, safe_root(1 - c * c)};
   };
-  const Angle off =
-      minus(minus(angle(-dot(node.axis, to) * inverse), {node.cos_spread, node.sin_spread}), ball);
   constexpr float kRounding = 1e-4f;
-  if (off.cos < node.cos_reach - kRounding) return 0;
-  float cosine = std::max(off.cos, 0.05f);
+  float weight = node.strength * inverse * inverse;
+  if (node.cos_spread > -1) {
+    const Angle off = minus(
+        minus(angle(-dot(node.axis, to) * inverse), {node.cos_spread, node.sin_spread}), ball);
+    if (off.cos < node.cos_reach - kRounding) return 0;
+    weight *= std::max(off.cos, 0.05f);
+  }
   if (point.on_surface()) {
     const Angle height = minus(angle(dot(point.normal, to) * inverse), ball);
     if (height.cos < -kRounding) return 0;
-    cosine *= std::max(height.cos, 0.02f);
+    weight *= std::max(height.cos, 0.02f);
   }
-  return node.strength * cosine / squared;
+  return weight;
 }
 
 float LightTree::importance_along(uint32_t index, const Ray& ray, float begin, float end) const {
   const Node& node = nodes_[index];
   const Vec3f middle = (node.box.min + node.box.max) * 0.5f;
   const float t = std::clamp(dot(middle - ray.origin, ray.direction), begin, end);
-  const Vec3f to = middle - ray.at(t);
   // Integrated over the ray, 1 / distance^2 gives about 1 / (nearest distance).
-  return node.strength / std::sqrt(std::max(dot(to, to), std::max(node.radius_squared, 1e-12f)));
+  return node.strength / std::max(length(middle - ray.at(t)), std::max(node.radius, 1e-6f));
 }
 
 }  // namespace vug::render

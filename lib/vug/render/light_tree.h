@@ -29,9 +29,9 @@ class LightTree {
     Vec3f axis;
     float cos_spread, sin_spread, cos_reach;
     float strength;
-    float radius_squared;  ///< Of the ball around the box.
-    uint32_t child;        ///< The first of a pair of branches; of a leaf: its light.
-    uint32_t parent;       ///< With kCut: the place in `cut` instead.
+    float radius;     ///< Of the ball around the box.
+    uint32_t child;   ///< The first of a pair of branches; of a leaf: its light.
+    uint32_t parent;  ///< With kCut: the place in `cut` instead.
   };
   struct Found {
     LightId light = kNoLight;

@@ -1,11 +1,12 @@
 // Renders a bench scene (JSON beside a binary PLY) and prints samples per second: the same
 // scenes are rendered by Cycles for comparison, see docs/performance.md.
 //   bench_cave [SCENE.json OUT.exr] [--size WxH] [--spp N] [--threads N] [--seed N] [--portal]
-//              [--mesh FILE.ply] [--sky R,G,B] [--no-lamps] [--bounces N]
+//              [--mesh FILE.ply] [--sky R,G,B] [--no-lamps] [--lamps N] [--bounces N]
 // Without a scene it takes the reference cave of the bench data, which is no part of this
 // repository (-DVUG_BENCH_DATA=FOLDER), and skips where there is none.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/rng.h>
 #include <vug/image/io.h>
 #include <vug/render/kinds.h>
 #include <vug/render/render.h>
@@ -92,6 +93,18 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
   return scene;
 }
 
+void add_lamps(render::Scene& scene, int count) {
+  const Box3d box = mesh::bounds(*scene.objects.front().mesh);
+  RandomStream random{RandomKey(1)};
+  for (int i = 0; i < count; ++i) {
+    const double x = random.uniform(box.min.x, box.max.x), y = random.uniform(box.min.y, box.max.y);
+    scene.lights.push_back(
+        render::make_light("sphere", {{"center", Vec3d(x, y, random.uniform(box.min.z, box.max.z))},
+                                      {"radius", 0.01},
+                                      {"power", 20.0 / count}}));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,6 +114,7 @@ int main(int argc, char** argv) {
   render::Options options;
   bool portal = false, no_lamps = false;
   double haze = 0;
+  int lamps = 0;
   app.add_option("scene", file);
   app.add_option("out", out, "EXR; default: the picture is not kept");
   app.add_option("--size", size);
@@ -111,6 +125,7 @@ int main(int argc, char** argv) {
   app.add_option("--mesh", mesh_file);
   app.add_option("--sky", sky);
   app.add_option("--haze", haze);
+  app.add_option("--lamps", lamps, "so many small balls of together 20 W, anywhere in the box");
   app.add_flag("--portal", portal);
   app.add_flag("!--no-openings", options.openings, "leave the sky to chance where no portal is");
   app.add_option("--guide", guide, "auto, on or off");
@@ -128,6 +143,7 @@ int main(int argc, char** argv) {
   try {
     std::sscanf(size.c_str(), "%dx%d", &options.width, &options.height);
     render::Scene scene = read_scene(file, mesh_file, sky, !no_lamps, portal);
+    add_lamps(scene, lamps);
     if (haze > 0) scene.medium = render::make_medium("haze", {{"extinction", haze}});
     using Clock = std::chrono::steady_clock;
     Clock::time_point start = Clock::now();
