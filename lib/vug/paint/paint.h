@@ -7,15 +7,27 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace vug::paint {
+
+/// The numbers that a mesh carries, at one place on it.
+class Attributes {
+ public:
+  virtual ~Attributes() = default;
+  /// A number as three equal ones; nothing when there is no attribute of that name.
+  virtual std::optional<Vec3d> read(std::string_view name) const = 0;
+};
 
 /// A place on a surface; the normal has unit length and points out of the solid.
 struct Spot {
   Vec3d position;
   Vec3d normal;
   const field::SampledGrid* solid = nullptr;  ///< The level set whose surface it is, if known.
+  const Attributes* attributes = nullptr;     ///< Of the mesh, if known.
+  double footprint = 0;  ///< Metres across which one look takes in: finer detail may be left out.
 };
 
 /// Immutable functions, shared between threads.

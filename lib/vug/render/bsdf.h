@@ -20,11 +20,22 @@ struct Scattering {
   Rgb total() const { return diffuse + specular; }
 };
 
+class Bsdf;
+
 struct BsdfSample {
-  Vec3f direction;  ///< Local, unit; below the surface (z < 0) light is let through.
-  Rgb weight;       ///< f |cos| / pdf, of all lobes together.
-  Rgb diffuse;      ///< The part of `weight` that diffuse lobes have.
-  float pdf = 0;    ///< Over solid angle; zero means: nothing was sampled.
+  Vec3f direction;             ///< Local, unit; below the surface (z < 0) light is let through.
+  Rgb weight;                  ///< f |cos| / pdf, of all lobes together.
+  Rgb diffuse;                 ///< The part of `weight` that diffuse lobes have.
+  float pdf = 0;               ///< Over solid angle; zero means: nothing was sampled.
+  const Bsdf* body = nullptr;  ///< Whose `absorption` and `beneath` hold; null: of the one asked.
+  bool beneath = false;        ///< Goes on beneath the surface, as Bsdf::beneath() tells, and comes
+                               ///< out elsewhere: `direction` leads in; `evaluate` leaves it out.
+};
+
+/// Where light goes on beneath a surface: cloudy stone, ice, marble, scattering evenly.
+struct Cloud {
+  float mean_free_path = 0;  ///< Metres between two collisions.
+  Rgb albedo{0, 0, 0};       ///< Share of the light that a collision scatters.
 };
 
 /// Made by a Material for one hit and one viewer, in a BsdfMemory. Directions are unit vectors in
@@ -41,6 +52,10 @@ class Bsdf {
   /// broad lobes have; 0 where `sample` finds lobes that `evaluate` cannot see.
   virtual float guided() const { return 0.5f; }
 
+  /// What the clear body behind a face swallows, per metre.
+  virtual Rgb absorption() const { return Rgb(0.0f); }
+  virtual Cloud beneath() const { return {}; }
+
  protected:
   ~Bsdf() = default;  // it is never destroyed, its memory is used again
 };
@@ -48,7 +63,7 @@ class Bsdf {
 /// Where the Bsdf of one hit stands: on the stack of the path.
 class BsdfMemory {
  public:
-  static constexpr size_t kBytes = 2048;
+  static constexpr size_t kBytes = 4096;
 
   /// What `make` takes of the memory for a T; a material's are counted when it is made.
   template <class T>

@@ -63,7 +63,8 @@ World::Geometry::Geometry(const std::vector<Object>& objects)
               nullptr,
               object.material ? object.material : grey,
               static_cast<uint32_t>(&object - objects.data()),
-              object.emission};
+              object.emission,
+              object.solid};
     if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
     if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
       part.colours = colour->values.data();
@@ -151,6 +152,10 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
   surface.geometric_normal = area > 0 ? n * (side / area) : -ray.direction;
   surface.shading_normal = surface.geometric_normal;
   surface.inside = side < 0;
+  surface.mesh = part.mesh.get();
+  surface.triangle = triangle;
+  surface.u = u, surface.v = v;
+  surface.solid = part.solid.get();
   Vec3f origin = surface.position;
   if (part.normals) {
     const Vec3f na = part.normals[corner[0]] * side, nb = part.normals[corner[1]] * side,
@@ -162,11 +167,7 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
     const Vec3f smooth = na * w + nb * u + nc * v;
     const float size = length(smooth);
     if (size > 0) surface.shading_normal = smooth * (1 / size);
-    // A normal that turns away from the viewer is bent back until it just faces them.
-    const float facing = -dot(surface.shading_normal, ray.direction);
-    if (facing < 0.01f)
-      surface.shading_normal =
-          normalized(surface.shading_normal - ray.direction * (0.01f - facing));
+    surface.face(ray.direction);
   }
   const auto extent = [](const Vec3f& corner_at) {
     return std::max(std::fabs(corner_at.x),

@@ -32,6 +32,7 @@ struct World::Geometry {
     MaterialPtr material;
     uint32_t object = 0;
     Rgb emission{0, 0, 0};
+    std::shared_ptr<const field::SampledGrid> solid;
     /// Of each triangle, side by side: a hit waits for one place in memory, not for four in turn.
     std::vector<std::array<Vec3f, 3>> corners = {};
   };

@@ -3,7 +3,15 @@
 
 #include <vug/render/bsdf.h>
 
+#include <cstdint>
 #include <memory>
+
+namespace vug::field {
+class SampledGrid;
+}
+namespace vug::mesh {
+struct Mesh;
+}
 
 namespace vug::render {
 
@@ -14,6 +22,18 @@ struct Surface {
   Vec3f shading_normal;  ///< Unit, on the side of the viewer; interpolated where the mesh has any.
   Rgb color{1, 1, 1};    ///< Vertex colour "Cd", white without.
   bool inside = false;   ///< The viewer is on the back of the triangle: inside of a solid.
+  float footprint = 0;   ///< Metres across which the viewer takes in, about.
+
+  const mesh::Mesh* mesh = nullptr;  ///< Null: none, as in tests.
+  uint32_t triangle = 0;             ///< Of the mesh, and the place on it: shares of the second and
+  float u = 0, v = 0;                ///< third corner.
+  const field::SampledGrid* solid = nullptr;  ///< The level set that the mesh was made of, if any.
+
+  /// Bends a shading normal back that turns away from the viewer, until it just faces them.
+  void face(const Vec3f& travel) {
+    const float facing = -dot(shading_normal, travel);
+    if (facing < 0.01f) shading_normal = normalized(shading_normal - travel * (0.01f - facing));
+  }
 };
 
 /// Shared and immutable. What varies over the surface is read once for a hit.
@@ -25,6 +45,15 @@ class Material {
   virtual const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const = 0;
   /// Bytes of a BsdfMemory that `at` takes.
   virtual size_t memory_bytes() const = 0;
+
+  /// Bends the shading normal over small forms, before `at`; false where it stays.
+  virtual bool bump(Surface& surface) const { return (void)surface, false; }
+  /// Light that was scattered beneath the surface (BsdfSample::beneath) and comes out here; the
+  /// surface is seen from outside. Null where nothing goes beneath.
+  virtual const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const {
+    (void)surface, (void)memory;
+    return nullptr;
+  }
 };
 using MaterialPtr = std::shared_ptr<const Material>;
 

@@ -24,6 +24,8 @@ struct Object {
   Rgb emission{0, 0, 0};
   std::string light_group;                ///< Of its emission; see LightNotes.
   std::string material_name = "default";  ///< For mattes.
+  /// The level set that the mesh was made of, for masks that ask about the rock around a place.
+  std::shared_ptr<const field::SampledGrid> solid = nullptr;
 };
 
 struct Scene {

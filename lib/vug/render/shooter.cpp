@@ -41,6 +41,14 @@ TallyPlan plan_tally(const LayerPlan& layers, const std::vector<std::string>& sc
   return plan;
 }
 
+/// The angle across a pixel in the middle of the picture, radians.
+float pixel_angle(const Camera& camera, const Options& options) {
+  const float width = static_cast<float>(options.width);
+  const float aspect = width / static_cast<float>(options.height);
+  const auto ray = [&](float x) { return camera.ray({x, 0.5f}, aspect, {0.5f, 0.5f}).direction; };
+  return length(ray(0.5f + 1 / width) - ray(0.5f));
+}
+
 }  // namespace
 
 Region wanted_region(const Options& options) {
@@ -64,7 +72,8 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
                       ? options.integrator
                       : make_integrator("path", {{"max_bounces", options.max_bounces}})),
       world_(std::make_unique<const World>(announced(scene, progress))),
-      wanted_(wanted_region(options)) {
+      wanted_(wanted_region(options)),
+      spread_(pixel_angle(*scene.camera, options)) {
   progress.end();
   tally_ = plan_tally(options.layers, world_->lights().groups());
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
@@ -91,8 +100,9 @@ PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
   const Vec2f place((static_cast<float>(x) + inside.x) / width,
                     (static_cast<float>(y) + inside.y) / height);
   tally.clear();
-  return integrator_->trace(*world_, scene_.camera->ray(place, width / height, lens), numbers,
-                            tally.colours().empty() ? nullptr : &tally);
+  Ray ray = scene_.camera->ray(place, width / height, lens);
+  ray.spread = spread_;
+  return integrator_->trace(*world_, ray, numbers, tally.colours().empty() ? nullptr : &tally);
 }
 
 Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end) const {

@@ -33,6 +33,7 @@ class Shooter {
   std::unique_ptr<const World> world_;
   TallyPlan tally_;
   Region wanted_;
+  float spread_;
 };
 
 }  // namespace vug::render

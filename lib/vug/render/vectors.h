@@ -26,7 +26,8 @@ inline float luminance(const Rgb& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.
 
 struct Ray {
   Vec3f origin;
-  Vec3f direction;  ///< Unit length.
+  Vec3f direction;   ///< Unit length.
+  float spread = 0;  ///< Of a camera's ray: the angle across a pixel, radians.
 
   Vec3f at(float t) const { return origin + direction * t; }
 };

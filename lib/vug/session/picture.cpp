@@ -3,6 +3,7 @@
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
 #include <vug/session/picture.h>
+#include <vug/volume/samples.h>
 
 #include <fmt/format.h>
 
@@ -122,7 +123,8 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
     for (const Vec3f& p : mesh->positions) bounds.extendBy(Vec3d(p));
     scene.objects.push_back({object.name, mesh, object.material, object.flat,
                              Vec3f(object.emission), object.light_group,
-                             material_name(shot, object)});
+                             material_name(shot, object),
+                             volume::samples(builder.level_set(object.mesh->volume))});
   }
   if (objects.empty() && shot.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},

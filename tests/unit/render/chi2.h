@@ -31,20 +31,20 @@ struct DirectionSample {
 
 /// Cells in the cap of directions around `axis` with 1 - cosine up to `cap` (2: all directions),
 /// narrower towards the axis. The density of each is found by midpoint quadrature, fine enough
-/// that edges of lamps do not show.
+/// that edges of lamps do not show: `fine` steps each way.
 inline Chi2 chi2(const Vec3f& axis, double cap, int samples,
                  const std::function<DirectionSample(int)>& sample,
-                 const std::function<double(const Vec3f&)>& pdf) {
-  constexpr int kRows = 12, kColumns = 24, kFine = 64;
+                 const std::function<double(const Vec3f&)>& pdf, int fine = 64) {
+  constexpr int kRows = 12, kColumns = 24;
   const Frame frame(axis);
   std::vector<double> expected(kRows * kColumns, 0), seen(kRows * kColumns, 0);
-  const double cell = 4 * kPi * cap / (kRows * kColumns * kFine * kFine);
-  for (int i = 0; i < kRows * kFine; ++i)
-    for (int j = 0; j < kColumns * kFine; ++j) {
-      const double r = (i + 0.5) / (kRows * kFine), turn = (j + 0.5) / (kColumns * kFine);
+  const double cell = 4 * kPi * cap / (kRows * kColumns * fine * fine);
+  for (int i = 0; i < kRows * fine; ++i)
+    for (int j = 0; j < kColumns * fine; ++j) {
+      const double r = (i + 0.5) / (kRows * fine), turn = (j + 0.5) / (kColumns * fine);
       const Vec3f local =
           direction_off_axis(static_cast<float>(cap * r * r), static_cast<float>(turn));
-      expected[static_cast<size_t>(i / kFine * kColumns + j / kFine)] +=
+      expected[static_cast<size_t>(i / fine * kColumns + j / fine)] +=
           cell * r * pdf(frame.to_world(local));
     }
   Chi2 out;

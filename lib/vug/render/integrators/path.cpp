@@ -2,6 +2,7 @@
 #include <vug/render/kind.h>
 #include <vug/render/paths/direct.h>
 #include <vug/render/paths/rehearsal.h>
+#include <vug/render/paths/wander.h>
 #include <vug/render/tally.h>
 
 #include <algorithm>
@@ -39,6 +40,10 @@ struct Path {
 /// Numbers that one bounce may spend, so that branches do not shift those of later bounces.
 constexpr uint32_t kCameraDimensions = 2;
 constexpr uint32_t kBounceDimensions = 8;
+
+/// A cone that a diffuse surface has turned is so wide at least, in radians: what is seen by way
+/// of it needs no fine detail.
+constexpr float kBlur = 0.05f;
 
 /// Pictures of so many samples gain from a guide what it takes to learn it (docs/performance.md).
 constexpr uint64_t kLongRender = 40'000'000;
@@ -104,12 +109,20 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
   Rgb throughput(1.0f);
   Rgb unled(1.0f);  // the throughput that would be left without a guide
   PathVertex from;
+  float width = 0, spread = camera_ray.spread;  // of the cone that the path looks along
+  Rgb absorption(0.0f);                         // of the clear body that the ray is in
+  bool within = false;
   const Medium* medium = world.medium();
   for (int depth = 0;; ++depth) {
     numbers.jump(kCameraDimensions + kBounceDimensions * static_cast<uint32_t>(depth));
     Hit hit;
     const bool found = world.intersect(ray, hit);
     const float end = found ? hit.distance : kFar;
+    if (within && found) {
+      const Rgb clear = unabsorbed(absorption, hit.distance);
+      throughput *= clear, unled *= clear;
+    }
+    if (found) hit.surface.footprint = width + spread * hit.distance;
     if (depth == 0 && found)
       result.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray),
                       hit.object};
@@ -130,7 +143,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
     // Where the camera looks, a few lights are cheaper to sample all than to choose from.
     const bool all_lights = depth == 0 && !world.lights().few().empty();
     bool in_medium = false;
-    if (medium) {
+    if (medium && !within) {
       const Segment segment = medium->clip(ray, end);
       if (!segment.empty() && segment.end < kFar) {
         const Vec2f distance_u = numbers.pair();
@@ -153,6 +166,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
     }
     if (!in_medium) {
       if (!found) break;
+      if (hit.material->bump(hit.surface)) hit.surface.face(ray.direction);
       const Frame frame(hit.surface.shading_normal);
       BsdfMemory memory;
       const Bsdf& own = hit.material->at(hit.surface, frame.to_local(-ray.direction), memory);
@@ -173,12 +187,49 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
       const bool through = s.scattered.direction.z < 0;
       if ((dot(s.direction, hit.surface.geometric_normal) > 0) == through) break;
       if (tally && depth == 0)
-        tally->turned_at_surface(through, s.scattered.weight, s.scattered.diffuse);
+        tally->turned_at_surface(through && !s.scattered.beneath, s.scattered.weight,
+                                 s.scattered.diffuse);
       throughput *= s.scattered.weight;
       unled *= s.unled;
       from.pdf = s.scattered.pdf;
-      if (through) from.kind = PathVertex::through;
-      ray = {through ? hit.behind : hit.origin, s.direction};
+      width = hit.surface.footprint;
+      if (!is_black(s.scattered.diffuse)) spread = std::max(spread, kBlur);
+      const Bsdf& body = s.scattered.body ? *s.scattered.body : own;
+      if (s.scattered.beneath) {
+        RandomStream random = walk_numbers(scatter_u, choice.y);
+        Rgb left(1.0f);
+        if (!wander(world, body.beneath(), s.direction, random, hit, left)) break;
+        throughput *= left, unled *= left;
+        const Frame outside(hit.surface.shading_normal);
+        BsdfMemory place;
+        const Bsdf* leaving = hit.material->leaving(hit.surface, place);
+        if (!leaving) break;
+        const GuidedBsdf out(*leaving, outside,
+                             guide_ ? guide_->at(hit.surface.position) : nullptr);
+        from = {PathVertex::surface, {hit.origin, hit.surface.geometric_normal, hit.object}, 0, {}};
+        const float which = next_float(random);
+        const Rgb more = throughput * direct_light(world, hit, out, outside, from, which,
+                                                   next_pair(random), tally);
+        const float kept_more = kept(more, depth + 1);
+        result.radiance += more * kept_more;
+        if (tally) tally->settle_surface(depth + 1, throughput * kept_more);
+        const float lobe = next_float(random);
+        const GuidedBsdf::Sample away = out.sample(lobe, next_pair(random));
+        if (!(away.scattered.pdf > 0) || !(away.scattered.direction.z > 0) ||
+            !(dot(away.direction, hit.surface.geometric_normal) > 0))
+          break;
+        throughput *= away.scattered.weight;
+        unled *= away.unled;
+        from.pdf = away.scattered.pdf;
+        ray = {hit.origin, away.direction};
+      } else {
+        if (through) {
+          from.kind = PathVertex::through;
+          within = !hit.surface.inside;
+          absorption = within ? body.absorption() : Rgb(0.0f);
+        }
+        ray = {through ? hit.behind : hit.origin, s.direction};
+      }
     }
     if (is_black(throughput)) break;
     if (roulette_) {

@@ -34,6 +34,7 @@ class GuidedBsdf {
       return out;
     }
     Vec3f in;
+    const Bsdf* body = nullptr;
     if (lobe < share_) {
       out.direction = guide_->sample(u);
       in = frame_.to_local(out.direction);
@@ -41,13 +42,14 @@ class GuidedBsdf {
       const BsdfSample own = bsdf_.sample((lobe - share_) / (1 - share_), u);
       if (!(own.pdf > 0)) return out;
       in = own.direction;
+      body = own.body;
       out.direction = frame_.to_world(in);
     }
     const Scattering s = bsdf_.evaluate(in);
     const float pdf = s.pdf + share_ * (guide_->pdf(out.direction) - s.pdf);
     const Rgb f = s.total();
     if (!(s.pdf > 0 && pdf > 0) || is_black(f)) return out;
-    out.scattered = {in, f * (1 / pdf), s.diffuse * (1 / pdf), pdf};
+    out.scattered = {in, f * (1 / pdf), s.diffuse * (1 / pdf), pdf, body};
     // Where the Bsdf itself would hardly go this may be huge.
     out.unled = f * (1 / std::fmax(s.pdf, largest(f)));
     return out;

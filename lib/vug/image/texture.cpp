@@ -1,0 +1,80 @@
+#include <vug/base/error.h>
+#include <vug/image/io.h>
+#include <vug/image/texture.h>
+#include <vug/image/view.h>
+
+#include <OpenImageIO/texture.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::image {
+namespace {
+
+constexpr float kCacheMegabytes = 1024;
+
+OIIO::TextureSystem& textures() {
+  static const auto system = [] {
+    std::shared_ptr<OIIO::TextureSystem> made(
+        OIIO::TextureSystem::create(false),
+        [](OIIO::TextureSystem* t) { OIIO::TextureSystem::destroy(t); });
+    // Files that are no tiled textures are cut and made smaller in memory.
+    made->attribute("autotile", 64);
+    made->attribute("automip", 1);
+    made->attribute("max_memory_MB", kCacheMegabytes);
+    return made;
+  }();
+  return *system;
+}
+
+}  // namespace
+
+struct Texture::File {
+  OIIO::ustring name;
+  int channels = 3;
+  bool encoded = false;  ///< sRGB.
+};
+
+Texture::Texture(const std::filesystem::path& path) {
+  const FileInfo info = read_info(path);
+  auto file = std::make_shared<File>();
+  file->name = OIIO::ustring(path.string());
+  file->channels = static_cast<int>(std::min<size_t>(info.channels.size(), 3));
+  const std::string format = info.formats.empty() ? "" : info.formats.front();
+  file->encoded = format != "half" && format != "float" && format != "double";
+  if (!file->encoded) {
+    const Image whole = read(path);
+    const auto bad = std::find_if(whole.pixels.begin(), whole.pixels.end(),
+                                  [](float x) { return !std::isfinite(x); });
+    if (bad != whole.pixels.end()) {
+      const auto pixel = static_cast<size_t>(bad - whole.pixels.begin()) / whole.channels.size();
+      const auto width = static_cast<size_t>(whole.width);
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the texture '{}' holds a number that is not finite, first at pixel "
+                              "({}, {})",
+                              path.string(), pixel % width, pixel / width));
+    }
+  }
+  file_ = std::move(file);
+}
+
+Vec3d Texture::at(double s, double t, double width) const {
+  OIIO::TextureOpt options;
+  options.swrap = options.twrap = OIIO::TextureOpt::WrapPeriodic;
+  // Whole turns are cut off here, where they cost no digits.
+  const auto x = static_cast<float>(s - std::floor(s)), y = static_cast<float>(t - std::floor(t));
+  const auto w = static_cast<float>(width);
+  float rgb[3] = {0, 0, 0};
+  if (!textures().texture(file_->name, options, x, y, w, 0, 0, w, file_->channels, rgb))
+    throw Error(ErrorCode::bad_input, fmt::format("the texture '{}' cannot be read: {}",
+                                                  file_->name.string(), textures().geterror()));
+  if (file_->channels < 3) rgb[1] = rgb[2] = rgb[0];
+  Vec3d color(static_cast<double>(rgb[0]), static_cast<double>(rgb[1]),
+              static_cast<double>(rgb[2]));
+  if (file_->encoded)
+    for (int c = 0; c < 3; ++c) color[c] = srgb_decode(std::clamp(color[c], 0.0, 1.0));
+  return color;
+}
+
+}  // namespace vug::image

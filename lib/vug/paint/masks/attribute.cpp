@@ -1,0 +1,33 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct AttributeMask {
+  std::string name;
+  double from = 0;
+  double to = 1;
+  double otherwise = 0;
+
+  static void describe(Schema<AttributeMask>& s) {
+    s.doc("By a number that the mesh carries at its vertices; of a colour, the mean.")
+        .param("name", &AttributeMask::name, {.doc = "the attribute's name", .required = true})
+        .param("from", &AttributeMask::from, {.doc = "value where the mask is 0"})
+        .param("to", &AttributeMask::to, {.doc = "value where the mask is 1"})
+        .param("otherwise", &AttributeMask::otherwise,
+               {.doc = "the mask of a mesh without it", .min = 0, .max = 1});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(attribute) {
+  return mask_kind<AttributeMask>("attribute", [](const AttributeMask& a) {
+    return make_mask([a](const Spot& spot) {
+      const auto value = spot.attributes ? spot.attributes->read(a.name) : std::nullopt;
+      if (!value) return a.otherwise;
+      return ramp((value->x + value->y + value->z) / 3, a.from, a.to);
+    });
+  });
+}

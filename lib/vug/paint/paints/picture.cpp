@@ -1,0 +1,74 @@
+// Pictures without UVs: projected along the axes and blended by the normal (triplanar mapping), or
+// along one axis through the solid.
+#include <vug/image/texture.h>
+#include <vug/paint/kind.h>
+
+#include <cmath>
+
+namespace vug::paint {
+namespace {
+
+enum class Mapping { triplanar, x, y, z };
+enum class Missing { stop, show };
+
+struct Picture {
+  std::filesystem::path file;
+  double size = 1;
+  Mapping mapping = Mapping::triplanar;
+  Missing missing = Missing::stop;
+
+  static void describe(Schema<Picture>& s) {
+    s.doc("A picture that repeats over the surface.")
+        .param("file", &Picture::file, {.doc = "any picture file", .required = true})
+        .param("size", &Picture::size, positive_length("width of one repeat"))
+        .choice("mapping", &Picture::mapping,
+                {{"triplanar", Mapping::triplanar},
+                 {"along_x", Mapping::x},
+                 {"along_y", Mapping::y},
+                 {"along_z", Mapping::z}},
+                "from three sides, blended by the normal, or through the solid along an axis")
+        .choice("missing", &Picture::missing, {{"stop", Missing::stop}, {"show", Missing::show}},
+                "a file that is not there: an error, or magenta in its place");
+  }
+};
+
+/// Seen from the front of each axis, upright where there is an up.
+Vec3d project(const image::Texture& texture, const Vec3d& p, int axis, double width) {
+  if (axis == 0) return texture.at(-p.z, -p.y, width);
+  if (axis == 1) return texture.at(p.x, p.z, width);
+  return texture.at(p.x, -p.y, width);
+}
+
+Vec3d color_at(const Picture& picture, const image::Texture& texture, const Spot& spot) {
+  const Vec3d p = spot.position / picture.size;
+  const double width = spot.footprint / picture.size;
+  if (picture.mapping != Mapping::triplanar)
+    return project(texture, p, static_cast<int>(picture.mapping) - 1, width);
+  Vec3d weight;
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double n = spot.normal[axis] * spot.normal[axis];
+    weight[axis] = n * n;  // narrow seams
+    sum += weight[axis];
+  }
+  Vec3d color(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+    if (weight[axis] > 1e-3 * sum)
+      color += project(texture, p, axis, width) * weight[axis];
+    else
+      sum -= weight[axis];
+  return color / sum;
+}
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_PAINT_KIND(picture) {
+  return paint_kind<Picture>("picture", [](const Picture& p) -> Paint {
+    if (p.missing == Missing::show && !std::filesystem::exists(p.file))
+      return make_paint([](const Spot&) { return Vec3d(1, 0, 1); });
+    return make_paint([p, texture = image::Texture(p.file)](const Spot& spot) {
+      return color_at(p, texture, spot);
+    });
+  });
+}

@@ -1,0 +1,28 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct VertexColor {
+  std::string name = "Cd";
+  Paint otherwise = make_paint([](const Spot&) { return Vec3d(0.5); });
+
+  static void describe(Schema<VertexColor>& s) {
+    s.doc("The colour that the mesh carries at its vertices.")
+        .param("name", &VertexColor::name, {.doc = "the attribute's name"})
+        .param("otherwise", &VertexColor::otherwise,
+               {.doc = "the paint of a mesh without it; grey when not given"});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_PAINT_KIND(vertex_color) {
+  return paint_kind<VertexColor>("vertex_color", [](const VertexColor& v) {
+    return make_paint([v](const Spot& spot) {
+      const auto value = spot.attributes ? spot.attributes->read(v.name) : std::nullopt;
+      return value ? *value : (*v.otherwise)(spot);
+    });
+  });
+}

@@ -1,0 +1,62 @@
+// Inputs of materials: numbers and colours that are the same everywhere, or vary with the place as
+// masks and paints do.
+#pragma once
+
+#include <vug/paint/kind.h>
+#include <vug/render/material.h>
+
+namespace vug::render {
+
+/// The place of a hit as masks and paints see it; refers to the surface.
+class SurfaceSpot final : private paint::Attributes {
+ public:
+  explicit SurfaceSpot(const Surface& surface);
+  const paint::Spot& spot() const { return spot_; }
+
+ private:
+  std::optional<Vec3d> read(std::string_view name) const override;
+
+  const Surface& surface_;
+  paint::Spot spot_;
+};
+
+/// A number, or a mask that leads to one. What is read is kept within `low` and `high`, the
+/// bounds that constants are held to by the schema.
+struct NumberInput {
+  double constant = 0;
+  paint::Mask varying;
+
+  NumberInput(double number) : constant(number) {}  // NOLINT
+  explicit NumberInput(paint::Mask mask) : varying(std::move(mask)) {}
+  float at(const paint::Spot& spot, float low = 0, float high = 1) const;
+};
+
+/// A linear Rec.709 colour, or a paint; within 0..1.
+struct ColorInput {
+  Vec3d constant{0, 0, 0};
+  paint::Paint varying;
+
+  ColorInput(const Vec3d& color) : constant(color) {}  // NOLINT
+  explicit ColorInput(paint::Paint paint) : varying(std::move(paint)) {}
+  Rgb at(const paint::Spot& spot) const;
+};
+
+}  // namespace vug::render
+
+namespace vug {
+
+template <>
+struct ValueTraits<render::NumberInput> {
+  static std::string type() { return "number or mask"; }
+  static std::optional<render::NumberInput> read(const Value& v);
+  static Value write(const render::NumberInput& input);
+};
+
+template <>
+struct ValueTraits<render::ColorInput> {
+  static std::string type() { return "colour or paint"; }
+  static std::optional<render::ColorInput> read(const Value& v);
+  static Value write(const render::ColorInput& input);
+};
+
+}  // namespace vug

@@ -1,0 +1,24 @@
+// Rough matte rock: the energy-preserving Oren-Nayar reflection of Portsmouth, Kutz and Hill 2025,
+// "EON: A practical energy-preserving rough diffuse BRDF" (cite portsmouth2025eon). Roughness 0
+// is Lambert's.
+#pragma once
+
+#include <vug/render/lobes/lobe.h>
+
+namespace vug::render {
+
+class EonLobe {
+ public:
+  EonLobe(const Rgb& color, float roughness, const Vec3f& out);
+
+  Scattering evaluate(const Vec3f& in) const;
+  Vec3f sample(float, const Vec2f& u) const { return sample_cosine_hemisphere(u); }
+  Rgb albedo() const { return once_ * albedo_out_ + again_ * (1 - albedo_out_); }
+
+ private:
+  Rgb once_, again_;  ///< Colour of light scattered once, and more often.
+  float roughness_, scale_, albedo_out_, missing_;
+  Vec3f out_;
+};
+
+}  // namespace vug::render

@@ -1,0 +1,106 @@
+#include <vug/base/maths.h>
+#include <vug/render/lobes/fuzz.h>
+
+#include <array>
+
+namespace vug::render {
+namespace {
+
+constexpr int kCosines = 32, kRoughnesses = 16;
+constexpr float kSoftest = 0.1f;
+
+/// Slopes over masking (Neubelt and Pettineo's smooth form), in 1/sr.
+float fibres(const Vec3f& out, const Vec3f& in, float roughness) {
+  const Vec3f h = normalized(out + in);
+  const auto sine = static_cast<double>(std::sqrt(std::max(0.0f, 1 - h.z * h.z)));
+  const double power = 1 / static_cast<double>(roughness);
+  const double density = (2 + power) * (sine > 0 ? maths::pow(sine, power) : 0) / (2 * kPi);
+  return static_cast<float>(density) / (4 * (out.z + in.z - out.z * in.z));
+}
+
+struct Sheet {
+  std::array<std::array<float, kCosines>, kRoughnesses> albedo;
+  std::array<float, kRoughnesses> mean, largest;
+};
+
+float node_roughness(int j) {
+  return kSoftest + (1 - kSoftest) * static_cast<float>(j) / (kRoughnesses - 1);
+}
+float node_cosine(int i) {
+  const float x = static_cast<float>(i) / (kCosines - 1);
+  return std::max(x * x, 1e-3f);
+}
+
+float lerp(float a, float b, float t) { return a + (b - a) * t; }
+
+float along(const std::array<float, kCosines>& row, float cosine) {
+  const float place = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * (kCosines - 1);
+  const auto i = static_cast<size_t>(std::min(static_cast<int>(place), kCosines - 2));
+  return lerp(row[i], row[i + 1], place - static_cast<float>(i));
+}
+
+const Sheet& sheet() {
+  static const Sheet made = [] {
+    constexpr int kSteps = 96, kTurns = 16;
+    Sheet s{};
+    for (size_t j = 0; j < kRoughnesses; ++j) {
+      for (size_t i = 0; i < kCosines; ++i) {
+        const Vec3f out = direction_at(node_cosine(static_cast<int>(i)), 0);
+        double sum = 0;
+        for (int a = 0; a < kSteps; ++a)
+          for (int b = 0; b < kTurns; ++b) {  // half of the way round
+            const float c = (static_cast<float>(a) + 0.5f) / kSteps;
+            const Vec3f in = direction_at(c, (static_cast<float>(b) + 0.5f) / (2 * kTurns));
+            sum += static_cast<double>(c * fibres(out, in, node_roughness(static_cast<int>(j))));
+          }
+        s.albedo[j][i] = static_cast<float>(2 * kPi * sum / (kSteps * kTurns));
+        s.largest[j] = std::max(s.largest[j], s.albedo[j][i]);
+      }
+      constexpr int kFine = 256;
+      for (int i = 0; i < kFine; ++i) {
+        const float c = (static_cast<float>(i) + 0.5f) / kFine;
+        s.mean[j] += 2 * c * along(s.albedo[j], c) / kFine;
+      }
+    }
+    return s;
+  }();
+  return made;
+}
+
+struct Row {
+  size_t at;
+  float share;
+  explicit Row(float roughness) {
+    const float place =
+        (std::clamp(roughness, kSoftest, 1.0f) - kSoftest) / (1 - kSoftest) * (kRoughnesses - 1);
+    at = static_cast<size_t>(std::min(static_cast<int>(place), kRoughnesses - 2));
+    share = place - static_cast<float>(at);
+  }
+  float of(const std::array<float, kRoughnesses>& v) const { return lerp(v[at], v[at + 1], share); }
+};
+
+float albedo_at(float cosine, float roughness) {
+  const Row row(roughness);
+  return lerp(along(sheet().albedo[row.at], cosine), along(sheet().albedo[row.at + 1], cosine),
+              row.share);
+}
+
+}  // namespace
+
+FuzzLobe::FuzzLobe(const Rgb& color, float roughness, const Rgb& below, const Vec3f& out)
+    : fibres_(color), below_(below), out_(out), roughness_(std::clamp(roughness, kSoftest, 1.0f)) {
+  const Row row(roughness_);
+  scale_ = 1 / std::max(1.0f, row.of(sheet().largest));
+  clear_ = 1 - scale_ * albedo_at(out.z, roughness_);
+  mean_clear_ = 1 - scale_ * row.of(sheet().mean);
+}
+
+Scattering FuzzLobe::evaluate(const Vec3f& in) const {
+  if (!(in.z > 0)) return {};
+  const float entering = 1 - scale_ * albedo_at(in.z, roughness_);
+  const float even = in.z / kPif;
+  return {below_ * (clear_ * entering / mean_clear_ * even),
+          fibres_ * (scale_ * fibres(out_, in, roughness_) * in.z), even};
+}
+
+}  // namespace vug::render

@@ -1,0 +1,42 @@
+#include <vug/render/lobes/albedo.h>
+#include <vug/render/lobes/metal.h>
+
+namespace vug::render {
+
+MetalLobe::MetalLobe(const Rgb& color, float roughness, const Vec3f& out)
+    : color_(color), ggx_(roughness), out_(out), roughness_(roughness) {
+  const float facets = facet_albedo().mean(roughness);
+  missing_ = std::max(1 - facets, 1e-6f);
+  missing_out_ = 1 - facet_albedo().at(out.z, roughness);
+  // Schlick's curve has the mean (20 F0 + 1) / 21 over even light.
+  const auto again = [&](float f) { return rescattered((20 * f + 1) / 21, facets); };
+  again_ = {again(color.x), again(color.y), again(color.z)};
+}
+
+Rgb MetalLobe::at(float cosine) const {
+  const float m = 1 - std::clamp(cosine, 0.0f, 1.0f);
+  const float rise = m * m * m * m * m;
+  return color_ * (1 - rise) + Rgb(rise);
+}
+
+Scattering MetalLobe::evaluate(const Vec3f& in) const {
+  if (!(in.z > 0)) return {};
+  const Vec3f h = normalized(out_ + in);
+  const float density = ggx_.density(h), root = ggx_.root(out_);
+  const float once = density / (2 * (in.z * root + out_.z * ggx_.root(in)));
+  const float again = missing_out_ * (1 - facet_albedo().at(in.z, roughness_)) / (kPif * missing_);
+  const float odds = missing_out_;
+  return {Rgb(0.0f), (at(dot(out_, h)) * once + again_ * again) * in.z,
+          (1 - odds) * density / (2 * (out_.z + root)) + odds * ggx_.pdf_again(in.z)};
+}
+
+Vec3f MetalLobe::sample(float lobe, const Vec2f& u) const {
+  if (lobe < missing_out_) return ggx_.sample_again(u);
+  const Vec3f h = ggx_.sample(out_, u);
+  const Vec3f in = normalized(h * (2 * dot(out_, h)) - out_);
+  return in.z > 0 ? in : Vec3f(0.0f);
+}
+
+Rgb MetalLobe::albedo() const { return at(out_.z) * (1 - missing_out_) + again_ * missing_out_; }
+
+}  // namespace vug::render

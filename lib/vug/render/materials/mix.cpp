@@ -1,0 +1,97 @@
+// Two materials side by side, by a mask: some of each where it is between 0 and 1.
+#include <vug/base/error.h>
+#include <vug/render/input.h>
+#include <vug/render/kind.h>
+
+namespace vug::render {
+namespace {
+
+struct Mix {
+  MaterialPtr a;
+  MaterialPtr b;
+  NumberInput mask = 0.5;
+
+  std::string fault() const {
+    if (!a || !b) return {};
+    return a->memory_bytes() + b->memory_bytes() + 512 > BsdfMemory::kBytes
+               ? "this mixes more materials than one place can hold"
+               : "";
+  }
+  static void describe(Schema<Mix>& s) {
+    s.doc("Two materials: the first where the mask is 0, the second where it is 1.")
+        .param("a", &Mix::a, {.doc = "the first", .required = true})
+        .param("b", &Mix::b, {.doc = "the second", .required = true})
+        .param("mask", &Mix::mask, {.doc = "the second's share", .min = 0, .max = 1});
+  }
+};
+
+class MixBsdf final : public Bsdf {
+ public:
+  MixBsdf(const Bsdf& a, const Bsdf& b, float share) : a_(&a), b_(&b), share_(share) {}
+
+  Scattering evaluate(const Vec3f& in) const override {
+    const Scattering a = a_->evaluate(in), b = b_->evaluate(in);
+    return {a.diffuse * (1 - share_) + b.diffuse * share_,
+            a.specular * (1 - share_) + b.specular * share_, a.pdf * (1 - share_) + b.pdf * share_};
+  }
+  BsdfSample sample(float lobe, const Vec2f& u) const override {
+    const bool second = lobe < share_;
+    const float rest = second ? lobe / share_ : (lobe - share_) / (1 - share_);
+    const Bsdf* one = second ? b_ : a_;
+    BsdfSample s = one->sample(std::min(rest, 0x1.fffffep-1f), u);
+    if (!(s.pdf > 0)) return {};
+    if (!s.body) s.body = one;
+    if (s.beneath) {
+      // Shares and odds are the same, so the weight stays.
+      s.pdf *= second ? share_ : 1 - share_;
+      return s;
+    }
+    const Scattering both = evaluate(s.direction);
+    if (!(both.pdf > 0)) return {};
+    return {s.direction, both.total() * (1 / both.pdf), both.diffuse * (1 / both.pdf), both.pdf,
+            s.body};
+  }
+  float guided() const override { return std::min(a_->guided(), b_->guided()); }
+  Rgb absorption() const override {
+    return is_black(a_->absorption()) ? b_->absorption() : a_->absorption();
+  }
+  Rgb albedo() const override { return a_->albedo() * (1 - share_) + b_->albedo() * share_; }
+
+ private:
+  const Bsdf *a_, *b_;
+  float share_;
+};
+
+class MixMaterial final : public Material {
+ public:
+  explicit MixMaterial(const Mix& p) : p_(p) {}
+
+  const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override {
+    const float share = share_at(surface);
+    if (share <= 0) return p_.a->at(surface, out, memory);
+    if (share >= 1) return p_.b->at(surface, out, memory);
+    const Bsdf& a = p_.a->at(surface, out, memory);
+    const Bsdf& b = p_.b->at(surface, out, memory);
+    return memory.make<MixBsdf>(a, b, share);
+  }
+  size_t memory_bytes() const override {
+    return p_.a->memory_bytes() + p_.b->memory_bytes() + BsdfMemory::bytes<MixBsdf>();
+  }
+  bool bump(Surface& surface) const override {
+    return (share_at(surface) < 0.5f ? p_.a : p_.b)->bump(surface);
+  }
+  const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const override {
+    if (const Bsdf* a = p_.a->leaving(surface, memory)) return a;
+    return p_.b->leaving(surface, memory);
+  }
+
+ private:
+  float share_at(const Surface& surface) const { return p_.mask.at(SurfaceSpot(surface).spot()); }
+
+  Mix p_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(mix, material, MaterialPtr, Mix, MixMaterial)

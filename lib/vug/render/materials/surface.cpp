@@ -1,0 +1,300 @@
+// The surface for everything: a mix of lobes by weights that may vary, in the spirit of OpenPBR
+// (Andersson et al. 2024, openpbr2024). It differs in that lobes lie beside each other in shares
+// rather than above each other wherever that keeps the whole reciprocal and without loss; only
+// what matters for rock is layered: a face over a coloured body, and water over it.
+#include <vug/base/maths.h>
+#include <vug/render/input.h>
+#include <vug/render/kind.h>
+#include <vug/render/lobes/eon.h>
+#include <vug/render/lobes/film.h>
+#include <vug/render/lobes/fuzz.h>
+#include <vug/render/lobes/glass.h>
+#include <vug/render/lobes/metal.h>
+
+#include <array>
+#include <variant>
+
+namespace vug::render {
+namespace {
+
+struct SurfaceParams {
+  ColorInput color = Vec3d(0.5);
+  NumberInput matte = 0.5;
+  NumberInput specular = 0.3;
+  NumberInput roughness = 0.5;
+  double ior = 1.5;
+  NumberInput metal = 0;
+  NumberInput coat = 0;
+  NumberInput coat_roughness = 0.1;
+  double coat_ior = 1.33;
+  NumberInput fuzz = 0;
+  ColorInput fuzz_color = Vec3d(1);
+  NumberInput fuzz_roughness = 0.5;
+  NumberInput subsurface = 0;
+  double mean_free_path = 0.005;
+  NumberInput transmission = 0;
+  Vec3d tint{1, 1, 1};
+  double tint_depth = 1;
+  NumberInput bump = 0;
+  double bump_height = 0.002;
+
+  static void describe(Schema<SurfaceParams>& s);
+};
+
+void SurfaceParams::describe(Schema<SurfaceParams>& s) {
+  using P = SurfaceParams;
+  const auto share = [](std::string doc) {
+    return ParamSpec{.doc = std::move(doc), .min = 0, .max = 1};
+  };
+  const auto roughness = [&](std::string doc) {
+    return ParamSpec{.doc = std::move(doc), .min = 0, .max = 1};
+  };
+  s.doc("Rock, water, ice, crystal, metal, moss: a mix of lobes by shares that may vary.")
+      .cite("openpbr2024")
+      .param("color", &P::color,
+             share("What the body reflects, linear Rec.709; the vertex colour multiplies it."))
+      .param("matte", &P::matte,
+             share("Roughness of the diffuse reflection: 0 Lambert's, 1 dust and sandstone."))
+      .param("specular", &P::specular,
+             share("Share of the rock that has a clear face; the rest is matte."))
+      .param("roughness", &P::roughness,
+             roughness("Of faces, of metal and of what is seen through: 0 a mirror, 0.7 to 0.95 "
+                       "dry rock."))
+      .param("ior", &P::ior,
+             {.doc = "Index of refraction: quartz 1.55, calcite 1.6, ice 1.31.",
+              .min = 1.01,
+              .max = 3})
+      .param("metal", &P::metal, share("Share that is metal of that colour."))
+      .param("coat", &P::coat, share("Share that a film of water covers: wetness."))
+      .param("coat_roughness", &P::coat_roughness, roughness("Of the film's face."))
+      .param("coat_ior", &P::coat_ior, {.doc = "Index of the film.", .min = 1.01, .max = 3})
+      .param("fuzz", &P::fuzz, share("Share of the rock that fibres cover: moss, dust."))
+      .param("fuzz_color", &P::fuzz_color, share("Colour of the fibres."))
+      .param("fuzz_roughness", &P::fuzz_roughness, roughness("Low: a narrow rim of light."))
+      .param("subsurface", &P::subsurface,
+             share("Share in whose body light wanders before it comes out: calcite, ice."))
+      .param("mean_free_path", &P::mean_free_path,
+             positive_length("How far light flies in that body between two collisions."))
+      .param("transmission", &P::transmission, share("Share that is clear: water, crystal."))
+      .param("tint", &P::tint,
+             {.doc = "Colour that white light has after `tint_depth` in the clear body.",
+              .min = 0,
+              .max = 1,
+              .above_min = true})
+      .param("tint_depth", &P::tint_depth, positive_length("See tint."))
+      .param("bump", &P::bump, share("Height of small forms, as a part of bump_height."))
+      .param("bump_height", &P::bump_height, any_length("Height of the bump where it is 1."));
+}
+
+using Lobe = std::variant<EonLobe, FilmLobe, MetalLobe, FuzzLobe, GlassLobe>;
+
+/// The albedo of single collisions for which a deep body of that colour reflects it: the inverse
+/// of van de Hulst's fit 1980 (cite vandehulst1980), exact for white and black.
+float single_albedo(float color) {
+  const float b = 1.139f + 1.17f * color;
+  const float s = 2 * (1 - color) / (b + std::sqrt(b * b - 0.556f * (1 - color)));
+  return std::max(0.0f, 1 - s * s);
+}
+
+class SurfaceBsdf final : public Bsdf {
+ public:
+  SurfaceBsdf() {}  // NOLINT: leaves raw_ as it is
+  void add(float weight, const Lobe& lobe) {
+    if (!(weight > 0)) return;
+    const Rgb albedo = std::visit([](const auto& l) { return l.albedo(); }, lobe);
+    const float odds = weight * std::max(largest(albedo), 0.05f);
+    push(weight, lobe, odds);
+    if (!std::holds_alternative<MetalLobe>(lobe) && !std::holds_alternative<GlassLobe>(lobe))
+      broad_ += odds;
+  }
+  /// A face whose body is a cloud.
+  void add_cloud(float weight, const FilmLobe& face, const Cloud& cloud, const Rgb& color) {
+    if (!(weight > 0)) return;
+    add(weight, face);
+    beneath_ = cloud;
+    into_ = weight * face.clear();
+    cloud_color_ = color;
+    into_odds_ = into_ * std::max(largest(color), 0.05f);
+    total_ += into_odds_;
+  }
+  void set_absorption(const Rgb& absorption) { absorption_ = absorption; }
+
+  Scattering evaluate(const Vec3f& in) const override {
+    Scattering sum;
+    for (size_t i = 0; i < count_; ++i) {
+      const Scattering s = std::visit([&](const auto& l) { return l.evaluate(in); }, part(i).lobe);
+      sum.diffuse += s.diffuse * part(i).weight;
+      sum.specular += s.specular * part(i).weight;
+      sum.pdf += s.pdf * (part(i).odds / total_);
+    }
+    return sum;
+  }
+  BsdfSample sample(float lobe, const Vec2f& u) const override {
+    float rest = lobe * total_;
+    for (size_t i = 0; i < count_; ++i) {
+      const float odds = part(i).odds;
+      if (!(rest < odds) && (i + 1 < count_ || into_odds_ > 0)) {
+        rest -= odds;
+        continue;
+      }
+      const float within = std::min(rest / odds, 0x1.fffffep-1f);
+      const Vec3f in = std::visit([&](const auto& l) { return l.sample(within, u); }, part(i).lobe);
+      if (in.z == 0) return {};
+      const Scattering s = evaluate(in);
+      if (!(s.pdf > 0)) return {};
+      return {in, s.total() * (1 / s.pdf), s.diffuse * (1 / s.pdf), s.pdf};
+    }
+    Vec3f in = sample_cosine_hemisphere(u);
+    in.z = -in.z;
+    const Rgb weight(into_ * total_ / into_odds_);
+    return {in, weight, weight, -in.z / kPif * into_odds_ / total_, this, true};
+  }
+  Rgb albedo() const override {
+    Rgb sum = cloud_color_ * into_;
+    for (size_t i = 0; i < count_; ++i)
+      sum += std::visit([](const auto& l) { return l.albedo(); }, part(i).lobe) * part(i).weight;
+    return sum;
+  }
+  float guided() const override { return into_ > 0 ? 0 : 0.5f * broad_ / total_; }
+  Rgb absorption() const override { return absorption_; }
+  Cloud beneath() const override { return beneath_; }
+
+ private:
+  struct Part {
+    Lobe lobe;
+    float weight, odds;
+  };
+  static constexpr size_t kMost = 7;
+  void push(float weight, const Lobe& lobe, float odds) {
+    new (raw_ + sizeof(Part) * count_++) Part{lobe, weight, odds};
+    total_ += odds;
+  }
+
+  Part& part(size_t i) { return *std::launder(reinterpret_cast<Part*>(raw_) + i); }
+  const Part& part(size_t i) const {
+    return *std::launder(reinterpret_cast<const Part*>(raw_) + i);
+  }
+
+  size_t count_ = 0;
+  float total_ = 0, broad_ = 0;
+  float into_ = 0, into_odds_ = 0;  ///< Light that goes beneath.
+  Cloud beneath_;
+  Rgb cloud_color_{0, 0, 0}, absorption_{0, 0, 0};
+  alignas(Part) std::byte raw_[kMost * sizeof(Part)];  // parts are made when added
+};
+
+/// Light that comes out of a body through its face, as if it were even within.
+class LeavingBsdf final : public Bsdf {
+ public:
+  LeavingBsdf(float roughness, const FaceTable& face) : face_(roughness, face, {0, 0, 1}) {}
+
+  Scattering evaluate(const Vec3f& in) const override {
+    if (!(in.z > 0)) return {};
+    const float even = in.z / kPif;
+    return {Rgb(face_.lets_in(in.z) / (1 - face_.mean) * even), Rgb(0.0f), even};
+  }
+  BsdfSample sample(float, const Vec2f& u) const override {
+    const Vec3f in = sample_cosine_hemisphere(u);
+    const Scattering s = evaluate(in);
+    if (!(s.pdf > 0)) return {};
+    return {in, s.diffuse * (1 / s.pdf), s.diffuse * (1 / s.pdf), s.pdf};
+  }
+  Rgb albedo() const override { return Rgb(1.0f); }
+
+ private:
+  FaceShare face_;
+};
+
+class SurfaceMaterial final : public Material {
+ public:
+  explicit SurfaceMaterial(const SurfaceParams& p)
+      : p_(p),
+        face_(&FaceTable::of(static_cast<float>(p.ior))),
+        film_(&FaceTable::of(static_cast<float>(p.coat_ior))) {
+    if (p.transmission.varying || p.transmission.constant > 0)
+      glass_ = &GlassTable::of(face_->ior());
+    for (int c = 0; c < 3; ++c)
+      absorption_[c] = static_cast<float>(-maths::log(p.tint[c]) / p.tint_depth);
+  }
+
+  const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override;
+  size_t memory_bytes() const override { return BsdfMemory::bytes<SurfaceBsdf>(); }
+  bool bump(Surface& surface) const override;
+  const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const override {
+    const SurfaceSpot place(surface);
+    return &memory.make<LeavingBsdf>(face_roughness(place.spot()), *face_);
+  }
+
+ private:
+  float face_roughness(const paint::Spot& spot) const {
+    return std::max(p_.roughness.at(spot), kSmoothest);
+  }
+
+  SurfaceParams p_;
+  const FaceTable *face_, *film_;
+  const GlassTable* glass_ = nullptr;
+  Rgb absorption_;
+};
+
+const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
+                                BsdfMemory& memory) const {
+  const SurfaceSpot place(surface);
+  const paint::Spot& spot = place.spot();
+  SurfaceBsdf& bsdf = memory.make<SurfaceBsdf>();
+  const Rgb color = p_.color.at(spot) * surface.color;
+  const float roughness = face_roughness(spot);
+  const float metal = p_.metal.at(spot), clear = p_.transmission.at(spot) * (1 - metal);
+  const float body = 1 - metal - clear, wet = body * p_.coat.at(spot), dry = body - wet;
+  const float cloudy = p_.subsurface.at(spot), furry = p_.fuzz.at(spot);
+  const float rock = dry * (1 - cloudy), bare = rock * (1 - furry);
+  const float faces = bare * p_.specular.at(spot);
+
+  if (bare > faces) bsdf.add(bare - faces, EonLobe(color, p_.matte.at(spot), out));
+  if (faces > 0)
+    bsdf.add(faces, FilmLobe(color, FilmLobe::Below::polished, roughness, *face_, out));
+  if (rock * furry > 0)
+    bsdf.add(rock * furry,
+             FuzzLobe(p_.fuzz_color.at(spot), p_.fuzz_roughness.at(spot), color, out));
+  if (wet > 0) {
+    const float film = std::max(p_.coat_roughness.at(spot), kSmoothest);
+    bsdf.add(wet, FilmLobe(color, FilmLobe::Below::wet, film, *film_, out));
+  }
+  if (metal > 0) bsdf.add(metal, MetalLobe(color, roughness, out));
+  if (clear > 0) {
+    bsdf.add(clear, GlassLobe(roughness, *face_, *glass_, surface.inside, out));
+    bsdf.set_absorption(absorption_);
+  }
+  if (dry * cloudy > 0) {
+    const FilmLobe face(color, FilmLobe::Below::open, roughness, *face_, out);
+    bsdf.add_cloud(dry * cloudy, face,
+                   {static_cast<float>(p_.mean_free_path),
+                    {single_albedo(color.x), single_albedo(color.y), single_albedo(color.z)}},
+                   color);
+  }
+  return bsdf;
+}
+
+/// Central differences of the height along the surface.
+bool SurfaceMaterial::bump(Surface& surface) const {
+  if (!p_.bump.varying) return false;
+  const auto height = static_cast<float>(p_.bump_height);
+  const float step = std::max(0.5f * surface.footprint, 0.25f * std::fabs(height));
+  const SurfaceSpot place(surface);
+  const Vec3f n = surface.shading_normal * (surface.inside ? -1.0f : 1.0f);
+  const Frame frame(n);
+  const auto slope = [&](const Vec3f& along) {
+    paint::Spot there = place.spot();
+    there.position = Vec3d(surface.position + along * step);
+    const float ahead = p_.bump.at(there);
+    there.position = Vec3d(surface.position - along * step);
+    return (ahead - p_.bump.at(there)) * height / (2 * step);
+  };
+  const Vec3f bent = normalized(n - frame.x * slope(frame.x) - frame.y * slope(frame.y));
+  surface.shading_normal = bent * (surface.inside ? -1.0f : 1.0f);
+  return true;
+}
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(surface, material, MaterialPtr, SurfaceParams, SurfaceMaterial)
