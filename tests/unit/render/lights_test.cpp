@@ -88,6 +88,21 @@ TEST(Lights, SunShinesByTheSineOfItsHeight) {
   }
 }
 
+TEST(Lights, PortalsLeaveTheSunWhereItIs) {
+  // A portal finds the sky in its own directions; the sun is found beside it, in or out of it.
+  const LightPtr sky = make_light("sky", {{"radiance", Vec3d(2)}});
+  const LightPtr portal =
+      make_light("portal", {{"center", Vec3d(0, 1, 0)}, {"width", 1.5}, {"height", 1.5}});
+  for (const double elevation : {1.4, 0.4}) {
+    SCOPED_TRACE(elevation);
+    const LightPtr sun =
+        make_light("sun", {{"elevation", radians(elevation)}, {"irradiance", Vec3d(8)}});
+    const double expected = 2 + 8 / kPi * std::sin(elevation);
+    expect_floor({sky, sun}, expected, 1024);
+    expect_floor({sky, sun, portal}, expected, 1024);
+  }
+}
+
 TEST(Lights, SunStandsWhereTheClockSays) {
   const auto towards = [](double latitude, double day, double hour) {
     const LightPtr sun =
