@@ -44,7 +44,8 @@ class Farm(VugTest):
         self.expect_whole("both")
 
     def test_all_layers_and_a_crop(self):
-        args = ("--layers", "all", "--crop", "10,5,50,35", "--exposure", "1.5", "--float")
+        args = ("--layers", "all", "--crop", "10,5,50,35", "--exposure", "1.5", "--float",
+                "--denoise")
         self.expect(0, "render", "s.vug", "-o", "crop.exr", *args)
         for i in (1, 2):
             self.part(f"c{i}", "--tile", f"{i}/2", *args)

@@ -48,7 +48,8 @@ def bits(value):
 
 
 FORMS = {"plain": (), "tiled": ("--tiled",), "parts": ("--multi-part",),
-         "both": ("--multi-part", "--tiled"), "crop": ("--crop", "10,5,50,35"), "full": ("--float",)}
+         "both": ("--multi-part", "--tiled"), "crop": ("--crop", "10,5,50,35"), "full": ("--float",),
+         "smooth": ("--denoise",)}
 
 
 class PictureFiles(VugTest):
@@ -87,6 +88,15 @@ class PictureFiles(VugTest):
             for y in range(30):
                 self.assertEqual(values[40 * y:40 * y + 40],
                                  plain[channel][70 * (y + 5) + 10:70 * (y + 5) + 50], channel)
+
+    def test_the_denoised_layer_replaces_nothing(self):
+        plain, smooth = self.channels("plain"), self.channels("smooth")
+        self.assertEqual(smooth.keys() - plain.keys(), {"denoised.R", "denoised.G", "denoised.B"})
+        for channel, values in plain.items():
+            self.assertEqual(smooth[channel], values)
+        self.assertNotEqual(smooth["denoised.G"], plain["G"])
+        self.assertIn("variance", self.expect(2, "render", "s.vug", "-o", "no.exr", "--denoise",
+                                              "--layers", "beauty,Z").err)
 
     def test_parts_are_layers(self):
         names = [part.text("name") for part in exr.read(self.folder / "parts.exr")]

@@ -160,6 +160,9 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
       throw Error(error.code(), error.what(), plan.where, error.hint());
     }
   };
+  if (options.denoise && !plan.layers.empty() && !plan_for({}).has("variance"))
+    throw Error(ErrorCode::bad_input, "a picture without the layer 'variance' cannot be denoised",
+                plan.where, "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
   // Before meshes are made of it all.
   render::Scene lights;
   for (const auto& [name, light] : builder.shot().lights) lights.lights.push_back(light);
@@ -176,6 +179,7 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   job.look.half = plan.half;
   job.look.multi_part = plan.multi_part;
   job.look.tiled = plan.tiled;
+  job.look.denoise = options.denoise;
   job.look.camera = job.scene.camera->matrices(static_cast<float>(render.width) /
                                                static_cast<float>(render.height));
   job.look.metadata = {{"vug:recipe", builder.shot().recipe},

@@ -21,6 +21,7 @@ struct PictureOptions {
   bool full_float = false;  ///< 32-bit colour channels.
   bool multi_part = false;
   bool tiled = false;
+  bool denoise = false;
   std::vector<std::string> layers;  ///< Instead of the plan's.
   std::vector<int> crop;            ///< Likewise.
 };

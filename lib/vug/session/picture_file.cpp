@@ -1,8 +1,10 @@
+#include <vug/image/denoise.h>
 #include <vug/render/cryptomatte.h>
 #include <vug/session/picture_file.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace vug::session {
@@ -12,6 +14,7 @@ constexpr const char* kExposure = "exposure";
 constexpr const char* kHalf = "half";
 constexpr const char* kMultiPart = "multi_part";
 constexpr const char* kTiled = "tiled";
+constexpr const char* kDenoise = "denoise";
 constexpr const char* kToCamera = "world_to_camera";
 constexpr const char* kToNdc = "world_to_ndc";
 constexpr const char* kMetadata = "metadata:";
@@ -31,6 +34,31 @@ std::array<float, 16> read_matrix(const std::string& text) {
   return matrix;
 }
 
+/// The denoised layer as a picture of its own.
+image::Image shown(image::Image smooth) {
+  smooth.channels = {"R", "G", "B"};
+  return smooth;
+}
+
+image::Image joined(const image::Image& a, const image::Image& b) {
+  std::vector<std::string> channels = a.channels;
+  channels.insert(channels.end(), b.channels.begin(), b.channels.end());
+  image::Image out(a.width, a.height, channels);
+  float* to = out.pixels.data();
+  for (size_t p = 0; p < a.pixel_count(); ++p) {
+    to = std::copy_n(&a.pixels[p * a.channels.size()], a.channels.size(), to);
+    to = std::copy_n(&b.pixels[p * b.channels.size()], b.channels.size(), to);
+  }
+  return out;
+}
+
+void write_png(const std::filesystem::path& png, const image::Image& image,
+               const PictureLook& look) {
+  image::ViewOptions view;
+  view.exposure = look.exposure;
+  image::write_png(png, image, view);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& look) {
@@ -39,6 +67,7 @@ std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& loo
       {kHalf, look.half ? "true" : "false"},
       {kMultiPart, look.multi_part ? "true" : "false"},
       {kTiled, look.tiled ? "true" : "false"}};
+  notes.emplace_back(kDenoise, look.denoise ? "true" : "false");
   if (look.camera) {
     notes.emplace_back(kToCamera, matrix_text(look.camera->world_to_camera));
     notes.emplace_back(kToNdc, matrix_text(look.camera->world_to_ndc));
@@ -54,6 +83,7 @@ PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& n
     if (name == kHalf) look.half = text == "true";
     if (name == kMultiPart) look.multi_part = text == "true";
     if (name == kTiled) look.tiled = text == "true";
+    if (name == kDenoise) look.denoise = text == "true";
     if ((name == kToCamera || name == kToNdc) && !look.camera) look.camera.emplace();
     if (name == kToCamera) look.camera->world_to_camera = read_matrix(text);
     if (name == kToNdc) look.camera->world_to_ndc = read_matrix(text);
@@ -85,16 +115,21 @@ std::vector<std::filesystem::path> write_picture(const std::filesystem::path& ex
   options.full_channels.insert(options.full_channels.end(),
                                {render::kCryptoObject, render::kCryptoMaterial});
   options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
-  image::write_exr(exr, image, options);
-  write_preview(png_beside(exr), image, header);
+  if (!look.denoise) {
+    image::write_exr(exr, image, options);
+    write_png(png_beside(exr), image, look);
+  } else {
+    const image::Image smooth = image::denoise(image);
+    image::write_exr(exr, joined(image, smooth), options);
+    write_png(png_beside(exr), shown(smooth), look);
+  }
   return {exr, png_beside(exr)};
 }
 
 void write_preview(const std::filesystem::path& png, const image::Image& image,
                    const render::PartHeader& header) {
-  image::ViewOptions view;
-  view.exposure = from_notes(header.notes).exposure;
-  image::write_png(png, image, view);
+  const PictureLook look = from_notes(header.notes);
+  write_png(png, look.denoise ? shown(image::denoise(image)) : image, look);
 }
 
 }  // namespace vug::session

@@ -18,6 +18,7 @@ struct PictureLook {
   bool half = true;         ///< 16-bit colour channels in the EXR.
   bool multi_part = false;  ///< A part of the EXR for each layer.
   bool tiled = false;       ///< Tiles instead of lines.
+  bool denoise = false;     ///< A further layer, which the PNG shows; see image::denoise.
   image::Metadata metadata;
   std::optional<render::CameraMatrices> camera;
 };

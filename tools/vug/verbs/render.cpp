@@ -171,6 +171,8 @@ Verb render_verb() {
             ->check(CLI::Range(0.0, 1.0));
         app.add_option("--exposure", picture.exposure, "stops, for the PNG");
         app.add_flag("--float", picture.full_float, "32-bit colour channels");
+        app.add_flag("--denoise", picture.denoise,
+                     "show the PNG smoothed; the EXR gets a layer \'denoised\', too");
         app.add_flag("--multi-part", picture.multi_part, "a part of the EXR for each layer");
         app.add_flag("--tiled", picture.tiled, "tiles in the EXR, not lines");
         app.add_option("--preview", options->preview,
