@@ -1,0 +1,96 @@
+// Light that goes into bodies and comes out again, in scenes with known answers.
+#include "scenes.h"
+
+#include <vug/paint/kind.h>
+#include <vug/render/input.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::render {
+namespace {
+
+Scene in_white_sky(const Named& surface, mesh::Mesh body) {
+  Scene scene;
+  scene.camera = view({0, 0, 4}, {0, 0, 0}, 0.3);
+  scene.objects = {object(std::move(body), 1)};
+  scene.objects[0].material = make_material("surface", surface);
+  scene.lights = {make_light("sky")};
+  return scene;
+}
+
+Mean seen(const Scene& scene, int spp, int bounces) {
+  return mean_of(render(scene, options(24, 24, spp, bounces)), "G");
+}
+
+// What swallows nothing looks like the even sky it stands in, whatever light does inside.
+TEST(Bodies, ThatSwallowNothingVanishInAWhiteSky) {
+  const Vec3d white(1, 1, 1);
+  for (const double roughness : {0.1, 0.6}) {
+    const Mean glass = seen(in_white_sky({{"transmission", 1.0}, {"roughness", roughness}},
+                                         mesh::sphere_mesh({0, 0, 0}, 1, 4)),
+                            64, 200);
+    EXPECT_NEAR(glass.value, 1, 0.005 + 4 * glass.error) << "glass, roughness " << roughness;
+  }
+  const Mean cloud = seen(in_white_sky({{"subsurface", 1.0},
+                                        {"color", white},
+                                        {"mean_free_path", Number{0.3, Dimension::length}}},
+                                       mesh::sphere_mesh({0, 0, 0}, 1, 4)),
+                          64, 8);
+  EXPECT_NEAR(cloud.value, 1, 0.005 + 4 * cloud.error) << "cloud";
+}
+
+// Straight through a slab of nearly the air's index: Beer's law, but for 2 faces that hardly
+// reflect.
+TEST(Bodies, SwallowLightByDistance) {
+  const Mean through = seen(in_white_sky({{"transmission", 1.0},
+                                          {"ior", 1.01},
+                                          {"roughness", 0.0},
+                                          {"tint", Vec3d(0.25, 0.25, 0.25)},
+                                          {"tint_depth", Number{1, Dimension::length}}},
+                                         mesh::box_mesh({Vec3d(-9, -9, -0.5), Vec3d(9, 9, 0.5)})),
+                            16, 20);
+  EXPECT_NEAR(through.value, 0.25, 0.004);
+}
+
+// A thick body has the colour it was asked for: van de Hulst's fit is good to a few percent.
+TEST(Bodies, OfCloudHaveTheirColour) {
+  const Vec3d color(0.6, 0.6, 0.6);
+  Scene scene = in_white_sky({{"subsurface", 1.0},
+                              {"color", color},
+                              {"ior", 1.01},
+                              {"mean_free_path", Number{0.02, Dimension::length}}},
+                             mesh::box_mesh({Vec3d(-20, -20, -20), Vec3d(20, 20, 0)}));
+  const Mean mean = seen(scene, 64, 0);
+  EXPECT_NEAR(mean.value, 0.6, 0.03);
+}
+
+TEST(Inputs, AreReadAtTheHit) {
+  mesh::Mesh floor = floor_mesh(1);
+  floor.attributes.push_back({"wet", 1, {0, 1, 1, 0}});
+  floor.attributes.push_back({"Cd", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}});
+  Surface surface;
+  surface.position = {0, 0, 0};
+  surface.geometric_normal = surface.shading_normal = {0, 1, 0};
+  surface.mesh = &floor;
+  surface.triangle = 0, surface.u = 0.25f, surface.v = 0.5f;
+  const SurfaceSpot place(surface);
+  const auto mask = make_product(paint::masks(), "attribute", {{"name", "wet"}});
+  const auto color = make_product(paint::paints(), "vertex_color");
+  EXPECT_NEAR(NumberInput(mask).at(place.spot()), paint::ramp(0.75, 0, 1), 1e-6);
+  const Rgb rgb = ColorInput(color).at(place.spot());
+  EXPECT_NEAR(rgb.x, 0.25, 1e-6);
+  EXPECT_NEAR(rgb.y, 0.25, 1e-6);
+  EXPECT_NEAR(rgb.z, 0.5, 1e-6);
+  const auto none =
+      make_product(paint::masks(), "attribute", {{"name", "dry"}, {"otherwise", 0.3}});
+  EXPECT_NEAR(NumberInput(none).at(place.spot()), 0.3, 1e-6);
+  const auto rough =
+      make_product(paint::masks(), "between",
+                   {{"mask", ValueTraits<paint::Mask>::write(mask)}, {"from", 0.9}, {"to", 0.1}});
+  EXPECT_NEAR(NumberInput(rough).at(place.spot()), 0.9 - 0.8 * paint::ramp(0.75, 0, 1), 1e-6);
+  const auto nan = paint::make_mask([](const paint::Spot&) { return std::nan(""); });
+  EXPECT_EQ(NumberInput(nan).at(place.spot()), 0);
+}
+
+}  // namespace
+}  // namespace vug::render
