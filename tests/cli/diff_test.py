@@ -174,6 +174,15 @@ class OfRenders(VugTest):
         self.expect(0, "diff", "a.exr", "parts.exr", "--layer", "beauty,Z,variance")
         self.assertIn("noise explains", self.expect(0, "diff", "parts.exr", "b.exr", "--layer", "beauty").out)
 
+    def test_crops_and_parts(self):
+        common = ("room.vug", "--sample-seed", "1")
+        self.expect(0, "render", *common, "-o", "left.exr", "--crop", "0,0,24,32")
+        self.expect(0, "render", *common, "-o", "right.exr", "--crop", "24,0,48,32")
+        self.assertIn("from 24, 0 on", self.expect(2, "diff", "left.exr", "right.exr").err)
+        self.expect(0, "render", *common, "-o", "whole.exr")
+        self.expect(0, "render", *common, "-o", "parts.exr", "--multi-part")
+        self.assertTrue(self.expect(0, "diff", "whole.exr", "parts.exr").out.endswith("\nidentical\n"))
+
     def test_the_page_shows_the_blocks(self):
         self.expect(1, "diff", "a.exr", "dark.exr", "--html", "page.html", "--quiet")
         self.assertIn("z-scores of blocks", Page((self.folder / "page.html").read_text()).pictures)
