@@ -52,6 +52,27 @@ FORMS = {"plain": (), "tiled": ("--tiled",), "parts": ("--multi-part",),
          "smooth": ("--denoise",)}
 
 
+# Sends one layer of a file through Blender's compositor.
+BLENDER = """
+import bpy
+scene = bpy.context.scene
+scene.use_nodes = True
+tree = scene.node_tree
+tree.nodes.clear()
+image = tree.nodes.new("CompositorNodeImage")
+image.image = bpy.data.images.load("{file}")
+result = tree.nodes.new("CompositorNodeComposite")
+tree.links.new(image.outputs["{layer}"], result.inputs[0])
+scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 70, 40, 100
+settings = scene.render.image_settings
+settings.file_format, settings.color_depth, settings.exr_codec = "OPEN_EXR", "32", "ZIP"
+scene.render.filepath = "{out}"
+scene.frame_start = scene.frame_end = 1
+scene.camera = None
+bpy.ops.render.render(animation=True)
+"""
+
+
 class PictureFiles(VugTest):
     def prepare(self):
         self.write("s.vug", SCENE)
@@ -103,6 +124,23 @@ class PictureFiles(VugTest):
         self.assertEqual(len(names), len(set(names)))
         for name in ("beauty", "Z", "N", "diffuse_direct", "CryptoObject"):
             self.assertIn(name, names)
+
+    @unittest.skipUnless(shutil.which("blender"), "Blender is not installed")
+    def test_blender_reads_every_layer_of_a_multi_part_file(self):
+        for layer, channels in (("Combined", "RGB"), ("albedo", ["albedo.R", "albedo.G", "albedo.B"]),
+                                ("diffuse_direct", [f"diffuse_direct.{c}" for c in "RGB"])):
+            script = self.write("show.py", BLENDER.format(file=self.folder / "parts.exr", layer=layer,
+                                                          out=self.folder / f"{layer}_"))
+            run = subprocess.run(["blender", "--background", "--factory-startup", "--python",
+                                  script], text=True, capture_output=True)
+            self.assertNotIn("Error", run.stdout + run.stderr)
+            shown = {}
+            for part in exr.read(self.folder / f"{layer}_0001.exr"):
+                shown.update(part.pixels)
+            plain = self.channels("plain")
+            for ours, theirs in zip(channels, "RGB"):
+                for a, b in zip(plain[ours], shown[theirs]):
+                    self.assertAlmostEqual(a, b, delta=1e-3 * abs(a) + 1e-6)
 
     def test_headers_tell(self):
         part, = exr.read(self.folder / "crop.exr")

@@ -38,7 +38,9 @@ std::vector<PartOf> parts_of(const std::vector<std::string>& channels, bool spli
   std::vector<PartOf> parts;
   for (size_t c = 0; c < channels.size(); ++c) {
     const std::string name = split ? part_name(channels[c]) : "";
-    if (parts.empty() || parts.back().name != name)
+    // A part of one channel without a layer is more than Blender 3.4 can read, but for depth.
+    const bool alone = name == channels[c] && name != "Z";
+    if (parts.empty() || (parts.back().name != name && !alone))
       parts.push_back({name, c, 1});
     else
       ++parts.back().count;
