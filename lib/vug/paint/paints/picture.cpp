@@ -1,9 +1,10 @@
 // Pictures without UVs: projected along the axes and blended by the normal (triplanar mapping), or
 // along one axis through the solid.
+#include <vug/base/error.h>
 #include <vug/image/texture.h>
 #include <vug/paint/kind.h>
 
-#include <cmath>
+#include <fmt/format.h>
 
 namespace vug::paint {
 namespace {
@@ -65,8 +66,12 @@ Vec3d color_at(const Picture& picture, const image::Texture& texture, const Spot
 
 VUG_PAINT_KIND(picture) {
   return paint_kind<Picture>("picture", [](const Picture& p) -> Paint {
-    if (p.missing == Missing::show && !std::filesystem::exists(p.file))
-      return make_paint([](const Spot&) { return Vec3d(1, 0, 1); });
+    if (!std::filesystem::exists(p.file)) {
+      if (p.missing == Missing::show) return make_paint([](const Spot&) { return Vec3d(1, 0, 1); });
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the picture '{}' is not there", p.file.string()), {},
+                  "missing: show paints magenta in its place");
+    }
     return make_paint([p, texture = image::Texture(p.file)](const Spot& spot) {
       return color_at(p, texture, spot);
     });

@@ -5,7 +5,7 @@ namespace {
 
 struct VertexColor {
   std::string name = "Cd";
-  Paint otherwise = make_paint([](const Spot&) { return Vec3d(0.5); });
+  Paint otherwise;
 
   static void describe(Schema<VertexColor>& s) {
     s.doc("The colour that the mesh carries at its vertices.")
@@ -22,7 +22,8 @@ VUG_PAINT_KIND(vertex_color) {
   return paint_kind<VertexColor>("vertex_color", [](const VertexColor& v) {
     return make_paint([v](const Spot& spot) {
       const auto value = spot.attributes ? spot.attributes->read(v.name) : std::nullopt;
-      return value ? *value : (*v.otherwise)(spot);
+      if (value) return *value;
+      return v.otherwise ? (*v.otherwise)(spot) : Vec3d(0.5);
     });
   });
 }
