@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace vug::render {
 
@@ -114,35 +115,46 @@ uint32_t LightSet::group_of(const std::string& name) {
   return static_cast<uint32_t>(group_names_.size() - 1);
 }
 
-/// One pass: each branch takes the place of those before it with the odds of its weight, and the
-/// uniform number is stretched back to [0, 1) each time (Chao 1982, reservoir sampling).
 template <class Weight>
 LightChoice LightSet::choose_by(float u, const Weight& weight) const {
-  LightChoice choice;
-  const bool even = u < even_;
-  double total = 0, count = 0, chosen_weight = 0;
-  const auto part = static_cast<double>(even_);
-  double rest = even ? static_cast<double>(u) / part : (static_cast<double>(u) - part) / (1 - part);
-  const Branch* chosen = nullptr;
-  for (const Branch& branch : branches_) {
-    const auto w = static_cast<double>(branch.tree ? weight.branch(*branch.tree, branch.node)
-                                                   : weight.sky(branch.node));
+  constexpr size_t kUsual = 2 * LightTree::kCutSize + 16;
+  std::array<float, kUsual> few;
+  std::vector<float> many;
+  if (branches_.size() > kUsual) many.resize(branches_.size());
+  float* const weights = many.empty() ? few.data() : many.data();
+  double total = 0, count = 0;
+  for (size_t i = 0; i < branches_.size(); ++i) {
+    const Branch& branch = branches_[i];
+    const float w =
+        branch.tree ? weight.branch(*branch.tree, branch.node) : weight.sky(branch.node);
+    weights[i] = w > 0 ? w : 0;
     if (!(w > 0)) continue;
-    total += w;
+    total += static_cast<double>(w);
     count += 1;
-    const double odds = even ? 1 / count : w / total;
-    if (rest < odds) {
-      rest /= odds;
-      chosen = &branch;
-      chosen_weight = w;
-    } else {
-      rest = (rest - odds) / (1 - odds);
-    }
   }
+  LightChoice choice;
   choice.odds = {false, static_cast<float>(total), static_cast<float>(count), even_};
-  if (!chosen) return choice;
+  if (!(total > 0)) return choice;
+
+  // Along all weights, or along as many equal parts, to where the number stands.
+  const bool even = u < even_;
+  const auto part = static_cast<double>(even_);
+  const double place = even ? static_cast<double>(u) / part * count
+                            : (static_cast<double>(u) - part) / (1 - part) * total;
+  const Branch* chosen = nullptr;
+  double passed = 0, width = 0;
+  float chosen_weight = 0;
+  for (size_t i = 0; i < branches_.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    passed += width;
+    width = even ? 1 : static_cast<double>(weights[i]);
+    chosen = &branches_[i];
+    chosen_weight = weights[i];
+    if (place < passed + width) break;
+  }
+  const double rest = std::clamp((place - passed) / width, 0.0, 0x1.fffffffffffffp-1);
   choice.light = chosen->node;
-  choice.probability = choice.odds.of(static_cast<float>(chosen_weight));
+  choice.probability = choice.odds.of(chosen_weight);
   if (chosen->tree) {
     const LightTree::Found found = chosen->tree->descend(
         chosen->node, rest, [&](uint32_t node) { return weight.branch(*chosen->tree, node); });
