@@ -70,6 +70,15 @@ class Farm(VugTest):
             self.assertIn(sentence, self.expect(2, "merge", *parts, "-o", "m.exr").err)
         self.assertFalse((self.folder / "m.exr").exists())
 
+    def test_included_texts_are_part_of_the_scene(self):
+        for radiance in (90, 91):
+            self.write("lamps.vug", f"light more = sphere(center: (0.5, 0.6, 0.3), radius: 10cm, "
+                                    f"radiance: ({radiance}, 60, 30))\n")
+            self.write("with.vug", 'include "lamps.vug"\n' + SCENE)
+            self.expect(0, "render", "with.vug", "--part", f"p{radiance}", "--tile",
+                        f"{radiance - 89}/2")
+        self.assertIn("different scenes", self.expect(2, "merge", "p90", "p91", "-o", "m.exr").err)
+
     def test_what_cannot_be_a_part(self):
         for args in [("--tile", "0/2"), ("--tile", "3/2"), ("--tile", "2"), ("--tile", "1/41"),
                      ("--samples", "0..49"), ("--samples", "7..7"), ("--samples", "7-9"),
@@ -138,11 +147,13 @@ class Farm(VugTest):
 
     def test_ctrl_c_saves(self):
         process = subprocess.Popen([PROGRAM, "render", "s.vug", "-o", "c.exr", "--spp", "100000",
-                                    "--checkpoint", "state"], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(1)
+                                    "--checkpoint", "state", "--progress"], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        said = b""
+        while b"rendering     " not in said and process.poll() is None:  # the bar's stage
+            said += process.stderr.read(1)
         process.send_signal(signal.SIGINT)
-        process.wait()
+        process.communicate()
         self.assertEqual(process.returncode, 3)
         self.assertTrue((self.folder / "state").exists())
 

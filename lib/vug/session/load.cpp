@@ -82,6 +82,10 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   loaded.shot.name = file.stem().string();
   loaded.shot.seed = evaluator.seed();
   loaded.shot.recipe = recipe(document, options, evaluator.seed());
+  Hasher texts;
+  for (const auto& source : document.sources)
+    texts.add_value(source->text.size()).add(source->text);
+  loaded.shot.texts = texts.finish();
   Reading reading{document, evaluator, resolver, loaded.diagnostics, loaded.shot};
   announce(document, reading);
   evaluator.check_all();

@@ -61,14 +61,15 @@ void warn_of_rock(Builder& builder, const RenderPlan& plan, const std::vector<Ob
 }
 
 /// Tells pictures of different scenes, or with different names of cameras and renders, apart.
-std::string identity(const render::Scene& scene, const std::string& recipe,
-                     const PictureOptions& options) {
+std::string identity(const render::Scene& scene, const Shot& shot, const PictureOptions& options) {
   Hasher hash;
   const auto add_all = [&](const auto& values) {
     hash.add_value(values.size());
     if (!values.empty()) hash.add(values.data(), values.size() * sizeof(values[0]));
   };
-  for (const std::string& text : {recipe, options.render, options.camera, std::string(VUG_VERSION)})
+  hash.add_value(shot.texts);
+  for (const std::string& text :
+       {shot.recipe, options.render, options.camera, std::string(VUG_VERSION)})
     add_all(text);
   for (const render::Object& object : scene.objects) {
     add_all(object.name);
@@ -187,7 +188,7 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
                        {"vug:seed", std::to_string(render.seed)},
                        {"vug:spp", std::to_string(plan.spp)}};
   job.header = render::part_header(render);
-  job.header.identity = identity(job.scene, builder.shot().recipe, options);
+  job.header.identity = identity(job.scene, builder.shot(), options);
   job.header.notes = to_notes(job.look);
   return job;
 }

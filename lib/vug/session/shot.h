@@ -1,6 +1,7 @@
 // What a scene asks for, evaluated but not yet computed: plain data between text and products.
 #pragma once
 
+#include <vug/base/hash.h>
 #include <vug/field/field.h>
 #include <vug/grammar/tree.h>
 #include <vug/paint/paint.h>
@@ -93,6 +94,7 @@ struct Shot {
   std::string name;  ///< The scene file's stem.
   uint64_t seed = 0;
   std::string recipe;  ///< The scene text with its overrides: what rebuilds all of this.
+  Digest texts;        ///< Of the scene text and all that it includes.
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;
