@@ -1,9 +1,14 @@
 // The seam of media: what the air does to light between surfaces.
 #pragma once
 
+#include <vug/render/tracking.h>
 #include <vug/render/vectors.h>
 
 #include <memory>
+
+namespace vug::volume {
+class Density;
+}
 
 namespace vug::render {
 
@@ -13,6 +18,9 @@ struct Segment {
   float end = 0;
   bool empty() const { return !(begin < end); }
 };
+
+/// The part of a ray before `end` (may be kFar) that lies in a box.
+Segment clipped(const Box3f& box, const Ray& ray, float end);
 
 struct DistanceSample {
   float distance = 0;  ///< From the ray's origin.
@@ -26,15 +34,29 @@ class Medium {
   /// This medium with its region set to the scene's box, when it was given no region of its own;
   /// null when it has one.
   virtual std::shared_ptr<const Medium> fitted(const Box3f& scene) const = 0;
+  /// This medium with its density told; null when it needs none.
+  virtual std::shared_ptr<const Medium> filled(
+      std::shared_ptr<const volume::Density> density) const {
+    (void)density;
+    return nullptr;
+  }
+  /// It has no density yet.
+  virtual bool hollow() const { return false; }
   /// The part of the ray before `end` (may be kFar) that lies in the medium.
   virtual Segment clip(const Ray& ray, float end) const = 0;
-  /// Part of the light that comes through a segment.
-  virtual float transmittance(const Ray& ray, const Segment& segment) const = 0;
+  /// Part of the light that comes through a segment: exact, or an estimate whose mean it is.
+  virtual float transmittance(const Ray& ray, const Segment& segment,
+                              TrackingNumbers& numbers) const = 0;
   /// A distance with the density of the first collision.
-  virtual DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u) const = 0;
+  virtual DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
+                                         TrackingNumbers& numbers) const = 0;
   /// Collisions per metre, and which part of the light they scatter instead of swallowing.
   virtual float extinction(const Vec3f& point) const = 0;
   virtual Rgb albedo(const Vec3f& point) const = 0;
+  /// Collisions per metre as a round number, to share samples out along rays.
+  virtual float usual_extinction() const = 0;
+  /// What the medium sends out by itself: times the extinction, radiance that is added per metre.
+  virtual Rgb glow() const { return {0, 0, 0}; }
 
   /// Phase function over the angle between the two directions of travel, in 1/sr; integrates to 1.
   virtual float phase(float cosine) const = 0;

@@ -3,6 +3,8 @@
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
 #include <vug/session/picture.h>
+#include <vug/volume/density.h>
+#include <vug/volume/fog.h>
 #include <vug/volume/samples.h>
 
 #include <fmt/format.h>
@@ -134,6 +136,9 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   if (scene.lights.empty())
     scene.lights.push_back(render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}}));
   scene.medium = shot.medium;
+  if (shot.medium_volume)
+    scene.medium = shot.medium->filled(std::make_shared<const volume::Density>(
+        volume::fog(builder.level_set(shot.medium_volume))));
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
   scene.camera = plan.camera ? plan.camera : outside_camera(bounds);
   warn_of_rock(builder, plan, objects, *scene.camera);

@@ -102,6 +102,7 @@ struct Shot {
   std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
   render::MediumPtr medium;
   std::vector<std::pair<std::string, render::MaterialPtr>> materials;  ///< Those with names.
+  VolumePtr medium_volume;  ///< Whose density the medium has, if it needs one.
   std::vector<RenderPlan> renders;
   std::vector<Derivation> derivations;
 };

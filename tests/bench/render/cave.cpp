@@ -90,6 +90,15 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
   if (portals)
     for (const json& p : j["portals"])
       scene.lights.push_back(render::make_light("portal", rectangle(p)));
+  if (j.contains("volume")) {
+    const json& v = j["volume"];
+    scene.medium = render::make_medium(
+        "cloud", {{"file", (path.parent_path() / v["vdb"].get<std::string>()).string()},
+                  {"grid", v["grid"].get<std::string>()},
+                  {"extinction", Number{v["scale"].get<double>(), Dimension::per_length}},
+                  {"albedo", Vec3d(v["albedo"].get<double>())},
+                  {"g", v["g"].get<double>()}});
+  }
   return scene;
 }
 

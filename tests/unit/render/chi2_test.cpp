@@ -122,13 +122,15 @@ TEST(ChiSquare, EveryPhaseFunctionSamplesItself) {
 TEST(ChiSquare, DistancesFallExponentially) {
   for (const auto* kind : media()) {
     const MediumPtr medium = make_medium(kind->info.name, {{"extinction", 0.7}});
+    if (medium->hollow()) continue;  // its density is tested beside it
+    TrackingNumbers numbers(Vec2f(0.1f, 0.2f));
     const Ray ray{{0, 0, 0}, {0, 0, 1}};
     const Segment segment{1, 4};
     RandomStream random(RandomKey(10));
     int through = 0;
     double sum = 0;
     for (int i = 0; i < kSamples; ++i) {
-      const DistanceSample s = medium->sample_distance(ray, segment, two(random).x);
+      const DistanceSample s = medium->sample_distance(ray, segment, two(random).x, numbers);
       if (!s.scattered) {
         ++through;
         continue;
@@ -138,7 +140,7 @@ TEST(ChiSquare, DistancesFallExponentially) {
       sum += static_cast<double>(s.distance);
     }
     const double clear = std::exp(-2.1);
-    EXPECT_NEAR(medium->transmittance(ray, segment), clear, 1e-6);
+    EXPECT_NEAR(medium->transmittance(ray, segment, numbers), clear, 1e-6);
     EXPECT_NEAR(static_cast<double>(through) / kSamples, clear,
                 4 * std::sqrt(clear * (1 - clear) / kSamples));
     const double mean = 1 + 1 / 0.7 - 3 * clear / (1 - clear);

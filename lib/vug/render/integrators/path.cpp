@@ -40,6 +40,7 @@ struct Path {
 /// Numbers that one bounce may spend, so that branches do not shift those of later bounces.
 constexpr uint32_t kCameraDimensions = 2;
 constexpr uint32_t kBounceDimensions = 8;
+constexpr uint32_t kTrackingDimension = 7;  // of a bounce's
 
 /// A cone that a diffuse surface has turned is so wide at least, in radians: what is seen by way
 /// of it needs no fine detail.
@@ -114,7 +115,14 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
   bool within = false;
   const Medium* medium = world.medium();
   for (int depth = 0;; ++depth) {
-    numbers.jump(kCameraDimensions + kBounceDimensions * static_cast<uint32_t>(depth));
+    const uint32_t first = kCameraDimensions + kBounceDimensions * static_cast<uint32_t>(depth);
+    Vec2f begin(0.0f);
+    if (medium) {
+      numbers.jump(first + kTrackingDimension);
+      begin = numbers.pair();
+    }
+    TrackingNumbers tracking(begin);
+    numbers.jump(first);
     Hit hit;
     const bool found = world.intersect(ray, hit);
     const float end = found ? hit.distance : kFar;
@@ -126,10 +134,11 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
     if (depth == 0 && found)
       result.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray),
                       hit.object};
-    if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar);
+    if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar, tracking);
     // What a ray runs into belongs to the place it comes from, as direct light there.
-    Rgb seen = lamps_met(world, ray, end, from, result.alpha, tally);
-    seen += found ? surface_met(world, ray, hit, from, tally) : sky_met(world, ray, from, tally);
+    Rgb seen = lamps_met(world, ray, end, from, result.alpha, tracking, tally);
+    seen += found ? surface_met(world, ray, hit, from, tracking, tally)
+                  : sky_met(world, ray, from, tracking, tally);
     seen *= throughput;
     const float kept_seen = kept(seen, depth - 1);
     result.radiance += seen * kept_seen;
@@ -147,15 +156,25 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
       const Segment segment = medium->clip(ray, end);
       if (!segment.empty() && segment.end < kFar) {
         const Vec2f distance_u = numbers.pair();
-        const Rgb light = throughput * scattered_light(world, ray, segment, all_lights, choice.x,
-                                                       distance_u.x, numbers.pair(), tally);
+        const Rgb light =
+            throughput * scattered_light(world, ray, segment, all_lights, choice.x, distance_u.x,
+                                         numbers.pair(), tracking, tally);
         const float kept_light = kept(light, depth);
         result.radiance += light * kept_light;
         if (tally) tally->settle_medium(depth, throughput * kept_light);
-        const DistanceSample collision = medium->sample_distance(ray, segment, distance_u.y);
+        const DistanceSample collision =
+            medium->sample_distance(ray, segment, distance_u.y, tracking);
         if (collision.scattered) {
           in_medium = true;
           const Vec3f point = ray.at(collision.distance);
+          if (const Rgb glow = medium->glow(); !is_black(glow)) {
+            const float kept_glow = kept(throughput * glow, depth);
+            result.radiance += throughput * glow * kept_glow;
+            if (tally) {
+              tally->note(LightSet::kNoGroup, glow);
+              tally->settle_medium(depth, throughput * kept_glow);
+            }
+          }
           throughput *= medium->albedo(point);
           unled *= medium->albedo(point);
           ray = {point, medium->sample_phase(ray.direction, scatter_u)};
@@ -177,8 +196,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
               {hit.origin, hit.surface.geometric_normal, hit.object},
               0,
               {all_lights}};
-      const Rgb light =
-          throughput * direct_light(world, hit, bsdf, frame, from, choice.x, light_u, tally);
+      const Rgb light = throughput * direct_light(world, hit, bsdf, frame, from, choice.x, light_u,
+                                                  tracking, tally);
       const float kept_light = kept(light, depth);
       result.radiance += light * kept_light;
       if (tally) tally->settle_surface(depth, throughput * kept_light);

@@ -1,7 +1,7 @@
 // Even haze in a box, with the phase function of Henyey and Greenstein 1941.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
-#include <vug/render/sampling.h>
+#include <vug/render/phase.h>
 
 namespace vug::render {
 namespace {
@@ -51,24 +51,13 @@ class HazeMedium final : public Medium {
   }
 
   Segment clip(const Ray& ray, float end) const override {
-    if (!bounded_) return {0, end};
-    float begin = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float d = ray.direction[axis], o = ray.origin[axis];
-      if (d == 0) {
-        if (o < box_.min[axis] || o > box_.max[axis]) return {0, 0};
-        continue;
-      }
-      const float a = (box_.min[axis] - o) / d, b = (box_.max[axis] - o) / d;
-      begin = std::max(begin, std::min(a, b));
-      end = std::min(end, std::max(a, b));
-    }
-    return {begin, end};
+    return bounded_ ? clipped(box_, ray, end) : Segment{0, end};
   }
-  float transmittance(const Ray&, const Segment& segment) const override {
+  float transmittance(const Ray&, const Segment& segment, TrackingNumbers&) const override {
     return segment.empty() ? 1 : fall(segment.end - segment.begin);
   }
-  DistanceSample sample_distance(const Ray&, const Segment& segment, float u) const override {
+  DistanceSample sample_distance(const Ray&, const Segment& segment, float u,
+                                 TrackingNumbers&) const override {
     if (segment.empty() || !(extinction_ > 0)) return {};
     const double t = -maths::log(1 - static_cast<double>(u)) / static_cast<double>(extinction_);
     const float distance = segment.begin + static_cast<float>(t);
@@ -77,17 +66,11 @@ class HazeMedium final : public Medium {
   float extinction(const Vec3f&) const override { return extinction_; }
   Rgb albedo(const Vec3f&) const override { return albedo_; }
 
-  float phase(float cosine) const override {
-    const float d = 1 + g_ * g_ - 2 * g_ * cosine;
-    return (1 - g_ * g_) / (4 * kPif * d * std::sqrt(d));
-  }
+  float usual_extinction() const override { return extinction_; }
+
+  float phase(float cosine) const override { return henyey_greenstein(g_, cosine); }
   Vec3f sample_phase(const Vec3f& travel, const Vec2f& u) const override {
-    float cosine = 1 - 2 * u.x;
-    if (std::fabs(g_) > 1e-3f) {
-      const float q = (1 - g_ * g_) / (1 + g_ - 2 * g_ * u.x);
-      cosine = std::clamp((1 + g_ * g_ - q * q) / (2 * g_), -1.0f, 1.0f);
-    }
-    return Frame(travel).to_world(direction_at(cosine, u.y));
+    return sample_henyey_greenstein(g_, travel, u);
   }
 
  private:

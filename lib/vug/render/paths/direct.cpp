@@ -6,7 +6,7 @@ namespace {
 
 Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
                const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex, const Vec2f& u,
-               Tally* tally) {
+               TrackingNumbers& numbers, Tally* tally) {
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
   if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
   const Vec3f in = frame.to_local(s.direction);
@@ -21,7 +21,7 @@ Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
                            : chosen.probability * s.pdf;
   const float density = direct + scattering.pdf;
   if (!(density > 0)) return Rgb(0.0f);
-  const float weight = clear_part(world, ray, s.distance) / density;
+  const float weight = clear_part(world, ray, s.distance, numbers) / density;
   if (tally && s.distance == kFar)
     tally->note_sky(world, hit.object, s.direction, f * weight, scattering.diffuse * weight);
   else if (tally)
@@ -33,18 +33,19 @@ Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
 }  // namespace
 
 Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
-                 PathVertex& vertex, float choice, const Vec2f& u, Tally* tally) {
+                 PathVertex& vertex, float choice, const Vec2f& u, TrackingNumbers& numbers,
+                 Tally* tally) {
   if (vertex.odds.all) {
     Rgb sum(0.0f);
     for (const LightId id : world.lights().few())
       if (world.lights().share(id, vertex.point, vertex.odds) > 0)
-        sum += light_from(world, {id, 1, vertex.odds}, hit, bsdf, frame, vertex, u, tally);
+        sum += light_from(world, {id, 1, vertex.odds}, hit, bsdf, frame, vertex, u, numbers, tally);
     return sum;
   }
   const LightChoice chosen = world.lights().choose(vertex.point, choice);
   vertex.odds = chosen.odds;
   if (chosen.light == kNoLight) return Rgb(0.0f);
-  return light_from(world, chosen, hit, bsdf, frame, vertex, u, tally);
+  return light_from(world, chosen, hit, bsdf, frame, vertex, u, numbers, tally);
 }
 
 }  // namespace vug::render

@@ -20,16 +20,17 @@ void explore(const World& world, const Ray& camera_ray, SampleCursor& numbers, i
     const GuidedBsdf::Sample s = bsdf.sample(lobe, numbers.pair());
     if (!(s.scattered.pdf > 0)) return;
     const Vec3f from = hit.surface.position;
-    const bool through = s.scattered.direction.z < 0;
-    ray = {through ? hit.behind : hit.origin, s.direction};
+    const bool passes = s.scattered.direction.z < 0;
+    ray = {passes ? hit.behind : hit.origin, s.direction};
     const float weight = std::fabs(s.scattered.direction.z) / s.scattered.pdf;
     if (!world.intersect(ray, hit)) {
       // The sky counts as far as it is not found by choosing it.
       const LitPoint point{ray.origin, hit.surface.geometric_normal, hit.object};
       const PathVertex vertex{PathVertex::surface, point, s.scattered.pdf,
                               world.lights().choose(point, 0).odds};
+      TrackingNumbers through(numbers.pair());
       training.record(from, ray.direction,
-                      weight * luminance(sky_met(world, ray, vertex, nullptr)));
+                      weight * luminance(sky_met(world, ray, vertex, through, nullptr)));
       return;
     }
     training.record(

@@ -8,7 +8,8 @@ namespace vug::render {
 namespace {
 
 Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
-                   const Segment& segment, float where, const Vec2f& u, Tally* tally) {
+                   const Segment& segment, float where, const Vec2f& u, TrackingNumbers& numbers,
+                   Tally* tally) {
   const Medium& medium = *world.medium();
   // Distances from the foot of the perpendicular, which equiangular sampling is about.
   const Vec3f to = world.lights().centre(chosen.light) - ray.origin;
@@ -18,7 +19,7 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
   const double a = static_cast<double>(segment.begin - foot),
                b = static_cast<double>(segment.end - foot);
   const double angle_a = maths::atan2(a, height), angle_b = maths::atan2(b, height);
-  const double optical = static_cast<double>(medium.extinction(ray.at(segment.begin)));
+  const double optical = static_cast<double>(medium.usual_extinction());
   const double span = b - a;
   const double through = 1 - maths::exp(-optical * span);
   double t = 0;
@@ -36,6 +37,8 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
   const float distance = static_cast<float>(t) + foot;
 
   const LitPoint point{ray.at(distance), Vec3f(0.0f)};
+  const float extinction = medium.extinction(point.position);
+  if (!(extinction > 0)) return Rgb(0.0f);
   const LightSample s = world.lights().sample(chosen.light, point, u);
   if (!(s.pdf > 0) || !(density > 0)) return Rgb(0.0f);
   const Rgb light = unshadowed(world, s, kNoObject);
@@ -49,9 +52,10 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
       if (sky == chosen.light || world.lights().pdf(sky, point, s.direction) > 0) sharing += 1;
   }
   const float pdf = chosen.probability * s.pdf * sharing;
-  const float scattered =
-      medium.extinction(point.position) * medium.phase(dot(ray.direction, s.direction)) *
-      medium.transmittance(ray, {segment.begin, distance}) * clear_part(world, shadow, s.distance);
+  const float scattered = medium.extinction(point.position) *
+                          medium.phase(dot(ray.direction, s.direction)) *
+                          medium.transmittance(ray, {segment.begin, distance}, numbers) *
+                          clear_part(world, shadow, s.distance, numbers);
   const Rgb weight = medium.albedo(point.position) * (scattered / (pdf * density));
   if (tally && s.distance == kFar)
     tally->note_sky(world, kNoObject, s.direction, weight);
@@ -63,18 +67,20 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
 }  // namespace
 
 Rgb scattered_light(const World& world, const Ray& ray, const Segment& segment, bool all,
-                    float choice, float where, const Vec2f& u, Tally* tally) {
+                    float choice, float where, const Vec2f& u, TrackingNumbers& numbers,
+                    Tally* tally) {
   if (all) {
     Rgb sum(0.0f);
     const LightOdds every{true};
     for (const LightId id : world.lights().few())
       if (world.lights().share_along(id, ray, segment, every) > 0)
-        sum += scattered_from(world, {id, 1, every}, ray, segment, where, u, tally);
+        sum += scattered_from(world, {id, 1, every}, ray, segment, where, u, numbers, tally);
     return sum;
   }
   const LightChoice chosen = world.lights().choose_along(ray, segment, choice);
-  return chosen.light == kNoLight ? Rgb(0.0f)
-                                  : scattered_from(world, chosen, ray, segment, where, u, tally);
+  return chosen.light == kNoLight
+             ? Rgb(0.0f)
+             : scattered_from(world, chosen, ray, segment, where, u, numbers, tally);
 }
 
 }  // namespace vug::render

@@ -9,9 +9,9 @@ constexpr float kAlmost = 0.9999f;
 
 }  // namespace
 
-float clear_part(const World& world, const Ray& ray, float end) {
+float clear_part(const World& world, const Ray& ray, float end, TrackingNumbers& numbers) {
   const Medium* medium = world.medium();
-  return medium ? medium->transmittance(ray, medium->clip(ray, end)) : 1;
+  return medium ? medium->transmittance(ray, medium->clip(ray, end), numbers) : 1;
 }
 
 Rgb unshadowed(const World& world, const LightSample& s, uint32_t object) {
@@ -23,7 +23,7 @@ bool shadowed(const World& world, const Ray& ray, float distance) {
 }
 
 Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& from, float& alpha,
-              Tally* tally) {
+              TrackingNumbers& numbers, Tally* tally) {
   Rgb light(0.0f);
   // From a medium, direct sampling finds all of a lamp's light.
   if (from.kind == PathVertex::medium) return light;
@@ -39,7 +39,7 @@ Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& f
           world.lights().share(id, from.point, from.odds) * lamp.pdf(from.point, ray.direction);
       weight = from.pdf / (from.pdf + direct);
     }
-    const Rgb arriving = hit.radiance * (weight * clear_part(world, ray, hit.distance));
+    const Rgb arriving = hit.radiance * (weight * clear_part(world, ray, hit.distance, numbers));
     if (tally) tally->note(world.lights().group(id), arriving);
     light += arriving;
   });
@@ -47,7 +47,7 @@ Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& f
 }
 
 Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVertex& from,
-                Tally* tally) {
+                TrackingNumbers& numbers, Tally* tally) {
   if (is_black(hit.emission) || from.kind == PathVertex::medium) return Rgb(0.0f);
   const LightSet& lights = world.lights();
   const LightId id = lights.emitter(hit.object, hit.triangle);
@@ -57,12 +57,13 @@ Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVe
     const float direct = share > 0 ? share * lights.pdf(id, from.point, ray.direction) : 0;
     weight = from.pdf / (from.pdf + direct);
   }
-  const Rgb arriving = hit.emission * (weight * clear_part(world, ray, hit.distance));
+  const Rgb arriving = hit.emission * (weight * clear_part(world, ray, hit.distance, numbers));
   if (tally) tally->note(lights.group(id), arriving);
   return arriving;
 }
 
-Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, Tally* tally) {
+Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, TrackingNumbers& numbers,
+            Tally* tally) {
   const LightSet& lights = world.lights();
   if (!lights.has_sky()) return Rgb(0.0f);
   float weight = 1;
@@ -74,7 +75,7 @@ Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, Tally* t
     for (const LightId id : lights.sampled_skies())
       if (lights.pdf(id, from.point, ray.direction) > 0) return Rgb(0.0f);
   }
-  weight *= clear_part(world, ray, kFar);
+  weight *= clear_part(world, ray, kFar, numbers);
   if (tally) tally->note_sky(world, from.point.object, ray.direction, Rgb(weight));
   return lights.sky_radiance(ray.direction, from.point.object) * weight;
 }

@@ -19,17 +19,19 @@ struct PathVertex {
 };
 
 /// Emission of lamps between the ray's origin and `end`, as the vertex that the ray comes from
-/// may count it. A lamp that the camera sees is opaque: it sets `alpha` to 1. `tally` may be null.
+/// may count it. A lamp that the camera sees is opaque: it sets `alpha` to 1. `numbers` are for the
+/// way through the medium; `tally` may be null.
 Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& from, float& alpha,
-              Tally* tally);
+              TrackingNumbers& numbers, Tally* tally);
 /// What the surface that the ray meets sends out itself; as with lamps, but it ends the ray.
 Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVertex& from,
-                Tally* tally);
+                TrackingNumbers& numbers, Tally* tally);
 /// The sky, for a ray that escapes.
-Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, Tally* tally);
+Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, TrackingNumbers& numbers,
+            Tally* tally);
 
 /// Part of the light that the medium lets through, up to `end` (may be kFar).
-float clear_part(const World& world, const Ray& ray, float end);
+float clear_part(const World& world, const Ray& ray, float end, TrackingNumbers& numbers);
 /// Light of a sampled light before walls and medium, as far as it lights the object.
 Rgb unshadowed(const World& world, const LightSample& sample, uint32_t object);
 bool shadowed(const World& world, const Ray& ray, float distance);

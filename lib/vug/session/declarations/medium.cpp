@@ -1,19 +1,46 @@
 #include <vug/session/reader.h>
 
 namespace vug::session {
+namespace {
+
+/// `on VOLUME`, where the medium is as dense as a fog; null (with a diagnostic) where it is none.
+VolumePtr read_density(const scene::Declaration& declaration, Reading& reading) {
+  const VolumePtr volume = read_target<VolumePtr>(declaration, reading);
+  if (volume && !volume->fog) {
+    reading.diagnostics.error(declaration.target->where,
+                              "a medium takes its density from a fog, not from a level set",
+                              "volume NAME = fog(...)");
+    return nullptr;
+  }
+  return volume;
+}
+
+}  // namespace
 
 const DeclarationKind& medium_declaration() {
   static const DeclarationKind kind = {
-      family_info("medium", "What fills the air: medium NAME = haze(...).", "medium", ""),
+      family_info("medium",
+                  "What fills the air: medium NAME = haze(...), or where it is as dense as a fog "
+                  "medium NAME on VOLUME { kind cloud }.",
+                  "medium", ""),
       [](const scene::Declaration& declaration, Reading& reading) {
         const Value value = read_family("medium", "", declaration, reading);
+        const VolumePtr volume = declaration.target ? read_density(declaration, reading) : nullptr;
         if (const auto* medium = value.object<render::MediumPtr>()) {
           if (reading.shot.medium)
             reading.diagnostics.error(declaration.where, "a scene has one medium at most");
+          if ((*medium)->hollow() && !declaration.target)
+            reading.diagnostics.error(declaration.where, "this medium needs a density",
+                                      "medium NAME on VOLUME { kind cloud }, or a 'file'");
+          if (volume && !(*medium)->hollow())
+            reading.diagnostics.error(declaration.target->where,
+                                      "this medium has a density of its own", "leave out 'on'");
           reading.shot.medium = *medium;
+          reading.shot.medium_volume = volume;
         }
         return value;
-      }};
+      },
+      "volume"};
   return kind;
 }
 

@@ -1,0 +1,105 @@
+#include <vug/base/error.h>
+#include <vug/volume/density.h>
+#include <vug/volume/grid_access.h>
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::volume {
+namespace {
+
+using openvdb::Coord;
+
+const openvdb::FloatGrid& floats(const Grid& grid) {
+  const auto* found = dynamic_cast<const openvdb::FloatGrid*>(grid.data().grid.get());
+  if (!found)
+    throw Error(ErrorCode::bad_input, fmt::format("the grid '{}' holds {}, a density is float",
+                                                  grid.name(), grid.value_type()));
+  return *found;
+}
+
+}  // namespace
+
+Density::Density(const Grid& source) {
+  const openvdb::FloatGrid& grid = floats(source);
+  const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
+  bounds_.makeEmpty();
+  if (box.empty()) return;
+  // A voxel reaches half-way, by interpolation, to all of its neighbours.
+  const Coord origin = box.min() - Coord(1);
+  const Coord size = box.max() - origin + Coord(2);
+  bricks_ = {(size.x() + kSize - 1) / kSize, (size.y() + kSize - 1) / kSize,
+             (size.z() + kSize - 1) / kSize};
+  const openvdb::Mat4R matrix = grid.transform().baseMap()->getAffineMap()->getMat4().inverse();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) world_to_index_[row][column] = matrix(row, column);
+  for (int axis = 0; axis < 3; ++axis)
+    world_to_index_[3][axis] -= origin[static_cast<size_t>(axis)];
+  const auto accessor = grid.getConstAccessor();
+  for (int z = 0; z < bricks_.z; ++z)
+    for (int y = 0; y < bricks_.y; ++y)
+      for (int x = 0; x < bricks_.x; ++x) {
+        const Coord first = origin + Coord(x * kSize, y * kSize, z * kSize);
+        Brick brick;
+        float most = 0;
+        size_t i = 0;
+        for (int k = 0; k < kStride; ++k)
+          for (int j = 0; j < kStride; ++j)
+            for (int n = 0; n < kStride; ++n) {
+              const float value = accessor.getValue(first + Coord(n, j, k));
+              if (!std::isfinite(value))
+                throw Error(
+                    ErrorCode::bad_input,
+                    fmt::format("the grid '{}' holds values that are not finite", source.name()));
+              brick[i] = std::max(value, 0.0f);
+              most = std::max(most, brick[i++]);
+            }
+        slots_.push_back(most > 0 ? static_cast<int32_t>(values_.size()) : -1);
+        if (!(most > 0)) continue;
+        values_.push_back(brick);
+        most_.push_back(most);
+        for (int corner = 0; corner < 8; ++corner) {
+          const openvdb::Vec3d at = grid.indexToWorld(openvdb::Vec3d(
+              first.x() + (corner & 1 ? kSize : 0), first.y() + (corner & 2 ? kSize : 0),
+              first.z() + (corner & 4 ? kSize : 0)));
+          bounds_.extendBy(Vec3f(static_cast<float>(at.x()), static_cast<float>(at.y()),
+                                 static_cast<float>(at.z())));
+        }
+      }
+}
+
+Vec3f Density::to_index(const Vec3f& world) const { return Vec3f(Vec3d(world) * world_to_index_); }
+
+Vec3f Density::direction_to_index(const Vec3f& world) const {
+  Vec3d out;
+  world_to_index_.multDirMatrix(Vec3d(world), out);
+  return Vec3f(out);
+}
+
+float Density::at(const Vec3f& p) const {
+  const Vec3f low(std::floor(p.x), std::floor(p.y), std::floor(p.z));
+  if (!(low.x >= 0 && low.y >= 0 && low.z >= 0)) return 0;
+  const Vec3i cell(static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(low.z));
+  const int32_t slot = slot_of({cell.x / kSize, cell.y / kSize, cell.z / kSize});
+  if (slot < 0) return 0;
+  const Brick& brick = values_[static_cast<size_t>(slot)];
+  const float* v =
+      brick.data() + (cell.z % kSize * kStride + cell.y % kSize) * kStride + cell.x % kSize;
+  const Vec3f f = p - low;
+  const auto along_x = [&](const float* row) { return row[0] + f.x * (row[1] - row[0]); };
+  const auto in_plane = [&](const float* plane) {
+    const float a = along_x(plane), b = along_x(plane + kStride);
+    return a + f.y * (b - a);
+  };
+  const float a = in_plane(v), b = in_plane(v + kStride * kStride);
+  return a + f.z * (b - a);
+}
+
+uint64_t Density::bytes() const {
+  return values_.size() * sizeof(Brick) + slots_.size() * sizeof(int32_t);
+}
+
+}  // namespace vug::volume
