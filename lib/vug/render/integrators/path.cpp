@@ -228,7 +228,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
         from = {PathVertex::surface, {hit.origin, hit.surface.geometric_normal, hit.object}, 0, {}};
         const float which = next_float(random);
         const Rgb more = throughput * direct_light(world, hit, out, outside, from, which,
-                                                   next_pair(random), tally);
+                                                   next_pair(random), tracking, tally);
         const float kept_more = kept(more, depth + 1);
         result.radiance += more * kept_more;
         if (tally) tally->settle_surface(depth + 1, throughput * kept_more);

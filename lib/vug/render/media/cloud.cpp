@@ -11,7 +11,7 @@
 namespace vug::render {
 namespace {
 
-struct Cloud {
+struct DenseCloud {
   std::filesystem::path file;
   std::string grid;
   double extinction = 1;
@@ -19,24 +19,24 @@ struct Cloud {
   Vec3d emission{0, 0, 0};
   double g = 0.6;
 
-  static void describe(Schema<Cloud>& s) {
+  static void describe(Schema<DenseCloud>& s) {
     s.doc(
          "Fog with the density of a grid: of a .vdb file, or of the volume that it stands on: "
          "medium NAME on VOLUME { kind cloud }.")
         .cite("novak2018volumes")
-        .param("file", &Cloud::file, {.doc = "A .vdb file with a grid of floats."})
-        .param("grid", &Cloud::grid, {.doc = "The grid's name; else the first."})
-        .param("extinction", &Cloud::extinction,
+        .param("file", &DenseCloud::file, {.doc = "A .vdb file with a grid of floats."})
+        .param("grid", &DenseCloud::grid, {.doc = "The grid's name; else the first."})
+        .param("extinction", &DenseCloud::extinction,
                {.doc = "Collisions per metre where the density is 1.",
                 .dimension = Dimension::per_length,
                 .min = 0})
-        .param("albedo", &Cloud::albedo,
+        .param("albedo", &DenseCloud::albedo,
                {.doc = "Share of the collisions that scatter.", .min = 0, .max = 1})
-        .param("emission", &Cloud::emission,
+        .param("emission", &DenseCloud::emission,
                {.doc = "Radiance (W/sr/m^2) of a cloud that nothing shines through; it glows where "
                        "it is dense.",
                 .min = 0})
-        .param("g", &Cloud::g,
+        .param("g", &DenseCloud::g,
                {.doc = "Mean cosine of scattering; above 0 light keeps its direction.",
                 .min = -0.99,
                 .max = 0.99});
@@ -98,7 +98,7 @@ float free_path(TrackingNumbers& numbers) {
 
 class CloudMedium final : public Medium {
  public:
-  explicit CloudMedium(const Cloud& p)
+  explicit CloudMedium(const DenseCloud& p)
       : extinction_(static_cast<float>(p.extinction)),
         albedo_(p.albedo),
         glow_(p.emission),
@@ -200,4 +200,4 @@ class CloudMedium final : public Medium {
 }  // namespace
 }  // namespace vug::render
 
-VUG_RENDER_KIND(cloud, medium, MediumPtr, Cloud, CloudMedium)
+VUG_RENDER_KIND(cloud, medium, MediumPtr, DenseCloud, CloudMedium)
