@@ -69,7 +69,8 @@ Planes planes_of(const Image& picture) {
     if (all.albedo[c].empty()) all.albedo[c].assign(picture.pixel_count(), 0.0f);
     for (size_t p = 0; p < picture.pixel_count(); ++p) {
       float& albedo = all.albedo[c][p];
-      albedo = albedo > kLeastAlbedo ? albedo : 1.0f;
+      // Without a step where rock gets black: a step in light / albedo would show as an outline.
+      albedo = albedo > 0 ? std::max(albedo, kLeastAlbedo) : 1.0f;
       all.colour[c][p] /= albedo;
       all.variance[c][p] /= albedo * albedo;
     }

@@ -1,0 +1,37 @@
+// What the denoiser must not do; how much noise it takes is tested with the renderer.
+#include <gtest/gtest.h>
+#include <vug/image/denoise.h>
+
+#include <cmath>
+
+namespace vug::image {
+namespace {
+
+/// Evenly lit rock that gets black from left to right, with the variance of a noisy picture.
+Image darkening(int width, int height) {
+  Image out(width, height,
+            {"R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B",
+             "variance.R", "variance.G", "variance.B"});
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float albedo = 0.04f - 0.035f * static_cast<float>(x) / static_cast<float>(width - 1);
+      for (size_t c = 0; c < 3; ++c) {
+        out.at(x, y, c) = 0.5f * albedo;
+        out.at(x, y, 7 + c) = albedo;
+        out.at(x, y, 10 + c) = 0.09f * albedo * albedo;
+      }
+      out.at(x, y, 3) = 2;
+      out.at(x, y, 6) = 1;
+    }
+  return out;
+}
+
+TEST(Denoise, DrawsNoOutlineWhereRockGetsBlack) {
+  const Image picture = darkening(96, 24), smooth = denoise(picture);
+  for (int x = 0; x < picture.width; ++x)
+    EXPECT_NEAR(smooth.at(x, 12, 0), picture.at(x, 12, 0), 0.1f * picture.at(x, 12, 0) + 5e-4f)
+        << x;
+}
+
+}  // namespace
+}  // namespace vug::image
