@@ -114,6 +114,12 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
   Rgb absorption(0.0f);                         // of the clear body that the ray is in
   bool within = false;
   const Medium* medium = world.medium();
+  // Adds what one vertex gives; the scale at which the tally settles it.
+  const auto add = [&](const Rgb& light, int depth) {
+    const float part = kept(light, depth);
+    result.radiance += light * part;
+    return throughput * part;
+  };
   for (int depth = 0;; ++depth) {
     const uint32_t first = kCameraDimensions + kBounceDimensions * static_cast<uint32_t>(depth);
     Vec2f begin(0.0f);
@@ -139,10 +145,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
     Rgb seen = lamps_met(world, ray, end, from, result.alpha, tracking, tally);
     seen += found ? surface_met(world, ray, hit, from, tracking, tally)
                   : sky_met(world, ray, from, tracking, tally);
-    seen *= throughput;
-    const float kept_seen = kept(seen, depth - 1);
-    result.radiance += seen * kept_seen;
-    if (tally) tally->settle_met(depth, throughput * kept_seen);
+    const Rgb met_scale = add(throughput * seen, depth - 1);
+    if (tally) tally->settle_met(depth, met_scale);
     if (depth > max_bounces_) break;
 
     const Vec2f choice = numbers.pair();  // which light, which lobe
@@ -159,20 +163,18 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
         const Rgb light =
             throughput * scattered_light(world, ray, segment, all_lights, choice.x, distance_u.x,
                                          numbers.pair(), tracking, tally);
-        const float kept_light = kept(light, depth);
-        result.radiance += light * kept_light;
-        if (tally) tally->settle_medium(depth, throughput * kept_light);
+        const Rgb scale = add(light, depth);
+        if (tally) tally->settle_medium(depth, scale);
         const DistanceSample collision =
             medium->sample_distance(ray, segment, distance_u.y, tracking);
         if (collision.scattered) {
           in_medium = true;
           const Vec3f point = ray.at(collision.distance);
           if (const Rgb glow = medium->glow(); !is_black(glow)) {
-            const float kept_glow = kept(throughput * glow, depth);
-            result.radiance += throughput * glow * kept_glow;
+            const Rgb glow_scale = add(throughput * glow, depth);
             if (tally) {
               tally->note(LightSet::kNoGroup, glow);
-              tally->settle_medium(depth, throughput * kept_glow);
+              tally->settle_medium(depth, glow_scale);
             }
           }
           throughput *= medium->albedo(point);
@@ -198,9 +200,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
               {all_lights}};
       const Rgb light = throughput * direct_light(world, hit, bsdf, frame, from, choice.x, light_u,
                                                   tracking, tally);
-      const float kept_light = kept(light, depth);
-      result.radiance += light * kept_light;
-      if (tally) tally->settle_surface(depth, throughput * kept_light);
+      const Rgb scale = add(light, depth);
+      if (tally) tally->settle_surface(depth, scale);
       const GuidedBsdf::Sample s = bsdf.sample(choice.y, scatter_u);
       if (!(s.scattered.pdf > 0)) break;
       const bool through = s.scattered.direction.z < 0;
@@ -229,9 +230,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
         const float which = next_float(random);
         const Rgb more = throughput * direct_light(world, hit, out, outside, from, which,
                                                    next_pair(random), tracking, tally);
-        const float kept_more = kept(more, depth + 1);
-        result.radiance += more * kept_more;
-        if (tally) tally->settle_surface(depth + 1, throughput * kept_more);
+        const Rgb more_scale = add(more, depth + 1);
+        if (tally) tally->settle_surface(depth + 1, more_scale);
         const float lobe = next_float(random);
         const GuidedBsdf::Sample away = out.sample(lobe, next_pair(random));
         if (!(away.scattered.pdf > 0) || !(away.scattered.direction.z > 0) ||
