@@ -1,5 +1,6 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
+#include <vug/base/parallel.h>
 #include <vug/render/emitters.h>
 
 #include <fmt/format.h>
@@ -61,12 +62,20 @@ struct SphericalTriangle {
   }
 };
 
+/// Uniform over a triangle, as shares of the second and third corner: Heitz 2019, "A low-distortion
+/// map between triangle and square".
+Vec2f on_triangle(const Vec2f& u) {
+  return u.y > u.x ? Vec2f(0.5f * u.x, u.y - 0.5f * u.x) : Vec2f(u.x - 0.5f * u.y, 0.5f * u.y);
+}
+
 }  // namespace
 
 Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), kNone) {
   for (size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
-    if (!object.mesh || object.mesh->triangles.empty() || is_black(object.emission)) continue;
+    const bool varies = object.material && object.material->shines();
+    if (!object.mesh || object.mesh->triangles.empty() || (is_black(object.emission) && !varies))
+      continue;
     if (count_ + object.mesh->triangles.size() > (1u << 28))
       throw Error(ErrorCode::too_large,
                   fmt::format("object '{}' brings the triangles that shine to more than {}",
@@ -75,6 +84,11 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
     parts_.push_back(
         {object.mesh, object.emission, static_cast<uint32_t>(i), static_cast<uint32_t>(count_)});
     count_ += object.mesh->triangles.size();
+    if (!varies) continue;
+    Part& part = parts_.back();
+    part.material = object.material, part.solid = object.solid, part.flat = object.flat;
+    vary_ = true;
+    estimate(part);
   }
 }
 
@@ -97,6 +111,61 @@ Emitters::Corners Emitters::corners(uint32_t number) const {
   return out;
 }
 
+Rgb Emitters::radiance(uint32_t number, float u, float v, float footprint) const {
+  if (number >= count_) return Rgb(0.0f);
+  const Part& part = part_of(number);
+  return radiance_at(part, number - part.first, u, v, footprint);
+}
+
+Rgb Emitters::radiance_at(const Part& part, uint32_t triangle, float u, float v,
+                          float footprint) const {
+  if (!part.material) return part.radiance;
+  const mesh::Mesh& mesh = *part.mesh;
+  const mesh::Triangle& corner = mesh.triangles[triangle];
+  const auto& p = mesh.positions;
+  const Vec3f a = p[corner[0]], ab = p[corner[1]] - a, ac = p[corner[2]] - a, n = cross(ab, ac);
+  const float size = length(n), w = 1 - u - v;
+  if (!(size > 0)) return Rgb(0.0f);
+  Surface surface;
+  surface.position = a + ab * u + ac * v;
+  surface.geometric_normal = surface.shading_normal = n * (1 / size);
+  if (!part.flat && !mesh.normals.empty()) {
+    const Vec3f smooth =
+        mesh.normals[corner[0]] * w + mesh.normals[corner[1]] * u + mesh.normals[corner[2]] * v;
+    if (const float norm = length(smooth); norm > 0) surface.shading_normal = smooth * (1 / norm);
+  }
+  surface.footprint = footprint;
+  surface.mesh = &mesh, surface.triangle = triangle, surface.u = u, surface.v = v;
+  surface.solid = part.solid.get();
+  return part.radiance + part.material->emission(surface);
+}
+
+/// Means over places that fill the triangle evenly (Roberts 2018, "The unreasonable effectiveness
+/// of quasirandom sequences", cite roberts2018sequences): more where triangles are few.
+void Emitters::estimate(Part& part) const {
+  constexpr size_t kAll = 1u << 22, kFewest = 3, kMost = 64;
+  const size_t count = part.mesh->triangles.size();
+  const size_t places = std::clamp(kAll / count, kFewest, kMost);
+  part.luminances.resize(count);
+  parallel_for(
+      count,
+      [&](size_t i) {
+        const auto triangle = static_cast<uint32_t>(i);
+        const Corners t = corners(part.first + triangle);
+        const float apart = std::sqrt(t.area / static_cast<float>(places));
+        float sum = 0;
+        for (size_t k = 0; k < places; ++k) {
+          const auto step = static_cast<double>(k) + 0.5;
+          const double x = step * 0.7548776662466927, y = step * 0.5698402909980532;
+          const Vec2f at = on_triangle(
+              {static_cast<float>(x - std::floor(x)), static_cast<float>(y - std::floor(y))});
+          sum += luminance(radiance_at(part, triangle, at.x, at.y, apart));
+        }
+        part.luminances[i] = sum / static_cast<float>(places);
+      },
+      256);
+}
+
 LightBounds Emitters::bounds(uint32_t number) const {
   const Corners t = corners(number);
   LightBounds out;
@@ -106,7 +175,9 @@ LightBounds Emitters::bounds(uint32_t number) const {
   out.axis = t.normal;
   out.cos_spread = 1;
   out.cos_reach = 0;
-  out.strength = luminance(part_of(number).radiance) * t.area;
+  const Part& part = part_of(number);
+  out.strength =
+      (part.material ? part.luminances[number - part.first] : luminance(part.radiance)) * t.area;
   return out;
 }
 
@@ -116,7 +187,8 @@ LightSample Emitters::sample(uint32_t number, const LitPoint& point, const Vec2f
   LightSample s;
   const Corners t = corners(number);
   if (!t.faces(point.position)) return s;
-  s.radiance = part_of(number).radiance;
+  const Part& part = part_of(number);
+  s.radiance = part.radiance;
   if (!t.is_far(point.position)) {
     const SphericalTriangle seen(point.position, t.a, t.b, t.c);
     if (seen.usable()) {
@@ -125,13 +197,19 @@ LightSample Emitters::sample(uint32_t number, const LitPoint& point, const Vec2f
       if (!(facing > 0)) return s;
       s.distance = dot(t.normal, point.position - t.a) / facing;
       s.pdf = static_cast<float>(1 / seen.area);
+      if (part.material) {
+        const Vec3f on = point.position + s.direction * s.distance - t.a;
+        const float twice = 2 * t.area;
+        const float x = std::clamp(dot(cross(on, t.c - t.a), t.normal) / twice, 0.0f, 1.0f);
+        const float y = std::clamp(dot(cross(t.b - t.a, on), t.normal) / twice, 0.0f, 1 - x);
+        s.radiance = radiance_at(part, number - part.first, x, y, 0);
+      }
       return s;
     }
   }
-  // Heitz 2019, "A low-distortion map between triangle and square".
-  const float x = u.y > u.x ? 0.5f * u.x : u.x - 0.5f * u.y;
-  const float y = u.y > u.x ? u.y - 0.5f * u.x : 0.5f * u.y;
-  const Vec3f to = t.a + (t.b - t.a) * x + (t.c - t.a) * y - point.position;
+  const Vec2f at = on_triangle(u);
+  if (part.material) s.radiance = radiance_at(part, number - part.first, at.x, at.y, 0);
+  const Vec3f to = t.a + (t.b - t.a) * at.x + (t.c - t.a) * at.y - point.position;
   const float squared = dot(to, to);
   s.distance = std::sqrt(squared);
   if (!(s.distance > 0)) return s;

@@ -84,6 +84,13 @@ class LightSet {
     return !linked_ || object == kNoObject || light >= lit_.size() || lit_[light].empty() ||
            lit_[light][object];
   }
+  /// Some triangles shine by their material, which knows how much only at the place: see Emitters.
+  bool emission_varies() const { return emitters_.vary(); }
+  Rgb emission(uint32_t object, uint32_t triangle, float u, float v, float footprint) const {
+    return emitters_.radiance(emitters_.number(object, triangle), u, v, footprint);
+  }
+  /// False for a triangle that was found dark when the tree was made: no choice leads to it.
+  bool can_choose(LightId emitter) const { return emitter_tree_.holds(emitter); }
   /// The id of a triangle that shines.
   LightId emitter(uint32_t object, uint32_t triangle) const {
     return lamp_ids() + emitters_.number(object, triangle);

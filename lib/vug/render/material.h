@@ -46,6 +46,11 @@ class Material {
   /// Bytes of a BsdfMemory that `at` takes.
   virtual size_t memory_bytes() const = 0;
 
+  /// It sends out light by itself, from the outside of what is made of it, as `emission` says:
+  /// radiance (W/sr/m^2), the same in all directions.
+  virtual bool shines() const { return false; }
+  virtual Rgb emission(const Surface& surface) const { return (void)surface, Rgb(0.0f); }
+
   /// Bends the shading normal over small forms, before `at`; false where it stays.
   virtual bool bump(Surface& surface) const { return (void)surface, false; }
   /// Light that was scattered beneath the surface (BsdfSample::beneath) and comes out here; the

@@ -80,6 +80,11 @@ class MixMaterial final : public Material {
   bool bump(Surface& surface) const override {
     return (share_at(surface) < 0.5f ? p_.a : p_.b)->bump(surface);
   }
+  bool shines() const override { return p_.a->shines() || p_.b->shines(); }
+  Rgb emission(const Surface& surface) const override {
+    const float share = share_at(surface);
+    return p_.a->emission(surface) * (1 - share) + p_.b->emission(surface) * share;
+  }
   const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const override {
     if (const Bsdf* a = p_.a->leaving(surface, memory)) return a;
     return p_.b->leaving(surface, memory);

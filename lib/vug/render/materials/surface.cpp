@@ -35,6 +35,9 @@ struct SurfaceParams {
   NumberInput transmission = 0;
   Vec3d tint{1, 1, 1};
   double tint_depth = 1;
+  ColorInput emission = Vec3d(1);
+  NumberInput emission_mask = 1;
+  double emission_radiance = 0;
   NumberInput bump = 0;
   double bump_height = 0.002;
 
@@ -82,6 +85,12 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
               .max = 1,
               .above_min = true})
       .param("tint_depth", &P::tint_depth, positive_length("See tint."))
+      .param("emission_radiance", &P::emission_radiance,
+             {.doc = "Radiance (W/sr/m^2) that the outside sends out where its colour and mask are "
+                     "1: such objects are lamps.",
+              .min = 0})
+      .param("emission", &P::emission, share("Colour of that light."))
+      .param("emission_mask", &P::emission_mask, share("Part of that light: cracks of lava."))
       .param("bump", &P::bump, share("Height of small forms, as a part of bump_height."))
       .param("bump_height", &P::bump_height, any_length("Height of the bump where it is 1."));
 }
@@ -220,6 +229,17 @@ class SurfaceMaterial final : public Material {
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override;
   size_t memory_bytes() const override { return BsdfMemory::bytes<SurfaceBsdf>(); }
   bool bump(Surface& surface) const override;
+  bool shines() const override {
+    return p_.emission_radiance > 0 &&
+           (p_.emission_mask.varying || p_.emission_mask.constant > 0) &&
+           (p_.emission.varying || p_.emission.constant != Vec3d(0));
+  }
+  Rgb emission(const Surface& surface) const override {
+    const SurfaceSpot place(surface);
+    const float part = p_.emission_mask.at(place.spot());
+    if (!(part > 0)) return Rgb(0.0f);
+    return p_.emission.at(place.spot()) * (part * static_cast<float>(p_.emission_radiance));
+  }
   const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const override {
     const SurfaceSpot place(surface);
     return &memory.make<LeavingBsdf>(face_roughness(place.spot()), *face_);

@@ -48,16 +48,23 @@ Rgb lamps_met(const World& world, const Ray& ray, float end, const PathVertex& f
 
 Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVertex& from,
                 TrackingNumbers& numbers, Tally* tally) {
-  if (is_black(hit.emission) || from.kind == PathVertex::medium) return Rgb(0.0f);
   const LightSet& lights = world.lights();
+  Rgb emission = hit.emission;
+  if (lights.emission_varies() && !hit.surface.inside) {
+    // Both ways to find light ask for all detail, or they would not weigh the same function.
+    const float footprint = from.kind == PathVertex::camera ? hit.surface.footprint : 0;
+    emission = lights.emission(hit.object, hit.triangle, hit.surface.u, hit.surface.v, footprint);
+  }
+  if (is_black(emission)) return Rgb(0.0f);
   const LightId id = lights.emitter(hit.object, hit.triangle);
+  if (from.kind == PathVertex::medium && lights.can_choose(id)) return Rgb(0.0f);
   float weight = 1;
   if (from.kind == PathVertex::surface) {
     const float share = lights.share(id, from.point, from.odds);
     const float direct = share > 0 ? share * lights.pdf(id, from.point, ray.direction) : 0;
     weight = from.pdf / (from.pdf + direct);
   }
-  const Rgb arriving = hit.emission * (weight * clear_part(world, ray, hit.distance, numbers));
+  const Rgb arriving = emission * (weight * clear_part(world, ray, hit.distance, numbers));
   if (tally) tally->note(lights.group(id), arriving);
   return arriving;
 }
