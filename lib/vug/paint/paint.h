@@ -2,7 +2,7 @@
 // A mask gives a number between 0 and 1, a paint a linear Rec.709 colour (an albedo).
 #pragma once
 
-#include <vug/base/vec.h>
+#include <vug/base/transform.h>
 #include <vug/field/sampled.h>
 
 #include <functional>
@@ -26,6 +26,7 @@ struct Spot {
   Vec3d position;
   Vec3d normal;
   const field::SampledGrid* solid = nullptr;  ///< The level set whose surface it is, if known.
+  const Transform* to_solid = nullptr;        ///< From here to its space; null: the same.
   const Attributes* attributes = nullptr;     ///< Of the mesh, if known.
   double footprint = 0;  ///< Metres across which one look takes in: finer detail may be left out.
 };

@@ -32,6 +32,13 @@ std::array<Vec3d, kPairs> half_ball() {
 double solid_share(const Spot& spot, double radius) {
   static const std::array<Vec3d, kPairs> kOffsets = half_ball();
   if (!spot.solid) return 0.5;
+  if (spot.to_solid) {
+    Spot there = spot;
+    there.position = spot.to_solid->point(spot.position);
+    there.to_solid = nullptr;
+    const double shrink = maths::pow(std::fabs(spot.to_solid->determinant()), 1.0 / 3);
+    return solid_share(there, radius * shrink);
+  }
   // A point counts in part while the surface is near, or few points would give coarse steps.
   const double soft = std::min(radius / 6, spot.solid->band());
   const auto solid = [&](const Vec3d& p) {

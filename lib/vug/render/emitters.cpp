@@ -14,6 +14,7 @@ struct Emitters::Corners {
   Vec3f a, b, c;
   Vec3f normal;  ///< Unit; zero for a triangle without area.
   float area;
+  float turn;  ///< -1 where an instance mirrors the triangle, which runs clockwise then.
 
   Vec3f middle() const { return (a + b + c) * (1 / 3.0f); }
   /// The distance at which 1 / distance^2 varies by about a quarter over the triangle.
@@ -80,9 +81,14 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
       throw Error(ErrorCode::too_large,
                   fmt::format("object '{}' brings the triangles that shine to more than {}",
                               object.name, 1u << 28));
+    if (object.placing && object.placing->moves())
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format("object '{}' shines and moves, which cannot be rendered", object.name), {},
+          "keep it still, or take its emission away");
     first_[i] = static_cast<uint32_t>(count_);
-    parts_.push_back(
-        {object.mesh, object.emission, static_cast<uint32_t>(i), static_cast<uint32_t>(count_)});
+    parts_.push_back({object.mesh, object.emission, static_cast<uint32_t>(i),
+                      static_cast<uint32_t>(count_), object.placing, object.looks_by_place});
     count_ += object.mesh->triangles.size();
     if (!varies) continue;
     Part& part = parts_.back();
@@ -103,8 +109,13 @@ Emitters::Corners Emitters::corners(uint32_t number) const {
   const Part& part = part_of(number);
   const mesh::Triangle& t = part.mesh->triangles[number - part.first];
   const auto& p = part.mesh->positions;
-  Corners out{p[t[0]], p[t[1]], p[t[2]], Vec3f(0.0f), 0};
-  const Vec3f n = cross(out.b - out.a, out.c - out.a);
+  Corners out{p[t[0]], p[t[1]], p[t[2]], Vec3f(0.0f), 0, 1};
+  if (part.placing) {
+    const Affine place = part.placing->at(0);
+    out.a = place.point(out.a), out.b = place.point(out.b), out.c = place.point(out.c);
+    out.turn = place.determinant() < 0 ? -1.0f : 1.0f;
+  }
+  const Vec3f n = cross(out.b - out.a, out.c - out.a) * out.turn;
   const float size = length(n);
   if (size > 0) out.normal = n * (1 / size);
   out.area = 0.5f * size;
@@ -137,6 +148,14 @@ Rgb Emitters::radiance_at(const Part& part, uint32_t triangle, float u, float v,
   surface.footprint = footprint;
   surface.mesh = &mesh, surface.triangle = triangle, surface.u = u, surface.v = v;
   surface.solid = part.solid.get();
+  if (part.placing) {
+    const Affine place = part.placing->at(0);
+    surface.position = place.point(surface.position);
+    surface.geometric_normal = normalized(place.normal(surface.geometric_normal));
+    surface.shading_normal = normalized(place.normal(surface.shading_normal));
+    surface.placing = part.placing.get();
+    surface.looks_by_place = part.looks_by_place;
+  }
   return part.radiance + part.material->emission(surface);
 }
 
@@ -199,7 +218,7 @@ LightSample Emitters::sample(uint32_t number, const LitPoint& point, const Vec2f
       s.pdf = static_cast<float>(1 / seen.area);
       if (part.material) {
         const Vec3f on = point.position + s.direction * s.distance - t.a;
-        const float twice = 2 * t.area;
+        const float twice = 2 * t.area * t.turn;
         const float x = std::clamp(dot(cross(on, t.c - t.a), t.normal) / twice, 0.0f, 1.0f);
         const float y = std::clamp(dot(cross(t.b - t.a, on), t.normal) / twice, 0.0f, 1 - x);
         s.radiance = radiance_at(part, number - part.first, x, y, 0);

@@ -41,6 +41,8 @@ class Emitters {
     mesh::MeshPtr mesh;
     Rgb radiance;
     uint32_t object, first;
+    PlacingPtr placing;
+    bool looks_by_place = false;
     MaterialPtr material = nullptr;  ///< If it shines; then also:
     std::shared_ptr<const field::SampledGrid> solid = nullptr;
     bool flat = false;

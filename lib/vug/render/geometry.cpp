@@ -9,12 +9,46 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 namespace vug::render {
 namespace {
 
 /// Embree's build splits its work by this number, not by the threads there are.
 constexpr int kBuildSlots = 1;
+
+std::shared_ptr<std::vector<std::array<Vec3f, 3>>> corners_of(const mesh::Mesh& mesh) {
+  auto corners = std::make_shared<std::vector<std::array<Vec3f, 3>>>();
+  corners->reserve(mesh.triangles.size());
+  for (const mesh::Triangle& t : mesh.triangles)
+    corners->push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+  return corners;
+}
+
+float extent_of(const Vec3f& point) {
+  return std::max(std::fabs(point.x), std::max(std::fabs(point.y), std::fabs(point.z)));
+}
+
+/// The space of a mesh that stands in the scene itself.
+struct OwnSpace {
+  static const Vec3f& point(const Vec3f& p) { return p; }
+  static const Vec3f& normal(const Vec3f& n) { return n; }
+  static float turn() { return 1; }
+  static float extent(float size) { return size; }
+};
+
+/// The space of an instance, at the time of a ray.
+struct PlacedSpace {
+  const Placing& placing;
+  Affine to;
+
+  PlacedSpace(const Placing& p, float time) : placing(p), to(p.at(time)) {}
+  Vec3f point(const Vec3f& p) const { return to.point(p); }
+  Vec3f normal(const Vec3f& n) const { return normalized(to.normal(n)); }
+  /// Mirrors turn the way round a triangle over.
+  float turn() const { return to.determinant() < 0 ? -1.0f : 1.0f; }
+  float extent(float size) const { return (size + placing.reach()) * placing.wear(); }
+};
 
 }  // namespace
 
@@ -24,11 +58,20 @@ Vec3f lifted(const Vec3f& point, const Vec3f& normal, float extent) {
 }
 
 struct World::Geometry::Embree {
+  /// The tree of a mesh that instances share.
+  struct Shape {
+    RTCScene scene = nullptr;
+    std::shared_ptr<const Corners> corners;
+    Box3f box;
+  };
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::map<const mesh::Mesh*, Shape> shapes;
 
   ~Embree() {
     if (scene) rtcReleaseScene(scene);
+    for (const auto& each : shapes)
+      if (each.second.scene) rtcReleaseScene(each.second.scene);
     if (device) rtcReleaseDevice(device);
   }
   void check(const char* doing) const {
@@ -38,58 +81,115 @@ struct World::Geometry::Embree {
                 fmt::format("{} failed in the ray tracing library (code {})", doing,
                             static_cast<int>(code)));
   }
+  RTCScene new_scene() const {
+    RTCScene made = rtcNewScene(device);
+    rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_MEDIUM);
+    return made;
+  }
+  void attach(RTCScene to, RTCGeometry geometry, size_t number) const {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(to, geometry, static_cast<unsigned>(number));
+    rtcReleaseGeometry(geometry);
+  }
+  void add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const;
+  void add_instance(const Shape& shape, const Placing& placing, size_t number) const;
+  void build(RTCScene what) const {
+    tbb::task_arena arena(kBuildSlots);
+    arena.execute([&] { rtcJoinCommitScene(what); });
+    check("building the tree of triangles");
+  }
+  const Shape& shape(const Object& object);
 };
+
+void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  // Copies, because Embree reads 16 bytes at the last vertex.
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           sizeof(Vec3f), mesh.positions.size());
+  if (vertices) std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3f));
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.triangles.data(), 0, sizeof(mesh::Triangle),
+                             mesh.triangles.size());
+  attach(to, geometry, number);
+  check("taking in a mesh");
+}
+
+void World::Geometry::Embree::add_instance(const Shape& shape, const Placing& placing,
+                                           size_t number) const {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, shape.scene);
+  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(placing.steps().size()));
+  for (size_t step = 0; step < placing.steps().size(); ++step) {
+    const Affine& to = placing.steps()[step];
+    const float columns[] = {to.x.x, to.x.y, to.x.z, to.y.x,      to.y.y,      to.y.z,
+                             to.z.x, to.z.y, to.z.z, to.origin.x, to.origin.y, to.origin.z};
+    rtcSetGeometryTransform(geometry, static_cast<unsigned>(step), RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            columns);
+  }
+  attach(scene, geometry, number);
+  check("placing an instance");
+}
+
+const World::Geometry::Embree::Shape& World::Geometry::Embree::shape(const Object& object) {
+  const auto [at, is_new] = shapes.try_emplace(object.mesh.get());
+  Shape& shape = at->second;
+  if (is_new) {
+    shape.corners = corners_of(*object.mesh);
+    for (const Vec3f& p : object.mesh->positions) shape.box.extendBy(p);
+    shape.scene = new_scene();
+    add_mesh(shape.scene, *object.mesh, 0);
+    build(shape.scene);
+  }
+  return shape;
+}
 
 World::Geometry::Geometry(const std::vector<Object>& objects)
     : embree_(std::make_unique<Embree>()) {
-  const MaterialPtr grey = make_material("lambert");
   // One instruction set everywhere: wider ones would choose other triangles at exact ties.
   embree_->device = rtcNewDevice("isa=avx2,set_affinity=0,start_threads=0,verbose=0");
   if (!embree_->device)
     throw Error(ErrorCode::internal, "the ray tracing library does not start on this machine");
-  embree_->scene = rtcNewScene(embree_->device);
-  rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);
+  embree_->scene = embree_->new_scene();
   bounds.makeEmpty();
-  for (const Object& object : objects) {
-    if (!object.mesh)
-      throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
-    const mesh::Mesh& mesh = *object.mesh;
-    mesh::validate(mesh, fmt::format("object '{}'", object.name));
-    if (mesh.triangles.empty()) continue;
-    for (const Vec3f& p : mesh.positions) bounds.extendBy(p);
-    Part part{object.mesh,
-              nullptr,
-              nullptr,
-              object.material ? object.material : grey,
-              static_cast<uint32_t>(&object - objects.data()),
-              object.emission,
-              object.solid};
-    if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
-    if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
-      part.colours = colour->values.data();
+  for (const Object& object : objects) add(object, static_cast<uint32_t>(&object - objects.data()));
+  embree_->build(embree_->scene);
+}
 
-    RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Copies, because Embree reads 16 bytes at the last vertex.
-    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                             sizeof(Vec3f), mesh.positions.size());
-    if (vertices)
-      std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3f));
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               mesh.triangles.data(), 0, sizeof(mesh::Triangle),
-                               mesh.triangles.size());
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(parts_.size()));
-    rtcReleaseGeometry(geometry);
-    part.corners.reserve(mesh.triangles.size());
-    for (const mesh::Triangle& t : mesh.triangles)
-      part.corners.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
-    embree_->check("taking in a mesh");
-    parts_.push_back(std::move(part));
+void World::Geometry::add(const Object& object, uint32_t number) {
+  if (!object.mesh)
+    throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
+  const mesh::Mesh& mesh = *object.mesh;
+  if (!embree_->shapes.count(&mesh)) mesh::validate(mesh, fmt::format("object '{}'", object.name));
+  if (mesh.triangles.empty()) return;
+  Part part;
+  part.mesh = object.mesh;
+  part.material = object.material ? object.material : make_material("lambert");
+  part.object = number;
+  part.emission = object.emission;
+  part.solid = object.solid;
+  part.placing = object.placing;
+  part.looks_by_place = object.looks_by_place;
+  if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
+  if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
+    part.colours = colour->values.data();
+  if (object.placing) {
+    const Embree::Shape& shape = embree_->shape(object);
+    part.corners = shape.corners;
+    embree_->add_instance(shape, *object.placing, parts_.size());
+    for (const Affine& to : object.placing->steps())
+      for (int corner = 0; corner < 8; ++corner) {
+        const Box3f& box = shape.box;
+        bounds.extendBy(
+            to.point({corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                      corner & 4 ? box.max.z : box.min.z}));
+      }
+  } else {
+    part.corners = corners_of(mesh);
+    embree_->add_mesh(embree_->scene, mesh, parts_.size());
+    for (const Vec3f& p : mesh.positions) bounds.extendBy(p);
   }
-  tbb::task_arena arena(kBuildSlots);
-  arena.execute([&] { rtcJoinCommitScene(embree_->scene); });
-  embree_->check("building the tree of triangles");
+  parts_.push_back(std::move(part));
 }
 
 World::Geometry::~Geometry() = default;
@@ -106,7 +206,15 @@ bool World::Geometry::intersect(const Ray& ray, Hit& hit) const {
   rtcInitIntersectContext(&context);
   rtcIntersect1(embree_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  fill(parts_[query.hit.geomID], query.hit.primID, ray, hit);
+  if (query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
+    fill(parts_[query.hit.geomID], query.hit.primID, OwnSpace(), ray, hit);
+  } else {
+    const Part& part = parts_[query.hit.instID[0]];
+    fill(part, query.hit.primID, PlacedSpace(*part.placing, query.ray.time), ray, hit);
+    hit.surface.placing = part.placing.get();
+    hit.surface.looks_by_place = part.looks_by_place;
+    hit.surface.time = query.ray.time;
+  }
   return true;
 }
 
@@ -122,10 +230,13 @@ bool World::Geometry::occluded(const Ray& ray, float distance) const {
   return query.tfar < 0;
 }
 
-void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, Hit& hit) const {
+template <class Space>
+void World::Geometry::fill(const Part& part, uint32_t triangle, const Space& space, const Ray& ray,
+                           Hit& hit) const {
   const mesh::Triangle& corner = part.mesh->triangles[triangle];
-  const auto& [a, b, c] = part.corners[triangle];
-  const Vec3f ab = b - a, ac = c - a, n = cross(ab, ac);
+  const std::array<Vec3f, 3>& own = (*part.corners)[triangle];
+  const Vec3f a = space.point(own[0]), b = space.point(own[1]), c = space.point(own[2]);
+  const Vec3f ab = b - a, ac = c - a, n = cross(ab, ac) * space.turn();
 
   // Moeller and Trumbore 1997; barycentric weights are clamped onto the triangle, since Embree
   // may have found it by its edge.
@@ -158,8 +269,9 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
   surface.solid = part.solid.get();
   Vec3f origin = surface.position;
   if (part.normals) {
-    const Vec3f na = part.normals[corner[0]] * side, nb = part.normals[corner[1]] * side,
-                nc = part.normals[corner[2]] * side;
+    const Vec3f na = space.normal(part.normals[corner[0]]) * side;
+    const Vec3f nb = space.normal(part.normals[corner[1]]) * side;
+    const Vec3f nc = space.normal(part.normals[corner[2]]) * side;
     const auto rise = [&](const Vec3f& vertex, const Vec3f& normal) {
       return normal * std::max(0.0f, -dot(surface.position - vertex, normal));
     };
@@ -169,11 +281,7 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Ray& ray, 
     if (size > 0) surface.shading_normal = smooth * (1 / size);
     surface.face(ray.direction);
   }
-  const auto extent = [](const Vec3f& corner_at) {
-    return std::max(std::fabs(corner_at.x),
-                    std::max(std::fabs(corner_at.y), std::fabs(corner_at.z)));
-  };
-  const float size = std::max(extent(a), std::max(extent(b), extent(c)));
+  const float size = space.extent(std::max(extent_of(a), std::max(extent_of(b), extent_of(c))));
   hit.origin = lifted(origin, surface.geometric_normal, size);
   hit.behind = lifted(surface.position, -surface.geometric_normal, size);
   surface.color = Rgb(1.0f);

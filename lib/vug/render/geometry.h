@@ -11,9 +11,11 @@
 
 namespace vug::render {
 
-/// All triangles of a scene. The tree is built by a fixed plan, so that it is the same for any
-/// number of threads; Embree only tells which triangle is nearest, and distance and place on it
-/// are computed here, so that they have the same bits on every machine.
+/// All triangles of a scene. Objects that stand in the scene itself make one tree; each mesh of
+/// instances has a tree of its own, whose places stand in that one. Trees are built by a fixed
+/// plan, so that they are the same for any number of threads; Embree only tells which triangle is
+/// nearest, and distance and place on it are computed here, so that they have the same bits on
+/// every machine.
 struct World::Geometry {
   explicit Geometry(const std::vector<Object>& objects);
   ~Geometry();
@@ -25,20 +27,26 @@ struct World::Geometry {
 
  private:
   struct Embree;
+  /// Of each triangle, side by side: a hit waits for one place in memory, not for four in turn.
+  using Corners = std::vector<std::array<Vec3f, 3>>;
   struct Part {
     mesh::MeshPtr mesh;
+    std::shared_ptr<const Corners> corners;
     const Vec3f* normals = nullptr;
     const float* colours = nullptr;
     MaterialPtr material;
     uint32_t object = 0;
     Rgb emission{0, 0, 0};
     std::shared_ptr<const field::SampledGrid> solid;
-    /// Of each triangle, side by side: a hit waits for one place in memory, not for four in turn.
-    std::vector<std::array<Vec3f, 3>> corners = {};
+    PlacingPtr placing;
+    bool looks_by_place = false;
   };
-  void fill(const Part& part, uint32_t triangle, const Ray& ray, Hit& hit) const;
+  void add(const Object& object, uint32_t number);
+  template <class Space>
+  void fill(const Part& part, uint32_t triangle, const Space& space, const Ray& ray,
+            Hit& hit) const;
 
-  std::vector<Part> parts_;
+  std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.
   std::unique_ptr<Embree> embree_;
 };
 

@@ -1,5 +1,6 @@
 #include <vug/mesh/mesh.h>
 #include <vug/render/input.h>
+#include <vug/render/placing.h>
 
 #include <algorithm>
 
@@ -12,6 +13,15 @@ SurfaceSpot::SurfaceSpot(const Surface& surface) : surface_(surface) {
   spot_.solid = surface.solid;
   spot_.attributes = this;
   spot_.footprint = static_cast<double>(surface.footprint);
+  if (!surface.placing) return;
+  own_ = surface.placing->to_own(surface.time);
+  if (surface.looks_by_place) {
+    spot_.to_solid = &*own_;
+    return;
+  }
+  spot_.position = own_->point(spot_.position);
+  spot_.normal = own_->normal(spot_.normal).normalized();
+  spot_.footprint /= static_cast<double>(surface.placing->stretch());
 }
 
 std::optional<Vec3d> SurfaceSpot::read(std::string_view name) const {

@@ -15,6 +15,8 @@ struct Mesh;
 
 namespace vug::render {
 
+class Placing;
+
 /// What a material may read at a hit.
 struct Surface {
   Vec3f position;
@@ -28,6 +30,9 @@ struct Surface {
   uint32_t triangle = 0;             ///< Of the mesh, and the place on it: shares of the second and
   float u = 0, v = 0;                ///< third corner.
   const field::SampledGrid* solid = nullptr;  ///< The level set that the mesh was made of, if any.
+  const Placing* placing = nullptr;           ///< Of an instance; else null.
+  bool looks_by_place = false;                ///< See Object.
+  float time = 0;                             ///< Of the ray; see Placing.
 
   /// Bends a shading normal back that turns away from the viewer, until it just faces them.
   void face(const Vec3f& travel) {

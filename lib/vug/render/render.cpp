@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <optional>
+#include <set>
 
 namespace vug::render {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 /// Peak of the tree and its building for each triangle: 127, 109 and 105 bytes were measured with
 /// 10^5, 10^6 and 5 10^6 triangles of a wavy ball (growth of the resident set); and its corners.
 constexpr double kTreeBytes = 125 + 36;
+/// An instance in the tree of the scene and among its parts.
+constexpr double kInstanceBytes = 1500;
 
 }  // namespace
 
@@ -50,8 +53,11 @@ double memory_estimate(const Scene& scene, const Options& options, bool whole_fi
   const auto pixels = static_cast<double>(wanted_region(options).pixels());
   double bytes = 4.0 * static_cast<double>(options.layers.channels().size()) * pixels;
   if (whole_film || options.noise > 0) bytes += Film::pixel_bytes(options.layers.gather()) * pixels;
+  std::set<const mesh::Mesh*> shared;
   for (const Object& object : scene.objects) {
     if (!object.mesh) continue;
+    if (object.placing) bytes += kInstanceBytes;
+    if (object.placing && !shared.insert(object.mesh.get()).second) continue;
     bytes += static_cast<double>(sizeof(Vec3f) * object.mesh->positions.size());
     bytes += kTreeBytes * static_cast<double>(object.mesh->triangles.size());
   }

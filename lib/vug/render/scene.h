@@ -6,6 +6,7 @@
 #include <vug/render/light.h>
 #include <vug/render/material.h>
 #include <vug/render/medium.h>
+#include <vug/render/placing.h>
 
 #include <memory>
 #include <string>
@@ -26,6 +27,11 @@ struct Object {
   std::string material_name = "default";  ///< For mattes.
   /// The level set that the mesh was made of, for masks that ask about the rock around a place.
   std::shared_ptr<const field::SampledGrid> solid = nullptr;
+  /// Null: the mesh stands in the scene as it is. Else this is an instance: all that share a mesh
+  /// share its tree, and cost next to no memory of their own.
+  PlacingPtr placing = nullptr;
+  /// Of an instance: its material sees the place it stands at, instead of the mesh's own space.
+  bool looks_by_place = false;
 };
 
 struct Scene {

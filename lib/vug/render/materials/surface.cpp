@@ -10,6 +10,7 @@
 #include <vug/render/lobes/fuzz.h>
 #include <vug/render/lobes/glass.h>
 #include <vug/render/lobes/metal.h>
+#include <vug/render/placing.h>
 
 #include <array>
 #include <variant>
@@ -297,16 +298,19 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
 /// Central differences of the height along the surface.
 bool SurfaceMaterial::bump(Surface& surface) const {
   if (!p_.bump.varying) return false;
-  const auto height = static_cast<float>(p_.bump_height);
+  // An instance is larger or smaller with all of its forms.
+  const bool scaled = surface.placing && !surface.looks_by_place;
+  const float height =
+      static_cast<float>(p_.bump_height) * (scaled ? surface.placing->stretch() : 1);
   const float step = std::max(0.5f * surface.footprint, 0.25f * std::fabs(height));
   const SurfaceSpot place(surface);
   const Vec3f n = surface.shading_normal * (surface.inside ? -1.0f : 1.0f);
   const Frame frame(n);
   const auto slope = [&](const Vec3f& along) {
     paint::Spot there = place.spot();
-    there.position = Vec3d(surface.position + along * step);
+    there.position = place.position(surface.position + along * step);
     const float ahead = p_.bump.at(there);
-    there.position = Vec3d(surface.position - along * step);
+    there.position = place.position(surface.position - along * step);
     return (ahead - p_.bump.at(there)) * height / (2 * step);
   };
   const Vec3f bent = normalized(n - frame.x * slope(frame.x) - frame.y * slope(frame.y));

@@ -1,0 +1,65 @@
+// Where a mesh stands that is shown in other places than its own.
+#pragma once
+
+#include <vug/base/transform.h>
+#include <vug/render/vectors.h>
+
+#include <memory>
+#include <vector>
+
+namespace vug::render {
+
+/// A Transform in single precision, as rays meet it.
+struct Affine {
+  Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  ///< Images of the axes.
+  Vec3f origin{0, 0, 0};
+
+  Affine() = default;
+  explicit Affine(const Transform& t)
+      : x(t.column(0)), y(t.column(1)), z(t.column(2)), origin(t.origin()) {}
+
+  Vec3f vector(const Vec3f& v) const { return x * v.x + y * v.y + z * v.z; }
+  Vec3f point(const Vec3f& p) const { return vector(p) + origin; }
+  float determinant() const { return dot(x, cross(y, z)); }
+  /// Normals of a solid go by the inverse transpose and keep pointing out; not of unit length.
+  Vec3f normal(const Vec3f& n) const {
+    const Vec3f yz = cross(y, z);
+    const Vec3f out = yz * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
+    return dot(x, yz) < 0 ? -out : out;
+  }
+};
+
+/// From a mesh's own space to that of the scene, as an affine map that may mirror and may stretch
+/// unevenly, and may change while the shutter is open.
+class Placing {
+ public:
+  explicit Placing(const Transform& place) : Placing(std::vector<Transform>{place}) {}
+  /// At moments evenly spread from the opening of the shutter to its close; in between, numbers of
+  /// the maps are blended in proportion. Error(bad_input): none.
+  explicit Placing(const std::vector<Transform>& places);
+
+  const std::vector<Affine>& steps() const { return steps_; }
+  bool moves() const { return steps_.size() > 1; }
+  /// `time`: 0 as the shutter opens, 1 as it closes.
+  Affine at(float time) const { return moves() ? between(time) : steps_[0]; }
+
+  /// The way back, for what looks up places of the mesh's own space.
+  Transform to_own(float time) const;
+  /// Lengths here over lengths there, on average over the directions.
+  float stretch() const { return stretch_; }
+  /// Errors of rays that are met in the mesh's own space, in units in the last place of the
+  /// coordinates of a place: that many times those of a mesh that stands in the scene itself.
+  float wear() const { return wear_; }
+  /// Added to these coordinates: where rays go through numbers that large on their way.
+  float reach() const { return reach_; }
+
+ private:
+  Affine between(float time) const;
+
+  std::vector<Affine> steps_;
+  Transform to_own_;
+  float stretch_ = 1, wear_ = 1, reach_ = 0;
+};
+using PlacingPtr = std::shared_ptr<const Placing>;
+
+}  // namespace vug::render
