@@ -2,35 +2,35 @@
 #include "chi2.h"
 
 #include <gtest/gtest.h>
-#include <vug/base/parallel.h>
 #include <vug/base/rng.h>
 #include <vug/render/guiding/guide.h>
+#include <vug/render/sampling.h>
 
 namespace vug::render {
 namespace {
+
+constexpr float kEdge = 0.25f;
 
 Vec2f pair(uint64_t i, uint64_t salt) {
   RandomStream stream{RandomKey(salt).at(i)};
   return {static_cast<float>(stream.uniform()), static_cast<float>(stream.uniform())};
 }
 
-/// A guide that saw light from a narrow cone around `axis`, and some from everywhere.
-Guide taught(const Vec3f& axis, int rounds) {
-  Guide guide(Box3f(Vec3f(-1.0f), Vec3f(1.0f)));
-  const Frame frame(axis);
-  for (int round = 0; round < rounds; ++round) {
-    GuideTraining training(guide);
-    parallel_for(20000, [&](size_t i) {
-      const Vec2f u = pair(i, 1 + static_cast<uint64_t>(round)), v = pair(i, 100);
-      const Vec3f point(2 * v.x - 1, 2 * v.y - 1, 0.3f);
-      const Vec3f direction =
-          i % 4 ? frame.to_world(direction_off_axis(0.01f * u.x, u.y)) : sample_sphere(u);
-      training.record(point, direction, 1);
-    });
-    guide = training.finish();
+/// A floor of 16 m by 16 m, seen evenly, with bright squares of 1 m about the given places.
+std::vector<Sighting> floor_with(const std::vector<Vec3f>& bright, float luminance) {
+  std::vector<Sighting> sightings;
+  for (uint64_t i = 0; i < 40000; ++i) {
+    const Vec2f u = pair(i, 5);
+    const Vec3f point(16 * u.x - 8, 0.01f, 16 * u.y - 8);
+    float seen = 1;
+    for (const Vec3f& b : bright)
+      if (std::fabs(point.x - b.x) < 0.5f && std::fabs(point.z - b.z) < 0.5f) seen = luminance;
+    sightings.push_back({point, {0, 1, 0}, seen});
   }
-  return guide;
+  return sightings;
 }
+
+const Box3f kRoom(Vec3f(-8, 0, -8), Vec3f(8, 8, 8));
 
 TEST(Guide, TurnsAreAngles) {
   for (int i = 0; i < 1000; ++i) {
@@ -41,30 +41,64 @@ TEST(Guide, TurnsAreAngles) {
   }
 }
 
-TEST(Guide, SamplesFollowItsDensity) {
-  const Vec3f axis = normalized(Vec3f(0.3f, 0.9f, -0.4f));
-  const Guide guide = taught(axis, 4);
-  const DirectionTree* tree = guide.at({0.2f, 0.1f, 0.3f});
-  ASSERT_NE(tree, nullptr);
+TEST(Cones, SampleTheirDensity) {
+  Cones cones;
+  cones.add({0.5f, 2, -1}, 0.9f, 3, 7);
+  cones.add({0.2f, 1.5f, -1}, 0.8f, 1, 4);  // overlaps the first
+  cones.add({-3, 0, 0.1f}, 1.5f, 2, 0);
+  cones.settle(0.5f);
+  EXPECT_EQ(cones.name(cones.choose(0.2f)), 7u);
+  EXPECT_EQ(cones.name(cones.choose(0.6f)), 4u);
+  EXPECT_EQ(cones.name(cones.choose(0.9f)), 0u);
   const Chi2 result = chi2(
-      axis, 2, 400000,
+      normalized(Vec3f(0.5f, 2, -1)), 2, 400000,
       [&](int s) {
-        const Vec3f d = tree->sample(pair(static_cast<uint64_t>(s), 7));
-        return DirectionSample{d, static_cast<double>(tree->pdf(d))};
+        const Vec3f d = cones.sample(pair(static_cast<uint64_t>(s), 7));
+        return DirectionSample{d, static_cast<double>(cones.pdf(d))};
       },
-      [&](const Vec3f& d) { return static_cast<double>(tree->pdf(d)); });
+      [&](const Vec3f& d) { return static_cast<double>(cones.pdf(d)); });
   EXPECT_GT(result.p, 0.01);
-  EXPECT_NEAR(result.integral, 1, 2e-3);
-  // Three quarters of the light came from the cone, which has 1/200 of the sphere.
-  double inside = 0;
-  constexpr int kProbes = 1000;
-  for (int i = 0; i < kProbes; ++i) {
-    const Vec2f u = pair(static_cast<uint64_t>(i), 8);
-    inside +=
-        static_cast<double>(tree->pdf(Frame(axis).to_world(direction_off_axis(0.01f * u.x, u.y)))) /
-        kProbes;
+  EXPECT_NEAR(result.integral, 1, 5e-3);
+}
+
+TEST(BrightPatches, AreWhereItIsBright) {
+  const std::vector<Vec3f> bright = {{3, 0, 2}, {-5, 0, -4}};
+  const std::vector<BrightPatch> patches = find_bright_patches(floor_with(bright, 40), kEdge, 8);
+  ASSERT_EQ(patches.size(), 8u);
+  float power = 0;
+  for (const BrightPatch& patch : patches) {
+    float nearest = 100;
+    for (const Vec3f& b : bright) nearest = std::min(nearest, length(patch.centre - b));
+    EXPECT_LT(nearest + patch.radius, 1.4f);
+    power += patch.power;
   }
-  EXPECT_GT(inside * 0.01 * 2 * kPi, 0.6);
+  // Two square metres of 40, and the rims of the cubes; each cube lacks one sighting of eleven.
+  EXPECT_NEAR(power, 80, 20);
+  EXPECT_TRUE(find_bright_patches(floor_with({}, 1), kEdge, 8).empty());
+  EXPECT_TRUE(find_bright_patches({}, kEdge, 8).empty());
+}
+
+TEST(Guide, TurnsToWhatIsInSight) {
+  const Vec3f one(4, 0, 0), other(-4, 0, 0), from(0, 6, 0);
+  const Guide open(floor_with({one, other}, 200), kRoom);
+  ASSERT_FALSE(open.empty());
+  std::vector<Glance> glances;
+  for (uint32_t k = 0; k < open.patches().size(); ++k)
+    for (int i = 0; i < 50; ++i) {
+      glances.push_back({from, k, open.patches()[k].centre.x > 0});
+      glances.push_back({{-7.5f, 1, 7.5f}, k, true});  // from another region
+    }
+  const Guide informed(open, glances);
+  const auto towards = [&](const Guide& guide, const Vec3f& at) {
+    const Cones cones = guide.at(from, {0, -1, 0});
+    return cones.trust() * cones.pdf(normalized(at - from));
+  };
+  // All of 50 against none, each with a prior of the two regions together: p is 25 times more.
+  EXPECT_GT(towards(informed, one) * towards(open, other),
+            3 * towards(informed, other) * towards(open, one));
+  // Patches behind a surface are none of its light.
+  EXPECT_EQ(informed.at(from, {0, 1, 0}).size(), 0u);
+  EXPECT_EQ(Guide().at(from, {0, -1, 0}).trust(), 0);
 }
 
 }  // namespace

@@ -44,6 +44,75 @@ TEST(GuidedPath, HasTheSameMean) {
   EXPECT_LT(std::sqrt(variance), 0.01 * mean[0]);
 }
 
+/// A hall under a narrow shaft in its ceiling that a lamp shines into: all that comes down has been
+/// reflected by the shaft's walls.
+Scene hall_under_a_shaft() {
+  Scene scene;
+  mesh::Mesh walls;
+  const auto quad = [&](Vec3f a, Vec3f b, Vec3f c, Vec3f d) {
+    const auto first = static_cast<uint32_t>(walls.positions.size());
+    for (const Vec3f& p : {a, b, c, d}) walls.positions.push_back(p);
+    walls.triangles.push_back({first, first + 1, first + 2});
+    walls.triangles.push_back({first, first + 2, first + 3});
+  };
+  // A tube of four walls with square ends, open where another tube goes on.
+  const auto tube = [&](float half, float low, float high) {
+    const Vec3f corner[4] = {
+        {-half, 0, -half}, {half, 0, -half}, {half, 0, half}, {-half, 0, half}};
+    const Vec3f up(0, high, 0), down(0, low, 0);
+    for (int i = 0; i < 4; ++i) {
+      const Vec3f a = corner[i], b = corner[(i + 1) % 4];
+      quad(a + down, b + down, b + up, a + up);
+    }
+  };
+  constexpr float kHall = 2, kShaft = 0.4f, kCeiling = 2, kTop = 3.5f;
+  tube(kHall, 0, kCeiling), tube(kShaft, kCeiling, kTop);
+  const auto level = [&](float x0, float x1, float y, float z0, float z1) {
+    quad({x0, y, z0}, {x0, y, z1}, {x1, y, z1}, {x1, y, z0});
+  };
+  level(-kHall, kHall, 0, -kHall, kHall);
+  level(-kHall, kHall, kCeiling, kShaft, kHall), level(-kHall, kHall, kCeiling, -kHall, -kShaft);
+  level(kShaft, kHall, kCeiling, -kShaft, kShaft),
+      level(-kHall, -kShaft, kCeiling, -kShaft, kShaft);
+  level(-kShaft, kShaft, kTop, -kShaft, kShaft);
+  scene.objects.push_back(object(std::move(walls), 0.6));
+  scene.lights.push_back(make_light("rect", {{"center", Vec3d(0.39, 3, 0)},
+                                             {"normal", Vec3d(-1, 0, 0)},
+                                             {"up", Vec3d(0, 1, 0)},
+                                             {"width", 0.2},
+                                             {"height", 0.2},
+                                             {"radiance", Vec3d(100, 100, 100)}}));
+  scene.camera = view({1.8, 1, 1.8}, {-1, 0.5, -1}, 1.2);
+  return scene;
+}
+
+TEST(GuidedPath, FindsWhatIsLitThroughAShaft) {
+  constexpr int kRuns = 4;
+  double mean[2] = {0, 0}, variance[2] = {0, 0};
+  for (int led = 0; led < 2; ++led) {
+    const auto taken = [&](uint64_t seed) {
+      Options o = options(24, 16, 64, 6);
+      o.integrator =
+          make_integrator("path", {{"max_bounces", 6}, {"guide", Value::Name{led ? "on" : "off"}}});
+      o.seed = seed;
+      return render(hall_under_a_shaft(), o);
+    };
+    for (uint64_t run = 0; run < kRuns; ++run) {
+      const image::Image one = taken(2 * run + 1), two = taken(2 * run + 2);
+      for (size_t i = 0; i < one.pixels.size(); i += one.channels.size()) {
+        const auto a = static_cast<double>(one.pixels[i]), b = static_cast<double>(two.pixels[i]);
+        variance[led] += (a - b) * (a - b) / 2;
+        mean[led] += (a + b) / 2;
+      }
+    }
+    const double count = kRuns * 24 * 16;
+    mean[led] /= count, variance[led] /= count;
+  }
+  EXPECT_LT(variance[1], 0.6 * variance[0]);
+  EXPECT_LT(std::fabs(mean[1] - mean[0]),
+            4 * std::sqrt((variance[0] + variance[1]) / (2 * kRuns * 24 * 16)));
+}
+
 TEST(GuidedPath, HasTheSameBytesForAnyNumberOfThreads) {
   const image::Image one = picture("on", 5, 16, 1);
   EXPECT_EQ(one, picture("on", 5, 16, 2));

@@ -1,118 +1,102 @@
 #include <vug/render/guiding/guide.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
 namespace vug::render {
 namespace {
 
-/// A region is halved when so many paths came by: half of them still tell where light comes from.
-constexpr uint64_t kManyRecords = 500;
-constexpr uint64_t kFewRecords = 64;
-constexpr int kDeepestRegion = 30, kDeepestSquare = 10;
-/// Squares that hold more of a region's light than this are cut further.
-constexpr double kShare = 0.01;
+/// Edges of the cubes that brightness is averaged over and of the regions that share what they
+/// see, in parts of the scene's diagonal.
+constexpr float kCube = 1.0f / 64, kRegion = 1.0f / 16;
+/// Where patches give less than this part of all light, they are not worth weighing.
+constexpr float kLeastTrust = 0.02f;
+/// Glances that the mean over all regions counts for in each.
+constexpr float kPrior = 2;
+/// Patches of less than this part of the best one's light are left out.
+constexpr float kFaint = 0.02f;
 
-/// Worth is counted in steps of 2^-32 and cut at 2^16: what is brighter is no better known.
-constexpr float kStep = 0x1p32f, kMostWorth = 0x1p16f;
-
-/// A number in [0, 1) from the bits of a point, different for each `salt`.
-float jitter(const Vec3f& point, uint64_t salt) {
-  uint64_t bits = salt;
-  for (int axis = 0; axis < 3; ++axis) {
-    bits = (bits ^ std::bit_cast<uint32_t>(point[axis])) * 0xbf58476d1ce4e5b9ull;
-    bits ^= bits >> 29;
-  }
-  return static_cast<float>(bits >> 40) * 0x1p-24f;
-}
+float edge_of(const Box3f& bounds) { return std::max(length(bounds.size()), 1e-3f); }
 
 }  // namespace
 
-Guide::Guide(const Box3f& bounds) : bounds_(bounds), nodes_(1), regions_(1) {
-  if (bounds_.isEmpty()) bounds_ = Box3f(Vec3f(-1.0f), Vec3f(1.0f));
-}
-
-Guide::Place Guide::locate(const Vec3f& point) const {
-  Vec3f size = bounds_.size(), within;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float part = size[axis] > 0 ? (point[axis] - bounds_.min[axis]) / size[axis] : 0;
-    within[axis] = std::clamp(part, 0.0f, 0.99999994f);
+Guide::Guide(const std::vector<Sighting>& sightings, const Box3f& bounds)
+    : patches_(find_bright_patches(sightings, kCube * edge_of(bounds), Cones::kMost)),
+      bounds_(bounds) {
+  double mean = 0;
+  for (const Sighting& s : sightings) mean += static_cast<double>(s.luminance);
+  elsewhere_ =
+      kPif * static_cast<float>(mean / std::max(1.0, static_cast<double>(sightings.size())));
+  for (size_t i = 0; i < patches_.size(); ++i) {
+    x_[i] = patches_[i].centre.x, y_[i] = patches_[i].centre.y, z_[i] = patches_[i].centre.z;
+    radius_[i] = patches_[i].radius, power_[i] = patches_[i].power;
   }
-  uint32_t node = 0;
-  for (int axis = 0; nodes_[node].child; axis = axis == 2 ? 0 : axis + 1) {
-    const bool upper = within[axis] >= 0.5f;
-    within[axis] = 2 * within[axis] - (upper ? 1.0f : 0.0f);
-    size[axis] *= 0.5f;
-    node = nodes_[node].child + (upper ? 1u : 0u);
+  chance_.front().fill(1);
+  const Vec3f size = bounds.size() * (1 / (kRegion * edge_of(bounds)));
+  for (int axis = 0; axis < 3; ++axis)
+    regions_[static_cast<size_t>(axis)] = std::max(1, static_cast<int>(std::ceil(size[axis])));
+  row_of_.assign(static_cast<size_t>(regions_[0]) * static_cast<size_t>(regions_[1]) *
+                     static_cast<size_t>(regions_[2]),
+                 0);
+}
+
+Guide::Guide(const Guide& patches, const std::vector<Glance>& glances) : Guide(patches) {
+  std::fill(row_of_.begin(), row_of_.end(), 0);
+  std::vector<Row> reached{Row{}}, tried{Row{}};
+  for (const Glance& glance : glances) {
+    uint32_t& row = row_of_[region(glance.from)];
+    if (row == 0) {
+      row = static_cast<uint32_t>(reached.size());
+      reached.emplace_back(), tried.emplace_back();
+    }
+    for (const uint32_t at : {0u, row}) {
+      tried[at][glance.patch] += 1;
+      reached[at][glance.patch] += glance.reached ? 1.0f : 0.0f;
+    }
   }
-  return {nodes_[node].region, size};
-}
-
-const DirectionTree* Guide::at(const Vec3f& point) const {
-  const Region& region = regions_[locate(point).region];
-  return region.known ? &region.directions : nullptr;
-}
-
-size_t Guide::bytes() const {
-  size_t leaves = 0;
-  for (const Region& region : regions_) leaves += region.directions.leaf_count();
-  return nodes_.size() * sizeof(Node) + leaves * 8;
-}
-
-/// Halves the region of a leaf until each part expects few enough records; all begin with a copy.
-void Guide::halve(uint32_t node, uint64_t records, int depth) {
-  if (records <= kManyRecords || depth >= kDeepestRegion) return;
-  const auto child = static_cast<uint32_t>(nodes_.size());
-  const uint32_t region = nodes_[node].region;
-  nodes_[node].child = child;
-  nodes_.push_back({0, region});
-  nodes_.push_back({0, static_cast<uint32_t>(regions_.size())});
-  regions_.push_back(Region(regions_[region]));
-  halve(child, records / 2, depth + 1);
-  halve(child + 1, records / 2, depth + 1);
-}
-
-GuideTraining::GuideTraining(const Guide& last) : structure_(last) {
-  size_t leaves = 0;
-  for (Guide::Region& region : structure_.regions_) {
-    if (region.known) region.directions = region.directions.recut(kShare, kDeepestSquare);
-    first_.push_back(leaves);
-    leaves += region.directions.leaf_count();
+  chance_.resize(reached.size());
+  for (size_t k = 0; k < Cones::kMost; ++k) {
+    const float usual = (reached[0][k] + 1) / (tried[0][k] + 2);
+    chance_[0][k] = std::sqrt(usual);
+    for (size_t row = 1; row < reached.size(); ++row)
+      chance_[row][k] = std::sqrt((reached[row][k] + kPrior * usual) / (tried[row][k] + kPrior));
   }
-  gathered_ = std::make_unique<std::atomic<int64_t>[]>(leaves);
-  records_ = std::make_unique<std::atomic<uint64_t>[]>(first_.size());
 }
 
-void GuideTraining::record(const Vec3f& point, const Vec3f& direction, float worth) {
-  // Moved by up to half a region, so that neighbours agree along their borders.
-  const Vec3f size = structure_.locate(point).size;
-  const Vec3f moved =
-      point + Vec3f((jitter(point, 1) - 0.5f) * size.x, (jitter(point, 2) - 0.5f) * size.y,
-                    (jitter(point, 3) - 0.5f) * size.z);
-  const uint32_t region = structure_.locate(moved).region;
-  records_[region].fetch_add(1, std::memory_order_relaxed);
-  if (!(worth > 0)) return;
-  const auto steps = static_cast<int64_t>(std::min(worth, kMostWorth) * kStep);
-  const size_t leaf = structure_.regions_[region].directions.leaf(direction);
-  gathered_[first_[region] + leaf].fetch_add(steps, std::memory_order_relaxed);
-}
-
-Guide GuideTraining::finish() const {
-  Guide out = structure_;
-  for (size_t i = 0; i < out.regions_.size(); ++i) {
-    Guide::Region& region = out.regions_[i];
-    std::vector<double> gathered(region.directions.leaf_count());
-    double all = 0;
-    for (size_t leaf = 0; leaf < gathered.size(); ++leaf)
-      all += gathered[leaf] = static_cast<double>(gathered_[first_[i] + leaf].load());
-    region.known = all > 0 && records_[i].load() >= kFewRecords;
-    region.directions = region.directions.weighed(gathered);
+size_t Guide::region(const Vec3f& point) const {
+  const float per_metre = 1 / (kRegion * edge_of(bounds_));
+  size_t index = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    const int count = regions_[static_cast<size_t>(axis)];
+    const float along = std::floor((point[axis] - bounds_.min[axis]) * per_metre);
+    const float kept = std::clamp(along, 0.0f, static_cast<float>(count - 1));
+    index = index * static_cast<size_t>(count) + static_cast<size_t>(kept);
   }
-  const size_t nodes = out.nodes_.size();
-  for (uint32_t node = 0; node < nodes; ++node)
-    if (out.nodes_[node].child == 0) out.halve(node, records_[out.nodes_[node].region].load(), 0);
-  return out;
+  return index;
+}
+
+Cones Guide::at(const Vec3f& point, const Vec3f& normal) const {
+  Cones cones;
+  if (empty()) return cones;
+  const Row& chance = chance_[row_of_[region(point)]];
+  Row light;
+  float most = 0, all = 0;
+  for (size_t i = 0; i < Cones::kMost; ++i) {
+    const float x = x_[i] - point.x, y = y_[i] - point.y, z = z_[i] - point.z;
+    const float square = x * x + y * y + z * z, distance = std::sqrt(square);
+    // The cosine at the point of the ball that is highest over the surface.
+    const float above = x * normal.x + y * normal.y + z * normal.z + radius_[i];
+    const float cosine = std::min(1.0f, std::max(0.0f, above / distance));
+    // From within, or nearly, a ball is everywhere.
+    light[i] = distance > 1.2f * radius_[i] ? power_[i] * chance[i] * cosine / square : 0;
+    most = std::max(most, light[i]);
+    all += light[i];
+  }
+  const float trust = all / (all + elsewhere_);
+  if (!(trust > kLeastTrust)) return cones;
+  for (uint32_t i = 0; i < patches_.size(); ++i)
+    if (light[i] > kFaint * most) cones.add(patches_[i].centre - point, radius_[i], light[i], i);
+  cones.settle(trust);
+  return cones;
 }
 
 }  // namespace vug::render

@@ -1,69 +1,59 @@
-// Where light comes from, for every place of a scene: learned from paths and followed by later
-// ones, so that they find the light that falls in through holes.
+// Where light comes from, for every place of a scene: bright patches of its surfaces, and how much
+// of each is seen from where.
 #pragma once
 
-#include <vug/render/guiding/direction_tree.h>
-#include <vug/render/vectors.h>
+#include <vug/render/guiding/bright_patches.h>
+#include <vug/render/guiding/cones.h>
 
-#include <atomic>
-#include <memory>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace vug::render {
 
-/// Space in regions, halved along x, y and z in turn where many paths come by, and a density over
-/// directions for each: the SD-tree of Mueller, Gross, Novak 2017 (mueller2017guiding).
-class Guide {
- public:
-  /// One region that knows nothing. `bounds` of the scene; points beyond count as on its border.
-  explicit Guide(const Box3f& bounds);
-
-  /// Null where too few paths came by to tell.
-  const DirectionTree* at(const Vec3f& point) const;
-  size_t region_count() const { return regions_.size(); }
-  /// About what it takes, in bytes.
-  size_t bytes() const;
-
- private:
-  friend class GuideTraining;
-  struct Node {
-    uint32_t child = 0;  ///< The first of two nodes beside each other; 0: a leaf.
-    uint32_t region = 0;
-  };
-  struct Region {
-    DirectionTree directions;
-    bool known = false;
-  };
-  struct Place {
-    uint32_t region = 0;
-    Vec3f size;  ///< Of the region, metres.
-  };
-  Place locate(const Vec3f& point) const;
-  void halve(uint32_t node, uint64_t records, int depth);
-
-  Box3f bounds_;
-  std::vector<Node> nodes_;
-  std::vector<Region> regions_;
+/// A look at a patch: from where, at which, and whether the ray got there.
+struct Glance {
+  Vec3f from;
+  uint32_t patch = 0;
+  bool reached = false;
 };
 
-/// One round of learning. `record` may be called by many threads at once and in any order: what is
-/// gathered is counted in integers, so the outcome has the same bits.
-class GuideTraining {
+/// Patches are to paths what lamps are to direct sampling. A place turns to a patch in proportion
+/// to E sqrt(p): E is how much that would light it were nothing between, p the part of glances from
+/// the place's region that got there. Where a patch is in sight with chance p, and then gives E,
+/// that share a makes the expected square of the estimate, the sum of p E^2 / a, least.
+///
+/// p is learned, as in Vevoda, Kondapaneni, Krivanek 2018, "Bayesian online regression for adaptive
+/// direct illumination sampling" (vevoda2018bayesian), here by counting: what is seen of a patch
+/// from anywhere stands in for a few glances that its region has not taken.
+class Guide {
  public:
-  /// Learns into the regions and squares that `last` found worth telling apart.
-  explicit GuideTraining(const Guide& last);
+  /// Knows nothing.
+  Guide() = default;
+  /// Finds the patches of what was seen in a scene of these bounds; believes each to be in sight
+  /// from everywhere.
+  Guide(const std::vector<Sighting>& sightings, const Box3f& bounds);
+  /// The same patches, and what glances tell of them. The order of these does not matter.
+  Guide(const Guide& patches, const std::vector<Glance>& glances);
 
-  /// Light that came to `point` along `direction` (unit, pointing away from the point): what it is
-  /// worth there, over the density with which the direction was chosen; >= 0.
-  void record(const Vec3f& point, const Vec3f& direction, float worth);
-  /// What was learned in this round.
-  Guide finish() const;
+  bool empty() const { return patches_.empty(); }
+  const std::vector<BrightPatch>& patches() const { return patches_; }
+
+  /// Directions to turn to from a surface; `normal` on the side that light leaves on.
+  Cones at(const Vec3f& point, const Vec3f& normal) const;
 
  private:
-  Guide structure_;
-  std::vector<size_t> first_;  ///< For each region the first of its leaves in gathered_.
-  std::unique_ptr<std::atomic<int64_t>[]> gathered_;
-  std::unique_ptr<std::atomic<uint64_t>[]> records_;
+  using Row = std::array<float, Cones::kMost>;  ///< A value for each patch.
+  size_t region(const Vec3f& point) const;
+
+  std::vector<BrightPatch> patches_;
+  // Of patches, each value in a row of its own, so that a place weighs eight at a time.
+  Row x_{}, y_{}, z_{}, radius_{}, power_{};
+  float elsewhere_ = 0;  ///< Irradiance of a usual surface.
+  Box3f bounds_;
+  std::array<int, 3> regions_{1, 1, 1};
+  std::vector<uint32_t> row_of_{0};  ///< Of each region; 0: none took a glance from there.
+  std::vector<Row> chance_{Row{}};   ///< sqrt(p).
 };
 
 }  // namespace vug::render

@@ -1,4 +1,4 @@
-// Unidirectional path tracing with next-event estimation, led by a guide in long renders.
+// Unidirectional path tracing with next-event estimation, led by a guide to bright surfaces.
 #include <vug/render/kind.h>
 #include <vug/render/paths/direct.h>
 #include <vug/render/paths/rehearsal.h>
@@ -32,8 +32,9 @@ struct Path {
                 .above_min = true})
         .choice("guide", &Path::guide,
                 {{"auto", Guided::automatic}, {"on", Guided::on}, {"off", Guided::off}},
-                "Learns first where light comes from, and follows that: less noise where it comes "
-                "over other walls. It pays in long renders, where auto uses it.");
+                "Learns first which surfaces are bright and from where they are seen, and lets "
+                "paths turn to them: less noise where light comes over walls. auto leaves it out "
+                "of tiny pictures.");
   }
 };
 
@@ -46,11 +47,11 @@ constexpr uint32_t kTrackingDimension = 7;  // of a bounce's
 /// of it needs no fine detail.
 constexpr float kBlur = 0.05f;
 
-/// Pictures of so many samples gain from a guide what it takes to learn it (docs/performance.md).
-constexpr uint64_t kLongRender = 40'000'000;
-/// The guide learns from this share of the samples, and at most so many.
-constexpr double kLearning = 0.03;
-constexpr uint64_t kFewestPaths = 1u << 12, kMostPaths = 1u << 22;
+/// Pictures of fewer samples are done before a guide is learned.
+constexpr uint64_t kWorthLearning = 1u << 16;
+/// The guide learns from this part of the samples, and at most so many.
+constexpr double kLearning = 0.04;
+constexpr uint64_t kFewestPaths = 1u << 12, kMostPaths = 1u << 18;
 
 Rgb albedo_of(const Hit& hit, const Ray& ray) {
   const Frame frame(hit.surface.shading_normal);
@@ -69,24 +70,25 @@ class PathIntegrator final : public Integrator {
   std::shared_ptr<const Integrator> rehearsed(const Rehearsal& rehearsal,
                                               Progress& progress) const override {
     if (guided_ == Guided::off || max_bounces_ < 1) return nullptr;
-    if (guided_ == Guided::automatic && rehearsal.samples < kLongRender) return nullptr;
+    if (guided_ == Guided::automatic && rehearsal.samples < kWorthLearning) return nullptr;
     const auto share = static_cast<uint64_t>(kLearning * static_cast<double>(rehearsal.samples));
-    const auto gather = [&](const Ray& ray, SampleCursor& numbers, Trail& trail) {
-      trail.learn(walk(rehearsal.world, ray, numbers, nullptr, &trail).radiance);
+    const auto gather = [&](const Ray& ray, SampleCursor& numbers, const Guide& guide,
+                            Trail& trail) {
+      trail.learn(walk(rehearsal.world, ray, numbers, nullptr, guide, &trail).radiance);
     };
     auto led = std::make_shared<PathIntegrator>(*this);
-    led->guide_ = std::make_shared<const Guide>(learn_guide(
-        rehearsal, std::clamp(share, kFewestPaths, kMostPaths), max_bounces_, gather, progress));
+    led->guide_ =
+        learn_guide(rehearsal, std::clamp(share, kFewestPaths, kMostPaths), gather, progress);
     return led;
   }
   PathResult trace(const World& world, const Ray& camera_ray, SampleCursor& numbers,
                    Tally* tally) const override {
-    return walk(world, camera_ray, numbers, tally, nullptr);
+    return walk(world, camera_ray, numbers, tally, guide_, nullptr);
   }
 
  private:
   PathResult walk(const World& world, const Ray& camera_ray, SampleCursor& numbers, Tally* tally,
-                  Trail* trail) const;
+                  const Guide& guide, Trail* trail) const;
 
   /// Which part of the light of one vertex may go into the picture: all while the camera sees it
   /// itself.
@@ -100,11 +102,11 @@ class PathIntegrator final : public Integrator {
   bool roulette_;
   Guided guided_;
   float most_;
-  std::shared_ptr<const Guide> guide_;
+  Guide guide_;
 };
 
 PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, SampleCursor& numbers,
-                                Tally* tally, Trail* trail) const {
+                                Tally* tally, const Guide& guide, Trail* trail) const {
   PathResult result;
   Ray ray = camera_ray;
   Rgb throughput(1.0f);
@@ -191,9 +193,9 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
       const Frame frame(hit.surface.shading_normal);
       BsdfMemory memory;
       const Bsdf& own = hit.material->at(hit.surface, frame.to_local(-ray.direction), memory);
-      const GuidedBsdf bsdf(own, frame, guide_ ? guide_->at(hit.surface.position) : nullptr);
-      if (trail)
-        trail->add(hit.surface.position, hit.surface.geometric_normal, throughput, result.radiance);
+      const Cones bright = guide.at(hit.surface.position, hit.surface.shading_normal);
+      const GuidedBsdf bsdf(own, frame, bright);
+      if (trail) trail->add(hit.origin, hit.surface.geometric_normal, throughput, result.radiance);
       from = {PathVertex::surface,
               {hit.origin, hit.surface.geometric_normal, hit.object},
               0,
@@ -224,8 +226,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
         BsdfMemory place;
         const Bsdf* leaving = hit.material->leaving(hit.surface, place);
         if (!leaving) break;
-        const GuidedBsdf out(*leaving, outside,
-                             guide_ ? guide_->at(hit.surface.position) : nullptr);
+        const Cones around = guide.at(hit.surface.position, hit.surface.shading_normal);
+        const GuidedBsdf out(*leaving, outside, around);
         from = {PathVertex::surface, {hit.origin, hit.surface.geometric_normal, hit.object}, 0, {}};
         const float which = next_float(random);
         const Rgb more = throughput * direct_light(world, hit, out, outside, from, which,

@@ -2,21 +2,22 @@
 #pragma once
 
 #include <vug/render/bsdf.h>
-#include <vug/render/guiding/direction_tree.h>
+#include <vug/render/guiding/cones.h>
 
 namespace vug::render {
 
 /// One-sample mixture of the Bsdf's own density and the guide's (Mueller, Gross, Novak 2017,
-/// section 3.5, mueller2017guiding); the Bsdf alone where there is no guide.
+/// "Practical path guiding for efficient light-transport simulation", section 3.5,
+/// mueller2017guiding); the Bsdf alone where the guide knows nothing.
 class GuidedBsdf {
  public:
-  GuidedBsdf(const Bsdf& bsdf, const Frame& frame, const DirectionTree* guide)
-      : bsdf_(bsdf), frame_(frame), guide_(guide), share_(guide ? bsdf.guided() : 0) {}
+  GuidedBsdf(const Bsdf& bsdf, const Frame& frame, const Cones& guide)
+      : bsdf_(bsdf), frame_(frame), guide_(guide), share_(bsdf.guided() * guide.trust()) {}
 
   /// `direction` is the world's, `in` the same in the frame.
   Scattering evaluate(const Vec3f& in, const Vec3f& direction) const {
     Scattering s = bsdf_.evaluate(in);
-    if (share_ > 0) s.pdf += share_ * (guide_->pdf(direction) - s.pdf);
+    if (share_ > 0) s.pdf += share_ * (guide_.pdf(direction) - s.pdf);
     return s;
   }
 
@@ -36,7 +37,7 @@ class GuidedBsdf {
     Vec3f in;
     const Bsdf* body = nullptr;
     if (lobe < share_) {
-      out.direction = guide_->sample(u);
+      out.direction = guide_.sample(u);
       in = frame_.to_local(out.direction);
     } else {
       const BsdfSample own = bsdf_.sample((lobe - share_) / (1 - share_), u);
@@ -46,7 +47,7 @@ class GuidedBsdf {
       out.direction = frame_.to_world(in);
     }
     const Scattering s = bsdf_.evaluate(in);
-    const float pdf = s.pdf + share_ * (guide_->pdf(out.direction) - s.pdf);
+    const float pdf = s.pdf + share_ * (guide_.pdf(out.direction) - s.pdf);
     const Rgb f = s.total();
     if (!(s.pdf > 0 && pdf > 0) || is_black(f)) return out;
     out.scattered = {in, f * (1 / pdf), s.diffuse * (1 / pdf), pdf, body};
@@ -58,7 +59,7 @@ class GuidedBsdf {
  private:
   const Bsdf& bsdf_;
   const Frame& frame_;
-  const DirectionTree* guide_;
+  const Cones& guide_;
   float share_;
 };
 

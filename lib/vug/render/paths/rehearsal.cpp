@@ -1,7 +1,7 @@
 #include <vug/base/parallel.h>
 #include <vug/render/camera.h>
-#include <vug/render/paths/explore.h>
 #include <vug/render/paths/rehearsal.h>
+#include <vug/render/sampling.h>
 #include <vug/render/world.h>
 
 #include <algorithm>
@@ -9,53 +9,102 @@
 namespace vug::render {
 namespace {
 
-/// Rounds of looking, each with twice the paths of the one before and led by it.
+/// Rounds of gathering, each with twice the paths of the one before and led by it: what few paths
+/// come to by chance, many come to in the next.
 constexpr int kRounds = 3;
-/// Edge of the cubes in which brightness is averaged, in parts of the scene's diagonal.
-constexpr float kCube = 1.0f / 128;
+constexpr size_t kChunk = 256;
+/// Glances are taken from so many places for each path of a round, evenly over all sightings.
+constexpr double kPlaces = 0.5;
 
-/// Calls with(ray, numbers) for camera rays all over the picture; `salt` tells rounds apart.
-template <class With>
-void for_camera_rays(const Rehearsal& rehearsal, uint64_t paths, uint64_t salt, Progress& progress,
-                     const With& with) {
-  constexpr uint64_t kChunk = 256;
-  parallel_for((paths + kChunk - 1) / kChunk, [&](size_t chunk) {
+SampleId sample_id(const Rehearsal& rehearsal, uint64_t salt, size_t index, size_t count) {
+  SampleId id;
+  id.seed = rehearsal.seed ^ (0x6775696465ull + salt);
+  id.spp = static_cast<uint32_t>(count);
+  id.index = static_cast<uint32_t>(index);
+  return id;
+}
+
+/// What `paths` camera rays all over the picture see, in their order.
+void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Guide& guide,
+           const TrailedPath& gather, Progress& progress, std::vector<Sighting>& sightings) {
+  std::vector<std::vector<Sighting>> chunks((paths + kChunk - 1) / kChunk);
+  parallel_for(chunks.size(), [&](size_t chunk) {
     progress.check();
-    SampleId id;
-    id.spp = static_cast<uint32_t>(paths);
-    id.seed = rehearsal.seed ^ (0x6775696465ull + salt);
-    const uint64_t end = std::min(paths, (chunk + 1) * kChunk);
-    for (uint64_t index = chunk * kChunk; index < end; ++index) {
-      id.index = static_cast<uint32_t>(index);
-      SampleCursor numbers(rehearsal.sampler, id);
+    const size_t end = std::min(paths, (chunk + 1) * kChunk);
+    for (size_t index = chunk * kChunk; index < end; ++index) {
+      SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, salt, index, paths));
       const Vec2f film = numbers.pair(), lens = numbers.pair();
-      with(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers);
+      Trail trail(chunks[chunk]);
+      gather(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers, guide, trail);
     }
   });
+  for (const std::vector<Sighting>& chunk : chunks)
+    sightings.insert(sightings.end(), chunk.begin(), chunk.end());
+}
+
+/// Looks from places that paths came to at patches: half of the time at one that would light the
+/// place, half at any, since what is thought to be hidden may be seen from here.
+std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64_t salt,
+                                 const Guide& guide, const std::vector<Sighting>& sightings,
+                                 Progress& progress) {
+  const size_t step = std::max<size_t>(1, sightings.size() / std::max<size_t>(most, 1));
+  const size_t places = sightings.size() / step;
+  const std::vector<BrightPatch>& patches = guide.patches();
+  std::vector<Glance> glances(2 * places);
+  std::vector<char> taken(2 * places, 0);
+  parallel_for(
+      places,
+      [&](size_t place) {
+        progress.check();
+        const Sighting& at = sightings[place * step];
+        SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, salt, place, places));
+        const Cones cones = guide.at(at.point, at.normal);
+        for (size_t i = 2 * place; i < 2 * place + 2; ++i) {
+          const Vec2f which = numbers.pair(), u = numbers.pair();
+          auto patch = static_cast<uint32_t>(which.x * static_cast<float>(patches.size()));
+          if (i % 2 == 0) {
+            if (cones.size() == 0) continue;
+            patch = cones.name(cones.choose(which.x));
+          }
+          const Vec3f to = patches[patch].centre - at.point;
+          if (!(length(to) > patches[patch].radius)) continue;
+          Cones only;
+          only.add(to, patches[patch].radius, 1, patch);
+          only.settle(1);
+          const Vec3f direction = only.sample(u);
+          if (!(dot(direction, at.normal) > 0)) continue;
+          Hit hit;
+          const bool found = rehearsal.world.intersect({at.point, direction}, hit);
+          const bool reached = found && length(hit.surface.position - patches[patch].centre) <=
+                                            patches[patch].radius;
+          glances[i] = {at.point, patch, reached};
+          taken[i] = 1;
+        }
+      },
+      64);
+  size_t kept = 0;
+  for (size_t i = 0; i < glances.size(); ++i)
+    if (taken[i]) glances[kept++] = glances[i];
+  glances.resize(kept);
+  return glances;
 }
 
 }  // namespace
 
-Guide learn_guide(const Rehearsal& rehearsal, uint64_t paths, int max_bounces,
-                  const TrailedPath& gather, Progress& progress) {
-  const World& world = rehearsal.world;
-  progress.begin("learning where light comes from", kRounds + 2);
-  RadianceCache brightness(std::max(world.bounds().size().length(), 1e-3f) * kCube);
-  for_camera_rays(rehearsal, paths, 0, progress, [&](const Ray& ray, SampleCursor& numbers) {
-    Trail trail(brightness);
-    gather(ray, numbers, trail);
-  });
-  progress.advance(2);
-  Guide guide(world.bounds());
+Guide learn_guide(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gather,
+                  Progress& progress) {
+  progress.begin("learning where light comes from", 2 * kRounds);
+  std::vector<Sighting> sightings;
+  Guide guide;
   for (int round = 0; round < kRounds; ++round) {
-    GuideTraining training(guide);
-    const Guide* leader = round > 0 ? &guide : nullptr;
-    for_camera_rays(rehearsal, std::max<uint64_t>((paths << round) >> kRounds, 1),
-                    1 + static_cast<uint64_t>(round), progress,
-                    [&](const Ray& ray, SampleCursor& numbers) {
-                      explore(world, ray, numbers, max_bounces, leader, brightness, training);
-                    });
-    guide = training.finish();
+    const auto salt = static_cast<uint64_t>(2 * round);
+    watch(rehearsal, std::max<size_t>(1, (paths << round) >> kRounds), salt, guide, gather,
+          progress, sightings);
+    progress.advance();
+    guide = Guide(sightings, rehearsal.world.bounds());
+    if (!guide.empty())
+      guide = Guide(guide, glance_about(rehearsal, static_cast<size_t>(kPlaces * double(paths)),
+                                        salt + 1, guide, sightings, progress));
     progress.advance();
   }
   progress.end();

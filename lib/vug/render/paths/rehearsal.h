@@ -9,12 +9,12 @@
 
 namespace vug::render {
 
-/// How a path gathers light, which it tells the trail.
-using TrailedPath = std::function<void(const Ray&, SampleCursor&, Trail&)>;
+/// How a path gathers light, led by a guide that may know nothing yet; it tells the trail.
+using TrailedPath = std::function<void(const Ray&, SampleCursor&, const Guide&, Trail&)>;
 
-/// A guide for the picture, learned from `paths` gathering paths, which tell how bright surfaces
-/// are, and about as many that only look where the brightness is. Error(cancelled).
-Guide learn_guide(const Rehearsal& rehearsal, uint64_t paths, int max_bounces,
-                  const TrailedPath& gather, Progress& progress);
+/// A guide for the picture, learned from so many paths. It is empty where no surface is much
+/// brighter than others. Error(cancelled).
+Guide learn_guide(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gather,
+                  Progress& progress);
 
 }  // namespace vug::render

@@ -1,17 +1,18 @@
 // What a path learns about how bright the surfaces are that it comes by.
 #pragma once
 
-#include <vug/render/guiding/radiance_cache.h>
+#include <vug/render/guiding/sighting.h>
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace vug::render {
 
 /// The surfaces of one path: each sent back all light that the path gathers from there on.
 class Trail {
  public:
-  explicit Trail(RadianceCache& cache) : cache_(cache) {}
+  explicit Trail(std::vector<Sighting>& sightings) : sightings_(sightings) {}
 
   /// The path arrives with `throughput`, and has gathered `so_far` until now.
   void add(const Vec3f& point, const Vec3f& normal, const Rgb& throughput, const Rgb& so_far) {
@@ -25,7 +26,7 @@ class Trail {
       for (int k = 0; k < 3; ++k)
         if (place.throughput[k] > 0)
           left[k] = std::max(0.0f, all[k] - place.so_far[k]) / place.throughput[k];
-      cache_.record(place.point, place.normal, luminance(left));
+      sightings_.push_back({place.point, place.normal, luminance(left)});
     }
   }
 
@@ -34,7 +35,7 @@ class Trail {
     Vec3f point, normal;
     Rgb throughput, so_far;
   };
-  RadianceCache& cache_;
+  std::vector<Sighting>& sightings_;
   std::array<Place, 32> places_;
   size_t count_ = 0;
 };
