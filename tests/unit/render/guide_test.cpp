@@ -43,9 +43,12 @@ TEST(Guide, TurnsAreAngles) {
 
 TEST(Cones, SampleTheirDensity) {
   Cones cones;
-  cones.add({0.5f, 2, -1}, 0.9f, 3, 7);
-  cones.add({0.2f, 1.5f, -1}, 0.8f, 1, 4);  // overlaps the first
-  cones.add({-3, 0, 0.1f}, 1.5f, 2, 0);
+  const auto add = [&](const Vec3f& to, float radius, float share, uint32_t name) {
+    cones.add(normalized(to), Cones::opening(radius / length(to)), share, name);
+  };
+  add({0.5f, 2, -1}, 0.9f, 3, 7);
+  add({0.2f, 1.5f, -1}, 0.8f, 1, 4);  // overlaps the first
+  add({-3, 0, 0.1f}, 1.5f, 2, 0);
   cones.settle(0.5f);
   EXPECT_EQ(cones.name(cones.choose(0.2f)), 7u);
   EXPECT_EQ(cones.name(cones.choose(0.6f)), 4u);

@@ -3,16 +3,6 @@
 
 namespace vug::render {
 
-void Cones::add(const Vec3f& to, float radius, float share, uint32_t name) {
-  const float distance = length(to), sine = std::min(radius / distance, 1.0f);
-  x_[size_] = to.x / distance, y_[size_] = to.y / distance, z_[size_] = to.z / distance;
-  open_[size_] = sine * sine / (1 + std::sqrt(1 - sine * sine));
-  density_[size_] = share;
-  names_[size_] = name;
-  until_[size_] = share + (size_ > 0 ? until_[size_ - 1] : 0);
-  ++size_;
-}
-
 void Cones::settle(float trust) {
   if (size_ == 0) return;
   trust_ = trust;

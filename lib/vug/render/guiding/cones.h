@@ -3,6 +3,7 @@
 
 #include <vug/render/vectors.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +16,19 @@ class Cones {
   static constexpr size_t kMost = 32;
 
   size_t size() const { return size_; }
-  /// A cone around the ball of that radius that lies at `to`, which is longer than the radius;
-  /// share > 0. `name` is the caller's.
-  void add(const Vec3f& to, float radius, float share, uint32_t name);
+  /// One minus the cosine at the rim of the cone around a ball; sine: its radius over the distance
+  /// of its centre, <= 1.
+  static float opening(float sine) {
+    const float square = sine * sine;
+    return square / (1 + std::sqrt(std::max(0.0f, 1 - square)));
+  }
+  /// At most kMost; axis: unit; opening, share > 0. `name` is the caller's.
+  void add(const Vec3f& axis, float opening, float share, uint32_t name) {
+    x_[size_] = axis.x, y_[size_] = axis.y, z_[size_] = axis.z;
+    open_[size_] = opening, density_[size_] = share, names_[size_] = name;
+    until_[size_] = share + (size_ > 0 ? until_[size_ - 1] : 0);
+    ++size_;
+  }
   /// Makes the shares parts of one, and sets how much of all sampling is theirs.
   void settle(float trust);
   /// 0 to 1; 0 without cones.
@@ -42,7 +53,7 @@ class Cones {
   }
 
  private:
-  // The axis; one minus the cosine at the rim; the density; the sum of shares up to this cone.
+  // The axis; the opening; the density; the sum of shares up to this cone.
   std::array<float, kMost> x_, y_, z_, open_, density_, until_;
   std::array<uint32_t, kMost> names_;
   size_t size_ = 0;

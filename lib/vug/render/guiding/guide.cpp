@@ -31,7 +31,8 @@ Guide::Guide(const std::vector<Sighting>& sightings, const Box3f& bounds)
     radius_[i] = patches_[i].radius, power_[i] = patches_[i].power;
   }
   chance_.front().fill(1);
-  const Vec3f size = bounds.size() * (1 / (kRegion * edge_of(bounds)));
+  regions_per_metre_ = 1 / (kRegion * edge_of(bounds));
+  const Vec3f size = bounds.size() * regions_per_metre_;
   for (int axis = 0; axis < 3; ++axis)
     regions_[static_cast<size_t>(axis)] = std::max(1, static_cast<int>(std::ceil(size[axis])));
   row_of_.assign(static_cast<size_t>(regions_[0]) * static_cast<size_t>(regions_[1]) *
@@ -63,11 +64,10 @@ Guide::Guide(const Guide& patches, const std::vector<Glance>& glances) : Guide(p
 }
 
 size_t Guide::region(const Vec3f& point) const {
-  const float per_metre = 1 / (kRegion * edge_of(bounds_));
   size_t index = 0;
   for (int axis = 2; axis >= 0; --axis) {
     const int count = regions_[static_cast<size_t>(axis)];
-    const float along = std::floor((point[axis] - bounds_.min[axis]) * per_metre);
+    const float along = std::floor((point[axis] - bounds_.min[axis]) * regions_per_metre_);
     const float kept = std::clamp(along, 0.0f, static_cast<float>(count - 1));
     index = index * static_cast<size_t>(count) + static_cast<size_t>(kept);
   }
@@ -78,23 +78,25 @@ Cones Guide::at(const Vec3f& point, const Vec3f& normal) const {
   Cones cones;
   if (empty()) return cones;
   const Row& chance = chance_[row_of_[region(point)]];
-  Row light;
-  float most = 0, all = 0;
+  Row light, x, y, z, opening;
   for (size_t i = 0; i < Cones::kMost; ++i) {
-    const float x = x_[i] - point.x, y = y_[i] - point.y, z = z_[i] - point.z;
-    const float square = x * x + y * y + z * z, distance = std::sqrt(square);
+    x[i] = x_[i] - point.x, y[i] = y_[i] - point.y, z[i] = z_[i] - point.z;
+    const float square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+    const float distance = std::sqrt(square), scale = 1 / distance;
     // The cosine at the point of the ball that is highest over the surface.
-    const float above = x * normal.x + y * normal.y + z * normal.z + radius_[i];
-    const float cosine = std::min(1.0f, std::max(0.0f, above / distance));
+    const float above = x[i] * normal.x + y[i] * normal.y + z[i] * normal.z + radius_[i];
+    const float cosine = std::min(1.0f, std::max(0.0f, above * scale));
+    x[i] *= scale, y[i] *= scale, z[i] *= scale;
+    opening[i] = Cones::opening(radius_[i] * scale);
     // From within, or nearly, a ball is everywhere.
     light[i] = distance > 1.2f * radius_[i] ? power_[i] * chance[i] * cosine / square : 0;
-    most = std::max(most, light[i]);
-    all += light[i];
   }
+  float most = 0, all = 0;
+  for (const float each : light) most = std::max(most, each), all += each;
   const float trust = all / (all + elsewhere_);
   if (!(trust > kLeastTrust)) return cones;
   for (uint32_t i = 0; i < patches_.size(); ++i)
-    if (light[i] > kFaint * most) cones.add(patches_[i].centre - point, radius_[i], light[i], i);
+    if (light[i] > kFaint * most) cones.add({x[i], y[i], z[i]}, opening[i], light[i], i);
   cones.settle(trust);
   return cones;
 }

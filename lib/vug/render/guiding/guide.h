@@ -51,6 +51,7 @@ class Guide {
   Row x_{}, y_{}, z_{}, radius_{}, power_{};
   float elsewhere_ = 0;  ///< Irradiance of a usual surface.
   Box3f bounds_;
+  float regions_per_metre_ = 1;
   std::array<int, 3> regions_{1, 1, 1};
   std::vector<uint32_t> row_of_{0};  ///< Of each region; 0: none took a glance from there.
   std::vector<Row> chance_{Row{}};   ///< sqrt(p).

@@ -67,16 +67,17 @@ std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64
             patch = cones.name(cones.choose(which.x));
           }
           const Vec3f to = patches[patch].centre - at.point;
-          if (!(length(to) > patches[patch].radius)) continue;
+          const float distance = length(to), radius = patches[patch].radius;
+          if (!(distance > radius)) continue;
           Cones only;
-          only.add(to, patches[patch].radius, 1, patch);
+          only.add(to / distance, Cones::opening(radius / distance), 1, patch);
           only.settle(1);
           const Vec3f direction = only.sample(u);
           if (!(dot(direction, at.normal) > 0)) continue;
           Hit hit;
           const bool found = rehearsal.world.intersect({at.point, direction}, hit);
-          const bool reached = found && length(hit.surface.position - patches[patch].centre) <=
-                                            patches[patch].radius;
+          const bool reached =
+              found && length(hit.surface.position - patches[patch].centre) <= radius;
           glances[i] = {at.point, patch, reached};
           taken[i] = 1;
         }
