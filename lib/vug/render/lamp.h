@@ -2,21 +2,13 @@
 #pragma once
 
 #include <vug/base/schema.h>
+#include <vug/render/blackbody.h>
 #include <vug/render/light.h>
 
 #include <optional>
 #include <string>
 
 namespace vug::render {
-
-/// Lumen in a watt of white light, by which radiance of red, green and blue is told in photometric
-/// units: Ward 1994, "The RADIANCE lighting simulation and rendering system" (ward1994radiance).
-inline constexpr double kLumenPerWatt = 179;
-
-/// Linear Rec.709 of a black body at that temperature in kelvin, of luminance 1. From Planck's law
-/// and the colour matching functions of Wyman, Sloan, Shirley 2013, "Simple analytic approximations
-/// to the CIE XYZ color matching functions" (cite wyman2013xyz); parts outside of the gamut are 0.
-Vec3d blackbody(double temperature);
 
 struct LampParams : LightNotes {
   Vec3d radiance{1, 1, 1};

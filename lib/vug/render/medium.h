@@ -55,8 +55,16 @@ class Medium {
   virtual Rgb albedo(const Vec3f& point) const = 0;
   /// Collisions per metre as a round number, to share samples out along rays.
   virtual float usual_extinction() const = 0;
-  /// What the medium sends out by itself: times the extinction, radiance that is added per metre.
-  virtual Rgb glow() const { return {0, 0, 0}; }
+  /// What the medium sends out by itself where it is dense: times the extinction, radiance that is
+  /// added per metre.
+  virtual Rgb glow(const Vec3f& point) const { return (void)point, Rgb(0.0f); }
+  /// It also shines where its density does not tell: flames.
+  virtual bool burns() const { return false; }
+  /// That light over a segment as it arrives at the ray's origin: an estimate whose mean it is.
+  virtual Rgb flames(const Ray& ray, const Segment& segment, TrackingNumbers& numbers) const {
+    (void)ray, (void)segment, (void)numbers;
+    return Rgb(0.0f);
+  }
 
   /// Phase function over the angle between the two directions of travel, in 1/sr; integrates to 1.
   virtual float phase(float cosine) const = 0;

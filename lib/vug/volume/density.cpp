@@ -13,18 +13,23 @@ namespace {
 
 using openvdb::Coord;
 
-const openvdb::FloatGrid& floats(const Grid& grid) {
-  const auto* found = dynamic_cast<const openvdb::FloatGrid*>(grid.data().grid.get());
-  if (!found)
-    throw Error(ErrorCode::bad_input, fmt::format("the grid '{}' holds {}, a density is float",
-                                                  grid.name(), grid.value_type()));
-  return *found;
-}
-
 }  // namespace
 
-Density::Density(const Grid& source) {
-  const openvdb::FloatGrid& grid = floats(source);
+Density::Density(const Grid& source, int part) {
+  const openvdb::GridBase* grid = source.data().grid.get();
+  if (const auto* floats = dynamic_cast<const openvdb::FloatGrid*>(grid))
+    fill(*floats, source.name(), [](float value) { return value; });
+  else if (const auto* vectors = dynamic_cast<const openvdb::Vec3SGrid*>(grid))
+    fill(*vectors, source.name(), [part](const openvdb::Vec3s& value) { return value[part]; });
+  else
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the grid '{}' holds {}, not floats or vectors of floats",
+                            source.name(), source.value_type()));
+}
+
+template <class Source, class Value>
+void Density::fill(const Source& grid, const std::string& name, const Value& value_of) {
+  background_ = std::max(value_of(grid.background()), 0.0f);
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
   bounds_.makeEmpty();
   if (box.empty()) return;
@@ -49,11 +54,10 @@ Density::Density(const Grid& source) {
         for (int k = 0; k < kStride; ++k)
           for (int j = 0; j < kStride; ++j)
             for (int n = 0; n < kStride; ++n) {
-              const float value = accessor.getValue(first + Coord(n, j, k));
+              const float value = value_of(accessor.getValue(first + Coord(n, j, k)));
               if (!std::isfinite(value))
-                throw Error(
-                    ErrorCode::bad_input,
-                    fmt::format("the grid '{}' holds values that are not finite", source.name()));
+                throw Error(ErrorCode::bad_input,
+                            fmt::format("the grid '{}' holds values that are not finite", name));
               brick[i] = std::max(value, 0.0f);
               most = std::max(most, brick[i++]);
             }
@@ -96,6 +100,13 @@ float Density::at(const Vec3f& p) const {
   };
   const float a = in_plane(v), b = in_plane(v + kStride * kStride);
   return a + f.z * (b - a);
+}
+
+float Density::anywhere(const Vec3f& world) const {
+  const Vec3f p = to_index(world);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(p[axis] >= 0 && p[axis] < static_cast<float>(kSize * bricks_[axis]))) return background_;
+  return at(p);
 }
 
 uint64_t Density::bytes() const {

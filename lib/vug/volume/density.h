@@ -9,13 +9,15 @@
 
 namespace vug::volume {
 
-/// Trilinear samples of a grid of floats. Space is cut into bricks of 8^3 voxels; those with
-/// nothing but 0 in reach are not stored. Values below 0 count as 0. Index coordinates are those
-/// of the grid minus `origin`; lattice points have whole numbers. Immutable, thread-safe.
+/// Trilinear samples of a grid of floats, or of one part of a grid of vectors. Space is cut into
+/// bricks of 8^3 voxels; those with nothing but 0 in reach are not stored. Values below 0 count as
+/// 0. Index coordinates are those of the grid minus `origin`; lattice points have whole numbers.
+/// Immutable, thread-safe.
 class Density {
  public:
-  /// Error(bad_input): not a grid of floats, or values that are not finite.
-  explicit Density(const Grid& grid);
+  /// `part`: of a vector, 0 to 2. Error(bad_input): neither floats nor vectors of floats, or values
+  /// that are not finite.
+  explicit Density(const Grid& grid, int part = 0);
 
   static constexpr int kSize = 8;  ///< Voxels along a brick.
 
@@ -34,6 +36,8 @@ class Density {
   }
   /// The interpolated value; 0 outside.
   float at(const Vec3f& index) const;
+  /// The same in world space; outside what the grid holds where nothing was stored.
+  float anywhere(const Vec3f& world) const;
   uint64_t bytes() const;
 
  private:
@@ -48,7 +52,11 @@ class Density {
                   static_cast<size_t>(b.x)];
   }
 
+  template <class Source, class Value>
+  void fill(const Source& grid, const std::string& name, const Value& value_of);
+
   Mat44d world_to_index_;
+  float background_ = 0;
   Vec3i bricks_{0, 0, 0};
   Box3f bounds_;
   std::vector<int32_t> slots_;

@@ -167,12 +167,20 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
                                          numbers.pair(), tracking, tally);
         const Rgb scale = add(light, depth);
         if (tally) tally->settle_medium(depth, scale);
+        if (medium->burns()) {
+          const Rgb flames = medium->flames(ray, segment, tracking);
+          const Rgb flames_scale = add(throughput * flames, depth);
+          if (tally) {
+            tally->note(LightSet::kNoGroup, flames);
+            tally->settle_medium(depth, flames_scale);
+          }
+        }
         const DistanceSample collision =
             medium->sample_distance(ray, segment, distance_u.y, tracking);
         if (collision.scattered) {
           in_medium = true;
           const Vec3f point = ray.at(collision.distance);
-          if (const Rgb glow = medium->glow(); !is_black(glow)) {
+          if (const Rgb glow = medium->glow(point); !is_black(glow)) {
             const Rgb glow_scale = add(throughput * glow, depth);
             if (tally) {
               tally->note(LightSet::kNoGroup, glow);

@@ -1,114 +1,147 @@
 // Fog whose density is a grid: delta tracking finds collisions, ratio tracking what comes through
 // (Novak, Georgiev, Hanika, Jarosz 2018, "Monte Carlo methods for volumetric light transport
-// simulation", novak2018volumes), brick by brick with a bound of its own for each.
+// simulation", novak2018volumes), brick by brick with a bound of its own for each. All colours
+// share one extinction, so that coloured albedo is a weight and needs no tracking of its own.
+#include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
+#include <vug/render/blackbody.h>
+#include <vug/render/brick_walk.h>
+#include <vug/render/input.h>
 #include <vug/render/kind.h>
 #include <vug/render/phase.h>
-#include <vug/volume/density.h>
 #include <vug/volume/io.h>
+
+#include <fmt/format.h>
 
 namespace vug::render {
 namespace {
+
+using DensityPtr = std::shared_ptr<const volume::Density>;
 
 struct DenseCloud {
   std::filesystem::path file;
   std::string grid;
   double extinction = 1;
-  Vec3d albedo{0.9, 0.9, 0.9};
+  ColorInput albedo = Vec3d(0.9);
+  std::string color_grid;
   Vec3d emission{0, 0, 0};
+  NumberInput emission_mask = 1;
+  std::string emission_grid;
+  std::string temperature_grid;
+  NumberInput temperature_mask = 1;
+  double temperature = 0;
   double g = 0.6;
 
-  static void describe(Schema<DenseCloud>& s) {
-    s.doc(
-         "Fog with the density of a grid: of a .vdb file, or of the volume that it stands on: "
-         "medium NAME on VOLUME { kind cloud }.")
-        .cite("novak2018volumes")
-        .param("file", &DenseCloud::file, {.doc = "A .vdb file with a grid of floats."})
-        .param("grid", &DenseCloud::grid, {.doc = "The grid's name; else the first."})
-        .param("extinction", &DenseCloud::extinction,
-               {.doc = "Collisions per metre where the density is 1.",
-                .dimension = Dimension::per_length,
-                .min = 0})
-        .param("albedo", &DenseCloud::albedo,
-               {.doc = "Share of the collisions that scatter.", .min = 0, .max = 1})
-        .param("emission", &DenseCloud::emission,
-               {.doc = "Radiance (W/sr/m^2) of a cloud that nothing shines through; it glows where "
-                       "it is dense.",
-                .min = 0})
-        .param("g", &DenseCloud::g,
-               {.doc = "Mean cosine of scattering; above 0 light keeps its direction.",
-                .min = -0.99,
-                .max = 0.99});
+  std::string fault() const {
+    if (file.empty() && !(color_grid.empty() && emission_grid.empty() && temperature_grid.empty()))
+      return "grids that are named need a 'file' that they are in";
+    if (!temperature_grid.empty() && !(temperature > 0))
+      return "a grid of temperatures needs a 'temperature': the kelvin where it is 1";
+    return "";
   }
+  static void describe(Schema<DenseCloud>& s);
 };
 
-/// A ray in index coordinates, brick by brick.
-class Walk {
- public:
-  Walk(const volume::Density& density, const Ray& ray, const Segment& segment)
-      : density_(density),
-        origin_(density.to_index(ray.origin)),
-        direction_(density.direction_to_index(ray.direction)),
-        t_(segment.begin),
-        end_(segment.end) {
-    const Vec3f at = index(t_);
-    for (int axis = 0; axis < 3; ++axis) {
-      const int last = density.bricks()[axis] - 1;
-      brick_[axis] =
-          std::clamp(static_cast<int>(std::floor(at[axis] / volume::Density::kSize)), 0, last);
-      const float d = direction_[axis];
-      step_[axis] = d > 0 ? 1 : -1;
-      const auto edge = static_cast<float>((brick_[axis] + (d > 0)) * volume::Density::kSize);
-      next_[axis] = d != 0 ? (edge - origin_[axis]) / d : kFar;
-      apart_[axis] = d != 0 ? volume::Density::kSize / std::fabs(d) : kFar;
-    }
-  }
-  Vec3f index(float t) const { return origin_ + direction_ * t; }
-
-  /// Calls visit(begin, end, most) for the parts of the ray in bricks until it returns false.
-  template <class Visit>
-  void each(const Visit& visit) {
-    while (t_ < end_) {
-      int axis = next_.x < next_.y ? 0 : 1;
-      if (next_.z < next_[axis]) axis = 2;
-      const float leave = std::min(next_[axis], end_);
-      if (leave > t_) {
-        const float most = density_.most(brick_);
-        if (most > 0 && !visit(t_, leave, most)) return;
-        t_ = leave;
-      }
-      brick_[axis] += step_[axis];
-      next_[axis] += apart_[axis];
-      if (brick_[axis] < 0 || brick_[axis] >= density_.bricks()[axis]) return;
-    }
-  }
-
- private:
-  const volume::Density& density_;
-  Vec3f origin_, direction_, next_{0, 0, 0}, apart_{0, 0, 0};
-  Vec3i brick_{0, 0, 0}, step_{0, 0, 0};
-  float t_, end_;
-};
+void DenseCloud::describe(Schema<DenseCloud>& s) {
+  using P = DenseCloud;
+  s.doc(
+       "Fog with the density of a grid: of a .vdb file, or of the volume that it stands on: "
+       "medium NAME on VOLUME { kind cloud }.")
+      .cite("novak2018volumes")
+      .param("file", &P::file, {.doc = "A .vdb file with a grid of floats."})
+      .param("grid", &P::grid,
+             {.doc = "The density's name; else that named density, else the first."})
+      .param("extinction", &P::extinction,
+             {.doc = "Collisions per metre where the density is 1.",
+              .dimension = Dimension::per_length,
+              .min = 0})
+      .param("albedo", &P::albedo,
+             {.doc = "Share of the collisions that scatter, by colour.", .min = 0, .max = 1})
+      .param("color_grid", &P::color_grid,
+             {.doc = "A grid of the file whose vectors multiply the albedo: Cd, color."})
+      .param("emission", &P::emission,
+             {.doc = "Radiance (W/sr/m^2) of a cloud that nothing shines through; it glows where "
+                     "it is dense. With an emission_grid: what is added per metre where that is 1.",
+              .min = 0})
+      .param("emission_mask", &P::emission_mask,
+             {.doc = "Part of all that it sends out.", .min = 0, .max = 1})
+      .param("emission_grid", &P::emission_grid,
+             {.doc = "A grid of the file that tells where it burns, dense or not: flame, heat."})
+      .param("temperature_grid", &P::temperature_grid,
+             {.doc = "A grid of the file: temperature. It sends out what a black body does."})
+      .param("temperature_mask", &P::temperature_mask,
+             {.doc = "Part of the temperature.", .min = 0, .max = 1})
+      .param("temperature", &P::temperature,
+             {.doc = "Kelvin where the grid (or without one the mask) is 1; 1 for grids in kelvin, "
+                     "0: it sends out nothing by heat.",
+              .min = 0})
+      .param("g", &P::g,
+             {.doc = "Mean cosine of scattering; above 0 light keeps its direction.",
+              .min = -0.99,
+              .max = 0.99});
+}
 
 /// A step to the next possible collision, in units of the mean free path.
 float free_path(TrackingNumbers& numbers) {
   return static_cast<float>(-maths::log(1 - static_cast<double>(numbers.next())));
 }
 
+/// A place in the air as masks and paints see it.
+paint::Spot spot_at(const Vec3f& point) {
+  paint::Spot spot;
+  spot.position = Vec3d(point);
+  spot.normal = Vec3d(0, 1, 0);
+  return spot;
+}
+
+/// Grids of one file by name.
+class GridFile {
+ public:
+  explicit GridFile(const DenseCloud& p) : file_(p.file), grids_(volume::read(p.file)) {}
+
+  const volume::Grid& find(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const volume::Grid& grid : grids_) {
+      if (grid.name() == name) return grid;
+      names.push_back(grid.name());
+    }
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' holds no grid named '{}'", file_.string(), name), {},
+                suggestion(name, names));
+  }
+  const volume::Grid& density(const std::string& name) const {
+    if (!name.empty()) return find(name);
+    if (grids_.empty())
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no grid", file_.string()));
+    for (const volume::Grid& grid : grids_)
+      if (grid.name() == "density") return grid;
+    return grids_.front();
+  }
+  DensityPtr read(const std::string& name, int part = 0) const {
+    return name.empty() ? nullptr : std::make_shared<const volume::Density>(find(name), part);
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::vector<volume::Grid> grids_;
+};
+
 class CloudMedium final : public Medium {
  public:
-  explicit CloudMedium(const DenseCloud& p)
-      : extinction_(static_cast<float>(p.extinction)),
-        albedo_(p.albedo),
-        glow_(p.emission),
-        g_(static_cast<float>(p.g)) {
-    if (!p.file.empty())
-      fill(std::make_shared<const volume::Density>(volume::read_grid(p.file, p.grid)));
+  explicit CloudMedium(const DenseCloud& p) : p_(p), extinction_(static_cast<float>(p.extinction)) {
+    if (p.file.empty()) return;
+    const GridFile file(p);
+    heat_ = file.read(p.temperature_grid);
+    flames_ = file.read(p.emission_grid);
+    if (!p.color_grid.empty())
+      for (int part = 0; part < 3; ++part)
+        colour_[static_cast<size_t>(part)] = file.read(p.color_grid, part);
+    fill(std::make_shared<const volume::Density>(file.density(p.grid)));
   }
 
   MediumPtr fitted(const Box3f&) const override { return nullptr; }
-  MediumPtr filled(std::shared_ptr<const volume::Density> density) const override {
+  MediumPtr filled(DensityPtr density) const override {
     auto copy = std::make_shared<CloudMedium>(*this);
     copy->fill(std::move(density));
     return copy;
@@ -118,11 +151,12 @@ class CloudMedium final : public Medium {
   Segment clip(const Ray& ray, float end) const override {
     return bounds_.isEmpty() ? Segment{0, 0} : clipped(bounds_, ray, end);
   }
-  float transmittance(const Ray& ray, const Segment& segment,
+  float transmittance(const Ray& ray, const Segment& whole,
                       TrackingNumbers& numbers) const override {
+    const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return 1;
     float through = 1;
-    Walk walk(*density_, ray, segment);
+    BrickWalk walk(*density_, ray, segment);
     float left = free_path(numbers);
     walk.each([&](float t, float end, float most) {
       const float bound = most * extinction_;
@@ -144,11 +178,12 @@ class CloudMedium final : public Medium {
     });
     return through;
   }
-  DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
+  DistanceSample sample_distance(const Ray& ray, const Segment& whole, float u,
                                  TrackingNumbers& numbers) const override {
     DistanceSample sample;
+    const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return sample;
-    Walk walk(*density_, ray, segment);
+    BrickWalk walk(*density_, ray, segment);
     float left = static_cast<float>(-maths::log(1 - static_cast<double>(u)));
     walk.each([&](float t, float end, float most) {
       const float bound = most * extinction_;
@@ -168,19 +203,78 @@ class CloudMedium final : public Medium {
   float extinction(const Vec3f& point) const override {
     return extinction_ * density_->at(density_->to_index(point));
   }
-  Rgb albedo(const Vec3f&) const override { return albedo_; }
+  Rgb albedo(const Vec3f& point) const override {
+    const Rgb own = p_.albedo.varying ? p_.albedo.at(spot_at(point)) : Rgb(p_.albedo.constant);
+    if (!colour_[0]) return own;
+    Rgb colour;
+    for (int c = 0; c < 3; ++c)
+      colour[c] = std::min(colour_[static_cast<size_t>(c)]->anywhere(point), 1.0f);
+    return own * colour;
+  }
   float usual_extinction() const override { return usual_; }
-  Rgb glow() const override { return glow_; }
 
-  float phase(float cosine) const override { return henyey_greenstein(g_, cosine); }
+  Rgb glow(const Vec3f& point) const override { return flames_ ? Rgb(0.0f) : shine(point); }
+  bool burns() const override { return flames_ != nullptr; }
+  /// One place by the bounds of the bricks, weighed by the clear part of the way to it.
+  Rgb flames(const Ray& ray, const Segment& whole, TrackingNumbers& numbers) const override {
+    const Segment segment = within(*flames_, ray, whole);
+    if (segment.empty()) return Rgb(0.0f);
+    float all = 0;
+    BrickWalk(*flames_, ray, segment).each([&](float t, float end, float most) {
+      all += (end - t) * most;
+      return true;
+    });
+    float left = numbers.next() * all, distance = -1, bound = 0;
+    BrickWalk walk(*flames_, ray, segment);
+    walk.each([&](float t, float end, float most) {
+      distance = std::min(t + left / most, end), bound = most;
+      left -= (end - t) * most;
+      return left > 0;
+    });
+    if (!(distance >= 0)) return Rgb(0.0f);
+    const float flame = flames_->at(walk.index(distance));
+    if (!(flame > 0)) return Rgb(0.0f);
+    const float clear = transmittance(ray, {whole.begin, distance}, numbers);
+    return shine(ray.at(distance)) * (flame * clear * all / bound);
+  }
+
+  float phase(float cosine) const override {
+    return henyey_greenstein(static_cast<float>(p_.g), cosine);
+  }
   Vec3f sample_phase(const Vec3f& travel, const Vec2f& u) const override {
-    return sample_henyey_greenstein(g_, travel, u);
+    return sample_henyey_greenstein(static_cast<float>(p_.g), travel, u);
   }
 
  private:
-  void fill(std::shared_ptr<const volume::Density> density) {
+  /// The part of a segment in which a grid has values.
+  Segment within(const volume::Density& grid, const Ray& ray, const Segment& whole) const {
+    if (!flames_) return whole;  // then the medium is where its density is
+    if (grid.bounds().isEmpty()) return {0, 0};
+    const Segment part = clipped(grid.bounds(), ray, whole.end);
+    return {std::max(part.begin, whole.begin), part.end};
+  }
+  /// What is sent out, before extinction or flame.
+  Rgb shine(const Vec3f& point) const {
+    const bool hot = p_.temperature > 0;
+    if (!hot && p_.emission == Vec3d(0)) return Rgb(0.0f);
+    const float part = p_.emission_mask.varying ? p_.emission_mask.at(spot_at(point))
+                                                : static_cast<float>(p_.emission_mask.constant);
+    if (!(part > 0)) return Rgb(0.0f);
+    Rgb sum(p_.emission);
+    if (hot) {
+      float kelvin =
+          static_cast<float>(p_.temperature) *
+          (p_.temperature_mask.varying ? p_.temperature_mask.at(spot_at(point))
+                                       : static_cast<float>(p_.temperature_mask.constant));
+      if (heat_) kelvin *= heat_->anywhere(point);
+      sum += thermal_radiance(kelvin);
+    }
+    return sum * part;
+  }
+  void fill(DensityPtr density) {
     density_ = std::move(density);
     bounds_ = density_->bounds();
+    if (flames_ && !flames_->bounds().isEmpty()) bounds_.extendBy(flames_->bounds());
     const Vec3i n = density_->bricks();
     double sum = 0;
     for (int z = 0; z < n.z; ++z)
@@ -190,10 +284,10 @@ class CloudMedium final : public Medium {
     usual_ = bricks > 0 ? extinction_ * static_cast<float>(0.5 * sum / bricks) : 0;
   }
 
-  float extinction_;
-  Rgb albedo_, glow_;
-  float g_, usual_ = 0;
-  std::shared_ptr<const volume::Density> density_;
+  DenseCloud p_;
+  float extinction_, usual_ = 0;
+  DensityPtr density_, heat_, flames_;
+  std::array<DensityPtr, 3> colour_;
   Box3f bounds_;
 };
 
