@@ -55,6 +55,9 @@ class Bsdf {
   /// What the clear body behind a face swallows, per metre.
   virtual Rgb absorption() const { return Rgb(0.0f); }
   virtual Cloud beneath() const { return {}; }
+  /// A sheet without a body: light from behind is scattered towards the viewer, too, and lights are
+  /// looked for on both sides.
+  virtual bool thin() const { return false; }
 
  protected:
   ~Bsdf() = default;  // it is never destroyed, its memory is used again

@@ -51,6 +51,8 @@ class Material {
   /// Bytes of a BsdfMemory that `at` takes.
   virtual size_t memory_bytes() const = 0;
 
+  /// See Bsdf::thin: all or nothing of a material.
+  virtual bool thin() const { return false; }
   /// It sends out light by itself, from the outside of what is made of it, as `emission` says:
   /// radiance (W/sr/m^2), the same in all directions.
   virtual bool shines() const { return false; }

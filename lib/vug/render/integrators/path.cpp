@@ -208,6 +208,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
               {hit.origin, hit.surface.geometric_normal, hit.object},
               0,
               {all_lights}};
+      if (own.thin()) from.point.normal = Vec3f(0.0f);  // light arrives from both sides
       const Rgb light = throughput * direct_light(world, hit, bsdf, frame, from, choice.x, light_u,
                                                   tracking, tally);
       const Rgb scale = add(light, depth);
@@ -252,7 +253,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
         from.pdf = away.scattered.pdf;
         ray = {hit.origin, away.direction};
       } else {
-        if (through) {
+        if (through && !own.thin()) {
           from.kind = PathVertex::through;
           within = !hit.surface.inside;
           absorption = within ? body.absorption() : Rgb(0.0f);

@@ -13,6 +13,7 @@ struct Mix {
 
   std::string fault() const {
     if (!a || !b) return {};
+    if (a->thin() != b->thin()) return "a thin sheet is mixed with a body";
     return a->memory_bytes() + b->memory_bytes() + 512 > BsdfMemory::kBytes
                ? "this mixes more materials than one place can hold"
                : "";
@@ -55,6 +56,7 @@ class MixBsdf final : public Bsdf {
   Rgb absorption() const override {
     return is_black(a_->absorption()) ? b_->absorption() : a_->absorption();
   }
+  bool thin() const override { return a_->thin() && b_->thin(); }
   Rgb albedo() const override { return a_->albedo() * (1 - share_) + b_->albedo() * share_; }
 
  private:
@@ -80,6 +82,7 @@ class MixMaterial final : public Material {
   bool bump(Surface& surface) const override {
     return (share_at(surface) < 0.5f ? p_.a : p_.b)->bump(surface);
   }
+  bool thin() const override { return p_.a->thin(); }
   bool shines() const override { return p_.a->shines() || p_.b->shines(); }
   Rgb emission(const Surface& surface) const override {
     const float share = share_at(surface);

@@ -10,6 +10,8 @@
 #include <vug/render/lobes/fuzz.h>
 #include <vug/render/lobes/glass.h>
 #include <vug/render/lobes/metal.h>
+#include <vug/render/lobes/pane.h>
+#include <vug/render/lobes/sheet.h>
 #include <vug/render/placing.h>
 
 #include <array>
@@ -36,6 +38,9 @@ struct SurfaceParams {
   NumberInput transmission = 0;
   Vec3d tint{1, 1, 1};
   double tint_depth = 1;
+  bool thin = false;
+  NumberInput through = 0.5;
+  ColorInput through_color = Vec3d(1);
   ColorInput emission = Vec3d(1);
   NumberInput emission_mask = 1;
   double emission_radiance = 0;
@@ -86,6 +91,13 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
               .max = 1,
               .above_min = true})
       .param("tint_depth", &P::tint_depth, positive_length("See tint."))
+      .param("thin", &P::thin,
+             {.doc = "A sheet without a body, the same from both sides: leaves, curtains, panes. "
+                     "Light that goes in comes out at once, in front or behind."})
+      .param("through", &P::through,
+             share("Of a thin sheet's subsurface share: the part that comes out behind."))
+      .param("through_color", &P::through_color,
+             share("What a thin sheet takes from light that goes through it."))
       .param("emission_radiance", &P::emission_radiance,
              {.doc = "Radiance (W/sr/m^2) that the outside sends out where its colour and mask are "
                      "1: such objects are lamps.",
@@ -96,7 +108,7 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
       .param("bump_height", &P::bump_height, any_length("Height of the bump where it is 1."));
 }
 
-using Lobe = std::variant<EonLobe, FilmLobe, MetalLobe, FuzzLobe, GlassLobe>;
+using Lobe = std::variant<EonLobe, FilmLobe, MetalLobe, FuzzLobe, GlassLobe, PaneLobe, SheetLobe>;
 
 /// The albedo of single collisions for which a deep body of that colour reflects it: the inverse
 /// of van de Hulst's fit 1980 (cite vandehulst1980), exact for white and black.
@@ -114,7 +126,8 @@ class SurfaceBsdf final : public Bsdf {
     const Rgb albedo = std::visit([](const auto& l) { return l.albedo(); }, lobe);
     const float odds = weight * std::max(largest(albedo), 0.05f);
     push(weight, lobe, odds);
-    if (!std::holds_alternative<MetalLobe>(lobe) && !std::holds_alternative<GlassLobe>(lobe))
+    if (!std::holds_alternative<MetalLobe>(lobe) && !std::holds_alternative<GlassLobe>(lobe) &&
+        !std::holds_alternative<PaneLobe>(lobe))
       broad_ += odds;
   }
   /// A face whose body is a cloud.
@@ -127,6 +140,7 @@ class SurfaceBsdf final : public Bsdf {
     into_odds_ = into_ * std::max(largest(color), 0.05f);
     total_ += into_odds_;
   }
+  void set_thin() { thin_ = true; }
   void set_absorption(const Rgb& absorption) { absorption_ = absorption; }
 
   Scattering evaluate(const Vec3f& in) const override {
@@ -168,13 +182,14 @@ class SurfaceBsdf final : public Bsdf {
   float guided() const override { return into_ > 0 ? 0 : 0.5f * broad_ / total_; }
   Rgb absorption() const override { return absorption_; }
   Cloud beneath() const override { return beneath_; }
+  bool thin() const override { return thin_; }
 
  private:
   struct Part {
     Lobe lobe;
     float weight, odds;
   };
-  static constexpr size_t kMost = 7;
+  static constexpr size_t kMost = 8;
   void push(float weight, const Lobe& lobe, float odds) {
     new (raw_ + sizeof(Part) * count_++) Part{lobe, weight, odds};
     total_ += odds;
@@ -188,6 +203,7 @@ class SurfaceBsdf final : public Bsdf {
   size_t count_ = 0;
   float total_ = 0, broad_ = 0;
   float into_ = 0, into_odds_ = 0;  ///< Light that goes beneath.
+  bool thin_ = false;
   Cloud beneath_;
   Rgb cloud_color_{0, 0, 0}, absorption_{0, 0, 0};
   alignas(Part) std::byte raw_[kMost * sizeof(Part)];  // parts are made when added
@@ -215,14 +231,26 @@ class LeavingBsdf final : public Bsdf {
   FaceShare face_;
 };
 
+/// Of a pane, over even light.
+float mean_reflectance(float ior) {
+  constexpr int kSteps = 256;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double cosine = (i + 0.5) / kSteps;
+    sum += 2 * cosine * static_cast<double>(pane_reflectance(static_cast<float>(cosine), ior));
+  }
+  return static_cast<float>(sum / kSteps);
+}
+
 class SurfaceMaterial final : public Material {
  public:
   explicit SurfaceMaterial(const SurfaceParams& p)
       : p_(p),
         face_(&FaceTable::of(static_cast<float>(p.ior))),
         film_(&FaceTable::of(static_cast<float>(p.coat_ior))) {
-    if (p.transmission.varying || p.transmission.constant > 0)
-      glass_ = &GlassTable::of(face_->ior());
+    const bool clear = p.transmission.varying || p.transmission.constant > 0;
+    if (clear && p.thin) pane_mean_ = mean_reflectance(face_->ior());
+    if (clear && !p.thin) glass_ = &GlassTable::of(face_->ior());
     for (int c = 0; c < 3; ++c)
       absorption_[c] = static_cast<float>(-maths::log(p.tint[c]) / p.tint_depth);
   }
@@ -230,6 +258,7 @@ class SurfaceMaterial final : public Material {
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override;
   size_t memory_bytes() const override { return BsdfMemory::bytes<SurfaceBsdf>(); }
   bool bump(Surface& surface) const override;
+  bool thin() const override { return p_.thin; }
   bool shines() const override {
     return p_.emission_radiance > 0 &&
            (p_.emission_mask.varying || p_.emission_mask.constant > 0) &&
@@ -254,6 +283,7 @@ class SurfaceMaterial final : public Material {
   SurfaceParams p_;
   const FaceTable *face_, *film_;
   const GlassTable* glass_ = nullptr;
+  float pane_mean_ = 0;
   Rgb absorption_;
 };
 
@@ -281,6 +311,19 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
     bsdf.add(wet, FilmLobe(color, FilmLobe::Below::wet, film, *film_, out));
   }
   if (metal > 0) bsdf.add(metal, MetalLobe(color, roughness, out));
+  if (p_.thin) {
+    bsdf.set_thin();
+    const Rgb passes = p_.through_color.at(spot);
+    if (clear > 0) bsdf.add(clear, PaneLobe(passes, roughness, face_->ior(), pane_mean_, out));
+    if (const float part = dry * cloudy; part > 0) {
+      const float behind = p_.through.at(spot);
+      if (behind < 1)
+        bsdf.add(part * (1 - behind),
+                 FilmLobe(color, FilmLobe::Below::polished, roughness, *face_, out));
+      bsdf.add(part * behind, SheetLobe(color * passes, roughness, *face_, out));
+    }
+    return bsdf;
+  }
   if (clear > 0) {
     bsdf.add(clear, GlassLobe(roughness, *face_, *glass_, surface.inside, out));
     bsdf.set_absorption(absorption_);

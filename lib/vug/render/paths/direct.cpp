@@ -8,13 +8,14 @@ Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
                const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex, const Vec2f& u,
                TrackingNumbers& numbers, Tally* tally) {
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
-  if (!(s.pdf > 0) || !(dot(s.direction, hit.surface.geometric_normal) > 0)) return Rgb(0.0f);
+  const bool behind = !(dot(s.direction, hit.surface.geometric_normal) > 0);
+  if (!(s.pdf > 0) || (behind && vertex.point.on_surface())) return Rgb(0.0f);
   const Vec3f in = frame.to_local(s.direction);
-  if (!(in.z > 0)) return Rgb(0.0f);
+  if (behind ? !(in.z < 0) : !(in.z > 0)) return Rgb(0.0f);
   const Scattering scattering = bsdf.evaluate(in, s.direction);
   const Rgb f = scattering.total();
   const Rgb light = unshadowed(world, s, hit.object);
-  const Ray ray{hit.origin, s.direction};
+  const Ray ray{behind ? hit.behind : hit.origin, s.direction};
   if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
   const float direct = s.distance == kFar
                            ? world.lights().sky_pdf(vertex.point, chosen.odds, s.direction)
