@@ -1,0 +1,113 @@
+"""Pictures, textures and lights that cannot be used: a sentence that names them, exit code 2."""
+import math
+import random
+import struct
+import unittest
+
+from pictures import write_hdr, write_png
+from vug import VugTest
+
+ROOM = """
+volume rock = level_set(sphere(1m), voxel: 20cm)
+mesh skin on rock {}
+camera main { eye (0, 0, 4)  target (0, 0, 0)  fov 30deg }
+render main { size 16x12  spp 4 }
+"""
+
+
+def write_pfm(path, rows):
+    """Floats as they are; PFM runs from the bottom up."""
+    body = b"".join(struct.pack("<3f", *pixel) for row in reversed(rows) for pixel in row)
+    path.write_bytes(f"PF\n{len(rows[0])} {len(rows)}\n-1.0\n".encode() + body)
+
+
+class BadPictures(VugTest):
+    def textured(self, file, more=""):
+        self.write("room.vug", ROOM + f'object ball on skin {{ material surface(color: picture(file: "{file}"{more})) }}\n')
+
+    def refused(self, *said, verb="render"):
+        end = ["-o", "room.exr"] if verb == "render" else []
+        error = self.expect(2, verb, "room.vug", *end).err
+        for text in said:
+            self.assertIn(text, error)
+        self.assertNotIn("room.exr", self.files())
+
+    def test_a_texture_that_is_not_finite(self):
+        rows = [[(0.5, 0.5, 0.5)] * 4 for _ in range(3)]
+        for bad in (math.nan, math.inf):
+            rows[1][2] = (0.5, bad, 0.5)
+            write_pfm(self.folder / "bad.pfm", rows)
+            self.textured("bad.pfm")
+            self.refused("'bad.pfm' holds a number that is not finite", "pixel (2, 1)")
+        rows[1][2] = (0.5, 0.5, 0.5)
+        write_pfm(self.folder / "bad.pfm", rows)
+        self.expect(0, "render", "room.vug", "-o", "room.exr")
+
+    def test_a_sky_that_is_not_finite(self):
+        rows = [[(1.0, 1.0, 1.0)] * 4 for _ in range(2)]
+        rows[0][1] = (1.0, math.nan, 1.0)
+        write_pfm(self.folder / "sky.pfm", rows)
+        self.write("room.vug", ROOM + 'light day = sky_image(file: "sky.pfm")\n')
+        self.refused("sky.pfm", "not finite")
+
+    def test_a_texture_that_is_missing_is_named_or_shown(self):
+        self.textured("gone.png")
+        self.refused("room.vug:6:47: error: the picture 'gone.png' is not there", "missing: show")
+        self.textured("gone.png", ", missing: show")
+        self.write("room.vug", (self.folder / "room.vug").read_text() + "light even = sky()\n")
+        self.expect(0, "render", "room.vug", "-o", "shown.exr", "--float")
+        self.write("magenta.vug", ROOM + "object ball on skin { material surface(color: (1, 0, 1)) }\nlight even = sky()\n")
+        self.expect(0, "render", "magenta.vug", "-o", "magenta.exr", "--float")
+        self.expect(0, "diff", "shown.exr", "magenta.exr", "--max", "max=0")
+        self.write("grey.vug", ROOM + "object ball on skin { material surface() }\nlight even = sky()\n")
+        self.expect(0, "render", "grey.vug", "-o", "grey.exr", "--float")
+        self.expect(1, "diff", "shown.exr", "grey.exr", "--max", "max=0.1")
+
+    def test_a_picture_that_is_none(self):
+        noise = random.Random(5).randbytes(2000)
+        self.expect(2, "info", self.write("noise.exr", noise).name)
+        for content in (noise, b"", b"\x76\x2f\x31\x01" + noise):
+            self.write("noise.exr", content)
+            self.textured("noise.exr")
+            self.refused("noise.exr")
+            self.write("room.vug", ROOM + 'light day = sky_image(file: "noise.exr")\n')
+            self.refused("noise.exr")
+            write_png(self.folder / "fine.png", [[(9, 9, 9)] * 3] * 2)
+            for pair in (("fine.png", "noise.exr"), ("noise.exr", "fine.png")):
+                self.assertIn("noise.exr", self.expect(2, "diff", *pair).err)
+            self.assertIn("noise.exr", self.expect(2, "merge", "noise.exr", "-o", "out.exr").err)
+
+    def test_pictures_of_different_size(self):
+        write_hdr(self.folder / "a.hdr", [[(1, 1, 1)] * 4] * 3)
+        write_hdr(self.folder / "b.hdr", [[(1, 1, 1)] * 3] * 4)
+        error = self.expect(2, "diff", "a.hdr", "b.hdr").err
+        for text in ("a.hdr", "b.hdr", "4", "3"):
+            self.assertIn(text, error)
+        write_hdr(self.folder / "mask.hdr", [[(1, 1, 1)] * 5] * 3)
+        write_hdr(self.folder / "c.hdr", [[(1, 1, 1)] * 4] * 3)
+        self.expect(2, "diff", "a.hdr", "c.hdr", "--mask", "mask.hdr")
+        self.expect(0, "diff", "a.hdr", "c.hdr")
+
+    def test_lamps_without_area(self):
+        for lamp in ("rect(width: 0, height: 1)", "disk(radius: 0)", "sphere(radius: 0)",
+                     "spot(radius: 0)", "portal(width: 0, height: 1)", "rect(normal: (0, 0, 0))"):
+            self.write("room.vug", ROOM + f"light lamp = {lamp}\n")
+            with self.subTest(lamp=lamp):
+                self.refused("room.vug:6:")
+                self.refused("room.vug:6:", verb="check")
+
+    def test_a_shining_mesh_without_area(self):
+        """Triangles of no area send out nothing, and their neighbours what they did."""
+        flat = "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 1 0\nf 1 2 3\n"
+        self.write("flat.obj", flat + "f 3 4 3\n")
+        self.write("room.vug", 'volume rock = level_set(mesh(file: "flat.obj"), voxel: 10cm)\n')
+        self.expect(2, "check", "room.vug")
+
+    def test_a_camera_in_rock_is_warned_of(self):
+        self.write("room.vug", ROOM.replace("eye (0, 0, 4)", "eye (0, 0, 0.5)"))
+        said = self.expect(0, "render", "room.vug", "-o", "room.exr").err
+        self.assertIn("warning: the camera stands inside the solid of 'skin'", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
