@@ -1,0 +1,28 @@
+// Whatever the bytes, the IES reader gives a profile whose light is finite and nowhere brighter
+// than its peak, or refuses with bad_input.
+#include <vug/base/error.h>
+#include <vug/render/ies_profile.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  try {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const vug::render::IesProfile profile(text, "fuzz.ies");
+    for (int down = -4; down <= 4; ++down)
+      for (int turn = 0; turn < 8; ++turn) {
+        const float light =
+            profile.candela(static_cast<float>(down) / 4, static_cast<float>(turn) / 8);
+        if (!(light >= 0 && light <= profile.peak() * 1.0001f)) std::abort();
+      }
+    if (!(profile.lumen() >= 0 && std::isfinite(profile.lumen()))) std::abort();
+  } catch (const vug::Error& error) {
+    if (error.code() != vug::ErrorCode::bad_input) std::abort();
+    if (std::string(error.what()).find("fuzz.ies") == std::string::npos) std::abort();
+  }
+  return 0;
+}

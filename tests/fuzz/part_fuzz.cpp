@@ -1,0 +1,30 @@
+// Whatever the bytes, the reader of parts and checkpoints gives a part that can be developed, or
+// refuses with bad_input (too_large for one that no machine could hold).
+#include "file_of_bytes.h"
+
+#include <vug/base/error.h>
+#include <vug/render/part.h>
+
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const auto& path = file_of_bytes(data, size, ".part");
+  const auto refused = [&](const vug::Error& error) {
+    if (error.code() != vug::ErrorCode::bad_input && error.code() != vug::ErrorCode::too_large)
+      std::abort();
+    if (std::string(error.what()).find(path.string()) == std::string::npos) std::abort();
+  };
+  try {
+    const double fraction = vug::render::read_outline(path).fraction;
+    if (!(fraction >= 0 && fraction <= 1)) std::abort();
+  } catch (const vug::Error& error) {
+    refused(error);
+  }
+  try {
+    const vug::render::Part part = vug::render::read_part(path);
+    if (part.state.region().empty()) std::abort();
+  } catch (const vug::Error& error) {
+    refused(error);
+  }
+  return 0;
+}
