@@ -142,10 +142,10 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
 
 TEST(Fire, GridsThatAreNotThereAreNamed) {
   try {
-    fire({{"temperature_grid", "temperatur"}, {"temperature", 1.0}});
+    fire({{"temperature_grid", "temperature2"}, {"temperature", 1.0}});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("'temperatur'"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("'temperature2'"), std::string::npos);
     EXPECT_NE(error.hint().find("temperature"), std::string::npos);
   }
   EXPECT_THROW(fire({{"temperature_grid", "temperature"}}), Error);  // in what unit?

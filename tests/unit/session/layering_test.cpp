@@ -17,9 +17,9 @@ render::MaterialPtr find(const Shot& shot, const std::string& name) {
 }
 
 render::MaterialPtr made(const std::string& text) {
-  const Loaded loaded = load_text("material m = " + text + "\n", "t.vug");
+  const Loaded loaded = load_text("material sample = " + text + "\n", "t.vug");
   EXPECT_EQ(loaded.report(), "") << text;
-  return find(loaded.shot, "m");
+  return find(loaded.shot, "sample");
 }
 
 Surface at(const Vec3f& position, const Vec3f& normal = {0, 1, 0}) {
@@ -136,7 +136,9 @@ TEST(Presets, WetVariantsAreDarkerAndShine) {
     };
     const Vec3f mirrored(-0.5f, 0, 0.8660254f), aside = Vec3f(0, 0.9f, 0.43588989f);
     EXPECT_GT(seen(wet, mirrored), 2 * seen(dry, mirrored));
-    if (name != "ice") EXPECT_LE(seen(wet, aside), seen(dry, aside));
+    if (name != "ice") {
+      EXPECT_LE(seen(wet, aside), seen(dry, aside));
+    }
   }
 }
 
