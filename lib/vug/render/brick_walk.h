@@ -32,7 +32,8 @@ class BrickWalk {
   }
   Vec3f index(float t) const { return origin_ + direction_ * t; }
 
-  /// Calls visit(begin, end, most) for the parts of the ray in bricks until it returns false.
+  /// Calls visit(begin, end, range of values) for the parts of the ray in bricks until it returns
+  /// false.
   template <class Visit>
   void each(const Visit& visit) {
     while (t_ < end_) {
@@ -40,8 +41,8 @@ class BrickWalk {
       if (next_.z < next_[axis]) axis = 2;
       const float leave = std::min(next_[axis], end_);
       if (leave > t_) {
-        const float most = density_.most(brick_);
-        if (most > 0 && !visit(t_, leave, most)) return;
+        const volume::Density::Range range = density_.range(brick_);
+        if (range.most > 0 && !visit(t_, leave, range)) return;
         t_ = leave;
       }
       brick_[axis] += step_[axis];

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug::volume {
 namespace {
@@ -49,7 +50,7 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
       for (int x = 0; x < bricks_.x; ++x) {
         const Coord first = origin + Coord(x * kSize, y * kSize, z * kSize);
         Brick brick;
-        float most = 0;
+        Range range{std::numeric_limits<float>::infinity(), 0};
         size_t i = 0;
         for (int k = 0; k < kStride; ++k)
           for (int j = 0; j < kStride; ++j)
@@ -59,12 +60,13 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
                 throw Error(ErrorCode::bad_input,
                             fmt::format("the grid '{}' holds values that are not finite", name));
               brick[i] = std::max(value, 0.0f);
-              most = std::max(most, brick[i++]);
+              range.least = std::min(range.least, brick[i]);
+              range.most = std::max(range.most, brick[i++]);
             }
-        slots_.push_back(most > 0 ? static_cast<int32_t>(values_.size()) : -1);
-        if (!(most > 0)) continue;
+        slots_.push_back(range.most > 0 ? static_cast<int32_t>(values_.size()) : -1);
+        if (!(range.most > 0)) continue;
         values_.push_back(brick);
-        most_.push_back(most);
+        ranges_.push_back(range);
         for (int corner = 0; corner < 8; ++corner) {
           const openvdb::Vec3d at = grid.indexToWorld(openvdb::Vec3d(
               first.x() + (corner & 1 ? kSize : 0), first.y() + (corner & 2 ? kSize : 0),

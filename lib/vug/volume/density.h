@@ -29,10 +29,13 @@ class Density {
   /// Box in world space of all that is not 0.
   const Box3f& bounds() const { return bounds_; }
 
-  /// Bound of all values in a brick.
-  float most(const Vec3i& brick) const {
+  /// Bounds of all values in a brick.
+  struct Range {
+    float least = 0, most = 0;
+  };
+  Range range(const Vec3i& brick) const {
     const int32_t slot = slot_of(brick);
-    return slot < 0 ? 0 : most_[static_cast<size_t>(slot)];
+    return slot < 0 ? Range{} : ranges_[static_cast<size_t>(slot)];
   }
   /// The interpolated value; 0 outside.
   float at(const Vec3f& index) const;
@@ -60,7 +63,7 @@ class Density {
   Vec3i bricks_{0, 0, 0};
   Box3f bounds_;
   std::vector<int32_t> slots_;
-  std::vector<float> most_;
+  std::vector<Range> ranges_;
   std::vector<Brick> values_;
 };
 

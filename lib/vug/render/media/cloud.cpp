@@ -1,7 +1,8 @@
-// Fog whose density is a grid: delta tracking finds collisions, ratio tracking what comes through
-// (Novak, Georgiev, Hanika, Jarosz 2018, "Monte Carlo methods for volumetric light transport
-// simulation", novak2018volumes), brick by brick with a bound of its own for each. All colours
-// share one extinction, so that coloured albedo is a weight and needs no tracking of its own.
+// Fog whose density is a grid: delta tracking finds collisions, residual ratio tracking what comes
+// through (Novak, Georgiev, Hanika, Jarosz 2018, "Monte Carlo methods for volumetric light
+// transport simulation", novak2018volumes), brick by brick with bounds of its own for each. All
+// colours share one extinction, so that coloured albedo is a weight and needs no tracking of its
+// own.
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
@@ -17,6 +18,7 @@
 namespace vug::render {
 namespace {
 
+using Range = volume::Density::Range;
 using DensityPtr = std::shared_ptr<const volume::Density>;
 
 struct DenseCloud {
@@ -155,14 +157,16 @@ class CloudMedium final : public Medium {
                       TrackingNumbers& numbers) const override {
     const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return 1;
-    float through = 1;
+    // What every place in a brick swallows is known; only the rest is left to chance.
+    float through = 1, known = 0;
     BrickWalk walk(*density_, ray, segment);
     float left = free_path(numbers);
-    walk.each([&](float t, float end, float most) {
-      const float bound = most * extinction_;
+    walk.each([&](float t, float end, const Range& range) {
+      known += (end - t) * range.least;
+      const float rest = range.most - range.least, bound = rest * extinction_;
       while (left < (end - t) * bound) {
         t += left / bound;
-        through *= 1 - density_->at(walk.index(t)) / most;
+        through *= 1 - (density_->at(walk.index(t)) - range.least) / rest;
         if (through < 0.1f) {
           // Dim light goes on by lot: the mean stays.
           if (numbers.next() >= 2 * through) {
@@ -176,7 +180,7 @@ class CloudMedium final : public Medium {
       left -= (end - t) * bound;
       return true;
     });
-    return through;
+    return through * static_cast<float>(maths::exp(-static_cast<double>(known * extinction_)));
   }
   DistanceSample sample_distance(const Ray& ray, const Segment& whole, float u,
                                  TrackingNumbers& numbers) const override {
@@ -185,11 +189,12 @@ class CloudMedium final : public Medium {
     if (segment.empty()) return sample;
     BrickWalk walk(*density_, ray, segment);
     float left = static_cast<float>(-maths::log(1 - static_cast<double>(u)));
-    walk.each([&](float t, float end, float most) {
-      const float bound = most * extinction_;
+    walk.each([&](float t, float end, const Range& range) {
+      const float bound = range.most * extinction_;
       while (left < (end - t) * bound) {
         t += left / bound;
-        if (numbers.next() * most < density_->at(walk.index(t))) {
+        const float lot = numbers.next() * range.most;
+        if (lot < range.least || lot < density_->at(walk.index(t))) {
           sample = {t, true};
           return false;
         }
@@ -220,15 +225,15 @@ class CloudMedium final : public Medium {
     const Segment segment = within(*flames_, ray, whole);
     if (segment.empty()) return Rgb(0.0f);
     float all = 0;
-    BrickWalk(*flames_, ray, segment).each([&](float t, float end, float most) {
-      all += (end - t) * most;
+    BrickWalk(*flames_, ray, segment).each([&](float t, float end, const Range& range) {
+      all += (end - t) * range.most;
       return true;
     });
     float left = numbers.next() * all, distance = -1, bound = 0;
     BrickWalk walk(*flames_, ray, segment);
-    walk.each([&](float t, float end, float most) {
-      distance = std::min(t + left / most, end), bound = most;
-      left -= (end - t) * most;
+    walk.each([&](float t, float end, const Range& range) {
+      distance = std::min(t + left / range.most, end), bound = range.most;
+      left -= (end - t) * range.most;
       return left > 0;
     });
     if (!(distance >= 0)) return Rgb(0.0f);
@@ -279,7 +284,7 @@ class CloudMedium final : public Medium {
     double sum = 0;
     for (int z = 0; z < n.z; ++z)
       for (int y = 0; y < n.y; ++y)
-        for (int x = 0; x < n.x; ++x) sum += static_cast<double>(density_->most({x, y, z}));
+        for (int x = 0; x < n.x; ++x) sum += static_cast<double>(density_->range({x, y, z}).most);
     const double bricks = static_cast<double>(n.x) * n.y * n.z;
     usual_ = bricks > 0 ? extinction_ * static_cast<float>(0.5 * sum / bricks) : 0;
   }
