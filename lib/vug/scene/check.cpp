@@ -11,7 +11,8 @@ namespace vug::scene {
 
 namespace {
 
-constexpr const char* kReserved[] = {"and", "or", "not", "if", "in", "on", "true", "false", "pi"};
+constexpr const char* kReserved[] = {"and", "or",   "not",   "if", "in",
+                                     "on",  "true", "false", "pi", "frame"};
 
 class NameChecker {
  public:

@@ -74,6 +74,10 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
   if (const auto known = globals_.find(expr.text); known != globals_.end())
     return global(expr.text, known->second, expr.where);
   if (expr.text == "pi") return kPi;
+  if (expr.text == "frame") {
+    resolver_.use_frame();
+    return options_.frame;
+  }
   if (const auto unit = with_unit(1, expr.text)) return *unit;
   if (auto value = resolver_.name(expr.text, expr.where, diagnostics_)) return *std::move(value);
   if (document_.lost.may_declare(expr.text)) return {};
@@ -285,6 +289,7 @@ std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& give
 Value Evaluator::call(const Expr& expr, const Context& context) {
   if (expr.text == "if") return choose(expr, context);
   if (expr.text == "pick") return pick(expr, context);
+  if (expr.text == "keys") return keys(expr, context);
   const Arguments given = arguments(expr, context.key, context.scope);
   const bool told = std::any_of(given.begin(), given.end(),
                                 [](const Argument& each) { return each.value.empty(); });
@@ -302,7 +307,7 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
                     given.size() == 1 ? ", not " + given[0].value.type_name() : ""));
   std::vector<std::string> names = resolver_.known_calls();
   for (const Function& function : functions()) names.emplace_back(function.name);
-  names.insert(names.end(), {"if", "pick"});
+  names.insert(names.end(), {"if", "pick", "keys"});
   const std::string near = nearest_name(expr.text, names);
   return site(expr).fault(fmt::format("unknown function '{}'", expr.text),
                           near.empty() ? "" : fmt::format("did you mean '{}'?", near));

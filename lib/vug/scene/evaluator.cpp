@@ -114,7 +114,10 @@ std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope
 }
 
 Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
-  if (global.value) return *global.value;
+  if (global.value) {
+    if (global.moves) resolver_.use_frame();
+    return *global.value;
+  }
   const auto first = std::find(pending_.begin(), pending_.end(), name);
   if (first != pending_.end()) {
     const std::vector<std::string> circle(first, pending_.end());
@@ -126,11 +129,13 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
     return Site{where, diagnostics_}.fault(
         fmt::format("more than {} names depend on each other in a row", kMaxPending));
   pending_.push_back(name);
+  const uint64_t uses = resolver_.frame_uses();
   Value value = global.param ? param(*global.param, root().at("param").at(name))
                              : evaluate(*global.let->value, {root().at("let").at(name), nullptr});
   pending_.pop_back();
   if (document_.lost.doubtful.count(name)) value = {};
   global.value = value;
+  global.moves = resolver_.frame_uses() > uses;
   return value;
 }
 

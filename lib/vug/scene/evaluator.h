@@ -40,6 +40,7 @@ struct ParamValue {
 struct EvaluatorOptions {
   std::vector<Override> overrides;
   std::optional<uint64_t> seed;  ///< Instead of the document's.
+  double frame = 1;              ///< What `frame` and `keys` stand for.
 };
 
 /// Evaluates the expressions of one document. Faults go to the diagnostics and give Value(),
@@ -99,6 +100,7 @@ class Evaluator {
     const Let* let = nullptr;
     ParamValue* param = nullptr;
     std::optional<Value> value;
+    bool moves = false;  ///< It depends on the frame.
   };
 
   void read_overrides();
@@ -113,6 +115,7 @@ class Evaluator {
   Value call(const Expr& expr, const Context& context);
   Value choose(const Expr& expr, const Context& context);
   Value pick(const Expr& expr, const Context& context);
+  Value keys(const Expr& expr, const Context& context);
   std::optional<bool> truth(const Expr& expr, const Context& context);
   Value global(const std::string& name, Global& global, const SourceLocation& where);
   Value param(ParamValue& param, RandomKey key);

@@ -245,7 +245,15 @@ void ExprParser::operand(Expr& call, bool& named) {
   const Token& first = cursor_.peek();
   Operand result;
   result.where = cursor_.where(first);
-  if (first.kind == TokenKind::name && cursor_.peek(1).is(":")) {
+  const size_t sign = first.is("-") ? 1 : 0;
+  const Token& word = cursor_.peek(sign);
+  if (word.kind == TokenKind::number && cursor_.peek(sign + 1).is(":")) {  // a frame
+    if (word.number.dimension != Dimension::none)
+      cursor_.error(word, "a key is the number of a frame, without a unit", "keys(1: 0m, 24: 2m)");
+    named = true;
+    result.name = fmt::format("{}", sign ? -word.number.value : word.number.value);
+    for (size_t i = 0; i < sign + 2; ++i) cursor_.take();
+  } else if (first.kind == TokenKind::name && cursor_.peek(1).is(":")) {
     named = true;
     result.name = std::string(first.text);
     cursor_.take();

@@ -39,6 +39,14 @@ class Resolver {
 
   virtual std::vector<std::string> known_names() const { return {}; }
   virtual std::vector<std::string> known_calls() const { return {}; }
+
+  /// Counts how often a value was read that depends on the frame: what is made without any such
+  /// reading is the same in every frame.
+  void use_frame() { ++frame_uses_; }
+  uint64_t frame_uses() const { return frame_uses_; }
+
+ private:
+  uint64_t frame_uses_ = 0;
 };
 
 }  // namespace vug::scene
