@@ -46,7 +46,7 @@ bool PixelSum::add(const PathResult& sample, const Camera& camera) {
   add_plain(normal, sample.first.normal);
   add_plain(position, sample.first.position);
   add_plain(albedo, sample.first.albedo);
-  depth += to_plain(camera.depth(sample.first.position));
+  depth += to_plain(camera.depth_at(sample.time, sample.first.position));
   return true;
 }
 

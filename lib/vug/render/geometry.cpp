@@ -176,6 +176,7 @@ void World::Geometry::add(const Object& object, uint32_t number) {
   if (object.placing) {
     const Embree::Shape& shape = embree_->shape(object);
     part.corners = shape.corners;
+    moves = moves || object.placing->moves();
     embree_->add_instance(shape, *object.placing, parts_.size());
     for (const Affine& to : object.placing->steps())
       for (int corner = 0; corner < 8; ++corner) {
@@ -194,12 +195,12 @@ void World::Geometry::add(const Object& object, uint32_t number) {
 
 World::Geometry::~Geometry() = default;
 
-bool World::Geometry::intersect(const Ray& ray, Hit& hit) const {
+bool World::Geometry::intersect(const Ray& ray, float time, Hit& hit) const {
   RTCRayHit query;
   query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
   query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y;
   query.ray.dir_z = ray.direction.z;
-  query.ray.tnear = 0, query.ray.tfar = kFar, query.ray.time = 0;
+  query.ray.tnear = 0, query.ray.tfar = kFar, query.ray.time = time;
   query.ray.mask = ~0u, query.ray.id = 0, query.ray.flags = 0;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID, query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
@@ -210,19 +211,19 @@ bool World::Geometry::intersect(const Ray& ray, Hit& hit) const {
     fill(parts_[query.hit.geomID], query.hit.primID, OwnSpace(), ray, hit);
   } else {
     const Part& part = parts_[query.hit.instID[0]];
-    fill(part, query.hit.primID, PlacedSpace(*part.placing, query.ray.time), ray, hit);
+    fill(part, query.hit.primID, PlacedSpace(*part.placing, time), ray, hit);
     hit.surface.placing = part.placing.get();
     hit.surface.looks_by_place = part.looks_by_place;
-    hit.surface.time = query.ray.time;
+    hit.surface.time = time;
   }
   return true;
 }
 
-bool World::Geometry::occluded(const Ray& ray, float distance) const {
+bool World::Geometry::occluded(const Ray& ray, float distance, float time) const {
   RTCRay query;
   query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
   query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
-  query.tnear = 0, query.tfar = distance, query.time = 0;
+  query.tnear = 0, query.tfar = distance, query.time = time;
   query.mask = ~0u, query.id = 0, query.flags = 0;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

@@ -20,10 +20,12 @@ struct World::Geometry {
   explicit Geometry(const std::vector<Object>& objects);
   ~Geometry();
 
-  bool intersect(const Ray& ray, Hit& hit) const;
-  bool occluded(const Ray& ray, float distance) const;
+  /// `time`: see World::at.
+  bool intersect(const Ray& ray, float time, Hit& hit) const;
+  bool occluded(const Ray& ray, float distance, float time) const;
 
   Box3f bounds;
+  bool moves = false;  ///< Something is elsewhere at another time.
 
  private:
   struct Embree;

@@ -27,6 +27,7 @@ struct PathResult {
   Rgb radiance{0, 0, 0};
   float alpha = 0;  ///< 0 where the camera ray sees only the sky.
   FirstHit first;
+  float time = 0.5f;  ///< At which the camera looked, from 0 as the shutter opens to 1.
 };
 
 /// The picture that paths will be traced for, as far as they can learn from it beforehand.

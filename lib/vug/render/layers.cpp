@@ -79,6 +79,7 @@ size_t colour_index(const LayerPlan& plan, const std::string& name) {
   const auto part = std::find(parts.begin(), parts.end(), name);
   if (part != parts.end()) return static_cast<size_t>(part - parts.begin());
   size_t index = plan.parts() ? parts.size() : 0;
+  if (name == kMotion) return index + plan.groups.size();
   for (const std::string& group : plan.groups) {
     if (kLight + group == name) break;
     ++index;
@@ -94,6 +95,11 @@ const std::vector<LayerInfo>& layers() {
     for (const Kind& kind : kinds()) list.push_back(kind.info);
     for (const std::string& part : part_names())
       list.push_back({part, "A part of the beauty: see docs/rendering.md.", colour(part), false});
+    list.push_back({kMotion,
+                    "Pixels by which the first surface goes until the next frame, to the right and "
+                    "upwards.",
+                    {"motion.X", "motion.Y"},
+                    false});
     list.push_back(
         {kCryptoObject, "Cryptomatte of objects.", crypto_channels(kCryptoObject), false});
     list.push_back(
@@ -117,7 +123,7 @@ std::vector<std::string> LayerPlan::channels() const {
 
 Gather LayerPlan::gather() const {
   Gather gather;
-  gather.lights = (parts() ? part_names().size() : 0) + groups.size();
+  gather.lights = (parts() ? part_names().size() : 0) + groups.size() + (has(kMotion) ? 1 : 0);
   gather.coverage = has(kCryptoObject) || has(kCryptoMaterial);
   return gather;
 }
@@ -183,7 +189,12 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
 
 void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image) {
   std::vector<void (*)(Out&)> writers;
-  std::vector<size_t> colours;
+  /// A colour of the film, and how it is written.
+  struct Colour {
+    size_t index, parts;
+    bool of_hits;  ///< Its mean is over the samples that met a surface.
+  };
+  std::vector<Colour> colours;
   std::vector<CryptoIds> cryptos;
   for (const std::string& name : plan.names) {
     const auto kind = std::find_if(kinds().begin(), kinds().end(),
@@ -193,7 +204,7 @@ void develop(const Film& film, const LayerPlan& plan, const Region& origin, imag
     else if (is_crypto(name))
       cryptos.push_back(crypto_ids(name == kCryptoObject ? plan.objects : plan.materials));
     else
-      colours.push_back(colour_index(plan, name));
+      colours.push_back({colour_index(plan, name), name == kMotion ? 2u : 3u, name == kMotion});
   }
   const Region& region = film.region();
   for (int y = region.y0; y < region.y1; ++y)
@@ -201,9 +212,11 @@ void develop(const Film& film, const LayerPlan& plan, const Region& origin, imag
       Out out{film.at(x, y), &image.at(x - origin.x0, y - origin.y0)};
       for (const auto& write : writers) write(out);
       const double share = 1.0 / std::max(out.sum.samples, 1u);
-      for (const size_t colour : colours)
-        for (size_t i = 0; i < 3; ++i)
-          out.put(from_wide(film.lights(x, y)[3 * colour + i], kLightBits) * share);
+      const double hit_share = 1.0 / std::max(out.sum.hits, 1u);
+      for (const Colour& colour : colours)
+        for (size_t i = 0; i < colour.parts; ++i)
+          out.put(from_wide(film.lights(x, y)[3 * colour.index + i], kLightBits) *
+                  (colour.of_hits ? hit_share : share));
       for (const CryptoIds& ids : cryptos)
         out.to = write_crypto(film.coverage(x, y), out.sum.samples, ids, out.to);
     }

@@ -12,6 +12,9 @@ namespace vug::render {
 
 struct Scene;
 
+/// The layer of FrameStep::motion, in pixels.
+inline constexpr const char* kMotion = "motion";
+
 /// A layer that any scene has.
 struct LayerInfo {
   std::string name;

@@ -3,6 +3,7 @@
 
 #include <vug/base/progress.h>
 #include <vug/image/image.h>
+#include <vug/render/frame_step.h>
 #include <vug/render/integrator.h>
 #include <vug/render/layers.h>
 #include <vug/render/sampler.h>
@@ -26,6 +27,7 @@ struct Options {
   LayerPlan layers = plan_layers({}, {});
   bool openings = true;  ///< Find where the sky shines in; no effect on the picture's mean.
   Region crop;           ///< Which pixels of the picture; empty: all.
+  FrameStepPtr step;     ///< For the layer `motion`; null: nothing moves.
   double noise = 0;  ///< Blocks whose noise is below this get no more samples; 0: `spp` for all.
 };
 

@@ -35,11 +35,15 @@ TallyPlan plan_tally(const LayerPlan& layers, const std::vector<std::string>& sc
   TallyPlan plan;
   plan.parts = layers.parts();
   plan.groups = layers.groups.size();
+  plan.motion = layers.has(kMotion);
   for (size_t colour = 0; colour < layers.groups.size(); ++colour)
     for (uint32_t group = 0; group < scene_groups.size(); ++group)
       if (scene_groups[group] == layers.groups[colour]) plan.group_of[group] = colour;
   return plan;
 }
+
+/// Beyond those of any path, so that pictures in which nothing moves spend the same numbers.
+constexpr uint32_t kTimeDimension = 1u << 20;
 
 /// The angle across a pixel in the middle of the picture, radians.
 float pixel_angle(const Camera& camera, const Options& options) {
@@ -73,7 +77,9 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
                       : make_integrator("path", {{"max_bounces", options.max_bounces}})),
       world_(std::make_unique<const World>(announced(scene, progress))),
       wanted_(wanted_region(options)),
-      spread_(pixel_angle(*scene.camera, options)) {
+      spread_(pixel_angle(*scene.camera, options)),
+      plain_(!scene.camera->moves() && !world_->moves() &&
+             !(options.step && options.layers.has(kMotion))) {
   progress.end();
   tally_ = plan_tally(options.layers, world_->lights().groups());
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
@@ -100,9 +106,24 @@ PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
   const Vec2f place((static_cast<float>(x) + inside.x) / width,
                     (static_cast<float>(y) + inside.y) / height);
   tally.clear();
-  Ray ray = scene_.camera->ray(place, width / height, lens);
+  Tally* parts = tally_.colours() > 0 ? &tally : nullptr;
+  if (plain_) {
+    Ray ray = scene_.camera->ray(place, width / height, lens);
+    ray.spread = spread_;
+    return integrator_->trace(*world_, ray, numbers, parts);
+  }
+  const float time = sampler_->single(id, kTimeDimension);
+  Ray ray = scene_.camera->ray_at(time, place, width / height, lens);
   ray.spread = spread_;
-  return integrator_->trace(*world_, ray, numbers, tally.colours().empty() ? nullptr : &tally);
+  PathResult result = integrator_->trace(world_->at(time), ray, numbers, parts);
+  result.time = time;
+  if (options_.step && tally_.motion && result.first.hit) {
+    const uint32_t object = result.first.object;
+    const Vec2f way = options_.step->motion(
+        result.first.position, object, scene_.objects[object].placing.get(), time, width / height);
+    tally.set_motion({way.x * width, way.y * height});
+  }
+  return result;
 }
 
 Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end) const {

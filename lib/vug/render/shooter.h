@@ -34,6 +34,7 @@ class Shooter {
   TallyPlan tally_;
   Region wanted_;
   float spread_;
+  bool plain_;  ///< Nothing moves, and nobody asks how.
 };
 
 }  // namespace vug::render

@@ -36,6 +36,7 @@ struct TallyPlan {
   size_t groups = 0;
   /// Colours of LightSet::groups(); groups without a colour are not in it.
   std::unordered_map<uint32_t, size_t> group_of;
+  bool motion = false;  ///< A last colour, which is no light, holds the motion.
 
   size_t colours() const { return (parts ? static_cast<size_t>(LightPart::count) : 0) + groups; }
 };
@@ -44,7 +45,8 @@ struct TallyPlan {
 /// stands before the path's throughput, and then settles all of it with the throughput.
 class Tally {
  public:
-  explicit Tally(const TallyPlan& plan) : plan_(plan), colours_(plan.colours()) {}
+  explicit Tally(const TallyPlan& plan)
+      : plan_(plan), colours_(plan.colours() + (plan.motion ? 1 : 0)) {}
 
   /// Before a path.
   void clear();
@@ -66,8 +68,9 @@ class Tally {
   void turned_in_medium();
   void turned_at_surface(bool through, const Rgb& weight, const Rgb& diffuse);
 
-  /// TallyPlan::colours() of them.
+  /// TallyPlan::colours() of them, then the motion.
   const std::vector<Rgb>& colours() const { return colours_; }
+  void set_motion(const Vec2f& motion) { colours_.back() = {motion.x, motion.y, 0}; }
 
  private:
   struct Note {

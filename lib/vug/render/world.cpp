@@ -12,7 +12,8 @@ std::vector<LightPtr> joined(std::vector<LightPtr> lights, const std::vector<Lig
 }  // namespace
 
 World::World(const Scene& scene)
-    : geometry_(std::make_shared<Geometry>(scene.objects)), lights_(scene.lights, scene.objects) {
+    : geometry_(std::make_shared<Geometry>(scene.objects)),
+      lights_(std::make_shared<const LightSet>(scene.lights, scene.objects)) {
   medium_ = scene.medium;
   if (medium_)
     if (MediumPtr fitted = medium_->fitted(geometry_->bounds)) medium_ = fitted;
@@ -20,15 +21,21 @@ World::World(const Scene& scene)
 
 World::World(const World& other, const Scene& scene, const std::vector<LightPtr>& more)
     : geometry_(other.geometry_),
-      lights_(joined(scene.lights, more), scene.objects),
+      lights_(std::make_shared<const LightSet>(joined(scene.lights, more), scene.objects)),
       medium_(other.medium_) {}
+
+World::World(const World& other, float time)
+    : geometry_(other.geometry_), lights_(other.lights_), medium_(other.medium_), time_(time) {}
 
 World::~World() = default;
 
-bool World::intersect(const Ray& ray, Hit& hit) const { return geometry_->intersect(ray, hit); }
-bool World::occluded(const Ray& ray, float distance) const {
-  return geometry_->occluded(ray, distance);
+bool World::intersect(const Ray& ray, Hit& hit) const {
+  return geometry_->intersect(ray, time_, hit);
 }
+bool World::occluded(const Ray& ray, float distance) const {
+  return geometry_->occluded(ray, distance, time_);
+}
+bool World::moves() const { return geometry_->moves; }
 const Box3f& World::bounds() const { return geometry_->bounds; }
 
 }  // namespace vug::render

@@ -34,6 +34,11 @@ class World {
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
+  /// Where all is at a time from 0, as the shutter opens, to 1, as it closes; shares everything.
+  /// Without this it is the middle of that time.
+  World at(float time) const { return World(*this, time); }
+  /// Whether that makes a difference.
+  bool moves() const;
 
   /// False when nothing is hit.
   bool intersect(const Ray& ray, Hit& hit) const;
@@ -41,16 +46,18 @@ class World {
   bool occluded(const Ray& ray, float distance) const;
   const Box3f& bounds() const;
 
-  const LightSet& lights() const { return lights_; }
+  const LightSet& lights() const { return *lights_; }
 
   const Medium* medium() const { return medium_.get(); }
 
  private:
   struct Geometry;
+  World(const World& other, float time);
 
   std::shared_ptr<const Geometry> geometry_;
-  LightSet lights_;
+  std::shared_ptr<const LightSet> lights_;
   MediumPtr medium_;
+  float time_ = 0.5f;
 };
 
 }  // namespace vug::render

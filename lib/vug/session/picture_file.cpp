@@ -70,7 +70,8 @@ std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& loo
   notes.emplace_back(kDenoise, look.denoise ? "true" : "false");
   if (look.camera) {
     notes.emplace_back(kToCamera, matrix_text(look.camera->world_to_camera));
-    notes.emplace_back(kToNdc, matrix_text(look.camera->world_to_ndc));
+    if (look.camera->world_to_ndc)
+      notes.emplace_back(kToNdc, matrix_text(*look.camera->world_to_ndc));
   }
   for (const auto& [name, text] : look.metadata) notes.emplace_back(kMetadata + name, text);
   return notes;

@@ -1,0 +1,55 @@
+// A camera whose rays are parallel: plans and sections.
+#include <vug/render/kind.h>
+#include <vug/render/view.h>
+
+namespace vug::render {
+namespace {
+
+struct Orthographic : ViewParams {
+  double width = 4;
+
+  static void describe(Schema<Orthographic>& s) {
+    describe_view(s.doc("A view by parallel rays, for plans and sections; it sees what lies before "
+                        "the plane through the eye."))
+        .param("width", &Orthographic::width, positive_length("What the picture's width spans."));
+  }
+  std::string fault() const { return view_fault(); }
+};
+
+class OrthographicCamera final : public Camera {
+ public:
+  explicit OrthographicCamera(const Orthographic& p)
+      : view_(p), width_(static_cast<float>(p.width)) {}
+
+  Ray ray(const Vec2f& film, float aspect, const Vec2f&) const override {
+    return {view_.eye + view_.right * ((film.x - 0.5f) * width_) +
+                view_.up * ((0.5f - film.y) * width_ / aspect),
+            view_.forward};
+  }
+  std::optional<Vec2f> place(const Vec3f& point, float aspect) const override {
+    const Vec3f local = view_.to_local(point);
+    if (!(local.z > 0)) return std::nullopt;
+    return Vec2f(0.5f + local.x / width_, 0.5f - local.y * aspect / width_);
+  }
+  Vec3f eye() const override { return view_.eye; }
+  Shutter shutter() const override { return view_.shutter; }
+  float depth(const Vec3f& point) const override { return dot(point - view_.eye, view_.forward); }
+  std::optional<CameraMatrices> matrices(float aspect) const override {
+    std::array<float, 16> to_ndc{};
+    to_ndc[0] = 1 / width_;
+    to_ndc[5] = -aspect / width_;
+    to_ndc[10] = to_ndc[15] = 1;
+    to_ndc[12] = to_ndc[13] = 0.5f;
+    const auto to_camera = view_.world_to_camera();
+    return CameraMatrices{to_camera, product(to_camera, to_ndc)};
+  }
+
+ private:
+  View view_;
+  float width_;
+};
+
+}  // namespace
+}  // namespace vug::render
+
+VUG_RENDER_KIND(orthographic, camera, CameraPtr, Orthographic, OrthographicCamera)
