@@ -12,6 +12,8 @@ constexpr float kCube = 1.0f / 64, kRegion = 1.0f / 16;
 constexpr float kLeastTrust = 0.02f;
 /// Glances that the mean over all regions counts for in each.
 constexpr float kPrior = 2;
+/// A cone that is wider, beyond 45 degrees from its axis, says no more than the material does.
+constexpr float kWidest = 0.3f;
 /// Patches of less than this part of the best one's light are left out.
 constexpr float kFaint = 0.02f;
 
@@ -88,8 +90,7 @@ Cones Guide::at(const Vec3f& point, const Vec3f& normal) const {
     const float cosine = std::min(1.0f, std::max(0.0f, above * scale));
     x[i] *= scale, y[i] *= scale, z[i] *= scale;
     opening[i] = Cones::opening(radius_[i] * scale);
-    // From within, or nearly, a ball is everywhere.
-    light[i] = distance > 1.2f * radius_[i] ? power_[i] * chance[i] * cosine / square : 0;
+    light[i] = opening[i] < kWidest ? power_[i] * chance[i] * cosine / square : 0;
   }
   float most = 0, all = 0;
   for (const float each : light) most = std::max(most, each), all += each;
