@@ -1,6 +1,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
+#include <vug/image/exr_check.h>
 #include <vug/image/io.h>
 
 #include <OpenImageIO/imageio.h>
@@ -24,6 +25,11 @@ Error refuse(const std::filesystem::path& path, const std::string& reason) {
 
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
   if (const std::string why = why_no_file(path); !why.empty()) throw refuse(path, why);
+  if (const std::string fault = exr_fault(path); !fault.empty()) throw refuse(path, fault);
+  // Else a file that the reader of its ending refuses goes to all others, which are many and slow,
+  // and some keep memory.
+  static const bool by_ending = OIIO::attribute("try_all_readers", 0);
+  (void)by_ending;
   auto input = OIIO::ImageInput::open(path.string());
   if (!input) throw refuse(path, OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -198,7 +199,9 @@ void read_front(Reader& file, PartHeader& header, State& state, Region& covered)
   list(file, state.done, 4, [&](auto& n) { file.number(n); });
   list(file, state.settled, 1, [&](auto& n) { file.number(n); });
   if (state.done.size() != covered.blocks(State::kBlock) ||
-      state.settled.size() != state.done.size())
+      state.settled.size() != state.done.size() ||
+      !std::all_of(state.done.begin(), state.done.end(),
+                   [&](uint32_t n) { return n >= state.begin && n <= state.end; }))
     file.refuse("its content was changed");
 }
 
