@@ -58,6 +58,8 @@ class Bsdf {
   /// A sheet without a body: light from behind is scattered towards the viewer, too, and lights are
   /// looked for on both sides.
   virtual bool thin() const { return false; }
+  /// Lights behind the surface can be chosen, too, not only found.
+  virtual bool lit_from_behind() const { return thin(); }
 
  protected:
   ~Bsdf() = default;  // it is never destroyed, its memory is used again

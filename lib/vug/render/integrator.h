@@ -7,6 +7,7 @@
 #include <vug/render/vectors.h>
 
 #include <memory>
+#include <string>
 
 namespace vug::render {
 
@@ -50,6 +51,8 @@ class Integrator {
     (void)rehearsal, (void)progress;
     return nullptr;
   }
+  /// What makes pictures other than exact, on request: "clamp 3"; empty where nothing does.
+  virtual std::string inexact() const { return {}; }
   /// `tally`: null, or where to keep the parts of the radiance apart.
   virtual PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers,
                            Tally* tally = nullptr) const = 0;

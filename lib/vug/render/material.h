@@ -25,6 +25,7 @@ struct Surface {
   Rgb color{1, 1, 1};    ///< Vertex colour "Cd", white without.
   bool inside = false;   ///< The viewer is on the back of the triangle: inside of a solid.
   float footprint = 0;   ///< Metres across which the viewer takes in, about.
+  float blur = 0;        ///< Faces are to be this rough at least: see path(regularize: ...).
 
   const mesh::Mesh* mesh = nullptr;  ///< Null: none, as in tests.
   uint32_t triangle = 0;             ///< Of the mesh, and the place on it: shares of the second and

@@ -192,6 +192,9 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
                        {"vug:version", VUG_VERSION},
                        {"vug:seed", std::to_string(render.seed)},
                        {"vug:spp", std::to_string(plan.spp)}};
+  if (const std::string inexact = plan.integrator ? plan.integrator->inexact() : "";
+      !inexact.empty())
+    job.look.metadata.emplace_back("vug:inexact", inexact);
   job.header = render::part_header(render);
   job.header.identity = identity(job.scene, builder.shot(), options);
   job.header.notes = to_notes(job.look);

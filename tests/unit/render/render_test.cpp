@@ -223,6 +223,46 @@ TEST(Render, RefusesAndStops) {
   EXPECT_THROW(render(scene, options(4, 4, 4, 0)), Error);
 }
 
+// A tiny lamp before a mirror: what comes to the floor by way of the mirror is found by chance
+// only, and is exactly the light of the lamp's image. Regularized it is found each time, a little
+// blurred.
+TEST(Render, RegularizingMakesSoftLightOfBrightDots) {
+  const auto lit = [](bool mirror, double regularize) {
+    Scene scene;
+    scene.camera = view({0.6, 0.8, 0.7}, {0.6, 0, 0}, 0.3);
+    scene.objects = {object(floor_mesh(3), 0.8)};
+    scene.lights = {make_light(
+        "sphere", {{"center", Vec3d(0.7, 0.7, 0)}, {"radius", 0.01}, {"radiance", Vec3d(1000)}})};
+    if (mirror) {
+      mesh::Mesh wall;
+      wall.positions = {{0, 0.001f, -3}, {0, 3, -3}, {0, 3, 3}, {0, 0.001f, 3}};
+      wall.triangles = {{0, 1, 2}, {0, 2, 3}};
+      Object glass = object(std::move(wall), 1);
+      glass.material =
+          make_material("surface", {{"metal", 1.0}, {"color", Vec3d(1)}, {"roughness", 0.03}});
+      scene.objects.push_back(std::move(glass));
+    } else {
+      scene.lights.push_back(make_light(
+          "sphere",
+          {{"center", Vec3d(-0.7, 0.7, 0)}, {"radius", 0.01}, {"radiance", Vec3d(1000)}}));
+    }
+    Options o = options(32, 24, 64, 1);
+    o.integrator = make_integrator("path", {{"regularize", regularize}});
+    return mean_of(render(scene, o), "G");
+  };
+  const Mean image = lit(false, 0), dots = lit(true, 0), soft = lit(true, 0.25);
+  EXPECT_NEAR(soft.value, image.value, 0.03 * image.value);
+  // The image gives about a third of all light.
+  EXPECT_NEAR(dots.value, image.value, 4 * dots.error);
+  EXPECT_GT(dots.error, 3 * soft.error);
+}
+
+TEST(Render, SaysWhatIsNotExact) {
+  EXPECT_EQ(make_integrator("path")->inexact(), "");
+  EXPECT_EQ(make_integrator("path", {{"clamp", 3.0}, {"regularize", 0.25}})->inexact(),
+            "clamp 3, regularize 0.25");
+}
+
 TEST(Render, AnEmptySceneIsBlackAndZeroAreaTrianglesDoNoHarm) {
   Scene scene;
   scene.camera = view({0, 0, 3}, {0, 0, 0}, 1);

@@ -13,10 +13,11 @@ MaterialPtr thin(Named more) {
 
 /// What the camera sees of a sheet at the origin that a square lamp of radiance 1 lights from
 /// 60 cm above or below, by the midpoint rule.
-double quadrature(const MaterialPtr& material, float side, const Vec3f& out) {
+double quadrature(const MaterialPtr& material, float side, const Vec3f& out, bool inside = false) {
   constexpr int kSteps = 600;
   Surface surface;
-  surface.geometric_normal = surface.shading_normal = {0, 1, 0};
+  surface.geometric_normal = surface.shading_normal = {0, inside ? -1.0f : 1.0f, 0};
+  surface.inside = inside;
   const Frame frame(surface.shading_normal);
   BsdfMemory memory;
   const Bsdf& bsdf = material->at(surface, frame.to_local(out), memory);
@@ -57,6 +58,27 @@ TEST(Thin, IsLitFromBothSides) {
       EXPECT_LT(mean.error, 0.01 * expected);
       EXPECT_GT(expected, 0.01);
     }
+}
+
+// From inside a rough clear body, lamps beyond its face are chosen, not only run into.
+TEST(Thin, LampsBeyondARoughFaceAreChosen) {
+  const Vec3f out = normalized(Vec3f(0.3f, -0.4f, 0));
+  const MaterialPtr glass =
+      make_material("surface", {{"transmission", 1.0}, {"roughness", 0.5}, {"ior", 1.33}});
+  Scene scene;
+  scene.camera = view(Vec3d(out), {0, 0, 0}, 1e-3);
+  scene.objects = {object(floor_mesh(0.01f), 1)};
+  scene.objects[0].material = glass;
+  scene.lights = {make_light("rect", {{"center", Vec3d(0, 0.6, 0)},
+                                      {"normal", Vec3d(0, -1, 0)},
+                                      {"width", 1.0},
+                                      {"height", 1.0},
+                                      {"visible", false}})};
+  const double expected = quadrature(glass, 1, out, true);
+  const Mean mean = mean_of(render(scene, options(32, 32, 64, 0)), "R");
+  EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-3 * expected);
+  EXPECT_LT(mean.error, 0.01 * expected);
+  EXPECT_GT(expected, 0.01);
 }
 
 mesh::Mesh at_height(mesh::Mesh mesh, float height) {

@@ -5,6 +5,8 @@
 #include <vug/render/paths/wander.h>
 #include <vug/render/tally.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace vug::render {
@@ -17,6 +19,7 @@ struct Path {
   bool roulette = true;
   Guided guide = Guided::automatic;
   std::optional<double> clamp;
+  double regularize = 0;
 
   static void describe(Schema<Path>& s) {
     s.doc("Path tracing from the camera with direct sampling of lights.")
@@ -30,6 +33,12 @@ struct Path {
                        "fireflies, and a darker, no longer exact picture. Not cut when not given.",
                 .min = 0,
                 .above_min = true})
+        .param("regularize", &Path::regularize,
+               {.doc = "Roughness that faces have at least where light is followed to them over "
+                       "matte ones, 0.3 to 0.5: small lamps over water and polish make soft light "
+                       "instead of bright dots, and the picture is no longer exact.",
+                .min = 0,
+                .max = 1})
         .choice("guide", &Path::guide,
                 {{"auto", Guided::automatic}, {"on", Guided::on}, {"off", Guided::off}},
                 "Learns first which surfaces are bright and from where they are seen, and lets "
@@ -65,7 +74,16 @@ class PathIntegrator final : public Integrator {
       : max_bounces_(p.max_bounces),
         roulette_(p.roulette),
         guided_(p.guide),
-        most_(p.clamp ? static_cast<float>(*p.clamp) : kFar) {}
+        most_(p.clamp ? static_cast<float>(*p.clamp) : kFar),
+        regularize_(static_cast<float>(p.regularize)) {}
+
+  std::string inexact() const override {
+    std::string out;
+    if (most_ < kFar) out = fmt::format("clamp {:g}", most_);
+    if (regularize_ > 0)
+      out += fmt::format("{}regularize {:g}", out.empty() ? "" : ", ", regularize_);
+    return out;
+  }
 
   std::shared_ptr<const Integrator> rehearsed(const Rehearsal& rehearsal,
                                               Progress& progress) const override {
@@ -102,6 +120,7 @@ class PathIntegrator final : public Integrator {
   bool roulette_;
   Guided guided_;
   float most_;
+  float regularize_;
   Guide guide_;
 };
 
@@ -113,6 +132,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
   Rgb unled(1.0f);  // the throughput that would be left without a guide
   PathVertex from;
   float width = 0, spread = camera_ray.spread;  // of the cone that the path looks along
+  float blur = 0;                               // least roughness of what it sees
   Rgb absorption(0.0f);                         // of the clear body that the ray is in
   bool within = false;
   const Medium* medium = world.medium();
@@ -191,6 +211,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
           unled *= medium->albedo(point);
           ray = {point, medium->sample_phase(ray.direction, scatter_u)};
           from = {PathVertex::medium, {point, Vec3f(0.0f)}, 0, {}};
+          blur = regularize_;
           if (tally && depth == 0) tally->turned_in_medium();
         }
       }
@@ -199,6 +220,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
       if (!found) break;
       if (hit.material->bump(hit.surface)) hit.surface.face(ray.direction);
       const Frame frame(hit.surface.shading_normal);
+      hit.surface.blur = blur;
       BsdfMemory memory;
       const Bsdf& own = hit.material->at(hit.surface, frame.to_local(-ray.direction), memory);
       const Cones bright = guide.at(hit.surface.position, hit.surface.shading_normal);
@@ -208,7 +230,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
               {hit.origin, hit.surface.geometric_normal, hit.object},
               0,
               {all_lights}};
-      if (own.thin()) from.point.normal = Vec3f(0.0f);  // light arrives from both sides
+      // Then light arrives from both sides.
+      if (own.lit_from_behind()) from.point.normal = Vec3f(0.0f);
       const Rgb light = throughput * direct_light(world, hit, bsdf, frame, from, choice.x, light_u,
                                                   tracking, tally);
       const Rgb scale = add(light, depth);
@@ -225,6 +248,9 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
       from.pdf = s.scattered.pdf;
       width = hit.surface.footprint;
       if (!is_black(s.scattered.diffuse)) spread = std::max(spread, kBlur);
+      // Kaplanyan and Dachsbacher 2013, "Path space regularization for holistic and robust light
+      // transport" (cite kaplanyan2013regularization), with a width that stays.
+      if (2 * largest(s.scattered.diffuse) > largest(s.scattered.weight)) blur = regularize_;
       const Bsdf& body = s.scattered.body ? *s.scattered.body : own;
       if (s.scattered.beneath) {
         RandomStream random = walk_numbers(scatter_u, choice.y);
@@ -254,7 +280,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
         ray = {hit.origin, away.direction};
       } else {
         if (through && !own.thin()) {
-          from.kind = PathVertex::through;
+          if (!own.lit_from_behind()) from.kind = PathVertex::through;
           within = !hit.surface.inside;
           absorption = within ? body.absorption() : Rgb(0.0f);
         }

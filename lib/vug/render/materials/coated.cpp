@@ -40,8 +40,8 @@ class CoatedMaterial final : public Material {
         face_(&FaceTable::of(static_cast<float>(p.ior))) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override {
-    return memory.make<FilmBsdf>(
-        FilmLobe(albedo_ * surface.color, FilmLobe::Below::wet, roughness_, *face_, out));
+    return memory.make<FilmBsdf>(FilmLobe(albedo_ * surface.color, FilmLobe::Below::wet,
+                                          std::max(roughness_, surface.blur), *face_, out));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<FilmBsdf>(); }
 

@@ -57,6 +57,7 @@ class MixBsdf final : public Bsdf {
     return is_black(a_->absorption()) ? b_->absorption() : a_->absorption();
   }
   bool thin() const override { return a_->thin() && b_->thin(); }
+  bool lit_from_behind() const override { return a_->lit_from_behind() || b_->lit_from_behind(); }
   Rgb albedo() const override { return a_->albedo() * (1 - share_) + b_->albedo() * share_; }
 
  private:

@@ -141,6 +141,7 @@ class SurfaceBsdf final : public Bsdf {
     total_ += into_odds_;
   }
   void set_thin() { thin_ = true; }
+  void set_lit_from_behind() { behind_ = true; }
   void set_absorption(const Rgb& absorption) { absorption_ = absorption; }
 
   Scattering evaluate(const Vec3f& in) const override {
@@ -183,6 +184,7 @@ class SurfaceBsdf final : public Bsdf {
   Rgb absorption() const override { return absorption_; }
   Cloud beneath() const override { return beneath_; }
   bool thin() const override { return thin_; }
+  bool lit_from_behind() const override { return thin_ || behind_; }
 
  private:
   struct Part {
@@ -203,7 +205,7 @@ class SurfaceBsdf final : public Bsdf {
   size_t count_ = 0;
   float total_ = 0, broad_ = 0;
   float into_ = 0, into_odds_ = 0;  ///< Light that goes beneath.
-  bool thin_ = false;
+  bool thin_ = false, behind_ = false;
   Cloud beneath_;
   Rgb cloud_color_{0, 0, 0}, absorption_{0, 0, 0};
   alignas(Part) std::byte raw_[kMost * sizeof(Part)];  // parts are made when added
@@ -293,7 +295,7 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
   const paint::Spot& spot = place.spot();
   SurfaceBsdf& bsdf = memory.make<SurfaceBsdf>();
   const Rgb color = p_.color.at(spot) * surface.color;
-  const float roughness = face_roughness(spot);
+  const float roughness = std::max(face_roughness(spot), surface.blur);
   const float metal = p_.metal.at(spot), clear = p_.transmission.at(spot) * (1 - metal);
   const float body = 1 - metal - clear, wet = body * p_.coat.at(spot), dry = body - wet;
   const float cloudy = p_.subsurface.at(spot), furry = p_.fuzz.at(spot);
@@ -307,7 +309,7 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
     bsdf.add(rock * furry,
              FuzzLobe(p_.fuzz_color.at(spot), p_.fuzz_roughness.at(spot), color, out));
   if (wet > 0) {
-    const float film = std::max(p_.coat_roughness.at(spot), kSmoothest);
+    const float film = std::max(p_.coat_roughness.at(spot), std::max(kSmoothest, surface.blur));
     bsdf.add(wet, FilmLobe(color, FilmLobe::Below::wet, film, *film_, out));
   }
   if (metal > 0) bsdf.add(metal, MetalLobe(color, roughness, out));
@@ -327,6 +329,9 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
   if (clear > 0) {
     bsdf.add(clear, GlassLobe(roughness, *face_, *glass_, surface.inside, out));
     bsdf.set_absorption(absorption_);
+    // Lobes of smooth faces are narrower than most lamps; and from outside the way to a lamp in the
+    // body would swallow light.
+    if (surface.inside && roughness > 0.1f) bsdf.set_lit_from_behind();
   }
   if (dry * cloudy > 0) {
     const FilmLobe face(color, FilmLobe::Below::open, roughness, *face_, out);

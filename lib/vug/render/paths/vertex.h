@@ -11,7 +11,8 @@ class Tally;
 /// heuristic (Veach 1997, "Robust Monte Carlo methods for light transport simulation", section 9.2,
 /// veach1997).
 struct PathVertex {
-  /// `through`: behind a surface that lets light through, where lights are not sampled.
+  /// `through`: behind a surface that lets light through, where lights are not sampled; behind one
+  /// that is lit from behind, too, they are, and the vertex is a `surface`.
   enum { camera, surface, through, medium } kind = camera;
   LitPoint point;
   float pdf = 0;   ///< Of the direction taken, over solid angle.
