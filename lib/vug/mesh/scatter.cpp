@@ -1,0 +1,135 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/mesh/scatter.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace vug::mesh {
+namespace {
+
+/// Candidates for each square of the spacing's side: nine tenths of those are found that darts
+/// without end would find.
+constexpr double kTries = 16;
+constexpr double kMostTries = 1u << 26;
+
+/// Points in cubes of the spacing's edge: one nearer than that is in one of 27 cubes.
+class Cubes {
+ public:
+  explicit Cubes(double spacing) : spacing_(spacing) {}
+
+  bool is_free(const Vec3d& p) const {
+    const auto [x, y, z] = cube(p);
+    for (int64_t i = x - 1; i <= x + 1; ++i)
+      for (int64_t j = y - 1; j <= y + 1; ++j)
+        for (int64_t k = z - 1; k <= z + 1; ++k) {
+          const auto first = first_.find(number({i, j, k}));
+          if (first == first_.end()) continue;
+          for (uint32_t at = first->second; at != kNone; at = next_[at])
+            if ((points_[at] - p).length2() < spacing_ * spacing_) return false;
+        }
+    return true;
+  }
+  void add(const Vec3d& p) {
+    const auto [at, is_new] = first_.try_emplace(number(cube(p)), kNone);
+    next_.push_back(at->second);
+    at->second = static_cast<uint32_t>(points_.size());
+    points_.push_back(p);
+  }
+
+ private:
+  static constexpr uint32_t kNone = ~0u;
+  using Cube = std::array<int64_t, 3>;
+  Cube cube(const Vec3d& p) const {
+    return {static_cast<int64_t>(std::floor(p.x / spacing_)),
+            static_cast<int64_t>(std::floor(p.y / spacing_)),
+            static_cast<int64_t>(std::floor(p.z / spacing_))};
+  }
+  /// Cubes 2^21 apart share a number, which costs time and nothing else.
+  static uint64_t number(const Cube& c) {
+    const auto low = [](int64_t i) { return static_cast<uint64_t>(i) & 0x1fffff; };
+    return low(c[0]) << 42 | low(c[1]) << 21 | low(c[2]);
+  }
+
+  double spacing_;
+  std::unordered_map<uint64_t, uint32_t> first_;
+  std::vector<uint32_t> next_;
+  std::vector<Vec3d> points_;
+};
+
+Spot spot_on(const Mesh& mesh, uint32_t triangle, double u, double v) {
+  const auto [a, b, c] = corners(mesh, triangle);
+  Spot spot;
+  spot.triangle = triangle, spot.u = u, spot.v = v;
+  spot.position = a + (b - a) * u + (c - a) * v;
+  Vec3d normal = double_area_vector(mesh, triangle);
+  if (!mesh.normals.empty()) {
+    const Triangle& t = mesh.triangles[triangle];
+    const Vec3d smooth = Vec3d(mesh.normals[t[0]]) * (1 - u - v) + Vec3d(mesh.normals[t[1]]) * u +
+                         Vec3d(mesh.normals[t[2]]) * v;
+    if (smooth.length() > 1e-6) normal = smooth;
+  }
+  spot.normal = normal.normalized();
+  return spot;
+}
+
+}  // namespace
+
+std::vector<Spot> scatter(const Mesh& mesh, const ScatterOptions& options, Progress& progress) {
+  std::vector<double> area(mesh.triangles.size());  // of all triangles up to this one
+  double total = 0;
+  for (size_t i = 0; i < area.size(); ++i)
+    area[i] = total += 0.5 * double_area_vector(mesh, i).length();
+  std::vector<Spot> spots;
+  if (!(total > 0) || options.most == 0) return spots;
+  const double tries = std::ceil(kTries * total / (options.spacing * options.spacing));
+  if (!(tries <= kMostTries))
+    throw Error(
+        ErrorCode::too_large,
+        fmt::format("{:.4g} m^2 hold too many points {:.3g} m apart", total, options.spacing), {},
+        "use a larger spacing");
+
+  const auto count = static_cast<uint64_t>(std::max(tries, kTries));
+  progress.begin("strewing", count);
+  Cubes cubes(options.spacing);
+  for (uint64_t i = 0; i < count; ++i) {
+    if (i % 65536 == 0) progress.check();
+    progress.advance();
+    RandomStream random(options.key.at(i));
+    const double place = random.uniform() * total;
+    const auto at = std::upper_bound(area.begin(), area.end(), place) - area.begin();
+    const auto triangle =
+        static_cast<uint32_t>(std::min(at, static_cast<std::ptrdiff_t>(area.size()) - 1));
+    double u = random.uniform(), v = random.uniform();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    Spot spot = spot_on(mesh, triangle, u, v);
+    if (!cubes.is_free(spot.position)) continue;
+    cubes.add(spot.position);
+    spot.key = options.key.at(i);
+    spots.push_back(spot);
+  }
+  progress.end();
+
+  if (options.share) {
+    std::vector<uint8_t> stays(spots.size());
+    parallel_for(
+        spots.size(),
+        [&](size_t i) {
+          RandomStream random(spots[i].key.at("share"));
+          stays[i] = random.uniform() < options.share(spots[i]);
+        },
+        64);
+    size_t kept = 0;
+    for (size_t i = 0; i < spots.size(); ++i)
+      if (stays[i]) spots[kept++] = spots[i];
+    spots.erase(spots.begin() + static_cast<std::ptrdiff_t>(kept), spots.end());
+  }
+  if (spots.size() > options.most)
+    spots.erase(spots.begin() + static_cast<std::ptrdiff_t>(options.most), spots.end());
+  return spots;
+}
+
+}  // namespace vug::mesh
