@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 
 namespace vug {
@@ -40,16 +41,22 @@ std::string bytes_text(double bytes) {
   return fmt::format("{:.3g} {}", bytes, kUnits[unit]);
 }
 
-uint64_t available_memory() {
-  std::ifstream info("/proc/meminfo");
-  std::string key;
-  uint64_t kib = 0;
-  while (info >> key >> kib) {
-    if (key == "MemAvailable:") return kib * 1024;
-    info.ignore(256, '\n');
-  }
-  return uint64_t{8} << 30;
+namespace {
+
+/// Bytes that a line "KEY: NUMBER kB" tells; `otherwise` where there is none.
+uint64_t told_by(const char* file, const char* wanted, uint64_t otherwise) {
+  std::ifstream info(file);
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind(wanted, 0) == 0)
+      return std::strtoull(line.c_str() + std::strlen(wanted), nullptr, 10) * 1024;
+  return otherwise;
 }
+
+}  // namespace
+
+uint64_t available_memory() { return told_by("/proc/meminfo", "MemAvailable:", uint64_t{8} << 30); }
+
+uint64_t resident_memory() { return told_by("/proc/self/status", "VmRSS:", 0); }
 
 void require_memory(double estimate, uint64_t limit, const std::string& what,
                     const std::string& remedy) {

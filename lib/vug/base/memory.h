@@ -15,6 +15,9 @@ std::string bytes_text(double bytes);
 /// Memory the machine could give now, in bytes (MemAvailable).
 uint64_t available_memory();
 
+/// Memory that this process holds now, in bytes (VmRSS).
+uint64_t resident_memory();
+
 /// Throws Error(too_large) when `estimate` (bytes) exceeds `limit`, naming both and `what`; the
 /// hint is `remedy` or else a higher limit.
 void require_memory(double estimate, uint64_t limit, const std::string& what,

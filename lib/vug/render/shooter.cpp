@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace vug::render {
@@ -140,27 +141,36 @@ Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end) const {
 
 double Shooter::seconds(double samples) const {
   using Clock = std::chrono::steady_clock;
-  constexpr size_t kBatch = 512;
-  constexpr double kEnough = 0.1;  // seconds
-  const Clock::time_point start = Clock::now();
-  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  size_t taken = 0;
-  while (passed() < kEnough && static_cast<double>(taken) < 0.02 * samples) {
+  constexpr size_t kBatch = 64;
+  constexpr double kEnough = 0.2;  // seconds
+  const auto each = static_cast<uint32_t>(std::min(options_.spp, 16));
+  size_t pixels = 0;
+  const auto batch = [&] {
     parallel_for(
         kBatch,
         [&](size_t i) {
-          // Pixels all over the picture, by multiples of the golden section and of its square root.
-          const auto step = static_cast<double>(taken + i);
+          // Pixels all over the picture, by multiples of the golden section and of its square root;
+          // several samples of each, for these find what they need at hand as those of a picture.
+          const auto step = static_cast<double>(pixels + i);
           const double u = step * 0.6180339887498949, v = step * 0.7548776662466927;
+          const int x = wanted_.x0 + static_cast<int>((u - std::floor(u)) * wanted_.width());
+          const int y = wanted_.y0 + static_cast<int>((v - std::floor(v)) * wanted_.height());
           Tally tally(tally_);
-          sample(wanted_.x0 + static_cast<int>((u - std::floor(u)) * wanted_.width()),
-                 wanted_.y0 + static_cast<int>((v - std::floor(v)) * wanted_.height()), 0, tally);
+          for (uint32_t index = 0; index < each; ++index) sample(x, y, index, tally);
         },
-        16);
-    taken += kBatch;
+        4);
+    pixels += kBatch;
     progress_.check();
-  }
-  return taken > 0 ? passed() / static_cast<double>(taken) * samples : 0;
+  };
+  const auto taken = [&] { return static_cast<double>(pixels) * each; };
+  if (taken() + kBatch * each > 0.02 * samples) return 0;
+  batch();  // wakes threads and warms caches
+  pixels = 0;
+  const Clock::time_point start = Clock::now();
+  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  do batch();
+  while (passed() < kEnough && taken() < 0.02 * samples);
+  return passed() / taken() * samples;
 }
 
 }  // namespace vug::render

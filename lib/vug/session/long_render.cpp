@@ -1,3 +1,4 @@
+#include <vug/base/memory.h>
 #include <vug/session/long_render.h>
 
 #include <fmt/format.h>
@@ -51,10 +52,9 @@ Rendered render_picture(Builder& builder, const RenderOptions& options) {
   PictureJob job = prepare_picture(builder, options.picture, kept);
   Rendered rendered{std::nullopt, job.header, job.where};
   render::Watch watch;
-  if (options.estimate)
-    watch.estimate = [&](double seconds) {
-      options.estimate(seconds, render::memory_estimate(job.scene, job.options, kept));
-    };
+  const double memory = static_cast<double>(resident_memory()) +
+                        render::memory_estimate(job.scene, job.options, kept);
+  if (options.estimate) watch.estimate = [&](double seconds) { options.estimate(seconds, memory); };
   watch.faults = [&](uint64_t refused, uint64_t cut) {
     if (refused > 0)
       builder.warn(job.where, fmt::format("{} samples were no number and left out", refused),
