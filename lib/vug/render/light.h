@@ -49,8 +49,9 @@ struct LightBounds {
 
 /// What a scene says of a light beside its shape and brightness.
 struct LightNotes {
-  std::string group;                      ///< Of the picture's layers of lights; empty: none.
-  std::vector<std::string> only, except;  ///< Names of objects; both empty: it lights all.
+  std::string group;  ///< Of the picture's layers of lights; empty: none.
+  /// Names of objects; both empty: it lights all. "a" means "a/b", too.
+  std::vector<std::string> only, except;
 };
 
 class Light {

@@ -96,7 +96,8 @@ void LightSet::link(const std::vector<Object>& objects) {
     for (const std::string& name : only ? notes.only : notes.except) {
       bool found = false;
       for (size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) lit[i] = only, found = true;
+        if (names[i] == name || names[i].compare(0, name.size() + 1, name + "/") == 0)
+          lit[i] = only, found = true;
       if (!found)
         throw Error(ErrorCode::bad_input,
                     fmt::format("a light is linked to '{}', but no object has that name", name), {},

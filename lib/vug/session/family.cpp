@@ -5,6 +5,7 @@
 #include <vug/render/kinds.h>
 #include <vug/session/family.h>
 #include <vug/session/objects.h>
+#include <vug/session/places.h>
 #include <vug/session/volume_kinds.h>
 
 #include <algorithm>
@@ -47,6 +48,7 @@ const std::vector<Family>& families() {
       family(volume_kinds()),       family(paint::masks()),     family(paint::paints()),
       family(render::materials()),  family(render::lights()),   family(render::media()),
       family(render::cameras()),    family(render::samplers()), family(render::integrators()),
+      family(places_kinds()),       family(model_kinds()),
   };
   return all;
 }

@@ -86,7 +86,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   for (const auto& source : document.sources)
     texts.add_value(source->text.size()).add(source->text);
   loaded.shot.texts = texts.finish();
-  Reading reading{document, evaluator, resolver, loaded.diagnostics, loaded.shot};
+  Reading reading{document, evaluator, resolver, loaded.diagnostics, loaded.shot, options, file};
   announce(document, reading);
   evaluator.check_all();
   for (const scene::Declaration& declaration : document.declarations)

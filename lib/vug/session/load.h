@@ -13,6 +13,7 @@ struct LoadOptions {
   std::vector<scene::Override> overrides;              ///< -D NAME=VALUE, in order.
   std::optional<uint64_t> seed;                        ///< Instead of the scene's.
   std::vector<std::filesystem::path> include_folders;  ///< After the scene's own folder.
+  std::vector<std::filesystem::path> within;           ///< Scenes that place this one.
 };
 
 /// A loaded scene. When `diagnostics` has errors the shot is incomplete and must not be used.

@@ -2,14 +2,15 @@
 #include <vug/base/maths.h>
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
+#include <vug/session/cast.h>
 #include <vug/session/picture.h>
 #include <vug/volume/density.h>
 #include <vug/volume/fog.h>
-#include <vug/volume/samples.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace vug::session {
 namespace {
@@ -36,14 +37,6 @@ render::CameraPtr outside_camera(const Box3d& box) {
   const Vec3d eye = centre + Vec3d(-0.55, 0.4, 0.75).normalized() * std::max(reach, 1e-3);
   return render::make_camera(
       "perspective", {{"eye", eye}, {"target", centre}, {"fov", Number{kFov, Dimension::angle}}});
-}
-
-/// What mattes call an object's material: its name, or that of the object when it has none.
-std::string material_name(const Shot& shot, const ObjectPlan& object) {
-  if (!object.material) return "default";
-  for (const auto& [name, material] : shot.materials)
-    if (material == object.material) return name;
-  return object.name;
 }
 
 /// A picture from inside the rock shows its back side: hardly ever what is meant.
@@ -73,8 +66,15 @@ std::string identity(const render::Scene& scene, const Shot& shot, const Picture
   for (const std::string& text :
        {shot.recipe, options.render, options.camera, std::string(VUG_VERSION)})
     add_all(text);
+  std::set<const mesh::Mesh*> known;
   for (const render::Object& object : scene.objects) {
     add_all(object.name);
+    if (object.placing)
+      for (const render::Affine& step : object.placing->steps())
+        for (const Vec3f& column : {step.x, step.y, step.z, step.origin})
+          hash.add(&column, sizeof column);
+    hash.add_value(known.size());
+    if (!known.insert(object.mesh.get()).second) continue;
     add_all(object.mesh->positions);
     add_all(object.mesh->triangles);
     add_all(object.mesh->normals);
@@ -115,24 +115,16 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
 render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   const Shot& shot = builder.shot();
   render::Scene scene;
-  std::vector<ObjectPlan> objects = shot.objects;
-  if (objects.empty())
-    for (const MeshPtr& mesh : meshes_of(shot))
-      objects.push_back({mesh->name, mesh, nullptr, false, Vec3d(0), {}});
-  for (const ObjectPlan& object : objects) builder.require_room(object.mesh);
+  Cast cast = cast_of(builder);
+  scene.objects = std::move(cast.objects);
+  scene.lights = std::move(cast.lights);
   Box3d bounds;
-  for (const ObjectPlan& object : objects) {
-    const auto mesh = builder.mesh(object.mesh);
-    for (const Vec3f& p : mesh->positions) bounds.extendBy(Vec3d(p));
-    scene.objects.push_back({object.name, mesh, object.material, object.flat,
-                             Vec3f(object.emission), object.light_group,
-                             material_name(shot, object),
-                             volume::samples(builder.level_set(object.mesh->volume))});
-  }
-  if (objects.empty() && shot.lights.empty())
+  for (const render::Object& object : scene.objects)
+    for (const Vec3f& p : object.mesh->positions)
+      bounds.extendBy(Vec3d(object.placing ? object.placing->at(0).point(p) : p));
+  if (scene.objects.empty() && scene.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  for (const auto& [name, light] : shot.lights) scene.lights.push_back(light);
   if (scene.lights.empty())
     scene.lights.push_back(render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}}));
   scene.medium = shot.medium;
@@ -141,7 +133,7 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
         volume::fog(builder.level_set(shot.medium_volume))));
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
   scene.camera = plan.camera ? plan.camera : outside_camera(bounds);
-  warn_of_rock(builder, plan, objects, *scene.camera);
+  warn_of_rock(builder, plan, shown_objects(shot), *scene.camera);
   return scene;
 }
 
@@ -171,9 +163,8 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
                 plan.where, "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
   // Before meshes are made of it all.
   render::Scene lights;
-  for (const auto& [name, light] : builder.shot().lights) lights.lights.push_back(light);
-  for (const ObjectPlan& object : builder.shot().objects)
-    lights.objects.emplace_back().light_group = object.light_group;
+  for (const std::string& group : light_groups(builder.shot()))
+    lights.objects.emplace_back().light_group = group;
   render.layers = plan_for(lights);
   require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);

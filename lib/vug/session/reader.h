@@ -1,6 +1,7 @@
 // What a kind of declaration is read with: one file a kind in declarations/.
 #pragma once
 
+#include <vug/session/load.h>
 #include <vug/session/objects.h>
 #include <vug/session/resolver.h>
 
@@ -13,6 +14,8 @@ struct Reading {
   Resolver& resolver;
   Diagnostics& diagnostics;
   Shot& shot;
+  const LoadOptions& options;
+  const std::filesystem::path& file;  ///< Of the scene's text.
 };
 
 /// A word that opens a declaration. `read` makes its value, which other expressions see under the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vug/base/hash.h>
+#include <vug/base/rng.h>
 #include <vug/field/field.h>
 #include <vug/grammar/tree.h>
 #include <vug/paint/paint.h>
@@ -10,6 +11,8 @@
 #include <vug/render/scene.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -57,6 +60,34 @@ struct ObjectPlan {
   std::string light_group;
 };
 
+class Builder;
+struct Place;
+struct Shot;
+/// See places.h.
+using Places = std::shared_ptr<const std::function<std::vector<Place>(Builder&, RandomKey)>>;
+
+/// What can be placed: an object of the shot, or else a mesh in grey, or a whole scene.
+struct Model {
+  std::string name;
+  MeshPtr mesh;
+  std::filesystem::path file;  ///< Of a scene; then also:
+  std::optional<int> seed;
+  std::vector<std::string> with;  ///< "NAME=VALUE" of its parameters.
+  std::shared_ptr<const Shot> scene;
+};
+
+/// `place NAME { of ... at ... }`.
+struct PlacePlan {
+  std::string name;
+  std::vector<Model> of;
+  std::vector<Places> at;
+  std::vector<double> shares;    ///< Of each model; empty: the same.
+  render::MaterialPtr material;  ///< Null: their own.
+  bool apart = false;            ///< Each has a name of its own.
+  RandomKey key{0};
+  SourceLocation where;  ///< Its name in the text.
+};
+
 /// `camera NAME { ... }`.
 struct CameraPlan {
   std::string name;
@@ -98,6 +129,7 @@ struct Shot {
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;
+  std::vector<PlacePlan> places;
   std::vector<CameraPlan> cameras;
   std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
   render::MediumPtr medium;

@@ -1,0 +1,183 @@
+#include <vug/base/memory.h>
+#include <vug/render/placed_light.h>
+#include <vug/session/cast.h>
+#include <vug/session/places.h>
+#include <vug/volume/samples.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::session {
+namespace {
+
+/// Of an instance, in the renderer and here.
+constexpr double kInstanceBytes = 2000;
+
+/// What mattes call an object's material: its name, or `otherwise` when it has none.
+std::string material_name(const Shot& shot, const render::MaterialPtr& of,
+                          const std::string& otherwise) {
+  if (!of) return "default";
+  for (const auto& [name, material] : shot.materials)
+    if (material == of) return name;
+  return otherwise;
+}
+
+render::Object made(Builder& builder, const ObjectPlan& plan) {
+  return {plan.name,
+          builder.mesh(plan.mesh),
+          plan.material,
+          plan.flat,
+          Vec3f(plan.emission),
+          plan.light_group,
+          material_name(builder.shot(), plan.material, plan.name),
+          volume::samples(builder.level_set(plan.mesh->volume))};
+}
+
+ObjectPlan in_grey(const MeshPtr& mesh) {
+  ObjectPlan plan;
+  plan.name = mesh->name;
+  plan.mesh = mesh;
+  return plan;
+}
+
+Cast cast_of(Builder& builder, const Model& model) {
+  if (model.scene) {
+    BuildOptions options = builder.options();
+    options.max_memory = builder.room();
+    Builder other(*model.scene, options, builder.progress());
+    return cast_of(other);
+  }
+  Cast cast;
+  if (model.mesh) cast.objects.push_back(made(builder, in_grey(model.mesh)));
+  for (const ObjectPlan& object : builder.shot().objects)
+    if (!model.mesh && object.name == model.name) cast.objects.push_back(made(builder, object));
+  return cast;
+}
+
+Transform transform_of(const render::Affine& a) {
+  return {Vec3d(a.x), Vec3d(a.y), Vec3d(a.z), Vec3d(a.origin)};
+}
+
+render::PlacingPtr moved(const Transform& place, const render::PlacingPtr& own) {
+  std::vector<Transform> steps;
+  if (own)
+    for (const render::Affine& step : own->steps()) steps.push_back(place * transform_of(step));
+  else
+    steps.push_back(place);
+  return std::make_shared<const render::Placing>(steps);
+}
+
+/// Puts all of a model where it belongs, under the name of the place.
+void put(const Cast& model, const Place& place, const PlacePlan& plan, const std::string& name,
+         const std::string& material, Cast& cast) {
+  const bool single = model.objects.size() == 1;
+  const auto renamed = [&](const std::string& own) { return single ? name : name + "/" + own; };
+  for (const render::Object& object : model.objects) {
+    render::Object here = object;
+    here.name = renamed(object.name);
+    here.placing = moved(place.transform, object.placing);
+    if (plan.material) {
+      here.material = plan.material;
+      here.material_name = material;
+      here.looks_by_place = true;
+    }
+    cast.objects.push_back(std::move(here));
+  }
+  for (const render::LightPtr& light : model.lights) {
+    if (light->is_sky()) continue;
+    render::LightNotes notes = light->notes();
+    for (std::vector<std::string>* names : {&notes.only, &notes.except})
+      std::transform(names->begin(), names->end(), names->begin(), renamed);
+    cast.lights.push_back(render::placed_light(light, place.transform, std::move(notes)));
+  }
+}
+
+int chosen(const Place& place, const PlacePlan& plan) {
+  const auto count = static_cast<int>(plan.of.size());
+  if (place.model >= count)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("a place asks for thing number {}, but the last of '{}' is number {}",
+                            place.model, plan.name, count - 1));
+  if (place.model >= 0 || count == 1) return std::max(place.model, 0);
+  double total = 0;
+  for (int i = 0; i < count; ++i)
+    total += plan.shares.empty() ? 1 : plan.shares[static_cast<size_t>(i)];
+  double at = RandomStream(place.key.at("model")).uniform() * total;
+  for (int i = 0; i < count - 1; ++i) {
+    at -= plan.shares.empty() ? 1 : plan.shares[static_cast<size_t>(i)];
+    if (at < 0) return i;
+  }
+  return count - 1;
+}
+
+void put_all(Builder& builder, const PlacePlan& plan, Cast& cast) {
+  std::vector<Cast> models;
+  for (const Model& model : plan.of) models.push_back(cast_of(builder, model));
+  const std::string material = material_name(builder.shot(), plan.material, plan.name);
+  std::vector<Place> places;
+  for (size_t i = 0; i < plan.at.size(); ++i) {
+    const std::vector<Place> more = (*plan.at[i])(builder, plan.key.at(i));
+    places.insert(places.end(), more.begin(), more.end());
+  }
+  if (places.empty())
+    builder.warn(plan.where, fmt::format("'{}' stands nowhere", plan.name),
+                 "its places are all masked out, or its table is empty");
+  require_memory(kInstanceBytes * static_cast<double>(places.size()), builder.room(),
+                 fmt::format("{} instances", places.size()), "place fewer");
+  for (size_t i = 0; i < places.size(); ++i)
+    put(models[static_cast<size_t>(chosen(places[i], plan))], places[i], plan,
+        plan.apart ? fmt::format("{}/{}", plan.name, i + 1) : plan.name, material, cast);
+}
+
+}  // namespace
+
+std::vector<ObjectPlan> shown_objects(const Shot& shot) {
+  const auto is_placed = [&](const std::string& name, const MeshPtr& mesh) {
+    for (const PlacePlan& plan : shot.places)
+      for (const Model& model : plan.of)
+        if (mesh ? model.mesh == mesh : !model.scene && !model.mesh && model.name == name)
+          return true;
+    return false;
+  };
+  std::vector<ObjectPlan> shown;
+  for (const ObjectPlan& object : shot.objects)
+    if (!is_placed(object.name, nullptr)) shown.push_back(object);
+  if (!shot.objects.empty()) return shown;
+  for (const MeshPtr& mesh : meshes_of(shot))
+    if (!is_placed(mesh->name, mesh)) shown.push_back(in_grey(mesh));
+  return shown;
+}
+
+std::vector<std::string> light_groups(const Shot& shot) {
+  std::vector<std::string> groups;
+  for (const auto& [name, light] : shot.lights) groups.push_back(light->notes().group);
+  for (const ObjectPlan& object : shot.objects) groups.push_back(object.light_group);
+  for (const PlacePlan& plan : shot.places)
+    for (const Model& model : plan.of) {
+      if (!model.scene) continue;
+      const std::vector<std::string> more = light_groups(*model.scene);
+      groups.insert(groups.end(), more.begin(), more.end());
+    }
+  return groups;
+}
+
+Cast cast_of(Builder& builder) {
+  const Shot& shot = builder.shot();
+  const std::vector<ObjectPlan> shown = shown_objects(shot);
+  for (const ObjectPlan& object : shown) builder.require_room(object.mesh);
+  Cast cast;
+  for (const ObjectPlan& object : shown) cast.objects.push_back(made(builder, object));
+  for (const auto& [name, light] : shot.lights) cast.lights.push_back(light);
+  for (const PlacePlan& plan : shot.places) {
+    try {
+      put_all(builder, plan, cast);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::bad_input || error.where().line > 0) throw;
+      throw Error(error.code(), error.what(), plan.where, error.hint());
+    }
+  }
+  return cast;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,27 @@
+// What a shot shows: its objects, and what it places, with all that stands in placed scenes.
+#pragma once
+
+#include <vug/session/build.h>
+
+#include <vector>
+
+namespace vug::session {
+
+/// Objects, instances and lamps; those of placed scenes have names "PLACE/OBJECT" there.
+struct Cast {
+  std::vector<render::Object> objects;
+  std::vector<render::LightPtr> lights;
+};
+
+/// Builds all meshes. Error(bad_input), with the place's name in the text, for places that cannot
+/// be rendered.
+Cast cast_of(Builder& builder);
+
+/// The objects that a shot shows where their meshes stand: not those that it places. Of a shot
+/// without objects they are its meshes, in grey.
+std::vector<ObjectPlan> shown_objects(const Shot& shot);
+
+/// Groups of the lights and shining objects of a shot and of all that it places.
+std::vector<std::string> light_groups(const Shot& shot);
+
+}  // namespace vug::session

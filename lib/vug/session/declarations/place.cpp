@@ -1,0 +1,119 @@
+#include <vug/session/places.h>
+#include <vug/session/reader.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+Schema<PlacePlan> schema() {
+  Schema<PlacePlan> s("place", "declaration");
+  s.doc(
+       "Things that stand in one or many places: place NAME { of OBJECT at PLACES }. An object "
+       "that is placed shows nowhere else.")
+      .param(
+          "of", &PlacePlan::of,
+          {.doc = "what stands there: an object, a scene(\"file.vug\"), or several to choose from",
+           .required = true})
+      .param("at", &PlacePlan::at,
+             {.doc = "where: points such as (1, 0, 2), pose(...), scatter(...), points(...)",
+              .required = true})
+      .param("shares", &PlacePlan::shares,
+             {.doc = "how often each of several things is chosen, against the others", .min = 0})
+      .param("material", &PlacePlan::material,
+             {.doc = "what all of it is made of, instead; its masks see the places, where those of "
+                     "a thing's own material see the thing"})
+      .param("apart", &PlacePlan::apart,
+             {.doc = "in mattes each is an object NAME/1, NAME/2 ... of its own"});
+  return s;
+}
+
+scene::Override override_of(const std::string& text) {
+  const size_t at = text.find('=');
+  if (at == text.npos)
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no NAME=VALUE", text));
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+/// The other scene's shot; null with a diagnostic where it cannot be had.
+std::shared_ptr<const Shot> load_model(const Model& model, const SourceLocation& where,
+                                       Reading& reading) {
+  LoadOptions options;
+  options.include_folders = reading.options.include_folders;
+  options.within = reading.options.within;
+  options.within.push_back(fs::weakly_canonical(reading.file));
+  const fs::path own = fs::weakly_canonical(model.file);
+  const auto refuse = [&](const std::string& what, const std::string& hint) {
+    reading.diagnostics.error(where, what, hint);
+    return nullptr;
+  };
+  if (std::find(options.within.begin(), options.within.end(), own) != options.within.end())
+    return refuse(fmt::format("the scene '{}' would stand inside of itself", model.name), "");
+  try {
+    for (const std::string& text : model.with) options.overrides.push_back(override_of(text));
+    if (model.seed) options.seed = static_cast<uint64_t>(*model.seed);
+    Loaded loaded = load(model.file, options);
+    for (const Diagnostic& fault : loaded.diagnostics.all())
+      if (fault.severity == Severity::error)
+        return refuse(fmt::format("the scene '{}' has faults and cannot be placed", model.name),
+                      fmt::format("{}: {}", to_string(fault.where), fault.message));
+    Hasher texts;
+    texts.add_value(reading.shot.texts)
+        .add_value(loaded.shot.texts)
+        .add_value(options.seed.value_or(~0ull));
+    for (const std::string& text : model.with) texts.add_value(text.size()).add(text);
+    reading.shot.texts = texts.finish();
+    return std::make_shared<const Shot>(std::move(loaded.shot));
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;
+    return refuse(error.what(), error.hint());
+  }
+}
+
+/// Makes sure that there is what is to be placed; false with a diagnostic.
+bool complete(Model& model, const SourceLocation& where, Reading& reading) {
+  if (!model.file.empty()) {
+    model.scene = load_model(model, where, reading);
+    return model.scene != nullptr;
+  }
+  std::vector<std::string> names;
+  for (const ObjectPlan& object : reading.shot.objects) names.push_back(object.name);
+  if (std::find(names.begin(), names.end(), model.name) != names.end())
+    model.mesh = nullptr;  // the object of that name, rather than its mesh
+  else if (!model.mesh) {
+    reading.diagnostics.error(where, fmt::format("there is no object '{}' to place", model.name),
+                              suggestion(model.name, names));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const DeclarationKind& place_declaration() {
+  static const DeclarationKind kind = {
+      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
+        std::optional<PlacePlan> plan = read_block(schema(), declaration, reading);
+        if (!plan) return Value();
+        plan->name = declaration.name;
+        plan->where = declaration.where;
+        plan->key = reading.evaluator.key(declaration);
+        if (!plan->shares.empty() && plan->shares.size() != plan->of.size()) {
+          reading.diagnostics.error(
+              declaration.where,
+              fmt::format("{} shares do not fit {} things", plan->shares.size(), plan->of.size()));
+          return Value();
+        }
+        for (Model& model : plan->of)
+          if (!complete(model, declaration.where, reading)) return Value();
+        reading.shot.places.push_back(std::move(*plan));
+        return Value(Value::Name{declaration.name});
+      }};
+  return kind;
+}
+
+}  // namespace vug::session

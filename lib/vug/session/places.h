@@ -1,0 +1,68 @@
+// Where a scene puts things that it has several of: one place, a list, a file, a scatter.
+#pragma once
+
+#include <vug/base/rng.h>
+#include <vug/base/transform.h>
+#include <vug/session/objects.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace vug::session {
+
+class Builder;
+
+struct Place {
+  Transform transform;  ///< From the thing's own space to the scene's.
+  RandomKey key{0};     ///< Of what chance still decides.
+  int model = -1;       ///< Which of the things stands there; -1: chance decides.
+};
+
+/// What can be placed beside what the text names: made from the list in CMakeLists.txt.
+const Kinds<Model>& model_kinds();
+
+/// Found when the picture needs them: a scatter needs its mesh. `key` is that of the declaration.
+using PlacesMaker = std::function<std::vector<Place>(Builder& builder, RandomKey key)>;
+
+/// Made from the list in CMakeLists.txt.
+const Kinds<Places>& places_kinds();
+
+using PlacesKind = Kind<Places>;
+
+/// Opens the one function that the file of a kind of places exports.
+#define VUG_PLACES_KIND(name) VUG_EXPORT_KIND(vug::session, PlacesKind, name##_places)
+
+/// Kinds whose parameter struct P has `static void describe(Schema<P>&)`; `make` is
+/// std::vector<Place>(const P&, Builder&, RandomKey).
+template <class P, class Make>
+Kind<Places> places_kind(std::string name, Make make) {
+  return make_kind<Places, P>(std::move(name), "places", [make](const P& params) -> Places {
+    return std::make_shared<const PlacesMaker>(
+        [params, make](Builder& builder, RandomKey key) { return make(params, builder, key); });
+  });
+}
+
+/// Turned about z, then x, then the upright y, then moved; radians.
+Transform pose(const Vec3d& position, double yaw, double pitch, double roll, const Vec3d& scale);
+
+}  // namespace vug::session
+
+namespace vug {
+
+/// A vector stands for that one place.
+template <>
+struct ValueTraits<session::Places> : ObjectTraits<session::Places> {
+  static constexpr const char* kWord = "places";
+  static std::optional<session::Places> read(const Value& v);
+};
+
+/// What can be placed: the name of an object, a mesh, or a whole scene.
+template <>
+struct ValueTraits<session::Model> {
+  static std::string type() { return "model"; }
+  static std::optional<session::Model> read(const Value& v);
+  static Value write(const session::Model& model) { return Object{"model", model}; }
+};
+
+}  // namespace vug
