@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace vug {
 namespace {
 
@@ -31,6 +33,14 @@ TEST(Memory, RefusesAndSaysHowMuch) {
   } catch (const Error& error) {
     EXPECT_EQ(error.hint(), "use fewer pixels, or raise --max-memory");
   }
+}
+
+TEST(Memory, ResidentMemoryGrowsWithWhatIsTouched) {
+  const uint64_t before = resident_memory();
+  EXPECT_GT(before, 1u << 20);
+  const std::vector<char> more(64u << 20, 'x');
+  EXPECT_GT(resident_memory(), before + (60u << 20));
+  EXPECT_EQ(more.back(), 'x');
 }
 
 }  // namespace
