@@ -7,7 +7,7 @@ import subprocess
 import unittest
 
 import exr
-from vug import VugTest
+from vug import SOURCE, VugTest
 
 SCENE = """seed 5
 volume rock = level_set(box(size: (6, 4, 6)) - sphere(1.8m), voxel: 20cm)
@@ -161,6 +161,34 @@ class PictureFiles(VugTest):
             u, v, _, w = (sum(p[r] * ndc[4 * r + c] for r in range(4)) for c in range(4))
             self.assertAlmostEqual(u / w * 70, x + 0.5, delta=0.6)
             self.assertAlmostEqual(v / w * 40, y + 0.5, delta=0.6)
+
+    def test_what_is_not_exact_is_said(self):
+        ball = ("volume rock = level_set(sphere(1m), voxel: 20cm)\ncamera main { eye (0, 0, 4) }\n"
+                "render main { size 8x6  spp 1  integrator path(INEXACT) }\n")
+        for options, said in (("regularize: 0.5", "regularize 0.5"), ("clamp: 3", "clamp 3"), ("max_bounces: 4", None)):
+            self.write("ball.vug", ball.replace("INEXACT", options))
+            self.expect(0, "render", "ball.vug", "-o", "ball.exr")
+            part, = exr.read(self.folder / "ball.exr")
+            if said:
+                self.assertEqual(part.text("vug:inexact"), said)
+            else:
+                self.assertNotIn("vug:inexact", part.attributes)
+
+    def test_fire_of_a_file_of_grids(self):
+        fire = SOURCE / "tests" / "data" / "volumes" / "fire.vdb"
+        self.write("fire.vug", f'medium fire = cloud(file: "{fire}", extinction: 1/m, temperature_grid: "temperature", '
+                               'temperature: 1, emission_grid: "flame", color_grid: "Cd")\n'
+                               "light none = sky(radiance: (0, 0, 0))\n"
+                               "camera main { eye (0, 0, 5) }\nrender main { size 8x6  spp 16 }\n")
+        self.expect(0, "render", "fire.vug", "-o", "fire.exr")
+        part, = exr.read(self.folder / "fire.exr")
+        middle = 8 * 3 + 4
+        self.assertGreater(part.pixels["R"][middle], part.pixels["G"][middle])
+        self.assertGreater(part.pixels["G"][middle], 0)
+        self.write("fire.vug", (self.folder / "fire.vug").read_text().replace('"flame"', '"flames"'))
+        error = self.expect(2, "render", "fire.vug", "-o", "fire.exr").err
+        self.assertIn("fire.vug:1:", error)
+        self.assertIn("holds no grid named 'flames'", error)
 
     def test_cryptomatte_decodes(self):
         for name in ("plain", "parts"):

@@ -30,13 +30,13 @@ struct Case {
 
   MaterialPtr make(const Named& more = {}) const {
     Named all = parameters;
-    for (const auto& [key, value] : more) {
-      const auto known =
-          std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.first == key; });
+    for (const auto& given : more) {
+      const auto known = std::find_if(all.begin(), all.end(),
+                                      [&](const auto& each) { return each.first == given.first; });
       if (known == all.end())
-        all.emplace_back(key, value);
+        all.push_back(given);
       else
-        known->second = value;
+        known->second = given.second;
     }
     return make_material(kind, all);
   }
