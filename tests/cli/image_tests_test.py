@@ -1,12 +1,16 @@
 """vug test: cases, references that change only with a reason, reseeding, reports."""
 import json
+import os
 import pathlib
+import signal
+import subprocess
+import time
 import unittest
 import xml.etree.ElementTree
 
 from diff_test import ROOM, Page
 from pictures import scene, shown, write_png
-from vug import VugTest
+from vug import PROGRAM, VugTest
 
 SCENE = {"scene": "../room.vug", "render": {"size": "24x16", "spp": 16}}
 
@@ -123,6 +127,41 @@ class ImageTests(VugTest):
         self.assertIn("is no folder", self.expect(2, "test", "nowhere").err)
         pathlib.Path(self.folder / "empty").mkdir()
         self.assertIn("holds no case", self.expect(2, "test", "empty").err)
+
+    def test_a_summary_ends_the_list(self):
+        self.case("new", SCENE)
+        out = self.vug("test", "looks").out.splitlines()
+        self.assertRegex(out[-1], r"^2 cases in [0-9.]+ s: 1 same, 1 unusable$")
+        quiet = self.expect(0, "test", "looks", "--filter", "lamp", "--quiet")
+        self.assertEqual(quiet.out + quiet.err, "")
+
+    def test_stopped_on_request_nothing_is_left(self):
+        self.case("long", {"command": ["sh", "-c", "echo started >&2; exec sleep 60", "{output}"]})
+        (self.folder / "looks/long/reference.exr").write_bytes(
+            (self.folder / "looks/lamp/reference.exr").read_bytes())
+        self.write("looks/long/reference.history", (self.folder / "looks/lamp/reference.history").read_text())
+        (self.folder / "temp").mkdir()
+        for how in (signal.SIGINT, signal.SIGTERM):
+            running = subprocess.Popen([PROGRAM, "test", "looks", "--filter", "long"], cwd=self.folder,
+                                       env={**os.environ, "TMPDIR": str(self.folder / "temp")},
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            end = time.monotonic() + 60
+            logs = []
+            while not any(log.read_text() for log in logs) and time.monotonic() < end:
+                logs = list((self.folder / "temp").rglob("log.txt"))
+                time.sleep(0.02)
+            self.assertTrue(logs, "it never began")
+            running.send_signal(how)
+            out, said = running.communicate(timeout=30)
+            self.assertEqual(running.returncode, 3, said)
+            self.assertIn("error: stopped on request", said)
+            self.assertEqual(out, "")
+            self.assertEqual(list((self.folder / "temp").iterdir()), [])
+
+    def test_measures_are_listed(self):
+        listed = self.expect(0, "list", "measure").out
+        for name in ("flip", "flip_hdr", "rmse", "ssim", "psnr"):
+            self.assertRegex(listed, rf"(?m)^  {name} ")
 
 
 if __name__ == "__main__":

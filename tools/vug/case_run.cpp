@@ -40,7 +40,7 @@ fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, c
   const fs::path log = room / (seed ? stem + ".txt" : "log.txt");
   fs::remove(picture);
   const Ended ended = run_program(image_case.making(picture, options.threads, seed),
-                                  image_case.folder, log, image_case.timeout);
+                                  image_case.folder, log, image_case.timeout, *options.progress);
   if (ended.timed_out)
     throw Error(ErrorCode::bad_input,
                 fmt::format("it was not done after {} seconds", image_case.timeout), {},
@@ -114,8 +114,8 @@ void run_in(const fs::path& room, const CaseFolder& folder, const CaseOptions& o
   image::Diff diff;
   try {
     diff = judge(image_case, picture);
-  } catch (const Error&) {  // of another size, or with other layers
-    if (!options.update) throw;
+  } catch (const Error& error) {  // of another size, or with other layers
+    if (!options.update || error.code() == ErrorCode::cancelled) throw;
     return update(image_case, options, picture, out);
   }
   out.verdict = diff.same ? Verdict::same : Verdict::different;
@@ -156,6 +156,7 @@ Outcome run_case(const CaseFolder& folder, const CaseOptions& options) {
     for (const char* old : {"report.html", "report.json"}) fs::remove(room / old);
     run_in(room, folder, options, out);
   } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled) throw;
     out.verdict = Verdict::unusable;
     const std::string where = to_string(error.where());
     out.message = (where.empty() ? "" : where + ": ") + error.what();
@@ -174,17 +175,20 @@ std::vector<Outcome> run_cases(const std::vector<CaseFolder>& folders, const Cas
   std::atomic<size_t> next{0};
   std::mutex telling;
   const auto work = [&] {
-    for (size_t i = next++; i < folders.size(); i = next++) {
-      out[i] = run_case(folders[i], options);
-      const std::lock_guard lock(telling);
-      done(out[i]);
-    }
+    for (size_t i = next++; i < folders.size(); i = next++) try {
+        out[i] = run_case(folders[i], options);
+        const std::lock_guard lock(telling);
+        done(out[i]);
+      } catch (const Error&) {  // told to stop, as all are
+        return;
+      }
   };
   std::vector<std::thread> workers;
   const size_t count = std::min(static_cast<size_t>(std::max(options.jobs, 1)), folders.size());
   for (size_t i = 1; i < count; ++i) workers.emplace_back(work);
   work();
   for (std::thread& worker : workers) worker.join();
+  options.progress->check();
   return out;
 }
 

@@ -3,6 +3,8 @@
 
 #include "image_case.h"
 
+#include <vug/base/progress.h>
+
 namespace vug::cli {
 
 struct CaseOptions {
@@ -11,7 +13,8 @@ struct CaseOptions {
   int threads = 1;               ///< For each of them.
   int reseed = 0;                ///< Runs with other samples, to find verdicts that change.
   bool update = false;           ///< Takes what a case makes for its reference where they differ.
-  std::string reason;            ///< Why; goes into the reference's history.
+  Progress* progress = &Progress::none();  ///< Where the run is told to stop.
+  std::string reason;                      ///< Why; goes into the reference's history.
 };
 
 enum class Verdict { same, different, flaky, updated, unusable };
@@ -29,10 +32,11 @@ const char* to_text(Verdict verdict);
 
 /// Runs one case: makes its picture as OUTPUT/NAME/test.exr, what was said as log.txt, and, where
 /// it is not the same, page and JSON as report.html and report.json. Never throws for the case's
-/// own faults: they make it unusable.
+/// own faults: they make it unusable; Error(cancelled) when told to stop.
 Outcome run_case(const CaseFolder& folder, const CaseOptions& options);
 
 /// All of them, in their order; `done` hears of each as it ends, one at a time.
+/// Error(cancelled) when told to stop.
 std::vector<Outcome> run_cases(const std::vector<CaseFolder>& folders, const CaseOptions& options,
                                const std::function<void(const Outcome&)>& done);
 

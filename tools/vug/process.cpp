@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <thread>
 
 namespace vug::cli {
@@ -34,12 +35,15 @@ class Actions {
   posix_spawn_file_actions_t actions_;
 };
 
+/// How long a program may take to end when asked.
+constexpr std::chrono::seconds kPatience{5};
+
 int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 }  // namespace
 
 Ended run_program(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                  const std::filesystem::path& log, double seconds) {
+                  const std::filesystem::path& log, double seconds, const Progress& progress) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -54,13 +58,20 @@ Ended run_program(const std::vector<std::string>& command, const std::filesystem
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   Ended out;
   int status = 0;
+  std::optional<Clock::time_point> asked;  // to stop
   while (waitpid(child, &status, WNOHANG) == 0) {
+    if (progress.cancelled() && !asked) {
+      asked = Clock::now();
+      kill(child, SIGTERM);
+    }
+    if (asked && Clock::now() > *asked + kPatience) kill(child, SIGKILL);
     if (Clock::now() > end && !out.timed_out) {
       kill(child, SIGKILL);
       out.timed_out = true;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+  if (asked) progress.check();
   out.exit = code_of(status);
   return out;
 }

@@ -1,6 +1,8 @@
 // Another program, run to its end.
 #pragma once
 
+#include <vug/base/progress.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,9 +15,11 @@ struct Ended {
 };
 
 /// Runs `command` (the first word is the program, found in PATH) in `folder`; what it prints goes
-/// to the file `log`. After `seconds` it is killed. Error(bad_input) where it cannot be started.
+/// to the file `log`. After `seconds` it is killed. Error(bad_input) where it cannot be started,
+/// Error(cancelled) where `progress` asks to stop, once it has ended on SIGTERM or SIGKILL.
 Ended run_program(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                  const std::filesystem::path& log, double seconds);
+                  const std::filesystem::path& log, double seconds,
+                  const Progress& progress = Progress::none());
 
 /// The program that is running now.
 std::filesystem::path own_program();

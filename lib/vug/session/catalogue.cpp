@@ -1,3 +1,4 @@
+#include <vug/image/measure.h>
 #include <vug/session/catalogue.h>
 #include <vug/session/grammar_binding.h>
 #include <vug/session/reader.h>
@@ -18,6 +19,7 @@ std::vector<const KindInfo*> all_kinds() {
   kinds.push_back(&grammar_info());
   for (const Family& family : families())
     for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
+  for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);
   return kinds;
 }
 

@@ -54,7 +54,9 @@ int run(const Options& options) {
 }  // namespace
 
 Verb list_verb() {
-  return {"list", "Lists everything a scene can say, or one kind with its parameters.",
+  return {"list",
+          "Lists everything a scene can say and pictures are compared by, or one kind with its "
+          "parameters.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             app.add_option("kind", options->what,

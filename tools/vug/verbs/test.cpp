@@ -9,6 +9,7 @@
 #include <vug/base/parallel.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 
 namespace vug::cli {
@@ -64,6 +65,22 @@ std::string line_of(const Outcome& outcome) {
   return out;
 }
 
+/// "5 cases in 12.3 s: 4 same, 1 different".
+std::string summary_of(const std::vector<Outcome>& outcomes, double seconds) {
+  std::string out = fmt::format("{} case{} in {:.1f} s", outcomes.size(),
+                                outcomes.size() == 1 ? "" : "s", seconds);
+  const char* apart = ": ";
+  for (const Verdict verdict :
+       {Verdict::same, Verdict::different, Verdict::flaky, Verdict::updated, Verdict::unusable}) {
+    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
+                                     [&](const Outcome& o) { return o.verdict == verdict; });
+    if (count == 0) continue;
+    out += fmt::format("{}{} {}", apart, count, to_text(verdict));
+    apart = ", ";
+  }
+  return out;
+}
+
 int exit_of(const std::vector<Outcome>& outcomes) {
   int exit = kDone;
   for (const Outcome& outcome : outcomes)
@@ -94,6 +111,9 @@ int run(Options options) {
   options.cases.output = scratch ? scratch->path() : std::filesystem::path(options.output);
   if (!scratch) require_writable(options.cases.output / "index.html");
   if (!options.junit.empty()) require_writable(options.junit);
+  options.cases.progress = &terminal_progress(BarShown::never);
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   size_t ended = 0;
   const auto outcomes = run_cases(folders, options.cases, [&](const Outcome& outcome) {
     if (!options.quiet)
@@ -104,6 +124,8 @@ int run(Options options) {
     if (!options.quiet || outcome.verdict != Verdict::same) fmt::print("{}", line_of(outcome));
   const std::string suite =
       std::filesystem::absolute(options.folder).lexically_normal().filename().string();
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (!options.quiet) fmt::print("{}\n", summary_of(outcomes, seconds));
   if (!options.junit.empty()) write_text(options.junit, to_junit(outcomes, suite));
   if (!scratch) {
     write_text(options.cases.output / "index.html", to_index(outcomes, suite));
