@@ -1,7 +1,11 @@
 """Reads OpenEXR files from their bytes, by the file layout document, apart from any library: parts,
-lines or tiles, channels of half and float, no compression or ZIP. For tests."""
+lines, deep lines or tiles, channels of half and float, no compression or ZIP. For tests."""
 import struct
 import zlib
+
+
+# Lines that are compressed together: none, ZIPS, ZIP.
+LINES = {0: 1, 2: 1, 3: 16}
 
 
 def _text(data, at):
@@ -54,6 +58,7 @@ class Part:
         self.height = self.window[3] - self.window[1] + 1
         self.compression = attributes["compression"][1][0]
         self.tiles = attributes.get("tiles")
+        self.deep = attributes.get("type", ("", b""))[1] == b"deepscanline"
         self.pixels = {name: [0.0] * (self.width * self.height) for name, _ in self.channels}
 
     def text(self, name):
@@ -63,7 +68,7 @@ class Part:
 
     def _take(self, data, x0, y0, width, height):
         size = width * height * sum(2 if kind == 1 else 4 for _, kind in self.channels)
-        if self.compression == 3:
+        if self.compression in (2, 3):
             data = _unzip(data, size)
         assert len(data) == size, (len(data), size)
         at = 0
@@ -73,6 +78,19 @@ class Part:
                 values = struct.unpack_from(f"<{width}{'e' if kind == 1 else 'f'}", data, at)
                 self.pixels[name][y * self.width + x0:y * self.width + x0 + width] = values
                 at += count
+
+    def _take_deep(self, data, y, counts_size, samples_size, whole_size):
+        """One line: how many samples lie in each pixel and those before it, then the channels."""
+        counts = struct.unpack(f"<{self.width}i", _unzip(data[:counts_size], 4 * self.width))
+        assert all(a <= b for a, b in zip(counts, counts[1:])), counts
+        samples = _unzip(data[counts_size:counts_size + samples_size], whole_size)
+        at, total = 0, counts[-1]
+        for name, kind in self.channels:
+            values = struct.unpack_from(f"<{total}{'e' if kind == 1 else 'f'}", samples, at)
+            at += total * (2 if kind == 1 else 4)
+            line = [values[a:b] for a, b in zip((0, *counts), counts)]
+            self.pixels[name][y * self.width:(y + 1) * self.width] = line
+        assert at == whole_size, (at, whole_size)
 
 
 def read(path):
@@ -95,7 +113,7 @@ def read(path):
             wide, high = struct.unpack_from("<II", part.tiles[1])
             count = -(-part.width // wide) * -(-part.height // high)
         else:
-            count = -(-part.height // {0: 1, 2: 1, 3: 16}[part.compression])
+            count = -(-part.height // LINES[part.compression])
         tables.append(struct.unpack_from(f"<{count}Q", data, at))
         at += 8 * count
     for number, (part, table) in enumerate(zip(parts, tables)):
@@ -104,7 +122,11 @@ def read(path):
             if multi:
                 assert struct.unpack_from("<i", data, place)[0] == number
                 place += 4
-            if part.tiles:
+            if part.deep:
+                line, *sizes = struct.unpack_from("<i3Q", data, place)
+                part._take_deep(data[place + 28:place + 28 + sizes[0] + sizes[1]],
+                                line - part.window[1], *sizes)
+            elif part.tiles:
                 wide, high = struct.unpack_from("<II", part.tiles[1])
                 tx, ty, _, _, size = struct.unpack_from("<5i", data, place)
                 x0, y0 = tx * wide, ty * high
@@ -113,7 +135,7 @@ def read(path):
             else:
                 line, size = struct.unpack_from("<2i", data, place)
                 y0 = line - part.window[1]
-                lines = {0: 1, 2: 1, 3: 16}[part.compression]
+                lines = LINES[part.compression]
                 part._take(data[place + 8:place + 8 + size], 0, y0, part.width,
                            min(lines, part.height - y0))
     return parts

@@ -12,7 +12,7 @@ from vug import SOURCE, VugTest
 SCENE = """seed 5
 volume rock = level_set(box(size: (6, 4, 6)) - sphere(1.8m), voxel: 20cm)
 volume stone = level_set(sphere(50cm).translate((0.6, -1, 0)), voxel: 10cm)
-mesh wall on rock {}
+mesh wall on rock { paint gradient(mask: height(from: -2m, to: 2m), colors: [(0.2, 0.4, 0.6), (0.9, 0.8, 0.7)]) }
 mesh pebble on stone {}
 material chalk = lambert(albedo: (0.7, 0.7, 0.6))
 object cave on wall { material chalk }
@@ -49,7 +49,10 @@ def bits(value):
 
 FORMS = {"plain": (), "tiled": ("--tiled",), "parts": ("--multi-part",),
          "both": ("--multi-part", "--tiled"), "crop": ("--crop", "10,5,50,35"), "full": ("--float",),
-         "smooth": ("--denoise",)}
+         "smooth": ("--denoise",), "deep": ("--deep", "--crop", "10,5,50,35", "--float"),
+         "half": ("--deep", "--working-space", "acescg")}
+# Beside the pictures of these forms.
+DEEP = {"deep": "deep.deep", "half": "half.deep"}
 
 
 # Sends one layer of a file through Blender's compositor.
@@ -79,6 +82,14 @@ class PictureFiles(VugTest):
         for name, form in FORMS.items():
             self.expect(0, "render", "s.vug", "-o", f"{name}.exr", "--layers", "all", *form)
 
+    def tool(self, *args):
+        """What a program of others prints; skips without it."""
+        if not shutil.which(args[0]):
+            self.skipTest(f"{args[0]} is not installed")
+        run = subprocess.run(args, cwd=self.folder, text=True, capture_output=True)
+        self.assertEqual(run.returncode, 0, f"{args}: {run.stdout} {run.stderr}")
+        return run.stdout
+
     def channels(self, name):
         """Pixels of all channels, of whichever part."""
         found = {}
@@ -87,7 +98,7 @@ class PictureFiles(VugTest):
         return found
 
     def test_programs_of_others_accept_them(self):
-        for name in FORMS:
+        for name in [*FORMS, *DEEP.values()]:
             for program in (["oiiotool", "--info", "-v", "--stats"], ["exrinfo", "-s", "-v"],
                             ["exrheader"], ["exrcheck"]):
                 if not shutil.which(program[0]):
@@ -96,7 +107,7 @@ class PictureFiles(VugTest):
                                      capture_output=True)
                 self.assertEqual(run.returncode, 0, f"{program} {name}: {run.stderr}")
                 self.assertNotIn("error", run.stderr.lower(), f"{program} {name}")
-                if program[0] == "oiiotool":
+                if program[0] == "oiiotool" and name in FORMS:
                     self.assertIn("NanCount: 0 0 0", run.stdout)
 
     def test_every_form_holds_the_same_pixels(self):
@@ -119,10 +130,43 @@ class PictureFiles(VugTest):
         self.assertIn("variance", self.expect(2, "render", "s.vug", "-o", "no.exr", "--denoise",
                                               "--layers", "beauty,Z").err)
 
+    def test_deep_pictures_composite_to_the_beauty(self):
+        for name, tolerance in (("deep", 1e-5), ("half", 2e-3)):
+            self.tool("oiiotool", f"{name}.deep.exr", "--flatten", "-d", "float", "-o", "flat.exr")
+            flat, = exr.read(self.folder / "flat.exr")
+            plain = self.channels(name)
+            for channel in "RGBA":
+                for ours, theirs in zip(plain[channel], flat.pixels[channel]):
+                    self.assertAlmostEqual(ours, theirs, delta=tolerance * (1 + abs(ours)))
+            deep, = exr.read(self.folder / f"{name}.deep.exr")
+            self.assertEqual(deep.text("type"), "deepscanline")
+            self.assertEqual({c for c, _ in deep.channels}, {"R", "G", "B", "A", "Z", "ZBack"})
+            for i in range(deep.width * deep.height):
+                near, far = deep.pixels["Z"][i], deep.pixels["ZBack"][i]
+                self.assertTrue(0 < len(near) <= 16)
+                self.assertTrue(all(a <= b for a, b in zip(near, far)))
+                self.assertTrue(all(b < a for b, a in zip(far, near[1:])))
+                light, hidden = 0, 0
+                for colour, alpha in zip(deep.pixels["G"][i], deep.pixels["A"][i]):
+                    light, hidden = light + (1 - hidden) * colour, hidden + (1 - hidden) * alpha
+                self.assertAlmostEqual(light, plain["G"][i], delta=tolerance * (1 + abs(light)))
+            told = self.tool("oiiotool", "--info", "-v", "--stats", f"{name}.deep.exr")
+            self.assertIn("6 channel, deep", told)
+            self.assertIn("vug:recipe", told)
+            self.assertIn("worldToCamera", told)
+
+    def test_deep_pictures_are_whole_or_refused(self):
+        for args in (["--noise", "0.1"], ["--preview", "p.png"], ["--checkpoint", "c"]):
+            said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--deep", *args).err
+            self.assertIn("a deep picture takes all samples of a pixel at once", said)
+        self.expect(2, "render", "s.vug", "--part", "no.part", "--deep")
+        self.assertFalse(any(name.startswith("no") for name in self.files()))
+        self.assertIn("no flat picture", self.expect(2, "info", "deep.deep.exr").err)
+
     def test_parts_are_layers(self):
         names = [part.text("name") for part in exr.read(self.folder / "parts.exr")]
         self.assertEqual(len(names), len(set(names)))
-        for name in ("beauty", "Z", "N", "diffuse_direct", "CryptoObject"):
+        for name in ("beauty", "Z", "N", "diffuse_direct", "CryptoObject", "attribute_Cd"):
             self.assertIn(name, names)
 
     @unittest.skipUnless(shutil.which("blender"), "Blender is not installed")

@@ -26,6 +26,8 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 vug_needs(embree 3 CONFIG)
 vug_needs(PkgConfig)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+# Debian's CMake package of it names folders that are not there.
+pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)
 # Debian ships OpenVDB's find module beside its libraries.
 list(APPEND CMAKE_MODULE_PATH /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB)
 set(CMAKE_FIND_PACKAGE_QUIET_BOOST TRUE)

@@ -135,7 +135,8 @@ bool passes(const Measure& measure, double value, double limit) {
 
 /// Light of both pictures at which their middle is grey.
 double exposure_of(const Comparison& pair) {
-  const auto a = grey_exposure(pair.reference), b = grey_exposure(pair.test);
+  const auto a = grey_exposure(pair.reference, pair.view.space),
+             b = grey_exposure(pair.test, pair.view.space);
   if (a && b) return 0.5 * (*a + *b);
   return a ? *a : b.value_or(0);
 }
@@ -150,6 +151,7 @@ Comparison comparison_of(const Layer& layer, const Subject& a, const Subject& b,
   pair.reference_exposures = options.reference_exposures;
   pair.view.dither = false;
   pair.view.exposure = exposure;
+  pair.view.space = a.space;
   if (a.screen && b.screen) pair.view.transform = ViewTransform::srgb;
   return pair;
 }
@@ -282,6 +284,11 @@ Diff diff(const Subject& reference, const Subject& test, const DiffOptions& opti
                     "{}, {} on",
                     reference.name, reference.left, reference.top, test.name, test.left, test.top),
         {}, "compare the same part of both");
+  if (reference.space != test.space)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' is in the colour space {} and '{}' in {}", reference.name,
+                            info(reference.space).name, test.name, info(test.space).name),
+                {}, "render both in one working_space");
   const std::vector<Chosen> chosen = choose_layers(reference, test, options);
   require_known(chosen, options);
   const auto main =

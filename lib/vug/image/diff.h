@@ -19,8 +19,9 @@ struct Subject {
   std::string name;  ///< For messages: the file.
   Image image;
   Metadata metadata;
-  int left = 0, top = 0;  ///< Where it lies in a larger picture.
-  bool screen = false;    ///< Integer codes of a screen's picture (PNG), read as linear light.
+  int left = 0, top = 0;                      ///< Where it lies in a larger picture.
+  WorkingSpace space = WorkingSpace::rec709;  ///< Of its colours.
+  bool screen = false;  ///< Integer codes of a screen's picture (PNG), read as linear light.
 };
 
 /// Error(bad_input) as for `read`.
@@ -91,9 +92,9 @@ struct Diff {
   std::vector<float> heat;   ///< In [0, 1], for each pixel.
 };
 
-/// Error(bad_input) with a hint: different sizes, channels that one picture lacks, layers, measures
-/// or limits that do not exist, a test of significance without variance.
-/// Swapping the pictures swaps signs and roles, but never the verdict.
+/// Error(bad_input) with a hint: different sizes or colour spaces, channels that one picture lacks,
+/// layers, measures or limits that do not exist, a test of significance without variance. Swapping
+/// the pictures swaps signs and roles, but never the verdict.
 Diff diff(const Subject& reference, const Subject& test, const DiffOptions& options = {});
 
 /// "beauty.rmse" or "rmse", with its value; Error(bad_input) for an unknown measure.

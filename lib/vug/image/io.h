@@ -2,6 +2,7 @@
 // stamps and no host names are written.
 #pragma once
 
+#include <vug/image/colour_space.h>
 #include <vug/image/image.h>
 #include <vug/image/view.h>
 
@@ -34,6 +35,8 @@ struct ExrOptions {
   bool parts = false;
   /// Tiles of 64 x 64 pixels instead of lines.
   bool tiles = false;
+  /// What red, green and blue mean: the standard attributes `chromaticities` and `colorInteropID`.
+  WorkingSpace space = WorkingSpace::rec709;
   /// Standard attributes of the camera, row after row, for points as rows: p * M.
   std::optional<std::array<float, 16>> world_to_camera, world_to_ndc;
 };
@@ -44,8 +47,8 @@ struct ExrOptions {
 void write_exr(const std::filesystem::path& path, const Image& image,
                const ExrOptions& options = {});
 
-/// 8-bit sRGB PNG of the channels R, G, B (or of the one channel there is, as grey), through the
-/// view transform. Same errors as write_exr.
+/// 8-bit PNG, sRGB unless a configured view says otherwise, of the channels R, G, B (or of the one
+/// channel there is, as grey), through the view transform. Same errors as write_exr.
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view = {},
                const Metadata& metadata = {});
 
@@ -69,8 +72,12 @@ struct FileInfo {
   std::vector<std::string> channels;
   std::vector<std::string> formats;  ///< "half", "float", "uint8", one for each channel.
   Metadata metadata;
+  std::optional<Chromaticities> chromaticities;  ///< Of an EXR that tells its primaries.
 };
 FileInfo read_info(const std::filesystem::path& path);
+
+/// The way of the file's linear colours to Rec.709: plain for one that tells no primaries.
+ColourMatrix to_rec709(const FileInfo& info);
 
 /// One channel in [0, 1] for heightfields: the only channel, else the mean of R, G, B as stored
 /// (no colour conversion).

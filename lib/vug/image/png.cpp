@@ -1,5 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/image/configured_view.h>
 #include <vug/image/io.h>
 
 #include <OpenImageIO/filesystem.h>
@@ -47,7 +48,7 @@ std::string png_bytes(const Image& image, const ViewOptions& view, const Metadat
   const Image shown = display(image, view);
   const std::vector<uint8_t> bytes = codes(shown, view.dither);
   OIIO::ImageSpec spec(shown.width, shown.height, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
+  if (!view.configured || view.configured->srgb()) spec.attribute("oiio:ColorSpace", "sRGB");
   for (const auto& [name, text] : metadata) spec.attribute(name, text);
   std::vector<unsigned char> out;
   OIIO::Filesystem::IOVecOutput memory(out);

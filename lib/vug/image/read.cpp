@@ -109,6 +109,10 @@ FileInfo read_info(const std::filesystem::path& path) {
   for (const OIIO::ImageSpec& part : parts)
     for (int c = 0; c < part.nchannels; ++c)
       info.formats.emplace_back(part.channelformat(c).c_str());
+  std::array<float, 8> primaries{};
+  if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                        primaries.data()))
+    std::copy(primaries.begin(), primaries.end(), info.chromaticities.emplace().begin());
   for (const OIIO::ImageSpec& part : parts)
     for (const auto& attribute : part.extra_attribs) {
       if (attribute.type() != OIIO::TypeDesc::STRING) continue;
@@ -117,6 +121,14 @@ FileInfo read_info(const std::filesystem::path& path) {
         info.metadata.push_back(std::move(entry));
     }
   return info;
+}
+
+ColourMatrix to_rec709(const FileInfo& file) {
+  if (!file.chromaticities) return {};
+  // Broken ones would make broken colours.
+  for (size_t i = 0; i < 8; ++i)
+    if (!((*file.chromaticities)[i] > (i % 2 == 1 ? 1e-3 : -1.0))) return {};
+  return {*file.chromaticities, info(WorkingSpace::rec709).chromaticities};
 }
 
 Image read_grey(const std::filesystem::path& path) {

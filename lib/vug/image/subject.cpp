@@ -13,6 +13,8 @@ Subject read_subject(const std::filesystem::path& file) {
   out.name = file.string();
   out.metadata = info.metadata;
   out.left = info.left, out.top = info.top;
+  if (info.chromaticities)
+    out.space = find_space(*info.chromaticities).value_or(WorkingSpace::rec709);
   out.screen = std::all_of(info.formats.begin(), info.formats.end(),
                            [](const std::string& format) { return format.rfind("uint", 0) == 0; });
   out.image = read(file, {.linear = true});

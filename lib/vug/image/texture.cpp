@@ -34,6 +34,7 @@ struct Texture::File {
   OIIO::ustring name;
   int channels = 3;
   bool encoded = false;  ///< sRGB.
+  ColourMatrix to_rec709;
 };
 
 Texture::Texture(const std::filesystem::path& path) {
@@ -44,6 +45,7 @@ Texture::Texture(const std::filesystem::path& path) {
   const std::string format = info.formats.empty() ? "" : info.formats.front();
   file->encoded = format != "half" && format != "float" && format != "double";
   if (!file->encoded) {
+    file->to_rec709 = to_rec709(info);
     const Image whole = read(path);
     const auto bad = std::find_if(whole.pixels.begin(), whole.pixels.end(),
                                   [](float x) { return !std::isfinite(x); });
@@ -74,7 +76,7 @@ Vec3d Texture::at(double s, double t, double width) const {
               static_cast<double>(rgb[2]));
   if (file_->encoded)
     for (int c = 0; c < 3; ++c) color[c] = srgb_decode(std::clamp(color[c], 0.0, 1.0));
-  return color;
+  return file_->to_rec709(color);
 }
 
 }  // namespace vug::image

@@ -13,7 +13,8 @@ namespace vug::image {
 class Texture {
  public:
   /// Error(bad_input), naming the file: missing, no picture, or holding numbers that are not
-  /// finite. Integer files are taken for sRGB, files of floats for linear light.
+  /// finite. Integer files are taken for sRGB, files of floats for linear light of the primaries
+  /// that they tell, or of Rec.709.
   explicit Texture(const std::filesystem::path& path);
 
   /// Linear Rec.709, of grey files three times the same. (0, 0) is the top left corner, (1, 1) the

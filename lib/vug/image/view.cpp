@@ -1,5 +1,6 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
+#include <vug/image/configured_view.h>
 #include <vug/image/view.h>
 
 #include <algorithm>
@@ -35,10 +36,10 @@ Colour filmic(Colour c) {
   return multiply(kFromCurve, c);
 }
 
-double usable(double v) {
-  // Beyond 1e6 the curve is flat; a cap keeps infinities from turning into NaN in the matrices.
-  return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, 1e6);
-}
+/// Beyond this the curve is flat; a cap keeps infinities from turning into NaN in the matrices.
+constexpr double kBrightest = 1e6;
+
+double usable(double v) { return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, kBrightest); }
 
 using Channels = std::array<size_t, 3>;
 
@@ -52,11 +53,10 @@ std::optional<Channels> colour_channels(const Image& image) {
   return out;
 }
 
-Colour colour_at(const Image& image, size_t pixel, const Channels& from) {
-  Colour out{};
-  for (size_t i = 0; i < 3; ++i)
-    out[i] = static_cast<double>(image.pixels[pixel * image.channels.size() + from[i]]);
-  return out;
+Vec3d colour_at(const Image& image, size_t pixel, const Channels& from) {
+  const float* values = &image.pixels[pixel * image.channels.size()];
+  return {static_cast<double>(values[from[0]]), static_cast<double>(values[from[1]]),
+          static_cast<double>(values[from[2]])};
 }
 
 }  // namespace
@@ -71,17 +71,30 @@ double srgb_decode(double encoded) {
   return v <= 0.04045 ? v / 12.92 : maths::pow((v + 0.055) / 1.055, 2.4);
 }
 
-std::optional<double> grey_exposure(const Image& linear) {
+Image in_rec709(Image picture, WorkingSpace space) {
+  const ColourMatrix way(space, WorkingSpace::rec709);
+  const std::optional<Channels> channels = colour_channels(picture);
+  if (way.plain() || !channels) return picture;
+  for (size_t p = 0; p < picture.pixel_count(); ++p) {
+    const Vec3f c(way(colour_at(picture, p, *channels)));
+    for (size_t i = 0; i < 3; ++i)
+      picture.pixels[p * picture.channels.size() + (*channels)[i]] = c[static_cast<int>(i)];
+  }
+  return picture;
+}
+
+std::optional<double> grey_exposure(const Image& linear, WorkingSpace space) {
   constexpr double kGrey = 0.18, kLog2 = 0.69314718055994530942;
   constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Of Rec.709.
   const std::optional<Channels> channels = colour_channels(linear);
   if (!channels) return {};
+  const ColourMatrix to_rec709(space, WorkingSpace::rec709);
   double sum = 0;
   size_t lit = 0;
   for (size_t p = 0; p < linear.pixel_count(); ++p) {
-    const Colour c = colour_at(linear, p, *channels);
+    const Vec3d c = to_rec709(colour_at(linear, p, *channels));
     double luminance = 0;
-    for (size_t i = 0; i < 3; ++i) luminance += kWeights[i] * usable(c[i]);
+    for (int i = 0; i < 3; ++i) luminance += kWeights[i] * usable(c[i]);
     if (!(luminance > 0)) continue;
     sum += maths::log(luminance);
     ++lit;
@@ -99,8 +112,24 @@ Image display(const Image& linear, const ViewOptions& options) {
   }
   const double gain = maths::exp(options.exposure * 0.69314718055994530942);
   Image out(linear.width, linear.height, {"R", "G", "B"});
+  if (options.configured) {
+    for (size_t p = 0; p < linear.pixel_count(); ++p) {
+      const Vec3d c = colour_at(linear, p, *from) * gain;
+      // Colours outside of the space have negative parts, which a configuration knows to treat.
+      for (size_t i = 0; i < 3; ++i) {
+        const double v = c[static_cast<int>(i)];
+        out.pixels[p * 3 + i] =
+            std::isnan(v) ? 0 : static_cast<float>(std::clamp(v, -kBrightest, kBrightest));
+      }
+    }
+    options.configured->apply(out.pixels.data(), out.pixel_count());
+    for (float& v : out.pixels) v = v > 0 ? std::min(v, 1.0f) : 0;
+    return out;
+  }
+  const ColourMatrix to_rec709(options.space, WorkingSpace::rec709);
   for (size_t p = 0; p < linear.pixel_count(); ++p) {
-    Colour c = colour_at(linear, p, *from);
+    const Vec3d light = to_rec709(colour_at(linear, p, *from));
+    Colour c = {light.x, light.y, light.z};
     for (double& v : c) v = usable(gain * v);
     if (options.transform == ViewTransform::filmic) c = filmic(c);
     for (size_t i = 0; i < 3; ++i) out.pixels[p * 3 + i] = static_cast<float>(srgb_encode(c[i]));

@@ -1,8 +1,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/image/io.h>
+#include <vug/image/exr_spec.h>
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,11 +55,8 @@ bool in_layer(const std::string& channel, const std::string& layer) {
 
 }  // namespace
 
-namespace {
-
-/// What all parts of the file share.
-OIIO::ImageSpec base_spec(const Image& image, const ExrOptions& options) {
-  OIIO::ImageSpec spec(image.width, image.height, 1, OIIO::TypeDesc::FLOAT);
+OIIO::ImageSpec exr_spec(int width, int height, const ExrOptions& options) {
+  OIIO::ImageSpec spec(width, height, 1, OIIO::TypeDesc::FLOAT);
   if (options.window.full_width > 0) {
     spec.x = options.window.x, spec.y = options.window.y;
     spec.full_width = options.window.full_width, spec.full_height = options.window.full_height;
@@ -69,10 +65,13 @@ OIIO::ImageSpec base_spec(const Image& image, const ExrOptions& options) {
   spec.attribute("compression", "zip");
   // OpenImageIO would write the time of day: the same picture shall have the same bytes.
   spec.attribute("DateTime", "1970:01:01 00:00:00");
-  spec.attribute("oiio:ColorSpace", "linear");
-  // Red, green, blue and white of Rec.709 (ITU-R BT.709, item 1.4).
-  const float primaries[] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
-  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), primaries);
+  spec.attribute("oiio:ColorSpace", options.space == WorkingSpace::acescg ? "ACEScg" : "linear");
+  const WorkingSpaceInfo& space = info(options.space);
+  std::array<float, 8> primaries{};
+  std::transform(space.chromaticities.begin(), space.chromaticities.end(), primaries.begin(),
+                 [](double v) { return static_cast<float>(v); });
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), primaries.data());
+  spec.attribute("colorInteropID", space.public_name);
   const auto matrix = [&](const char* name, const std::optional<std::array<float, 16>>& values) {
     if (values) spec.attribute(name, OIIO::TypeDesc::TypeMatrix, values->data());
   };
@@ -80,6 +79,8 @@ OIIO::ImageSpec base_spec(const Image& image, const ExrOptions& options) {
   matrix("worldToNDC", options.world_to_ndc);
   return spec;
 }
+
+namespace {
 
 bool is_full(const std::string& channel, const ExrOptions& options) {
   return !options.half ||
@@ -107,7 +108,7 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrO
   const std::vector<PartOf> parts = parts_of(image.channels, options.parts);
   std::vector<OIIO::ImageSpec> specs;
   for (const PartOf& part : parts) {
-    OIIO::ImageSpec spec = base_spec(image, options);
+    OIIO::ImageSpec spec = exr_spec(image.width, image.height, options);
     spec.nchannels = static_cast<int>(part.count);
     spec.channelnames.assign(
         image.channels.begin() + static_cast<std::ptrdiff_t>(part.from),

@@ -46,10 +46,10 @@ float NumberInput::at(const paint::Spot& spot, float low, float high) const {
   return std::min(high, std::max(low, number));  // not a number: low
 }
 
-Rgb ColorInput::at(const paint::Spot& spot) const {
+Rgb ColorInput::at(const paint::Spot& spot, const Rgb& times) const {
   const Vec3d color = varying ? (*varying)(spot) : constant;
   const auto one = [](double x) { return static_cast<float>(std::min(1.0, std::max(0.0, x))); };
-  return {one(color.x), one(color.y), one(color.z)};
+  return way(Rgb(one(color.x), one(color.y), one(color.z)) * times);
 }
 
 }  // namespace vug::render

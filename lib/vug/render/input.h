@@ -40,10 +40,12 @@ struct NumberInput {
 struct ColorInput {
   Vec3d constant{0, 0, 0};
   paint::Paint varying;
+  image::ColourMatrix way;  ///< To the space that light is computed in.
 
   ColorInput(const Vec3d& color) : constant(color) {}  // NOLINT
   explicit ColorInput(paint::Paint paint) : varying(std::move(paint)) {}
-  Rgb at(const paint::Spot& spot) const;
+  /// In the working space; `times` is a Rec.709 colour, such as the vertex colour.
+  Rgb at(const paint::Spot& spot, const Rgb& times = Rgb(1.0f)) const;
 };
 
 }  // namespace vug::render

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace vug::render {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 /// The picture's depth where no surface is.
 constexpr double kNowhere = 1e10;
 constexpr const char* kLight = "light_";
+constexpr const char* kAttribute = "attribute_";
 
 struct Out {
   const PixelSum& sum;
@@ -34,7 +36,7 @@ struct Kind {
 /// The layers that come straight out of a PixelSum.
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
-      {{"beauty", "Radiance, linear Rec.709.", {"R", "G", "B"}, true},
+      {{"beauty", "Radiance, in the working space.", {"R", "G", "B"}, true},
        [](Out& o) {
          for (size_t i = 0; i < 3; ++i) o.put(o.sum.mean(i));
        }},
@@ -73,18 +75,56 @@ bool is_part(const std::string& name) {
   return std::find(parts.begin(), parts.end(), name) != parts.end();
 }
 
-/// Where a coloured layer stands among a film's lights.
-size_t colour_index(const LayerPlan& plan, const std::string& name) {
+/// A layer among a film's lights: where it stands, how many numbers it has, and whether these are
+/// means over the samples that met a surface.
+struct Summed {
+  size_t index = 0, count = 3;
+  bool surface = false;
+};
+
+/// In the order of TallyPlan.
+Summed summed(const LayerPlan& plan, const std::string& name) {
   const auto& parts = part_names();
   const auto part = std::find(parts.begin(), parts.end(), name);
-  if (part != parts.end()) return static_cast<size_t>(part - parts.begin());
+  if (part != parts.end()) return {static_cast<size_t>(part - parts.begin())};
   size_t index = plan.parts() ? parts.size() : 0;
-  if (name == kMotion) return index + plan.groups.size();
   for (const std::string& group : plan.groups) {
-    if (kLight + group == name) break;
+    if (kLight + group == name) return {index};
     ++index;
   }
-  return index;
+  if (name == kWetness) return {index, 1, true};
+  if (plan.has(kWetness)) ++index;
+  for (const LayerAttribute& attribute : plan.attributes) {
+    if (kAttribute + attribute.name == name) return {index, attribute.arity, true};
+    ++index;
+  }
+  if (name == kMotion) return {index, 2, true};
+  return {};
+}
+
+/// The attributes of all meshes, each once, with the largest arity it has.
+std::vector<LayerAttribute> attributes_of(const Scene& scene) {
+  std::vector<LayerAttribute> out;
+  for (const Object& object : scene.objects) {
+    if (!object.mesh) continue;
+    for (const mesh::Attribute& attribute : object.mesh->attributes) {
+      const auto arity = static_cast<uint32_t>(std::clamp(attribute.arity, 1, 3));
+      auto found = std::find_if(out.begin(), out.end(), [&](const LayerAttribute& known) {
+        return known.name == attribute.name;
+      });
+      if (found == out.end()) found = out.insert(found, {attribute.name, arity});
+      found->arity = std::max(found->arity, arity);
+    }
+  }
+  return out;
+}
+
+/// Attributes that are asked for by name.
+std::vector<LayerAttribute> named_attributes(const std::vector<std::string>& names) {
+  std::vector<LayerAttribute> out;
+  for (const std::string& name : names)
+    if (name.rfind(kAttribute, 0) == 0) out.push_back({name.substr(std::strlen(kAttribute)), 3});
+  return out;
 }
 
 }  // namespace
@@ -100,6 +140,7 @@ const std::vector<LayerInfo>& layers() {
                     "upwards.",
                     {"motion.X", "motion.Y"},
                     false});
+    list.push_back({kWetness, "Share of the first surface that water covers.", {kWetness}, false});
     list.push_back(
         {kCryptoObject, "Cryptomatte of objects.", crypto_channels(kCryptoObject), false});
     list.push_back(
@@ -115,7 +156,12 @@ std::vector<std::string> LayerPlan::channels() const {
     const auto& known = layers();
     const auto layer = std::find_if(known.begin(), known.end(),
                                     [&](const LayerInfo& info) { return info.name == name; });
-    const auto more = layer == known.end() ? colour(name) : layer->channels;
+    auto more = layer == known.end() ? colour(name) : layer->channels;
+    for (const LayerAttribute& attribute : attributes)
+      if (kAttribute + attribute.name == name) {
+        more.clear();
+        for (uint32_t i = 0; i < attribute.arity; ++i) more.push_back(name + '.' + "XYZ"[i]);
+      }
     out.insert(out.end(), more.begin(), more.end());
   }
   return out;
@@ -123,7 +169,8 @@ std::vector<std::string> LayerPlan::channels() const {
 
 Gather LayerPlan::gather() const {
   Gather gather;
-  gather.lights = (parts() ? part_names().size() : 0) + groups.size() + (has(kMotion) ? 1 : 0);
+  gather.lights = (parts() ? part_names().size() : 0) + groups.size() + (has(kWetness) ? 1 : 0) +
+                  attributes.size() + (has(kMotion) ? 1 : 0);
   gather.coverage = has(kCryptoObject) || has(kCryptoMaterial);
   return gather;
 }
@@ -134,24 +181,28 @@ bool LayerPlan::has(const std::string& name) const {
 
 bool LayerPlan::parts() const { return std::any_of(names.begin(), names.end(), is_part); }
 
-LayerPlan plan_layers(const std::vector<std::string>& names,
-                      const std::vector<std::string>& groups) {
+LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<std::string>& groups,
+                      const std::vector<LayerAttribute>& attributes) {
   std::vector<std::string> known;
   for (const LayerInfo& layer : layers()) known.push_back(layer.name);
   for (const std::string& group : groups) known.push_back(kLight + group);
+  const size_t lights_end = known.size();
+  for (const LayerAttribute& attribute : attributes) known.push_back(kAttribute + attribute.name);
   std::vector<bool> chosen(known.size());
   for (size_t i = 0; i < layers().size(); ++i) chosen[i] = names.empty() && layers()[i].usual;
   for (const std::string& name : names) {
-    bool found = name == "parts" || name == "lights" || name == "cryptomatte" || name == "all";
+    bool found = name == "parts" || name == "lights" || name == "attributes" ||
+                 name == "cryptomatte" || name == "all";
     for (size_t i = 0; i < known.size(); ++i) {
-      const bool light = i >= layers().size();
+      const bool light = i >= layers().size() && i < lights_end;
       if (!(known[i] == name || name == "all" || (name == "parts" && is_part(known[i])) ||
-            (name == "lights" && light) || (name == "cryptomatte" && is_crypto(known[i]))))
+            (name == "lights" && light) || (name == "attributes" && i >= lights_end) ||
+            (name == "cryptomatte" && is_crypto(known[i]))))
         continue;
       chosen[i] = found = true;
     }
     if (found) continue;
-    known.insert(known.end(), {"parts", "lights", "cryptomatte", "all"});
+    known.insert(known.end(), {"parts", "lights", "attributes", "cryptomatte", "all"});
     throw Error(ErrorCode::bad_input, fmt::format("there is no layer '{}'", name), {},
                 suggestion(name, known));
   }
@@ -159,7 +210,10 @@ LayerPlan plan_layers(const std::vector<std::string>& names,
   for (size_t i = 0; i < known.size(); ++i) {
     if (!chosen[i]) continue;
     plan.names.push_back(known[i]);
-    if (i >= layers().size()) plan.groups.push_back(groups[i - layers().size()]);
+    if (i >= lights_end)
+      plan.attributes.push_back(attributes[i - lights_end]);
+    else if (i >= layers().size())
+      plan.groups.push_back(groups[i - layers().size()]);
   }
   // `develop` writes them last.
   std::stable_partition(plan.names.begin(), plan.names.end(),
@@ -178,7 +232,11 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
   for (const LightPtr& light : scene.lights)
     if (light) add_group(light->notes().group);
   for (const Object& object : scene.objects) add_group(object.light_group);
-  LayerPlan plan = plan_layers(names, groups);
+  const bool made = !scene.objects.empty() &&
+                    std::all_of(scene.objects.begin(), scene.objects.end(),
+                                [](const Object& object) { return object.mesh != nullptr; });
+  LayerPlan plan =
+      plan_layers(names, groups, made ? attributes_of(scene) : named_attributes(names));
   if (!plan.gather().coverage) return plan;
   for (const Object& object : scene.objects) {
     plan.objects.push_back(object.name);
@@ -189,12 +247,7 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
 
 void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image) {
   std::vector<void (*)(Out&)> writers;
-  /// A colour of the film, and how it is written.
-  struct Colour {
-    size_t index, parts;
-    bool of_hits;  ///< Its mean is over the samples that met a surface.
-  };
-  std::vector<Colour> colours;
+  std::vector<Summed> colours;
   std::vector<CryptoIds> cryptos;
   for (const std::string& name : plan.names) {
     const auto kind = std::find_if(kinds().begin(), kinds().end(),
@@ -204,19 +257,19 @@ void develop(const Film& film, const LayerPlan& plan, const Region& origin, imag
     else if (is_crypto(name))
       cryptos.push_back(crypto_ids(name == kCryptoObject ? plan.objects : plan.materials));
     else
-      colours.push_back({colour_index(plan, name), name == kMotion ? 2u : 3u, name == kMotion});
+      colours.push_back(summed(plan, name));
   }
   const Region& region = film.region();
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x) {
       Out out{film.at(x, y), &image.at(x - origin.x0, y - origin.y0)};
       for (const auto& write : writers) write(out);
-      const double share = 1.0 / std::max(out.sum.samples, 1u);
-      const double hit_share = 1.0 / std::max(out.sum.hits, 1u);
-      for (const Colour& colour : colours)
-        for (size_t i = 0; i < colour.parts; ++i)
-          out.put(from_wide(film.lights(x, y)[3 * colour.index + i], kLightBits) *
-                  (colour.of_hits ? hit_share : share));
+      for (const Summed& colour : colours) {
+        const uint32_t over = colour.surface ? out.sum.hits : out.sum.samples;
+        const double share = 1.0 / std::max(over, 1u);
+        for (size_t i = 0; i < colour.count; ++i)
+          out.put(from_wide(film.lights(x, y)[3 * colour.index + i], kLightBits) * share);
+      }
       for (const CryptoIds& ids : cryptos)
         out.to = write_crypto(film.coverage(x, y), out.sum.samples, ids, out.to);
     }

@@ -24,10 +24,22 @@ struct LayerInfo {
 };
 const std::vector<LayerInfo>& layers();
 
-/// The layers of one picture, in the order of `layers()`, then lights by their groups.
+inline constexpr const char* kWetness = "wetness";
+
+/// An attribute of meshes that has a layer.
+struct LayerAttribute {
+  std::string name;
+  uint32_t arity = 1;  ///< Numbers at each vertex; three are read at most.
+
+  bool operator==(const LayerAttribute&) const = default;
+};
+
+/// The layers of one picture, in the order of `layers()`, then lights by their groups, then
+/// attributes of meshes.
 struct LayerPlan {
-  std::vector<std::string> names;   ///< Of layers() and "light_GROUP".
-  std::vector<std::string> groups;  ///< Groups of lights that have a layer.
+  std::vector<std::string> names;          ///< Of layers(), "light_GROUP" and "attribute_NAME".
+  std::vector<std::string> groups;         ///< Groups of lights that have a layer.
+  std::vector<LayerAttribute> attributes;  ///< Those that have a layer.
   /// Of the scene's objects, by their index, for the layers of the Cryptomatte.
   std::vector<std::string> objects, materials;
 
@@ -42,12 +54,14 @@ struct LayerPlan {
 };
 
 /// The plan for names as people give them: those of layers(), "light_GROUP", "parts" (all of the
-/// beauty's), "lights" (all groups), "cryptomatte" (both of its) or "all"; none: the usual ones.
+/// beauty's), "lights" (all groups), "attribute_NAME", "attributes" (all),
+/// "cryptomatte" (both of its) or "all"; none: the usual ones.
 /// Error(bad_input) with the nearest name for any other, or when R, G, B would be missing.
-LayerPlan plan_layers(const std::vector<std::string>& names,
-                      const std::vector<std::string>& groups);
+LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<std::string>& groups,
+                      const std::vector<LayerAttribute>& attributes = {});
 
-/// The same with the groups of lights, objects and materials of the scene.
+/// The same with the groups of lights, attributes, objects and materials of the scene. Where
+/// objects have no meshes yet any attribute is taken to be there.
 LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names);
 
 /// Writes the means of a film into the image, whose pixel (0, 0) is `origin` of the film and whose

@@ -1,6 +1,7 @@
 // The seam of materials: from a place on a surface to how light scatters there.
 #pragma once
 
+#include <vug/image/colour_space.h>
 #include <vug/render/bsdf.h>
 
 #include <cstdint>
@@ -67,6 +68,13 @@ class Material {
     (void)surface, (void)memory;
     return nullptr;
   }
+
+  /// Share of the place that water covers, 0 to 1.
+  virtual float wetness(const Surface& surface) const { return (void)surface, 0.0f; }
+
+  /// The same material for light in other primaries: `way` leads there from linear Rec.709, in
+  /// which its parameters, paints and vertex colours are.
+  virtual std::shared_ptr<const Material> in_space(const image::ColourMatrix& way) const = 0;
 };
 using MaterialPtr = std::shared_ptr<const Material>;
 

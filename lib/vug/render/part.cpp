@@ -15,7 +15,7 @@ namespace vug::render {
 namespace {
 
 constexpr char kMagic[8] = {'v', 'u', 'g', 'p', 'a', 'r', 't', '\n'};
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 constexpr uint64_t kDigestBytes = 16;
 constexpr size_t kBuffer = 1 << 20;
 
@@ -145,6 +145,8 @@ void header_of(File& file, H& h) {
   file.number(h.noise);
   list(file, h.layers.names, 4, [&](auto& name) { text(file, name); });
   list(file, h.layers.groups, 4, [&](auto& name) { text(file, name); });
+  list(file, h.layers.attributes, 8,
+       [&](auto& attribute) { text(file, attribute.name), file.number(attribute.arity); });
   list(file, h.layers.objects, 4, [&](auto& name) { text(file, name); });
   list(file, h.layers.materials, 4, [&](auto& name) { text(file, name); });
   list(file, h.notes, 8, [&](auto& note) { text(file, note.first), text(file, note.second); });
@@ -178,8 +180,10 @@ bool sane(const PartHeader& h, const State& s, const Region& r) {
   const auto inside = [](const Region& in, const Region& out) {
     return !in.empty() && in.overlap(out) == in;
   };
-  return h.width > 0 && h.height > 0 && h.width <= 65535 && h.height <= 65535 && h.spp > 0 &&
-         inside(h.crop, all) && inside(r, h.crop) && s.begin < s.end &&
+  const bool readable = std::all_of(h.layers.attributes.begin(), h.layers.attributes.end(),
+                                    [](const LayerAttribute& a) { return a.arity - 1 < 3; });
+  return readable && h.width > 0 && h.height > 0 && h.width <= 65535 && h.height <= 65535 &&
+         h.spp > 0 && inside(h.crop, all) && inside(r, h.crop) && s.begin < s.end &&
          s.end <= static_cast<uint32_t>(h.spp);
 }
 

@@ -1,3 +1,4 @@
+#include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/render/render.h>
 #include <vug/render/shooter.h>
@@ -20,10 +21,13 @@ constexpr double kInstanceBytes = 1500;
 }  // namespace
 
 image::Image render(const Scene& scene, const Options& options, Progress& progress,
-                    const Watch& watch) {
+                    const Watch& watch, image::DeepImage* deep) {
   std::optional<ThreadLimit> limit;
   if (options.threads > 0) limit.emplace(options.threads);
   if (options.noise > 0 || watch.pass || watch.save) {
+    if (deep)
+      throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once", {},
+                  "render it without noise, checkpoint and preview");
     State state = start(options);
     proceed(scene, options, state, watch, progress);
     return develop(state, options.layers);
@@ -34,11 +38,13 @@ image::Image render(const Scene& scene, const Options& options, Progress& progre
   if (watch.estimate)
     watch.estimate(shooter.seconds(static_cast<double>(all.pixels()) * options.spp));
   image::Image picture(all.width(), all.height(), options.layers.channels());
+  if (deep) *deep = image::DeepImage(all.width(), all.height());
   const int tile = std::max(options.tile, 1);
   std::atomic<uint64_t> refused{0}, cut{0};
   progress.begin("rendering", all.blocks(tile));
   parallel_for(all.blocks(tile), [&](size_t index) {
-    const Film film = shooter.shoot(all.block(index, tile), 0, static_cast<uint32_t>(options.spp));
+    const Film film =
+        shooter.shoot(all.block(index, tile), 0, static_cast<uint32_t>(options.spp), deep);
     develop(film, options.layers, all, picture);
     const auto faults = film.faults();
     refused += faults.first, cut += faults.second;
@@ -54,6 +60,9 @@ double memory_estimate(const Scene& scene, const Options& options, bool whole_fi
   double bytes = 4.0 * static_cast<double>(options.layers.channels().size()) * pixels;
   if (whole_film || options.noise > 0) bytes += Film::pixel_bytes(options.layers.gather()) * pixels;
   std::set<const mesh::Mesh*> shared;
+  if (options.deep)
+    bytes += pixels * static_cast<double>(sizeof(std::vector<image::DeepSample>) +
+                                          sizeof(image::DeepSample) * options.deep->most);
   for (const Object& object : scene.objects) {
     if (!object.mesh) continue;
     if (object.placing) bytes += kInstanceBytes;

@@ -3,6 +3,7 @@
 
 #include <vug/base/progress.h>
 #include <vug/image/image.h>
+#include <vug/render/deep.h>
 #include <vug/render/frame_step.h>
 #include <vug/render/integrator.h>
 #include <vug/render/layers.h>
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace vug::render {
 
@@ -28,6 +30,9 @@ struct Options {
   bool openings = true;  ///< Find where the sky shines in; no effect on the picture's mean.
   Region crop;           ///< Which pixels of the picture; empty: all.
   FrameStepPtr step;     ///< For the layer `motion`; null: nothing moves.
+  /// Also a deep picture, and how; only where all samples of a pixel are taken at once: without
+  /// `noise` and a Watch that wants passes or saving.
+  std::optional<DeepOptions> deep;
   double noise = 0;  ///< Blocks whose noise is below this get no more samples; 0: `spp` for all.
 };
 
@@ -49,13 +54,16 @@ struct Watch {
 /// The picture with the layers of the plan, 32-bit channels, means over the samples; see layers().
 /// The same bytes for any number of threads. Error(bad_input): no camera, sizes or spp below 1,
 /// a mesh with indices out of range or positions that are not finite. Error(cancelled).
+/// `deep`: takes what Options::deep asks for.
 image::Image render(const Scene& scene, const Options& options,
-                    Progress& progress = Progress::none(), const Watch& watch = {});
+                    Progress& progress = Progress::none(), const Watch& watch = {},
+                    image::DeepImage* deep = nullptr);
 
 /// Options::crop or all of the picture; Error(bad_input) when it lies beyond.
 Region wanted_region(const Options& options);
 
 /// Bytes that `render` will need beyond the scene itself: acceleration structure and film;
+/// with a deep picture its largest size;
 /// `whole_film`: the sums of all pixels are held, not those of one block for each thread.
 double memory_estimate(const Scene& scene, const Options& options, bool whole_film = false);
 

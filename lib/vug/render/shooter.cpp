@@ -37,6 +37,9 @@ TallyPlan plan_tally(const LayerPlan& layers, const std::vector<std::string>& sc
   plan.parts = layers.parts();
   plan.groups = layers.groups.size();
   plan.motion = layers.has(kMotion);
+  plan.wetness = layers.has(kWetness);
+  for (const LayerAttribute& attribute : layers.attributes)
+    plan.attributes.push_back(attribute.name);
   for (size_t colour = 0; colour < layers.groups.size(); ++colour)
     for (uint32_t group = 0; group < scene_groups.size(); ++group)
       if (scene_groups[group] == layers.groups[colour]) plan.group_of[group] = colour;
@@ -127,14 +130,23 @@ PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
   return result;
 }
 
-Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end) const {
+Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end,
+                    image::DeepImage* deep) const {
   Film film(region, options_.layers.gather());
   Tally tally(tally_);
+  DeepPixel depths(options_.deep.value_or(DeepOptions()));
   for (int y = region.y0; y < region.y1; ++y) {
     progress_.check();
-    for (int x = region.x0; x < region.x1; ++x)
-      for (uint32_t index = begin; index < end; ++index)
-        film.add(x, y, sample(x, y, index, tally), *scene_.camera, tally.colours().data());
+    for (int x = region.x0; x < region.x1; ++x) {
+      for (uint32_t index = begin; index < end; ++index) {
+        const PathResult result = sample(x, y, index, tally);
+        film.add(x, y, result, *scene_.camera, tally.colours().data());
+        if (deep)
+          depths.add(result, static_cast<double>(
+                                 scene_.camera->depth_at(result.time, result.first.position)));
+      }
+      if (deep) deep->at(x - wanted_.x0, y - wanted_.y0) = depths.finish();
+    }
   }
   return film;
 }

@@ -17,8 +17,10 @@ class Shooter {
 
   /// The pixels of the picture that are wanted: Options::crop, or all.
   const Region& wanted() const { return wanted_; }
-  /// Samples begin <= i < end of each pixel of the region.
-  Film shoot(const Region& region, uint32_t begin, uint32_t end) const;
+  /// Samples begin <= i < end of each pixel of the region; `deep` is a picture of all that is
+  /// wanted, or null.
+  Film shoot(const Region& region, uint32_t begin, uint32_t end,
+             image::DeepImage* deep = nullptr) const;
   /// Wall-clock seconds that `samples` will take, about, from a few taken now.
   double seconds(double samples) const;
 

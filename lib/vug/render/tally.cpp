@@ -1,3 +1,4 @@
+#include <vug/render/input.h>
 #include <vug/render/light.h>
 #include <vug/render/tally.h>
 #include <vug/render/world.h>
@@ -17,6 +18,17 @@ const std::vector<std::string>& part_names() {
 void Tally::clear() {
   std::fill(colours_.begin(), colours_.end(), Rgb(0.0f));
   notes_.clear();
+}
+
+void Tally::read(const Surface& surface, const Material& material) {
+  size_t next = plan_.lights();
+  if (plan_.wetness) colours_[next++] = Rgb(material.wetness(surface), 0, 0);
+  if (plan_.attributes.empty()) return;
+  const SurfaceSpot place(surface);
+  for (const std::string& name : plan_.attributes) {
+    const auto value = place.spot().attributes->read(name);
+    colours_[next++] = value ? Rgb(*value) : Rgb(0.0f);
+  }
 }
 
 void Tally::note(uint32_t group, const Rgb& light, const Rgb& diffuse) {
@@ -73,7 +85,7 @@ void Tally::settle_groups(const Rgb& scale) {
     for (const Note& n : notes_) {
       const auto found = plan_.group_of.find(n.group);
       if (found != plan_.group_of.end())
-        colours_[colours_.size() - plan_.groups + found->second] += n.light * scale;
+        colours_[plan_.lights() - plan_.groups + found->second] += n.light * scale;
     }
   notes_.clear();
 }

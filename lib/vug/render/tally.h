@@ -10,7 +10,9 @@
 
 namespace vug::render {
 
+class Material;
 class World;
+struct Surface;
 
 /// The parts that sum to the beauty: what the camera sees shine by itself, and for everything else
 /// what scattered the light last before the camera, and whether the light came to that place
@@ -30,15 +32,21 @@ enum class LightPart : size_t {
 /// "emission", "diffuse_direct", ...
 const std::vector<std::string>& part_names();
 
-/// What a tally sums: all Parts or none, then a colour for each group of lights.
+/// What a tally sums: all Parts or none, then a colour for each group of lights. Then what it reads
+/// off the first surface, which are no colours but are summed like them: the wetness and attributes
+/// of the mesh.
 struct TallyPlan {
   bool parts = false;
   size_t groups = 0;
+  bool wetness = false;
+  std::vector<std::string> attributes;  ///< Their names.
   /// Colours of LightSet::groups(); groups without a colour are not in it.
   std::unordered_map<uint32_t, size_t> group_of;
   bool motion = false;  ///< A last colour, which is no light, holds the motion.
 
-  size_t colours() const { return (parts ? static_cast<size_t>(LightPart::count) : 0) + groups; }
+  /// How many come before what is read off surfaces, and all of them.
+  size_t lights() const { return (parts ? static_cast<size_t>(LightPart::count) : 0) + groups; }
+  size_t colours() const { return lights() + (wetness ? 1 : 0) + attributes.size(); }
 };
 
 /// The light of one path. An integrator notes what each light source gives at a vertex, as it
@@ -50,6 +58,8 @@ class Tally {
 
   /// Before a path.
   void clear();
+  /// At the first surface that a path meets.
+  void read(const Surface& surface, const Material& material);
   /// `diffuse`: the part of `light` that was reflected by diffuse lobes; only for light that a
   /// surface at depth 0 reflects. `group` is the light's.
   void note(uint32_t group, const Rgb& light, const Rgb& diffuse = Rgb(0.0f));

@@ -50,7 +50,7 @@ Rendered render_picture(Builder& builder, const RenderOptions& options) {
   const bool kept =
       !options.part.empty() || !options.checkpoint.empty() || !options.preview.empty();
   PictureJob job = prepare_picture(builder, options.picture, kept);
-  Rendered rendered{std::nullopt, job.header, job.where};
+  Rendered rendered{std::nullopt, std::nullopt, job.header, job.where};
   render::Watch watch;
   const double memory = static_cast<double>(resident_memory()) +
                         render::memory_estimate(job.scene, job.options, kept);
@@ -64,7 +64,8 @@ Rendered render_picture(Builder& builder, const RenderOptions& options) {
                    "a light is brighter than pictures can hold");
   };
   if (!kept) {
-    rendered.image = render::render(job.scene, job.options, builder.progress(), watch);
+    image::DeepImage* deep = job.options.deep ? &rendered.deep.emplace() : nullptr;
+    rendered.image = render::render(job.scene, job.options, builder.progress(), watch, deep);
     return rendered;
   }
   if (!options.checkpoint.empty()) {

@@ -22,7 +22,8 @@ struct RenderOptions {
 };
 
 struct Rendered {
-  std::optional<image::Image> image;  ///< None when a part was written.
+  std::optional<image::Image> image;     ///< None when a part was written.
+  std::optional<image::DeepImage> deep;  ///< Where the plan asks for it.
   render::PartHeader header;
   SourceLocation where;  ///< The plan's name in the text.
 };

@@ -2,6 +2,7 @@
 #include <vug/base/maths.h>
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
+#include <vug/render/working_space.h>
 #include <vug/session/cast.h>
 #include <vug/session/picture.h>
 #include <vug/volume/density.h>
@@ -107,8 +108,12 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
   if (options.full_float) plan.half = false;
   if (options.multi_part) plan.multi_part = true;
   if (options.tiled) plan.tiled = true;
+  if (options.deep) plan.deep = true;
   if (!options.layers.empty()) plan.layers = options.layers;
   if (!options.crop.empty()) plan.crop = options.crop;
+  if (options.working_space) plan.working_space = *options.working_space;
+  if (!options.view.empty()) plan.view = options.view;
+  if (!options.display.empty()) plan.display = options.display;
   return plan;
 }
 
@@ -134,7 +139,7 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
   scene.camera = plan.camera ? plan.camera : outside_camera(bounds);
   warn_of_rock(builder, plan, shown_objects(shot), *scene.camera);
-  return scene;
+  return render::in_space(std::move(scene), plan.working_space);
 }
 
 PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool whole_film) {
@@ -149,6 +154,13 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   render.sampler = plan.sampler;
   render.integrator = plan.integrator;
   render.noise = plan.noise;
+  if (plan.deep) {
+    render.deep.emplace().tolerance = plan.deep_tolerance;
+    if (whole_film || plan.noise > 0)
+      throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once",
+                  plan.where,
+                  "render it without noise, checkpoint, preview and parts; a crop is no matter");
+  }
   render.openings = plan.openings;
   if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
   const auto plan_for = [&](const render::Scene& scene) {
@@ -161,6 +173,13 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   if (options.denoise && !plan.layers.empty() && !plan_for({}).has("variance"))
     throw Error(ErrorCode::bad_input, "a picture without the layer 'variance' cannot be denoised",
                 plan.where, "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
+  job.look.space = plan.working_space;
+  job.look.view = {plan.view, plan.display, options.config};
+  try {
+    image::view_options(job.look.view, plan.working_space);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.what(), plan.where, error.hint());
+  }
   // Before meshes are made of it all.
   render::Scene lights;
   for (const std::string& group : light_groups(builder.shot()))
@@ -182,6 +201,7 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   job.look.metadata = {{"vug:recipe", builder.shot().recipe},
                        {"vug:version", VUG_VERSION},
                        {"vug:seed", std::to_string(render.seed)},
+                       {"vug:working_space", image::info(plan.working_space).name},
                        {"vug:spp", std::to_string(plan.spp)}};
   if (const std::string inexact = plan.integrator ? plan.integrator->inexact() : "";
       !inexact.empty())

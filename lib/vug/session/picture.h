@@ -22,8 +22,12 @@ struct PictureOptions {
   bool multi_part = false;
   bool tiled = false;
   bool denoise = false;
-  std::vector<std::string> layers;  ///< Instead of the plan's.
-  std::vector<int> crop;            ///< Likewise.
+  bool deep = false;
+  std::vector<std::string> layers;                   ///< Instead of the plan's.
+  std::optional<image::WorkingSpace> working_space;  ///< Likewise, and so are these names.
+  std::string view, display;
+  std::filesystem::path config;  ///< Of OpenColorIO; empty: none.
+  std::vector<int> crop;         ///< Likewise.
 };
 
 /// The plan with the options applied; Error(bad_input) with the nearest name for unknown ones.

@@ -15,6 +15,10 @@ constexpr const char* kHalf = "half";
 constexpr const char* kMultiPart = "multi_part";
 constexpr const char* kTiled = "tiled";
 constexpr const char* kDenoise = "denoise";
+constexpr const char* kSpace = "working_space";
+constexpr const char* kView = "view";
+constexpr const char* kDisplay = "display";
+constexpr const char* kConfig = "colour_config";
 constexpr const char* kToCamera = "world_to_camera";
 constexpr const char* kToNdc = "world_to_ndc";
 constexpr const char* kMetadata = "metadata:";
@@ -54,7 +58,7 @@ image::Image joined(const image::Image& a, const image::Image& b) {
 
 void write_png(const std::filesystem::path& png, const image::Image& image,
                const PictureLook& look) {
-  image::ViewOptions view;
+  image::ViewOptions view = image::view_options(look.view, look.space);
   view.exposure = look.exposure;
   image::write_png(png, image, view);
 }
@@ -68,6 +72,10 @@ std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& loo
       {kMultiPart, look.multi_part ? "true" : "false"},
       {kTiled, look.tiled ? "true" : "false"}};
   notes.emplace_back(kDenoise, look.denoise ? "true" : "false");
+  notes.emplace_back(kSpace, image::info(look.space).name);
+  notes.emplace_back(kView, look.view.view);
+  notes.emplace_back(kDisplay, look.view.display);
+  notes.emplace_back(kConfig, look.view.config.string());
   if (look.camera) {
     notes.emplace_back(kToCamera, matrix_text(look.camera->world_to_camera));
     if (look.camera->world_to_ndc)
@@ -85,6 +93,12 @@ PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& n
     if (name == kMultiPart) look.multi_part = text == "true";
     if (name == kTiled) look.tiled = text == "true";
     if (name == kDenoise) look.denoise = text == "true";
+    if (name == kSpace)
+      for (const image::WorkingSpaceInfo& each : image::working_spaces())
+        if (each.name == text) look.space = each.space;
+    if (name == kView) look.view.view = text;
+    if (name == kDisplay) look.view.display = text;
+    if (name == kConfig) look.view.config = text;
     if ((name == kToCamera || name == kToNdc) && !look.camera) look.camera.emplace();
     if (name == kToCamera) look.camera->world_to_camera = read_matrix(text);
     if (name == kToNdc) look.camera->world_to_ndc = read_matrix(text);
@@ -98,24 +112,46 @@ std::filesystem::path png_beside(const std::filesystem::path& exr) {
   return std::filesystem::path(exr).replace_extension(".png");
 }
 
-std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
-                                                 const image::Image& image,
-                                                 const render::PartHeader& header) {
-  const PictureLook look = from_notes(header.notes);
+namespace {
+
+image::ExrOptions exr_options(const PictureLook& look, const render::PartHeader& header) {
   image::ExrOptions options;
   options.half = look.half;
   options.parts = look.multi_part;
   options.tiles = look.tiled;
+  options.space = look.space;
   if (look.camera) {
     options.world_to_camera = look.camera->world_to_camera;
     options.world_to_ndc = look.camera->world_to_ndc;
   }
   options.metadata = look.metadata;
+  options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
+  return options;
+}
+
+}  // namespace
+
+std::filesystem::path deep_beside(const std::filesystem::path& exr) {
+  return std::filesystem::path(exr).replace_extension(".deep.exr");
+}
+
+std::filesystem::path write_deep(const std::filesystem::path& exr, const image::DeepImage& deep,
+                                 const render::PartHeader& header) {
+  image::write_deep_exr(deep_beside(exr), deep, exr_options(from_notes(header.notes), header));
+  return deep_beside(exr);
+}
+
+std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
+                                                 const image::Image& image,
+                                                 const render::PartHeader& header) {
+  const PictureLook look = from_notes(header.notes);
+  image::ExrOptions options = exr_options(look, header);
   for (const auto& entry : render::crypto_metadata(header.layers))
     options.metadata.push_back(entry);
   options.full_channels.insert(options.full_channels.end(),
                                {render::kCryptoObject, render::kCryptoMaterial});
-  options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
+  for (const render::LayerAttribute& attribute : header.layers.attributes)
+    options.full_channels.push_back("attribute_" + attribute.name);
   if (!look.denoise) {
     image::write_exr(exr, image, options);
     write_png(png_beside(exr), image, look);

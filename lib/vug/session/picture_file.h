@@ -1,6 +1,8 @@
 // How a rendered picture is written: the EXR with its layers, and the PNG beside it.
 #pragma once
 
+#include <vug/image/configured_view.h>
+#include <vug/image/deep.h>
 #include <vug/image/io.h>
 #include <vug/render/part.h>
 
@@ -19,6 +21,8 @@ struct PictureLook {
   bool multi_part = false;  ///< A part of the EXR for each layer.
   bool tiled = false;       ///< Tiles instead of lines.
   bool denoise = false;     ///< A further layer, which the PNG shows; see image::denoise.
+  image::WorkingSpace space = image::WorkingSpace::rec709;  ///< That the light is in.
+  image::ViewChoice view;                                   ///< Of the PNG.
   image::Metadata metadata;
   std::optional<render::CameraMatrices> camera;
 };
@@ -33,6 +37,11 @@ std::vector<std::filesystem::path> write_picture(const std::filesystem::path& ex
                                                  const image::Image& image,
                                                  const render::PartHeader& header);
 std::filesystem::path png_beside(const std::filesystem::path& exr);
+
+/// The deep picture beside `exr`, as NAME.deep.exr; returns its name.
+std::filesystem::path deep_beside(const std::filesystem::path& exr);
+std::filesystem::path write_deep(const std::filesystem::path& exr, const image::DeepImage& deep,
+                                 const render::PartHeader& header);
 
 /// Only the PNG, as write_picture would write it.
 void write_preview(const std::filesystem::path& png, const image::Image& image,

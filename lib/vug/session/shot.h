@@ -5,6 +5,7 @@
 #include <vug/base/rng.h>
 #include <vug/field/field.h>
 #include <vug/grammar/tree.h>
+#include <vug/image/colour_space.h>
 #include <vug/paint/paint.h>
 #include <vug/render/integrator.h>
 #include <vug/render/sampler.h>
@@ -100,12 +101,16 @@ struct RenderPlan {
   std::string name = "main";
   std::vector<int> size = {960, 540};  ///< Pixels: width, height.
   int spp = 64;
-  double exposure = 0;              ///< Stops; for the PNG only.
-  bool openings = true;             ///< See render::Options.
-  bool half = true;                 ///< 16-bit colour channels in the EXR.
-  bool multi_part = false;          ///< A part of the EXR for each layer.
-  bool tiled = false;               ///< Tiles in the EXR instead of lines.
-  double noise = 0;                 ///< See render::Options.
+  double exposure = 0;           ///< Stops; for the PNG only.
+  bool openings = true;          ///< See render::Options.
+  bool half = true;              ///< 16-bit colour channels in the EXR.
+  bool multi_part = false;       ///< A part of the EXR for each layer.
+  bool tiled = false;            ///< Tiles in the EXR instead of lines.
+  bool deep = false;             ///< Also a deep EXR.
+  double deep_tolerance = 0.01;  ///< See render::DeepOptions.
+  double noise = 0;              ///< See render::Options.
+  image::WorkingSpace working_space = image::WorkingSpace::rec709;
+  std::string view, display;        ///< Of the PNG; see image::ViewChoice.
   std::vector<std::string> layers;  ///< As render::plan_layers takes them.
   std::vector<int> crop;            ///< Left, top, right, bottom in pixels; empty: all.
   render::CameraPtr camera;         ///< Null: the camera named like the plan, else the first.

@@ -95,6 +95,78 @@ TEST(Layers, GroupsAreThePicturesOfTheirLights) {
   }
 }
 
+// Attributes are interpolated as positions are, so one that is linear in the position is the same
+// function of the layer P.
+TEST(Layers, AttributesAreThoseOfTheMeshWherePIs) {
+  Scene scene = corner();
+  mesh::Mesh floor = *scene.objects[0].mesh, wall = *scene.objects[1].mesh;
+  mesh::Attribute age{"age", 1, {}}, flow{"flow", 3, {}};
+  for (const Vec3f& p : floor.positions) {
+    age.values.push_back(3 * p.x - 2 * p.z + 1);
+    flow.values.insert(flow.values.end(), {p.x, -p.z, 0.25f});
+  }
+  floor.attributes = {age, flow};
+  scene.objects[0].mesh = std::make_shared<mesh::Mesh>(floor);
+  scene.objects[1].material =
+      make_material("mix", {{"a", ValueTraits<MaterialPtr>::write(make_material("lambert"))},
+                            {"b", ValueTraits<MaterialPtr>::write(make_material("coated"))},
+                            {"mask", 0.25}});
+  Options o = options(40, 30, 4, 1);
+  o.layers = scene_layers(scene, {"beauty", "A", "P", "N", "wetness", "attributes"});
+  const image::Image picture = render(scene, o);
+  EXPECT_EQ(o.layers.channels(),
+            (std::vector<std::string>{"R", "G", "B", "A", "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z",
+                                      "wetness", "attribute_age.X", "attribute_flow.X",
+                                      "attribute_flow.Y", "attribute_flow.Z"}));
+  const auto value = [&](int x, int y, const char* channel) {
+    return static_cast<double>(
+        picture.at(x, y, static_cast<size_t>(picture.find_channel(channel))));
+  };
+  int on_floor = 0, on_wall = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      if (value(x, y, "N.Y") > 0.9999 && value(x, y, "P.Y") < 1e-5) {
+        const double px = value(x, y, "P.X"), pz = value(x, y, "P.Z");
+        ASSERT_NEAR(value(x, y, "attribute_age.X"), 3 * px - 2 * pz + 1, 1e-4);
+        ASSERT_NEAR(value(x, y, "attribute_flow.X"), px, 1e-5);
+        ASSERT_NEAR(value(x, y, "attribute_flow.Y"), -pz, 1e-5);
+        ASSERT_NEAR(value(x, y, "attribute_flow.Z"), 0.25, 1e-6);
+        ASSERT_NEAR(value(x, y, "wetness"), 1, 1e-6);
+        ++on_floor;
+      } else if (value(x, y, "N.Z") > 0.9999) {
+        ASSERT_EQ(value(x, y, "attribute_age.X"), 0);  // this mesh has none
+        ASSERT_NEAR(value(x, y, "wetness"), 0.25, 1e-6);
+        ++on_wall;
+      }
+    }
+  EXPECT_GT(on_floor, 200);
+  EXPECT_GT(on_wall, 100);
+  EXPECT_THROW(scene_layers(scene, {"beauty", "attribute_agee"}), Error);
+}
+
+// What water and glass let through is the transmission part, and the whole is still the beauty.
+TEST(Layers, PartsOfClearBodiesSumToTheBeauty) {
+  Scene scene = corner();
+  Object ball = object(mesh::sphere_mesh({0, 0.7, 0.5}, 0.7, 3), 0.5);
+  ball.material = make_material("surface", {{"transmission", 0.8}, {"roughness", 0.1}});
+  scene.objects.push_back(ball);
+  Options o = options(24, 18, 16, 6);
+  o.layers = plan_layers({"beauty", "parts"}, {});
+  const image::Image picture = render(scene, o);
+  double through = 0;
+  for (size_t p = 0; p < picture.pixel_count(); ++p) {
+    const float* values = &picture.pixels[p * picture.channels.size()];
+    double sum = 0;
+    for (const std::string& part : part_names())
+      sum += static_cast<double>(values[picture.find_channel(part + ".G")]);
+    const auto beauty = static_cast<double>(values[picture.find_channel("G")]);
+    ASSERT_NEAR(sum, beauty, 1e-5 * beauty + 1e-9);
+    through += static_cast<double>(values[picture.find_channel("transmission_indirect.G")] +
+                                   values[picture.find_channel("transmission_direct.G")]);
+  }
+  EXPECT_GT(through, 0);
+}
+
 TEST(Layers, WhatIsAskedForDoesNotChangeTheRest) {
   Options o = options(20, 15, 4, 2);
   const image::Image usual = render(corner(), o);

@@ -8,7 +8,8 @@ import re
 from .tree import Finding, module_of
 
 # The one module that may include each of these.
-DOORS = {"openvdb/": "volume", "embree3/": "render", "OpenImageIO/": "image", "OpenEXR/": "image"}
+DOORS = {"openvdb/": "volume", "embree3/": "render", "OpenImageIO/": "image", "OpenEXR/": "image",
+         "OpenColorIO/": "image"}
 # Costly to parse: never reachable through a header that another module includes.
 HEAVY = (*DOORS, "nlohmann/json.hpp", "CLI/", "Eigen/")
 

@@ -21,8 +21,15 @@ struct Options {
   std::string products;
   std::string size, tile, samples, crop;
   std::string part, checkpoint, preview;
+  std::string ocio, working_space;
   session::RenderOptions render;
 };
+
+std::vector<std::string> space_names() {
+  std::vector<std::string> names;
+  for (const image::WorkingSpaceInfo& each : image::working_spaces()) names.push_back(each.name);
+  return names;
+}
 
 /// The whole numbers of a text that reads like `pattern`, in which each 'N' stands for one.
 std::vector<int> parse_numbers(const std::string& text, const std::string& pattern,
@@ -70,6 +77,10 @@ void parse(Options& options) {
       throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no samples", options.samples), {},
                   "write --samples 0..64: the second number is beyond the range");
   }
+  render.picture.config = options.ocio;
+  if (options.ocio.empty()) render.picture.config = image::environment_config();
+  for (const image::WorkingSpaceInfo& each : image::working_spaces())
+    if (each.name == options.working_space) render.picture.working_space = each.space;
   if (!render.picture.seed) render.picture.seed = options.scene.seed;
   render.part = options.part, render.checkpoint = options.checkpoint;
   render.preview = options.preview;
@@ -92,8 +103,9 @@ void parse(Options& options) {
 /// A first picture of a scene is often black or white, and its light not to be guessed.
 void warn_of_exposure(const session::Builder& builder, const session::Rendered& picture) {
   constexpr double kOff = 5;  // stops
-  const double exposure = session::from_notes(picture.header.notes).exposure;
-  const std::optional<double> grey = image::grey_exposure(*picture.image);
+  const session::PictureLook look = session::from_notes(picture.header.notes);
+  const double exposure = look.exposure;
+  const std::optional<double> grey = image::grey_exposure(*picture.image, look.space);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
   builder.warn(picture.where,
                !grey              ? "no light reaches the picture"
@@ -117,6 +129,7 @@ int run(Options options) {
        {options.output, options.part, options.checkpoint, options.preview})
     if (!path.empty()) outputs.emplace_back(path);
   if (!options.output.empty()) outputs.push_back(session::png_beside(options.output));
+  if (options.render.picture.deep) outputs.push_back(session::deep_beside(options.output));
   if (!options.products.empty())
     for (auto& path : session::product_paths(loaded.shot, options.products))
       outputs.push_back(std::move(path));
@@ -135,6 +148,9 @@ int run(Options options) {
     warn_of_exposure(builder, picture);
     for (const auto& path : session::write_picture(options.output, *picture.image, picture.header))
       fmt::print("{}\n", path.string());
+    if (picture.deep)
+      fmt::print("{}\n",
+                 session::write_deep(options.output, *picture.deep, picture.header).string());
   } else {
     fmt::print("{}\n", options.part);
   }
@@ -170,9 +186,19 @@ Verb render_verb() {
                        "stop sampling where the relative error is below this, e.g. 0.05")
             ->check(CLI::Range(0.0, 1.0));
         app.add_option("--exposure", picture.exposure, "stops, for the PNG");
+        app.add_option("--view", picture.view,
+                       "how the PNG shows the light: filmic, standard, aces, or one of --ocio");
+        app.add_option("--display", picture.display, "a display of --ocio, for the PNG");
+        app.add_option("--ocio", options->ocio,
+                       "an OpenColorIO configuration for the PNG; else that of $OCIO");
+        app.add_option("--working-space", options->working_space,
+                       "the primaries that light is computed with")
+            ->check(CLI::IsMember(space_names()));
         app.add_flag("--float", picture.full_float, "32-bit colour channels");
         app.add_flag("--denoise", picture.denoise,
                      "show the PNG smoothed; the EXR gets a layer \'denoised\', too");
+        app.add_flag("--deep", picture.deep,
+                     "also a deep EXR, .deep.exr: what is seen at which depth");
         app.add_flag("--multi-part", picture.multi_part, "a part of the EXR for each layer");
         app.add_flag("--tiled", picture.tiled, "tiles in the EXR, not lines");
         app.add_option("--preview", options->preview,

@@ -10,16 +10,18 @@ namespace vug::image {
 namespace {
 
 Measured hdr_flip(const Comparison& pair) {
-  std::optional<ExposureRange> range = exposure_range(pair.reference);
+  const Image reference = in_rec709(pair.reference, pair.view.space);
+  const Image test = in_rec709(pair.test, pair.view.space);
+  std::optional<ExposureRange> range = exposure_range(reference);
   if (!pair.reference_exposures || !range)
-    if (const auto other = exposure_range(pair.test)) {
+    if (const auto other = exposure_range(test)) {
       if (!range) range = other;
       range->start = std::min(range->start, other->start);
       range->stop = std::max(range->stop, other->stop);
     }
   Measured out;
   if (!range) return out;  // two black pictures
-  out.map = flip_hdr(pair.reference, pair.test, *range).values;
+  out.map = flip_hdr(reference, test, *range).values;
   out.value = pooled_mean(pair, out.map);
   return out;
 }

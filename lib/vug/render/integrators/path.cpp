@@ -162,6 +162,7 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
     if (depth == 0 && found)
       result.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray),
                       hit.object};
+    if (tally && depth == 0 && found) tally->read(hit.surface, *hit.material);
     if (depth == 0) result.alpha = found ? 1 : 1 - clear_part(world, ray, kFar, tracking);
     // What a ray runs into belongs to the place it comes from, as direct light there.
     Rgb seen = lamps_met(world, ray, end, from, result.alpha, tracking, tally);

@@ -32,8 +32,10 @@ struct SkyImage : LightNotes {
 
 std::vector<Rgb> texels(const SkyImage& p, const image::Image& picture) {
   std::vector<Rgb> out;
+  const image::ColourMatrix to_rec709 = image::to_rec709(image::read_info(p.file));
   for (size_t i = 0; i < picture.pixel_count(); ++i) {
     Rgb c(picture.pixels[3 * i], picture.pixels[3 * i + 1], picture.pixels[3 * i + 2]);
+    c = to_rec709(c);
     for (int k = 0; k < 3; ++k) {
       if (!std::isfinite(c[k]))
         throw Error(

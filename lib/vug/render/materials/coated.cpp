@@ -40,13 +40,20 @@ class CoatedMaterial final : public Material {
         face_(&FaceTable::of(static_cast<float>(p.ior))) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override {
-    return memory.make<FilmBsdf>(FilmLobe(albedo_ * surface.color, FilmLobe::Below::wet,
+    return memory.make<FilmBsdf>(FilmLobe(way_(albedo_ * surface.color), FilmLobe::Below::wet,
                                           std::max(roughness_, surface.blur), *face_, out));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<FilmBsdf>(); }
+  float wetness(const Surface&) const override { return 1; }
+  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+    auto copy = std::make_shared<CoatedMaterial>(*this);
+    copy->way_ = way;
+    return copy;
+  }
 
  private:
   Rgb albedo_;
+  image::ColourMatrix way_;
   float roughness_;
   const FaceTable* face_;
 };

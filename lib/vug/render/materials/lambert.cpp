@@ -41,12 +41,18 @@ class LambertMaterial final : public Material {
   explicit LambertMaterial(const Lambert& p) : albedo_(to_float(p.albedo)) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f&, BsdfMemory& memory) const override {
-    return memory.make<LambertBsdf>(albedo_ * surface.color);
+    return memory.make<LambertBsdf>(way_(albedo_ * surface.color));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<LambertBsdf>(); }
+  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+    auto copy = std::make_shared<LambertMaterial>(*this);
+    copy->way_ = way;
+    return copy;
+  }
 
  private:
   Rgb albedo_;
+  image::ColourMatrix way_;
 };
 
 }  // namespace

@@ -93,6 +93,15 @@ class MixMaterial final : public Material {
     if (const Bsdf* a = p_.a->leaving(surface, memory)) return a;
     return p_.b->leaving(surface, memory);
   }
+  float wetness(const Surface& surface) const override {
+    const float share = share_at(surface);
+    return p_.a->wetness(surface) * (1 - share) + p_.b->wetness(surface) * share;
+  }
+  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+    Mix p = p_;
+    p.a = p.a->in_space(way), p.b = p.b->in_space(way);
+    return std::make_shared<MixMaterial>(p);
+  }
 
  private:
   float share_at(const Surface& surface) const { return p_.mask.at(SurfaceSpot(surface).spot()); }

@@ -276,6 +276,15 @@ class SurfaceMaterial final : public Material {
     const SurfaceSpot place(surface);
     return &memory.make<LeavingBsdf>(face_roughness(place.spot()), *face_);
   }
+  float wetness(const Surface& surface) const override {
+    return p_.coat.at(SurfaceSpot(surface).spot());
+  }
+  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+    SurfaceParams p = p_;
+    p.color.way = p.fuzz_color.way = p.emission.way = p.through_color.way = way;
+    p.tint = way(p.tint);
+    return std::make_shared<SurfaceMaterial>(p);
+  }
 
  private:
   float face_roughness(const paint::Spot& spot) const {
@@ -294,7 +303,7 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
   const SurfaceSpot place(surface);
   const paint::Spot& spot = place.spot();
   SurfaceBsdf& bsdf = memory.make<SurfaceBsdf>();
-  const Rgb color = p_.color.at(spot) * surface.color;
+  const Rgb color = p_.color.at(spot, surface.color);
   const float roughness = std::max(face_roughness(spot), surface.blur);
   const float metal = p_.metal.at(spot), clear = p_.transmission.at(spot) * (1 - metal);
   const float body = 1 - metal - clear, wet = body * p_.coat.at(spot), dry = body - wet;

@@ -3,6 +3,13 @@
 namespace vug::session {
 namespace {
 
+std::vector<std::pair<std::string, image::WorkingSpace>> spaces() {
+  std::vector<std::pair<std::string, image::WorkingSpace>> names;
+  for (const image::WorkingSpaceInfo& each : image::working_spaces())
+    names.emplace_back(each.name, each.space);
+  return names;
+}
+
 Schema<RenderPlan> schema() {
   Schema<RenderPlan> s("render", "declaration");
   s.doc("How the picture is made: render NAME { size 1920x1080  spp 256 }.")
@@ -15,6 +22,12 @@ Schema<RenderPlan> schema() {
       .param("multi_part", &RenderPlan::multi_part,
              {.doc = "a part of the EXR for each layer, instead of all in one"})
       .param("tiled", &RenderPlan::tiled, {.doc = "tiles in the EXR, instead of lines"})
+      .param("deep", &RenderPlan::deep,
+             {.doc = "also a deep EXR, named .deep.exr: what is seen at which depth"})
+      .param("deep_tolerance", &RenderPlan::deep_tolerance,
+             {.doc = "surfaces of a pixel this far apart, as a part of their depth, are one there",
+              .min = 0,
+              .max = 1})
       .param("noise", &RenderPlan::noise,
              {.doc = "stop sampling where the relative error is below this, as 5%; 0: never",
               .min = 0,
@@ -30,6 +43,14 @@ Schema<RenderPlan> schema() {
           {.doc = "left, top, right and bottom in pixels: only that part", .min = 0, .max = 65535})
       .param("camera", &RenderPlan::camera,
              {.doc = "a declared camera; else the one named like the render, else the first"})
+      .choice("working_space", &RenderPlan::working_space, spaces(),
+              "the primaries that light is computed with and the EXR holds: those of linear "
+              "Rec.709, or ACEScg's; colours of the text stay Rec.709")
+      .param("view", &RenderPlan::view,
+             {.doc = "how the PNG shows the light: filmic, standard, aces, or a view of the "
+                     "OpenColorIO configuration; else filmic, or the configuration's default"})
+      .param("display", &RenderPlan::display,
+             {.doc = "a display of the OpenColorIO configuration; else its default"})
       .param("sampler", &RenderPlan::sampler, {.doc = "where samples fall; else sobol"})
       .param("integrator", &RenderPlan::integrator,
              {.doc = "how light is followed, as path(max_bounces: 6); else path()"});

@@ -1,0 +1,69 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/image/deep.h>
+#include <vug/image/exr_spec.h>
+
+#include <OpenImageIO/deepdata.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::image {
+
+Image flatten(const DeepImage& deep) {
+  Image out(deep.width, deep.height, {"R", "G", "B", "A"});
+  for (size_t p = 0; p < deep.pixels.size(); ++p) {
+    float* to = &out.pixels[4 * p];
+    for (const DeepSample& sample : deep.pixels[p]) {
+      const float clear = 1 - to[3];
+      to[0] += clear * sample.r, to[1] += clear * sample.g, to[2] += clear * sample.b;
+      to[3] += clear * sample.alpha;
+    }
+  }
+  return out;
+}
+
+void write_deep_exr(const std::filesystem::path& path, const DeepImage& deep,
+                    const ExrOptions& options) {
+  if (deep.width < 1 || deep.height < 1)
+    throw Error(ErrorCode::bad_input, "a picture without pixels cannot be written");
+  OIIO::ImageSpec spec = exr_spec(deep.width, deep.height, options);
+  spec.tile_width = spec.tile_height = 0;
+  spec.deep = true;
+  spec.nchannels = 6;
+  spec.channelnames = {"R", "G", "B", "A", "Z", "ZBack"};
+  spec.alpha_channel = 3, spec.z_channel = 4;
+  const OIIO::TypeDesc colour = options.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+  spec.channelformats = {
+      colour, colour, colour, colour, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::FLOAT};
+  spec.attribute("compression", "zips");
+  for (const auto& [name, text] : options.metadata) spec.attribute(name, text);
+
+  OIIO::DeepData data(spec);
+  for (size_t p = 0; p < deep.pixels.size(); ++p)
+    data.set_samples(static_cast<int64_t>(p), static_cast<int>(deep.pixels[p].size()));
+  const auto stored = [&](float v) {
+    return options.half ? std::clamp(v, -65504.0f, 65504.0f) : v;
+  };
+  for (size_t p = 0; p < deep.pixels.size(); ++p)
+    for (size_t i = 0; i < deep.pixels[p].size(); ++i) {
+      const DeepSample& s = deep.pixels[p][i];
+      const float values[] = {stored(s.r), stored(s.g), stored(s.b), s.alpha, s.near, s.far};
+      for (int c = 0; c < 6; ++c)
+        data.set_deep_value(static_cast<int64_t>(p), c, static_cast<int>(i), values[c]);
+    }
+
+  AtomicFile file(path);
+  const auto refuse = [&](const std::string& why) {
+    return Error(ErrorCode::io, fmt::format("cannot write picture '{}': {}", path.string(), why));
+  };
+  const auto output = OIIO::ImageOutput::create(file.path().string());
+  if (!output) throw refuse(OIIO::geterror());
+  if (!output->open(file.path().string(), spec) || !output->write_deep_image(data) ||
+      !output->close())
+    throw refuse(output->geterror());
+  file.commit();
+}
+
+}  // namespace vug::image

@@ -1,0 +1,113 @@
+#include <vug/render/kinds.h>
+#include <vug/render/working_space.h>
+
+#include <map>
+
+namespace vug::render {
+namespace {
+
+class SpacedLight final : public Light {
+ public:
+  SpacedLight(LightPtr light, const image::ColourMatrix& way)
+      : Light(light->notes()), light_(std::move(light)), way_(way) {}
+
+  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+    LightSample s = light_->sample(point, u);
+    s.radiance = way_(s.radiance);
+    return s;
+  }
+  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+    return light_->pdf(point, direction);
+  }
+  float importance(const LitPoint& point) const override { return light_->importance(point); }
+  float importance_along(const Ray& ray, float begin, float end) const override {
+    return light_->importance_along(ray, begin, end);
+  }
+  LightBounds bounds() const override { return light_->bounds(); }
+  Vec3f centre() const override { return light_->centre(); }
+  bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
+    if (!light_->intersect(ray, max_distance, hit)) return false;
+    hit.radiance = way_(hit.radiance);
+    return true;
+  }
+  bool camera_visible() const override { return light_->camera_visible(); }
+  bool is_sky() const override { return light_->is_sky(); }
+  bool is_portal() const override { return light_->is_portal(); }
+  float mean_luminance() const override { return light_->mean_luminance(); }
+  Rgb escape_radiance(const Vec3f& direction) const override {
+    return way_(light_->escape_radiance(direction));
+  }
+  bool beside_portals() const override { return light_->beside_portals(); }
+
+ private:
+  LightPtr light_;
+  image::ColourMatrix way_;
+};
+
+class SpacedMedium final : public Medium {
+ public:
+  SpacedMedium(MediumPtr medium, const image::ColourMatrix& way)
+      : medium_(std::move(medium)), way_(way) {}
+
+  MediumPtr fitted(const Box3f& scene) const override {
+    return in_space(medium_->fitted(scene), way_);
+  }
+  MediumPtr filled(std::shared_ptr<const volume::Density> density) const override {
+    return in_space(medium_->filled(std::move(density)), way_);
+  }
+  bool hollow() const override { return medium_->hollow(); }
+  Segment clip(const Ray& ray, float end) const override { return medium_->clip(ray, end); }
+  float transmittance(const Ray& ray, const Segment& segment,
+                      TrackingNumbers& numbers) const override {
+    return medium_->transmittance(ray, segment, numbers);
+  }
+  DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
+                                 TrackingNumbers& numbers) const override {
+    return medium_->sample_distance(ray, segment, u, numbers);
+  }
+  float extinction(const Vec3f& point) const override { return medium_->extinction(point); }
+  Rgb albedo(const Vec3f& point) const override { return way_(medium_->albedo(point)); }
+  float usual_extinction() const override { return medium_->usual_extinction(); }
+  Rgb glow(const Vec3f& point) const override { return way_(medium_->glow(point)); }
+  bool burns() const override { return medium_->burns(); }
+  Rgb flames(const Ray& ray, const Segment& segment, TrackingNumbers& numbers) const override {
+    return way_(medium_->flames(ray, segment, numbers));
+  }
+  float phase(float cosine) const override { return medium_->phase(cosine); }
+  Vec3f sample_phase(const Vec3f& travel, const Vec2f& u) const override {
+    return medium_->sample_phase(travel, u);
+  }
+
+ private:
+  MediumPtr medium_;
+  image::ColourMatrix way_;
+};
+
+}  // namespace
+
+LightPtr in_space(const LightPtr& light, const image::ColourMatrix& way) {
+  return light && !way.plain() ? std::make_shared<const SpacedLight>(light, way) : light;
+}
+
+MediumPtr in_space(const MediumPtr& medium, const image::ColourMatrix& way) {
+  return medium && !way.plain() ? std::make_shared<const SpacedMedium>(medium, way) : medium;
+}
+
+Scene in_space(Scene scene, image::WorkingSpace space) {
+  const image::ColourMatrix way(image::WorkingSpace::rec709, space);
+  if (way.plain()) return scene;
+  for (LightPtr& light : scene.lights) light = in_space(light, way);
+  scene.medium = in_space(scene.medium, way);
+  std::map<MaterialPtr, MaterialPtr> made;
+  for (Object& object : scene.objects) {
+    // Without a material an object is grey times its vertex colours.
+    MaterialPtr& material = made[object.material];
+    if (!material)
+      material = (object.material ? object.material : make_material("lambert"))->in_space(way);
+    object.material = material;
+    object.emission = way(object.emission);
+  }
+  return scene;
+}
+
+}  // namespace vug::render
