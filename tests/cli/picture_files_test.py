@@ -163,6 +163,33 @@ class PictureFiles(VugTest):
         self.assertFalse(any(name.startswith("no") for name in self.files()))
         self.assertIn("no flat picture", self.expect(2, "info", "deep.deep.exr").err)
 
+    def test_stereo_is_two_parts_that_say_which_view_they_are(self):
+        self.write("two.vug", SCENE.replace("fov 70deg", "fov 70deg  interaxial 20cm  convergence 1m"))
+        two = lambda *args, code=0: self.expect(code, "render", "two.vug", *args)
+        for name, form, count in (("pair", (), 2), ("split", ("--multi-part",), 12)):
+            two("-o", f"{name}.exr", *form)
+            parts = exr.read(self.folder / f"{name}.exr")
+            self.assertEqual(len(parts), count)
+            for part in parts:
+                self.assertIn(part.text("view"), ("left", "right"))
+                self.assertTrue(part.text("name").startswith(part.text("view")))
+            for program in (["oiiotool", "--info", "-v", "-a"], ["exrinfo", "-s", "-v"], ["exrheader"]):
+                run = subprocess.run([*program, f"{name}.exr"], cwd=self.folder, text=True,
+                                     capture_output=True)
+                self.assertEqual(run.returncode, 0, run.stderr)
+        left, right = exr.read(self.folder / "pair.exr")
+        for side, part in (("left", left), ("right", right)):
+            two("-o", "one.exr", "--eye", side)
+            one, = exr.read(self.folder / "one.exr")
+            self.assertEqual(one.pixels, part.pixels)
+            self.assertEqual(one.attributes["worldToNDC"], part.attributes["worldToNDC"])
+        self.assertNotEqual(left.pixels["Z"], right.pixels["Z"])
+        self.assertNotEqual(left.attributes["worldToCamera"], right.attributes["worldToCamera"])
+        self.expect(0, "diff", "pair.exr", "pair.exr")
+        self.assertIn("--eye", two("-o", "x.exr", "--checkpoint", "c", code=2).err)
+        self.assertIn("interaxial", self.expect(2, "render", "s.vug", "-o", "x.exr", "--eye",
+                                                "left").err)
+
     def test_parts_are_layers(self):
         names = [part.text("name") for part in exr.read(self.folder / "parts.exr")]
         self.assertEqual(len(names), len(set(names)))

@@ -65,7 +65,7 @@ class List(VugTest):
     def test_declarations(self):
         text = self.expect(0, "list", "camera").out
         self.assertIn("camera (declaration): ", text)
-        self.assertRegex(text, r"\n  kind +one of perspective, default perspective; ")
+        self.assertRegex(text, r"\n  kind +one of orthographic, panoramic, perspective, default perspective; ")
         self.assertRegex(text, r"\n  eye +vector \(length\), default \(0, 0, 5m\); ")
         self.assertRegex(text, r"\n  fov +number \(angle\), .*, default 60deg; ")
         self.assertRegex(self.expect(0, "list", "volume").out, r"\n  voxel +number \(length\), above 0, ")

@@ -28,11 +28,14 @@ void SceneOptions::add_to(CLI::App& app) {
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   app.add_option("--seed", seed, "instead of the scene's seed")->check(whole_number);
+  app.add_option("--frame", frame, "the moment of a scene that moves; else 1")
+      ->check(CLI::Range(-1e6, 1e6));
 }
 
 session::LoadOptions SceneOptions::load_options() const {
   session::LoadOptions options;
   options.seed = seed;
+  options.frame = frame.value_or(1);
   for (const std::string& define : defines) {
     const size_t equals = define.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -51,8 +54,32 @@ session::LoadOptions SceneOptions::load_options() const {
   return options;
 }
 
-session::Loaded SceneOptions::load() const {
-  session::Loaded loaded = session::load(scene, load_options());
+session::Loaded SceneOptions::load() const { return load(load_options()); }
+
+session::Loaded SceneOptions::load(double at, session::Still& still) const {
+  session::LoadOptions options = load_options();
+  options.frame = at;
+  options.still = &still;
+  return load(options);
+}
+
+std::function<std::shared_ptr<const session::Shot>(double)> SceneOptions::moments(
+    session::Still& still) const {
+  return [this, &still](double at) {
+    session::LoadOptions options = load_options();
+    options.frame = at;
+    options.still = &still;
+    const session::Loaded loaded = session::load(scene, options);
+    if (!loaded.usable()) {
+      fmt::print(stderr, "{}", loaded.report());
+      throw Stop{kUnusable};
+    }
+    return std::make_shared<const session::Shot>(loaded.shot);
+  };
+}
+
+session::Loaded SceneOptions::load(const session::LoadOptions& options) const {
+  session::Loaded loaded = session::load(scene, options);
   fmt::print(stderr, "{}", loaded.report());
   if (!loaded.usable()) throw Stop{kUnusable};
   return loaded;

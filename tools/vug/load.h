@@ -7,6 +7,8 @@
 #include <vug/session/build.h>
 #include <vug/session/load.h>
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,11 +19,19 @@ struct SceneOptions {
   std::string scene;
   std::vector<std::string> defines;
   std::optional<uint64_t> seed;
+  std::optional<double> frame;
 
   void add_to(CLI::App& app);
   /// Loads the scene; prints its diagnostics on stderr. Throws Stop{kUnusable} when it has errors.
   session::Loaded load() const;
+  /// The same at a frame of a sequence; see session::Still.
+  session::Loaded load(double at, session::Still& still) const;
+  /// For PictureOptions::moment; the options and `still` must outlive it.
+  std::function<std::shared_ptr<const session::Shot>(double)> moments(session::Still& still) const;
   session::LoadOptions load_options() const;
+
+ private:
+  session::Loaded load(const session::LoadOptions& options) const;
 };
 
 struct WorkOptions {

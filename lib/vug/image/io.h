@@ -47,6 +47,17 @@ struct ExrOptions {
 void write_exr(const std::filesystem::path& path, const Image& image,
                const ExrOptions& options = {});
 
+/// One of several views of a picture, "left" and "right" for stereo.
+struct ExrView {
+  std::string name;
+  const Image& image;
+  ExrOptions options;
+};
+
+/// The same of several views, each in a part of its own (or in several, see ExrOptions::parts) that
+/// says which it is by EXR's attribute `view`. The first is the one that readers of one view show.
+void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& views);
+
 /// 8-bit PNG, sRGB unless a configured view says otherwise, of the channels R, G, B (or of the one
 /// channel there is, as grey), through the view transform. Same errors as write_exr.
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view = {},

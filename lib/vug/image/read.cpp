@@ -58,14 +58,19 @@ std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input) {
   return parts;
 }
 
-/// Channels of all parts; a name that is there already gets its part's name before it.
+/// Channels of all parts. Those of another view than the first have its name before theirs, as in
+/// files that hold several views in one part; another name that is there already its part's.
 std::vector<std::string> channels_of(const std::vector<OIIO::ImageSpec>& parts) {
   std::vector<std::string> out;
   for (const OIIO::ImageSpec& part : parts) {
-    const std::string name = part.get_string_attribute("oiio:subimagename", "part");
-    for (const std::string& channel : part.channelnames)
-      out.push_back(std::find(out.begin(), out.end(), channel) == out.end() ? channel
-                                                                            : name + "." + channel);
+    const std::string view = part.get_string_attribute("view");
+    const bool other = view != parts.front().get_string_attribute("view");
+    const std::string name =
+        other ? view : part.get_string_attribute("oiio:subimagename", "part").c_str();
+    for (const std::string& channel : part.channelnames) {
+      const bool known = std::find(out.begin(), out.end(), channel) != out.end();
+      out.push_back(other || known ? name + "." + channel : channel);
+    }
   }
   return out;
 }

@@ -103,11 +103,21 @@ std::vector<float> pixels_of(const Image& image, const PartOf& part, const ExrOp
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const Image& image, const ExrOptions& options) {
+namespace {
+
+/// What goes into one part of a file.
+struct FilePart {
+  const ExrView* view;
+  PartOf channels;
+  OIIO::ImageSpec spec;
+};
+
+/// The parts that hold one view; of several, parts say which, and their names begin with it.
+void add_parts(const ExrView& view, std::vector<FilePart>& all) {
+  const Image& image = view.image;
+  const ExrOptions& options = view.options;
   require_whole(image);
-  const std::vector<PartOf> parts = parts_of(image.channels, options.parts);
-  std::vector<OIIO::ImageSpec> specs;
-  for (const PartOf& part : parts) {
+  for (const PartOf& part : parts_of(image.channels, options.parts)) {
     OIIO::ImageSpec spec = exr_spec(image.width, image.height, options);
     spec.nchannels = static_cast<int>(part.count);
     spec.channelnames.assign(
@@ -120,7 +130,10 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrO
                                               : static_cast<int>(found - spec.channelnames.begin());
     };
     spec.alpha_channel = place("A"), spec.z_channel = place("Z");
-    if (options.parts) spec.attribute("oiio:subimagename", part.name);
+    if (!view.name.empty()) spec.attribute("view", view.name);
+    const std::string dot = view.name.empty() || part.name.empty() ? "" : ".";
+    if (const std::string name = view.name + dot + part.name; !name.empty())
+      spec.attribute("oiio:subimagename", name);
     for (const auto& [name, text] : options.metadata) {
       // A list of names stands with the channels it is for, everything else in the first part.
       const bool matte = name.rfind("cryptomatte/", 0) == 0;
@@ -135,9 +148,21 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrO
     }
     spec.format = spec.channelformats.front();
     if (!mixed) spec.channelformats.clear();
-    specs.push_back(std::move(spec));
+    all.push_back({&view, part, std::move(spec)});
   }
+}
 
+}  // namespace
+
+void write_exr(const std::filesystem::path& path, const Image& image, const ExrOptions& options) {
+  write_exr(path, {{"", image, options}});
+}
+
+void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& views) {
+  std::vector<FilePart> parts;
+  for (const ExrView& view : views) add_parts(view, parts);
+  std::vector<OIIO::ImageSpec> specs;
+  for (const FilePart& part : parts) specs.push_back(part.spec);
   AtomicFile file(path);
   const auto refuse = [&](const std::string& why) {
     return Error(ErrorCode::io, fmt::format("cannot write picture '{}': {}", path.string(), why));
@@ -152,7 +177,8 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrO
   for (size_t i = 0; i < parts.size(); ++i) {
     if (i > 0 && !output->open(file.path().string(), specs[i], OIIO::ImageOutput::AppendSubimage))
       throw refuse(output->geterror());
-    const std::vector<float> pixels = pixels_of(image, parts[i], options);
+    const ExrView& view = *parts[i].view;
+    const std::vector<float> pixels = pixels_of(view.image, parts[i].channels, view.options);
     if (!output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()))
       throw refuse(output->geterror());
   }

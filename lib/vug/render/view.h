@@ -24,7 +24,11 @@ template <class P>
 Schema<P>& describe_view(Schema<P>& s) {
   return s.param("eye", &P::eye, any_length("Where the camera stands."))
       .param("target", &P::target, any_length("What it looks at."))
-      .param("up", &P::up, {.doc = "Which way is up in the picture."})
+      .param("up", &P::up, {.doc = "Which way is up in the picture."});
+}
+template <class P>
+Schema<P>& describe_shutter(Schema<P>& s) {
+  return s
       .param("shutter", &P::shutter,
              {.doc = "How long the shutter is open, in frames: 0.5 is a shutter of 180 degrees. "
                      "What moves meanwhile is blurred.",

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <set>
 
 namespace vug::session {
 namespace {
@@ -33,6 +34,10 @@ std::string why_empty(const VolumePlan& plan) {
   if (plan.from && !bounds.intersects(Box3d(*plan.from, *plan.to)))
     return "its solid lies outside of 'from' and 'to'";
   return "its solid is empty or thinner than a voxel";
+}
+
+uint64_t bytes_of(const mesh::Mesh& mesh) {
+  return 2 * sizeof(Vec3f) * mesh.positions.size() + sizeof(Vec3i) * mesh.triangles.size();
 }
 
 void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface) {
@@ -88,6 +93,35 @@ uint64_t Builder::room() const {
   return options_.max_memory > held_ ? options_.max_memory - held_ : 1;
 }
 
+const Builder::MadeMesh* Builder::made(const MeshPtr& plan) const {
+  if (const auto found = meshes_.find(plan); found != meshes_.end()) return &found->second;
+  for (const auto& [other, mesh] : meshes_)
+    if (*other == *plan) return &mesh;
+  return nullptr;
+}
+
+void Builder::take_over(Builder&& other) {
+  std::set<VolumePtr> volumes(shot_.volumes.begin(), shot_.volumes.end());
+  volumes.insert(shot_.medium_volume);
+  std::vector<MeshPtr> meshes = meshes_of(shot_);
+  for (const ObjectPlan& object : shot_.objects) meshes.push_back(object.mesh);
+  for (const PlacePlan& place : shot_.places)
+    for (const Model& model : place.of)
+      if (model.mesh) meshes.push_back(model.mesh);
+  for (const MeshPtr& plan : meshes) {
+    volumes.insert(plan->volume);
+    const MadeMesh* mesh = other.made(plan);
+    if (mesh && meshes_.emplace(plan, *mesh).second) held_ += bytes_of(*mesh->mesh);
+  }
+  for (auto& [plan, grid] : other.level_sets_)
+    if (volumes.count(plan)) {
+      held_ += grid.statistics().memory_bytes;
+      level_sets_.emplace(plan, std::move(grid));
+    }
+  seconds_ += other.seconds_;
+  other.level_sets_.clear(), other.meshes_.clear();
+}
+
 const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
   if (const auto found = level_sets_.find(plan); found != level_sets_.end()) return found->second;
   const Stopwatch watch(seconds_);
@@ -119,7 +153,7 @@ void Builder::require_room(const MeshPtr& plan) const {
 }
 
 std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
-  if (const auto found = meshes_.find(plan); found != meshes_.end()) return found->second.mesh;
+  if (const MadeMesh* known = made(plan)) return known->mesh;
   require_room(plan);
   const volume::LevelSet& surface = level_set(plan->volume);
   const Stopwatch watch(seconds_);
@@ -132,10 +166,9 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
     require_memory(meshing_bytes(active, 2 * plan->volume->half_width), room(), "the mesh");
     mesh::LargePieces pieces = mesh::large_pieces(
         meshing::polygonize(surface, exact, polygonize, progress_).mesh, plan->smallest_piece);
-    mesh::Mesh made = std::move(pieces.mesh);
-    if (plan->paint) add_colors(made, plan->paint, surface);
-    held_ += 2 * sizeof(Vec3f) * made.positions.size() + sizeof(Vec3i) * made.triangles.size();
-    auto kept = std::make_shared<const mesh::Mesh>(std::move(made));
+    if (plan->paint) add_colors(pieces.mesh, plan->paint, surface);
+    held_ += bytes_of(pieces.mesh);
+    auto kept = std::make_shared<const mesh::Mesh>(std::move(pieces.mesh));
     return meshes_.emplace(plan, MadeMesh{std::move(kept), pieces.left_out}).first->second.mesh;
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));
@@ -143,8 +176,8 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
 }
 
 size_t Builder::pieces_left_out(const MeshPtr& plan) const {
-  const auto found = meshes_.find(plan);
-  return found == meshes_.end() ? 0 : found->second.pieces_left_out;
+  const MadeMesh* known = made(plan);
+  return known ? known->pieces_left_out : 0;
 }
 
 std::vector<MeshPtr> meshes_of(const Shot& shot) {

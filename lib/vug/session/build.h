@@ -27,6 +27,10 @@ class Builder {
                    Progress& progress = Progress::none())
       : shot_(shot), options_(options), progress_(progress) {}
 
+  /// Keeps what another builder has made of plans that this one's shot has, too: of the same shot
+  /// at another frame all that stands still (see Still).
+  void take_over(Builder&& other);
+
   const volume::LevelSet& level_set(const VolumePtr& plan);
   std::shared_ptr<const mesh::Mesh> mesh(const MeshPtr& plan);
   /// How many pieces `smallest_piece` has taken from the mesh; 0 before it is made.
@@ -56,6 +60,8 @@ class Builder {
     size_t pieces_left_out = 0;
   };
   std::map<MeshPtr, MadeMesh> meshes_;
+  /// What has been made of a plan, or of one just like it; null when nothing has.
+  const MadeMesh* made(const MeshPtr& plan) const;
   double seconds_ = 0;
   uint64_t held_ = 0;  ///< Bytes of grids and meshes.
 };

@@ -11,6 +11,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace vug::session {
 namespace {
@@ -41,15 +43,54 @@ void check_target(const scene::Declaration& declaration, const DeclarationKind& 
 }
 
 /// The scene's own text and what was changed from outside: enough to make it again.
-std::string recipe(const scene::Document& document, const LoadOptions& options, uint64_t seed) {
+std::string recipe(const scene::Document& document, const LoadOptions& options, uint64_t seed,
+                   bool moves) {
   std::string text = document.sources.empty() ? "" : document.sources[0]->text;
   for (const scene::Override& change : options.overrides)
     text += fmt::format("# -D {}={}\n", change.name, change.text);
   if (options.seed) text += fmt::format("# --seed {}\n", seed);
+  if (moves) text += fmt::format("# --frame {}\n", options.frame);
   return text;
 }
 
-void announce(const scene::Document& document, Reading& reading) {
+/// Makes the values of declarations, or finds them among what stands still. A reader first asks for
+/// what it needs, which may make other declarations, and then adds its own to the shot.
+class Maker {
+ public:
+  Maker(Still* still, Reading& reading) : still_(still), reading_(reading) {}
+
+  Value operator()(const std::string& kind, const std::string& name,
+                   const std::function<Value()>& make) {
+    if (!still_) return make();
+    Shot& shot = reading_.shot;
+    const std::pair<std::string, std::string> key(kind, name);
+    if (const auto made = still_->declarations.find(key); made != still_->declarations.end()) {
+      shot.add(made->second.shot);
+      if (made->second.texts) shot.texts = *made->second.texts;
+      settled_ = shot.ends();
+      return made->second.value;
+    }
+    const uint64_t uses = reading_.resolver.frame_uses();
+    const Digest texts = shot.texts;
+    settled_ = shot.ends();
+    const Value value = make();
+    if (!value.empty() && reading_.resolver.frame_uses() == uses) {
+      Still::Made& made = still_->declarations[key];
+      made.value = value;
+      made.shot = shot.since(settled_);
+      if (!(shot.texts == texts)) made.texts = shot.texts;
+    }
+    settled_ = shot.ends();
+    return value;
+  }
+
+ private:
+  Still* still_;
+  Reading& reading_;
+  Shot::Ends settled_;  ///< What some declaration has added already.
+};
+
+void announce(const scene::Document& document, Reading& reading, Maker& maker) {
   for (const scene::Declaration& declaration : document.declarations) {
     const DeclarationKind* kind = find_declaration_kind(declaration.kind);
     if (!kind || declaration.broken)
@@ -62,14 +103,18 @@ void announce(const scene::Document& document, Reading& reading) {
       continue;
     }
     check_target(declaration, *kind, reading.diagnostics);
-    reading.resolver.declare(declaration.kind, declaration.name, [&declaration, kind, &reading] {
+    const auto make = [&declaration, kind, &reading] {
       Value value = kind->read(declaration, reading);
       return declaration.incomplete ? Value() : value;
+    };
+    reading.resolver.declare(declaration.kind, declaration.name, [&declaration, &maker, make] {
+      return maker(declaration.kind, declaration.name, make);
     });
   }
   for (const scene::Grammar& grammar : document.grammars)
-    reading.resolver.declare("grammar", grammar.name,
-                             [&grammar, &reading] { return bind_grammar(grammar, reading); });
+    reading.resolver.declare("grammar", grammar.name, [&grammar, &reading, &maker] {
+      return maker("grammar", grammar.name, [&] { return bind_grammar(grammar, reading); });
+    });
 }
 
 Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
@@ -77,23 +122,26 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   volume::install_grid_loader();
   Resolver resolver;
   scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
-                             {options.overrides, options.seed});
+                             {options.overrides, options.seed, options.frame});
   loaded.sources = evaluator.sources();  // with the texts of overrides, which reports quote
   loaded.shot.name = file.stem().string();
   loaded.shot.seed = evaluator.seed();
-  loaded.shot.recipe = recipe(document, options, evaluator.seed());
+  loaded.shot.frame = options.frame;
   Hasher texts;
   for (const auto& source : document.sources)
     texts.add_value(source->text.size()).add(source->text);
   loaded.shot.texts = texts.finish();
   Reading reading{document, evaluator, resolver, loaded.diagnostics, loaded.shot, options, file};
-  announce(document, reading);
+  Maker maker(options.still, reading);
+  announce(document, reading, maker);
   evaluator.check_all();
   for (const scene::Declaration& declaration : document.declarations)
     resolver.declared(declaration.kind, declaration.name, declaration.where, loaded.diagnostics);
   for (const scene::Grammar& grammar : document.grammars)
     resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
   scene::check_params_read(document, loaded.diagnostics);
+  loaded.shot.moves = resolver.frame_uses() > 0;
+  loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.moves);
   return loaded;
 }
 

@@ -9,11 +9,25 @@
 
 namespace vug::session {
 
+/// What a text declares that is the same in every frame, by kind and name.
+struct Still {
+  struct Made {
+    Value value;
+    Shot shot;                    ///< What the declaration adds to it.
+    std::optional<Digest> texts;  ///< Shot::texts with those that it takes in.
+  };
+  std::map<std::pair<std::string, std::string>, Made> declarations;
+};
+
 struct LoadOptions {
   std::vector<scene::Override> overrides;              ///< -D NAME=VALUE, in order.
   std::optional<uint64_t> seed;                        ///< Instead of the scene's.
   std::vector<std::filesystem::path> include_folders;  ///< After the scene's own folder.
   std::vector<std::filesystem::path> within;           ///< Scenes that place this one.
+  double frame = 1;                                    ///< The moment to show.
+  /// Of the same text, overrides and seed: what stands still is taken from here, as the very same
+  /// objects, and what is found to do so goes there. May be null.
+  Still* still = nullptr;
 };
 
 /// A loaded scene. When `diagnostics` has errors the shot is incomplete and must not be used.

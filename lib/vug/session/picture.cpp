@@ -4,13 +4,16 @@
 #include <vug/render/kinds.h>
 #include <vug/render/working_space.h>
 #include <vug/session/cast.h>
+#include <vug/session/motion.h>
 #include <vug/session/picture.h>
 #include <vug/volume/density.h>
 #include <vug/volume/fog.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace vug::session {
@@ -63,7 +66,7 @@ std::string identity(const render::Scene& scene, const Shot& shot, const Picture
     hash.add_value(values.size());
     if (!values.empty()) hash.add(values.data(), values.size() * sizeof(values[0]));
   };
-  hash.add_value(shot.texts);
+  hash.add_value(shot.texts).add_value(options.eye);
   for (const std::string& text :
        {shot.recipe, options.render, options.camera, std::string(VUG_VERSION)})
     add_all(text);
@@ -84,7 +87,39 @@ std::string identity(const render::Scene& scene, const Shot& shot, const Picture
   return hash.finish().hex();
 }
 
+/// The noise of a scene that moves is another in each frame: noise that keeps still looks like
+/// dirt.
+uint64_t sample_seed(const Shot& shot, const PictureOptions& options) {
+  const uint64_t seed = options.seed.value_or(shot.seed);
+  if (!shot.moves) return seed;
+  return RandomKey(seed)
+      .at("frame")
+      .at(static_cast<uint64_t>(std::llround(shot.frame * 1e6)))
+      .state();
+}
+
 }  // namespace
+
+image::Metadata identifying_metadata(const Shot& shot, const PictureOptions& options) {
+  const RenderPlan plan = render_plan(shot, options);
+  Hasher settings;
+  settings.add_value(shot.texts);
+  for (const std::string& text :
+       {options.render, options.camera, plan.view, plan.display, options.config.string(),
+        fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(plan.size, "x"), plan.noise,
+                    plan.exposure, plan.openings, plan.half, plan.multi_part, plan.tiled,
+                    options.denoise, options.deep, options.eye, fmt::join(plan.layers, ","),
+                    fmt::join(plan.crop, ","))})
+    settings.add_value(text.size()).add(text);
+  image::Metadata all = {{"vug:recipe", shot.recipe},
+                         {"vug:version", VUG_VERSION},
+                         {"vug:seed", std::to_string(options.seed.value_or(shot.seed))},
+                         {"vug:working_space", image::info(plan.working_space).name},
+                         {"vug:spp", std::to_string(plan.spp)},
+                         {"vug:settings", settings.finish().hex()}};
+  if (shot.moves) all.emplace_back("vug:frame", fmt::format("{}", shot.frame));
+  return all;
+}
 
 RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
   RenderPlan plan;
@@ -117,6 +152,11 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
   return plan;
 }
 
+bool has_two_views(const Shot& shot, const PictureOptions& options) {
+  const render::CameraPtr camera = render_plan(shot, options).camera;
+  return camera && camera->eye_view(-1);
+}
+
 render::Scene assemble(Builder& builder, const RenderPlan& plan) {
   const Shot& shot = builder.shot();
   render::Scene scene;
@@ -143,14 +183,22 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
 }
 
 PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool whole_film) {
-  const RenderPlan plan = render_plan(builder.shot(), options);
+  RenderPlan plan = render_plan(builder.shot(), options);
+  const RenderPlan at_frame = plan;
+  plan.camera = camera_in_motion(builder.shot(), options, plan);
+  if (options.eye != 0) {
+    plan.camera = plan.camera ? plan.camera->eye_view(options.eye) : nullptr;
+    if (!plan.camera)
+      throw Error(ErrorCode::bad_input, "the camera has no views of a left and a right eye",
+                  plan.where, "give it the distance of the eyes: interaxial 6.5cm");
+  }
   PictureJob job;
   job.where = plan.where;
   render::Options& render = job.options;
   render.width = plan.size[0];
   render.height = plan.size[1];
   render.spp = plan.spp;
-  render.seed = options.seed.value_or(builder.shot().seed);
+  render.seed = sample_seed(builder.shot(), options);
   render.sampler = plan.sampler;
   render.integrator = plan.integrator;
   render.noise = plan.noise;
@@ -187,6 +235,8 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   render.layers = plan_for(lights);
   require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
+  if (render.layers.has(render::kMotion))
+    render.step = frame_step(builder.shot(), options, at_frame);
   job.scene = assemble(builder, plan);
   render.layers = plan_for(job.scene);
   require_memory(render::memory_estimate(job.scene, render, whole_film), builder.room(),
@@ -198,11 +248,7 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   job.look.denoise = options.denoise;
   job.look.camera = job.scene.camera->matrices(static_cast<float>(render.width) /
                                                static_cast<float>(render.height));
-  job.look.metadata = {{"vug:recipe", builder.shot().recipe},
-                       {"vug:version", VUG_VERSION},
-                       {"vug:seed", std::to_string(render.seed)},
-                       {"vug:working_space", image::info(plan.working_space).name},
-                       {"vug:spp", std::to_string(plan.spp)}};
+  job.look.metadata = identifying_metadata(builder.shot(), options);
   if (const std::string inexact = plan.integrator ? plan.integrator->inexact() : "";
       !inexact.empty())
     job.look.metadata.emplace_back("vug:inexact", inexact);

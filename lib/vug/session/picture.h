@@ -5,6 +5,8 @@
 #include <vug/session/build.h>
 #include <vug/session/picture_file.h>
 
+#include <functional>
+
 namespace vug::session {
 
 /// What the command line may change about a render plan.
@@ -23,15 +25,27 @@ struct PictureOptions {
   bool tiled = false;
   bool denoise = false;
   bool deep = false;
+  int eye = 0;  ///< Of a camera for stereo: -1 left, 1 right; 0: the middle between both.
   std::vector<std::string> layers;                   ///< Instead of the plan's.
   std::optional<image::WorkingSpace> working_space;  ///< Likewise, and so are these names.
   std::string view, display;
   std::filesystem::path config;  ///< Of OpenColorIO; empty: none.
   std::vector<int> crop;         ///< Likewise.
+  /// The same scene at another frame, or between frames, with the same objects for what stands
+  /// still (see Still): asked while the shutter is open. Without it nothing is blurred by motion.
+  std::function<std::shared_ptr<const Shot>(double frame)> moment = nullptr;
 };
 
 /// The plan with the options applied; Error(bad_input) with the nearest name for unknown ones.
 RenderPlan render_plan(const Shot& shot, const PictureOptions& options);
+
+/// What a picture's header says of where it comes from: the text, the seed, the samples, the
+/// version, the frame where the scene moves, and a hash of every other setting. Pictures that agree
+/// in all of it show the same.
+image::Metadata identifying_metadata(const Shot& shot, const PictureOptions& options);
+
+/// Whether the plan's camera is one for stereo.
+bool has_two_views(const Shot& shot, const PictureOptions& options);
 
 /// Meshes, materials, lamps and air. A shot without objects shows its meshes in grey; one without
 /// lights gets a soft sky.

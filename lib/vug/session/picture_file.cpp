@@ -141,17 +141,37 @@ std::filesystem::path write_deep(const std::filesystem::path& exr, const image::
   return deep_beside(exr);
 }
 
-std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
-                                                 const image::Image& image,
-                                                 const render::PartHeader& header) {
-  const PictureLook look = from_notes(header.notes);
+namespace {
+
+/// With what the layers ask for.
+image::ExrOptions layered_options(const PictureLook& look, const render::PartHeader& header) {
   image::ExrOptions options = exr_options(look, header);
   for (const auto& entry : render::crypto_metadata(header.layers))
     options.metadata.push_back(entry);
   options.full_channels.insert(options.full_channels.end(),
-                               {render::kCryptoObject, render::kCryptoMaterial});
+                               {render::kCryptoObject, render::kCryptoMaterial, render::kMotion});
   for (const render::LayerAttribute& attribute : header.layers.attributes)
     options.full_channels.push_back("attribute_" + attribute.name);
+  return options;
+}
+
+image::Image side_by_side(const image::Image& left, const image::Image& right) {
+  image::Image out(left.width + right.width, left.height, left.channels);
+  const auto line = static_cast<size_t>(left.width) * left.channels.size();
+  for (int y = 0; y < left.height; ++y) {
+    std::copy_n(&left.pixels[left.index(0, y)], line, &out.pixels[out.index(0, y)]);
+    std::copy_n(&right.pixels[right.index(0, y)], line, &out.pixels[out.index(left.width, y)]);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
+                                                 const image::Image& image,
+                                                 const render::PartHeader& header) {
+  const PictureLook look = from_notes(header.notes);
+  const image::ExrOptions options = layered_options(look, header);
   if (!look.denoise) {
     image::write_exr(exr, image, options);
     write_png(png_beside(exr), image, look);
@@ -159,6 +179,25 @@ std::vector<std::filesystem::path> write_picture(const std::filesystem::path& ex
     const image::Image smooth = image::denoise(image);
     image::write_exr(exr, joined(image, smooth), options);
     write_png(png_beside(exr), shown(smooth), look);
+  }
+  return {exr, png_beside(exr)};
+}
+
+std::vector<std::filesystem::path> write_stereo(const std::filesystem::path& exr,
+                                                const image::Image& left, const image::Image& right,
+                                                const render::PartHeader& left_header,
+                                                const render::PartHeader& right_header) {
+  const PictureLook look = from_notes(left_header.notes);
+  const auto options = layered_options(look, left_header),
+             right_options = layered_options(from_notes(right_header.notes), right_header);
+  if (!look.denoise) {
+    image::write_exr(exr, {{"left", left, options}, {"right", right, right_options}});
+    write_png(png_beside(exr), side_by_side(left, right), look);
+  } else {
+    const image::Image smooth_left = image::denoise(left), smooth_right = image::denoise(right);
+    const image::Image both[] = {joined(left, smooth_left), joined(right, smooth_right)};
+    image::write_exr(exr, {{"left", both[0], options}, {"right", both[1], right_options}});
+    write_png(png_beside(exr), side_by_side(shown(smooth_left), shown(smooth_right)), look);
   }
   return {exr, png_beside(exr)};
 }

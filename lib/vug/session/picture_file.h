@@ -36,6 +36,12 @@ PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& n
 std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
                                                  const image::Image& image,
                                                  const render::PartHeader& header);
+/// The same of the views of the left and of the right eye: the EXR has a part for each, the PNG
+/// shows them side by side.
+std::vector<std::filesystem::path> write_stereo(const std::filesystem::path& exr,
+                                                const image::Image& left, const image::Image& right,
+                                                const render::PartHeader& left_header,
+                                                const render::PartHeader& right_header);
 std::filesystem::path png_beside(const std::filesystem::path& exr);
 
 /// The deep picture beside `exr`, as NAME.deep.exr; returns its name.

@@ -31,7 +31,7 @@ void Resolver::declare(const std::string& kind, const std::string& name, Maker m
   std::vector<Entry>& entries = entries_[name];
   for (Entry& entry : entries)
     if (entry.kind == kind) return entry.makers.push_back(std::move(maker));
-  entries.push_back({kind, {std::move(maker)}, {}, false, false});
+  entries.push_back({kind, {std::move(maker)}, {}, false, false, false});
 }
 
 Value Resolver::value(Entry& entry, const std::string& name, const SourceLocation& where,
@@ -42,10 +42,14 @@ Value Resolver::value(Entry& entry, const std::string& name, const SourceLocatio
   }
   if (!entry.made) {
     entry.pending = true;
+    const uint64_t uses = frame_uses();
     for (const Maker& maker : entry.makers) entry.value = maker();
     if (entry.makers.size() > 1) entry.value = Value();
     entry.pending = false;
     entry.made = true;
+    entry.moves = frame_uses() > uses;
+  } else if (entry.moves) {
+    use_frame();
   }
   return entry.value;
 }

@@ -64,9 +64,10 @@ class Resolver final : public scene::Resolver {
     Value value;
     bool made = false;
     bool pending = false;
+    bool moves = false;  ///< The value depends on the frame.
   };
-  static Value value(Entry& entry, const std::string& name, const SourceLocation& where,
-                     Diagnostics& diagnostics);
+  Value value(Entry& entry, const std::string& name, const SourceLocation& where,
+              Diagnostics& diagnostics);
 
   std::map<std::string, std::vector<Entry>> entries_;  ///< In the order of the text.
 };

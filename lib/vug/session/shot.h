@@ -48,6 +48,8 @@ struct MeshPlan {
   double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
+
+  bool operator==(const MeshPlan&) const = default;
 };
 using MeshPtr = std::shared_ptr<const MeshPlan>;
 
@@ -129,6 +131,8 @@ struct Derivation {
 struct Shot {
   std::string name;  ///< The scene file's stem.
   uint64_t seed = 0;
+  double frame = 1;    ///< The moment that it shows.
+  bool moves = false;  ///< Something in it depends on the frame.
   std::string recipe;  ///< The scene text with its overrides: what rebuilds all of this.
   Digest texts;        ///< Of the scene text and all that it includes.
   std::vector<VolumePtr> volumes;
@@ -142,6 +146,17 @@ struct Shot {
   VolumePtr medium_volume;  ///< Whose density the medium has, if it needs one.
   std::vector<RenderPlan> renders;
   std::vector<Derivation> derivations;
+
+  /// Where its lists end, to tell later what has been added to them.
+  struct Ends {
+    std::vector<size_t> lists;
+    bool medium = false;
+  };
+  Ends ends() const;
+  /// What has been added since, in a shot of its own.
+  Shot since(const Ends& ends) const;
+  /// Takes in what another shot declares: all its lists, and its medium if it has one.
+  void add(const Shot& more);
 };
 
 }  // namespace vug::session

@@ -97,7 +97,8 @@ TEST(Catalogue, DeclarationsHaveParameters) {
   const KindInfo& camera = declaration("camera");
   for (const char* name : {"kind", "eye", "target", "up", "fov", "aperture", "focus"})
     EXPECT_TRUE(find_param(camera, name)) << name;
-  EXPECT_EQ(describe(*find_param(camera, "kind")), "one of perspective, default perspective");
+  EXPECT_EQ(describe(*find_param(camera, "kind")),
+            "one of orthographic, panoramic, perspective, default perspective");
   EXPECT_TRUE(find_param(declaration("volume"), "voxel"));
   EXPECT_TRUE(find_param(declaration("material"), "albedo"));
   EXPECT_TRUE(find_param(declaration("render"), "spp"));

@@ -20,6 +20,7 @@ struct Options {
 void refuse_scene_options(const Options& options) {
   const char* option = !options.scene.defines.empty() ? "-D"
                        : options.scene.seed           ? "--seed"
+                       : options.scene.frame          ? "--frame"
                        : !options.mesh.empty()        ? "--mesh"
                                                       : nullptr;
   if (option)

@@ -6,10 +6,14 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/session/long_render.h>
+#include <vug/session/sequence.h>
 #include <vug/session/write.h>
 
 #include <charconv>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <memory>
 
 namespace vug::cli {
 namespace {
@@ -19,7 +23,7 @@ struct Options {
   WorkOptions work;
   std::string output;
   std::string products;
-  std::string size, tile, samples, crop;
+  std::string size, tile, samples, crop, frames, eye;
   std::string part, checkpoint, preview;
   std::string ocio, working_space;
   session::RenderOptions render;
@@ -88,6 +92,7 @@ void parse(Options& options) {
     throw Error(ErrorCode::bad_input,
                 fmt::format("an exposure of {} stops is out of range", *render.picture.exposure),
                 {}, "write --exposure and a number from -30 to 30");
+  if (!options.eye.empty()) render.picture.eye = options.eye == "left" ? -1 : 1;
   if (options.output.empty() == options.part.empty())
     throw Error(ErrorCode::bad_input,
                 options.part.empty() ? "there is no name for the picture"
@@ -121,30 +126,33 @@ std::string time_text(double seconds) {
   return fmt::format("about {:.1f} h", seconds / 3600);
 }
 
-int run(Options options) {
-  parse(options);
-  const session::Loaded loaded = options.scene.load();
-  std::vector<std::filesystem::path> outputs;
-  for (const std::string& path :
-       {options.output, options.part, options.checkpoint, options.preview})
-    if (!path.empty()) outputs.emplace_back(path);
-  if (!options.output.empty()) outputs.push_back(session::png_beside(options.output));
-  if (options.render.picture.deep) outputs.push_back(session::deep_beside(options.output));
-  if (!options.products.empty())
-    for (auto& path : session::product_paths(loaded.shot, options.products))
-      outputs.push_back(std::move(path));
-  for (const auto& path : outputs) require_writable(path);
-  if (!options.work.quiet)
-    options.render.estimate = [](double seconds, double bytes) {
-      if (seconds < 5 && bytes < 0x1p30) return;  // not worth a line
-      clear_bar();
-      fmt::print(stderr, "rendering takes {} and {}\n", time_text(seconds), bytes_text(bytes));
-    };
-  const ThreadLimit threads(options.work.threads);
-  session::Builder builder(loaded.shot, options.work.build_options(loaded),
-                           terminal_progress(options.work.bar()));
-  const session::Rendered picture = session::render_picture(builder, options.render);
-  if (picture.image) {
+/// Both views of a camera for stereo, one after the other.
+void render_stereo(const Options& options, session::Builder& builder) {
+  session::RenderOptions one = options.render;
+  one.picture.eye = -1;
+  const session::Rendered left = session::render_picture(builder, one);
+  one.picture.eye = 1;
+  one.estimate = nullptr;
+  const session::Rendered right = session::render_picture(builder, one);
+  warn_of_exposure(builder, left);
+  for (const auto& path :
+       session::write_stereo(options.output, *left.image, *right.image, left.header, right.header))
+    fmt::print("{}\n", path.string());
+}
+
+/// Renders one picture of what is loaded, and writes it.
+void render_one(const Options& options, session::Builder& builder) {
+  const session::PictureOptions& picture_options = options.render.picture;
+  const bool both =
+      picture_options.eye == 0 && session::has_two_views(builder.shot(), picture_options);
+  if (both && !(options.part.empty() && options.checkpoint.empty() && !picture_options.deep))
+    throw Error(ErrorCode::bad_input,
+                "a picture of two views has no checkpoint, is not made of parts and is not deep",
+                {}, "render one view at a time: --eye left, then --eye right");
+  if (both) {
+    render_stereo(options, builder);
+  } else if (const session::Rendered picture = session::render_picture(builder, options.render);
+             picture.image) {
     warn_of_exposure(builder, picture);
     for (const auto& path : session::write_picture(options.output, *picture.image, picture.header))
       fmt::print("{}\n", path.string());
@@ -157,8 +165,102 @@ int run(Options options) {
   if (!options.products.empty())
     for (const auto& path : session::write_products(builder, options.products))
       fmt::print("{}\n", path.string());
+  std::fflush(stdout);
   session::remove_checkpoint(options.render);
-  options.work.summarise(builder);
+}
+
+void require_outputs(const Options& options, const session::Shot& shot) {
+  std::vector<std::filesystem::path> outputs;
+  for (const std::string& path :
+       {options.output, options.part, options.checkpoint, options.preview})
+    if (!path.empty()) outputs.emplace_back(path);
+  if (!options.output.empty()) outputs.push_back(session::png_beside(options.output));
+  if (options.render.picture.deep) outputs.push_back(session::deep_beside(options.output));
+  if (!options.products.empty())
+    for (auto& path : session::product_paths(shot, options.products))
+      outputs.push_back(std::move(path));
+  for (const auto& path : outputs) require_writable(path);
+}
+
+/// A scene at one frame; the builder tells of its text.
+struct Moment {
+  explicit Moment(session::Loaded from, const WorkOptions& work, Progress& progress)
+      : loaded(std::move(from)), builder(loaded.shot, work.build_options(loaded), progress) {}
+  session::Loaded loaded;
+  session::Builder builder;
+};
+
+/// The options for one picture of a sequence.
+Options at_frame(const Options& options, int frame) {
+  Options out = options;
+  for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products})
+    if (!path->empty()) *path = session::at_frame(*path, frame).string();
+  out.render.part = out.part, out.render.checkpoint = out.checkpoint;
+  if (out.checkpoint.empty()) out.render.resume = false;  // nothing but whole frames is kept
+  return out;
+}
+
+int run_frames(const Options& options, session::Still& still, Progress& progress) {
+  using Clock = std::chrono::steady_clock;
+  const std::vector<int> frames = session::parse_frames(options.frames);
+  for (const int frame : frames) at_frame(options, frame);  // before any work
+  std::unique_ptr<Moment> now;
+  double seconds = 0;
+  size_t rendered = 0, skipped = 0;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    const Options one = at_frame(options, frames[i]);
+    auto next =
+        std::make_unique<Moment>(options.scene.load(frames[i], still), options.work, progress);
+    if (now) next->builder.take_over(std::move(now->builder));
+    now = std::move(next);
+    if (options.render.resume && one.part.empty() &&
+        session::is_finished(one.output, now->loaded.shot, one.render.picture)) {
+      session::remove_checkpoint(one.render);
+      ++skipped;
+      continue;
+    }
+    require_outputs(one, now->loaded.shot);
+    if (!options.work.quiet) {
+      clear_bar();
+      fmt::print(stderr, "frame {}, {} of {}", frames[i], i + 1, frames.size());
+      if (rendered > 0)
+        fmt::print(stderr, ", {} left",
+                   time_text(seconds / static_cast<double>(rendered) *
+                             static_cast<double>(frames.size() - i)));
+      fmt::print(stderr, "\n");
+    }
+    const Clock::time_point start = Clock::now();
+    try {
+      render_one(one, now->builder);
+    } catch (Error& error) {
+      throw error.within(fmt::format("rendering frame {}", frames[i]));
+    }
+    seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    ++rendered;
+  }
+  if (skipped > 0 && !options.work.quiet)
+    fmt::print(stderr, "{} frame{} were there already\n", skipped, skipped == 1 ? "" : "s");
+  options.work.summarise(now->builder);
+  return kDone;
+}
+
+int run(Options options) {
+  parse(options);
+  if (!options.work.quiet)
+    options.render.estimate = [](double seconds, double bytes) {
+      if (seconds < 5 && bytes < 0x1p30) return;  // not worth a line
+      clear_bar();
+      fmt::print(stderr, "rendering takes {} and {}\n", time_text(seconds), bytes_text(bytes));
+    };
+  const ThreadLimit threads(options.work.threads);
+  Progress& progress = terminal_progress(options.work.bar());
+  session::Still still;
+  options.render.picture.moment = options.scene.moments(still);
+  if (!options.frames.empty()) return run_frames(options, still, progress);
+  Moment moment(options.scene.load(options.scene.frame.value_or(1), still), options.work, progress);
+  require_outputs(options, moment.loaded.shot);
+  render_one(options, moment.builder);
+  options.work.summarise(moment.builder);
   return kDone;
 }
 
@@ -181,6 +283,9 @@ Verb render_verb() {
         app.add_option("--crop", options->crop, "LEFT,TOP,RIGHT,BOTTOM: only these pixels");
         app.add_option("--camera", picture.camera, "which camera");
         app.add_option("--render", picture.render, "which render block");
+        app.add_option("--eye", options->eye,
+                       "left or right: one view of a camera for stereo, not both")
+            ->check(CLI::IsMember({"left", "right"}));
         app.add_option("--layers", picture.layers, "names of layers, or all")->delimiter(',');
         app.add_option("--noise", picture.noise,
                        "stop sampling where the relative error is below this, e.g. 0.05")
@@ -208,8 +313,12 @@ Verb render_verb() {
         app.add_option("--checkpoint-every", render.checkpoint_every, "in seconds")
             ->check(CLI::Range(0.0, 1e6))
             ->needs(checkpoint);
-        app.add_flag("--resume", render.resume, "go on from the checkpoint, if there is one")
-            ->needs(checkpoint);
+        app.add_option("--frames", options->frames,
+                       "A..B or A..BxSTEP: a picture of each, with #### in its name")
+            ->excludes("--frame");
+        app.add_flag("--resume", render.resume,
+                     "go on from the checkpoint, if there is one; of --frames skip those that are "
+                     "there already");
         app.add_option("--part", options->part, "write a part for `vug merge`, no picture");
         app.add_option("--tile", options->tile, "I/N: band I of N of the picture");
         app.add_option("--samples", options->samples, "A..B: samples A to B-1 of each pixel");

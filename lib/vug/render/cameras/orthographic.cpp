@@ -12,6 +12,7 @@ struct Orthographic : ViewParams {
     describe_view(s.doc("A view by parallel rays, for plans and sections; it sees what lies before "
                         "the plane through the eye."))
         .param("width", &Orthographic::width, positive_length("What the picture's width spans."));
+    describe_shutter(s);
   }
   std::string fault() const { return view_fault(); }
 };

@@ -25,7 +25,7 @@ struct Panoramic : ViewParams, StereoParams {
                 .dimension = Dimension::angle,
                 .min = 1e-6,
                 .max = kPi});
-    describe_stereo(s);
+    describe_shutter(describe_stereo(s));
   }
   std::string fault() const { return view_fault(); }
 };

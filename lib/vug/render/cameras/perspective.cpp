@@ -17,7 +17,7 @@ struct Perspective : ViewParams, LensParams, StereoParams {
                 .min = 1e-6,
                 .max = 3.1});
     describe_lens(s);
-    describe_stereo(s);
+    describe_shutter(describe_stereo(s));
   }
   std::string fault() const {
     const std::string fault = view_fault();

@@ -45,6 +45,7 @@ std::shared_ptr<const Shot> load_model(const Model& model, const SourceLocation&
   LoadOptions options;
   options.include_folders = reading.options.include_folders;
   options.within = reading.options.within;
+  options.frame = reading.options.frame;
   options.within.push_back(fs::weakly_canonical(reading.file));
   const fs::path own = fs::weakly_canonical(model.file);
   const auto refuse = [&](const std::string& what, const std::string& hint) {
@@ -61,6 +62,7 @@ std::shared_ptr<const Shot> load_model(const Model& model, const SourceLocation&
       if (fault.severity == Severity::error)
         return refuse(fmt::format("the scene '{}' has faults and cannot be placed", model.name),
                       fmt::format("{}: {}", to_string(fault.where), fault.message));
+    if (loaded.shot.moves) reading.resolver.use_frame();
     Hasher texts;
     texts.add_value(reading.shot.texts)
         .add_value(loaded.shot.texts)

@@ -1,0 +1,46 @@
+#include <vug/session/shot.h>
+
+namespace vug::session {
+namespace {
+
+/// Calls with each list of both: the one place that names them all.
+template <class A, class B, class With>
+void with_lists(A& a, B& b, const With& with) {
+  with(a.volumes, b.volumes);
+  with(a.meshes, b.meshes);
+  with(a.objects, b.objects);
+  with(a.places, b.places);
+  with(a.cameras, b.cameras);
+  with(a.lights, b.lights);
+  with(a.materials, b.materials);
+  with(a.renders, b.renders);
+  with(a.derivations, b.derivations);
+}
+
+}  // namespace
+
+Shot::Ends Shot::ends() const {
+  Ends out;
+  out.medium = medium != nullptr;
+  with_lists(*this, *this,
+             [&](const auto& list, const auto&) { out.lists.push_back(list.size()); });
+  return out;
+}
+
+Shot Shot::since(const Ends& ends) const {
+  Shot out;
+  size_t i = 0;
+  with_lists(*this, out, [&](const auto& from, auto& to) {
+    to.assign(from.begin() + static_cast<std::ptrdiff_t>(ends.lists.at(i++)), from.end());
+  });
+  if (!ends.medium) out.medium = medium, out.medium_volume = medium_volume;
+  return out;
+}
+
+void Shot::add(const Shot& more) {
+  with_lists(more, *this,
+             [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); });
+  if (more.medium) medium = more.medium, medium_volume = more.medium_volume;
+}
+
+}  // namespace vug::session
