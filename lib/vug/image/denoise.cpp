@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kStrip = 32;  // lines that one task works on
 constexpr float kLeastAlbedo = 0.02f;
+constexpr float kDot = 2;        ///< Times as bright as its neighbours: a dot.
+constexpr float kDotErrors = 3;  ///< More standard errors than this are no noise.
 
 /// One value for each pixel.
 using Plane = std::vector<float>;
@@ -57,6 +59,40 @@ Plane smoothed(const Plane& in, int width, int height) {
   return out;
 }
 
+/// Dims single bright dots: a pixel that outshines all but one of its neighbours, by noise as far
+/// as its own variance tells, is as bright as the second of them. A dot's variance is about its
+/// square, so that nothing tells it from its surroundings, and it would become a bright patch.
+void dim_dots(Planes& all) {
+  const auto luminance = [](const Plane* of, size_t p) {
+    return 0.2126f * of[0][p] + 0.7152f * of[1][p] + 0.0722f * of[2][p];
+  };
+  Plane light(all.colour[0].size());
+  for (size_t p = 0; p < light.size(); ++p) light[p] = luminance(all.colour, p);
+  for (int y = 0; y < all.height; ++y)
+    for (int x = 0; x < all.width; ++x) {
+      const size_t p =
+          static_cast<size_t>(y) * static_cast<size_t>(all.width) + static_cast<size_t>(x);
+      float first = 0, second = 0;
+      for (int v = std::max(0, y - 1); v <= std::min(all.height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(all.width - 1, x + 1); ++u) {
+          const float near = light[static_cast<size_t>(v) * static_cast<size_t>(all.width) +
+                                   static_cast<size_t>(u)];
+          if (u == x && v == y) continue;
+          second = std::max(second, std::min(first, near));
+          first = std::max(first, near);
+        }
+      const float excess = light[p] - second;
+      if (light[p] <= kDot * second ||
+          excess * excess > kDotErrors * kDotErrors * luminance(all.variance, p))
+        continue;
+      const float share = second / light[p];
+      for (size_t c = 0; c < 3; ++c) {
+        all.colour[c][p] *= share;
+        all.variance[c][p] *= share * share;
+      }
+    }
+}
+
 Planes planes_of(const Image& picture) {
   Planes all;
   all.width = picture.width, all.height = picture.height;
@@ -74,7 +110,6 @@ Planes planes_of(const Image& picture) {
       all.colour[c][p] /= albedo;
       all.variance[c][p] /= albedo * albedo;
     }
-    all.variance[c] = smoothed(all.variance[c], all.width, all.height);
     const auto add_feature = [&](Plane values, float scale) {
       if (values.empty()) return;
       for (float& v : values) v *= scale;
@@ -83,6 +118,8 @@ Planes planes_of(const Image& picture) {
     add_feature(plane(picture, "albedo." + name), 1 / 0.1f);
     add_feature(plane(picture, std::string("N.") + "XYZ"[c]), 1 / 0.25f);
   }
+  dim_dots(all);
+  for (Plane& variance : all.variance) variance = smoothed(variance, all.width, all.height);
   // Depth, by its relative differences: the reciprocal of its logarithm's slope is its own size.
   Plane depth = plane(picture, "Z");
   if (!depth.empty()) {

@@ -33,5 +33,29 @@ TEST(Denoise, DrawsNoOutlineWhereRockGetsBlack) {
         << x;
 }
 
+/// Even rock with one pixel that a sample of sixteen made a hundred times as bright.
+Image dotted(int width, int height, bool noisy) {
+  Image out(width, height, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (size_t c = 0; c < 3; ++c) {
+        out.at(x, y, c) = 0.5f;
+        out.at(x, y, 3 + c) = 0.01f;
+      }
+  for (size_t c = 0; c < 3; ++c) {
+    out.at(width / 2, height / 2, c) = 50;
+    out.at(width / 2, height / 2, 3 + c) = noisy ? 50 * 50 : 1e-4f;
+  }
+  return out;
+}
+
+TEST(Denoise, ABrightDotOfNoiseIsNoPatch) {
+  const Image smooth = denoise(dotted(32, 24, true));
+  for (int y = 0; y < smooth.height; ++y)
+    for (int x = 0; x < smooth.width; ++x) EXPECT_NEAR(smooth.at(x, y, 0), 0.5, 1e-3);
+}
+
+TEST(Denoise, ASureBrightDotStays) { EXPECT_GT(denoise(dotted(32, 24, false)).at(16, 12, 0), 5); }
+
 }  // namespace
 }  // namespace vug::image
