@@ -289,7 +289,8 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
       }
     }
     if (is_black(throughput)) break;
-    if (roulette_) {
+    // What the first surface sends on is seen as it is: an even sky would be grain there.
+    if (roulette_ && depth > 0) {
       // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
       const float survival = std::sqrt(largest(unled));
       if (survival < 1) {
