@@ -128,6 +128,8 @@ class Unusable(VugTest):
                      ("render", "ball.vug", "-o", "ball.exr", "--camera", "main"),
                      ("render", "ball.vug", "-o", "ball.exr", "--render", "main"),
                      ("render", "ball.vug", "-o", "ball.exr", "--exposure", "nan"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--noise", "nan"),
+                     ("render", "ball.vug", "-o", "ball.exr", "--crop", "0,0,0,0"),
                      ("measure", "ball.vug", "--mesh", "wall"),
                      ("tree", "ball.vug"), ("tree", "ball.vug", "--json", "--svg"),
                      ("list", "torsu"), ("sweep", "ball.vug", "-p", "R", "-v", "1,2")]:

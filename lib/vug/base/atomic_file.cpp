@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 
 namespace vug {
 namespace fs = std::filesystem;
@@ -39,6 +40,13 @@ std::vector<fs::path> missing_folders(fs::path folder) {
     folder = folder.parent_path();
   }
   return missing;
+}
+
+/// The same text for all names of a file, be it there or not.
+std::string identity(const fs::path& path) {
+  std::error_code code;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(followed(path), code), code);
+  return (code ? path : whole).string();
 }
 
 /// Read, write and execute bits of a file; nothing when there is none.
@@ -103,6 +111,22 @@ void AtomicFile::commit() {
 }
 
 void require_writable(const fs::path& target) { const AtomicFile probe(target); }
+
+void require_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  std::set<std::string> read, written;
+  for (const fs::path& input : inputs) read.insert(identity(input));
+  for (const fs::path& output : outputs) {
+    const std::string id = identity(output);
+    if (read.count(id))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("'{}' would be overwritten, but it is read", output.string()), {},
+                  "give another name for what is written");
+    if (!written.insert(id).second)
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' would be written twice", output.string()),
+                  {}, "give each output a name of its own");
+  }
+  for (const fs::path& output : outputs) require_writable(output);
+}
 
 void write_text(const fs::path& target, std::string_view text) {
   AtomicFile file(target);

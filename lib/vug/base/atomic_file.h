@@ -38,6 +38,10 @@ class AtomicFile {
 /// Error(io) where an AtomicFile of the target could not be made; leaves nothing behind. For asking
 /// before long work whose result goes there.
 void require_writable(const std::filesystem::path& target);
+/// The same for all that a program is going to write. Error(bad_input) where one of them is among
+/// the files that it reads, by whatever name, or two are the same file.
+void require_outputs(const std::vector<std::filesystem::path>& outputs,
+                     const std::vector<std::filesystem::path>& inputs);
 
 /// Writes the whole text through an AtomicFile.
 void write_text(const std::filesystem::path& target, std::string_view text);

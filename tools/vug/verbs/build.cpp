@@ -2,7 +2,9 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
+#include <vug/session/inputs.h>
 #include <vug/session/write.h>
 
 namespace vug::cli {
@@ -16,6 +18,8 @@ struct Options {
 
 int run(const Options& options) {
   const session::Loaded loaded = options.scene.load();
+  require_outputs(session::product_paths(loaded.shot, options.folder),
+                  session::files_named(loaded));
   const ThreadLimit threads(options.work.threads);
   session::Builder builder(loaded.shot, options.work.build_options(loaded),
                            terminal_progress(options.work.bar()));

@@ -25,12 +25,17 @@ std::string measure_names() {
   return out;
 }
 
-void require_outputs(const Options& options) {
+void require_files(const Options& options) {
   if (!options.heat.empty() && extension_of(options.heat) != ".png")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .png", options.heat), {},
                 "the heat map is a PNG");
+  std::vector<std::filesystem::path> outputs, inputs;
   for (const std::string& path : {options.json, options.html, options.heat})
-    if (!path.empty()) require_writable(path);
+    if (!path.empty()) outputs.emplace_back(path);
+  for (const std::string& path :
+       {options.reference, options.test, options.mask, options.thresholds})
+    if (!path.empty()) inputs.emplace_back(path);
+  require_outputs(outputs, inputs);
 }
 
 int run(Options options) {
@@ -42,7 +47,7 @@ int run(Options options) {
   for (const std::string& text : options.least)
     options.diff.limits.push_back(parse_limit(text, Better::high));
   for (const std::string& name : options.diff.measures) image::measure_of(name);
-  require_outputs(options);
+  require_files(options);
   const image::Subject reference = image::read_subject(options.reference);
   const image::Subject test = image::read_subject(options.test);
   if (!options.mask.empty())

@@ -18,10 +18,8 @@ int run(const Options& options) {
   if (extension_of(options.output) != ".exr")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},
                 "the picture is an EXR; a PNG is written beside it");
-  for (const auto& path :
-       {std::filesystem::path(options.output), session::png_beside(options.output)})
-    require_writable(path);
   const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
+  require_outputs({options.output, session::png_beside(options.output)}, paths);
   const render::Part whole = render::merge(paths, terminal_progress(options.work.bar()));
   const image::Image image = render::develop(whole.state, whole.header.layers);
   for (const auto& path : session::write_picture(options.output, image, whole.header))

@@ -5,6 +5,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
+#include <vug/session/inputs.h>
 #include <vug/session/long_render.h>
 #include <vug/session/sequence.h>
 #include <vug/session/write.h>
@@ -65,9 +66,13 @@ void parse(Options& options) {
       throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", options.size), {},
                   "write --size 1920x1080");
   }
-  if (!options.crop.empty())
-    render.picture.crop =
-        parse_numbers(options.crop, "N,N,N,N", "crop", "write --crop left,top,right,bottom");
+  if (!options.crop.empty()) {
+    auto& crop = render.picture.crop;
+    crop = parse_numbers(options.crop, "N,N,N,N", "crop", "write --crop left,top,right,bottom");
+    if (crop[0] >= crop[2] || crop[1] >= crop[3])
+      throw Error(ErrorCode::bad_input, fmt::format("a crop of '{}' has no pixels", options.crop),
+                  {}, "write --crop left,top,right,bottom; right and bottom are beyond it");
+  }
   if (!options.tile.empty()) {
     const auto tile = parse_numbers(options.tile, "N/N", "tile", "write --tile 1/4 to --tile 4/4");
     render.share.tile = tile[0] - 1, render.share.tiles = tile[1];
@@ -88,6 +93,8 @@ void parse(Options& options) {
   if (!render.picture.seed) render.picture.seed = options.scene.seed;
   render.part = options.part, render.checkpoint = options.checkpoint;
   render.preview = options.preview;
+  if (render.picture.noise && !(*render.picture.noise >= 0))
+    throw Error(ErrorCode::bad_input, "the noise is no number", {}, "write --noise 0.05");
   if (render.picture.exposure && !(std::fabs(*render.picture.exposure) <= 30))
     throw Error(ErrorCode::bad_input,
                 fmt::format("an exposure of {} stops is out of range", *render.picture.exposure),
@@ -169,17 +176,20 @@ void render_one(const Options& options, session::Builder& builder) {
   session::remove_checkpoint(options.render);
 }
 
-void require_outputs(const Options& options, const session::Shot& shot) {
+void require_outputs(const Options& options, const session::Loaded& loaded) {
   std::vector<std::filesystem::path> outputs;
-  for (const std::string& path :
-       {options.output, options.part, options.checkpoint, options.preview})
+  for (const std::string& path : {options.output, options.part, options.checkpoint})
     if (!path.empty()) outputs.emplace_back(path);
   if (!options.output.empty()) outputs.push_back(session::png_beside(options.output));
+  // A preview may become the picture.
+  if (!options.preview.empty() &&
+      (options.output.empty() || options.preview != session::png_beside(options.output)))
+    outputs.emplace_back(options.preview);
   if (options.render.picture.deep) outputs.push_back(session::deep_beside(options.output));
   if (!options.products.empty())
-    for (auto& path : session::product_paths(shot, options.products))
+    for (auto& path : session::product_paths(loaded.shot, options.products))
       outputs.push_back(std::move(path));
-  for (const auto& path : outputs) require_writable(path);
+  vug::require_outputs(outputs, session::files_named(loaded));
 }
 
 /// A scene at one frame; the builder tells of its text.
@@ -219,7 +229,7 @@ int run_frames(const Options& options, session::Still& still, Progress& progress
       ++skipped;
       continue;
     }
-    require_outputs(one, now->loaded.shot);
+    require_outputs(one, now->loaded);
     if (!options.work.quiet) {
       clear_bar();
       fmt::print(stderr, "frame {}, {} of {}", frames[i], i + 1, frames.size());
@@ -258,7 +268,7 @@ int run(Options options) {
   options.render.picture.moment = options.scene.moments(still);
   if (!options.frames.empty()) return run_frames(options, still, progress);
   Moment moment(options.scene.load(options.scene.frame.value_or(1), still), options.work, progress);
-  require_outputs(options, moment.loaded.shot);
+  require_outputs(options, moment.loaded);
   render_one(options, moment.builder);
   options.work.summarise(moment.builder);
   return kDone;

@@ -196,8 +196,7 @@ int run(const Options& options) {
     throw Error(ErrorCode::bad_input, "the seed is swept and given by --seed", {},
                 "leave out --seed");
   const std::string csv = options.output + ".csv", svg = options.output + ".svg";
-  if (!options.output.empty())
-    for (const std::string& path : {csv, svg}) require_writable(path);
+  if (!options.output.empty()) require_outputs({csv, svg}, {options.scene.scene});
   const std::vector<std::string> values = expanded(options.values);
   std::vector<Row> rows;
   const int exit = measure_all(options, values, rows);

@@ -1,0 +1,16 @@
+// The files that a scene reads.
+#pragma once
+
+#include <vug/session/load.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace vug::session {
+
+/// The scene's texts, and every file that a text in quotes names, beside the text it stands in:
+/// meshes, grids, pictures. Read from the words, so it holds for scenes with faults, too, and for
+/// files that only another camera would need; a name that is no file does not count.
+std::vector<std::filesystem::path> files_named(const Loaded& scene);
+
+}  // namespace vug::session
