@@ -77,13 +77,23 @@ TEST(Catalogue, TheWordOfADeclarationFindsWhatStandsThere) {
   EXPECT_EQ(materials.front()->category, "declaration");
 }
 
+TEST(Catalogue, MeasuresOfPicturesAreListed) {
+  const std::vector<const KindInfo*> measures = find_kinds("measure");
+  EXPECT_GE(measures.size(), 9u);
+  for (const KindInfo* kind : measures) EXPECT_FALSE(kind->doc.empty()) << kind->name;
+}
+
 TEST(Catalogue, AnglesAreInDegrees) {
   const ParamInfo& fov = *find_param(*find_kinds("perspective").at(0), "fov");
   EXPECT_EQ(fov.fallback, "60deg");
   EXPECT_EQ(describe(fov),
             "number (angle), at least 5.72958e-05deg, at most 177.617deg, default 60deg");
-  const auto json = catalogue_json(find_kinds("perspective")).at(0).at("params").at(3);
-  EXPECT_EQ(json.at("name"), "fov");
+  const auto all = catalogue_json(find_kinds("perspective"));
+  const auto& params = all.at(0).at("params");
+  const auto found = std::find_if(params.begin(), params.end(),
+                                  [](const auto& param) { return param.at("name") == "fov"; });
+  ASSERT_NE(found, params.end());
+  const auto& json = *found;
   EXPECT_EQ(json.at("default"), "60deg");
   EXPECT_EQ(json.at("unit"), "rad");
   EXPECT_EQ(json.at("max"), 3.1);
