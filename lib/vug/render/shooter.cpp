@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 
 namespace vug::render {
@@ -157,32 +158,37 @@ double Shooter::seconds(double samples) const {
   constexpr double kEnough = 0.2;  // seconds
   const auto each = static_cast<uint32_t>(std::min(options_.spp, 16));
   size_t pixels = 0;
+  // What the threads were at work, not what they waited for each other: there is more to share out
+  // in a picture.
+  std::atomic<int64_t> busy{0};
   const auto batch = [&] {
     parallel_for(
         kBatch,
         [&](size_t i) {
           // Pixels all over the picture, by multiples of the golden section and of its square root;
           // several samples of each, for these find what they need at hand as those of a picture.
+          const Clock::time_point begin = Clock::now();
           const auto step = static_cast<double>(pixels + i);
           const double u = step * 0.6180339887498949, v = step * 0.7548776662466927;
           const int x = wanted_.x0 + static_cast<int>((u - std::floor(u)) * wanted_.width());
           const int y = wanted_.y0 + static_cast<int>((v - std::floor(v)) * wanted_.height());
           Tally tally(tally_);
           for (uint32_t index = 0; index < each; ++index) sample(x, y, index, tally);
+          busy += std::chrono::nanoseconds(Clock::now() - begin).count();
         },
         4);
     pixels += kBatch;
     progress_.check();
   };
-  const auto taken = [&] { return static_cast<double>(pixels) * each; };
-  if (taken() + kBatch * each > 0.02 * samples) return 0;
+  if (static_cast<double>(kBatch * each) > 0.02 * samples) return 0;
   batch();  // wakes threads and warms caches
-  pixels = 0;
+  busy = 0;
+  const auto taken = [&] { return static_cast<double>((pixels - kBatch) * each); };
   const Clock::time_point start = Clock::now();
   const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   do batch();
   while (passed() < kEnough && taken() < 0.02 * samples);
-  return passed() / taken() * samples;
+  return 1e-9 * static_cast<double>(busy) / thread_count() / taken() * samples;
 }
 
 }  // namespace vug::render
