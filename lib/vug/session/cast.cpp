@@ -59,24 +59,24 @@ Transform transform_of(const render::Affine& a) {
   return {Vec3d(a.x), Vec3d(a.y), Vec3d(a.z), Vec3d(a.origin)};
 }
 
-render::PlacingPtr moved(const Transform& place, const render::PlacingPtr& own) {
-  std::vector<Transform> steps;
+/// Where something goes: one transform, or those of several moments.
+using Way = std::vector<Transform>;
+
+render::PlacingPtr moved(Way way, const render::PlacingPtr& own) {
   if (own)
-    for (const render::Affine& step : own->steps()) steps.push_back(place * transform_of(step));
-  else
-    steps.push_back(place);
-  return std::make_shared<const render::Placing>(steps);
+    for (Transform& place : way) place = place * transform_of(own->at(0));
+  return std::make_shared<const render::Placing>(way);
 }
 
 /// Puts all of a model where it belongs, under the name of the place.
-void put(const Cast& model, const Place& place, const PlacePlan& plan, const std::string& name,
-         const std::string& material, Cast& cast) {
+void put(const Cast& model, const Place& place, const Way& way, const PlacePlan& plan,
+         const std::string& name, const std::string& material, Cast& cast) {
   const bool single = model.objects.size() == 1;
   const auto renamed = [&](const std::string& own) { return single ? name : name + "/" + own; };
   for (const render::Object& object : model.objects) {
     render::Object here = object;
     here.name = renamed(object.name);
-    here.placing = moved(place.transform, object.placing);
+    here.placing = moved(way, object.placing);
     if (plan.material) {
       here.material = plan.material;
       here.material_name = material;
@@ -111,22 +111,46 @@ int chosen(const Place& place, const PlacePlan& plan) {
   return count - 1;
 }
 
-void put_all(Builder& builder, const PlacePlan& plan, Cast& cast) {
-  std::vector<Cast> models;
-  for (const Model& model : plan.of) models.push_back(cast_of(builder, model));
-  const std::string material = material_name(builder.shot(), plan.material, plan.name);
+std::vector<Place> places_of(Builder& builder, const PlacePlan& plan) {
   std::vector<Place> places;
   for (size_t i = 0; i < plan.at.size(); ++i) {
     const std::vector<Place> more = (*plan.at[i])(builder, plan.key.at(i));
     places.insert(places.end(), more.begin(), more.end());
   }
+  return places;
+}
+
+/// The way of each place through the moments.
+std::vector<Way> ways_of(Builder& builder, const PlacePlan& plan, const std::vector<Place>& places,
+                         const Moments& moments) {
+  std::vector<Way> still, ways(places.size());
+  for (const Place& place : places) still.push_back({place.transform});
+  bool moves = false;
+  for (const auto& moment : moments) {
+    const auto other = std::find_if(moment->places.begin(), moment->places.end(),
+                                    [&](const PlacePlan& each) { return each.name == plan.name; });
+    if (other == moment->places.end()) return still;
+    moves = moves || other->at != plan.at;
+    const std::vector<Place> there = other->at == plan.at ? places : places_of(builder, *other);
+    if (there.size() != places.size()) return still;
+    for (size_t i = 0; i < ways.size(); ++i) ways[i].push_back(there[i].transform);
+  }
+  return moves ? ways : still;
+}
+
+void put_all(Builder& builder, const PlacePlan& plan, const Moments& moments, Cast& cast) {
+  std::vector<Cast> models;
+  for (const Model& model : plan.of) models.push_back(cast_of(builder, model));
+  const std::string material = material_name(builder.shot(), plan.material, plan.name);
+  const std::vector<Place> places = places_of(builder, plan);
   if (places.empty())
     builder.warn(plan.where, fmt::format("'{}' stands nowhere", plan.name),
                  "its places are all masked out, or its table is empty");
   require_memory(kInstanceBytes * static_cast<double>(places.size()), builder.room(),
                  fmt::format("{} instances", places.size()), "place fewer");
+  const std::vector<Way> ways = ways_of(builder, plan, places, moments);
   for (size_t i = 0; i < places.size(); ++i)
-    put(models[static_cast<size_t>(chosen(places[i], plan))], places[i], plan,
+    put(models[static_cast<size_t>(chosen(places[i], plan))], places[i], ways[i], plan,
         plan.apart ? fmt::format("{}/{}", plan.name, i + 1) : plan.name, material, cast);
 }
 
@@ -162,7 +186,7 @@ std::vector<std::string> light_groups(const Shot& shot) {
   return groups;
 }
 
-Cast cast_of(Builder& builder) {
+Cast cast_of(Builder& builder, const Moments& moments) {
   const Shot& shot = builder.shot();
   const std::vector<ObjectPlan> shown = shown_objects(shot);
   for (const ObjectPlan& object : shown) builder.require_room(object.mesh);
@@ -171,7 +195,7 @@ Cast cast_of(Builder& builder) {
   for (const auto& [name, light] : shot.lights) cast.lights.push_back(light);
   for (const PlacePlan& plan : shot.places) {
     try {
-      put_all(builder, plan, cast);
+      put_all(builder, plan, moments, cast);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input || error.where().line > 0) throw;
       throw Error(error.code(), error.what(), plan.where, error.hint());

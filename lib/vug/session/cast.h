@@ -13,9 +13,15 @@ struct Cast {
   std::vector<render::LightPtr> lights;
 };
 
-/// Builds all meshes. Error(bad_input), with the place's name in the text, for places that cannot
+/// A shot at several times.
+using Moments = std::vector<std::shared_ptr<const Shot>>;
+
+/// `moments`: at times evenly spread while the shutter is open, with the same objects for what
+/// stands still (see Still): what is placed goes through its places there. None: it stays where it
+/// is at its frame, as it does where its places become more or fewer; so do lamps. Builds all
+/// meshes. Error(bad_input), with the place's name in the text, for places that cannot
 /// be rendered.
-Cast cast_of(Builder& builder);
+Cast cast_of(Builder& builder, const Moments& moments = {});
 
 /// The objects that a shot shows where their meshes stand: not those that it places. Of a shot
 /// without objects they are its meshes, in grey.

@@ -11,31 +11,39 @@ constexpr int kMoments = 9;
 
 }  // namespace
 
-render::CameraPtr camera_in_motion(const Shot& shot, const PictureOptions& options,
-                                   const RenderPlan& plan) {
-  if (!plan.camera || !shot.moves || !options.moment) return plan.camera;
+Moments shutter_moments(const Shot& shot, const PictureOptions& options, const RenderPlan& plan) {
+  Moments moments;
+  if (!plan.camera || !shot.moves || !options.moment) return moments;
   const render::Shutter shutter = plan.camera->shutter();
-  if (shutter.empty()) return plan.camera;
+  for (int i = 0; i < kMoments && !shutter.empty(); ++i)
+    moments.push_back(options.moment(shot.frame + shutter.open +
+                                     (shutter.close - shutter.open) * i / (kMoments - 1.0)));
+  return moments;
+}
+
+render::CameraPtr camera_in_motion(const Moments& moments, const PictureOptions& options,
+                                   const RenderPlan& plan) {
   std::vector<render::CameraPtr> cameras;
-  for (int i = 0; i < kMoments; ++i) {
-    const double after =
-        shutter.open + (shutter.close - shutter.open) * i / static_cast<double>(kMoments - 1);
-    const auto moment = options.moment(shot.frame + after);
-    cameras.push_back(render_plan(*moment, options).camera);
-  }
+  for (const auto& moment : moments) cameras.push_back(render_plan(*moment, options).camera);
   const bool still = std::all_of(cameras.begin(), cameras.end(),
                                  [&](const auto& each) { return each == plan.camera; });
   return still ? plan.camera : render::moving_camera(std::move(cameras));
 }
 
-render::FrameStepPtr frame_step(const Shot& shot, const PictureOptions& options,
+render::FrameStepPtr frame_step(Builder& builder, const PictureOptions& options,
                                 const RenderPlan& plan) {
+  const Shot& shot = builder.shot();
   if (!plan.camera || !shot.moves || !options.moment) return nullptr;
-  const render::CameraPtr next = render_plan(*options.moment(shot.frame + 1), options).camera;
-  if (!next || next == plan.camera) return nullptr;
+  const Moments both = {options.moment(shot.frame), options.moment(shot.frame + 1)};
   auto step = std::make_shared<render::FrameStep>();
-  step->now = options.eye == 0 ? plan.camera : plan.camera->eye_view(options.eye);
-  step->next = options.eye == 0 ? next : next->eye_view(options.eye);
+  step->now = plan.camera;
+  step->next = render_plan(*both[1], options).camera;
+  if (options.eye != 0)
+    step->now = step->now->eye_view(options.eye), step->next = step->next->eye_view(options.eye);
+  const Cast cast = cast_of(builder, both);
+  for (size_t i = 0; i < cast.objects.size(); ++i)
+    if (const auto& placing = cast.objects[i].placing; placing && placing->moves())
+      step->places[static_cast<uint32_t>(i)] = {placing->steps()[0], placing->steps()[1]};
   return step;
 }
 

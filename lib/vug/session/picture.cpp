@@ -157,10 +157,10 @@ bool has_two_views(const Shot& shot, const PictureOptions& options) {
   return camera && camera->eye_view(-1);
 }
 
-render::Scene assemble(Builder& builder, const RenderPlan& plan) {
+render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& moments) {
   const Shot& shot = builder.shot();
   render::Scene scene;
-  Cast cast = cast_of(builder);
+  Cast cast = cast_of(builder, moments);
   scene.objects = std::move(cast.objects);
   scene.lights = std::move(cast.lights);
   Box3d bounds;
@@ -185,7 +185,8 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan) {
 PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool whole_film) {
   RenderPlan plan = render_plan(builder.shot(), options);
   const RenderPlan at_frame = plan;
-  plan.camera = camera_in_motion(builder.shot(), options, plan);
+  const Moments moments = shutter_moments(builder.shot(), options, plan);
+  plan.camera = camera_in_motion(moments, options, plan);
   if (options.eye != 0) {
     plan.camera = plan.camera ? plan.camera->eye_view(options.eye) : nullptr;
     if (!plan.camera)
@@ -235,9 +236,8 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   render.layers = plan_for(lights);
   require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
-  if (render.layers.has(render::kMotion))
-    render.step = frame_step(builder.shot(), options, at_frame);
-  job.scene = assemble(builder, plan);
+  if (render.layers.has(render::kMotion)) render.step = frame_step(builder, options, at_frame);
+  job.scene = assemble(builder, plan, moments);
   render.layers = plan_for(job.scene);
   require_memory(render::memory_estimate(job.scene, render, whole_film), builder.room(),
                  "the picture", std::string(kFewerPixels) + " or larger voxels");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/render/part.h>
-#include <vug/session/build.h>
+#include <vug/session/cast.h>
 #include <vug/session/picture_file.h>
 
 #include <functional>
@@ -49,7 +49,7 @@ bool has_two_views(const Shot& shot, const PictureOptions& options);
 
 /// Meshes, materials, lamps and air. A shot without objects shows its meshes in grey; one without
 /// lights gets a soft sky.
-render::Scene assemble(Builder& builder, const RenderPlan& plan);
+render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& moments = {});
 
 /// Everything that a picture needs, ready to be rendered.
 struct PictureJob {

@@ -80,7 +80,8 @@ TEST(Sequence, ACameraThatMovesIsBlurredWhileItsShutterIsOpen) {
   };
   const auto camera = [&](const std::string& name) {
     options.camera = name;
-    return camera_in_motion(shot, options, render_plan(shot, options));
+    const RenderPlan plan = render_plan(shot, options);
+    return camera_in_motion(shutter_moments(shot, options, plan), options, plan);
   };
   const render::CameraPtr main = camera("main");
   ASSERT_TRUE(main->moves());
@@ -94,6 +95,39 @@ TEST(Sequence, ACameraThatMovesIsBlurredWhileItsShutterIsOpen) {
   EXPECT_FALSE(camera("fast")->moves());
   options.moment = nullptr;
   EXPECT_FALSE(camera("main")->moves());
+}
+
+TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
+  const std::string text =
+      "volume ball = level_set(sphere(20cm), voxel: 10cm)\n"
+      "mesh round on ball {}\n"
+      "object stone on round {}\n"
+      "object rock on round {}\n"
+      "place rolling { of stone  at [(0, 0, 0), (2 * frame, 0, 0)] }\n"
+      "place lying { of rock  at (0, 1, 0) }\n"
+      "camera main { shutter 0.5 }\n"
+      "render main { size 4x4  spp 1  layers [\"beauty\", \"motion\"] }\n";
+  Still still;
+  const Loaded loaded = at(3, &still, text);
+  PictureOptions options;
+  options.moment = [&](double frame) {
+    return std::make_shared<const Shot>(at(frame, &still, text).shot);
+  };
+  Builder builder(loaded.shot);
+  const PictureJob job = prepare_picture(builder, options, false);
+  ASSERT_EQ(job.scene.objects.size(), 3u);
+  const auto x_at = [&](size_t object, float time) {
+    return job.scene.objects[object].placing->at(time).origin.x;
+  };
+  EXPECT_FLOAT_EQ(x_at(0, 1), 0);
+  EXPECT_FLOAT_EQ(x_at(1, 0), 6);
+  EXPECT_FLOAT_EQ(x_at(1, 0.5f), 6.5f);
+  EXPECT_FLOAT_EQ(x_at(1, 1), 7);
+  EXPECT_FALSE(job.scene.objects[2].placing->moves());
+  ASSERT_TRUE(job.options.step);
+  ASSERT_TRUE(job.options.step->places.count(1));
+  EXPECT_FLOAT_EQ(job.options.step->places.at(1).first.origin.x, 6);
+  EXPECT_FLOAT_EQ(job.options.step->places.at(1).second.origin.x, 8);
 }
 
 TEST(Sequence, MeshesThatNobodyDeclaresAreKeptToo) {
