@@ -38,7 +38,7 @@ TEST(Keys, AreMetAndJoinedByLines) {
         std::pair(11.0, "2.5m"), std::pair(16.0, "2.25m"), std::pair(99.0, "2m")})
     EXPECT_EQ(x(keys, frame), value) << frame;
   EXPECT_EQ(x("keys(0: (0, 1, 2), 10: (1m, 2m, 3m))", 5), "(0.5m, 1.5m, 2.5m)");
-  EXPECT_EQ(x("keys(-10: 0, 10: 90deg)", 0), "45deg");
+  EXPECT_EQ(x("keys(-10: 0, 10: 1rad)", 0), "0.5rad");
   EXPECT_EQ(x("2 * keys(0: 1, 0.5: 3) + frame", 0.25), "4.25");
 }
 
@@ -91,7 +91,7 @@ TEST(Keys, SayWhatIsWrong) {
   EXPECT_EQ(x("keys(5: 1, 3: 2)", 1), "! the key at frame 3 comes after that at 5");
   EXPECT_EQ(x("keys(5: 1, 5: 2)", 1), "! the key at frame 5 comes after that at 5");
   EXPECT_EQ(x("keys(1: 1m, 2: 3deg)", 1), "! keys cannot mix a length and an angle");
-  EXPECT_EQ(x("keys(1: 1m, 2: (1, 2, 3))", 1), "! keys cannot mix a number and a vector");
+  EXPECT_EQ(x("keys(1: 1m, 2: (1, 2, 3))", 1), "! keys cannot mix a length and a vector");
   EXPECT_EQ(x("keys(1: true, 2: false)", 1), "! nothing lies between true or false and another");
   EXPECT_EQ(x("keys(1s: 1)", 1), "! a key is the number of a frame, without a unit");
   EXPECT_EQ(read("let frame = 2", 1).value,
