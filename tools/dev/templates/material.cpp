@@ -40,12 +40,18 @@ class NewKindMaterial final : public Material {
   explicit NewKindMaterial(const NewKind& p) : albedo_(to_float(p.albedo)) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f&, BsdfMemory& memory) const override {
-    return memory.make<NewKindBsdf>(albedo_ * surface.color);
+    return memory.make<NewKindBsdf>(way_(albedo_ * surface.color));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<NewKindBsdf>(); }
+  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+    auto copy = std::make_shared<NewKindMaterial>(*this);
+    copy->way_ = way;
+    return copy;
+  }
 
  private:
   Rgb albedo_;
+  image::ColourMatrix way_;
 };
 
 }  // namespace
