@@ -9,7 +9,8 @@ TRANSCENDENTAL = (r"(?:sin|cos|tan|asin|acos|atan2?|sinh|cosh|tanh|exp2?|expm1"
 # (pattern in code without comments and literals, modules of lib or None for all, what to do)
 IN_LIBRARY = [
     (rf"\bstd::{TRANSCENDENTAL}f?\b|(?<![\w:.>]){TRANSCENDENTAL}f\s*\(",
-     {"field", "volume", "sgm", "grammar", "mesh", "meshing", "metrics", "scene"},
+     {"field", "volume", "sgm", "grammar", "mesh", "meshing", "metrics", "scene",
+      "cells"},
      "its last bits differ between machines: use <vug/base/maths.h>"),
     (r"\bstd::(?:cout|cerr|clog)\b|\b(?:std::)?(?:printf|fprintf|puts|fputs|putchar)\s*\(", None,
      "the library never prints: return a value or throw vug::Error"),

@@ -1,0 +1,87 @@
+// Points sorted into cubes of space, so that those near each other are near in memory: one within
+// a cube's edge of another lies in one of 27 cubes, which are nine runs of the sorted order.
+#pragma once
+
+#include <vug/base/parallel.h>
+#include <vug/base/vec.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vug::mesh {
+
+class PointGrid {
+ public:
+  /// Places begin .. end-1 of the sorted order.
+  struct Run {
+    uint32_t begin = 0;
+    uint32_t end = 0;
+  };
+  using Runs = std::array<Run, 9>;
+
+  /// Sorts by cube, along the longest axis of all points first, and within a cube by coordinates:
+  /// the order does not depend on the order given, except among points that are equal. `edge` in
+  /// metres, above 0. Error(too_large) where an axis has more than 2^20 cubes.
+  PointGrid(const std::vector<Vec3f>& points, double edge);
+
+  size_t size() const { return points_.size(); }
+  /// In sorted order.
+  const std::vector<Vec3f>& points() const { return points_; }
+  /// The number that the point at a place of the sorted order was given under.
+  const std::vector<uint32_t>& order() const { return order_; }
+
+  /// Calls body(cube, around) for each cube that holds points, in parallel: the places of its
+  /// points, and the runs of the cubes around it, its own among them.
+  template <class Body>
+  void sweep(const Body& body) const;
+
+ private:
+  struct Cube {
+    uint64_t key = 0;
+    uint32_t begin = 0;
+  };
+  static constexpr size_t kChunk = 512;
+
+  size_t first_at(uint64_t key) const {
+    const auto below = [](const Cube& cube, uint64_t k) { return cube.key < k; };
+    return static_cast<size_t>(std::lower_bound(cubes_.begin(), cubes_.end(), key, below) -
+                               cubes_.begin());
+  }
+
+  std::vector<Vec3f> points_;
+  std::vector<uint32_t> order_;
+  std::vector<Cube> cubes_;  ///< By key; one more at the end, behind all others.
+  uint64_t row_ = 0;         ///< From one cube's key to the next one's along the second axis.
+  uint64_t slab_ = 0;        ///< The same along the first.
+};
+
+template <class Body>
+void PointGrid::sweep(const Body& body) const {
+  const size_t cubes = cubes_.size() - 1;
+  parallel_for((cubes + kChunk - 1) / kChunk, [&](size_t chunk) {
+    const size_t first = chunk * kChunk, last = std::min(cubes, first + kChunk);
+    // The keys of the nine rows' cubes grow with the key of the middle one: cursors follow.
+    std::array<uint64_t, 9> offset;
+    std::array<size_t, 9> cursor;
+    for (size_t r = 0; r < 9; ++r) {
+      offset[r] = (r / 3) * slab_ + (r % 3) * row_ - slab_ - row_ - 1;  // modulo 2^64
+      cursor[r] = first_at(cubes_[first].key + offset[r]);
+    }
+    Runs around;
+    for (size_t c = first; c < last; ++c) {
+      for (size_t r = 0; r < 9; ++r) {
+        const uint64_t low = cubes_[c].key + offset[r];
+        size_t& at = cursor[r];
+        while (cubes_[at].key < low) ++at;
+        size_t behind = at;
+        while (cubes_[behind].key <= low + 2) ++behind;
+        around[r] = {cubes_[at].begin, cubes_[behind].begin};
+      }
+      body(Run{cubes_[c].begin, cubes_[c + 1].begin}, around);
+    }
+  });
+}
+
+}  // namespace vug::mesh
