@@ -73,10 +73,13 @@ Choice choose(const LightSet& set, LightId count, bool tree) {
     double sum = 0, squares = 0;
     const double start = seconds();
     for (int i = 0; i < kDraws; ++i) {
-      const LightChoice c =
-          tree ? set.choose(point, one())
-               : LightChoice{random.below(count), 1 / static_cast<float>(count), {}};
-      if (c.light == kNoLight) continue;
+      LightChoice c{random.below(count), 1 / static_cast<float>(count)};
+      if (tree) {
+        LightOdds odds;
+        const LightChoices chosen = set.choose(point, one(), odds);
+        if (chosen.size() == 0) continue;
+        c = *chosen.begin();
+      }
       const LightSample s = set.sample(c.light, point, {0.5f, 0.5f});
       const auto value =
           static_cast<double>(luminance(s.radiance) * s.direction.y / (s.pdf * c.probability));

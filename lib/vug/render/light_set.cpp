@@ -8,13 +8,23 @@
 #include <array>
 
 namespace vug::render {
+namespace {
+
+/// Parts of all choices that are even between branches: of single lights, of many lights, where
+/// there is less to be missed, and where it is known what is in sight.
+constexpr double kEvenFew = 0.5, kEvenMany = 0.25, kEvenKnown = 0.05;
+
+}  // namespace
 
 /// Importances at a point: of skies, of lamps as they tell it themselves, of triangles and
 /// branches by their bounds.
 struct LightSet::AtPoint {
   const LightSet& set;
   const LitPoint& point;
+  const float* sight;
 
+  bool knows() const { return sight; }
+  float seen(size_t branch) const { return sight ? sight[branch] : 1; }
   float sky(LightId id) const {
     if (!set.reaches(id, point.object)) return 0;
     const Light& light = *set.lights_[id];
@@ -33,7 +43,15 @@ struct LightSet::AlongRay {
   const LightSet& set;
   const Ray& ray;
   const Segment& segment;
+  const Chances& sight;
 
+  bool knows() const { return !sight.empty(); }
+  /// From where on the ray it is nearest: most of what arrives does so thereabouts.
+  float seen(size_t branch) const {
+    if (sight.empty()) return 1;
+    const float nearest = dot(set.branches_[branch].centre - ray.origin, ray.direction);
+    return sight.at(ray.at(std::clamp(nearest, segment.begin, segment.end)))[branch];
+  }
   float sky(LightId id) const {
     const Light& light = *set.lights_[id];
     return (light.is_portal() ? set.sky_scale_ : 1) *
@@ -64,7 +82,7 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
         (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.beside_portals()))
       continue;
     sampled_skies_.push_back(id);
-    branches_.push_back({nullptr, id});
+    branches_.push_back({nullptr, id, light.centre()});
   }
   lamp_tree_ = LightTree(lights_.size(), 0, [&](size_t i) {
     return lights_[i]->is_sky() ? LightBounds{} : lights_[i]->bounds();
@@ -72,13 +90,9 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
   emitter_tree_ = LightTree(emitters_.size(), lamp_ids(),
                             [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
-    for (const uint32_t node : tree->cut()) branches_.push_back({tree, node});
+    for (const uint32_t node : tree->cut()) branches_.push_back({tree, node, tree->centre(node)});
   link(objects);
   size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
-  // Among branches of many lights there is less to be missed than among single ones.
-  even_ = branches_.size() < size_ ? 0.25f : 0.5f;
-  if (size_ <= kFew)
-    for (const Branch& b : branches_) few_.push_back(b.tree ? b.tree->light(b.node) : b.node);
 }
 
 void LightSet::link(const std::vector<Object>& objects) {
@@ -117,7 +131,22 @@ uint32_t LightSet::group_of(const std::string& name) {
 }
 
 template <class Weight>
-LightChoice LightSet::choose_by(float u, const Weight& weight) const {
+float LightSet::weight_of(size_t branch, const Weight& weight) const {
+  const Branch& b = branches_[branch];
+  const float importance = b.tree ? weight.branch(*b.tree, b.node) : weight.sky(b.node);
+  return importance > 0 ? importance * weight.seen(branch) : 0;
+}
+
+template <class Weight>
+LightChoice LightSet::choose_in(const Branch& branch, double u, const Weight& weight) const {
+  if (!branch.tree) return {branch.node, 1};
+  const LightTree::Found found = branch.tree->descend(
+      branch.node, u, [&](uint32_t node) { return weight.branch(*branch.tree, node); });
+  return {found.light, found.probability};
+}
+
+template <class Weight>
+LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds) const {
   constexpr size_t kUsual = 2 * LightTree::kCutSize + 16;
   std::array<float, kUsual> few;
   std::vector<float> many;
@@ -125,70 +154,66 @@ LightChoice LightSet::choose_by(float u, const Weight& weight) const {
   float* const weights = many.empty() ? few.data() : many.data();
   double total = 0, count = 0;
   for (size_t i = 0; i < branches_.size(); ++i) {
-    const Branch& branch = branches_[i];
-    const float w =
-        branch.tree ? weight.branch(*branch.tree, branch.node) : weight.sky(branch.node);
-    weights[i] = w > 0 ? w : 0;
+    const float w = weights[i] = weight_of(i, weight);
     if (!(w > 0)) continue;
     total += static_cast<double>(w);
     count += 1;
   }
-  LightChoice choice;
-  choice.odds = {false, static_cast<float>(total), static_cast<float>(count), even_};
-  if (!(total > 0)) return choice;
+  LightChoices choices;
+  if (!(total > 0)) return choices;
+  const double even = weight.knows() ? kEvenKnown : branches_.size() < size_ ? kEvenMany : kEvenFew;
+  const auto samples = static_cast<double>(odds.samples);
+  odds.proportional = static_cast<float>(samples * (1 - even) / total);
+  odds.even = static_cast<float>(samples * even / count);
 
-  // Along all weights, or along as many equal parts, to where the number stands.
-  const bool even = u < even_;
-  const auto part = static_cast<double>(even_);
-  const double place = even ? static_cast<double>(u) / part * count
-                            : (static_cast<double>(u) - part) / (1 - part) * total;
-  const Branch* chosen = nullptr;
-  double passed = 0, width = 0;
-  float chosen_weight = 0;
+  // Systematic sampling: a comb of teeth one apart over what is to be expected of each branch.
+  double passed = 0, tooth = static_cast<double>(u);
   for (size_t i = 0; i < branches_.size(); ++i) {
-    if (!(weights[i] > 0)) continue;
+    const float expected = odds.of(weights[i]);
+    const auto width = static_cast<double>(expected);
+    if (tooth < passed + width) {
+      const double rest = std::clamp((tooth - passed) / width, 0.0, 0x1.fffffffffffffp-1);
+      LightChoice choice = choose_in(branches_[i], rest, weight);
+      choice.probability *= expected;
+      if (choice.light != kNoLight) choices.add(choice);
+      tooth += 1;
+    }
     passed += width;
-    width = even ? 1 : static_cast<double>(weights[i]);
-    chosen = &branches_[i];
-    chosen_weight = weights[i];
-    if (place < passed + width) break;
   }
-  const double rest = std::clamp((place - passed) / width, 0.0, 0x1.fffffffffffffp-1);
-  choice.light = chosen->node;
-  choice.probability = choice.odds.of(chosen_weight);
-  if (chosen->tree) {
-    const LightTree::Found found = chosen->tree->descend(
-        chosen->node, rest, [&](uint32_t node) { return weight.branch(*chosen->tree, node); });
-    choice.light = found.light;
-    choice.probability *= found.probability;
-  }
-  return choice;
+  return choices;
 }
 
-template <class Weight>
-float LightSet::share_by(LightId light, const Weight& weight, const LightOdds& odds) const {
-  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_}) {
-    if (!tree->holds(light)) continue;
-    const LightTree::Place place =
-        tree->place(light, [&](uint32_t node) { return weight.branch(*tree, node); });
-    return place.probability > 0 ? place.probability * odds.of(weight.branch(*tree, place.branch))
-                                 : 0;
-  }
-  return light < lights_.size() && lights_[light]->is_sky() ? odds.of(weight.sky(light)) : 0;
+LightChoices LightSet::choose(const LitPoint& point, float u, LightOdds& odds) const {
+  return choose_by(u, AtPoint{*this, point, odds.sight}, odds);
+}
+LightChoices LightSet::choose_along(const Ray& ray, const Segment& segment, float u, float samples,
+                                    const Chances& sight) const {
+  LightOdds odds{samples};
+  return choose_by(u, AlongRay{*this, ray, segment, sight}, odds);
+}
+LightChoice LightSet::choose_in(size_t branch, const LitPoint& point, float u) const {
+  const AtPoint weight{*this, point, nullptr};
+  return weight_of(branch, weight) > 0
+             ? choose_in(branches_[branch], static_cast<double>(u), weight)
+             : LightChoice{};
 }
 
-LightChoice LightSet::choose(const LitPoint& point, float u) const {
-  return choose_by(u, AtPoint{*this, point});
-}
-LightChoice LightSet::choose_along(const Ray& ray, const Segment& segment, float u) const {
-  return choose_by(u, AlongRay{*this, ray, segment});
-}
 float LightSet::share(LightId light, const LitPoint& point, const LightOdds& odds) const {
-  return share_by(light, AtPoint{*this, point}, odds);
-}
-float LightSet::share_along(LightId light, const Ray& ray, const Segment& segment,
-                            const LightOdds& odds) const {
-  return share_by(light, AlongRay{*this, ray, segment}, odds);
+  const AtPoint weight{*this, point, odds.sight};
+  size_t branch = sampled_skies_.size();
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_}) {
+    if (tree->holds(light)) {
+      const LightTree::Place place =
+          tree->place(light, [&](uint32_t node) { return weight.branch(*tree, node); });
+      return place.probability > 0
+                 ? place.probability * odds.of(weight_of(branch + place.branch, weight))
+                 : 0;
+    }
+    branch += tree->cut().size();
+  }
+  for (size_t i = 0; i < sampled_skies_.size(); ++i)
+    if (sampled_skies_[i] == light) return odds.of(weight_of(i, weight));
+  return 0;
 }
 
 bool LightSet::sky_is_plain() const {
@@ -209,9 +234,11 @@ Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {
 float LightSet::sky_pdf(const LitPoint& point, const LightOdds& odds,
                         const Vec3f& direction) const {
   float sum = 0;
-  for (const LightId id : sampled_skies_)
-    if (const float samples = share(id, point, odds); samples > 0)
-      sum += samples * lights_[id]->pdf(point, direction);
+  const AtPoint weight{*this, point, odds.sight};
+  for (size_t i = 0; i < sampled_skies_.size(); ++i) {
+    const float samples = odds.of(weight_of(i, weight));
+    if (samples > 0) sum += samples * lights_[sampled_skies_[i]]->pdf(point, direction);
+  }
   return sum;
 }
 

@@ -2,36 +2,55 @@
 #pragma once
 
 #include <vug/render/emitters.h>
+#include <vug/render/guiding/chances.h>
 #include <vug/render/light.h>
 #include <vug/render/light_tree.h>
 #include <vug/render/medium.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace vug::render {
 
 /// How next-event estimation at one place shares its samples out between branches of lights.
 struct LightOdds {
-  bool all = false;   ///< Every light that matters gets a sample.
-  float total = 0;    ///< Sum of all importances; most choices are in proportion to it,
-  float count = 0;    ///< and some are even between the branches that matter:
-  float even = 0.5f;  ///< this part of them.
+  float samples = 1;  ///< At most so many lights are chosen, none twice.
+  /// Of each branch a factor of its importance, by how often it is in sight (see Chances); null
+  /// where nothing is known.
+  const float* sight = nullptr;
+  float proportional = 0;  ///< Samples to expect for each unit of weight,
+  float even = 0;          ///< and beside these for each branch that matters.
 
-  /// Samples to expect for a branch of that importance. Importance knows nothing of walls, so a
-  /// light behind one must not take the choices from the one that shines: the even part keeps
-  /// any branch's share above even / count (a defensive mixture: Hesterberg 1995, "Weighted
+  /// Samples to expect for a branch of that weight, at most 1. Importance knows nothing of walls,
+  /// so a light behind one must not take the choices from the one that shines: the even part
+  /// keeps any branch's share above a least one (a defensive mixture: Hesterberg 1995, "Weighted
   /// average importance sampling and defensive mixture distributions", cite hesterberg1995).
-  float of(float importance) const {
-    if (!(importance > 0)) return 0;
-    return all ? 1 : (1 - even) * importance / total + even / count;
+  float of(float weight) const {
+    return weight > 0 ? std::min(1.0f, proportional * weight + even) : 0;
   }
 };
 
 /// Which light next-event estimation turns to, and with what probability.
 struct LightChoice {
-  LightId light = kNoLight;  ///< kNoLight: none matters.
+  LightId light = kNoLight;
   float probability = 0;
-  LightOdds odds;
+};
+
+/// The lights that one place turns to.
+class LightChoices {
+ public:
+  static constexpr size_t kMost = 8;
+  void add(const LightChoice& choice) {
+    if (size_ < kMost) choices_[size_++] = choice;
+  }
+  size_t size() const { return size_; }
+  const LightChoice* begin() const { return choices_.data(); }
+  const LightChoice* end() const { return choices_.data() + size_; }
+
+ private:
+  std::array<LightChoice, kMost> choices_;
+  size_t size_ = 0;
 };
 
 /// Ids: first the scene's lights in order, then triangles that shine. Skies and portals, and the
@@ -46,18 +65,20 @@ class LightSet {
 
   /// Lights that can be chosen.
   size_t size() const { return size_; }
-  /// Their ids, when they are few enough to sample all of them; else empty.
-  const std::vector<LightId>& few() const { return few_; }
-  static constexpr size_t kFew = 8;
+  /// Parts of all lights, each weighed as one.
+  size_t branches() const { return branches_.size(); }
 
-  /// Chooses a light by its odds, with one uniform number.
-  LightChoice choose(const LitPoint& point, float u) const;
-  LightChoice choose_along(const Ray& ray, const Segment& segment, float u) const;
+  /// Chooses lights with one uniform number: `odds` tells how many and what is known, and is told
+  /// the rest.
+  LightChoices choose(const LitPoint& point, float u, LightOdds& odds) const;
+  /// For a place that is yet to be chosen on a ray: at most `samples` lights; `sight` may be empty.
+  LightChoices choose_along(const Ray& ray, const Segment& segment, float u, float samples,
+                            const Chances& sight) const;
+  /// A light of one branch; none where the branch cannot shine.
+  LightChoice choose_in(size_t branch, const LitPoint& point, float u) const;
   /// Samples to expect for that light: its probability in `choose` at a point where that gave
-  /// `odds`; with odds.all 1, or 0 for a light that cannot shine there.
+  /// `odds`; 0 for a light that cannot shine there.
   float share(LightId light, const LitPoint& point, const LightOdds& odds) const;
-  float share_along(LightId light, const Ray& ray, const Segment& segment,
-                    const LightOdds& odds) const;
 
   /// See Light.
   LightSample sample(LightId light, const LitPoint& point, const Vec2f& u) const {
@@ -124,6 +145,7 @@ class LightSet {
   struct Branch {
     const LightTree* tree;  ///< Null for a sky.
     uint32_t node;          ///< Or the sky's id.
+    Vec3f centre;           ///< Meaningless for whole skies.
   };
   struct AtPoint;
   struct AlongRay;
@@ -131,22 +153,23 @@ class LightSet {
   uint32_t group_of(const std::string& name);
   LightId lamp_ids() const { return static_cast<LightId>(lights_.size()); }
   template <class Weight>
-  LightChoice choose_by(float u, const Weight& weight) const;
+  float weight_of(size_t branch, const Weight& weight) const;
   template <class Weight>
-  float share_by(LightId light, const Weight& weight, const LightOdds& odds) const;
+  LightChoices choose_by(float u, const Weight& weight, LightOdds& odds) const;
+  template <class Weight>
+  LightChoice choose_in(const Branch& branch, double u, const Weight& weight) const;
 
   std::vector<LightPtr> lights_;
   Emitters emitters_;
   LightTree lamp_tree_, emitter_tree_;
   std::vector<Branch> branches_;
-  std::vector<LightId> few_, skies_, sampled_skies_;
+  std::vector<LightId> skies_, sampled_skies_;
   float sky_scale_ = 0;
   std::vector<std::vector<bool>> lit_;  ///< Of each light: by object; empty for all of them.
   bool linked_ = false;
   std::vector<std::string> group_names_;
   std::vector<uint32_t> light_groups_, object_groups_;
   size_t size_ = 0;
-  float even_ = 0.5f;
 };
 
 }  // namespace vug::render

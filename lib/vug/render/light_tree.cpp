@@ -212,7 +212,7 @@ void LightTree::make_cut() {
   }
   for (size_t i = 0; i < cut_.size(); ++i) {
     Node& node = nodes_[cut_[i]];
-    node.parent = (node.parent & kLeaf) | kCut;
+    node.parent = (node.parent & kLeaf) | kCut | static_cast<uint32_t>(i);
   }
 }
 

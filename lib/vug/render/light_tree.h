@@ -37,7 +37,8 @@ class LightTree {
     LightId light = kNoLight;
     float probability = 0;
   };
-  /// A light's branch of the cut, and the probability with which `descend` finds the light there.
+  /// A light's branch, by its place in `cut`, and the probability with which `descend` finds the
+  /// light there.
   struct Place {
     uint32_t branch = 0;
     float probability = 0;
@@ -53,6 +54,7 @@ class LightTree {
     return id >= first_ && id - first_ < leaves_.size() && leaves_[id - first_] != kNowhere;
   }
   bool is_leaf(uint32_t node) const { return (nodes_[node].parent & kLeaf) != 0; }
+  Vec3f centre(uint32_t node) const { return nodes_[node].box.center(); }
   /// The light of a leaf.
   LightId light(uint32_t node) const { return nodes_[node].child; }
 
@@ -99,7 +101,7 @@ class LightTree {
       probability *= own / (own + static_cast<double>(weight(node ^ 1u)));
       node = nodes_[node].parent & ~kLeaf;
     }
-    return {node, static_cast<float>(probability)};
+    return {nodes_[node].parent & ~(kCut | kLeaf), static_cast<float>(probability)};
   }
 
   /// Calls visit(light) for each light whose box the ray meets before `end`, and perhaps a few

@@ -91,7 +91,8 @@ TEST(Guide, TurnsToWhatIsInSight) {
       glances.push_back({from, k, open.patches()[k].centre.x > 0});
       glances.push_back({{-7.5f, 1, 7.5f}, k, true});  // from another region
     }
-  const Guide informed(open, glances);
+  Guide informed = open;
+  informed.learn(glances);
   const auto towards = [&](const Guide& guide, const Vec3f& at) {
     const Cones cones = guide.at(from, {0, -1, 0});
     return cones.trust() * cones.pdf(normalized(at - from));
@@ -102,6 +103,32 @@ TEST(Guide, TurnsToWhatIsInSight) {
   // Patches behind a surface are none of its light.
   EXPECT_EQ(informed.at(from, {0, 1, 0}).size(), 0u);
   EXPECT_EQ(Guide().at(from, {0, -1, 0}).trust(), 0);
+}
+
+TEST(Chances, AreCountedRegionByRegion) {
+  std::vector<Glance> glances;
+  for (int i = 0; i < 200; ++i) {
+    glances.push_back({{-3, 1, 0}, 0, i % 4 == 0});  // a quarter
+    glances.push_back({{3, 1, 0}, 0, true});
+    glances.push_back({{3, 1, 0}, 1, false});
+  }
+  const Chances chances(kRoom, 2, 2, glances);
+  const auto part = [&](const Vec3f& at, size_t thing) {
+    const float root = chances.at(at)[thing];
+    return root * root;
+  };
+  EXPECT_NEAR(part({-3.5f, 1.5f, 0.5f}, 0), 0.25f, 0.01f);
+  EXPECT_NEAR(part({3.5f, 1.5f, 0.5f}, 0), 1, 0.01f);
+  // What a region has not looked at is as everywhere; where none looked, all is.
+  EXPECT_NEAR(part({-3.5f, 1.5f, 0.5f}, 1), 0.005f, 0.005f);
+  EXPECT_NEAR(part({0, 7, 7}, 0), 0.625f, 0.01f);
+  // Beyond the room the nearest region answers.
+  EXPECT_EQ(chances.at({100, 1, 0}), chances.at({7.9f, 1, 0}));
+  EXPECT_GT(part({3, 1, 0}, 1), 0) << "nothing is ruled out";
+  std::vector<Glance> backwards(glances.rbegin(), glances.rend());
+  const Chances same(kRoom, 2, 2, backwards);
+  EXPECT_EQ(same.at({-3, 1, 0})[0], chances.at({-3, 1, 0})[0]);
+  EXPECT_TRUE(Chances().empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace vug::render {
 namespace {
@@ -52,60 +53,115 @@ LitPoint somewhere(RandomStream& random) {
   return point;
 }
 
+/// What is said to be known of lights in sight, the same everywhere.
+Chances some_chances(size_t branches) {
+  std::vector<Glance> glances;
+  for (uint32_t i = 0; i < 20 * branches; ++i)
+    glances.push_back({{0, 0, 0}, i % static_cast<uint32_t>(branches), i % 7 < 3});
+  return Chances(Box3f(Vec3f(-1), Vec3f(1)), 10, branches, glances);
+}
+
 /// The estimate of sum 1 over the lights that can shine, 1 / p each time, must be their number.
 TEST(LightTree, EveryLightIsChosenWithItsProbability) {
   for (const int count : {1, 5, 40, 300}) {
-    SCOPED_TRACE(count);
     std::vector<LightPtr> all = lamps(count, 3);
     all.push_back(make_light("portal", {{"center", Vec3d(0, 6, 0)}, {"width", 3.0}}));
     all.push_back(make_light("sky"));
     const LightSet set(all, shining_ball());
+    const Chances chances = some_chances(set.branches());
     RandomStream random{RandomKey(5)};
-    for (int trial = 0; trial < 6; ++trial) {
+    for (int trial = 0; trial < 12; ++trial) {
       const LitPoint point = somewhere(random);
-      const Ray ray{point.position, Vec3f(place(random).normalized())};
-      const Segment segment{0.5f, 3};
-      for (const bool along : {false, true}) {
-        constexpr int kDraws = 60000;
-        const auto choose = [&](float u) {
-          return along ? set.choose_along(ray, segment, u) : set.choose(point, u);
-        };
-        const LightOdds odds = choose(0.5f).odds;
-        std::map<LightId, int> seen;
-        double inverse = 0, squares = 0;
-        for (int i = 0; i < kDraws; ++i) {
-          const LightChoice c = choose(one(random));
-          if (c.light == kNoLight) continue;
-          const float share = along ? set.share_along(c.light, ray, segment, odds)
-                                    : set.share(c.light, point, odds);
+      LightOdds odds{trial % 3 == 2 ? 3.0f : 1.0f,
+                     trial % 2 == 1 ? chances.at(point.position) : nullptr};
+      SCOPED_TRACE(testing::Message() << count << " lamps, trial " << trial);
+      constexpr int kDraws = 60000;
+      std::map<LightId, int> seen;
+      double inverse = 0, squares = 0;
+      for (int i = 0; i < kDraws; ++i) {
+        double sum = 0;
+        std::set<LightId> at_once;
+        for (const LightChoice& c : set.choose(point, one(random), odds)) {
+          const float share = set.share(c.light, point, odds);
           ASSERT_NEAR(c.probability, share, 1e-4f * share);
+          ASSERT_TRUE(at_once.insert(c.light).second) << "the same light twice";
           ++seen[c.light];
-          inverse += 1 / static_cast<double>(share);
-          squares += 1 / static_cast<double>(share) / static_cast<double>(share);
+          sum += 1 / static_cast<double>(share);
         }
-        double sum = 0, possible = 0, statistic = 0;
-        int cells = 0;
-        for (LightId id = 0; id < all.size() + 1000; ++id) {
-          const bool known =
-              id < all.size() || id - all.size() < shining_ball()[1].mesh->triangles.size();
-          if (!known) break;
-          const double share = static_cast<double>(along ? set.share_along(id, ray, segment, odds)
-                                                         : set.share(id, point, odds));
-          sum += share;
-          if (share > 0) possible += 1;
-          EXPECT_TRUE(share > 0 || seen[id] == 0);
-          if (share * kDraws < 5) continue;
-          statistic += std::pow(seen[id] - share * kDraws, 2) / (share * kDraws);
-          ++cells;
-        }
-        EXPECT_LT(sum, 1 + 1e-4);
-        const double mean = inverse / kDraws;
-        const double error = std::sqrt(std::max(0.0, squares / kDraws - mean * mean) / kDraws);
-        EXPECT_NEAR(mean, possible, 4.5 * error + 1e-4 * possible);
-        if (cells > 1) {
-          EXPECT_GT(chi2_tail(statistic, cells - 1), 1e-5);
-        }
+        ASSERT_LE(at_once.size(), static_cast<size_t>(odds.samples) + 1);
+        inverse += sum, squares += sum * sum;
       }
+      double sum = 0, possible = 0;
+      for (LightId id = 0; id < all.size() + 1000; ++id) {
+        const bool known =
+            id < all.size() || id - all.size() < shining_ball()[1].mesh->triangles.size();
+        if (!known) break;
+        const double share = static_cast<double>(set.share(id, point, odds));
+        sum += share;
+        if (share > 0) possible += 1;
+        EXPECT_TRUE(share > 0 || seen[id] == 0);
+        // Of some 10,000 such comparisons none is beyond 5.5 deviations by chance.
+        EXPECT_NEAR(seen[id], share * kDraws, 5.5 * std::sqrt(share * kDraws) + 3)
+            << "light " << id;
+      }
+      EXPECT_LT(sum, static_cast<double>(odds.samples) * (1 + 1e-4));
+      const double mean = inverse / kDraws;
+      const double error = std::sqrt(std::max(0.0, squares / kDraws - mean * mean) / kDraws);
+      EXPECT_NEAR(mean, possible, 4.5 * error + 1e-4 * possible);
+    }
+  }
+}
+
+/// The same for a place on a ray, where each choice tells its probability itself.
+TEST(LightTree, EveryLightIsChosenWithItsProbabilityAlongRays) {
+  for (const int count : {1, 5, 40, 300}) {
+    std::vector<LightPtr> all = lamps(count, 3);
+    all.push_back(make_light("portal", {{"center", Vec3d(0, 6, 0)}, {"width", 3.0}}));
+    const LightSet set(all, shining_ball());
+    const Chances chances = some_chances(set.branches());
+    RandomStream random{RandomKey(15)};
+    for (int trial = 0; trial < 8; ++trial) {
+      const Ray ray{Vec3f(place(random)), Vec3f(place(random).normalized())};
+      constexpr int kDraws = 60000;
+      std::map<LightId, std::pair<int, float>> seen;
+      for (int i = 0; i < kDraws; ++i)
+        for (const LightChoice& c :
+             set.choose_along(ray, {0.5f, 3}, one(random), trial % 3 == 2 ? 3.0f : 1.0f,
+                              trial % 2 == 1 ? chances : Chances())) {
+          auto& [times, probability] = seen[c.light];
+          if (times++ > 0) {
+            ASSERT_NEAR(probability, c.probability, 1e-4f * probability);
+          }
+          probability = c.probability;
+        }
+      ASSERT_FALSE(seen.empty());
+      for (const auto& [light, found] : seen) {
+        const auto p = static_cast<double>(found.second);
+        EXPECT_NEAR(found.first, p * kDraws, 5.5 * std::sqrt(p * kDraws) + 3)
+            << count << " lamps, light " << light;
+      }
+    }
+  }
+}
+
+TEST(LightTree, LightsInSightAreChosenMore) {
+  std::vector<LightPtr> all;
+  for (const double x : {-2.0, -1.0, 0.0, 1.0, 2.0})
+    all.push_back(make_light("sphere", {{"center", Vec3d(x, 2, 0)}, {"radius", 0.1}}));
+  const LightSet set(all, {});
+  std::vector<Glance> glances;
+  for (uint32_t i = 0; i < 500; ++i) glances.push_back({{0, 0, 0}, i % 5, i % 5 == 2});
+  const Chances chances(Box3f(Vec3f(-1), Vec3f(1)), 1, 5, glances);
+  const LitPoint point{{0, 0, 0}};
+  LightOdds blind, knowing{1, chances.at(point.position)};
+  set.choose(point, 0.5f, blind), set.choose(point, 0.5f, knowing);
+  for (LightId id = 0; id < 5; ++id) {
+    SCOPED_TRACE(id);
+    EXPECT_GT(set.share(id, point, knowing), 0.009f);
+    // Of 100 glances none: sqrt(p) is a tenth of that of the one in sight, or less.
+    if (id != 2) {
+      EXPECT_LT(set.share(id, point, knowing) / set.share(2, point, knowing),
+                0.3f * set.share(id, point, blind) / set.share(2, point, blind));
     }
   }
 }
@@ -120,7 +176,8 @@ TEST(LightTree, NoLightThatShinesIsLeftOut) {
   int lit = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const LitPoint point = somewhere(random);
-    const LightOdds odds = set.choose(point, 0.5f).odds;
+    LightOdds odds;
+    set.choose(point, 0.5f, odds);
     for (LightId id = 0; id < ids; ++id) {
       const LightSample s = set.sample(id, point, {one(random), one(random)});
       if (!(s.pdf > 0) || (point.on_surface() && dot(s.direction, point.normal) < 1e-3f)) continue;
@@ -163,8 +220,9 @@ TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
       for (int i = 0; i < kDraws; ++i) {
         double value = 0;
         if (tree) {
-          const LightChoice c = set.choose(point, one(random));
-          if (c.light != kNoLight) value = light(c.light) / static_cast<double>(c.probability);
+          LightOdds odds;
+          for (const LightChoice& c : set.choose(point, one(random), odds))
+            value = light(c.light) / static_cast<double>(c.probability);
         } else {
           value = kLamps * light(random.below(kLamps));
         }

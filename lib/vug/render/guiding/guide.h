@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/render/guiding/bright_patches.h>
+#include <vug/render/guiding/chances.h>
 #include <vug/render/guiding/cones.h>
 
 #include <array>
@@ -11,21 +12,9 @@
 
 namespace vug::render {
 
-/// A look at a patch: from where, at which, and whether the ray got there.
-struct Glance {
-  Vec3f from;
-  uint32_t patch = 0;
-  bool reached = false;
-};
-
 /// Patches are to paths what lamps are to direct sampling. A place turns to a patch in proportion
-/// to E sqrt(p): E is how much that would light it were nothing between, p the part of glances from
-/// the place's region that got there. Where a patch is in sight with chance p, and then gives E,
-/// that share a makes the expected square of the estimate, the sum of p E^2 / a, least.
-///
-/// p is learned, as in Vevoda, Kondapaneni, Krivanek 2018, "Bayesian online regression for adaptive
-/// direct illumination sampling" (vevoda2018bayesian), here by counting: what is seen of a patch
-/// from anywhere stands in for a few glances that its region has not taken.
+/// to E sqrt(p): E is how much that would light it were nothing between, p the chance that it is
+/// in sight (see Chances).
 class Guide {
  public:
   /// Knows nothing.
@@ -33,8 +22,8 @@ class Guide {
   /// Finds the patches of what was seen in a scene of these bounds; believes each to be in sight
   /// from everywhere.
   Guide(const std::vector<Sighting>& sightings, const Box3f& bounds);
-  /// The same patches, and what glances tell of them. The order of these does not matter.
-  Guide(const Guide& patches, const std::vector<Glance>& glances);
+  /// Takes note of what glances tell of the patches.
+  void learn(const std::vector<Glance>& glances);
 
   bool empty() const { return patches_.empty(); }
   const std::vector<BrightPatch>& patches() const { return patches_; }
@@ -44,17 +33,13 @@ class Guide {
 
  private:
   using Row = std::array<float, Cones::kMost>;  ///< A value for each patch.
-  size_t region(const Vec3f& point) const;
 
   std::vector<BrightPatch> patches_;
   // Of patches, each value in a row of its own, so that a place weighs eight at a time.
   Row x_{}, y_{}, z_{}, radius_{}, power_{};
   float elsewhere_ = 0;  ///< Irradiance of a usual surface.
   Box3f bounds_;
-  float regions_per_metre_ = 1;
-  std::array<int, 3> regions_{1, 1, 1};
-  std::vector<uint32_t> row_of_{0};  ///< Of each region; 0: none took a glance from there.
-  std::vector<Row> chance_{Row{}};   ///< sqrt(p).
+  Chances chances_;
 };
 
 }  // namespace vug::render

@@ -41,9 +41,9 @@ struct Path {
                 .max = 1})
         .choice("guide", &Path::guide,
                 {{"auto", Guided::automatic}, {"on", Guided::on}, {"off", Guided::off}},
-                "Learns first which surfaces are bright and from where they are seen, and lets "
-                "paths turn to them: less noise where light comes over walls. auto leaves it out "
-                "of tiny pictures.");
+                "Learns first which surfaces are bright, and from where these and the lights are "
+                "seen, and lets paths turn to them: less noise where light comes over walls and "
+                "where walls hide lamps. auto leaves it out of tiny pictures.");
   }
 };
 
@@ -55,6 +55,9 @@ constexpr uint32_t kTrackingDimension = 7;  // of a bounce's
 /// A cone that a diffuse surface has turned is so wide at least, in radians: what is seen by way
 /// of it needs no fine detail.
 constexpr float kBlur = 0.05f;
+
+/// Where the camera looks, a few lights at once are cheaper than more paths.
+constexpr float kLightsSeen = 2;
 
 /// Pictures of fewer samples are done before a guide is learned.
 constexpr uint64_t kWorthLearning = 1u << 16;
@@ -90,23 +93,22 @@ class PathIntegrator final : public Integrator {
     if (guided_ == Guided::off || max_bounces_ < 1) return nullptr;
     if (guided_ == Guided::automatic && rehearsal.samples < kWorthLearning) return nullptr;
     const auto share = static_cast<uint64_t>(kLearning * static_cast<double>(rehearsal.samples));
-    const auto gather = [&](const Ray& ray, SampleCursor& numbers, const Guide& guide,
+    const auto gather = [&](const Ray& ray, SampleCursor& numbers, const Learned& learned,
                             Trail& trail) {
-      trail.learn(walk(rehearsal.world, ray, numbers, nullptr, guide, &trail).radiance);
+      trail.learn(walk(rehearsal.world, ray, numbers, nullptr, learned, &trail).radiance);
     };
     auto led = std::make_shared<PathIntegrator>(*this);
-    led->guide_ =
-        learn_guide(rehearsal, std::clamp(share, kFewestPaths, kMostPaths), gather, progress);
+    led->learned_ = learn(rehearsal, std::clamp(share, kFewestPaths, kMostPaths), gather, progress);
     return led;
   }
   PathResult trace(const World& world, const Ray& camera_ray, SampleCursor& numbers,
                    Tally* tally) const override {
-    return walk(world, camera_ray, numbers, tally, guide_, nullptr);
+    return walk(world, camera_ray, numbers, tally, learned_, nullptr);
   }
 
  private:
   PathResult walk(const World& world, const Ray& camera_ray, SampleCursor& numbers, Tally* tally,
-                  const Guide& guide, Trail* trail) const;
+                  const Learned& learned, Trail* trail) const;
 
   /// Which part of the light of one vertex may go into the picture: all while the camera sees it
   /// itself.
@@ -121,11 +123,11 @@ class PathIntegrator final : public Integrator {
   Guided guided_;
   float most_;
   float regularize_;
-  Guide guide_;
+  Learned learned_;
 };
 
 PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, SampleCursor& numbers,
-                                Tally* tally, const Guide& guide, Trail* trail) const {
+                                Tally* tally, const Learned& learned, Trail* trail) const {
   PathResult result;
   Ray ray = camera_ray;
   Rgb throughput(1.0f);
@@ -136,6 +138,9 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
   Rgb absorption(0.0f);                         // of the clear body that the ray is in
   bool within = false;
   const Medium* medium = world.medium();
+  const auto odds_at = [&](const Vec3f& point, float lights) {
+    return LightOdds{lights, learned.lights.empty() ? nullptr : learned.lights.at(point)};
+  };
   // Adds what one vertex gives; the scale at which the tally settles it.
   const auto add = [&](const Rgb& light, int depth) {
     const float part = kept(light, depth);
@@ -176,16 +181,15 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
     const Vec2f light_u = numbers.pair();
     const Vec2f scatter_u = numbers.pair();
     const float survive_u = numbers.single();
-    // Where the camera looks, a few lights are cheaper to sample all than to choose from.
-    const bool all_lights = depth == 0 && !world.lights().few().empty();
+    const float lights = depth == 0 ? kLightsSeen : 1;
     bool in_medium = false;
     if (medium && !within) {
       const Segment segment = medium->clip(ray, end);
       if (!segment.empty() && segment.end < kFar) {
         const Vec2f distance_u = numbers.pair();
         const Rgb light =
-            throughput * scattered_light(world, ray, segment, all_lights, choice.x, distance_u.x,
-                                         numbers.pair(), tracking, tally);
+            throughput * scattered_light(world, ray, segment, lights, learned.lights, choice.x,
+                                         distance_u.x, numbers.pair(), tracking, tally);
         const Rgb scale = add(light, depth);
         if (tally) tally->settle_medium(depth, scale);
         if (medium->burns()) {
@@ -224,13 +228,13 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
       hit.surface.blur = blur;
       BsdfMemory memory;
       const Bsdf& own = hit.material->at(hit.surface, frame.to_local(-ray.direction), memory);
-      const Cones bright = guide.at(hit.surface.position, hit.surface.shading_normal);
+      const Cones bright = learned.guide.at(hit.surface.position, hit.surface.shading_normal);
       const GuidedBsdf bsdf(own, frame, bright);
       if (trail) trail->add(hit.origin, hit.surface.geometric_normal, throughput, result.radiance);
       from = {PathVertex::surface,
               {hit.origin, hit.surface.geometric_normal, hit.object},
               0,
-              {all_lights}};
+              odds_at(hit.origin, lights)};
       // Then light arrives from both sides.
       if (own.lit_from_behind()) from.point.normal = Vec3f(0.0f);
       const Rgb light = throughput * direct_light(world, hit, bsdf, frame, from, choice.x, light_u,
@@ -262,9 +266,12 @@ PathResult PathIntegrator::walk(const World& world, const Ray& camera_ray, Sampl
         BsdfMemory place;
         const Bsdf* leaving = hit.material->leaving(hit.surface, place);
         if (!leaving) break;
-        const Cones around = guide.at(hit.surface.position, hit.surface.shading_normal);
+        const Cones around = learned.guide.at(hit.surface.position, hit.surface.shading_normal);
         const GuidedBsdf out(*leaving, outside, around);
-        from = {PathVertex::surface, {hit.origin, hit.surface.geometric_normal, hit.object}, 0, {}};
+        from = {PathVertex::surface,
+                {hit.origin, hit.surface.geometric_normal, hit.object},
+                0,
+                odds_at(hit.origin, 1)};
         const float which = next_float(random);
         const Rgb more = throughput * direct_light(world, hit, out, outside, from, which,
                                                    next_pair(random), tracking, tally);

@@ -18,7 +18,7 @@ Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
   const Ray ray{behind ? hit.behind : hit.origin, s.direction};
   if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
   const float direct = s.distance == kFar
-                           ? world.lights().sky_pdf(vertex.point, chosen.odds, s.direction)
+                           ? world.lights().sky_pdf(vertex.point, vertex.odds, s.direction)
                            : chosen.probability * s.pdf;
   const float density = direct + scattering.pdf;
   if (!(density > 0)) return Rgb(0.0f);
@@ -36,17 +36,10 @@ Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
 Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
                  PathVertex& vertex, float choice, const Vec2f& u, TrackingNumbers& numbers,
                  Tally* tally) {
-  if (vertex.odds.all) {
-    Rgb sum(0.0f);
-    for (const LightId id : world.lights().few())
-      if (world.lights().share(id, vertex.point, vertex.odds) > 0)
-        sum += light_from(world, {id, 1, vertex.odds}, hit, bsdf, frame, vertex, u, numbers, tally);
-    return sum;
-  }
-  const LightChoice chosen = world.lights().choose(vertex.point, choice);
-  vertex.odds = chosen.odds;
-  if (chosen.light == kNoLight) return Rgb(0.0f);
-  return light_from(world, chosen, hit, bsdf, frame, vertex, u, numbers, tally);
+  Rgb sum(0.0f);
+  for (const LightChoice& chosen : world.lights().choose(vertex.point, choice, vertex.odds))
+    sum += light_from(world, chosen, hit, bsdf, frame, vertex, u, numbers, tally);
+  return sum;
 }
 
 }  // namespace vug::render

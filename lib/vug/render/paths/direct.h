@@ -6,8 +6,8 @@
 
 namespace vug::render {
 
-/// Direct light at a surface, scattered towards the viewer. `vertex.odds.all` asks for a sample of
-/// every light; else one is chosen, and its odds are noted in the vertex. `tally` may be null.
+/// Direct light at a surface, scattered towards the viewer, by as many lights as `vertex.odds` asks
+/// for; the odds are told the rest. `tally` may be null.
 Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
                  PathVertex& vertex, float choice, const Vec2f& u, TrackingNumbers& numbers,
                  Tally* tally);
@@ -15,9 +15,10 @@ Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, con
 /// Light that is scattered once into the ray, anywhere in a segment of the medium, weighed by the
 /// clear part of the way back to the ray's origin. The place is chosen about each lamp by
 /// equiangular sampling (Kulla and Fajardo 2012, "Importance sampling techniques for path tracing
-/// in participating media", kulla2012media) or by the medium itself, half and half.
-Rgb scattered_light(const World& world, const Ray& ray, const Segment& segment, bool all,
-                    float choice, float where, const Vec2f& u, TrackingNumbers& numbers,
-                    Tally* tally);
+/// in participating media", kulla2012media) or by the medium itself, half and half. At most
+/// `samples` lights.
+Rgb scattered_light(const World& world, const Ray& ray, const Segment& segment, float samples,
+                    const Chances& sight, float choice, float where, const Vec2f& u,
+                    TrackingNumbers& numbers, Tally* tally);
 
 }  // namespace vug::render

@@ -1,6 +1,7 @@
 #include <vug/base/parallel.h>
 #include <vug/render/camera.h>
 #include <vug/render/paths/rehearsal.h>
+#include <vug/render/paths/vertex.h>
 #include <vug/render/sampling.h>
 #include <vug/render/world.h>
 
@@ -15,6 +16,20 @@ constexpr int kRounds = 3;
 constexpr size_t kChunk = 256;
 /// Glances are taken from so many places for each path of a round, evenly over all sightings.
 constexpr double kPlaces = 0.5;
+/// From each at so many lights.
+constexpr size_t kLightsAtOnce = 4;
+/// Edge of the regions that share what they see of lights, in parts of the scene's diagonal.
+constexpr float kRegion = 1.0f / 32;
+
+constexpr uint32_t kNothing = ~0u;
+
+/// Without those that looked at nothing.
+std::vector<Glance> taken(std::vector<Glance> glances) {
+  glances.erase(std::remove_if(glances.begin(), glances.end(),
+                               [](const Glance& glance) { return glance.at == kNothing; }),
+                glances.end());
+  return glances;
+}
 
 SampleId sample_id(const Rehearsal& rehearsal, uint64_t salt, size_t index, size_t count) {
   SampleId id;
@@ -25,7 +40,7 @@ SampleId sample_id(const Rehearsal& rehearsal, uint64_t salt, size_t index, size
 }
 
 /// What `paths` camera rays all over the picture see, in their order.
-void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Guide& guide,
+void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Learned& learned,
            const TrailedPath& gather, Progress& progress, std::vector<Sighting>& sightings) {
   std::vector<std::vector<Sighting>> chunks((paths + kChunk - 1) / kChunk);
   parallel_for(chunks.size(), [&](size_t chunk) {
@@ -35,7 +50,7 @@ void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Guide&
       SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, salt, index, paths));
       const Vec2f film = numbers.pair(), lens = numbers.pair();
       Trail trail(chunks[chunk]);
-      gather(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers, guide, trail);
+      gather(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers, learned, trail);
     }
   });
   for (const std::vector<Sighting>& chunk : chunks)
@@ -50,8 +65,7 @@ std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64
   const size_t step = std::max<size_t>(1, sightings.size() / std::max<size_t>(most, 1));
   const size_t places = sightings.size() / step;
   const std::vector<BrightPatch>& patches = guide.patches();
-  std::vector<Glance> glances(2 * places);
-  std::vector<char> taken(2 * places, 0);
+  std::vector<Glance> glances(2 * places, Glance{{0, 0, 0}, kNothing, false});
   parallel_for(
       places,
       [&](size_t place) {
@@ -79,37 +93,79 @@ std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64
           const bool reached =
               found && length(hit.surface.position - patches[patch].centre) <= radius;
           glances[i] = {at.point, patch, reached};
-          taken[i] = 1;
         }
       },
       64);
-  size_t kept = 0;
-  for (size_t i = 0; i < glances.size(); ++i)
-    if (taken[i]) glances[kept++] = glances[i];
-  glances.resize(kept);
-  return glances;
+  return taken(std::move(glances));
+}
+
+/// Somewhere on the way that light may take to a surface.
+LitPoint in_the_air(const World& world, const Sighting& at, SampleCursor& numbers) {
+  const Ray ray{at.point, Frame(at.normal).to_world(sample_cosine_hemisphere(numbers.pair()))};
+  Hit hit;
+  const float end = world.intersect(ray, hit) ? hit.distance : length(world.bounds().size());
+  return {ray.at(end * numbers.single())};
+}
+
+/// Looks from places that paths came to at lights of a few branches, of each in turn.
+std::vector<Glance> glance_at_lights(const Rehearsal& rehearsal, size_t most, uint64_t salt,
+                                     const std::vector<Sighting>& sightings, Progress& progress) {
+  const World& world = rehearsal.world;
+  const size_t branches = world.lights().branches(), each = std::min(branches, kLightsAtOnce);
+  const size_t step = std::max<size_t>(1, sightings.size() / std::max<size_t>(most, 1));
+  const size_t places = sightings.size() / step;
+  std::vector<Glance> glances(each * places, Glance{{0, 0, 0}, kNothing, false});
+  parallel_for(
+      places,
+      [&](size_t place) {
+        progress.check();
+        const Sighting& at = sightings[place * step];
+        SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, salt, place, places));
+        LitPoint point{at.point, at.normal};
+        if (world.medium() && place % 2 == 1) point = in_the_air(world, at, numbers);
+        for (size_t i = each * place; i < each * (place + 1); ++i) {
+          const float which = numbers.single();
+          const Vec2f u = numbers.pair();
+          const LightChoice chosen = world.lights().choose_in(i % branches, point, which);
+          if (chosen.light == kNoLight) continue;
+          const LightSample s = world.lights().sample(chosen.light, point, u);
+          if (!(s.pdf > 0) || (point.on_surface() && !(dot(s.direction, point.normal) > 0)) ||
+              is_black(unshadowed(world, s, kNoObject)))
+            continue;
+          glances[i] = {point.position, static_cast<uint32_t>(i % branches),
+                        !shadowed(world, {point.position, s.direction}, s.distance)};
+        }
+      },
+      64);
+  return taken(std::move(glances));
 }
 
 }  // namespace
 
-Guide learn_guide(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gather,
-                  Progress& progress) {
+Learned learn(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gather,
+              Progress& progress) {
   progress.begin("learning where light comes from", 2 * kRounds);
+  const Box3f& bounds = rehearsal.world.bounds();
+  const size_t branches = rehearsal.world.lights().branches();
+  const auto places = static_cast<size_t>(kPlaces * static_cast<double>(paths));
   std::vector<Sighting> sightings;
-  Guide guide;
+  Learned learned;
   for (int round = 0; round < kRounds; ++round) {
-    const auto salt = static_cast<uint64_t>(2 * round);
-    watch(rehearsal, std::max<size_t>(1, (paths << round) >> kRounds), salt, guide, gather,
+    const auto salt = static_cast<uint64_t>(3 * round);
+    watch(rehearsal, std::max<size_t>(1, (paths << round) >> kRounds), salt, learned, gather,
           progress, sightings);
     progress.advance();
-    guide = Guide(sightings, rehearsal.world.bounds());
-    if (!guide.empty())
-      guide = Guide(guide, glance_about(rehearsal, static_cast<size_t>(kPlaces * double(paths)),
-                                        salt + 1, guide, sightings, progress));
+    if (branches > 1)
+      learned.lights = Chances(bounds, kRegion * std::max(length(bounds.size()), 1e-3f), branches,
+                               glance_at_lights(rehearsal, places, salt + 1, sightings, progress));
+    learned.guide = Guide(sightings, bounds);
+    if (!learned.guide.empty())
+      learned.guide.learn(
+          glance_about(rehearsal, places, salt + 2, learned.guide, sightings, progress));
     progress.advance();
   }
   progress.end();
-  return guide;
+  return learned;
 }
 
 }  // namespace vug::render

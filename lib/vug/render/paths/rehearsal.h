@@ -9,12 +9,17 @@
 
 namespace vug::render {
 
-/// How a path gathers light, led by a guide that may know nothing yet; it tells the trail.
-using TrailedPath = std::function<void(const Ray&, SampleCursor&, const Guide&, Trail&)>;
+/// What paths are led by.
+struct Learned {
+  Guide guide;     ///< To bright surfaces; empty where none is much brighter than others.
+  Chances lights;  ///< That branches of lights are in sight; empty where lights are no choice.
+};
 
-/// A guide for the picture, learned from so many paths. It is empty where no surface is much
-/// brighter than others. Error(cancelled).
-Guide learn_guide(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gather,
-                  Progress& progress);
+/// How a path gathers light, led by what may be nothing yet; it tells the trail.
+using TrailedPath = std::function<void(const Ray&, SampleCursor&, const Learned&, Trail&)>;
+
+/// Learns for the picture from so many paths. Error(cancelled).
+Learned learn(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gather,
+              Progress& progress);
 
 }  // namespace vug::render

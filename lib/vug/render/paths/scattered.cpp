@@ -66,21 +66,14 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
 
 }  // namespace
 
-Rgb scattered_light(const World& world, const Ray& ray, const Segment& segment, bool all,
-                    float choice, float where, const Vec2f& u, TrackingNumbers& numbers,
-                    Tally* tally) {
-  if (all) {
-    Rgb sum(0.0f);
-    const LightOdds every{true};
-    for (const LightId id : world.lights().few())
-      if (world.lights().share_along(id, ray, segment, every) > 0)
-        sum += scattered_from(world, {id, 1, every}, ray, segment, where, u, numbers, tally);
-    return sum;
-  }
-  const LightChoice chosen = world.lights().choose_along(ray, segment, choice);
-  return chosen.light == kNoLight
-             ? Rgb(0.0f)
-             : scattered_from(world, chosen, ray, segment, where, u, numbers, tally);
+Rgb scattered_light(const World& world, const Ray& ray, const Segment& segment, float samples,
+                    const Chances& sight, float choice, float where, const Vec2f& u,
+                    TrackingNumbers& numbers, Tally* tally) {
+  Rgb sum(0.0f);
+  for (const LightChoice& chosen :
+       world.lights().choose_along(ray, segment, choice, samples, sight))
+    sum += scattered_from(world, chosen, ray, segment, where, u, numbers, tally);
+  return sum;
 }
 
 }  // namespace vug::render
