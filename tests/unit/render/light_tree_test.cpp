@@ -155,13 +155,15 @@ TEST(LightTree, LightsInSightAreChosenMore) {
   const LitPoint point{{0, 0, 0}};
   LightOdds blind, knowing{1, chances.at(point.position)};
   set.choose(point, 0.5f, blind), set.choose(point, 0.5f, knowing);
+  const LightId seen = set.choose_in(2, point, 0.5f).light;
+  ASSERT_NE(seen, kNoLight);
   for (LightId id = 0; id < 5; ++id) {
     SCOPED_TRACE(id);
-    EXPECT_GT(set.share(id, point, knowing), 0.009f);
+    const float share = set.share(id, point, knowing) / set.share(seen, point, knowing);
+    EXPECT_GT(share, 0.009f);
     // Of 100 glances none: sqrt(p) is a tenth of that of the one in sight, or less.
-    if (id != 2) {
-      EXPECT_LT(set.share(id, point, knowing) / set.share(2, point, knowing),
-                0.3f * set.share(id, point, blind) / set.share(2, point, blind));
+    if (id != seen) {
+      EXPECT_LT(share, 0.3f * set.share(id, point, blind) / set.share(seen, point, blind));
     }
   }
 }
