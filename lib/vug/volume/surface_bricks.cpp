@@ -1,0 +1,152 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/volume/grid_access.h>
+#include <vug/volume/surface_bricks.h>
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace vug::volume {
+namespace {
+
+using openvdb::Coord;
+using Leaf = openvdb::FloatTree::LeafNodeType;
+using Brick = SurfaceBricks::Brick;
+constexpr int kSize = SurfaceBricks::kSize;
+
+// Pictures are told apart by these bytes.
+static_assert(std::has_unique_object_representations_v<Brick>);
+static_assert(Leaf::DIM == kSize);
+
+/// Around a crossed cell nothing that gradients need lies farther from the surface.
+constexpr double kReach = 4;  // voxels
+
+const openvdb::FloatGrid& floats(const LevelSet& level_set) {
+  return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
+}
+
+int16_t rounded(float value, float units) {
+  const float scaled = std::clamp(std::nearbyint(value * units), -32767.0f, 32767.0f);
+  return static_cast<int16_t>(value < 0 ? std::min(scaled, -1.0f) : scaled);
+}
+
+Brick brick_at(const openvdb::FloatGrid& grid, const Coord& origin, float units) {
+  const auto accessor = grid.getConstUnsafeAccessor();
+  const Leaf* leaves[27];
+  float without[27];
+  for (int n = 0; n < 27; ++n) {
+    const Coord at =
+        origin.offsetBy((n / 9 - 1) * kSize, (n / 3 % 3 - 1) * kSize, (n % 3 - 1) * kSize);
+    leaves[n] = accessor.probeConstLeaf(at);
+    without[n] = leaves[n] ? 0 : accessor.getValue(at);
+  }
+  Brick brick;
+  brick.first = {origin.x(), origin.y(), origin.z()};
+  size_t to = 0;
+  const auto block = [](int x) { return (x + kSize) / kSize; };
+  const auto within = [](int x) { return static_cast<unsigned>(x + kSize) % kSize; };
+  for (int i = -1; i < kSize + 2; ++i)
+    for (int j = -1; j < kSize + 2; ++j)
+      for (int k = -1; k < kSize + 2; ++k) {
+        const int n = block(i) * 9 + block(j) * 3 + block(k);
+        const unsigned offset = within(i) * kSize * kSize + within(j) * kSize + within(k);
+        brick.values[to++] = rounded(leaves[n] ? leaves[n]->getValue(offset) : without[n], units);
+      }
+  brick.find_crossed();
+  return brick;
+}
+
+/// Blocks that can hold a crossed cell: some corner of it lies in a leaf, its first one there or in
+/// a block before.
+std::vector<Coord> candidates(const openvdb::FloatGrid& grid) {
+  std::vector<Coord> all;
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
+    for (int n = 0; n < 8; ++n)
+      all.push_back(
+          leaf->origin().offsetBy(-(n >> 2) * kSize, -(n >> 1 & 1) * kSize, -(n & 1) * kSize));
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace
+
+SurfaceBricks::SurfaceBricks(const LevelSet& level_set, double smallest_piece)
+    : voxel_(level_set.voxel()), step_(std::min(level_set.background(), kReach * voxel_) / 32767) {
+  const openvdb::FloatGrid& grid = floats(level_set);
+  const auto world = [&](const Vec3d& p) {
+    const openvdb::Vec3d q = grid.indexToWorld(openvdb::Vec3d(p.x, p.y, p.z));
+    return Vec3d(q.x(), q.y(), q.z());
+  };
+  origin_ = world({0, 0, 0});
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3d unit(0.0);
+    unit[axis] = 1;
+    if (!((world(unit) - origin_ - unit * voxel_).length() < 1e-9 * voxel_))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the axes of level set '{}' are turned", level_set.name()));
+  }
+  const auto units = static_cast<float>(1 / step_);
+  const std::vector<Coord> blocks = candidates(grid);
+  std::vector<uint8_t> crossed(blocks.size());
+  parallel_for(
+      blocks.size(), [&](size_t i) { crossed[i] = brick_at(grid, blocks[i], units).any_crossed(); },
+      16);
+  std::vector<Coord> kept;
+  for (size_t i = 0; i < blocks.size(); ++i)
+    if (crossed[i]) kept.push_back(blocks[i]);
+  bricks_.resize(kept.size());
+  parallel_for(
+      kept.size(), [&](size_t i) { bricks_[i] = brick_at(grid, kept[i], units); }, 16);
+  // What was in a crumb is a crumb when that has gone.
+  for (size_t gone = 1; smallest_piece > 0 && gone > 0; pieces_left_out_ += gone)
+    gone = flip_small_sets(smallest_piece);
+  bricks_.shrink_to_fit();
+}
+
+void SurfaceBricks::Brick::find_crossed() {
+  mask.fill(0), low.fill(kSize), high.fill(0);
+  for (int i = 0; i < kSize; ++i)
+    for (int j = 0; j < kSize; ++j)
+      for (int k = 0; k < kSize; ++k) {
+        int inside = 0;
+        for (int corner = 0; corner < 8; ++corner)
+          inside += at(i + (corner >> 2), j + (corner >> 1 & 1), k + (corner & 1)) < 0;
+        if (inside == 0 || inside == 8) continue;
+        mask[static_cast<size_t>(i * kSize + j)] |= static_cast<uint8_t>(1 << k);
+        const int cell[] = {i, j, k};
+        for (size_t axis = 0; axis < 3; ++axis) {
+          low[axis] = std::min(low[axis], static_cast<uint8_t>(cell[axis]));
+          high[axis] = std::max(high[axis], static_cast<uint8_t>(cell[axis] + 1));
+        }
+      }
+}
+
+Box3d SurfaceBricks::box(size_t number) const {
+  const Brick& brick = bricks_[number];
+  Box3d out;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<size_t>(axis);
+    out.min[axis] = origin_[axis] + (brick.first[a] + brick.low[a]) * voxel_;
+    out.max[axis] = origin_[axis] + (brick.first[a] + brick.high[a]) * voxel_;
+  }
+  return out;
+}
+
+Box3d SurfaceBricks::bounds() const {
+  Box3d all;
+  for (size_t i = 0; i < bricks_.size(); ++i) all.extendBy(box(i));
+  return all;
+}
+
+/// A surface of area A meets 1.5 A / edge^2 cubes on average: see estimate.cpp.
+double brick_estimate(double area, double voxel) {
+  const double edge = SurfaceBricks::kSize * voxel;
+  return 1.5 * area / (edge * edge);
+}
+
+}  // namespace vug::volume
