@@ -75,6 +75,11 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
   for (size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
     const bool varies = object.material && object.material->shines();
+    if (object.surface && (varies || !is_black(object.emission)))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("object '{}' shines, but has no mesh whose triangles could be lamps",
+                              object.name),
+                  {}, "leave out 'direct'");
     if (!object.mesh || object.mesh->triangles.empty() || (is_black(object.emission) && !varies))
       continue;
     if (count_ + object.mesh->triangles.size() > (1u << 28))

@@ -1,15 +1,13 @@
 #include <vug/base/error.h>
-#include <vug/render/geometry.h>
+#include <vug/render/embree.h>
 #include <vug/render/kinds.h>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
 
 namespace vug::render {
 namespace {
@@ -23,6 +21,17 @@ std::shared_ptr<std::vector<std::array<Vec3f, 3>>> corners_of(const mesh::Mesh& 
   for (const mesh::Triangle& t : mesh.triangles)
     corners->push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
   return corners;
+}
+
+Box3f box_of(const mesh::Mesh& mesh) {
+  Box3f box;
+  for (const Vec3f& p : mesh.positions) box.extendBy(p);
+  return box;
+}
+
+Box3f box_of(const volume::SurfaceBricks& surface) {
+  const Box3d box = surface.bounds();
+  return {Vec3f(box.min), Vec3f(box.max)};
 }
 
 float extent_of(const Vec3f& point) {
@@ -57,50 +66,39 @@ Vec3f lifted(const Vec3f& point, const Vec3f& normal, float extent) {
   return point + normal * (extent * kUnits);
 }
 
-struct World::Geometry::Embree {
-  /// The tree of a mesh that instances share.
-  struct Shape {
-    RTCScene scene = nullptr;
-    std::shared_ptr<const Corners> corners;
-    Box3f box;
-  };
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-  std::map<const mesh::Mesh*, Shape> shapes;
+World::Geometry::Embree::~Embree() {
+  if (scene) rtcReleaseScene(scene);
+  for (const auto& each : shapes)
+    if (each.second.scene) rtcReleaseScene(each.second.scene);
+  if (device) rtcReleaseDevice(device);
+}
 
-  ~Embree() {
-    if (scene) rtcReleaseScene(scene);
-    for (const auto& each : shapes)
-      if (each.second.scene) rtcReleaseScene(each.second.scene);
-    if (device) rtcReleaseDevice(device);
-  }
-  void check(const char* doing) const {
-    const RTCError code = rtcGetDeviceError(device);
-    if (code == RTC_ERROR_NONE) return;
-    throw Error(code == RTC_ERROR_OUT_OF_MEMORY ? ErrorCode::too_large : ErrorCode::internal,
-                fmt::format("{} failed in the ray tracing library (code {})", doing,
-                            static_cast<int>(code)));
-  }
-  RTCScene new_scene() const {
-    RTCScene made = rtcNewScene(device);
-    rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_MEDIUM);
-    return made;
-  }
-  void attach(RTCScene to, RTCGeometry geometry, size_t number) const {
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(to, geometry, static_cast<unsigned>(number));
-    rtcReleaseGeometry(geometry);
-  }
-  void add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const;
-  void add_instance(const Shape& shape, const Placing& placing, size_t number) const;
-  void build(RTCScene what) const {
-    tbb::task_arena arena(kBuildSlots);
-    arena.execute([&] { rtcJoinCommitScene(what); });
-    check("building the tree of triangles");
-  }
-  const Shape& shape(const Object& object);
-};
+void World::Geometry::Embree::check(const char* doing) const {
+  const RTCError code = rtcGetDeviceError(device);
+  if (code == RTC_ERROR_NONE) return;
+  throw Error(
+      code == RTC_ERROR_OUT_OF_MEMORY ? ErrorCode::too_large : ErrorCode::internal,
+      fmt::format("{} failed in the ray tracing library (code {})", doing, static_cast<int>(code)));
+}
+
+RTCScene World::Geometry::Embree::new_scene() const {
+  RTCScene made = rtcNewScene(device);
+  rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_MEDIUM);
+  return made;
+}
+
+void World::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry, size_t number) const {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(to, geometry, static_cast<unsigned>(number));
+  rtcReleaseGeometry(geometry);
+}
+
+void World::Geometry::Embree::build(RTCScene what) const {
+  tbb::task_arena arena(kBuildSlots);
+  arena.execute([&] { rtcJoinCommitScene(what); });
+  check("building the tree of triangles");
+}
 
 void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -132,13 +130,20 @@ void World::Geometry::Embree::add_instance(const Shape& shape, const Placing& pl
 }
 
 const World::Geometry::Embree::Shape& World::Geometry::Embree::shape(const Object& object) {
-  const auto [at, is_new] = shapes.try_emplace(object.mesh.get());
+  const void* key = object.mesh.get();
+  if (object.surface) key = object.surface.get();
+  const auto [at, is_new] = shapes.try_emplace(key);
   Shape& shape = at->second;
   if (is_new) {
-    shape.corners = corners_of(*object.mesh);
-    for (const Vec3f& p : object.mesh->positions) shape.box.extendBy(p);
     shape.scene = new_scene();
-    add_mesh(shape.scene, *object.mesh, 0);
+    if (object.surface) {
+      shape.box = box_of(*object.surface);
+      add_surface(shape.scene, *object.surface, 0);
+    } else {
+      shape.corners = corners_of(*object.mesh);
+      shape.box = box_of(*object.mesh);
+      add_mesh(shape.scene, *object.mesh, 0);
+    }
     build(shape.scene);
   }
   return shape;
@@ -157,22 +162,30 @@ World::Geometry::Geometry(const std::vector<Object>& objects)
 }
 
 void World::Geometry::add(const Object& object, uint32_t number) {
-  if (!object.mesh)
+  if (!object.mesh && !object.surface)
     throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
-  const mesh::Mesh& mesh = *object.mesh;
-  if (!embree_->shapes.count(&mesh)) mesh::validate(mesh, fmt::format("object '{}'", object.name));
-  if (mesh.triangles.empty()) return;
   Part part;
-  part.mesh = object.mesh;
   part.material = object.material ? object.material : make_material("lambert");
   part.object = number;
   part.emission = object.emission;
   part.solid = object.solid;
   part.placing = object.placing;
   part.looks_by_place = object.looks_by_place;
-  if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
-  if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
-    part.colours = colour->values.data();
+  if (object.surface) {
+    if (object.surface->bricks().empty()) return;
+    part.surface = object.surface;
+    part.color = object.color;
+    part.flat = object.flat;
+  } else {
+    const mesh::Mesh& mesh = *object.mesh;
+    if (!embree_->shapes.count(&mesh))
+      mesh::validate(mesh, fmt::format("object '{}'", object.name));
+    if (mesh.triangles.empty()) return;
+    part.mesh = object.mesh;
+    if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
+    if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
+      part.colours = colour->values.data();
+  }
   if (object.placing) {
     const Embree::Shape& shape = embree_->shape(object);
     part.corners = shape.corners;
@@ -185,10 +198,13 @@ void World::Geometry::add(const Object& object, uint32_t number) {
             to.point({corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
                       corner & 4 ? box.max.z : box.min.z}));
       }
+  } else if (object.surface) {
+    embree_->add_surface(embree_->scene, *object.surface, parts_.size());
+    bounds.extendBy(box_of(*object.surface));
   } else {
-    part.corners = corners_of(mesh);
-    embree_->add_mesh(embree_->scene, mesh, parts_.size());
-    for (const Vec3f& p : mesh.positions) bounds.extendBy(p);
+    part.corners = corners_of(*object.mesh);
+    embree_->add_mesh(embree_->scene, *object.mesh, parts_.size());
+    bounds.extendBy(box_of(*object.mesh));
   }
   parts_.push_back(std::move(part));
 }
@@ -207,11 +223,15 @@ bool World::Geometry::intersect(const Ray& ray, float time, Hit& hit) const {
   rtcInitIntersectContext(&context);
   rtcIntersect1(embree_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  if (query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
-    fill(parts_[query.hit.geomID], query.hit.primID, OwnSpace(), ray, hit);
-  } else {
-    const Part& part = parts_[query.hit.instID[0]];
+  const bool own = query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
+  const Part& part = parts_[own ? query.hit.geomID : query.hit.instID[0]];
+  if (part.surface)
+    fill_surface(part, query.hit.primID, query.ray.tfar, time, ray, hit);
+  else if (own)
+    fill(part, query.hit.primID, OwnSpace(), ray, hit);
+  else
     fill(part, query.hit.primID, PlacedSpace(*part.placing, time), ray, hit);
+  if (!own) {
     hit.surface.placing = part.placing.get();
     hit.surface.looks_by_place = part.looks_by_place;
     hit.surface.time = time;

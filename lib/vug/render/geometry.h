@@ -1,4 +1,5 @@
-// The only file pair that speaks to Embree.
+// What stands in a scene, as rays meet it. Only this, geometry_grid.cpp and embree.h speak to
+// Embree.
 #pragma once
 
 #include <vug/render/scene.h>
@@ -11,11 +12,11 @@
 
 namespace vug::render {
 
-/// All triangles of a scene. Objects that stand in the scene itself make one tree; each mesh of
-/// instances has a tree of its own, whose places stand in that one. Trees are built by a fixed
-/// plan, so that they are the same for any number of threads; Embree only tells which triangle is
-/// nearest, and distance and place on it are computed here, so that they have the same bits on
-/// every machine.
+/// All triangles and level sets of a scene. Objects that stand in the scene itself make one tree;
+/// each mesh of instances has a tree of its own, whose places stand in that one. Trees are built by
+/// a fixed plan, so that they are the same for any number of threads; Embree only tells which
+/// triangle is nearest, and distance and place on it are computed here, so that they have the same
+/// bits on every machine.
 struct World::Geometry {
   explicit Geometry(const std::vector<Object>& objects);
   ~Geometry();
@@ -42,11 +43,17 @@ struct World::Geometry {
     std::shared_ptr<const field::SampledGrid> solid;
     PlacingPtr placing;
     bool looks_by_place = false;
+    volume::SurfaceBricksPtr surface;  ///< In place of the mesh; then also:
+    paint::Paint color;
+    bool flat = false;
   };
   void add(const Object& object, uint32_t number);
   template <class Space>
   void fill(const Part& part, uint32_t triangle, const Space& space, const Ray& ray,
             Hit& hit) const;
+  /// `brick` was hit, about at the distance `found`.
+  static void fill_surface(const Part& part, uint32_t brick, float found, float time,
+                           const Ray& ray, Hit& hit);
 
   std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.
   std::unique_ptr<Embree> embree_;

@@ -25,6 +25,7 @@ SurfaceSpot::SurfaceSpot(const Surface& surface) : surface_(surface) {
 }
 
 std::optional<Vec3d> SurfaceSpot::read(std::string_view name) const {
+  if (!surface_.mesh && name == mesh::kColour) return Vec3d(surface_.color);
   if (!surface_.mesh) return std::nullopt;
   const mesh::Attribute* attribute = mesh::find_attribute(*surface_.mesh, name);
   if (!attribute || attribute->arity < 1) return std::nullopt;

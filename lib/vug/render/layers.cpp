@@ -234,7 +234,7 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
   for (const Object& object : scene.objects) add_group(object.light_group);
   const bool made = !scene.objects.empty() &&
                     std::all_of(scene.objects.begin(), scene.objects.end(),
-                                [](const Object& object) { return object.mesh != nullptr; });
+                                [](const Object& object) { return object.mesh || object.surface; });
   LayerPlan plan =
       plan_layers(names, groups, made ? attributes_of(scene) : named_attributes(names));
   if (!plan.gather().coverage) return plan;

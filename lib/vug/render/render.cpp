@@ -15,6 +15,8 @@ namespace {
 /// Peak of the tree and its building for each triangle: 127, 109 and 105 bytes were measured with
 /// 10^5, 10^6 and 5 10^6 triangles of a wavy ball (growth of the resident set); and its corners.
 constexpr double kTreeBytes = 125 + 36;
+/// A brick of a surface without a mesh in its tree.
+constexpr double kBrickBytes = 200;
 /// An instance in the tree of the scene and among its parts.
 constexpr double kInstanceBytes = 1500;
 
@@ -59,13 +61,15 @@ double memory_estimate(const Scene& scene, const Options& options, bool whole_fi
   const auto pixels = static_cast<double>(wanted_region(options).pixels());
   double bytes = 4.0 * static_cast<double>(options.layers.channels().size()) * pixels;
   if (whole_film || options.noise > 0) bytes += Film::pixel_bytes(options.layers.gather()) * pixels;
-  std::set<const mesh::Mesh*> shared;
+  std::set<const void*> shared;
   if (options.deep)
     bytes += pixels * static_cast<double>(sizeof(std::vector<image::DeepSample>) +
                                           sizeof(image::DeepSample) * options.deep->most);
   for (const Object& object : scene.objects) {
-    if (!object.mesh) continue;
     if (object.placing) bytes += kInstanceBytes;
+    if (object.surface && (!object.placing || shared.insert(object.surface.get()).second))
+      bytes += kBrickBytes * static_cast<double>(object.surface->bricks().size());
+    if (!object.mesh) continue;
     if (object.placing && !shared.insert(object.mesh.get()).second) continue;
     bytes += static_cast<double>(sizeof(Vec3f) * object.mesh->positions.size());
     bytes += kTreeBytes * static_cast<double>(object.mesh->triangles.size());

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <vug/mesh/mesh.h>
+#include <vug/paint/paint.h>
 #include <vug/render/camera.h>
 #include <vug/render/light.h>
 #include <vug/render/material.h>
 #include <vug/render/medium.h>
 #include <vug/render/placing.h>
+#include <vug/volume/surface_bricks.h>
 
 #include <memory>
 #include <string>
@@ -14,8 +16,9 @@
 
 namespace vug::render {
 
-/// A mesh and its material. Vertex colours (attribute "Cd", arity 3) multiply the material's
-/// colour; vertex normals, where the mesh has them, shade it smoothly unless `flat` is set.
+/// A mesh, or a level set, and its material. Vertex colours (attribute "Cd", arity 3) multiply the
+/// material's colour; vertex normals, where the mesh has them, shade it smoothly unless `flat` is
+/// set.
 struct Object {
   std::string name;
   mesh::MeshPtr mesh;
@@ -32,6 +35,10 @@ struct Object {
   PlacingPtr placing = nullptr;
   /// Of an instance: its material sees the place it stands at, instead of the mesh's own space.
   bool looks_by_place = false;
+  /// In place of a mesh: the surface of a level set, traced as it is (see first_crossing). It has
+  /// no attributes and cannot shine.
+  volume::SurfaceBricksPtr surface = nullptr;
+  paint::Paint color = nullptr;  ///< With `surface`: what the vertex colours would be; or null.
 };
 
 struct Scene {
