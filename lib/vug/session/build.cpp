@@ -60,6 +60,12 @@ double meshing_bytes(double active_voxels, double band) {
   return kVertexBytes * 1.5 * active_voxels / band;
 }
 
+/// Peak of a surface without a mesh, with what tells its pieces apart.
+double surface_bytes(double area, double voxel) {
+  constexpr double kBrickBytes = sizeof(volume::SurfaceBricks::Brick) + 3000;
+  return kBrickBytes * volume::brick_estimate(area, voxel);
+}
+
 volume::VoxelizeOptions voxelize_options(const VolumePlan& plan, uint64_t max_memory) {
   volume::VoxelizeOptions options;
   options.voxel = plan.voxel;
@@ -100,6 +106,13 @@ const Builder::MadeMesh* Builder::made(const MeshPtr& plan) const {
   return nullptr;
 }
 
+volume::SurfaceBricksPtr Builder::made_surface(const MeshPtr& plan) const {
+  for (const auto& [other, surface] : surfaces_)
+    if (other->volume == plan->volume && other->smallest_piece == plan->smallest_piece)
+      return surface;
+  return nullptr;
+}
+
 void Builder::take_over(Builder&& other) {
   std::set<VolumePtr> volumes(shot_.volumes.begin(), shot_.volumes.end());
   volumes.insert(shot_.medium_volume);
@@ -113,13 +126,16 @@ void Builder::take_over(Builder&& other) {
     const MadeMesh* mesh = other.made(plan);
     if (mesh && meshes_.emplace(plan, *mesh).second) held_ += bytes_of(*mesh->mesh);
   }
+  for (const MeshPtr& plan : meshes)
+    if (const auto known = other.made_surface(plan); known && surfaces_.emplace(plan, known).second)
+      held_ += known->bytes();
   for (auto& [plan, grid] : other.level_sets_)
     if (volumes.count(plan)) {
       held_ += grid.statistics().memory_bytes;
       level_sets_.emplace(plan, std::move(grid));
     }
   seconds_ += other.seconds_;
-  other.level_sets_.clear(), other.meshes_.clear();
+  other.level_sets_.clear(), other.meshes_.clear(), other.surfaces_.clear();
 }
 
 const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
@@ -175,9 +191,40 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
   }
 }
 
+void Builder::require_surface_room(const MeshPtr& plan) const {
+  const VolumePlan& volume = *plan->volume;
+  if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
+  try {
+    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, room()));
+    require_memory(estimate.bytes + surface_bytes(estimate.surface_area, volume.voxel), room(),
+                   fmt::format("a surface and its grid with voxels of {} m", volume.voxel));
+  } catch (Error& error) {
+    throw error.within(fmt::format("making the surface of '{}'", plan->name));
+  }
+}
+
+volume::SurfaceBricksPtr Builder::surface(const MeshPtr& plan) {
+  if (const auto known = made_surface(plan)) return known;
+  require_surface_room(plan);
+  const volume::LevelSet& grid = level_set(plan->volume);
+  const Stopwatch watch(seconds_);
+  const auto active = static_cast<double>(grid.statistics().active_voxels);
+  const double voxel = plan->volume->voxel;
+  const double area = active * voxel * voxel / (2 * plan->volume->half_width);
+  try {
+    require_memory(surface_bytes(area, voxel), room(), "the surface");
+    auto made = std::make_shared<const volume::SurfaceBricks>(grid, plan->smallest_piece);
+    held_ += made->bytes();
+    return surfaces_.emplace(plan, std::move(made)).first->second;
+  } catch (Error& error) {
+    throw error.within(fmt::format("making the surface of '{}'", plan->name));
+  }
+}
+
 size_t Builder::pieces_left_out(const MeshPtr& plan) const {
-  const MadeMesh* known = made(plan);
-  return known ? known->pieces_left_out : 0;
+  if (const MadeMesh* known = made(plan)) return known->pieces_left_out;
+  const auto surface = made_surface(plan);
+  return surface ? surface->pieces_left_out() : 0;
 }
 
 std::vector<MeshPtr> meshes_of(const Shot& shot) {

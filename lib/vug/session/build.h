@@ -6,6 +6,7 @@
 #include <vug/mesh/mesh.h>
 #include <vug/session/shot.h>
 #include <vug/volume/level_set.h>
+#include <vug/volume/surface_bricks.h>
 
 #include <functional>
 #include <map>
@@ -33,12 +34,16 @@ class Builder {
 
   const volume::LevelSet& level_set(const VolumePtr& plan);
   std::shared_ptr<const mesh::Mesh> mesh(const MeshPtr& plan);
-  /// How many pieces `smallest_piece` has taken from the mesh; 0 before it is made.
+  /// The surface that the mesh would stand for, without one.
+  volume::SurfaceBricksPtr surface(const MeshPtr& plan);
+  /// How many pieces `smallest_piece` has taken from the mesh or surface; 0 before it is made.
   size_t pieces_left_out(const MeshPtr& plan) const;
 
   /// Error(too_large) where the mesh and its grid are sure to need more than there is, as far as
   /// that shows before the work.
   void require_room(const MeshPtr& plan) const;
+  /// The same for the surface and its grid.
+  void require_surface_room(const MeshPtr& plan) const;
 
   const Shot& shot() const { return shot_; }
   const BuildOptions& options() const { return options_; }
@@ -62,8 +67,10 @@ class Builder {
   std::map<MeshPtr, MadeMesh> meshes_;
   /// What has been made of a plan, or of one just like it; null when nothing has.
   const MadeMesh* made(const MeshPtr& plan) const;
+  volume::SurfaceBricksPtr made_surface(const MeshPtr& plan) const;
+  std::map<MeshPtr, volume::SurfaceBricksPtr> surfaces_;
   double seconds_ = 0;
-  uint64_t held_ = 0;  ///< Bytes of grids and meshes.
+  uint64_t held_ = 0;  ///< Bytes of grids, meshes and surfaces.
 };
 
 /// The meshes a shot shows or measures: those it declares, else one for each level set.

@@ -24,14 +24,19 @@ std::string material_name(const Shot& shot, const render::MaterialPtr& of,
 }
 
 render::Object made(Builder& builder, const ObjectPlan& plan) {
-  return {plan.name,
-          builder.mesh(plan.mesh),
-          plan.material,
-          plan.flat,
-          Vec3f(plan.emission),
-          plan.light_group,
-          material_name(builder.shot(), plan.material, plan.name),
-          volume::samples(builder.level_set(plan.mesh->volume))};
+  render::Object object{plan.name,
+                        plan.direct ? nullptr : builder.mesh(plan.mesh),
+                        plan.material,
+                        plan.flat,
+                        Vec3f(plan.emission),
+                        plan.light_group,
+                        material_name(builder.shot(), plan.material, plan.name),
+                        volume::samples(builder.level_set(plan.mesh->volume))};
+  if (plan.direct) {
+    object.surface = builder.surface(plan.mesh);
+    object.color = plan.mesh->paint;
+  }
+  return object;
 }
 
 ObjectPlan in_grey(const MeshPtr& mesh) {
@@ -189,7 +194,8 @@ std::vector<std::string> light_groups(const Shot& shot) {
 Cast cast_of(Builder& builder, const Moments& moments) {
   const Shot& shot = builder.shot();
   const std::vector<ObjectPlan> shown = shown_objects(shot);
-  for (const ObjectPlan& object : shown) builder.require_room(object.mesh);
+  for (const ObjectPlan& object : shown)
+    object.direct ? builder.require_surface_room(object.mesh) : builder.require_room(object.mesh);
   Cast cast;
   for (const ObjectPlan& object : shown) cast.objects.push_back(made(builder, object));
   for (const auto& [name, light] : shot.lights) cast.lights.push_back(light);

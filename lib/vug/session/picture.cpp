@@ -70,7 +70,7 @@ std::string identity(const render::Scene& scene, const Shot& shot, const Picture
   for (const std::string& text :
        {shot.recipe, options.render, options.camera, std::string(VUG_VERSION)})
     add_all(text);
-  std::set<const mesh::Mesh*> known;
+  std::set<const void*> known;
   for (const render::Object& object : scene.objects) {
     add_all(object.name);
     if (object.placing)
@@ -78,6 +78,12 @@ std::string identity(const render::Scene& scene, const Shot& shot, const Picture
         for (const Vec3f& column : {step.x, step.y, step.z, step.origin})
           hash.add(&column, sizeof column);
     hash.add_value(known.size());
+    if (object.surface) {
+      if (!known.insert(object.surface.get()).second) continue;
+      hash.add_value(object.surface->voxel());
+      add_all(object.surface->bricks());
+      continue;
+    }
     if (!known.insert(object.mesh.get()).second) continue;
     add_all(object.mesh->positions);
     add_all(object.mesh->triangles);
@@ -164,9 +170,16 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& 
   scene.objects = std::move(cast.objects);
   scene.lights = std::move(cast.lights);
   Box3d bounds;
-  for (const render::Object& object : scene.objects)
-    for (const Vec3f& p : object.mesh->positions)
+  for (const render::Object& object : scene.objects) {
+    const Box3d surface = object.surface ? object.surface->bounds() : Box3d();
+    std::vector<Vec3f> corners;
+    for (int i = 0; i < 8 && !surface.isEmpty(); ++i)
+      corners.emplace_back((i & 1 ? surface.max : surface.min).x,
+                           (i & 2 ? surface.max : surface.min).y,
+                           (i & 4 ? surface.max : surface.min).z);
+    for (const Vec3f& p : object.mesh ? object.mesh->positions : corners)
       bounds.extendBy(Vec3d(object.placing ? object.placing->at(0).point(p) : p));
+  }
   if (scene.objects.empty() && scene.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");

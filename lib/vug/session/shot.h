@@ -59,6 +59,7 @@ struct ObjectPlan {
   MeshPtr mesh;
   render::MaterialPtr material;  ///< Null: grey.
   bool flat = false;
+  bool direct = false;      ///< Trace the level set itself; no mesh is made.
   Vec3d emission{0, 0, 0};  ///< W/sr/m^2.
   std::string light_group;
 };
