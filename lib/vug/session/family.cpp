@@ -1,3 +1,5 @@
+#include <vug/cells/kind.h>
+#include <vug/cells/rule.h>
 #include <vug/field/blend_kind.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
@@ -48,7 +50,8 @@ const std::vector<Family>& families() {
       family(volume_kinds()),       family(paint::masks()),     family(paint::paints()),
       family(render::materials()),  family(render::lights()),   family(render::media()),
       family(render::cameras()),    family(render::samplers()), family(render::integrators()),
-      family(places_kinds()),       family(model_kinds()),
+      family(places_kinds()),       family(model_kinds()),      family(cells::grids()),
+      family(cells::rules()),
   };
   return all;
 }

@@ -1,0 +1,61 @@
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+#include <vug/cells/build.h>
+#include <vug/cells/frames.h>
+#include <vug/cells/link.h>
+#include <vug/cells/strew.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vug::cells {
+namespace {
+
+/// What strewing, sorting and linking hold at their peak for each cell.
+constexpr double kBytes = 360;
+
+void require_fit(const Surface& surface, const BuildOptions& options) {
+  if (!(options.spacing > 0) || !std::isfinite(options.spacing))
+    throw Error(ErrorCode::bad_input, "the spacing of cells is a length above 0");
+  if (options.spacing > surface.least_size())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("cells {:.4g} m apart are larger than the object, which is {:.4g} m",
+                            options.spacing, surface.least_size()),
+                {}, "use a smaller spacing");
+  const double cells = estimate(surface, options.grid, options.spacing);
+  const std::string what = fmt::format("{:.3g} cells", cells);
+  if (!(cells * options.grid.full < 4e9))
+    throw Error(ErrorCode::too_large, what + " are more than can be numbered", {},
+                "use a larger spacing");
+  require_memory(cells * kBytes, options.memory > 0 ? options.memory : available_memory(), what,
+                 "use a larger spacing");
+}
+
+}  // namespace
+
+double estimate(const Surface& surface, const Grid& grid, double spacing) {
+  double each = 1;
+  if (!grid.motif.empty())
+    each = std::fabs(grid.across.x * grid.along.y - grid.across.y * grid.along.x) /
+           static_cast<double>(grid.motif.size());
+  return surface.area() / (each * spacing * spacing);
+}
+
+Built build(const Surface& surface, const BuildOptions& options, Progress& progress) {
+  require_fit(surface, options);
+  const double reach = options.grid.reach * options.spacing;
+  Built out;
+  std::vector<Place> places =
+      strew(surface, options.grid, options.spacing, options.key.at("cells"), progress);
+  RelaxOptions relaxing;
+  relaxing.force = options.force;
+  relaxing.steps = options.relax.value_or(options.grid.relax);
+  if (relaxing.steps > 0)
+    out.relaxing = relax(places, surface, options.spacing, reach, relaxing, progress);
+  out.network = link(places, surface, options.spacing, reach, options.grid.full, progress);
+  orient(out.network);
+  return out;
+}
+
+}  // namespace vug::cells

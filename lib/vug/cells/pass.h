@@ -1,0 +1,92 @@
+// One pass of a rule over the cells: its attributes, and the loops that run its kernel.
+#pragma once
+
+#include <vug/base/rng.h>
+#include <vug/cells/blocks.h>
+#include <vug/cells/near.h>
+#include <vug/cells/network.h>
+
+namespace vug::cells {
+
+template <class T>
+struct Reading {
+  const T* now;
+  const T& operator[](uint32_t cell) const { return now[cell]; }
+};
+
+/// Reads what is, writes what will be. A kernel sets every cell that it is given.
+template <class T>
+struct Writing {
+  const T* now;
+  T* next;
+  const T& operator[](uint32_t cell) const { return now[cell]; }
+  void set(uint32_t cell, const T& value) const { next[cell] = value; }
+};
+
+class Simulation;
+
+class Pass {
+ public:
+  Pass(Simulation& simulation, RandomKey key, int step, const std::vector<uint8_t>* where);
+
+  const Network& network() const { return *network_; }
+  /// Steps since the stage began: 0 in its first.
+  int step() const { return step_; }
+  /// Of the stage, the same in every step.
+  RandomKey key() const { return key_; }
+  /// Of one cell in this step.
+  RandomStream random(uint32_t cell) const {
+    return RandomStream(
+        key_.at(place_of(network_->position[cell])).at(static_cast<uint64_t>(step_)));
+  }
+
+  /// The attribute of that name; one that is not there starts with `initial` everywhere.
+  template <class T>
+  Reading<T> reads(const std::string& name, const T& initial = T(0));
+  template <class T>
+  Writing<T> writes(const std::string& name, const T& initial = T(0));
+  /// Where cells have moved to ("P") and how they face ("N"); at first as in the network.
+  Writing<Vec3f> writes_positions();
+  Writing<Vec3f> writes_normals();
+  Reading<State> states() const { return {states_->data()}; }
+  Writing<State> writes_states();
+
+  /// Cells less than `radius` metres apart through the air, whose normals do not oppose: made once
+  /// for each radius.
+  const Links& within(double radius);
+
+  /// kernel(near, cell) for all cells that receive (and, with a mask, are in it), in parallel;
+  /// near.each(cell, f) calls f for the neighbours that distribute. What it has set becomes what
+  /// is. Once a pass.
+  template <class Kernel>
+  void run(const Kernel& kernel);
+  /// For all cells, whatever their state.
+  template <class Kernel>
+  void run_everywhere(const Kernel& kernel);
+
+ private:
+  template <class T>
+  Writing<T> write(Column<T>& column);
+  template <class Kernel>
+  void run_block(uint32_t block, const Kernel& kernel) const;
+  /// The cells of a block that are to be given; the others that receive keep what they have.
+  uint32_t pick(uint32_t block, uint32_t* picked) const;
+  void keep(uint32_t cell) const;
+  /// Swaps what was written, and puts cells that fell asleep (or were written in their sleep) to
+  /// rest.
+  void finish(const std::vector<uint32_t>& blocks, bool everywhere);
+
+  Simulation* simulation_;
+  const Network* network_;
+  const Blocks* blocks_;
+  const std::vector<State>* states_;
+  RandomKey key_;
+  int step_;
+  const std::vector<uint8_t>* where_;
+  std::vector<std::variant<Column<float>*, Column<Vec3f>*, Column<int32_t>*>> written_;
+  bool writes_states_ = false;
+};
+
+}  // namespace vug::cells
+
+#include <vug/cells/pass_inl.h>

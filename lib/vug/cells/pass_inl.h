@@ -1,0 +1,76 @@
+// Templates of pass.h.
+#pragma once
+
+#include <vug/cells/simulation.h>
+
+#include <array>
+
+namespace vug::cells {
+
+template <class T>
+Reading<T> Pass::reads(const std::string& name, const T& initial) {
+  return {simulation_->attributes().column<T>(name, initial).now.data()};
+}
+
+template <class T>
+Writing<T> Pass::writes(const std::string& name, const T& initial) {
+  return write(simulation_->attributes().column<T>(name, initial));
+}
+
+template <class T>
+Writing<T> Pass::write(Column<T>& column) {
+  if (column.next.empty()) column.next = column.now;
+  written_.push_back(&column);
+  return {column.now.data(), column.next.data()};
+}
+
+template <class Kernel>
+void Pass::run_block(uint32_t block, const Kernel& kernel) const {
+  const Links& links = network_->links;
+  const uint32_t first = blocks_->first(block), end = blocks_->end(block);
+  const auto over = [&](const auto& near) {
+    const Kernel own = kernel;  // where the compiler sees that nothing else changes it
+    for (uint32_t i = first; i < end; ++i) own(near, i);
+  };
+  if (where_ || !blocks_->is_full(block) || !blocks_->all_heard()) {
+    const NearMixed near{links.begin.data(), links.to.data(), states_->data()};
+    if (!where_ && blocks_->is_full(block)) return over(near);
+    std::array<uint32_t, kBlock> picked;
+    const uint32_t count = pick(block, picked.data());
+    for (uint32_t k = 0; k < count; ++k) kernel(near, picked[k]);
+    return;
+  }
+  const uint32_t* to = links.to.data() + links.begin[first];
+  switch (blocks_->degree(block)) {
+    case 3:
+      return over(NearFull<3>{to, first});
+    case 4:
+      return over(NearFull<4>{to, first});
+    case 6:
+      return over(NearFull<6>{to, first});
+    case 8:
+      return over(NearFull<8>{to, first});
+    default:
+      return over(NearAll{links.begin.data(), links.to.data()});
+  }
+}
+
+template <class Kernel>
+void Pass::run(const Kernel& kernel) {
+  const std::vector<uint32_t> blocks = blocks_->awake();
+  parallel_for(blocks.size(), [&](size_t b) { run_block(blocks[b], kernel); });
+  finish(blocks, false);
+}
+
+template <class Kernel>
+void Pass::run_everywhere(const Kernel& kernel) {
+  const std::vector<uint32_t> blocks = blocks_->all();
+  const NearMixed near{network_->links.begin.data(), network_->links.to.data(), states_->data()};
+  parallel_for(blocks.size(), [&](size_t b) {
+    for (uint32_t i = blocks_->first(blocks[b]); i < blocks_->end(blocks[b]); ++i)
+      !where_ || (*where_)[i] ? kernel(near, i) : keep(i);
+  });
+  finish(blocks, true);
+}
+
+}  // namespace vug::cells

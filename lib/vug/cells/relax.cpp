@@ -1,0 +1,97 @@
+#include <vug/cells/relax.h>
+#include <vug/cells/surface_distance.h>
+#include <vug/mesh/point_grid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::cells {
+namespace {
+
+struct Law {
+  Force force;
+  float reach, spacing;
+
+  float operator()(float d) const {
+    const float rest = 1 - d / reach;
+    return force == Force::squared ? rest * rest : (1 - d / spacing) * rest;
+  }
+};
+
+/// What the cells around do to one.
+struct Push {
+  Vec3f way{0, 0, 0};  ///< In spacings times the greatest push.
+  float nearest2;      ///< Squared distance to the nearest; the reach's where nobody is near.
+};
+
+Push push_on(uint32_t i, const std::vector<Place>& places, const mesh::PointGrid::Runs& around,
+             const Law& law) {
+  const Place& own = places[i];
+  const float reach2 = law.reach * law.reach;
+  Push push;
+  push.nearest2 = reach2;
+  for (const mesh::PointGrid::Run& run : around)
+    for (uint32_t j = run.begin; j < run.end; ++j) {
+      const Vec3f d = own.position - places[j].position;
+      if (j == i || d.length2() >= reach2) continue;
+      const float d2 =
+          surface_distance2(own.position, own.normal, places[j].position, places[j].normal);
+      if (!(d2 < reach2)) continue;
+      push.nearest2 = std::min(push.nearest2, d2);
+      const Vec3f flat = d - own.normal * own.normal.dot(d);
+      const float length = flat.length();
+      if (length > 0) push.way += flat * (law(std::sqrt(d2)) / length);
+    }
+  return push;
+}
+
+}  // namespace
+
+std::vector<RelaxStep> relax(std::vector<Place>& places, const Surface& surface, double spacing,
+                             double reach, const RelaxOptions& options, Progress& progress) {
+  const SurfaceSearch search(surface);
+  const Law law{options.force, static_cast<float>(reach), static_cast<float>(spacing)};
+  const auto strength = static_cast<float>(options.strength * spacing);
+  const auto most = static_cast<float>(0.3 * spacing);
+  progress.begin("harmonising cells", static_cast<uint64_t>(std::max(0, options.steps)));
+  std::vector<RelaxStep> steps;
+  std::vector<Place> sorted(places.size());
+  std::vector<Vec3f> points(places.size());
+  std::vector<float> nearest(places.size()), moved(places.size());
+  for (int step = 0; step < options.steps && !places.empty(); ++step) {
+    progress.check();
+    for (size_t i = 0; i < places.size(); ++i) points[i] = places[i].position;
+    const mesh::PointGrid grid(points, reach);
+    for (size_t i = 0; i < places.size(); ++i) sorted[i] = places[grid.order()[i]];
+    grid.sweep([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
+      for (uint32_t i = cube.begin; i < cube.end; ++i) {
+        const Push push = push_on(i, sorted, around, law);
+        Vec3f way = push.way * strength;
+        const float length = way.length();
+        if (length > most) way *= most / length;
+        nearest[i] = std::sqrt(push.nearest2);
+        moved[i] = std::min(length, most);
+        places[i] = moved[i] > 0 ? search.nearest(sorted[i].position + way, sorted[i], moved[i])
+                                 : sorted[i];
+      }
+    });
+    const auto count = static_cast<double>(places.size());
+    const auto mean = [&](const auto& term) {
+      return ordered_sum(places.size(), 0.0, term) / count;
+    };
+    RelaxStep told;
+    told.nearest = mean([&](size_t i) { return static_cast<double>(nearest[i]); });
+    told.moved = mean([&](size_t i) { return static_cast<double>(moved[i]); });
+    const double squares = mean([&](size_t i) {
+      const double off = static_cast<double>(nearest[i]) - told.nearest;
+      return off * off;
+    });
+    told.variation = told.nearest > 0 ? std::sqrt(squares) / told.nearest : 0;
+    steps.push_back(told);
+    progress.advance();
+  }
+  progress.end();
+  return steps;
+}
+
+}  // namespace vug::cells

@@ -1,0 +1,49 @@
+// A rule: how a cell's next state follows from its own and its neighbours' present one. All cells
+// step at once; what one writes, others read in the next pass.
+#pragma once
+
+#include <vug/base/kind.h>
+#include <vug/cells/pass.h>
+
+#include <memory>
+
+/// Opens the one definition that the file of a rule exports; see VUG_EXPORT_KIND.
+#define VUG_RULE_KIND(name) VUG_EXPORT_KIND(vug::cells, RuleKind, name##_rule)
+
+namespace vug::cells {
+
+class Rule {
+ public:
+  virtual ~Rule() = default;
+  /// One step for all cells that receive: asks the pass for its attributes and runs a kernel.
+  virtual void step(Pass& pass) const = 0;
+};
+
+using RulePtr = std::shared_ptr<const Rule>;
+using RuleKind = Kind<RulePtr>;
+
+const Kinds<RulePtr>& rules();
+
+/// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
+/// `void step(Pass&) const`.
+template <class P>
+RuleKind rule_kind(std::string name) {
+  struct Made final : Rule {
+    explicit Made(const P& p) : params(p) {}
+    void step(Pass& pass) const override { params.step(pass); }
+    P params;
+  };
+  return make_kind<RulePtr, P>(std::move(name), "rule",
+                               [](const P& p) { return std::make_shared<const Made>(p); });
+}
+
+}  // namespace vug::cells
+
+namespace vug {
+
+template <>
+struct ValueTraits<cells::RulePtr> : ObjectTraits<cells::RulePtr> {
+  static constexpr const char* kWord = "rule";
+};
+
+}  // namespace vug

@@ -1,0 +1,66 @@
+// Automata that count: whether a cell lives on or is born depends on how many neighbours live.
+#pragma once
+
+#include <vug/cells/rule.h>
+
+namespace vug::cells {
+
+struct LifeLike {
+  std::vector<int> birth;
+  std::vector<int> survive;
+  bool scale = false;
+
+  std::string fault() const {
+    for (const int count : birth)
+      if (count < 1) return "a cell that nobody lives beside is not born";
+    return "";
+  }
+
+  void step(Pass& pass) const {
+    const auto alive = pass.writes<int32_t>("alive");
+    // Bit k of each: whether a cell that is dead, or alive, will live beside k that live.
+    const auto bits = [](const std::vector<int>& counts) {
+      uint32_t set = 0;
+      for (const int count : counts) set |= 1u << count;
+      return set;
+    };
+    const uint32_t born = bits(birth), stays = bits(survive);
+    if (scale) return pass.run(Scaled{{alive, born, stays}});
+    pass.run(Counted{alive, born, stays});
+  }
+
+ private:
+  struct Counted {
+    Writing<int32_t> alive;
+    uint32_t born, stays;
+
+    template <class Near>
+    void operator()(const Near& near, uint32_t i) const {
+      uint32_t living = 0;
+      near.each(i, [&](uint32_t n) { living += alive[n] != 0; });
+      alive.set(i, static_cast<int32_t>((alive[i] != 0 ? stays : born) >> living & 1));
+    }
+  };
+  /// As if there were eight neighbours.
+  struct Scaled : Counted {
+    template <class Near>
+    void operator()(const Near& near, uint32_t i) const {
+      uint32_t living = 0;
+      const uint32_t k = near.each(i, [&](uint32_t n) { living += this->alive[n] != 0; });
+      const uint32_t of_8 = k > 0 ? (8 * living + k / 2) / k : 0;
+      this->alive.set(
+          i, static_cast<int32_t>((this->alive[i] != 0 ? this->stays : this->born) >> of_8 & 1));
+    }
+  };
+};
+
+template <class P>
+void describe_life(Schema<P>& s) {
+  s.param("birth", &P::birth,
+          {.doc = "numbers of living neighbours with which a cell is born", .min = 0, .max = 8})
+      .param("survive", &P::survive,
+             {.doc = "numbers of living neighbours with which a cell lives on", .min = 0, .max = 8})
+      .param("scale", &P::scale, {.doc = "count as if every cell had eight neighbours"});
+}
+
+}  // namespace vug::cells

@@ -1,0 +1,21 @@
+#include <vug/cells/rule.h>
+
+namespace vug::cells {
+namespace {
+
+struct Sleep {
+  static void describe(Schema<Sleep>& s) {
+    s.doc("Cells fall asleep: they keep what they have, are not seen by others and cost nothing.")
+        .cite("gobron2006");
+  }
+
+  void step(Pass& pass) const {
+    const auto state = pass.writes_states();
+    pass.run([=](const auto&, uint32_t i) { state.set(i, State::sleeping); });
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(sleep) { return rule_kind<Sleep>("sleep"); }

@@ -1,0 +1,51 @@
+#include <vug/cells/rule.h>
+
+#include <algorithm>
+
+namespace vug::cells {
+namespace {
+
+struct Sprinkle {
+  std::string attribute;
+  double value = 1;
+  double share = 0.5;
+  double radius = 0;
+  bool whole = false;
+
+  static void describe(Schema<Sprinkle>& s) {
+    s.doc("Sets an attribute in cells chosen by chance: how most stories begin; for a single step.")
+        .param("attribute", &Sprinkle::attribute, {.doc = "its name", .required = true})
+        .param("value", &Sprinkle::value, {.doc = "that it gets"})
+        .param("share", &Sprinkle::share,
+               {.doc = "of the cells", .dimension = Dimension::ratio, .min = 0, .max = 1})
+        .param("radius", &Sprinkle::radius,
+               {.doc = "cells so near to a chosen one get the value too",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("whole", &Sprinkle::whole, {.doc = "the attribute holds whole numbers"});
+  }
+
+  void step(Pass& pass) const { whole ? set<int32_t>(pass) : set<float>(pass); }
+
+ private:
+  template <class T>
+  void set(Pass& pass) const {
+    const auto a = pass.writes<T>(attribute);
+    const Links none;
+    const Links& around = radius > 0 ? pass.within(radius) : none;
+    const auto chosen = [&](uint32_t i) { return pass.random(i).uniform() < share; };
+    pass.run([&](const auto&, uint32_t i) {
+      bool meant = chosen(i);
+      if (radius > 0 && !meant) {
+        const auto row = around.of(i);
+        meant = std::any_of(row.begin(), row.end(), chosen);
+      }
+      a.set(i, meant ? static_cast<T>(value) : a[i]);
+    });
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(sprinkle) { return rule_kind<Sprinkle>("sprinkle"); }

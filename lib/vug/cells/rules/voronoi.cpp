@@ -1,0 +1,37 @@
+#include <vug/cells/rule.h>
+
+#include <algorithm>
+
+namespace vug::cells {
+namespace {
+
+/// Seeds count from 1; 0 is none. Of several that arrive in one step the smallest wins, so that
+/// each cell belongs to the smallest of the seeds that are the fewest links away.
+struct Voronoi {
+  static void describe(Schema<Voronoi>& s) {
+    s.doc(
+         "Cells without colour (Cd) take that of a neighbour that has one, with its seed: patches "
+         "grow around seeds until they meet.")
+        .cite("gobron2006");
+  }
+
+  void step(Pass& pass) const {
+    const auto color = pass.writes<Vec3f>("Cd");
+    const auto seed = pass.writes<int32_t>("seed");
+    pass.run([=](const auto& near, uint32_t i) {
+      int32_t first = seed[i];
+      Vec3f taken = color[i];
+      if (first == 0)
+        near.each(i, [&](uint32_t n) {
+          if (seed[n] != 0 && (first == 0 || seed[n] < first)) first = seed[n], taken = color[n];
+        });
+      color.set(i, taken);
+      seed.set(i, first);
+    });
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(voronoi) { return rule_kind<Voronoi>("voronoi"); }

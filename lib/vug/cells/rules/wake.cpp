@@ -1,0 +1,20 @@
+#include <vug/cells/rule.h>
+
+namespace vug::cells {
+namespace {
+
+struct Wake {
+  static void describe(Schema<Wake>& s) {
+    s.doc("All cells become active, whatever they were.").cite("gobron2006");
+  }
+
+  void step(Pass& pass) const {
+    const auto state = pass.writes_states();
+    pass.run_everywhere([=](const auto&, uint32_t i) { state.set(i, State::active); });
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(wake) { return rule_kind<Wake>("wake"); }

@@ -1,0 +1,57 @@
+// Rules at work on a network: attributes, states and the clock.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/base/rng.h>
+#include <vug/cells/blocks.h>
+#include <vug/cells/network.h>
+
+#include <map>
+#include <memory>
+
+namespace vug::cells {
+
+class Rule;
+
+/// A rule and when and where it works.
+struct Stage {
+  std::shared_ptr<const Rule> rule;
+  std::string name;            ///< Keys its random choices: stages of one name choose the same.
+  int begin = 0;               ///< Its first step.
+  int steps = -1;              ///< How many it works for; below 0: to the end.
+  std::vector<uint8_t> where;  ///< 1 for each cell it may rewrite; empty: all.
+};
+
+/// Within a step the stages work in their order. Each rewrites all its cells at once, from what the
+/// stages before it have left: one that is first of its step reads what the last step left. So any
+/// number of rules can share cells and even attributes. The same bytes for any number of threads.
+class Simulation {
+ public:
+  Simulation(NetworkPtr network, RandomKey key);
+
+  const Network& network() const { return *network_; }
+  Attributes& attributes() { return attributes_; }
+  const Attributes& attributes() const { return attributes_; }
+  /// All cells are active at first.
+  const std::vector<State>& states() const { return states_.now; }
+  void set_states(std::vector<State> states);
+
+  /// Steps done so far.
+  int step() const { return step_; }
+  /// Goes on by so many steps. Error(bad_input) where stages disagree about an attribute's type, or
+  /// a mask is not as long as there are cells.
+  void run(const std::vector<Stage>& stages, int steps, Progress& progress = Progress::none());
+
+ private:
+  friend class Pass;
+
+  NetworkPtr network_;
+  RandomKey key_;
+  Attributes attributes_;
+  Column<State> states_;
+  Blocks blocks_;
+  std::map<double, Links> within_;
+  int step_ = 0;
+};
+
+}  // namespace vug::cells

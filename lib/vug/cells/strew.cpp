@@ -1,0 +1,99 @@
+#include <vug/cells/lattice.h>
+#include <vug/cells/network.h>
+#include <vug/cells/strew.h>
+#include <vug/cells/surface_distance.h>
+#include <vug/mesh/first_come.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::cells {
+namespace {
+
+constexpr size_t kChunk = 256;
+/// Rounds of darts, one for each square of the gap's side in each: more find little room.
+constexpr uint64_t kRounds = 6;
+
+/// What add(triangle, list) adds for every triangle, in their order.
+template <class Add>
+std::vector<Place> collect(size_t triangles, const Add& add) {
+  std::vector<std::vector<Place>> parts((triangles + kChunk - 1) / kChunk);
+  parallel_for(parts.size(), [&](size_t part) {
+    const size_t end = std::min(triangles, (part + 1) * kChunk);
+    for (size_t i = part * kChunk; i < end; ++i) add(static_cast<uint32_t>(i), parts[part]);
+  });
+  std::vector<Place> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+RandomKey key_of(const Surface::Triangle& t, RandomKey key) {
+  for (const Vec3f& corner : t.corners) key = key.at(place_of(corner));
+  return key;
+}
+
+/// Darts at one triangle, `density` for each square metre on average.
+void throw_darts(const Surface& surface, uint32_t triangle, double density, RandomKey key,
+                 std::vector<Place>& out) {
+  RandomStream random(key_of(surface.triangles()[triangle], key));
+  const double count = std::floor(surface.area(triangle) * density + random.uniform());
+  for (double i = 0; i < count; ++i) {
+    double u = random.uniform(), v = random.uniform();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    out.push_back(surface.at(triangle, u, v));
+  }
+}
+
+/// The first `kept` stay, and of the others those that find room.
+void thin(std::vector<Place>& places, size_t kept, double radius, RandomKey key) {
+  std::vector<Vec3f> points(places.size());
+  std::vector<uint64_t> rank(places.size(), 0);
+  parallel_for(
+      places.size(),
+      [&](size_t i) {
+        points[i] = places[i].position;
+        if (i >= kept) rank[i] = key.at(place_of(points[i])).state() | 1;
+      },
+      kChunk);
+  const auto limit = static_cast<float>(radius * radius);
+  const auto stays = mesh::first_come(points, rank, radius, [&](uint32_t i, uint32_t j) {
+    return (points[i] - points[j]).length2() < limit &&
+           surface_distance2(points[i], places[i].normal, points[j], places[j].normal) < limit;
+  });
+  size_t count = 0;
+  for (size_t i = 0; i < places.size(); ++i)
+    if (stays[i]) places[count++] = places[i];
+  places.resize(count);
+}
+
+}  // namespace
+
+std::vector<Place> strew(const Surface& surface, const Grid& grid, double spacing, RandomKey key,
+                         Progress& progress) {
+  const size_t triangles = surface.triangles().size();
+  progress.begin("strewing cells", kRounds + 1);
+  std::vector<Place> places;
+  if (!grid.motif.empty()) {
+    const std::vector<Vec3d> planes = pattern_planes(surface, spacing);
+    places = collect(triangles, [&](uint32_t i, std::vector<Place>& out) {
+      add_lattice(surface, i, grid, spacing, planes[i], key.at("lattice"), out);
+    });
+    thin(places, 0, grid.thin * spacing, key.at("thin"));
+  }
+  const double gap = grid.gap * spacing;
+  for (uint64_t round = 0; round < kRounds; ++round) {
+    progress.advance();
+    progress.check();
+    const RandomKey own = key.at("darts").at(round);
+    const std::vector<Place> darts = collect(triangles, [&](uint32_t i, std::vector<Place>& out) {
+      throw_darts(surface, i, 1 / (gap * gap), own, out);
+    });
+    const size_t kept = places.size();
+    places.insert(places.end(), darts.begin(), darts.end());
+    thin(places, kept, gap, own);
+  }
+  progress.end();
+  return places;
+}
+
+}  // namespace vug::cells
