@@ -3,10 +3,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -56,6 +59,44 @@ std::optional<mode_t> mode_of(const fs::path& path) {
   return status.st_mode & 0777;
 }
 
+/// Names of temporary files, ".STEM.ID.part.EXTENSION": they tell writers the format.
+std::string before_id(const fs::path& target) {
+  return fmt::format(".{}.", target.stem().string());
+}
+std::string after_id(const fs::path& target) {
+  return fmt::format(".part{}", target.extension().string());
+}
+
+/// True where the process that made the file is gone and no other holds it. On a folder that
+/// machines share, or seen from a container, the lock tells; else the process does.
+bool is_stale(const fs::path& temporary, pid_t maker) {
+  if (::kill(maker, 0) == 0 || errno != ESRCH) return false;
+  const int file = ::open(temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  ::close(file);
+  return free;
+}
+
+void remove_stale(const fs::path& target) {
+  const std::string before = before_id(target), after = after_id(target);
+  std::error_code code;
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
+       entry.increment(code)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() <= before.size() + after.size() || name.compare(0, before.size(), before) != 0)
+      continue;
+    const std::string id = name.substr(before.size(), name.size() - before.size() - after.size());
+    if (name.compare(before.size() + id.size(), after.size(), after) != 0) continue;
+    pid_t maker = 0;
+    const auto read = std::from_chars(id.data(), id.data() + id.size(), maker);
+    if (read.ec != std::errc() || read.ptr != id.data() + id.size() || maker <= 0) continue;
+    std::error_code ignored;
+    if (is_stale(entry->path(), maker)) fs::remove(entry->path(), ignored);
+  }
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& target) : target_(followed(target)) {
@@ -70,18 +111,18 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(followed(target)) {
   }
   if (fs::exists(target_, code))
     if (const std::string why = why_no_file(target_); !why.empty()) fail(why);
-  const fs::path temporary =  // its name tells writers the format, where the target is a link too
-      folder /
-      fmt::format(".{}.{}.part{}", target.stem().string(), getpid(), target.extension().string());
+  const fs::path temporary =
+      folder / fmt::format("{}{}{}", before_id(target_), getpid(), after_id(target_));
   const mode_t mode = mode_of(target_).value_or(0666) | 0600;  // what is private stays so
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode & 0666);
-  if (file < 0) fail(std::strerror(errno));
-  ::close(file);
+  lock_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode & 0666);
+  if (lock_ < 0) fail(std::strerror(errno));
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) errno = 0;  // some file systems know no locks
   temporary_ = temporary;
 }
 
 AtomicFile::~AtomicFile() {
   if (!committed_) discard();
+  if (lock_ >= 0) ::close(lock_);
 }
 
 void AtomicFile::discard() {
@@ -110,7 +151,10 @@ void AtomicFile::commit() {
   committed_ = true;
 }
 
-void require_writable(const fs::path& target) { const AtomicFile probe(target); }
+void require_writable(const fs::path& target) {
+  const AtomicFile probe(target);
+  remove_stale(followed(target));
+}
 
 void require_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
   std::set<std::string> read, written;

@@ -10,7 +10,8 @@ namespace vug {
 
 /// Makes the target's folder and in it an empty temporary file with the same extension, and moves
 /// that over the target on commit. Without commit the temporary file and the folders that were made
-/// are removed. A killed process leaves at most a dot-file behind, never a half-written target.
+/// are removed. A killed process leaves at most a dot-file behind, never a half-written target; see
+/// require_writable.
 /// Where the target is a link, what it points to is replaced; permissions of a replaced file stay.
 class AtomicFile {
  public:
@@ -31,12 +32,14 @@ class AtomicFile {
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;
+  int lock_ = -1;  ///< The temporary file, open and locked while it is ours.
   std::vector<std::filesystem::path> made_folders_;  ///< The innermost first.
   bool committed_ = false;
 };
 
 /// Error(io) where an AtomicFile of the target could not be made; leaves nothing behind. For asking
-/// before long work whose result goes there.
+/// before long work whose result goes there. Also removes the temporary files of the same target
+/// that killed processes have left: those that nobody has locked and whose process is gone.
 void require_writable(const std::filesystem::path& target);
 /// The same for all that a program is going to write. Error(bad_input) where one of them is among
 /// the files that it reads, by whatever name, or two are the same file.

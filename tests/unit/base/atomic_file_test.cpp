@@ -1,8 +1,14 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <sstream>
 
 namespace vug {
 namespace {
@@ -45,6 +51,37 @@ TEST(AtomicFile, KeepsLinksAndPermissions) {
     EXPECT_TRUE(fs::is_symlink(folder / link)) << link;
   EXPECT_EQ(read_text(folder / "real" / "a.txt"), "new");
   EXPECT_EQ(read_text(folder / "real" / "new.txt"), "made");
+}
+
+/// A file like those that a process leaves when it is killed while it writes.
+fs::path left_by_the_dead(const fs::path& target) {
+  const pid_t child = fork();
+  if (child == 0) {
+    new AtomicFile(target);
+    _exit(0);
+  }
+  waitpid(child, nullptr, 0);
+  std::ostringstream name;
+  name << '.' << target.stem().string() << '.' << child << ".part" << target.extension().string();
+  return target.parent_path() / name.str();
+}
+
+TEST(AtomicFile, TheNextRunRemovesWhatTheDeadHaveLeft) {
+  const fs::path folder = fs::path(testing::TempDir()) / "vug_left";
+  fs::remove_all(folder);
+  const fs::path stale = left_by_the_dead(folder / "a.exr"),
+                 png = left_by_the_dead(folder / "a.png"),
+                 other = left_by_the_dead(folder / "b.exr");
+  for (const fs::path& file : {stale, png, other}) ASSERT_TRUE(fs::exists(file)) << file;
+  // On another machine its maker may live, which the lock tells.
+  const int held = open(stale.c_str(), O_RDONLY);
+  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);
+  require_writable(folder / "a.exr");
+  EXPECT_TRUE(fs::exists(stale));
+  close(held);
+  require_writable(folder / "a.exr");
+  for (const fs::path& file : {png, other}) EXPECT_TRUE(fs::exists(file)) << file;
+  EXPECT_FALSE(fs::exists(stale));
 }
 
 std::string refusal_to_write(const fs::path& path) {
