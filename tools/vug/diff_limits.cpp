@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/scene/lexer.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <optional>
 
 namespace vug::cli {
 
@@ -15,16 +15,12 @@ image::Limit parse_limit(const std::string& text, image::Measure::Better better)
   const bool low = better == image::Measure::Better::low;
   const char* option = low ? "--max" : "--min";
   const size_t equals = text.find('=');
-  const char* end = text.data() + text.size();
-  double value = 0;
-  const bool number = equals != std::string::npos && [&] {
-    const auto [stop, code] = std::from_chars(text.data() + equals + 1, end, value);
-    return code == std::errc() && stop == end && std::isfinite(value);
-  }();
-  if (!number)
+  std::optional<Number> number;
+  if (equals != std::string::npos) number = scene::read_number(text.substr(equals + 1));
+  if (!number || (number->dimension != Dimension::none && number->dimension != Dimension::ratio))
     throw Error(ErrorCode::bad_input, fmt::format("'{} {}' sets no limit", option, text), {},
                 low ? "write --max rmse=0.01 or --max N.rmse=0.01" : "write --min psnr=40");
-  const image::Limit limit = image::limit_of(text.substr(0, equals), value);
+  const image::Limit limit = image::limit_of(text.substr(0, equals), number->value);
   if (image::measure_of(limit.measure).better != better)
     throw Error(ErrorCode::bad_input,
                 fmt::format("{} is better the {} it is", limit.measure, low ? "higher" : "lower"),

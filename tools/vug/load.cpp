@@ -1,25 +1,15 @@
 #include "load.h"
 
+#include "arguments.h"
+
 #include <fmt/format.h>
 #include <vug/base/memory.h>
 
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
 namespace vug::cli {
-
-namespace {
-
-std::string whole_number(const std::string& text) {
-  uint64_t number = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = code == std::errc() && end == text.data() + text.size();
-  return whole ? "" : fmt::format("'{}' is no whole number from 0 on", text);
-}
-
-}  // namespace
 
 void SceneOptions::add_to(CLI::App& app) {
   app.add_option("scene", scene, "the scene, a .vug file")->required();
@@ -27,9 +17,9 @@ void SceneOptions::add_to(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  app.add_option("--seed", seed, "instead of the scene's seed")->check(whole_number);
+  app.add_option("--seed", seed, "instead of the scene's seed")->check(seed_number());
   app.add_option("--frame", frame, "the moment of a scene that moves; else 1")
-      ->check(CLI::Range(-1e6, 1e6));
+      ->transform(number_in(Dimension::none, -1e6, 1e6));
 }
 
 session::LoadOptions SceneOptions::load_options() const {
@@ -86,7 +76,8 @@ session::Loaded SceneOptions::load(const session::LoadOptions& options) const {
 }
 
 void WorkOptions::add_to(CLI::App& app) {
-  app.add_option("--threads", threads, "threads to use; 0: all cores")->check(CLI::Range(0, 1024));
+  app.add_option("--threads", threads, "threads to use; 0: all cores")
+      ->check(whole_number_in(0, 1024));
   app.add_option("--max-memory", max_memory, "refuse work that needs more, e.g. 8G");
   auto* silent = app.add_flag("--quiet,-q", quiet, "no progress bar and no summary; warnings stay");
   app.add_flag("--progress", progress, "a progress bar even where stderr is no terminal")

@@ -47,8 +47,13 @@ void Evaluator::read_overrides() {
       if (document_.lost.may_declare(given.name)) continue;
       std::vector<std::string> names;
       for (const Param& param : document_.params) names.push_back(param.name);
-      diagnostics_.error({file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
-                         suggestion(given.name, names));
+      const std::string near = nearest_name(given.name, names);
+      diagnostics_.error(
+          {file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
+          names.empty() ? "it declares none; 'param R = 1m' in its text would be one"
+                        : fmt::format("{}its params: {}",
+                                      near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
+                                      fmt::join(names, ", ")));
       continue;
     }
     sources_.push_back(std::make_shared<const Source>(Source{file, given.text}));

@@ -269,4 +269,15 @@ std::string unquote(std::string_view token) {
   return out;
 }
 
+std::optional<Number> read_number(std::string_view text) {
+  const bool minus = text.substr(0, 1) == "-";
+  if (minus) text.remove_prefix(1);
+  Diagnostics faults;
+  const std::vector<Token> tokens = lex(text, "", faults);
+  const Token& token = tokens.front();
+  if (faults.has_errors() || token.kind != TokenKind::number || token.text != text)
+    return std::nullopt;
+  return Number{minus ? -token.number.value : token.number.value, token.number.dimension};
+}
+
 }  // namespace vug::scene

@@ -4,6 +4,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/value.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,5 +46,8 @@ std::vector<Token> lex(std::string_view text, const std::string& file, Diagnosti
 
 /// The characters that a text token stands for.
 std::string unquote(std::string_view token);
+
+/// A number alone, as scenes write it but with a sign: "-2", "3%", "90s"; nothing for other texts.
+std::optional<Number> read_number(std::string_view text);
 
 }  // namespace vug::scene

@@ -1,3 +1,4 @@
+#include "arguments.h"
 #include "diff_limits.h"
 #include "verb.h"
 
@@ -26,9 +27,7 @@ std::string measure_names() {
 }
 
 void require_files(const Options& options) {
-  if (!options.heat.empty() && extension_of(options.heat) != ".png")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .png", options.heat), {},
-                "the heat map is a PNG");
+  if (!options.heat.empty()) require_ending(options.heat, ".png", "the heat map is a PNG");
   std::vector<std::filesystem::path> outputs, inputs;
   for (const std::string& path : {options.json, options.html, options.heat})
     if (!path.empty()) outputs.emplace_back(path);
@@ -87,7 +86,7 @@ Verb diff_verb() {
                        "a JSON file of limits: {\"rmse\": 0.01, \"N.max\": 0.1}");
         app.add_option("--alarm", o->diff.alarm,
                        "demands the test of significance, at this rate of false alarms (0.01)")
-            ->check(CLI::Range(1e-9, 0.5));
+            ->transform(number_in(Dimension::ratio, 1e-9, 0.5));
         app.add_option("--layer", o->diff.layers, "compare these layers only, e.g. beauty,albedo")
             ->delimiter(',');
         app.add_option("--metric", o->diff.measures, "measure these only: " + measure_names())
@@ -95,14 +94,14 @@ Verb diff_verb() {
         app.add_option("--mask", o->mask, "a picture that is 0.5 or more where pixels count");
         app.add_option("--exposure", o->diff.exposure,
                        "stops at which an eye looks; else that makes middle grey")
-            ->check(CLI::Range(-30.0, 30.0));
+            ->transform(number_in(Dimension::none, -30, 30));
         app.add_flag("--reference-exposures", o->diff.reference_exposures,
                      "flip_hdr takes its exposures from the reference alone, as its paper does");
         app.add_option("--json", o->json, "writes the verdict for programs");
         app.add_option("--html", o->html, "writes a page with both pictures and the heat map");
         app.add_option("--heat", o->heat, "writes the heat map, a PNG");
         app.add_option("--threads", o->threads, "threads to use; 0: all cores")
-            ->check(CLI::Range(0, 1024));
+            ->check(whole_number_in(0, 1024));
         app.add_flag("--quiet,-q", o->quiet, "no table: the exit code is the answer");
         return [o] { return run(*o); };
       }};
