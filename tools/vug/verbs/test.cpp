@@ -1,3 +1,4 @@
+#include "arguments.h"
 #include "bar.h"
 #include "case_run.h"
 #include "verb.h"
@@ -58,11 +59,27 @@ void require_fitting(const Options& options) {
     throw Error(ErrorCode::bad_input, "a reason is one line");
 }
 
+/// What fits on the line of a case.
+constexpr size_t kShort = 60;
+
+/// "different  hall" and, if it is short, why.
 std::string line_of(const Outcome& outcome) {
-  std::string out =
-      fmt::format("{:<10} {}  {}\n", to_text(outcome.verdict), outcome.name, outcome.message);
-  if (!outcome.hint.empty()) out += fmt::format("{:<10} hint: {}\n", "", outcome.hint);
-  return out;
+  const std::string line = fmt::format("{:<10} {}", to_text(outcome.verdict), outcome.name);
+  return line + (outcome.message.size() <= kShort ? "  " + outcome.message : "") + "\n";
+}
+
+/// What did not fit, a reason on each line, and what to do; empty where that was all.
+std::string details_of(const Outcome& outcome) {
+  std::string out;
+  std::string_view rest = outcome.message;
+  if (rest.size() <= kShort) rest = {};
+  while (!rest.empty()) {
+    const size_t end = std::min(rest.find("; "), rest.size());
+    out += fmt::format("  {}\n", rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 2, rest.size()));
+  }
+  if (!outcome.hint.empty()) out += fmt::format("  hint: {}\n", outcome.hint);
+  return out.empty() ? out : fmt::format("\n{}:\n{}", outcome.name, out);
 }
 
 /// "5 cases in 12.3 s: 4 same, 1 different".
@@ -122,10 +139,12 @@ int run(Options options) {
   });
   for (const Outcome& outcome : outcomes)
     if (!options.quiet || outcome.verdict != Verdict::same) fmt::print("{}", line_of(outcome));
+  for (const Outcome& outcome : outcomes)
+    if (!options.quiet || outcome.verdict != Verdict::same) fmt::print("{}", details_of(outcome));
   const std::string suite =
       std::filesystem::absolute(options.folder).lexically_normal().filename().string();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (!options.quiet) fmt::print("{}\n", summary_of(outcomes, seconds));
+  if (!options.quiet) fmt::print("\n{}\n", summary_of(outcomes, seconds));
   if (!options.junit.empty()) write_text(options.junit, to_junit(outcomes, suite));
   if (!scratch) {
     write_text(options.cases.output / "index.html", to_index(outcomes, suite));
@@ -148,10 +167,10 @@ Verb test_verb() {
                            "a folder for pictures, reports and index.html; else none are kept");
             app.add_option("--junit", o->junit, "writes the outcome for build servers");
             app.add_option("-j,--jobs", o->jobs, "cases at the same time; 0: as many as cores")
-                ->check(CLI::Range(0, 1024));
+                ->check(whole_number_in(0, 1024));
             app.add_option("--flaky", o->cases.reseed,
                            "reseeds each case N times and tells whose verdict changes")
-                ->check(CLI::Range(1, 1000));
+                ->check(whole_number_in(1, 1000));
             app.add_flag("--update", o->cases.update,
                          "makes what differs or is missing the new reference; needs --reason");
             app.add_option("--reason", o->cases.reason,
