@@ -190,6 +190,31 @@ class PictureFiles(VugTest):
         self.assertIn("interaxial", self.expect(2, "render", "s.vug", "-o", "x.exr", "--eye",
                                                 "left").err)
 
+    def test_a_deep_picture_of_two_views_has_both(self):
+        """By the scene's own `deep true` as by --deep."""
+        two = SCENE.replace("fov 70deg", "fov 70deg  interaxial 20cm  convergence 1m")
+        self.write("two.vug", two)
+        self.write("deep.vug", two.replace("spp 16", "spp 16  deep true"))
+        said = self.expect(0, "render", "deep.vug", "-o", "pair.exr", "--float").out
+        self.assertEqual(said.split(), ["pair.exr", "pair.png", "pair.deep.exr"])
+        self.expect(0, "render", "two.vug", "-o", "flag.exr", "--float", "--deep")
+        flat, deep, flag = (exr.read(self.folder / name)
+                            for name in ("pair.exr", "pair.deep.exr", "flag.deep.exr"))
+        self.assertEqual([part.pixels for part in deep], [part.pixels for part in flag])
+        self.assertEqual([part.text("view") for part in deep], ["left", "right"])
+        self.assertEqual([part.text("name") for part in deep], ["left", "right"])
+        self.assertNotEqual(deep[0].pixels["Z"], deep[1].pixels["Z"])
+        for whole, part in zip(flat, deep):
+            self.assertEqual(part.attributes["worldToCamera"], whole.attributes["worldToCamera"])
+            for i, (colours, alphas) in enumerate(zip(part.pixels["G"], part.pixels["A"])):
+                light, hidden = 0, 0
+                for colour, alpha in zip(colours, alphas):
+                    light, hidden = light + (1 - hidden) * colour, hidden + (1 - hidden) * alpha
+                self.assertAlmostEqual(light, whole.pixels["G"][i], delta=1e-5 * (1 + light))
+        told = self.tool("oiiotool", "--info", "-v", "-a", "pair.deep.exr")
+        self.assertIn("6 channel, deep", told)
+        self.assertEqual(told.count("worldToCamera"), 2)
+
     def test_parts_are_layers(self):
         names = [part.text("name") for part in exr.read(self.folder / "parts.exr")]
         self.assertEqual(len(names), len(set(names)))

@@ -4,8 +4,6 @@
 #include <vug/image/exr_spec.h>
 
 #include <OpenImageIO/deepdata.h>
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -24,11 +22,13 @@ Image flatten(const DeepImage& deep) {
   return out;
 }
 
-void write_deep_exr(const std::filesystem::path& path, const DeepImage& deep,
-                    const ExrOptions& options) {
-  if (deep.width < 1 || deep.height < 1)
+namespace {
+
+OIIO::ImageSpec deep_spec(const DeepView& view) {
+  const ExrOptions& options = view.options;
+  if (view.image.width < 1 || view.image.height < 1)
     throw Error(ErrorCode::bad_input, "a picture without pixels cannot be written");
-  OIIO::ImageSpec spec = exr_spec(deep.width, deep.height, options);
+  OIIO::ImageSpec spec = exr_spec(view.image.width, view.image.height, options);
   spec.tile_width = spec.tile_height = 0;
   spec.deep = true;
   spec.nchannels = 6;
@@ -38,13 +38,21 @@ void write_deep_exr(const std::filesystem::path& path, const DeepImage& deep,
   spec.channelformats = {
       colour, colour, colour, colour, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::FLOAT};
   spec.attribute("compression", "zips");
+  if (!view.name.empty()) {
+    spec.attribute("view", view.name);
+    spec.attribute("oiio:subimagename", view.name);
+  }
   for (const auto& [name, text] : options.metadata) spec.attribute(name, text);
+  return spec;
+}
 
+OIIO::DeepData deep_data(const DeepView& view, const OIIO::ImageSpec& spec) {
+  const DeepImage& deep = view.image;
   OIIO::DeepData data(spec);
   for (size_t p = 0; p < deep.pixels.size(); ++p)
     data.set_samples(static_cast<int64_t>(p), static_cast<int>(deep.pixels[p].size()));
   const auto stored = [&](float v) {
-    return options.half ? std::clamp(v, -65504.0f, 65504.0f) : v;
+    return view.options.half ? std::clamp(v, -65504.0f, 65504.0f) : v;
   };
   for (size_t p = 0; p < deep.pixels.size(); ++p)
     for (size_t i = 0; i < deep.pixels[p].size(); ++i) {
@@ -53,16 +61,26 @@ void write_deep_exr(const std::filesystem::path& path, const DeepImage& deep,
       for (int c = 0; c < 6; ++c)
         data.set_deep_value(static_cast<int64_t>(p), c, static_cast<int>(i), values[c]);
     }
+  return data;
+}
 
+}  // namespace
+
+void write_deep_exr(const std::filesystem::path& path, const DeepImage& deep,
+                    const ExrOptions& options) {
+  write_deep_exr(path, {{"", deep, options}});
+}
+
+void write_deep_exr(const std::filesystem::path& path, const std::vector<DeepView>& views) {
+  std::vector<OIIO::ImageSpec> specs;
+  for (const DeepView& view : views) specs.push_back(deep_spec(view));
   AtomicFile file(path);
-  const auto refuse = [&](const std::string& why) {
-    return Error(ErrorCode::io, fmt::format("cannot write picture '{}': {}", path.string(), why));
-  };
-  const auto output = OIIO::ImageOutput::create(file.path().string());
-  if (!output) throw refuse(OIIO::geterror());
-  if (!output->open(file.path().string(), spec) || !output->write_deep_image(data) ||
-      !output->close())
-    throw refuse(output->geterror());
+  ExrOutput output(path, file.path(), specs);
+  for (size_t i = 0; i < views.size(); ++i) {
+    output.begin(i);
+    output.check(output->write_deep_image(deep_data(views[i], specs[i])));
+  }
+  output.check(output->close());
   file.commit();
 }
 

@@ -3,6 +3,7 @@
 
 #include <vug/image/io.h>
 
+#include <string>
 #include <vector>
 
 namespace vug::image {
@@ -37,5 +38,14 @@ Image flatten(const DeepImage& deep);
 /// colours and alpha, `parts` and `tiles` have no meaning here. Errors as write_exr.
 void write_deep_exr(const std::filesystem::path& path, const DeepImage& deep,
                     const ExrOptions& options = {});
+
+/// See ExrView.
+struct DeepView {
+  std::string name;
+  const DeepImage& image;
+  ExrOptions options;
+};
+/// The same of several views, a part for each.
+void write_deep_exr(const std::filesystem::path& path, const std::vector<DeepView>& views);
 
 }  // namespace vug::image

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 namespace vug::image {
@@ -78,6 +80,35 @@ OIIO::ImageSpec exr_spec(int width, int height, const ExrOptions& options) {
   matrix("worldToCamera", options.world_to_camera);
   matrix("worldToNDC", options.world_to_ndc);
   return spec;
+}
+
+ExrOutput::ExrOutput(const std::filesystem::path& path, const std::filesystem::path& temporary,
+                     const std::vector<OIIO::ImageSpec>& parts)
+    : path_(path), temporary_(temporary), parts_(parts) {
+  output_ = OIIO::ImageOutput::create(temporary.string());  // by its extension
+  check(output_ != nullptr);
+  check(parts.size() == 1
+            ? output_->open(temporary.string(), parts[0])
+            : output_->open(temporary.string(), static_cast<int>(parts.size()), parts.data()));
+}
+
+void ExrOutput::begin(size_t part) {
+  if (part > 0)
+    check(output_->open(temporary_.string(), parts_[part], OIIO::ImageOutput::AppendSubimage));
+}
+
+void ExrOutput::check(bool done) const {
+  if (done) return;
+  if (output_)
+    (void)output_->geterror();  // else it is told at the end of the program
+  else
+    (void)OIIO::geterror();
+  const int fault = errno;  // may be of something else: only these come of writing
+  const bool system = fault == ENOSPC || fault == EFBIG || fault == EDQUOT || fault == EIO ||
+                      fault == EACCES || fault == EROFS || fault == ENOMEM;
+  throw Error(ErrorCode::io,
+              fmt::format("cannot write picture '{}': {}", path_.string(),
+                          system ? std::strerror(fault) : "the EXR writer refused it"));
 }
 
 namespace {
@@ -164,25 +195,14 @@ void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& vi
   std::vector<OIIO::ImageSpec> specs;
   for (const FilePart& part : parts) specs.push_back(part.spec);
   AtomicFile file(path);
-  const auto refuse = [&](const std::string& why) {
-    return Error(ErrorCode::io, fmt::format("cannot write picture '{}': {}", path.string(), why));
-  };
-  const auto output = OIIO::ImageOutput::create(file.path().string());  // by its extension
-  if (!output) throw refuse(OIIO::geterror());
-  const bool opened =
-      parts.size() == 1
-          ? output->open(file.path().string(), specs[0])
-          : output->open(file.path().string(), static_cast<int>(specs.size()), specs.data());
-  if (!opened) throw refuse(output->geterror());
+  ExrOutput output(path, file.path(), specs);
   for (size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0 && !output->open(file.path().string(), specs[i], OIIO::ImageOutput::AppendSubimage))
-      throw refuse(output->geterror());
+    output.begin(i);
     const ExrView& view = *parts[i].view;
     const std::vector<float> pixels = pixels_of(view.image, parts[i].channels, view.options);
-    if (!output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()))
-      throw refuse(output->geterror());
+    output.check(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
   }
-  if (!output->close()) throw refuse(output->geterror());
+  output.check(output->close());
   file.commit();
 }
 

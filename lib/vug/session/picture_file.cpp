@@ -39,7 +39,7 @@ std::array<float, 16> read_matrix(const std::string& text) {
 }
 
 /// The denoised layer as a picture of its own.
-image::Image shown(image::Image smooth) {
+image::Image as_colour(image::Image smooth) {
   smooth.channels = {"R", "G", "B"};
   return smooth;
 }
@@ -61,6 +61,55 @@ void write_png(const std::filesystem::path& png, const image::Image& image,
   image::ViewOptions view = image::view_options(look.view, look.space);
   view.exposure = look.exposure;
   image::write_png(png, image, view);
+}
+
+image::ExrOptions exr_options(const PictureLook& look, const render::PartHeader& header) {
+  image::ExrOptions options;
+  options.half = look.half;
+  options.parts = look.multi_part;
+  options.tiles = look.tiled;
+  options.space = look.space;
+  if (look.camera) {
+    options.world_to_camera = look.camera->world_to_camera;
+    options.world_to_ndc = look.camera->world_to_ndc;
+  }
+  options.metadata = look.metadata;
+  options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
+  return options;
+}
+
+/// With what the layers ask for.
+image::ExrOptions layered_options(const PictureLook& look, const render::PartHeader& header) {
+  image::ExrOptions options = exr_options(look, header);
+  for (const auto& entry : render::crypto_metadata(header.layers))
+    options.metadata.push_back(entry);
+  options.full_channels.insert(options.full_channels.end(),
+                               {render::kCryptoObject, render::kCryptoMaterial, render::kMotion});
+  for (const render::LayerAttribute& attribute : header.layers.attributes)
+    options.full_channels.push_back("attribute_" + attribute.name);
+  return options;
+}
+
+image::Image side_by_side(const image::Image& left, const image::Image& right) {
+  image::Image out(left.width + right.width, left.height, left.channels);
+  const auto line = static_cast<size_t>(left.width) * left.channels.size();
+  for (int y = 0; y < left.height; ++y) {
+    std::copy_n(&left.pixels[left.index(0, y)], line, &out.pixels[out.index(0, y)]);
+    std::copy_n(&right.pixels[right.index(0, y)], line, &out.pixels[out.index(left.width, y)]);
+  }
+  return out;
+}
+
+/// What denoising a view makes of it; nothing where its look does not ask for it.
+struct Denoised {
+  std::optional<image::Image> layers, shown;
+};
+
+Denoised denoised(const PictureView& view, const PictureLook& look) {
+  if (!look.denoise) return {};
+  image::Image smooth = image::denoise(view.image);
+  image::Image layers = joined(view.image, smooth);
+  return {std::move(layers), as_colour(std::move(smooth))};
 }
 
 }  // namespace
@@ -112,100 +161,41 @@ std::filesystem::path png_beside(const std::filesystem::path& exr) {
   return std::filesystem::path(exr).replace_extension(".png");
 }
 
-namespace {
-
-image::ExrOptions exr_options(const PictureLook& look, const render::PartHeader& header) {
-  image::ExrOptions options;
-  options.half = look.half;
-  options.parts = look.multi_part;
-  options.tiles = look.tiled;
-  options.space = look.space;
-  if (look.camera) {
-    options.world_to_camera = look.camera->world_to_camera;
-    options.world_to_ndc = look.camera->world_to_ndc;
-  }
-  options.metadata = look.metadata;
-  options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
-  return options;
-}
-
-}  // namespace
-
 std::filesystem::path deep_beside(const std::filesystem::path& exr) {
   return std::filesystem::path(exr).replace_extension(".deep.exr");
 }
 
-std::filesystem::path write_deep(const std::filesystem::path& exr, const image::DeepImage& deep,
-                                 const render::PartHeader& header) {
-  image::write_deep_exr(deep_beside(exr), deep, exr_options(from_notes(header.notes), header));
-  return deep_beside(exr);
-}
-
-namespace {
-
-/// With what the layers ask for.
-image::ExrOptions layered_options(const PictureLook& look, const render::PartHeader& header) {
-  image::ExrOptions options = exr_options(look, header);
-  for (const auto& entry : render::crypto_metadata(header.layers))
-    options.metadata.push_back(entry);
-  options.full_channels.insert(options.full_channels.end(),
-                               {render::kCryptoObject, render::kCryptoMaterial, render::kMotion});
-  for (const render::LayerAttribute& attribute : header.layers.attributes)
-    options.full_channels.push_back("attribute_" + attribute.name);
-  return options;
-}
-
-image::Image side_by_side(const image::Image& left, const image::Image& right) {
-  image::Image out(left.width + right.width, left.height, left.channels);
-  const auto line = static_cast<size_t>(left.width) * left.channels.size();
-  for (int y = 0; y < left.height; ++y) {
-    std::copy_n(&left.pixels[left.index(0, y)], line, &out.pixels[out.index(0, y)]);
-    std::copy_n(&right.pixels[right.index(0, y)], line, &out.pixels[out.index(left.width, y)]);
-  }
-  return out;
-}
-
-}  // namespace
-
 std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
-                                                 const image::Image& image,
-                                                 const render::PartHeader& header) {
-  const PictureLook look = from_notes(header.notes);
-  const image::ExrOptions options = layered_options(look, header);
-  if (!look.denoise) {
-    image::write_exr(exr, image, options);
-    write_png(png_beside(exr), image, look);
-  } else {
-    const image::Image smooth = image::denoise(image);
-    image::write_exr(exr, joined(image, smooth), options);
-    write_png(png_beside(exr), shown(smooth), look);
+                                                 const std::vector<PictureView>& views) {
+  std::vector<Denoised> smooth;
+  std::vector<image::ExrView> parts;
+  std::vector<image::DeepView> deep;
+  std::vector<const image::Image*> shown;
+  smooth.reserve(views.size());  // what it holds is pointed to
+  const PictureLook look = from_notes(views.front().header.notes);
+  for (const PictureView& view : views) {
+    const PictureLook own = from_notes(view.header.notes);
+    const std::string name = views.size() == 1 ? "" : parts.empty() ? "left" : "right";
+    const Denoised& more = smooth.emplace_back(denoised(view, own));
+    parts.push_back(
+        {name, more.layers ? *more.layers : view.image, layered_options(own, view.header)});
+    if (view.deep) deep.push_back({name, *view.deep, exr_options(own, view.header)});
+    shown.push_back(more.shown ? &*more.shown : &view.image);
   }
-  return {exr, png_beside(exr)};
-}
-
-std::vector<std::filesystem::path> write_stereo(const std::filesystem::path& exr,
-                                                const image::Image& left, const image::Image& right,
-                                                const render::PartHeader& left_header,
-                                                const render::PartHeader& right_header) {
-  const PictureLook look = from_notes(left_header.notes);
-  const auto options = layered_options(look, left_header),
-             right_options = layered_options(from_notes(right_header.notes), right_header);
-  if (!look.denoise) {
-    image::write_exr(exr, {{"left", left, options}, {"right", right, right_options}});
-    write_png(png_beside(exr), side_by_side(left, right), look);
-  } else {
-    const image::Image smooth_left = image::denoise(left), smooth_right = image::denoise(right);
-    const image::Image both[] = {joined(left, smooth_left), joined(right, smooth_right)};
-    image::write_exr(exr, {{"left", both[0], options}, {"right", both[1], right_options}});
-    write_png(png_beside(exr), side_by_side(shown(smooth_left), shown(smooth_right)), look);
-  }
-  return {exr, png_beside(exr)};
+  image::write_exr(exr, parts);
+  if (shown.size() == 1)
+    write_png(png_beside(exr), *shown[0], look);
+  else
+    write_png(png_beside(exr), side_by_side(*shown[0], *shown[1]), look);
+  if (deep.empty()) return {exr, png_beside(exr)};
+  image::write_deep_exr(deep_beside(exr), deep);
+  return {exr, png_beside(exr), deep_beside(exr)};
 }
 
 void write_preview(const std::filesystem::path& png, const image::Image& image,
                    const render::PartHeader& header) {
   const PictureLook look = from_notes(header.notes);
-  write_png(png, look.denoise ? shown(image::denoise(image)) : image, look);
+  write_png(png, look.denoise ? as_colour(image::denoise(image)) : image, look);
 }
 
 }  // namespace vug::session

@@ -31,23 +31,21 @@ struct PictureLook {
 std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& look);
 PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& notes);
 
-/// Writes `exr` and the PNG of the same name beside it; returns both paths. The header tells where
-/// in the picture the image lies.
-std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
-                                                 const image::Image& image,
-                                                 const render::PartHeader& header);
-/// The same of the views of the left and of the right eye: the EXR has a part for each, the PNG
-/// shows them side by side.
-std::vector<std::filesystem::path> write_stereo(const std::filesystem::path& exr,
-                                                const image::Image& left, const image::Image& right,
-                                                const render::PartHeader& left_header,
-                                                const render::PartHeader& right_header);
-std::filesystem::path png_beside(const std::filesystem::path& exr);
+/// A picture, or what one of two eyes sees of it.
+struct PictureView {
+  const image::Image& image;
+  const render::PartHeader& header;  ///< Tells where in the picture the image lies, and its look.
+  const image::DeepImage* deep = nullptr;
+};
 
-/// The deep picture beside `exr`, as NAME.deep.exr; returns its name.
+/// Writes `exr`, the PNG of the same name beside it, and where there are deep images the deep
+/// picture; returns their paths. Of two views, left and right, the EXRs have parts for each and the
+/// PNG shows them side by side.
+std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
+                                                 const std::vector<PictureView>& views);
+std::filesystem::path png_beside(const std::filesystem::path& exr);
+/// NAME.deep.exr.
 std::filesystem::path deep_beside(const std::filesystem::path& exr);
-std::filesystem::path write_deep(const std::filesystem::path& exr, const image::DeepImage& deep,
-                                 const render::PartHeader& header);
 
 /// Only the PNG, as write_picture would write it.
 void write_preview(const std::filesystem::path& png, const image::Image& image,

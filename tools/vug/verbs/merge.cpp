@@ -1,3 +1,4 @@
+#include "arguments.h"
 #include "bar.h"
 #include "load.h"
 
@@ -15,14 +16,12 @@ struct Options {
 };
 
 int run(const Options& options) {
-  if (extension_of(options.output) != ".exr")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},
-                "the picture is an EXR; a PNG is written beside it");
+  require_ending(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
   const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
   require_outputs({options.output, session::png_beside(options.output)}, paths);
   const render::Part whole = render::merge(paths, terminal_progress(options.work.bar()));
   const image::Image image = render::develop(whole.state, whole.header.layers);
-  for (const auto& path : session::write_picture(options.output, image, whole.header))
+  for (const auto& path : session::write_picture(options.output, {{image, whole.header}}))
     fmt::print("{}\n", path.string());
   return kDone;
 }

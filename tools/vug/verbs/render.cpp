@@ -1,3 +1,4 @@
+#include "arguments.h"
 #include "bar.h"
 #include "load.h"
 
@@ -12,7 +13,6 @@
 
 #include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -93,23 +93,15 @@ void parse(Options& options) {
   if (!render.picture.seed) render.picture.seed = options.scene.seed;
   render.part = options.part, render.checkpoint = options.checkpoint;
   render.preview = options.preview;
-  if (render.picture.noise && !(*render.picture.noise >= 0))
-    throw Error(ErrorCode::bad_input, "the noise is no number", {}, "write --noise 0.05");
-  if (render.picture.exposure && !(std::fabs(*render.picture.exposure) <= 30))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("an exposure of {} stops is out of range", *render.picture.exposure),
-                {}, "write --exposure and a number from -30 to 30");
   if (!options.eye.empty()) render.picture.eye = options.eye == "left" ? -1 : 1;
   if (options.output.empty() == options.part.empty())
     throw Error(ErrorCode::bad_input,
                 options.part.empty() ? "there is no name for the picture"
                                      : "a part is no picture: it cannot be both",
                 {}, "give -o and an .exr for the picture, or --part and a file for a part of it");
-  if (!options.output.empty() && extension_of(options.output) != ".exr")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .exr", options.output), {},
-                "the picture is an EXR; a PNG is written beside it");
-  if (!options.preview.empty() && extension_of(options.preview) != ".png")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .png", options.preview));
+  if (!options.output.empty())
+    require_ending(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
+  if (!options.preview.empty()) require_ending(options.preview, ".png", "");
 }
 
 /// A first picture of a scene is often black or white, and its light not to be guessed.
@@ -133,41 +125,37 @@ std::string time_text(double seconds) {
   return fmt::format("about {:.1f} h", seconds / 3600);
 }
 
-/// Both views of a camera for stereo, one after the other.
-void render_stereo(const Options& options, session::Builder& builder) {
-  session::RenderOptions one = options.render;
-  one.picture.eye = -1;
-  const session::Rendered left = session::render_picture(builder, one);
-  one.picture.eye = 1;
-  one.estimate = nullptr;
-  const session::Rendered right = session::render_picture(builder, one);
-  warn_of_exposure(builder, left);
-  for (const auto& path :
-       session::write_stereo(options.output, *left.image, *right.image, left.header, right.header))
-    fmt::print("{}\n", path.string());
+/// The picture, or both views of a camera for stereo, one after the other; nothing of a part.
+std::vector<session::Rendered> render_views(const Options& options, session::Builder& builder) {
+  const session::RenderOptions& render = options.render;
+  if (render.picture.eye != 0 || !session::has_two_views(builder.shot(), render.picture))
+    return {session::render_picture(builder, render)};
+  if (!options.part.empty() || !options.checkpoint.empty())
+    throw Error(ErrorCode::bad_input,
+                "a picture of two views has no checkpoint and is not made of parts", {},
+                "render one view at a time: --eye left, then --eye right");
+  std::vector<session::Rendered> views;
+  for (const int eye : {-1, 1}) {
+    session::RenderOptions one = render;
+    one.picture.eye = eye;
+    if (eye > 0) one.estimate = nullptr;
+    views.push_back(session::render_picture(builder, one));
+  }
+  return views;
 }
 
 /// Renders one picture of what is loaded, and writes it.
 void render_one(const Options& options, session::Builder& builder) {
-  const session::PictureOptions& picture_options = options.render.picture;
-  const bool both =
-      picture_options.eye == 0 && session::has_two_views(builder.shot(), picture_options);
-  if (both && !(options.part.empty() && options.checkpoint.empty() && !picture_options.deep))
-    throw Error(ErrorCode::bad_input,
-                "a picture of two views has no checkpoint, is not made of parts and is not deep",
-                {}, "render one view at a time: --eye left, then --eye right");
-  if (both) {
-    render_stereo(options, builder);
-  } else if (const session::Rendered picture = session::render_picture(builder, options.render);
-             picture.image) {
-    warn_of_exposure(builder, picture);
-    for (const auto& path : session::write_picture(options.output, *picture.image, picture.header))
-      fmt::print("{}\n", path.string());
-    if (picture.deep)
-      fmt::print("{}\n",
-                 session::write_deep(options.output, *picture.deep, picture.header).string());
-  } else {
+  const std::vector<session::Rendered> rendered = render_views(options, builder);
+  std::vector<session::PictureView> views;
+  for (const session::Rendered& each : rendered)
+    if (each.image) views.push_back({*each.image, each.header, each.deep ? &*each.deep : nullptr});
+  if (views.empty()) {
     fmt::print("{}\n", options.part);
+  } else {
+    warn_of_exposure(builder, rendered.front());
+    for (const auto& path : session::write_picture(options.output, views))
+      fmt::print("{}\n", path.string());
   }
   if (!options.products.empty())
     for (const auto& path : session::write_products(builder, options.products))
@@ -185,7 +173,8 @@ void require_outputs(const Options& options, const session::Loaded& loaded) {
   if (!options.preview.empty() &&
       (options.output.empty() || options.preview != session::png_beside(options.output)))
     outputs.emplace_back(options.preview);
-  if (options.render.picture.deep) outputs.push_back(session::deep_beside(options.output));
+  if (!options.output.empty() && session::render_plan(loaded.shot, options.render.picture).deep)
+    outputs.push_back(session::deep_beside(options.output));
   if (!options.products.empty())
     for (auto& path : session::product_paths(loaded.shot, options.products))
       outputs.push_back(std::move(path));
@@ -287,8 +276,10 @@ Verb render_verb() {
         app.add_option("--products", options->products,
                        "a folder for what `vug build` would make, too");
         app.add_option("--sample-seed", options->render.picture.seed,
-                       "draws other samples of the same scene, which --seed may change");
-        app.add_option("--spp", picture.spp, "samples per pixel")->check(CLI::Range(1, 1 << 20));
+                       "draws other samples of the same scene, which --seed may change")
+            ->check(seed_number());
+        app.add_option("--spp", picture.spp, "samples per pixel")
+            ->check(whole_number_in(1, 1 << 20));
         app.add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
         app.add_option("--crop", options->crop, "LEFT,TOP,RIGHT,BOTTOM: only these pixels");
         app.add_option("--camera", picture.camera, "which camera");
@@ -298,9 +289,10 @@ Verb render_verb() {
             ->check(CLI::IsMember({"left", "right"}));
         app.add_option("--layers", picture.layers, "names of layers, or all")->delimiter(',');
         app.add_option("--noise", picture.noise,
-                       "stop sampling where the relative error is below this, e.g. 0.05")
-            ->check(CLI::Range(0.0, 1.0));
-        app.add_option("--exposure", picture.exposure, "stops, for the PNG");
+                       "stop sampling where the relative error is below this, e.g. 5%")
+            ->transform(number_in(Dimension::ratio, 0, 1));
+        app.add_option("--exposure", picture.exposure, "stops, for the PNG")
+            ->transform(number_in(Dimension::none, -30, 30));
         app.add_option("--view", picture.view,
                        "how the PNG shows the light: filmic, standard, aces, or one of --ocio");
         app.add_option("--display", picture.display, "a display of --ocio, for the PNG");
@@ -321,7 +313,7 @@ Verb render_verb() {
         auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
                                           "a file to go on from after a failure");
         app.add_option("--checkpoint-every", render.checkpoint_every, "in seconds")
-            ->check(CLI::Range(0.0, 1e6))
+            ->transform(number_in(Dimension::time, 0, 1e6))
             ->needs(checkpoint);
         app.add_option("--frames", options->frames,
                        "A..B or A..BxSTEP: a picture of each, with #### in its name")
