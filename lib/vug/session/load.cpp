@@ -2,6 +2,7 @@
 #include <vug/scene/check.h>
 #include <vug/scene/parser.h>
 #include <vug/scene/report.h>
+#include <vug/session/foresee.h>
 #include <vug/session/grammar_binding.h>
 #include <vug/session/load.h>
 #include <vug/session/reader.h>
@@ -140,6 +141,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   for (const scene::Grammar& grammar : document.grammars)
     resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
   scene::check_params_read(document, loaded.diagnostics);
+  foresee(loaded.shot, document, loaded.diagnostics);
   loaded.shot.moves = resolver.frame_uses() > 0;
   loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.moves);
   return loaded;

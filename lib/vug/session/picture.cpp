@@ -4,6 +4,7 @@
 #include <vug/render/kinds.h>
 #include <vug/render/working_space.h>
 #include <vug/session/cast.h>
+#include <vug/session/foresee.h>
 #include <vug/session/motion.h>
 #include <vug/session/picture.h>
 #include <vug/volume/density.h>
@@ -225,14 +226,8 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   }
   render.openings = plan.openings;
   if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
-  const auto plan_for = [&](const render::Scene& scene) {
-    try {
-      return render::scene_layers(scene, plan.layers);
-    } catch (const Error& error) {
-      throw Error(error.code(), error.what(), plan.where, error.hint());
-    }
-  };
-  if (options.denoise && !plan.layers.empty() && !plan_for({}).has("variance"))
+  render.layers = foreseen_layers(builder.shot(), plan);  // before meshes are made of it all
+  if (options.denoise && !render.layers.has("variance"))
     throw Error(ErrorCode::bad_input, "a picture without the layer 'variance' cannot be denoised",
                 plan.where, "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
   job.look.space = plan.working_space;
@@ -242,16 +237,15 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   } catch (const Error& error) {
     throw Error(error.code(), error.what(), plan.where, error.hint());
   }
-  // Before meshes are made of it all.
-  render::Scene lights;
-  for (const std::string& group : light_groups(builder.shot()))
-    lights.objects.emplace_back().light_group = group;
-  render.layers = plan_for(lights);
   require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
   if (render.layers.has(render::kMotion)) render.step = frame_step(builder, options, at_frame);
   job.scene = assemble(builder, plan, moments);
-  render.layers = plan_for(job.scene);
+  try {
+    render.layers = render::scene_layers(job.scene, plan.layers);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.what(), plan.where, error.hint());
+  }
   require_memory(render::memory_estimate(job.scene, render, whole_film), builder.room(),
                  "the picture", std::string(kFewerPixels) + " or larger voxels");
   job.look.exposure = plan.exposure;

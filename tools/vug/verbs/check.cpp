@@ -1,6 +1,8 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <vug/image/configured_view.h>
+#include <vug/session/foresee.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -26,11 +28,26 @@ Json to_json(const session::Loaded& loaded, const std::string& file) {
   return {{"file", file}, {"fine", loaded.usable()}, {"diagnostics", std::move(faults)}};
 }
 
+/// Loads, and looks for what `vug render` would find in its options' defaults.
+session::Loaded examine(const Options& options) {
+  session::Loaded loaded = session::load(options.scene.scene, options.scene.load_options());
+  if (!loaded.usable()) return loaded;
+  for (const session::RenderPlan& plan : loaded.shot.renders) try {
+      if (session::shows_nothing(loaded.shot))
+        loaded.diagnostics.warning(plan.where, "the scene has nothing to show");
+      image::view_options({plan.view, plan.display, image::environment_config()},
+                          plan.working_space);
+    } catch (const Error& error) {  // another --ocio may know it
+      loaded.diagnostics.warning(plan.where, error.what(), error.hint());
+    }
+  return loaded;
+}
+
 /// Faults as JSON even where there is no text to find any in.
 int run_json(const Options& options) {
   session::Loaded loaded;
   try {
-    loaded = session::load(options.scene.scene, options.scene.load_options());
+    loaded = examine(options);
   } catch (const Error& error) {
     loaded.diagnostics.error(error.where(), error.what(), error.hint());
   }
@@ -42,7 +59,9 @@ int run_json(const Options& options) {
 
 int run(const Options& options) {
   if (options.json) return run_json(options);
-  const session::Loaded loaded = options.scene.load();
+  const session::Loaded loaded = examine(options);
+  fmt::print(stderr, "{}", loaded.report());
+  if (!loaded.usable()) return kUnusable;
   const session::Shot& shot = loaded.shot;
   if (!options.quiet)
     fmt::print("{}: fine; {} volumes, {} meshes, {} objects, {} lights, {} cameras, {} renders\n",

@@ -1,0 +1,85 @@
+"""What `vug check` finds without building: whatever `vug render` would refuse later for the text's sake."""
+import json
+import unittest
+
+from vug import VugTest
+
+SCENE = """volume rock = level_set(sphere(1m), voxel: 20cm)
+mesh skin on rock {}
+object ball on skin {}
+object pebble on skin {}
+place heap { of pebble at [(3, 0, 0), (5, 0, 0)]  apart true }
+camera main { eye (0, 0, 4) }
+light lamp = sphere(center: (0, 3, 0), group: "key", {link})
+render main { size 16x12  spp 1  {render} }
+"""
+
+
+class Check(VugTest):
+    def both(self, said, code=2, **parts):
+        """Of `vug check` and `vug render` alike; what is said on stderr."""
+        text = SCENE
+        for name in ("link", "render"):
+            text = text.replace("{%s}" % name, parts.get(name, ""))
+        self.write("s.vug", text.replace(", )", ")"))
+        for verb in (("check", "s.vug"), ("render", "s.vug", "-o", "s.exr")):
+            error = self.expect(code, *verb).err
+            self.assertIn(said, error)
+        return error
+
+    def test_a_light_linked_to_nothing(self):
+        for link in ("only: [\"bal\"]", "except: [\"bal\"]"):
+            self.both("s.vug:7:7: error: the light is linked to 'bal', but no object that shows has "
+                      "that name\nlight lamp", link=link)
+        self.assertIn("did you mean 'ball'?", self.both("'bal'", link="only: [\"bal\"]"))
+        self.assertIn("goes by the name of its place: 'heap'", self.both("'pebble'", link="only: [\"pebble\"]"))
+        self.both("", 0, link="only: [\"ball\", \"heap\"]")
+        self.both("", 0, link='except: ["heap/2"]')
+        self.both("'heap/a'", link='only: ["heap/a"]')
+        self.both("'heap/1/stone'", link='only: ["heap/1/stone"]')
+
+    def test_links_into_placed_scenes(self):
+        self.write("part.vug", SCENE.replace(", {link}", "").replace("{render}", ""))
+        text = ('light lamp = sphere(center: (0, 3, 0), only: ["%s"])\nvolume a = level_set(sphere(1m), voxel: 20cm)\n'
+                'place rooms { of scene("part.vug") at (0, 0, 0) }\nrender main { size 4x4  spp 1 }\n')
+        for name, code in (("rooms", 0), ("rooms/ball", 0), ("rooms/heap", 0), ("rooms/bal", 2)):
+            self.write("s.vug", text % name)
+            self.expect(code, "check", "s.vug")
+            self.expect(code, "render", "s.vug", "-o", "s.exr")
+
+    def test_a_link_to_what_has_a_fault_is_no_second_fault(self):
+        self.write("s.vug", SCENE.replace("{render}", "").replace("{link}", "only: [\"ball\"]").replace("ball on skin {}", "ball on skn {}"))
+        self.assertEqual(self.expect(2, "check", "s.vug").err.count("error: "), 1)
+
+    def test_pictures_that_cannot_be(self):
+        self.both("s.vug:8:8: error: there is no layer 'light_kye'", render='layers ["beauty", "light_kye"]')
+        self.both("", 0, render='layers ["beauty", "light_key"]')
+        self.both("there is no layer 'light_kye'", render='layers ["light_kye"]')
+        self.both("a picture needs the layer 'beauty'", render='layers ["Z"]')
+        self.both("is no part of a picture of 16 x 12", render="crop [0, 0, 17, 4]")
+        self.both("", 0, render="crop [0, 0, 16, 4]")
+        self.both("a deep picture takes all samples", render="deep true  noise 5%")
+
+    def test_a_view_that_there_is_none_of(self):
+        self.write("s.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
+                            'render main { size 4x4  spp 1  view "flimic" }\n')
+        self.assertIn("s.vug:2:8: warning: there is no view 'flimic'", self.expect(0, "check", "s.vug").err)
+        report = json.loads(self.expect(0, "check", "s.vug", "--json").out)
+        self.assertEqual([d["severity"] for d in report["diagnostics"]], ["warning"])
+        self.expect(2, "render", "s.vug", "-o", "s.exr")
+
+    def test_faults_without_end_are_counted(self):
+        self.write("s.vug", "- a list, not a scene\n" * 300)
+        error = self.expect(2, "check", "s.vug").err
+        self.assertEqual(error.count("error: "), 20)
+        self.assertTrue(error.endswith("... and at least 80 more\n"), error[-200:])
+        self.write("s.vug", "- a list, not a scene\n" * 30)
+        self.assertTrue(self.expect(2, "check", "s.vug").err.endswith("... and 10 more\n"))
+
+    def test_a_picture_of_nothing(self):
+        self.write("s.vug", "camera main {}\nrender main { size 4x4 }\n")
+        self.assertIn("s.vug:2:8: warning: the scene has nothing to show", self.expect(0, "check", "s.vug").err)
+
+
+if __name__ == "__main__":
+    unittest.main()
