@@ -1,4 +1,5 @@
 """Long renders: parts that merge to the whole, and renders that are killed and go on, bit for bit."""
+import json
 import random
 import signal
 import subprocess
@@ -153,9 +154,35 @@ class Farm(VugTest):
         while b"rendering     " not in said and process.poll() is None:  # the bar's stage
             said += process.stderr.read(1)
         process.send_signal(signal.SIGINT)
-        process.communicate()
+        said = process.communicate()[1].decode()
         self.assertEqual(process.returncode, 3)
         self.assertTrue((self.folder / "state").exists())
+        self.assertRegex(said, r"error: stopped on request\nhint: 'state' keeps what is done, [\d.]+ %; "
+                               r"the same command with --resume goes on from it\n")
+        held = json.loads(self.expect(0, "info", "state", "--json").out)
+        self.assertEqual(held["holds"]["samples"], [0, 100000])
+        self.assertEqual(held["holds"]["pixels"], [0, 0, 64, 40])
+        self.assertLessEqual(held["holds"]["samples_left"], 64 * 40 * 100000)
+        self.assertLess(0, held["holds"]["samples_left"])
+
+    def test_info_tells_what_a_part_is(self):
+        self.part("a", "--tile", "2/4", "--samples", "16..48", "--crop", "0,8,64,40", "--layers", "beauty,Z")
+        told = json.loads(self.expect(0, "info", "a", "--json").out)
+        self.assertEqual((told["type"], told["width"], told["height"], told["spp"], told["seed"]),
+                         ("part of a picture", 64, 40, 48, 5))
+        self.assertEqual(told["bytes"], (self.folder / "a").stat().st_size)
+        self.assertEqual(told["crop"], [0, 8, 64, 40])
+        self.assertEqual(told["layers"], ["beauty", "Z"])
+        self.assertEqual(told["holds"], {"pixels": [0, 16, 64, 24], "samples": [16, 48],
+                                         "done": "100.0 %", "samples_left": 0})
+        self.assertIn("sphere(1.8m)", told["metadata"]["vug:recipe"])
+        self.part("b", "--tile", "1/4", "--samples", "16..48", "--crop", "0,8,64,40", "--layers", "beauty,Z")
+        self.assertEqual(told["scene"], json.loads(self.expect(0, "info", "b", "--json").out)["scene"])
+        self.assertIn("\n  samples: [16,48]\n", self.expect(0, "info", "a").out)
+        whole = (self.folder / "a").read_bytes()
+        for broken in (whole[:-100], whole[:60], whole[:-100] + b"?" + whole[-99:], whole + b"more"):
+            self.write("a", broken)
+            self.assertRegex(self.expect(2, "info", "a").err, "'a': (it is cut short|its content was changed)")
 
 
 if __name__ == "__main__":

@@ -95,6 +95,33 @@ class Stopped(VugTest):
                 self.assertEqual(out, "")
                 self.assertEqual(self.files(), ["rock.vug"])
 
+    def test_what_a_killed_run_left_goes_with_the_next(self):
+        """The hidden files of the same outputs, but not those of runs that live."""
+        args = ("render", "rock.vug", "-o", "out/rock.exr", "--checkpoint", "out/rock.state", "--spp", "100000",
+                "--size", "640x360", "--checkpoint-every", "0")
+        hidden = lambda: [f for f in self.files() if "/." in f]
+        left = []
+        for _ in range(40):  # until one is killed while it writes
+            running = Running(self.folder, *args, "--resume")
+            running.wait_for("rendering   ")
+            time.sleep(0.05)
+            running.stop(signal.SIGKILL)
+            left = hidden()
+            if left:
+                break
+        self.assertEqual(len(left), 1)
+        self.write("out/.other.1.part.state", "of another output")
+        self.write("out/.rock.1.part.state", "of a process that lives")
+        self.write("out/.rock.x1.part.state", "of nobody")
+        living = Running(self.folder, *(a.replace("rock.exr", "two.exr") for a in args), "--resume")
+        living.wait_for("rendering   ")
+        self.vug("render", "rock.vug", "-o", "out/rock.exr", "--checkpoint", "out/rock.state", "--spp", "1")
+        self.assertNotIn(left[0], hidden())
+        self.assertLessEqual({"out/.other.1.part.state", "out/.rock.1.part.state", "out/.rock.x1.part.state"},
+                             set(hidden()))
+        self.assertEqual(living.stop(signal.SIGINT)[0], 3, living.said)
+        self.assertTrue((self.folder / "out/rock.state").exists())
+
     def test_a_sweep_keeps_what_it_has(self):
         ball = "param R = 1m\n" + SCENE.replace("sphere(2m)", "sphere(R)")
         self.write("ball.vug", ball)
@@ -107,6 +134,23 @@ class Stopped(VugTest):
         self.assertIn("while measuring R = 3m\n", running.said)
         self.assertEqual([line.split(",")[0] for line in out.splitlines()], ["R", "20cm"])
         self.assertEqual((self.folder / "out/a.csv").read_text(), out)
+
+    def test_asked_to_stop_before_there_is_any_work(self):
+        self.write("long.vug", "".join(f"let a{i} = {i} + 1\n" for i in range(150000)))
+
+        def heeds(process):
+            status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+            caught = int(status.split("SigCgt:")[1].split()[0], 16)
+            return caught >> (signal.SIGINT - 1) & 1
+
+        for how in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([PROGRAM, "check", "long.vug"], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            while not heeds(process):
+                time.sleep(0.001)
+            process.send_signal(how)
+            out, said = process.communicate()
+            self.assertEqual((process.returncode, out, said), (3, b"", b"error: stopped on request\n"))
 
     def test_a_second_signal_ends_it_the_hard_way(self):
         running = Running(self.folder, "render", "rock.vug", "-o", "out/rock.exr", "--spp", "100000")

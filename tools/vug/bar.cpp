@@ -1,8 +1,11 @@
 #include "bar.h"
 
+#include "verb.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -13,12 +16,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Progress* interrupted = nullptr;
+std::atomic<Progress*> interrupted = nullptr;
 
-/// Only sets an atomic flag; a second signal ends the process the hard way.
+/// Only sets an atomic flag; a second signal ends the process the hard way. Before any work has
+/// begun there is nothing to put in order.
 void on_signal(int signal) {
-  if (interrupted) interrupted->cancel();
   std::signal(signal, SIG_DFL);
+  if (Progress* const progress = interrupted.load()) return progress->cancel();
+  constexpr char kSaid[] = "error: stopped on request\n";
+  const ssize_t written = write(STDERR_FILENO, kSaid, sizeof kSaid - 1);
+  (void)written;
+  _exit(kFailed);
 }
 
 class Bar {
@@ -71,9 +79,12 @@ Progress& terminal_progress(BarShown shown) {
       shown == BarShown::always || (shown == BarShown::on_terminals && isatty(STDERR_FILENO));
   Progress& progress = draw ? drawn : silent;
   interrupted = &progress;
+  return progress;
+}
+
+void heed_signals() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  return progress;
 }
 
 void clear_bar() { bar().clear(); }

@@ -1,4 +1,5 @@
 // vug: caves and terrain out of grammars. Parses arguments and hands over to a verb.
+#include "bar.h"
 #include "report.h"
 #include "verb.h"
 
@@ -81,6 +82,7 @@ int with_results_out(int exit) {
 
 int main(int argc, char** argv) {
   using namespace vug;
+  cli::heed_signals();
   if (!__builtin_cpu_supports("avx2")) {
     std::fputs("error: this build of vug needs a processor with AVX2 (2013 or later)\n", stderr);
     return cli::kFailed;

@@ -75,6 +75,12 @@ class Reader {
       at_ += some, copied += some, left_ -= some;
     }
   }
+  /// To where the hash begins.
+  void skip() {
+    std::vector<char> some(kBuffer);
+    while (left_ > kDigestBytes)
+      bytes(some.data(), std::min<uint64_t>(some.size(), left_ - kDigestBytes));
+  }
   /// Before memory is taken for that many bytes.
   void need(uint64_t count) const {
     if (count > left_) refuse("it is cut short");
@@ -268,7 +274,21 @@ PartOutline read_outline(const std::filesystem::path& path) {
   read_front(file, outline.header, state, outline.region);
   outline.begin = state.begin, outline.end = state.end;
   outline.fraction = fraction_done(state, outline.region);
+  outline.samples_left = samples_missing(state, outline.region);
   return outline;
+}
+
+bool is_part(const std::filesystem::path& path) {
+  if (!why_no_file(path).empty()) return false;
+  char magic[sizeof kMagic] = {};
+  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+  return std::memcmp(magic, kMagic, sizeof magic) == 0;
+}
+
+void require_whole(const std::filesystem::path& path) {
+  Reader file = open(path);
+  file.skip();
+  file.finish();
 }
 
 }  // namespace vug::render

@@ -40,6 +40,7 @@ struct PartOutline {
   Region region;
   uint32_t begin = 0, end = 0;  ///< Samples.
   double fraction = 0;          ///< Done, of these.
+  uint64_t samples_left = 0;    ///< Of all its pixels together, at most.
 };
 
 /// A file with a format of its own: version, header, sums, and a hash over all of it; whole or not
@@ -50,6 +51,11 @@ void write_part(const std::filesystem::path& path, const PartHeader& header, con
 /// cut short or changed.
 Part read_part(const std::filesystem::path& path);
 PartOutline read_outline(const std::filesystem::path& path);
+
+/// Whether the file begins like a part; false where it cannot be read.
+bool is_part(const std::filesystem::path& path);
+/// Reads all of a part and keeps none of it. Errors as read_part.
+void require_whole(const std::filesystem::path& path);
 
 /// Puts the parts of one picture together. They may overlap nowhere and must leave nothing out.
 /// Error(bad_input) says which files do not belong together and in what they differ, what is

@@ -45,7 +45,8 @@ struct Watch {
   std::function<void(const State&)> pass =
       nullptr;  ///< All pixels have the same samples or enough.
   std::function<void(const State&)> save = nullptr;  ///< From time to time and when stopped.
-  double save_every = 60;                            ///< Seconds.
+  /// Seconds; none: a hundred times as long as saving took the last time, but two to five minutes.
+  std::optional<double> save_every = std::nullopt;
   /// At the end, if there were any: samples left out because they are no number, and those cut for
   /// being brighter than kMostLight.
   std::function<void(uint64_t refused, uint64_t cut)> faults = nullptr;

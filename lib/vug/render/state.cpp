@@ -19,6 +19,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Seconds between two savings that nobody asked for: a failure shall not cost more than minutes,
+/// nor shall hundreds of megabytes go to disk in each.
+constexpr double kLeastPause = 120, kMostPause = 300;
+
 /// A count of samples that all blocks are brought to before any gets more.
 struct Stop {
   uint32_t count;
@@ -41,15 +45,7 @@ std::vector<Stop> stops(const State& state, const Options& options, const Watch&
 }
 
 /// Samples that the blocks still need at most.
-uint64_t missing(const State& state, const Region& region) {
-  uint64_t samples = 0;
-  for (size_t i = 0; i < state.done.size(); ++i)
-    if (!state.settled[i])
-      samples += region.block(i, State::kBlock).pixels() * (state.end - state.done[i]);
-  return samples;
-}
-
-uint64_t missing(const State& state) { return missing(state, state.region()); }
+uint64_t missing(const State& state) { return samples_missing(state, state.region()); }
 
 uint64_t all_samples(const State& state) {
   return state.region().pixels() * uint64_t{state.end - state.begin};
@@ -59,7 +55,11 @@ uint64_t all_samples(const State& state) {
 class Work {
  public:
   Work(const Shooter& shooter, State& state, const Watch& watch, Progress& progress)
-      : shooter_(shooter), state_(state), watch_(watch), progress_(progress) {}
+      : shooter_(shooter),
+        state_(state),
+        watch_(watch),
+        progress_(progress),
+        every_(watch.save_every.value_or(kLeastPause)) {}
 
   void up_to(uint32_t count) {
     std::vector<size_t> blocks;
@@ -69,14 +69,19 @@ class Work {
   }
   void save() {
     if (!watch_.save) return;
+    const Clock::time_point begun = Clock::now();
     watch_.save(state_);
-    saved_ = Clock::now().time_since_epoch();
+    const Clock::time_point ended = Clock::now();
+    constexpr double kShare = 0.01;
+    const double seconds = std::chrono::duration<double>(ended - begun).count();
+    every_ = watch_.save_every.value_or(std::clamp(seconds / kShare, kLeastPause, kMostPause));
+    saved_ = ended.time_since_epoch();
   }
 
  private:
   bool due() const {
     const std::chrono::duration<double> since = Clock::now().time_since_epoch() - saved_.load();
-    return since.count() >= watch_.save_every;
+    return since.count() >= every_;
   }
   void render_block(size_t block, uint32_t count) {
     const Region region = state_.region().block(block, State::kBlock);
@@ -99,6 +104,7 @@ class Work {
   Progress& progress_;
   std::shared_mutex saving_;
   std::atomic<Clock::duration> saved_ = Clock::now().time_since_epoch();
+  std::atomic<double> every_;  ///< Seconds from one saving to the next.
 };
 
 }  // namespace
@@ -107,9 +113,17 @@ bool State::complete() const { return missing(*this) == 0; }
 
 double State::fraction() const { return fraction_done(*this, region()); }
 
+uint64_t samples_missing(const State& state, const Region& region) {
+  uint64_t samples = 0;
+  for (size_t i = 0; i < state.done.size(); ++i)
+    if (!state.settled[i])
+      samples += region.block(i, State::kBlock).pixels() * (state.end - state.done[i]);
+  return samples;
+}
+
 double fraction_done(const State& state, const Region& region) {
   const auto all = static_cast<double>(region.pixels()) * (state.end - state.begin);
-  return all > 0 ? 1 - static_cast<double>(missing(state, region)) / all : 1;
+  return all > 0 ? 1 - static_cast<double>(samples_missing(state, region)) / all : 1;
 }
 
 State start(const Options& options, const Share& share) {

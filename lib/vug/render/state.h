@@ -31,8 +31,10 @@ struct State {
   double fraction() const;
 };
 
-/// The same for a state whose film is not there.
+/// The same for a state whose film is not there, and the samples that are not done, of all pixels
+/// together.
 double fraction_done(const State& state, const Region& region);
+uint64_t samples_missing(const State& state, const Region& region);
 
 /// Nothing done yet. Error(bad_input): a share that is no part of the picture, or a true part of
 /// one whose noise decides on its samples, for which the whole picture is looked at.

@@ -2,10 +2,13 @@
 #include <vug/image/io.h>
 #include <vug/mesh/format.h>
 #include <vug/session/describe_file.h>
+#include <vug/session/picture_file.h>
 #include <vug/volume/io.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace vug::session {
 namespace {
@@ -70,6 +73,35 @@ Json describe_mesh(const std::filesystem::path& file) {
           {"bounds", corners(mesh::bounds(mesh))}};
 }
 
+/// A part of a picture, or a checkpoint: they are the same.
+Json describe_part(const std::filesystem::path& file) {
+  const render::PartOutline part = render::read_outline(file);
+  render::require_whole(file);
+  const render::PartHeader& header = part.header;
+  const PictureLook look = from_notes(header.notes);
+  Json out = {{"file", file.string()},
+              {"type", "part of a picture"},
+              {"bytes", std::filesystem::file_size(file)},
+              {"width", header.width},
+              {"height", header.height},
+              {"spp", header.spp},
+              {"seed", header.seed}};
+  const render::Region &crop = header.crop, &region = part.region;
+  if (!(crop == render::Region{0, 0, header.width, header.height}))
+    out["crop"] = {crop.x0, crop.y0, crop.x1, crop.y1};
+  if (header.noise > 0) out["noise"] = header.noise;
+  out["layers"] = header.layers.names;
+  out["scene"] = header.identity;  // a hash of all that the picture depends on
+  out["holds"] = {{"pixels", {region.x0, region.y0, region.x1, region.y1}},
+                  {"samples", {part.begin, part.end}},
+                  {"done", fmt::format("{:.1f} %", std::floor(1000 * part.fraction) / 10)},
+                  {"samples_left", part.samples_left}};
+  Json texts = Json::object();
+  for (const auto& [key, text] : look.metadata) texts[key] = text;
+  out["metadata"] = std::move(texts);
+  return out;
+}
+
 }  // namespace
 
 nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
@@ -77,7 +109,7 @@ nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
   if (extension == ".vdb") return describe_vdb(file);
   for (const mesh::Format* format : mesh::formats())
     if (extension == "." + format->info.name) return describe_mesh(file);
-  return describe_picture(file);
+  return render::is_part(file) ? describe_part(file) : describe_picture(file);
 }
 
 }  // namespace vug::session

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace vug::session {
 namespace {
 namespace fs = std::filesystem;
@@ -22,6 +24,13 @@ void require_fit(const RenderOptions& options) {
     throw Error(ErrorCode::bad_input,
                 fmt::format("the checkpoint '{}' is there already", options.checkpoint.string()),
                 {}, "go on from it with --resume, or remove it");
+}
+
+/// How to go on after a stop.
+std::string kept_hint(const RenderOptions& options, const render::State& state) {
+  return fmt::format("'{}' keeps what is done, {:.1f} %; {} goes on from it",
+                     options.checkpoint.string(), std::floor(1000 * state.fraction()) / 10,
+                     options.resume ? "the same command" : "the same command with --resume");
 }
 
 /// The state to begin with: that of the checkpoint, or an empty one.
@@ -79,7 +88,12 @@ Rendered render_picture(Builder& builder, const RenderOptions& options) {
       write_preview(options.preview, render::develop(state, job.options.layers), job.header);
     };
   render::State state = first_state(job, options);
-  render::proceed(job.scene, job.options, state, watch, builder.progress());
+  try {
+    render::proceed(job.scene, job.options, state, watch, builder.progress());
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::cancelled || options.checkpoint.empty()) throw;
+    throw Error(error.code(), error.what(), error.where(), kept_hint(options, state));
+  }
   if (!options.part.empty())
     render::write_part(options.part, job.header, state);
   else

@@ -11,12 +11,12 @@ namespace vug::session {
 
 struct RenderOptions {
   PictureOptions picture;
-  render::Share share;               ///< Which part; other than all of it only with `part`.
-  std::filesystem::path part;        ///< Where a part goes; empty: the picture is wanted.
-  std::filesystem::path checkpoint;  ///< Kept up to date while rendering; empty: none.
-  double checkpoint_every = 60;      ///< Seconds.
-  bool resume = false;               ///< Go on from the checkpoint if there is one.
-  std::filesystem::path preview;     ///< A PNG that shows the picture so far; empty: none.
+  render::Share share;                     ///< Which part; other than all of it only with `part`.
+  std::filesystem::path part;              ///< Where a part goes; empty: the picture is wanted.
+  std::filesystem::path checkpoint;        ///< Kept up to date while rendering; empty: none.
+  std::optional<double> checkpoint_every;  ///< Seconds; none: see render::Watch::save_every.
+  bool resume = false;                     ///< Go on from the checkpoint if there is one.
+  std::filesystem::path preview;           ///< A PNG that shows the picture so far; empty: none.
   /// Told before the rendering what it will take: seconds and bytes, about.
   std::function<void(double seconds, double bytes)> estimate = nullptr;
 };

@@ -41,7 +41,8 @@ void print(const Json& value, int depth) {
 }  // namespace
 
 Verb info_verb() {
-  return {"info", "Tells what is in a .vdb, .exr, .png or mesh file.", [](CLI::App& app) {
+  return {"info", "Tells what is in a .vdb, picture, mesh, part of a picture or checkpoint.",
+          [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             app.add_option("file", options->file, "the file")->required();
             app.add_flag("--json", options->json, "for programs, with whole texts");
