@@ -77,6 +77,37 @@ class BadPictures(VugTest):
                 self.assertIn("noise.exr", self.expect(2, "diff", *pair).err)
             self.assertIn("noise.exr", self.expect(2, "merge", "noise.exr", "-o", "out.exr").err)
 
+    def test_what_is_wrong_is_said_in_our_words(self):
+        """Nothing of what libraries say reaches the user, by way of a message or past it."""
+        write_png(self.folder / "fine.png", [[(i, j, 7) for i in range(30)] for j in range(20)])
+        self.textured("fine.png")
+        self.expect(0, "render", "room.vug", "-o", "a.exr", "--size", "64x64")
+        png, picture = ((self.folder / name).read_bytes() for name in ("fine.png", "a.exr"))
+
+        def changed(data, at):
+            return data[:at] + bytes(b ^ 0x5a for b in data[at:at + 200]) + data[at + 200:]
+        damaged, cut, pixels = "its content is damaged", "it is cut short", "its pixels are damaged or cut short"
+        start = "or its beginning is damaged"
+        for name, content, said in [
+                ("b.png", changed(png, len(png) // 2), damaged), ("c.png", png[:len(png) // 2], cut),
+                ("d.png", png[:20], cut), ("e.png", changed(png, 18), damaged), ("f.png", png[:-12], cut),
+                ("g.png", b"no picture at all", "it is no .png picture, " + start),
+                ("h.exr", picture[:len(picture) * 2 // 3], pixels), ("i.exr", changed(picture, len(picture) // 2), pixels),
+                ("j.jpg", b"\xff\xd8\xff\xe0" + bytes(99), start), ("k.tif", b"II*\0" + b"\7" * 99, start),
+                ("l.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40 +X 40\nabc", pixels),
+                ("m.gif", b"GIF89a" + b"\7" * 99, "damaged"), ("n.xyz", b"hello", "pictures do not end in .xyz"),
+                ("o", b"hello", "its name does not end as that of a picture")]:
+            self.write(name, content)
+            with self.subTest(name=name):
+                error = self.expect(2, "info", name).err
+                self.assertRegex(error, rf"^error: cannot read picture '{name}': [^\n]*{said}\nhint: [^\n]*\n$")
+                self.assertEqual(self.expect(2, "diff", name, "a.exr").err.replace(name, ""),
+                                 error.replace(name, ""))
+        self.textured("b.png")
+        error = self.expect(2, "check", "room.vug").err
+        self.assertIn(damaged, error)
+        self.assertNotIn("libpng", error)
+
     def test_pictures_of_different_size(self):
         write_hdr(self.folder / "a.hdr", [[(1, 1, 1)] * 4] * 3)
         write_hdr(self.folder / "b.hdr", [[(1, 1, 1)] * 3] * 4)

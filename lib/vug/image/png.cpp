@@ -53,10 +53,12 @@ std::string png_bytes(const Image& image, const ViewOptions& view, const Metadat
   std::vector<unsigned char> out;
   OIIO::Filesystem::IOVecOutput memory(out);
   const auto output = OIIO::ImageOutput::create("memory.png", &memory);
-  if (!output) throw Error(ErrorCode::internal, OIIO::geterror());
-  if (!output->open("memory.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close())
-    throw Error(ErrorCode::internal, "cannot make a PNG: " + output->geterror());
+  if (!output || !output->open("memory.png", spec) ||
+      !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close()) {
+    (void)(output ? output->geterror() : OIIO::geterror());  // else told at the end of the program
+    throw Error(ErrorCode::internal,
+                fmt::format("cannot make a PNG of {} x {} pixels", shown.width, shown.height));
+  }
   return {out.begin(), out.end()};
 }
 

@@ -3,6 +3,7 @@
 #include <vug/base/memory.h>
 #include <vug/image/exr_check.h>
 #include <vug/image/io.h>
+#include <vug/image/png_check.h>
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -17,21 +18,46 @@ namespace {
 /// More pixels than this times channels is taken for a broken header (64 GiB of floats).
 constexpr double kMostValues = 1.6e10;
 
-/// OpenImageIO's reason, of which it may give several, one a line.
-Error refuse(const std::filesystem::path& path, const std::string& reason) {
-  return Error(ErrorCode::bad_input, fmt::format("cannot read picture '{}': {}", path.string(),
-                                                 reason.substr(0, reason.find('\n'))));
+Error refuse(const std::filesystem::path& path, const std::string& reason,
+             const std::string& hint = {}) {
+  return Error(ErrorCode::bad_input,
+               fmt::format("cannot read picture '{}': {}", path.string(), reason), {}, hint);
+}
+
+/// Why there is no reader for the file, in our words; OpenImageIO's are for programmers.
+Error refuse_opening(const std::filesystem::path& path) {
+  (void)OIIO::geterror();  // else it is told at the end of the program
+  const std::string ending = extension_of(path);
+  // "bmp:bmp;jpeg:jpg,jpe,jpeg;..."
+  std::string known = fmt::format(",{},", OIIO::get_string_attribute("extension_list"));
+  for (char& c : known)
+    if (c == ':' || c == ';') c = ',';
+  if (ending.size() < 2 || known.find(fmt::format(",{},", ending.substr(1))) == known.npos)
+    return refuse(path,
+                  ending.size() < 2 ? "its name does not end as that of a picture"
+                                    : fmt::format("pictures do not end in {}", ending),
+                  "use a .exr, .png, .jpg, .hdr or .tif");
+  return refuse(path, fmt::format("it is no {} picture, or its beginning is damaged", ending),
+                "write it again with the program that made it");
+}
+
+Error refuse_pixels(const std::filesystem::path& path, OIIO::ImageInput& input) {
+  (void)input.geterror();
+  return refuse(path, "its pixels are damaged or cut short",
+                "write it again with the program that made it");
 }
 
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
   if (const std::string why = why_no_file(path); !why.empty()) throw refuse(path, why);
-  if (const std::string fault = exr_fault(path); !fault.empty()) throw refuse(path, fault);
+  for (const auto& fault_of : {exr_fault, png_fault})
+    if (const std::string fault = fault_of(path); !fault.empty())
+      throw refuse(path, fault, "write it again with the program that made it");
   // Else a file that the reader of its ending refuses goes to all others, which are many and slow,
   // and some keep memory.
   static const bool by_ending = OIIO::attribute("try_all_readers", 0);
   (void)by_ending;
   auto input = OIIO::ImageInput::open(path.string());
-  if (!input) throw refuse(path, OIIO::geterror());
+  if (!input) throw refuse_opening(path);
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.deep)
     throw refuse(path, "it is no flat picture");
@@ -90,7 +116,7 @@ Image read(const std::filesystem::path& path, const ReadOptions& options) {
   for (size_t i = 0; i < parts.size(); ++i) {
     if (!input->read_image(static_cast<int>(i), 0, 0, parts[i].nchannels, OIIO::TypeDesc::FLOAT,
                            &image.pixels[channel], stride))
-      throw refuse(path, input->geterror());
+      throw refuse_pixels(path, *input);
     channel += static_cast<size_t>(parts[i].nchannels);
   }
   if (options.linear && !spec.format.is_floating_point())

@@ -68,9 +68,13 @@ Vec3d Texture::at(double s, double t, double width) const {
   const auto x = static_cast<float>(s - std::floor(s)), y = static_cast<float>(t - std::floor(t));
   const auto w = static_cast<float>(width);
   float rgb[3] = {0, 0, 0};
-  if (!textures().texture(file_->name, options, x, y, w, 0, 0, w, file_->channels, rgb))
-    throw Error(ErrorCode::bad_input, fmt::format("the texture '{}' cannot be read: {}",
-                                                  file_->name.string(), textures().geterror()));
+  if (!textures().texture(file_->name, options, x, y, w, 0, 0, w, file_->channels, rgb)) {
+    (void)textures().geterror();  // its words are for programmers
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the texture '{}' cannot be read: its pixels are damaged or cut short",
+                            file_->name.string()),
+                {}, "write it again with the program that made it");
+  }
   if (file_->channels < 3) rgb[1] = rgb[2] = rgb[0];
   Vec3d color(static_cast<double>(rgb[0]), static_cast<double>(rgb[1]),
               static_cast<double>(rgb[2]));
