@@ -48,8 +48,10 @@ class NameChecker {
     const bool word =
         std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
     if (unit || word)
-      diagnostics_.error(where, fmt::format("'{}' is {} and can name nothing else", name,
-                                            unit ? "a unit" : "a word of the language"));
+      diagnostics_.error(where,
+                         fmt::format("'{}' is {} and can name nothing else", name,
+                                     unit ? "a unit" : "a word of the language"),
+                         fmt::format("call it for instance '{}1'", name));
     return !unit && !word;
   }
 

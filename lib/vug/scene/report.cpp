@@ -1,3 +1,4 @@
+#include <vug/scene/parser.h>
 #include <vug/scene/report.h>
 #include <vug/scene/utf8.h>
 
@@ -13,6 +14,9 @@ namespace {
 
 /// Longest part of a line that is shown.
 constexpr size_t kWidth = 160;
+
+/// So many faults of a text are kept; see ParseOptions::max_errors.
+const size_t kKept = static_cast<size_t>(ParseOptions().max_errors);
 
 std::string_view line_of(std::string_view text, int line) {
   while (--line > 0) {
@@ -89,7 +93,9 @@ std::string report(const Diagnostics& diagnostics,
       out += excerpt(line_of(sources[rows[i].rank]->text, d.where.line), d.where.column);
     if (!d.hint.empty()) out += fmt::format("hint: {}\n", printable(d.hint));
   }
-  if (rows.size() > shown) out += fmt::format("... and {} more\n", rows.size() - shown);
+  if (rows.size() > shown)
+    out += fmt::format("... and {}{} more\n", rows.size() >= kKept ? "at least " : "",
+                       rows.size() - shown);
   return out;
 }
 
