@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/render/light_of_light.h>
 #include <vug/render/placed_light.h>
 #include <vug/render/placing.h>
 
@@ -7,44 +8,42 @@ namespace {
 
 /// Asks the lamp in its own space. Angles are the same there, and so are shares of a sphere and
 /// what importance counts, power over squared distance; only lengths differ.
-class PlacedLight final : public Light {
+class PlacedLight final : public LightOfLight {
  public:
   PlacedLight(LightPtr lamp, const Transform& place, LightNotes notes)
-      : Light(std::move(notes)),
-        lamp_(std::move(lamp)),
+      : LightOfLight(std::move(lamp), std::move(notes)),
         scale_(static_cast<float>(place.max_stretch())),
         place_(place),
         to_(place),
         back_(place.inverse()) {}
 
   LightSample sample(const LitPoint& point, const Vec2f& u) const override {
-    LightSample s = lamp_->sample(own(point), u);
+    LightSample s = inner().sample(own(point), u);
     s.direction = out(s.direction);
     s.distance *= scale_;
     return s;
   }
   float pdf(const LitPoint& point, const Vec3f& direction) const override {
-    return lamp_->pdf(own(point), in(direction));
+    return inner().pdf(own(point), in(direction));
   }
-  float importance(const LitPoint& point) const override { return lamp_->importance(own(point)); }
+  float importance(const LitPoint& point) const override { return inner().importance(own(point)); }
   float importance_along(const Ray& ray, float begin, float end) const override {
-    return lamp_->importance_along(own(ray), begin / scale_, end / scale_);
+    return inner().importance_along(own(ray), begin / scale_, end / scale_);
   }
   LightBounds bounds() const override {
-    LightBounds b = lamp_->bounds();
+    LightBounds b = inner().bounds();
     const Box3d box = place_.box(Box3d(Vec3d(b.box.min), Vec3d(b.box.max)));
     b.box = Box3f(Vec3f(box.min), Vec3f(box.max));
     b.axis = out(b.axis);
     b.strength *= scale_ * scale_;
     return b;
   }
-  Vec3f centre() const override { return to_.point(lamp_->centre()); }
+  Vec3f centre() const override { return to_.point(inner().centre()); }
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
-    if (!lamp_->intersect(own(ray), max_distance / scale_, hit)) return false;
+    if (!inner().intersect(own(ray), max_distance / scale_, hit)) return false;
     hit.distance *= scale_;
     return true;
   }
-  bool camera_visible() const override { return lamp_->camera_visible(); }
 
  private:
   /// Unit vectors stay so, up to rounding that `normalized` takes away.
@@ -61,7 +60,6 @@ class PlacedLight final : public Light {
     return ray;
   }
 
-  LightPtr lamp_;
   float scale_;
   Transform place_;
   Affine to_, back_;

@@ -1,4 +1,5 @@
 #include <vug/render/kinds.h>
+#include <vug/render/light_of_light.h>
 #include <vug/render/working_space.h>
 
 #include <map>
@@ -6,41 +7,26 @@
 namespace vug::render {
 namespace {
 
-class SpacedLight final : public Light {
+class SpacedLight final : public LightOfLight {
  public:
-  SpacedLight(LightPtr light, const image::ColourMatrix& way)
-      : Light(light->notes()), light_(std::move(light)), way_(way) {}
+  SpacedLight(const LightPtr& light, const image::ColourMatrix& way)
+      : LightOfLight(light, light->notes()), way_(way) {}
 
   LightSample sample(const LitPoint& point, const Vec2f& u) const override {
-    LightSample s = light_->sample(point, u);
+    LightSample s = inner().sample(point, u);
     s.radiance = way_(s.radiance);
     return s;
   }
-  float pdf(const LitPoint& point, const Vec3f& direction) const override {
-    return light_->pdf(point, direction);
-  }
-  float importance(const LitPoint& point) const override { return light_->importance(point); }
-  float importance_along(const Ray& ray, float begin, float end) const override {
-    return light_->importance_along(ray, begin, end);
-  }
-  LightBounds bounds() const override { return light_->bounds(); }
-  Vec3f centre() const override { return light_->centre(); }
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
-    if (!light_->intersect(ray, max_distance, hit)) return false;
+    if (!inner().intersect(ray, max_distance, hit)) return false;
     hit.radiance = way_(hit.radiance);
     return true;
   }
-  bool camera_visible() const override { return light_->camera_visible(); }
-  bool is_sky() const override { return light_->is_sky(); }
-  bool is_portal() const override { return light_->is_portal(); }
-  float mean_luminance() const override { return light_->mean_luminance(); }
   Rgb escape_radiance(const Vec3f& direction) const override {
-    return way_(light_->escape_radiance(direction));
+    return way_(inner().escape_radiance(direction));
   }
-  bool beside_portals() const override { return light_->beside_portals(); }
 
  private:
-  LightPtr light_;
   image::ColourMatrix way_;
 };
 

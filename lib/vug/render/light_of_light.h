@@ -1,0 +1,46 @@
+// A light made of another: what it does not change it asks of that.
+#pragma once
+
+#include <vug/render/light.h>
+
+#include <utility>
+
+namespace vug::render {
+
+class LightOfLight : public Light {
+ public:
+  LightOfLight(LightPtr light, LightNotes notes)
+      : Light(std::move(notes)), light_(std::move(light)) {}
+
+  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+    return light_->sample(point, u);
+  }
+  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+    return light_->pdf(point, direction);
+  }
+  float importance(const LitPoint& point) const override { return light_->importance(point); }
+  float importance_along(const Ray& ray, float begin, float end) const override {
+    return light_->importance_along(ray, begin, end);
+  }
+  LightBounds bounds() const override { return light_->bounds(); }
+  Vec3f centre() const override { return light_->centre(); }
+  bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
+    return light_->intersect(ray, max_distance, hit);
+  }
+  bool camera_visible() const override { return light_->camera_visible(); }
+  bool is_sky() const override { return light_->is_sky(); }
+  bool is_portal() const override { return light_->is_portal(); }
+  float mean_luminance() const override { return light_->mean_luminance(); }
+  Rgb escape_radiance(const Vec3f& direction) const override {
+    return light_->escape_radiance(direction);
+  }
+  bool beside_portals() const override { return light_->beside_portals(); }
+
+ protected:
+  const Light& inner() const { return *light_; }
+
+ private:
+  LightPtr light_;
+};
+
+}  // namespace vug::render
