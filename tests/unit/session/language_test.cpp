@@ -1,9 +1,10 @@
-// Every ```vug example of docs/language.md is a scene that all of the program understands: names
-// of kinds and parameters too, which the parser alone does not know.
+// Every ```vug example of docs/language.md and docs/tour.md is a scene that all of the program
+// understands: names of kinds and parameters too, which the parser alone does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/session/load.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace vug::session {
@@ -11,9 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The blocks of the page that are fenced as `language`.
-std::vector<std::string> blocks(const std::string& language) {
-  const std::string text = read_text(fs::path(VUG_DATA).parent_path() / "docs" / "language.md");
+/// The blocks of a page that are fenced as `language`.
+std::vector<std::string> blocks(const std::string& language,
+                                const std::string& page = "language.md") {
+  const std::string text = read_text(fs::path(VUG_DATA).parent_path() / "docs" / page);
   std::vector<std::string> all;
   const std::string open = "```" + language + "\n", close = "```";
   for (size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
@@ -32,6 +34,25 @@ TEST(Language, ExamplesMeanSomething) {
   for (const std::string& example : blocks("vug")) {
     const Loaded loaded = load_text(example, "language.md", options);
     EXPECT_EQ(loaded.report(), "") << example;
+  }
+}
+
+TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {
+  const std::vector<std::string> examples = blocks("vug", "tour.md");
+  ASSERT_EQ(examples.size(), 1u);
+  EXPECT_EQ(std::count(examples[0].begin(), examples[0].end(), '\n'), 10);
+  for (const char* size : {"2.5m", "4m"}) {
+    LoadOptions options;
+    options.overrides = {{"SIZE", size}};
+    const Loaded loaded = load_text(examples[0], "first.vug", options);
+    EXPECT_EQ(loaded.report(), "");
+    ASSERT_EQ(loaded.shot.volumes.size(), 1u);
+    ASSERT_EQ(loaded.shot.cameras.size(), 1u);
+    EXPECT_EQ(loaded.shot.renders.size(), 1u);
+    EXPECT_EQ(loaded.shot.lights.size(), 2u);
+    // The camera stands in the hall, not in rock.
+    const Vec3f eye = loaded.shot.cameras[0].camera->eye();
+    EXPECT_GT(loaded.shot.volumes[0]->field.value(Vec3d(eye)), 0) << size;
   }
 }
 
