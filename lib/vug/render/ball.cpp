@@ -5,7 +5,7 @@ namespace vug::render {
 
 float Ball::cone(const Vec3f& to) const {
   const float squared_sine = radius_ * radius_ / dot(to, to);
-  return squared_sine < 1 ? squared_sine / (1 + std::sqrt(1 - squared_sine)) : 0;
+  return squared_sine < 1 ? one_minus_cosine(squared_sine) : 0;
 }
 
 LightSample Ball::sample(const Vec3f& point, const Vec2f& u) const {

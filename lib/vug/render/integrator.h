@@ -39,6 +39,15 @@ struct Rehearsal {
   float aspect = 1;      ///< Width over height.
   uint64_t samples = 0;  ///< Of the whole picture.
   uint64_t seed = 0;
+
+  /// Of the index-th of `count` samples; `salt` tells one use of numbers from others.
+  SampleId sample_id(uint64_t salt, size_t index, size_t count) const {
+    SampleId id;
+    id.seed = seed ^ salt;
+    id.spp = static_cast<uint32_t>(count);
+    id.index = static_cast<uint32_t>(index);
+    return id;
+  }
 };
 
 class Integrator {

@@ -64,6 +64,11 @@ inline Vec3f sample_cosine_hemisphere(const Vec2f& u) {
   return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
 }
 
+/// 1 - cosine of an angle below 90 degrees by its sine's square, <= 1: exact for small angles.
+inline float one_minus_cosine(float squared_sine) {
+  return squared_sine / (1 + std::sqrt(std::max(0.0f, 1 - squared_sine)));
+}
+
 /// Direction at an angle from z whose 1 - cosine is given, which keeps small angles exact;
 /// `turn` of the way round.
 inline Vec3f direction_off_axis(float one_minus_cosine, float turn) {
@@ -72,14 +77,6 @@ inline Vec3f direction_off_axis(float one_minus_cosine, float turn) {
   return {sine * sc.cos, sine * sc.sin, 1 - one_minus_cosine};
 }
 inline Vec3f direction_at(float cosine, float turn) { return direction_off_axis(1 - cosine, turn); }
-
-/// The unit square laid over the sphere so that areas keep their ratios: x runs from pole to pole,
-/// y goes round.
-inline Vec3f direction_of(const Vec2f& place) { return direction_at(1 - 2 * place.x, place.y); }
-inline Vec2f place_of(const Vec3f& direction) {
-  return {std::clamp(0.5f - 0.5f * direction.z, 0.0f, 0.99999994f),
-          turns_of(direction.y, direction.x)};
-}
 
 /// Uniform on the unit sphere; density 1 / (4 pi).
 inline Vec3f sample_sphere(const Vec2f& u) { return direction_at(1 - 2 * u.x, u.y); }

@@ -86,9 +86,7 @@ Group part(Group& group) {
 
 std::vector<BrightPatch> find_bright_patches(const std::vector<Sighting>& sightings, float edge,
                                              size_t most) {
-  double mean = 0;
-  for (const Sighting& s : sightings) mean += static_cast<double>(s.luminance);
-  mean /= static_cast<double>(std::max<size_t>(sightings.size(), 1));
+  const double mean = mean_luminance(sightings);
   std::vector<Cube> bright = average(sightings, edge);
   bright.erase(std::remove_if(bright.begin(), bright.end(),
                               [&](const Cube& c) { return !(c.luminance > kBright * mean); }),

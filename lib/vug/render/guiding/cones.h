@@ -16,13 +16,8 @@ class Cones {
   static constexpr size_t kMost = 32;
 
   size_t size() const { return size_; }
-  /// One minus the cosine at the rim of the cone around a ball; sine: its radius over the distance
-  /// of its centre, <= 1.
-  static float opening(float sine) {
-    const float square = sine * sine;
-    return square / (1 + std::sqrt(std::max(0.0f, 1 - square)));
-  }
-  /// At most kMost; axis: unit; opening, share > 0. `name` is the caller's.
+  /// At most kMost; axis: unit; opening: 1 - cosine at the rim; opening, share > 0. `name` is the
+  /// caller's.
   void add(const Vec3f& axis, float opening, float share, uint32_t name) {
     x_[size_] = axis.x, y_[size_] = axis.y, z_[size_] = axis.z;
     open_[size_] = opening, density_[size_] = share, names_[size_] = name;

@@ -1,4 +1,5 @@
 #include <vug/render/guiding/guide.h>
+#include <vug/render/sampling.h>
 
 #include <algorithm>
 
@@ -22,10 +23,7 @@ float edge_of(const Box3f& bounds) { return std::max(length(bounds.size()), 1e-3
 Guide::Guide(const std::vector<Sighting>& sightings, const Box3f& bounds)
     : patches_(find_bright_patches(sightings, kCube * edge_of(bounds), Cones::kMost)),
       bounds_(bounds) {
-  double mean = 0;
-  for (const Sighting& s : sightings) mean += static_cast<double>(s.luminance);
-  elsewhere_ =
-      kPif * static_cast<float>(mean / std::max(1.0, static_cast<double>(sightings.size())));
+  elsewhere_ = kPif * static_cast<float>(mean_luminance(sightings));
   for (size_t i = 0; i < patches_.size(); ++i) {
     x_[i] = patches_[i].centre.x, y_[i] = patches_[i].centre.y, z_[i] = patches_[i].centre.z;
     radius_[i] = patches_[i].radius, power_[i] = patches_[i].power;
@@ -54,7 +52,8 @@ Cones Guide::at(const Vec3f& point, const Vec3f& normal) const {
     const float above = x[i] * normal.x + y[i] * normal.y + z[i] * normal.z + radius_[i];
     const float cosine = std::min(1.0f, std::max(0.0f, above * scale));
     x[i] *= scale, y[i] *= scale, z[i] *= scale;
-    opening[i] = Cones::opening(radius_[i] * scale);
+    const float sine = radius_[i] * scale;
+    opening[i] = one_minus_cosine(sine * sine);
     light[i] = opening[i] < kWidest ? power_[i] * chance[i] * cosine / square : 0;
   }
   float most = 0, all = 0;

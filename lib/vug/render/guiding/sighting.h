@@ -3,6 +3,9 @@
 
 #include <vug/render/vectors.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace vug::render {
 
 /// A surface that a path came to, and how bright the path found it: an estimate of the luminance
@@ -12,5 +15,11 @@ struct Sighting {
   Vec3f normal;  ///< Geometric, unit, on the path's side.
   float luminance = 0;
 };
+
+inline double mean_luminance(const std::vector<Sighting>& sightings) {
+  double sum = 0;
+  for (const Sighting& s : sightings) sum += static_cast<double>(s.luminance);
+  return sum / static_cast<double>(std::max<size_t>(sightings.size(), 1));
+}
 
 }  // namespace vug::render

@@ -11,6 +11,8 @@
 namespace vug::render {
 namespace {
 
+constexpr uint64_t kSalt = 0x6f70656e73ull;
+
 constexpr size_t kPaths = 1u << 13;
 constexpr size_t kPlaces = 4;  ///< On one path.
 constexpr size_t kRays = 4;    ///< From one place.
@@ -24,20 +26,12 @@ struct Place {
   Vec3f normal{0, 0, 0};
 };
 
-SampleId sample_id(const Rehearsal& rehearsal, uint64_t salt, size_t index, size_t count) {
-  SampleId id;
-  id.seed = rehearsal.seed ^ (0x6f70656e73ull + salt);
-  id.spp = static_cast<uint32_t>(count);
-  id.index = static_cast<uint32_t>(index);
-  return id;
-}
-
 std::vector<Place> places(const Rehearsal& rehearsal, Progress& progress) {
   std::vector<Place> all(kPaths * kPlaces);
   parallel_for(
       kPaths,
       [&](size_t path) {
-        SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, 0, path, kPaths));
+        SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + 0, path, kPaths));
         const Vec2f film = numbers.pair(), lens = numbers.pair();
         Ray ray = rehearsal.camera.ray(film, rehearsal.aspect, lens);
         Hit hit;
@@ -62,8 +56,8 @@ double look_around(const Rehearsal& rehearsal, const std::vector<Place>& from, E
         const Place& place = from[i];
         if (place.normal == Vec3f(0.0f)) return;
         for (size_t ray = 0; ray < kRays; ++ray) {
-          SampleCursor numbers(rehearsal.sampler,
-                               sample_id(rehearsal, 1, i * kRays + ray, from.size() * kRays));
+          SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + 1, i * kRays + ray,
+                                                                      from.size() * kRays));
           const Vec3f way = Frame(place.normal).to_world(sample_cosine_hemisphere(numbers.pair()));
           if (rehearsal.world.occluded({place.origin, way}, kFar)) continue;
           exits.count({place.origin, way});
@@ -86,7 +80,8 @@ void look_closer(const Rehearsal& rehearsal, const std::vector<Place>& from,
         const Place& place = from[i];
         if (place.normal == Vec3f(0.0f)) return;
         for (size_t k = 0; k < shapes.size(); ++k) {
-          SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, 2 + k, i, from.size()));
+          SampleCursor numbers(rehearsal.sampler,
+                               rehearsal.sample_id(kSalt + 2 + k, i, from.size()));
           const LightSample s = shapes[k].sample(place.origin, numbers.pair());
           if (!(s.pdf > 0) || !(dot(s.direction, place.normal) > 0)) continue;
           const Ray ray{place.origin, s.direction};

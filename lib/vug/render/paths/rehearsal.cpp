@@ -10,6 +10,8 @@
 namespace vug::render {
 namespace {
 
+constexpr uint64_t kSalt = 0x6775696465ull;
+
 /// Rounds of gathering, each with twice the paths of the one before and led by it: what few paths
 /// come to by chance, many come to in the next.
 constexpr int kRounds = 3;
@@ -31,14 +33,6 @@ std::vector<Glance> taken(std::vector<Glance> glances) {
   return glances;
 }
 
-SampleId sample_id(const Rehearsal& rehearsal, uint64_t salt, size_t index, size_t count) {
-  SampleId id;
-  id.seed = rehearsal.seed ^ (0x6775696465ull + salt);
-  id.spp = static_cast<uint32_t>(count);
-  id.index = static_cast<uint32_t>(index);
-  return id;
-}
-
 /// What `paths` camera rays all over the picture see, in their order.
 void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Learned& learned,
            const TrailedPath& gather, Progress& progress, std::vector<Sighting>& sightings) {
@@ -47,7 +41,7 @@ void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Learne
     progress.check();
     const size_t end = std::min(paths, (chunk + 1) * kChunk);
     for (size_t index = chunk * kChunk; index < end; ++index) {
-      SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, salt, index, paths));
+      SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, index, paths));
       const Vec2f film = numbers.pair(), lens = numbers.pair();
       Trail trail(chunks[chunk]);
       gather(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers, learned, trail);
@@ -71,7 +65,7 @@ std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64
       [&](size_t place) {
         progress.check();
         const Sighting& at = sightings[place * step];
-        SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, salt, place, places));
+        SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
         const Cones cones = guide.at(at.point, at.normal);
         for (size_t i = 2 * place; i < 2 * place + 2; ++i) {
           const Vec2f which = numbers.pair(), u = numbers.pair();
@@ -83,10 +77,8 @@ std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64
           const Vec3f to = patches[patch].centre - at.point;
           const float distance = length(to), radius = patches[patch].radius;
           if (!(distance > radius)) continue;
-          Cones only;
-          only.add(to / distance, Cones::opening(radius / distance), 1, patch);
-          only.settle(1);
-          const Vec3f direction = only.sample(u);
+          const float sine = radius / distance, rim = one_minus_cosine(sine * sine);
+          const Vec3f direction = Frame(to / distance).to_world(direction_off_axis(rim * u.x, u.y));
           if (!(dot(direction, at.normal) > 0)) continue;
           Hit hit;
           const bool found = rehearsal.world.intersect({at.point, direction}, hit);
@@ -120,7 +112,7 @@ std::vector<Glance> glance_at_lights(const Rehearsal& rehearsal, size_t most, ui
       [&](size_t place) {
         progress.check();
         const Sighting& at = sightings[place * step];
-        SampleCursor numbers(rehearsal.sampler, sample_id(rehearsal, salt, place, places));
+        SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
         LitPoint point{at.point, at.normal};
         if (world.medium() && place % 2 == 1) point = in_the_air(world, at, numbers);
         for (size_t i = each * place; i < each * (place + 1); ++i) {
