@@ -2,12 +2,18 @@
 #pragma once
 
 #include <vug/render/geometry.h>
+#include <vug/render/grid_surface.h>
 
 #include <embree3/rtcore.h>
 
 #include <map>
 
 namespace vug::render {
+
+/// A search for the nearest hit; with it what the last level set that was met knows of its.
+struct World::Geometry::Search : RTCIntersectContext {
+  Crossing met;
+};
 
 struct World::Geometry::Embree {
   /// The tree of a mesh or a surface that instances share.

@@ -219,14 +219,14 @@ bool World::Geometry::intersect(const Ray& ray, float time, Hit& hit) const {
   query.ray.tnear = 0, query.ray.tfar = kFar, query.ray.time = time;
   query.ray.mask = ~0u, query.ray.id = 0, query.ray.flags = 0;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID, query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(embree_->scene, &context, &query);
+  Search search;
+  rtcInitIntersectContext(&search);
+  rtcIntersect1(embree_->scene, &search, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   const bool own = query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
   const Part& part = parts_[own ? query.hit.geomID : query.hit.instID[0]];
   if (part.surface)
-    fill_surface(part, query.hit.primID, query.ray.tfar, time, ray, hit);
+    fill_surface(part, query.hit.primID, search, time, ray, hit);
   else if (own)
     fill(part, query.hit.primID, OwnSpace(), ray, hit);
   else

@@ -30,6 +30,7 @@ struct World::Geometry {
 
  private:
   struct Embree;
+  struct Search;
   /// Of each triangle, side by side: a hit waits for one place in memory, not for four in turn.
   using Corners = std::vector<std::array<Vec3f, 3>>;
   struct Part {
@@ -51,8 +52,7 @@ struct World::Geometry {
   template <class Space>
   void fill(const Part& part, uint32_t triangle, const Space& space, const Ray& ray,
             Hit& hit) const;
-  /// `brick` was hit, about at the distance `found`.
-  static void fill_surface(const Part& part, uint32_t brick, float found, float time,
+  static void fill_surface(const Part& part, uint32_t brick, const Search& search, float time,
                            const Ray& ray, Hit& hit);
 
   std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.

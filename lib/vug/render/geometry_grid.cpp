@@ -31,6 +31,7 @@ void bounds_of(const RTCBoundsFunctionArguments* args) {
   out.lower_z = below(box.min.z), out.upper_z = above(box.max.z);
 }
 
+template <class Search>
 void intersect_brick(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   auto& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);  // rays come one at a time
@@ -39,6 +40,7 @@ void intersect_brick(const RTCIntersectFunctionNArguments* args) {
   query.ray.tfar = static_cast<float>(met->t);
   query.hit.geomID = args->geomID, query.hit.primID = args->primID;
   query.hit.instID[0] = args->context->instID[0];
+  static_cast<Search*>(args->context)->met = *met;
 }
 
 void occlude_brick(const RTCOccludedFunctionNArguments* args) {
@@ -96,34 +98,37 @@ void World::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBric
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(surface.bricks().size()));
   rtcSetGeometryUserData(geometry, const_cast<volume::SurfaceBricks*>(&surface));
   rtcSetGeometryBoundsFunction(geometry, bounds_of, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersect_brick);
+  rtcSetGeometryIntersectFunction(geometry, intersect_brick<Search>);
   rtcSetGeometryOccludedFunction(geometry, occlude_brick);
   attach(to, geometry, number);
   check("taking in a level set");
 }
 
-void World::Geometry::fill_surface(const Part& part, uint32_t brick, float found, float time,
-                                   const Ray& ray, Hit& hit) {
+void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Search& search,
+                                   float time, const Ray& ray, Hit& hit) {
   const volume::SurfaceBricks& grid = *part.surface;
   const Space space(part.placing.get(), time);
   const Vec3d from = space.point(Vec3d(ray.origin)), way = space.vector(Vec3d(ray.direction));
-  // Again and to the end, so that it has the same bits everywhere; an instance's ray may just miss
-  // here what Embree's own, in single precision, has met.
-  auto met = first_crossing(grid, brick, from, way, 0, kInfinity);
-  if (!met) met = crossing_near(grid, brick, from, way, static_cast<double>(found));
-  const Vec3d own = from + way * met->t;
-  const GridValue sharp = trilinear(grid, brick, met->cell, own);
-  const GridValue soft = smooth(grid, brick, met->cell, own);
-  const float side = met->outwards ? -1.0f : 1.0f;
+  Crossing met = search.met;
+  // An instance's ray is Embree's own, whose last bits are the machine's: again, so that they are
+  // the same everywhere. It may just miss here what it has met there.
+  if (part.placing) {
+    const auto again = first_crossing(grid, brick, from, way, 0, kInfinity);
+    met = again ? *again : crossing_near(grid, brick, from, way, search.met.t);
+  }
+  const Vec3d own = from + way * met.t;
+  const GridValue sharp = trilinear(grid, brick, met.cell, own);
+  const GridValue soft = smooth(grid, brick, met.cell, own);
+  const float side = met.outwards ? -1.0f : 1.0f;
 
   Surface& surface = hit.surface;
-  surface.position = Vec3f(Vec3d(ray.origin) + Vec3d(ray.direction) * met->t);
-  hit.distance = static_cast<float>(met->t);
+  surface.position = Vec3f(Vec3d(ray.origin) + Vec3d(ray.direction) * met.t);
+  hit.distance = static_cast<float>(met.t);
   hit.material = part.material.get();
   hit.object = part.object;
   hit.triangle = brick;
   hit.emission = Rgb(0.0f);
-  surface.inside = met->outwards;
+  surface.inside = met.outwards;
   surface.mesh = nullptr;
   surface.solid = part.solid.get();
   surface.geometric_normal = -ray.direction;

@@ -1,0 +1,108 @@
+// What a scene's rocks take as meshes, or without (`object { direct true }`): memory, and rays a
+// second on one thread. Once for each, as the peak is that of the process.
+//   bench_surface SCENE.vug mesh|direct [NAME=VALUE ...]
+// Rays go from the camera, and from where they end on over four bounces, each with a shadow ray.
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+#include <vug/base/rng.h>
+#include <vug/render/sampling.h>
+#include <vug/render/world.h>
+#include <vug/session/load.h>
+#include <vug/session/picture.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+
+namespace {
+
+using namespace vug;
+using Clock = std::chrono::steady_clock;
+
+double peak_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::strtod(line.c_str() + 6, nullptr);
+  return 0;
+}
+
+Vec2f pair(RandomStream& random) {
+  const auto x = static_cast<float>(random.uniform());
+  return {x, static_cast<float>(random.uniform())};
+}
+
+/// Rays per second.
+double speed(const render::World& world, const render::Camera& camera, int paths) {
+  RandomStream random(RandomKey(1));
+  size_t rays = 0;
+  const Clock::time_point start = Clock::now();
+  for (int i = 0; i < paths; ++i) {
+    const Vec2f place = pair(random), lens = pair(random);
+    render::Ray ray = camera.ray(place, 16 / 9.0f, lens);
+    for (int bounce = 0; bounce < 5; ++bounce) {
+      render::Hit hit;
+      ++rays;
+      if (!world.intersect(ray, hit)) break;
+      const render::Frame frame(hit.surface.shading_normal);
+      const auto next = [&] {
+        return render::Ray{hit.origin,
+                           frame.to_world(render::sample_cosine_hemisphere(pair(random)))};
+      };
+      ++rays;
+      world.occluded(next(), render::kFar);
+      ray = next();
+    }
+  }
+  return static_cast<double>(rays) / std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    fmt::print("bench_surface SCENE.vug mesh|direct [NAME=VALUE ...]\n");
+    return 0;
+  }
+  try {
+    session::LoadOptions options;
+    for (int i = 3; i < argc; ++i) {
+      const std::string text = argv[i];
+      options.overrides.push_back(
+          {text.substr(0, text.find('=')), text.substr(text.find('=') + 1)});
+    }
+    session::Loaded loaded = session::load(argv[1], options);
+    for (session::ObjectPlan& object : loaded.shot.objects)
+      object.direct = std::string(argv[2]) == "direct" && object.emission.length2() == 0;
+    session::Builder builder(loaded.shot);
+    const auto held = [] { return static_cast<double>(resident_memory()); };
+    double active = 0;
+    for (const session::ObjectPlan& object : loaded.shot.objects)
+      active +=
+          static_cast<double>(builder.level_set(object.mesh->volume).statistics().active_voxels);
+    const double grids = held();
+    const render::Scene scene = session::assemble(builder, session::render_plan(loaded.shot, {}));
+    const double made = held();
+    const render::World world(scene);
+    const double tree = held(), peak = peak_bytes();
+    size_t triangles = 0, bricks = 0;
+    for (const render::Object& object : scene.objects) {
+      if (object.mesh) triangles += object.mesh->triangles.size();
+      if (object.surface) bricks += object.surface->bricks().size();
+    }
+    fmt::print("{:.3g} active voxels, {} triangles, {} bricks\n", active, triangles, bricks);
+    fmt::print("with grids {}; meshes or surfaces {:.1f} and trees {:.1f} bytes a voxel; peak {}\n",
+               bytes_text(grids), (made - grids) / active, (tree - made) / active,
+               bytes_text(peak));
+    double best = 0;
+    speed(world, *scene.camera, 20000);
+    for (int round = 0; round < 3; ++round)
+      best = std::max(best, speed(world, *scene.camera, 50000));
+    fmt::print("{:.3f} M rays/s, built in {:.1f} s\n", 1e-6 * best, builder.seconds());
+  } catch (const Error& error) {
+    fmt::print(stderr, "bench_surface: {}\n", error.what());
+    return 2;
+  }
+  return 0;
+}
