@@ -7,6 +7,15 @@
 
 namespace vug::cells {
 
+/// Links ahead of the cell at work that are called into the cache. They are read once and in order,
+/// but processors fetch too little ahead between the scattered reads of neighbours: without this
+/// life takes 1.7 times as long.
+inline constexpr size_t kAhead = 1024;
+
+/// Says that a sum of whole numbers is needed after each neighbour. Otherwise the compiler reads
+/// eight at once by one instruction, which takes longer than eight.
+inline void one_by_one(uint32_t& sum) { asm("" : "+r"(sum)); }
+
 /// Some cells may be silent.
 struct NearMixed {
   const uint32_t* begin;
@@ -31,6 +40,7 @@ struct NearAll {
   template <class F>
   uint32_t each(uint32_t cell, const F& f) const {
     const uint32_t first = begin[cell], last = begin[cell + 1];
+    __builtin_prefetch(to + first + kAhead);
     for (uint32_t k = first; k < last; ++k) f(to[k]);
     return last - first;
   }
@@ -45,6 +55,8 @@ struct NearFull {
   template <class F>
   uint32_t each(uint32_t cell, const F& f) const {
     const uint32_t* row = to + size_t{cell - first} * kLinks;
+    __builtin_prefetch(row + kAhead);
+#pragma GCC unroll 8
     for (uint32_t k = 0; k < kLinks; ++k) f(row[k]);
     return kLinks;
   }

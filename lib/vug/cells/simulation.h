@@ -16,10 +16,10 @@ class Rule;
 /// A rule and when and where it works.
 struct Stage {
   std::shared_ptr<const Rule> rule;
-  std::string name;            ///< Keys its random choices: stages of one name choose the same.
-  int begin = 0;               ///< Its first step.
-  int steps = -1;              ///< How many it works for; below 0: to the end.
-  std::vector<uint8_t> where;  ///< 1 for each cell it may rewrite; empty: all.
+  std::string name{};            ///< Keys its random choices: stages of one name choose the same.
+  int begin = 0;                 ///< Its first step.
+  int steps = -1;                ///< How many it works for; below 0: to the end.
+  std::vector<uint8_t> where{};  ///< 1 for each cell it may rewrite; empty: all.
 };
 
 /// Within a step the stages work in their order. Each rewrites all its cells at once, from what the

@@ -10,9 +10,10 @@
 namespace vug::cells {
 namespace {
 
-constexpr size_t kChunk = 256;
-/// Rounds of darts, one for each square of the gap's side in each: more find little room.
-constexpr uint64_t kRounds = 6;
+constexpr size_t kChunk = 256, kGrain = 4096;
+/// Rounds of darts, one for each square of the gap's side in each: more find little room. A pattern
+/// leaves gaps along its seams only.
+constexpr uint64_t kRounds = 6, kSeamRounds = 3;
 
 /// What add(triangle, list) adds for every triangle, in their order.
 template <class Add>
@@ -44,25 +45,31 @@ void throw_darts(const Surface& surface, uint32_t triangle, double density, Rand
   }
 }
 
-/// The first `kept` stay, and of the others those that find room.
+/// The first `kept` stay, and of the others those that find room. Brings all into an order that
+/// follows space.
 void thin(std::vector<Place>& places, size_t kept, double radius, RandomKey key) {
   std::vector<Vec3f> points(places.size());
-  std::vector<uint64_t> rank(places.size(), 0);
+  parallel_for(
+      places.size(), [&](size_t i) { points[i] = places[i].position; }, kGrain);
+  const mesh::PointGrid grid(points, radius);
+  std::vector<Place> sorted(places.size());
+  std::vector<uint64_t> rank(places.size());
   parallel_for(
       places.size(),
       [&](size_t i) {
-        points[i] = places[i].position;
-        if (i >= kept) rank[i] = key.at(place_of(points[i])).state() | 1;
+        sorted[i] = places[grid.order()[i]];
+        rank[i] = grid.order()[i] < kept ? 0 : (place_of(sorted[i].position) ^ key.state()) | 1;
       },
-      kChunk);
+      kGrain);
   const auto limit = static_cast<float>(radius * radius);
-  const auto stays = mesh::first_come(points, rank, radius, [&](uint32_t i, uint32_t j) {
-    return (points[i] - points[j]).length2() < limit &&
-           surface_distance2(points[i], places[i].normal, points[j], places[j].normal) < limit;
+  const auto stays = mesh::first_come(grid, rank, [&](uint32_t i, uint32_t j) {
+    const Vec3f &p = grid.points()[i], &q = grid.points()[j];
+    return (p - q).length2() < limit &&
+           surface_distance2(p, sorted[i].normal, q, sorted[j].normal) < limit;
   });
   size_t count = 0;
-  for (size_t i = 0; i < places.size(); ++i)
-    if (stays[i]) places[count++] = places[i];
+  for (size_t i = 0; i < sorted.size(); ++i)
+    if (stays[i]) places[count++] = sorted[i];
   places.resize(count);
 }
 
@@ -71,7 +78,8 @@ void thin(std::vector<Place>& places, size_t kept, double radius, RandomKey key)
 std::vector<Place> strew(const Surface& surface, const Grid& grid, double spacing, RandomKey key,
                          Progress& progress) {
   const size_t triangles = surface.triangles().size();
-  progress.begin("strewing cells", kRounds + 1);
+  const uint64_t rounds = grid.motif.empty() ? kRounds : kSeamRounds;
+  progress.begin("strewing cells", rounds);
   std::vector<Place> places;
   if (!grid.motif.empty()) {
     const std::vector<Vec3d> planes = pattern_planes(surface, spacing);
@@ -81,7 +89,7 @@ std::vector<Place> strew(const Surface& surface, const Grid& grid, double spacin
     thin(places, 0, grid.thin * spacing, key.at("thin"));
   }
   const double gap = grid.gap * spacing;
-  for (uint64_t round = 0; round < kRounds; ++round) {
+  for (uint64_t round = 0; round < rounds; ++round) {
     progress.advance();
     progress.check();
     const RandomKey own = key.at("darts").at(round);

@@ -108,8 +108,23 @@ SurfaceSearch::SurfaceSearch(const Surface& surface) : surface_(&surface) {
   tree_ = mesh::BoxTree(boxes);
 }
 
+Place SurfaceSearch::placed(uint32_t triangle, const Vec3d& point) const {
+  const auto& c = surface_->triangles()[triangle].corners;
+  const Vec3d a(c[0]), ab = Vec3d(c[1]) - a, ac = Vec3d(c[2]) - a, normal = ab.cross(ac);
+  const double twice = normal.length2();
+  const double u = (point - a).cross(ac).dot(normal) / twice;
+  const double v = ab.cross(point - a).dot(normal) / twice;
+  Place place = surface_->at(triangle, u, v);
+  place.position = Vec3f(point);
+  return place;
+}
+
 Place SurfaceSearch::nearest(const Vec3f& p, const Place& from, float limit) const {
   const Vec3d target(p), way(from.normal);
+  const auto& home = surface_->triangles()[from.triangle].corners;
+  const mesh::NearestOnTriangle own =
+      mesh::nearest_on_triangle(target, {Vec3d(home[0]), Vec3d(home[1]), Vec3d(home[2])});
+  if (own.feature == 6) return placed(from.triangle, own.point);
   double best = static_cast<double>(limit) * static_cast<double>(limit);
   uint32_t found = ~0u;
   Vec3d point(0);
@@ -128,15 +143,7 @@ Place SurfaceSearch::nearest(const Vec3f& p, const Place& from, float limit) con
     found = i, point = q, facing = agrees;
     return best = d;
   });
-  if (found == ~0u) return from;
-  const auto& c = surface_->triangles()[found].corners;
-  const Vec3d a(c[0]), ab = Vec3d(c[1]) - a, ac = Vec3d(c[2]) - a, normal = ab.cross(ac);
-  const double twice = normal.length2();
-  const double u = (point - a).cross(ac).dot(normal) / twice;
-  const double v = ab.cross(point - a).dot(normal) / twice;
-  Place place = surface_->at(found, u, v);
-  place.position = Vec3f(point);
-  return place;
+  return found == ~0u ? from : placed(found, point);
 }
 
 }  // namespace vug::cells

@@ -55,11 +55,14 @@ class SurfaceSearch {
  public:
   explicit SurfaceSearch(const Surface& surface);
 
-  /// The nearest place within `limit` metres of p on a triangle that faces the way `normal` does;
-  /// `from` where there is none.
+  /// The way back from p, which is `limit` metres from the place `from`: straight down to its
+  /// triangle, else to the nearest point on any triangle that faces about the same way; `from`
+  /// where there is none within the limit.
   Place nearest(const Vec3f& p, const Place& from, float limit) const;
 
  private:
+  Place placed(uint32_t triangle, const Vec3d& point) const;
+
   const Surface* surface_;
   mesh::BoxTree tree_;
 };

@@ -8,47 +8,61 @@
 
 namespace vug::mesh {
 
-/// 1 for each point that stays, 0 for the others: one stays unless `close(i, j)` for a point j of
-/// smaller rank that stays. Points of rank 0 all stay; other ranks that are equal go by number.
-/// `close` is symmetric, says no for points `radius` or more apart and may be called by several
-/// threads. Ranks should be as good as random, or many rounds are needed.
+/// By places of the grid's order: 1 for each point that stays, 0 for the others. A point stays
+/// unless `close(i, j)` for a point j of smaller rank that stays. Points of rank 0 all stay; other
+/// ranks that are equal go by place. `close` is symmetric, says no for points an edge of the grid
+/// or more apart and may be called by several threads. Ranks should be as good as random, or many
+/// rounds are needed.
 template <class Close>
-std::vector<uint8_t> first_come(const std::vector<Vec3f>& points, const std::vector<uint64_t>& rank,
-                                double radius, const Close& close) {
+std::vector<uint8_t> first_come(const PointGrid& grid, const std::vector<uint64_t>& rank,
+                                const Close& close) {
   constexpr uint8_t kGoes = 0, kStays = 1, kOpen = 2;
-  const PointGrid grid(points, radius);
-  std::vector<uint8_t> fate(points.size());
-  for (size_t i = 0; i < points.size(); ++i) fate[i] = rank[i] == 0 ? kStays : kOpen;
+  std::vector<uint8_t> fate(grid.size());
+  for (size_t i = 0; i < fate.size(); ++i) fate[i] = rank[i] == 0 ? kStays : kOpen;
   const auto before = [&](uint32_t i, uint32_t j) {
     return rank[i] != rank[j] ? rank[i] < rank[j] : i < j;
   };
   // A decision depends only on final ones, so it does not matter when a thread sees another's.
-  const auto decide = [&](uint32_t i, const PointGrid::Runs& around) {
-    bool waits = false;
-    for (const PointGrid::Run& run : around)
-      for (uint32_t slot = run.begin; slot < run.end; ++slot) {
-        const uint32_t j = grid.order()[slot];
-        const uint8_t other = std::atomic_ref(fate[j]).load(std::memory_order_relaxed);
-        if (other == kGoes || j == i || !before(j, i) || !close(i, j)) continue;
-        if (other == kStays) return kGoes;
-        waits = true;
-      }
-    return waits ? kOpen : kStays;
+  const auto fate_of = [&](uint32_t i) {
+    return std::atomic_ref(fate[i]).load(std::memory_order_relaxed);
   };
-  std::atomic<bool> open{true};
-  while (open.exchange(false))
-    grid.sweep([&](PointGrid::Run cube, const PointGrid::Runs& around) {
-      for (uint32_t slot = cube.begin; slot < cube.end; ++slot) {
-        const uint32_t i = grid.order()[slot];
-        const std::atomic_ref own(fate[i]);
-        if (own.load(std::memory_order_relaxed) != kOpen) continue;
-        const uint8_t now = decide(i, around);
-        if (now == kOpen)
-          open.store(true, std::memory_order_relaxed);
-        else
-          own.store(now, std::memory_order_relaxed);
-      }
-    });
+  const auto decide = [&](uint32_t i, uint8_t as) {
+    std::atomic_ref(fate[i]).store(as, std::memory_order_relaxed);
+  };
+  std::vector<std::vector<uint32_t>> rivals(grid.size());  // those that decide about a point
+  grid.sweep([&](PointGrid::Run cube, const PointGrid::Runs& around) {
+    for (uint32_t i = cube.begin; i < cube.end; ++i) {
+      if (rank[i] == 0) continue;
+      bool goes = false;
+      for (const PointGrid::Run& run : around)
+        for (uint32_t j = run.begin; j < run.end && !goes; ++j) {
+          if (j == i || !before(j, i) || !close(i, j)) continue;
+          goes = rank[j] == 0;
+          if (!goes) rivals[i].push_back(j);
+        }
+      if (goes || rivals[i].empty()) decide(i, goes ? kGoes : kStays);
+    }
+  });
+  std::vector<uint32_t> open;
+  for (uint32_t i = 0; i < fate.size(); ++i)
+    if (fate[i] == kOpen) open.push_back(i);
+  while (!open.empty()) {
+    parallel_for(
+        open.size(),
+        [&](size_t k) {
+          bool waits = false, goes = false;
+          for (const uint32_t j : rivals[open[k]]) {
+            const uint8_t other = fate_of(j);
+            waits |= other == kOpen;
+            goes |= other == kStays;
+          }
+          if (goes || !waits) decide(open[k], goes ? kGoes : kStays);
+        },
+        1024);
+    open.erase(
+        std::remove_if(open.begin(), open.end(), [&](uint32_t i) { return fate[i] != kOpen; }),
+        open.end());
+  }
   return fate;
 }
 

@@ -24,21 +24,32 @@ struct LifeLike {
       for (const int count : counts) set |= 1u << count;
       return set;
     };
-    const uint32_t born = bits(birth), stays = bits(survive);
-    if (scale) return pass.run(Scaled{{alive, born, stays}});
-    pass.run(Counted{alive, born, stays});
+    const uint32_t both = bits(birth) | bits(survive) << 16;
+    if (scale) return pass.run(Scaled{{alive, both}});
+    pass.run(Counted{alive, both});
   }
 
  private:
   struct Counted {
     Writing<int32_t> alive;
-    uint32_t born, stays;
+    uint32_t both;  ///< Bits for the dead, then, from 16 on, for the living.
 
+    void set(uint32_t i, uint32_t living) const {
+      const uint32_t own = static_cast<uint32_t>(alive[i] & 1) << 4;
+      alive.set(i, static_cast<int32_t>(both >> (own + living) & 1));
+    }
+    template <class Near>
+    uint32_t count(const Near& near, uint32_t i, uint32_t& living) const {
+      return near.each(i, [&](uint32_t n) {
+        living += static_cast<uint32_t>(alive[n] & 1);
+        one_by_one(living);
+      });
+    }
     template <class Near>
     void operator()(const Near& near, uint32_t i) const {
       uint32_t living = 0;
-      near.each(i, [&](uint32_t n) { living += alive[n] != 0; });
-      alive.set(i, static_cast<int32_t>((alive[i] != 0 ? stays : born) >> living & 1));
+      count(near, i, living);
+      set(i, living);
     }
   };
   /// As if there were eight neighbours.
@@ -46,10 +57,8 @@ struct LifeLike {
     template <class Near>
     void operator()(const Near& near, uint32_t i) const {
       uint32_t living = 0;
-      const uint32_t k = near.each(i, [&](uint32_t n) { living += this->alive[n] != 0; });
-      const uint32_t of_8 = k > 0 ? (8 * living + k / 2) / k : 0;
-      this->alive.set(
-          i, static_cast<int32_t>((this->alive[i] != 0 ? this->stays : this->born) >> of_8 & 1));
+      const uint32_t k = this->count(near, i, living);
+      this->set(i, k > 0 ? (8 * living + k / 2) / k : 0);
     }
   };
 };

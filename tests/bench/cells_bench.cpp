@@ -1,0 +1,127 @@
+// Cells: how fast a network is built, and how near rules come to what memory allows. The bound is
+// the bytes that a step has to move (links and the attributes read, those written) at the speed of
+// a triad, a[i] = b[i] + s * c[i], which is measured in turns with the rules. Prints a table.
+//   bench_cells [millions...]      default: 1 10
+#include <vug/base/memory.h>
+#include <vug/base/parallel.h>
+#include <vug/cells/build.h>
+#include <vug/cells/frames.h>
+#include <vug/cells/kind.h>
+#include <vug/cells/link.h>
+#include <vug/cells/rule.h>
+#include <vug/cells/simulation.h>
+#include <vug/cells/strew.h>
+#include <vug/mesh/shapes.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+namespace {
+
+using namespace vug;
+using namespace vug::cells;
+
+constexpr int kRounds = 60;
+
+template <class Work>
+double seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Bytes a second, as STREAM counts them: 24 for each element.
+class Triad {
+ public:
+  Triad() : a_(kCount), b_(kCount, 1), c_(kCount, 2) {}
+  double seconds_for(double bytes) {
+    const double once = seconds([&] {
+      parallel_for(kCount / kPart, [&](size_t part) {
+        for (size_t i = part * kPart; i < (part + 1) * kPart; ++i) a_[i] = b_[i] + 3 * c_[i];
+      });
+    });
+    return once * bytes / (24.0 * kCount);
+  }
+
+ private:
+  static constexpr size_t kPart = 16384, kCount = kPart * 1024;
+  std::vector<double> a_, b_, c_;
+};
+
+void bench_rule(const char* name, double bytes, const NetworkPtr& network,
+                const std::vector<Stage>& stages, Triad& triad) {
+  Simulation simulation(network, RandomKey(1));
+  simulation.run(stages, 2);
+  double ours = 1e9, bound = 1e9;
+  for (int round = 0; round < kRounds; ++round) {
+    ours = std::min(ours, seconds([&] { simulation.run(stages, 1); }));
+    bound = std::min(bound, triad.seconds_for(bytes * static_cast<double>(network->size())));
+  }
+  const double cells = static_cast<double>(network->size());
+  fmt::print(
+      "{:12} {:9.2e} cells {:7.2f} ms a step {:8.0f} M cells/s   {:5.1f} GB/s, triad {:5.1f}: "
+      "{:.0f} % of the bound, {:.0f} times 1.2 M/s\n",
+      name, cells, ours * 1e3, cells / ours / 1e6, bytes * cells / ours / 1e9,
+      bytes * cells / bound / 1e9, 100 * bound / ours, cells / ours / 1.2e6);
+}
+
+void bench_rules(double millions, Triad& triad) {
+  const auto side = static_cast<uint32_t>(std::sqrt(millions * 1e6) / 2) * 2;
+  const auto network = std::make_shared<const Network>(flat_torus(side, side, 8));
+  const Stage alive{make_product(rules(), "sprinkle", {{"attribute", "alive"}, {"whole", true}}),
+                    "alive",
+                    0,
+                    1,
+                    {}};
+  const Stage drops{
+      make_product(rules(), "sprinkle", {{"attribute", "v"}, {"share", 0.05}}), "drops", 0, 1, {}};
+  bench_rule("life", 32 + 8, network, {alive, {make_product(rules(), "life"), "life"}}, triad);
+  bench_rule("gray_scott", 32 + 16, network,
+             {drops, {make_product(rules(), "gray_scott"), "gray_scott"}}, triad);
+}
+
+void bench_build(double millions) {
+  const Surface ball({std::make_shared<const mesh::Mesh>(mesh::sphere_mesh(Vec3d(0), 1, 6))});
+  for (const char* name : {"square", "triangle", "random"}) {
+    const Grid grid = make_product(grids(), name);
+    const double spacing = std::sqrt(estimate(ball, grid, 1) / (millions * 1e6));
+    std::vector<Place> places;
+    double strewing = 1e9, relaxing = 1e9, linking = 1e9, orienting = 1e9;
+    for (int round = 0; round < 3; ++round) {
+      strewing =
+          std::min(strewing, seconds([&] { places = strew(ball, grid, spacing, RandomKey(1)); }));
+      relaxing = std::min(relaxing, seconds([&] {
+                                      RelaxOptions one;
+                                      one.steps = 2;
+                                      relax(places, ball, spacing, grid.reach * spacing, one);
+                                    }) / 2);
+      Network network;
+      linking = std::min(linking, seconds([&] {
+                           network = link(places, ball, spacing, grid.reach * spacing, grid.full);
+                         }));
+      orienting = std::min(orienting, seconds([&] { orient(network); }));
+    }
+    const double cells = static_cast<double>(places.size()) / 1e6;
+    fmt::print(
+        "{:12} {:5.2f} M cells: strewn {:6.2f}, a step of harmonising {:6.2f}, ordered and "
+        "linked {:6.2f}, oriented {:6.2f} M cells/s\n",
+        name, cells, cells / strewing, cells / relaxing, cells / linking, cells / orienting);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<double> millions;
+  for (int i = 1; i < argc; ++i) millions.push_back(std::atof(argv[i]));
+  if (millions.empty()) millions = {1, 10};
+  bench_build(1);
+  Triad triad;
+  for (const double each : millions) bench_rules(each, triad);
+  fmt::print("resident at the end: {}\n", bytes_text(static_cast<double>(resident_memory())));
+  return 0;
+}
