@@ -1,3 +1,4 @@
+#include <vug/base/error.h>
 #include <vug/mesh/polygon.h>
 
 namespace vug::mesh {
@@ -38,6 +39,12 @@ bool is_ear(const Mesh& mesh, const std::vector<uint32_t>& polygon, size_t at,
 }  // namespace
 
 void add_polygon(Mesh& mesh, const std::vector<uint32_t>& polygon) {
+  if (polygon.size() > kMaxEars) {
+    try {
+      return add_rings(mesh, {polygon});
+    } catch (const Error&) {  // It crosses itself.
+    }
+  }
   std::vector<uint32_t> rest = polygon;
   const Vec3d normal = polygon_normal(mesh, polygon);
   while (rest.size() > 3 && polygon.size() <= kMaxEars) {

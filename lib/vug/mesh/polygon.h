@@ -6,8 +6,14 @@
 namespace vug::mesh {
 
 /// Appends the triangles of one polygon (corner indices in order, at least 3) to the mesh.
-/// Planar simple polygons keep their shape, dents included (ear clipping); polygons of more than
-/// 64 corners, and those that cross themselves, are fanned from their first corner.
+/// Planar simple polygons keep their shape, dents included (ear clipping, beyond 64 corners
+/// add_rings); those that cross themselves are fanned from their first corner.
 void add_polygon(Mesh& mesh, const std::vector<uint32_t>& polygon);
+
+/// The same for a polygon with holes: the outer ring first, whose turn says what is outside, then
+/// the holes, turned either way; each of at least 3 corners. What lies in an even number of rings
+/// is left out, so a hole may hold an island. Nothing is added where the outer ring has no area.
+/// Error(bad_input) where sides cross, but for common corners; the mesh is then as before.
+void add_rings(Mesh& mesh, const std::vector<std::vector<uint32_t>>& rings);
 
 }  // namespace vug::mesh

@@ -3,6 +3,7 @@
 #include <vug/base/error.h>
 #include <vug/cells/quality.h>
 #include <vug/cells/surface_distance.h>
+#include <vug/mesh/polygon.h>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,37 @@ TEST(Build, RandomCellsHaveFiveToSevenNeighbours) {
     o.relax = 30;
     o.force = Force::paper;
     EXPECT_GT(quality(build(surface, o).network).variation, 1.1 * even.variation);
+  }
+}
+
+TEST(Build, DentsAndHolesAreAsDenseAsAnyOtherPolygon) {
+  // An L of 3 square metres with a hole of 1/4, as one polygon and as five rectangles.
+  mesh::Mesh whole;
+  for (const Vec2f& p :
+       {Vec2f(0, 0), Vec2f(0, 2), Vec2f(1, 2), Vec2f(1, 1), Vec2f(2, 1), Vec2f(2, 0),
+        Vec2f(1.25f, 0.25f), Vec2f(1.25f, 0.75f), Vec2f(1.75f, 0.75f), Vec2f(1.75f, 0.25f)})
+    whole.positions.emplace_back(p.x, 0, p.y);
+  mesh::add_rings(whole, {{0, 1, 2, 3, 4, 5}, {6, 7, 8, 9}});
+  mesh::Mesh parts;
+  const auto rectangle = [&](float x0, float z0, float x1, float z1) {
+    const auto first = static_cast<uint32_t>(parts.positions.size());
+    for (const Vec2f& p : {Vec2f(x0, z0), Vec2f(x0, z1), Vec2f(x1, z1), Vec2f(x1, z0)})
+      parts.positions.emplace_back(p.x, 0, p.y);
+    mesh::add_polygon(parts, {first, first + 1, first + 2, first + 3});
+  };
+  rectangle(0, 0, 1, 2);
+  rectangle(1, 0, 1.25f, 1);
+  rectangle(1.25f, 0, 1.75f, 0.25f);
+  rectangle(1.25f, 0.75f, 1.75f, 1);
+  rectangle(1.75f, 0, 2, 1);
+  for (const char* grid : {"triangle", "square", "random"}) {
+    const Network a = build(Surface({shared(whole)}), options(grid, 0.02)).network;
+    const Network b = build(Surface({shared(parts)}), options(grid, 0.02)).network;
+    const double cells = estimate(Surface({shared(whole)}), options(grid, 0.02).grid, 0.02);
+    EXPECT_NEAR(static_cast<double>(a.size()) / cells, 1, 0.02) << grid;
+    EXPECT_NEAR(static_cast<double>(a.size()) / static_cast<double>(b.size()), 1, 0.01) << grid;
+    for (const Vec3f& p : a.position)
+      ASSERT_FALSE(p.x > 1.251f && p.x < 1.749f && p.z > 0.251f && p.z < 0.749f);
   }
 }
 
