@@ -2,6 +2,7 @@
 #include <vug/base/memory.h>
 #include <vug/volume/octree.h>
 #include <vug/volume/region.h>
+#include <vug/volume/trim.h>
 
 #include <fmt/format.h>
 
@@ -71,7 +72,11 @@ LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Pro
   require_room(field, region.box, options);
   check_voxel(options.voxel);
   find_lattice_bounds(region.box, options, walk);
-  return LevelSet(wrap(build(region.field, walk, progress)));
+  const auto grid = build(region.field, walk, progress);
+  // One step more, for what first-order distances are short by near the surface, too.
+  if (region.field.exactness() > field::Exactness::eikonal)
+    trim(*grid, static_cast<int>(std::ceil(options.half_width)) + 1);
+  return LevelSet(wrap(grid));
 }
 
 }  // namespace vug::volume

@@ -30,10 +30,11 @@ struct VoxelizeEstimate {
 VoxelizeEstimate estimate(const field::Field& field, const VoxelizeOptions& options);
 
 /// The zero set of the field is that of the level set up to trilinear interpolation: repairing
-/// does not move it. Values are exact distances where the field's are. The same bytes for any
-/// number of threads. An empty field gives an empty grid.
-/// Error(bad_input) for bounds that are not finite, options out of range, or lattice points
-/// beyond 32-bit indices; Error(too_large) before the work starts; Error(cancelled).
+/// does not move it. Values are exact distances where the field's are; where they are not, the band
+/// ends four lattice steps from the surface (see trim.h). The same bytes for any number of threads.
+/// An empty field gives an empty grid. Error(bad_input) for bounds that are not finite, options out
+/// of range, or lattice points beyond 32-bit indices; Error(too_large) before the work starts;
+/// Error(cancelled).
 LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options,
                   Progress& progress = Progress::none());
 
