@@ -23,6 +23,9 @@ struct Writing {
   void set(uint32_t cell, const T& value) const { next[cell] = value; }
 };
 
+/// Two numbers side by side, added at once.
+using Pair = float __attribute__((vector_size(8)));
+
 class Simulation;
 
 class Pass {
@@ -54,6 +57,12 @@ class Pass {
   /// Cells less than `radius` metres apart through the air, whose normals do not oppose: made once
   /// for each radius.
   const Links& within(double radius);
+
+  /// Whether nobody sleeps anywhere.
+  bool all_awake() const;
+  /// Two attributes as pairs, copied: neighbours are then fetched once for both, which pays for the
+  /// copy where all cells are awake.
+  const Pair* pairs(const Writing<float>& a, const Writing<float>& b);
 
   /// kernel(near, cell) for all cells that receive (and, with a mask, are in it), in parallel;
   /// near.each(cell, f) calls f for the neighbours that distribute. What it has set becomes what

@@ -51,6 +51,7 @@ class Simulation {
   Column<State> states_;
   Blocks blocks_;
   std::map<double, Links> within_;
+  std::vector<float> pairs_;  ///< See Pass::pairs.
   int step_ = 0;
 };
 

@@ -200,5 +200,33 @@ TEST(GrayScott, ConservesWhatItMustAndIsThatOfAPlainLoop) {
   EXPECT_GT(std::accumulate(v.begin(), v.end(), 0.0), 1);  // it lives
 }
 
+TEST(GrayScott, IsTheSameWhereSomeBlocksSleep) {
+  // Two sheets in one network of more than a block each: where one sleeps the other does the same.
+  Network both = flat_torus(72, 64, 8);
+  const auto count = static_cast<uint32_t>(both.size());
+  const NetworkPtr one = std::make_shared<const Network>(both);
+  const auto twice = [&](auto& list) {
+    list.reserve(2 * list.size());
+    list.insert(list.end(), list.begin(), list.begin() + static_cast<int64_t>(list.size()));
+  };
+  twice(both.position), twice(both.normal), twice(both.right), twice(both.area), twice(both.object);
+  both.links = make_links(2 * count, [&](uint32_t i, const auto& add) {
+    for (const uint32_t to : one->links.of(i % count)) add(to + i / count * count);
+  });
+  const std::vector<Stage> drops = {stage("sprinkle", {{"attribute", "v"}, {"share", 0.1}})};
+  Simulation awake = ran(one, drops, 1);
+  Simulation half = ran(std::make_shared<const Network>(both), drops, 1);
+  std::vector<State> states(2 * count, State::active);
+  std::fill(states.begin() + count, states.end(), State::sleeping);
+  half.set_states(states);
+  awake.run({stage("gray_scott")}, 30);
+  half.run({stage("gray_scott")}, 30);
+  for (const char* name : {"u", "v"}) {
+    const auto& expected = awake.attributes().values<float>(name);
+    const auto& got = half.attributes().values<float>(name);
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), got.begin())) << name;
+  }
+}
+
 }  // namespace
 }  // namespace vug::cells

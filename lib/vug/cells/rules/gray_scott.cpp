@@ -33,16 +33,20 @@ struct GrayScott {
     const float du = static_cast<float>(diffusion_u) / full;
     const float dv = static_cast<float>(diffusion_v) / full;
     const auto f = static_cast<float>(feed), k = static_cast<float>(kill);
-    pass.run([=](const auto& near, uint32_t i) {
-      const float own_u = u[i], own_v = v[i];
-      float sum_u = 0, sum_v = 0;
-      const auto links =
-          static_cast<float>(near.each(i, [&](uint32_t n) { sum_u += u[n], sum_v += v[n]; }));
-      // No more of u than there is: the same while v is below 1, as it is but for drops.
-      const float reaction = own_u * std::min(1.0f, own_v * own_v);
-      u.set(i, own_u + du * (sum_u - links * own_u) - reaction + f * (1 - own_u));
-      v.set(i, own_v + dv * (sum_v - links * own_v) + reaction - (f + k) * own_v);
-    });
+    const auto kernel = [=](const auto& both) {
+      return [=](const auto& near, uint32_t i) {
+        const float own_u = u[i], own_v = v[i];
+        Pair sum = {0, 0};
+        const auto links = static_cast<float>(near.each(i, [&](uint32_t n) { sum += both(n); }));
+        // No more of u than there is: the same while v is below 1, as it is but for drops.
+        const float reaction = own_u * std::min(1.0f, own_v * own_v);
+        u.set(i, own_u + du * (sum[0] - links * own_u) - reaction + f * (1 - own_u));
+        v.set(i, own_v + dv * (sum[1] - links * own_v) + reaction - (f + k) * own_v);
+      };
+    };
+    if (!pass.all_awake()) return pass.run(kernel([=](uint32_t n) { return Pair{u[n], v[n]}; }));
+    const Pair* pairs = pass.pairs(u, v);
+    pass.run(kernel([=](uint32_t n) { return pairs[n]; }));
   }
 };
 
