@@ -100,7 +100,7 @@ session::BuildOptions WorkOptions::build_options(const session::Loaded& loaded) 
 
 void WorkOptions::summarise(const session::Builder& builder) const {
   if (quiet) return;
-  for (const session::MeshPtr& plan : builder.shot().meshes)
+  for (const session::MeshPtr& plan : session::declared_meshes(builder.shot()))
     if (const size_t pieces = builder.pieces_left_out(plan); pieces > 0)
       fmt::print(stderr, "mesh '{}': {} piece{} smaller than {} m left out\n", plan->name, pieces,
                  pieces == 1 ? "" : "s", plan->smallest_piece);

@@ -17,6 +17,8 @@ class Rule {
   virtual ~Rule() = default;
   /// One step for all cells that receive: asks the pass for its attributes and runs a kernel.
   virtual void step(Pass& pass) const = 0;
+  /// Whether it is for a single step where nobody says how many.
+  virtual bool once() const { return false; }
 };
 
 using RulePtr = std::shared_ptr<const Rule>;
@@ -25,12 +27,15 @@ using RuleKind = Kind<RulePtr>;
 const Kinds<RulePtr>& rules();
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
-/// `void step(Pass&) const`.
+/// `void step(Pass&) const`; with `static constexpr bool kOnce = true` it is for a single step.
 template <class P>
 RuleKind rule_kind(std::string name) {
   struct Made final : Rule {
     explicit Made(const P& p) : params(p) {}
     void step(Pass& pass) const override { params.step(pass); }
+    bool once() const override {
+      return requires { P::kOnce; };
+    }
     P params;
   };
   return make_kind<RulePtr, P>(std::move(name), "rule",

@@ -3,12 +3,15 @@
 #include <vug/meshing/polygonize.h>
 #include <vug/paint/paint.h>
 #include <vug/session/build.h>
+#include <vug/session/wear.h>
 #include <vug/volume/samples.h>
 #include <vug/volume/voxelize.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <set>
 
 namespace vug::session {
@@ -37,7 +40,11 @@ std::string why_empty(const VolumePlan& plan) {
 }
 
 uint64_t bytes_of(const mesh::Mesh& mesh) {
-  return 2 * sizeof(Vec3f) * mesh.positions.size() + sizeof(Vec3i) * mesh.triangles.size();
+  uint64_t bytes =
+      2 * sizeof(Vec3f) * mesh.positions.size() + sizeof(Vec3i) * mesh.triangles.size();
+  for (const mesh::Attribute& attribute : mesh.attributes)
+    bytes += sizeof(float) * attribute.values.size();
+  return bytes;
 }
 
 void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface) {
@@ -183,6 +190,15 @@ std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
     mesh::LargePieces pieces = mesh::large_pieces(
         meshing::polygonize(surface, exact, polygonize, progress_).mesh, plan->smallest_piece);
     if (plan->paint) add_colors(pieces.mesh, plan->paint, surface);
+    for (const auto& cells : plan->cells) {
+      wear(pieces.mesh, *cells, surface, room(), progress_);
+      if (plan->volume->voxel > 1.01 * cells->spacing)
+        warn(cells->where,
+             fmt::format("the voxels of '{}' are larger than the cells, so that not all of these "
+                         "can show",
+                         plan->volume->name),
+             "use smaller voxels or a larger spacing");
+    }
     held_ += bytes_of(pieces.mesh);
     auto kept = std::make_shared<const mesh::Mesh>(std::move(pieces.mesh));
     return meshes_.emplace(plan, MadeMesh{std::move(kept), pieces.left_out}).first->second.mesh;
@@ -227,8 +243,17 @@ size_t Builder::pieces_left_out(const MeshPtr& plan) const {
   return surface ? surface->pieces_left_out() : 0;
 }
 
+std::vector<MeshPtr> declared_meshes(const Shot& shot) {
+  std::set<MeshPtr> bare;
+  for (const MeshPtr& mesh : shot.meshes) bare.insert(mesh->bare);
+  std::vector<MeshPtr> kept;
+  std::copy_if(shot.meshes.begin(), shot.meshes.end(), std::back_inserter(kept),
+               [&](const MeshPtr& mesh) { return bare.count(mesh) == 0; });
+  return kept;
+}
+
 std::vector<MeshPtr> meshes_of(const Shot& shot) {
-  if (!shot.meshes.empty()) return shot.meshes;
+  if (!shot.meshes.empty()) return declared_meshes(shot);
   std::vector<MeshPtr> meshes;
   for (const VolumePtr& volume : shot.volumes) {
     if (volume->fog) continue;

@@ -1,5 +1,4 @@
 #include <vug/cells/kind.h>
-#include <vug/cells/rule.h>
 #include <vug/field/blend_kind.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
@@ -8,6 +7,7 @@
 #include <vug/session/family.h>
 #include <vug/session/objects.h>
 #include <vug/session/places.h>
+#include <vug/session/stages.h>
 #include <vug/session/volume_kinds.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ const std::vector<Family>& families() {
       family(render::materials()),  family(render::lights()),   family(render::media()),
       family(render::cameras()),    family(render::samplers()), family(render::integrators()),
       family(places_kinds()),       family(model_kinds()),      family(cells::grids()),
-      family(cells::rules()),
+      family(cell_stages()),
   };
   return all;
 }

@@ -82,6 +82,16 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
   return arguments;
 }
 
+bool has_block(const scene::Declaration& declaration, Reading& reading) {
+  if (!declaration.value) return true;
+  reading.diagnostics.error(
+      declaration.where,
+      fmt::format("'{}' is written with a block, not with '='", declaration.kind),
+      fmt::format("for instance: {} {}{} {{ ... }}", declaration.kind, declaration.name,
+                  declaration.kind == "render" ? "" : " on NAME"));
+  return false;
+}
+
 Value target_value(const std::string& kind, const scene::Declaration& declaration,
                    Reading& reading) {
   if (auto value = declared_value(kind, *declaration.target, reading)) return *value;
@@ -109,6 +119,21 @@ Value report_unknown(const Family& family, const std::string& name, const Source
                         : "'vug list' shows them all");
   return Value();
 }
+
+}  // namespace
+
+Value kind_value(const Family& family, const scene::Expr& expr, RandomKey key, Reading& reading) {
+  const bool called = expr.kind == scene::ExprKind::call && !expr.method;
+  if ((called || expr.kind == scene::ExprKind::name) && family.find(expr.text))
+    return *make(family, expr.text, called ? reading.evaluator.arguments(expr, key) : Arguments{},
+                 expr.where, reading);
+  Value value = reading.evaluator.eval(expr, key);
+  if (value.get<Value::Name>())
+    return report_unknown(family, expr.text, expr.where, reading.diagnostics);
+  return value;
+}
+
+namespace {
 
 Value read_block_family(const Family& family, const std::string& fallback,
                         const scene::Declaration& declaration, Reading& reading) {

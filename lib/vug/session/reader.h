@@ -42,29 +42,37 @@ using IsChoice = std::function<bool(const std::string& key, const std::string& w
 Arguments block_arguments(const scene::Declaration& declaration, const IsChoice& is_choice,
                           Reading& reading);
 
-/// The block bound to a schema; nothing (with diagnostics) when it does not fit or when the
-/// declaration is written with '='.
+/// Whether the declaration is written with a block and not, with a diagnostic, with '='.
+bool has_block(const scene::Declaration& declaration, Reading& reading);
+
+/// Arguments of a block bound to a schema; nothing, with diagnostics, when they do not fit.
 template <class P>
-std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& declaration,
-                            Reading& reading) {
-  if (declaration.value) {
-    reading.diagnostics.error(declaration.where,
-                              "'" + declaration.kind + "' is written with a block, not with '='",
-                              "for instance: " + declaration.kind + " " + declaration.name +
-                                  (declaration.kind == "render" ? "" : " on NAME") + " { ... }");
-    return std::nullopt;
-  }
+std::optional<P> bind_block(const Schema<P>& schema, const Arguments& arguments,
+                            const scene::Declaration& declaration, Reading& reading) {
   Diagnostics found, own;
-  const IsChoice is_choice = [&](const std::string& key, const std::string& word) {
-    return has_choice(schema.info(), key, word);
-  };
-  const Arguments arguments = block_arguments(declaration, is_choice, reading);
   const SoundArguments sound(arguments);
   std::optional<P> params = schema.bind(sound.arguments, declaration.where, found);
   sound.tell(found, declaration.where, own);
   reading.evaluator.tell(own, arguments);
   return sound.whole ? params : std::nullopt;
 }
+
+/// The block bound to a schema; nothing (with diagnostics) when it does not fit or when the
+/// declaration is written with '='.
+template <class P>
+std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& declaration,
+                            Reading& reading) {
+  if (!has_block(declaration, reading)) return std::nullopt;
+  const IsChoice is_choice = [&](const std::string& key, const std::string& word) {
+    return has_choice(schema.info(), key, word);
+  };
+  return bind_block(schema, block_arguments(declaration, is_choice, reading), declaration, reading);
+}
+
+/// A kind of the family as an expression names it, `voronoi` or `crack(color: ...)`, whatever the
+/// text declares under that name; else the expression's value. Empty, with a diagnostic, where a
+/// name is nothing.
+Value kind_value(const Family& family, const scene::Expr& expr, RandomKey key, Reading& reading);
 
 /// A declaration whose value is a kind of one family: `light key = rect(...)`, or in block form
 /// `camera main { kind orthographic  eye ... }` with `fallback` as the kind where none is given.

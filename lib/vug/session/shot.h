@@ -39,6 +39,8 @@ struct VolumePlan {
 };
 using VolumePtr = std::shared_ptr<const VolumePlan>;
 
+struct CellsPlan;  ///< See cells_plan.h.
+
 /// `mesh NAME on VOLUME { ... }`.
 struct MeshPlan {
   std::string name;
@@ -48,6 +50,8 @@ struct MeshPlan {
   double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
+  std::vector<std::shared_ptr<const CellsPlan>> cells;  ///< That it wears, one after the other.
+  std::shared_ptr<const MeshPlan> bare;                 ///< It without the last of them.
 
   bool operator==(const MeshPlan&) const = default;
 };

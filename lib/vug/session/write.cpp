@@ -12,8 +12,9 @@ std::vector<std::filesystem::path> product_paths(const Shot& shot,
                                                  const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> paths;
   if (!shot.volumes.empty()) paths.push_back(folder / (shot.name + ".vdb"));
-  for (const MeshPtr& plan : shot.meshes) {
-    const bool plain = shot.meshes.size() == 1 || plan->name == shot.name;
+  const std::vector<MeshPtr> meshes = declared_meshes(shot);
+  for (const MeshPtr& plan : meshes) {
+    const bool plain = meshes.size() == 1 || plan->name == shot.name;
     const std::string stem = plain ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
     paths.push_back(folder / fmt::format("{}.{}", stem, plan->format));
   }
@@ -26,7 +27,7 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
   const std::vector<std::filesystem::path> paths = product_paths(shot, folder);
   for (const auto& path : paths) require_writable(path);
   auto path = paths.begin();
-  for (const MeshPtr& plan : shot.meshes) builder.require_room(plan);
+  for (const MeshPtr& plan : declared_meshes(shot)) builder.require_room(plan);
   if (!shot.volumes.empty()) {
     volume::WriteOptions options;
     options.metadata = {{"vug:recipe", shot.recipe}, {"vug:seed", static_cast<int64_t>(shot.seed)}};
@@ -38,7 +39,7 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
     }
     volume::write(*path++, grids, options);
   }
-  for (const MeshPtr& plan : shot.meshes) mesh::write_mesh(*builder.mesh(plan), *path++);
+  for (const MeshPtr& plan : declared_meshes(shot)) mesh::write_mesh(*builder.mesh(plan), *path++);
   return paths;
 }
 

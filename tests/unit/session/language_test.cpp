@@ -1,7 +1,8 @@
-// Every ```vug example of docs/language.md and docs/tour.md is a scene that all of the program
-// understands: names of kinds and parameters too, which the parser alone does not know.
+// Every ```vug example of docs/language.md, docs/tour.md and docs/cells.md is a scene that all of
+// the program understands: names of kinds and parameters too, which the parser alone does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
+#include <vug/session/cells_plan.h>
 #include <vug/session/load.h>
 
 #include <algorithm>
@@ -35,6 +36,22 @@ TEST(Language, ExamplesMeanSomething) {
     const Loaded loaded = load_text(example, "language.md", options);
     EXPECT_EQ(loaded.report(), "") << example;
   }
+}
+
+TEST(Language, CellsOfTheirPageAreOnAMesh) {
+  const std::vector<std::string> examples = blocks("vug", "cells.md");
+  ASSERT_EQ(examples.size(), 1u);
+  const Loaded loaded = load_text(examples[0], "cells.vug");
+  EXPECT_EQ(loaded.report(), "");
+  ASSERT_EQ(loaded.shot.objects.size(), 1u);
+  const MeshPlan& mesh = *loaded.shot.objects[0].mesh;
+  ASSERT_EQ(mesh.cells.size(), 1u);
+  EXPECT_EQ(mesh.name, "crust");
+  EXPECT_EQ(mesh.bare->name, "wall");
+  EXPECT_EQ(mesh.cells[0]->run.size(), 4u);
+  EXPECT_EQ(mesh.cells[0]->run[0]->span(), 1);
+  EXPECT_EQ(mesh.cells[0]->run[1]->span(), -1);
+  EXPECT_EQ(mesh.cells[0]->length(), 100);
 }
 
 TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {

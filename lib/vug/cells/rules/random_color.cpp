@@ -4,7 +4,10 @@ namespace vug::cells {
 namespace {
 
 struct RandomColor {
+  static constexpr bool kOnce = true;
   double share = 1;
+  Vec3d from{0};
+  Vec3d to{1};
 
   static void describe(Schema<RandomColor>& s) {
     s.doc(
@@ -15,17 +18,21 @@ struct RandomColor {
                {.doc = "of the cells, chosen by chance",
                 .dimension = Dimension::ratio,
                 .min = 0,
-                .max = 1});
+                .max = 1})
+        .param("from", &RandomColor::from,
+               {.doc = "the least of each channel, excluded, linear", .min = 0, .max = 1})
+        .param("to", &RandomColor::to, {.doc = "the most of each channel", .min = 0, .max = 1});
   }
 
   void step(Pass& pass) const {
     const auto color = pass.writes<Vec3f>("Cd");
     const auto seed = pass.writes<int32_t>("seed");
-    pass.run([=, &pass, chance = share](const auto&, uint32_t i) {
+    pass.run([=, &pass, chance = share, from = from, to = to](const auto&, uint32_t i) {
       RandomStream random = pass.random(i);
       if (random.uniform() >= chance) return color.set(i, color[i]), seed.set(i, seed[i]);
       Vec3f drawn;
-      for (int c = 0; c < 3; ++c) drawn[c] = static_cast<float>(1 - random.uniform());  // not 0
+      for (int c = 0; c < 3; ++c)
+        drawn[c] = static_cast<float>(from[c] + (to[c] - from[c]) * (1 - random.uniform()));
       color.set(i, drawn);
       seed.set(i, static_cast<int32_t>(i) + 1);
     });

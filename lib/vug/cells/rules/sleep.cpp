@@ -4,6 +4,7 @@ namespace vug::cells {
 namespace {
 
 struct Sleep {
+  static constexpr bool kOnce = true;
   static void describe(Schema<Sleep>& s) {
     s.doc("Cells fall asleep: they keep what they have, are not seen by others and cost nothing.")
         .cite("gobron2006");

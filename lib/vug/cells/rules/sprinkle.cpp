@@ -6,6 +6,7 @@ namespace vug::cells {
 namespace {
 
 struct Sprinkle {
+  static constexpr bool kOnce = true;
   std::string attribute;
   double value = 1;
   double share = 0.5;

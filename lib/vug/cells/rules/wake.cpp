@@ -4,6 +4,7 @@ namespace vug::cells {
 namespace {
 
 struct Wake {
+  static constexpr bool kOnce = true;
   static void describe(Schema<Wake>& s) {
     s.doc("All cells become active, whatever they were.").cite("gobron2006");
   }

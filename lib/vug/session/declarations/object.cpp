@@ -36,6 +36,13 @@ const DeclarationKind& object_declaration() {
               "leave out 'direct'");
           return Value();
         }
+        if (plan->direct && !mesh->cells.empty()) {
+          reading.diagnostics.error(
+              declaration.where,
+              fmt::format("'{}' wears cells, for which it needs a mesh", declaration.name),
+              "leave out 'direct'");
+          return Value();
+        }
         plan->name = declaration.name;
         plan->mesh = mesh;
         reading.shot.objects.push_back(std::move(*plan));

@@ -1,0 +1,194 @@
+#include <vug/base/parallel.h>
+#include <vug/cells/onto_mesh.h>
+#include <vug/mesh/point_grid.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace vug::cells {
+namespace {
+
+struct Share {
+  uint32_t cell;
+  double weight;
+};
+
+/// An attribute on its way: read of cells, written to vertices.
+struct Way {
+  std::variant<const std::vector<float>*, const std::vector<Vec3f>*, const std::vector<int32_t>*,
+               const std::vector<State>*>
+      from;
+  mesh::Attribute to;
+  bool is_colour = false;
+};
+
+double component(float value, int) { return static_cast<double>(value); }
+double component(const Vec3f& value, int c) { return static_cast<double>(value[c]); }
+double component(int32_t value, int) { return value; }
+double component(State value, int) { return value == State::transparent ? 1 : 0; }
+
+/// Mean as the first one's value and what the others differ from it: exact where they are alike.
+template <class T, class Value>
+double mean(const std::vector<Share>& shares, const Value& value) {
+  const double first = value(shares[0].cell);
+  double sum = 0, weights = 0;
+  for (const Share& share : shares) {
+    sum += share.weight * (value(share.cell) - first);
+    weights += share.weight;
+  }
+  return first + sum / weights;
+}
+
+void write(Way& way, const std::vector<Share>& shares, size_t vertex) {
+  const auto arity = static_cast<size_t>(way.to.arity);
+  float* out = way.to.values.data() + vertex * arity;
+  std::visit(
+      [&](const auto* from) {
+        using T = typename std::decay_t<decltype(*from)>::value_type;
+        for (int c = 0; c < way.to.arity; ++c) {
+          const auto under = static_cast<double>(out[c]);
+          out[c] = static_cast<float>(mean<T>(shares, [&](uint32_t cell) {
+            const T& value = (*from)[cell];
+            if constexpr (std::is_same_v<T, Vec3f>)
+              if (way.is_colour && value == Vec3f(0)) return under;
+            return component(value, c);
+          }));
+        }
+      },
+      way.from);
+}
+
+class Carrier {
+ public:
+  Carrier(const Network& network, const mesh::Mesh& mesh, std::vector<Way>& ways)
+      : network_(network), mesh_(mesh), ways_(ways) {}
+
+  /// Fills these vertices from cells within the radius; gives those that found none.
+  std::vector<uint32_t> carry(const std::vector<uint32_t>& vertices, double radius,
+                              bool any_side) const {
+    const auto cells = static_cast<uint32_t>(network_.size());
+    std::vector<Vec3f> points = network_.position;
+    for (const uint32_t v : vertices) points.push_back(mesh_.positions[v]);
+    std::vector<uint8_t> found(vertices.size(), 0);
+    const mesh::PointGrid grid(points, radius);
+    grid.sweep([&](const mesh::PointGrid::Run& own, const mesh::PointGrid::Runs& around) {
+      std::vector<uint32_t> near;
+      std::vector<Share> shares;
+      bool looked = false;
+      for (uint32_t place = own.begin; place < own.end; ++place) {
+        if (grid.order()[place] < cells) continue;
+        if (!looked)
+          for (const mesh::PointGrid::Run& run : around)
+            for (uint32_t k = run.begin; k < run.end; ++k)
+              if (grid.order()[k] < cells) near.push_back(grid.order()[k]);
+        looked = true;
+        const uint32_t at = grid.order()[place] - cells;
+        weigh(vertices[at], near, radius, any_side, shares);
+        if (shares.empty()) continue;
+        for (Way& way : ways_) write(way, shares, vertices[at]);
+        found[at] = 1;
+      }
+    });
+    std::vector<uint32_t> left;
+    for (size_t i = 0; i < vertices.size(); ++i)
+      if (!found[i]) left.push_back(vertices[i]);
+    return left;
+  }
+
+ private:
+  void weigh(uint32_t vertex, const std::vector<uint32_t>& near, double radius, bool any_side,
+             std::vector<Share>& shares) const {
+    shares.clear();
+    size_t heaviest = 0;
+    for (const uint32_t cell : near) {
+      const Vec3d d = Vec3d(network_.position[cell]) - Vec3d(mesh_.positions[vertex]);
+      const double within = 1 - d.length2() / (radius * radius);
+      if (within <= 0) continue;
+      const double alike =
+          any_side ? 1 : Vec3d(network_.normal[cell]).dot(Vec3d(mesh_.normals[vertex]));
+      const double weight = alike > 0 ? within * within * alike * alike : 0;
+      if (weight < std::numeric_limits<float>::min()) continue;
+      shares.push_back({cell, weight});
+      if (weight > shares[heaviest].weight) heaviest = shares.size() - 1;
+    }
+    if (!shares.empty()) std::swap(shares[0], shares[heaviest]);
+  }
+
+  const Network& network_;
+  const mesh::Mesh& mesh_;
+  std::vector<Way>& ways_;
+};
+
+/// Takes the attribute of that name from the mesh; all 0 where there is none.
+mesh::Attribute taken(mesh::Mesh& mesh, const std::string& name, int arity) {
+  mesh::Attribute out{name, arity, {}};
+  auto& all = mesh.attributes;
+  const auto known = std::find_if(all.begin(), all.end(),
+                                  [&](const mesh::Attribute& each) { return each.name == name; });
+  if (known != all.end() && known->arity == arity) out.values = std::move(known->values);
+  if (known != all.end()) all.erase(known);
+  out.values.resize(mesh.positions.size() * static_cast<size_t>(arity));
+  return out;
+}
+
+std::vector<Way> ways_of(const Simulation& simulation, mesh::Mesh& mesh) {
+  std::vector<Way> ways;
+  for (const Attribute& attribute : simulation.attributes().all()) {
+    if (attribute.name == "P" || attribute.name == "N") continue;
+    std::visit(
+        [&](const auto& column) {
+          const bool vector = std::is_same_v<std::decay_t<decltype(column)>, Column<Vec3f>>;
+          ways.push_back({&column.now, taken(mesh, attribute.name, vector ? 3 : 1),
+                          vector && attribute.name == mesh::kColour});
+        },
+        attribute.column);
+  }
+  if (!simulation.attributes().find(kTransparent))
+    ways.push_back({&simulation.states(), taken(mesh, std::string(kTransparent), 1), false});
+  return ways;
+}
+
+void add_normals(mesh::Mesh& mesh) {
+  std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0));
+  for (size_t face = 0; face < mesh.triangles.size(); ++face)
+    for (const uint32_t v : mesh.triangles[face]) sums[v] += double_area_vector(mesh, face);
+  for (const Vec3d& sum : sums) mesh.normals.emplace_back(Vec3f(sum.normalized()));
+}
+
+double mean_edge(const mesh::Mesh& mesh) {
+  double sum = 0;
+  for (const mesh::Triangle& t : mesh.triangles)
+    for (size_t k = 0; k < 3; ++k)
+      sum += (Vec3d(mesh.positions[t[k]]) - Vec3d(mesh.positions[t[(k + 1) % 3]])).length();
+  return mesh.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
+}  // namespace
+
+void onto_mesh(const Simulation& simulation, mesh::Mesh& mesh, Progress& progress) {
+  const Network& network = simulation.network();
+  std::vector<Way> ways = ways_of(simulation, mesh);
+  const bool bare = mesh.normals.empty();
+  if (bare) add_normals(mesh);
+  const Box3d box = mesh::bounds(mesh);
+  progress.begin("cells onto the mesh", 1);
+  if (network.size() > 0 && !box.isEmpty()) {
+    Box3d all = box;
+    for (const Vec3f& p : network.position) all.extendBy(Vec3d(p));
+    const Carrier carrier(network, mesh, ways);
+    double radius = std::max(network.reach, mean_edge(mesh));
+    std::vector<uint32_t> left(mesh.positions.size());
+    for (size_t i = 0; i < left.size(); ++i) left[i] = static_cast<uint32_t>(i);
+    for (bool any_side = false; !left.empty(); radius *= 2) {
+      progress.check();
+      left = carrier.carry(left, radius, any_side);
+      any_side = radius > all.size().length();
+    }
+  }
+  progress.advance();
+  progress.end();
+  if (bare) mesh.normals.clear();
+  for (Way& way : ways) mesh.attributes.push_back(std::move(way.to));
+}
+
+}  // namespace vug::cells

@@ -1,0 +1,43 @@
+// What `cells NAME on MESH { ... }` asks for.
+#pragma once
+
+#include <vug/base/rng.h>
+#include <vug/cells/kind.h>
+#include <vug/cells/rule.h>
+#include <vug/paint/paint.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::session {
+
+/// A rule of `run` with when and where it works.
+struct CellStage {
+  cells::RulePtr rule;
+  std::string name;
+  int begin = 0;             ///< Its first step, from 0.
+  std::optional<int> steps;  ///< How many; not given: to the end, or one for rules that say so.
+  paint::Mask where;         ///< The chance of a cell to be rewritten by it; null: all are.
+
+  /// How many steps it works for; below 0: to the end.
+  int span() const { return steps.value_or(rule->once() ? 1 : -1); }
+};
+using CellStagePtr = std::shared_ptr<const CellStage>;
+
+struct CellsPlan {
+  std::string name;
+  std::optional<cells::Grid> grid;  ///< Not given: random.
+  double spacing = 0.02;            ///< Metres.
+  std::optional<int> relax;         ///< Steps of harmonising; not given: the grid's own.
+  std::vector<CellStagePtr> run;    ///< In the order in which they work within a step.
+  std::optional<int> steps;         ///< Of the whole run; see length.
+  RandomKey key{0};
+  SourceLocation where;          ///< Its name in the text.
+  SourceLocation spacing_where;  ///< What `spacing` says there.
+
+  /// Steps of the whole run: `steps`, else 100 or as many as the last stage needs.
+  int length() const;
+};
+
+}  // namespace vug::session

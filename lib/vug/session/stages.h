@@ -1,0 +1,21 @@
+// Rules of cells as a scene calls them: each with when and where it works.
+#pragma once
+
+#include <vug/base/kind.h>
+#include <vug/session/cells_plan.h>
+
+namespace vug::session {
+
+/// The kinds of cells::rules(), whose parameters are followed by `begin`, `steps` and `where`.
+const Kinds<CellStagePtr>& cell_stages();
+
+}  // namespace vug::session
+
+namespace vug {
+
+template <>
+struct ValueTraits<session::CellStagePtr> : ObjectTraits<session::CellStagePtr> {
+  static constexpr const char* kWord = "rule";
+};
+
+}  // namespace vug

@@ -1,0 +1,89 @@
+"""Cells in a scene: what is refused and where, what is written, the same bytes for any number of threads."""
+import unittest
+
+from vug import VugTest, digest
+
+SCENE = """volume rock = level_set(sphere(1m), voxel: 10cm)
+mesh wall on rock {}
+render main { size 16x12  spp 1 }
+cells skin on %s { %s }
+"""
+GOOD = ("spacing 15cm  grid triangle  relax 3  run random_color(share: 10%), voronoi, crack(begin: 10), "
+        "corrosion(begin: 20, loss: 10%, where: slope(from: 40deg, to: 70deg)), sprinkle(attribute: \"wet\")")
+
+
+class Cells(VugTest):
+    def refused(self, block, column, message, hint, on="wall", *args):
+        self.write("s.vug", SCENE % (on, block))
+        error = self.expect(2, "render", "s.vug", "-o", "s.exr", *args).err
+        self.assertIn(f"s.vug:4:{column}: error: {message}", error)
+        self.assertIn(f"hint: {hint}", error)
+        self.assertEqual(error.count("error: "), 1, error)
+        self.assertEqual(self.files(), ["s.vug"])
+
+    def test_what_the_text_gets_wrong(self):
+        at = len("cells skin on wall { ") + 1
+        run = at + len("spacing 20cm  run ")
+        self.refused("spacing 20cm  run vornoi", run, "there is no rule 'vornoi'", "did you mean 'voronoi'?")
+        self.refused("spacing 20cm  run vornoi()", run, "unknown function 'vornoi'", "did you mean 'voronoi'?")
+        self.refused("spacing 20cm  grid trangle  run maze", at + len("spacing 20cm  grid "), "there is no grid 'trangle'",
+                     "did you mean 'triangle'?")
+        self.refused("spacing 20cm  run maze", 15, "'cells' stands on a mesh, not the name 'wal'", "did you mean 'wall'?", "wal")
+        self.refused("spacing 20cm  run maze", 15, "cells stand on a mesh, not on a volume", "mesh NAME on rock {}", "rock")
+        for spacing in ("0", "0cm", "-2cm"):
+            self.refused(f"spacing {spacing}  run maze", at, "the spacing of cells is a length above 0", "for instance: spacing 2cm")
+        self.refused("spacing 20cm", 7, "'cells' needs 'run'", "run: rules")
+        self.refused("run maze", 7, "'cells' needs 'spacing'", "spacing: ")
+
+    def test_numbers_that_are_none(self):
+        for spacing in ("1m * log(-1)", "1m * (0 / 0)", "1m / 0"):
+            self.write("s.vug", SCENE % ("wall", f"spacing {spacing}  run maze"))
+            error = self.expect(2, "check", "s.vug").err
+            self.assertRegex(error, r"^s\.vug:4:\d+: error: ")
+            self.assertEqual(error.count("error: "), 1, error)
+
+    def test_what_shows_on_the_mesh(self):
+        at = len("cells skin on wall { ") + 1
+        self.refused("spacing 10m  run maze", at, "cells 10 m apart are larger than the object", "use a smaller spacing")
+        self.refused("spacing 1e-6m  run maze", at, "1.25e+13 cells are more than can be numbered", "use a larger spacing")
+        self.refused("spacing 0.5mm  run maze", at, "5.02e+07 cells would take about 16.8 GiB", "use a larger spacing", "wall",
+                     "--max-memory", "300M")
+
+    def test_objects_without_a_mesh_wear_nothing(self):
+        self.write("s.vug", SCENE % ("wall", GOOD) + "object ball on skin { direct true }\n")
+        self.assertIn("s.vug:5:8: error: 'ball' wears cells", self.expect(2, "check", "s.vug").err)
+
+    def test_the_mesh_is_written_with_what_cells_carry(self):
+        self.write("s.vug", SCENE % ("wall", GOOD))
+        self.expect(0, "build", "s.vug", "-o", "out")
+        self.assertEqual(self.files(), ["out/s.ply", "out/s.vdb", "s.vug"])
+        head = (self.folder / "out/s.ply").read_bytes().split(b"end_header")[0].decode()
+        for name in ("red", "seed", "crack", "potential", "wet", "transparent"):
+            self.assertIn(f"property float {name}\n", head)
+        self.write("two.vug", (SCENE % ("wall", GOOD)) + "cells film on skin { spacing 30cm  run sprinkle(attribute: \"dust\") }\n"
+                   "object ball on film {}\n")
+        self.expect(0, "build", "two.vug", "-o", "two")
+        self.assertEqual(sorted(p.name for p in (self.folder / "two").iterdir()), ["two.ply", "two.vdb"])
+        head = (self.folder / "two/two.ply").read_bytes().split(b"end_header")[0].decode()
+        self.assertIn("property float dust\n", head)
+        self.assertIn("property float crack\n", head)
+
+    def test_voxels_larger_than_cells_are_doubtful(self):
+        self.write("s.vug", SCENE % ("wall", "spacing 5cm  run maze"))
+        self.assertIn("s.vug:4:7: warning: the voxels of 'rock' are larger than the cells",
+                      self.expect(0, "build", "s.vug", "-o", "out").err)
+
+    def test_same_bytes(self):
+        self.write("s.vug", SCENE % ("wall", GOOD))
+        made = set()
+        for threads in (1, 2, 7):
+            self.expect(0, "build", "s.vug", "-o", f"out{threads}", "--threads", threads)
+            self.expect(0, "render", "s.vug", "-o", f"out{threads}/s.exr", "--threads", threads)
+            made.add((digest(self.folder / f"out{threads}/s.ply"), digest(self.folder / f"out{threads}/s.exr")))
+        self.assertEqual(len(made), 1)
+        self.expect(0, "build", "s.vug", "-o", "other", "--seed", "5")
+        self.assertNotEqual(digest(self.folder / "other/s.ply"), digest(self.folder / "out1/s.ply"))
+
+
+if __name__ == "__main__":
+    unittest.main()
