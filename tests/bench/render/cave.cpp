@@ -2,6 +2,7 @@
 // scenes are rendered by Cycles for comparison, see docs/performance.md.
 //   bench_cave [SCENE.json OUT.exr] [--size WxH] [--spp N] [--threads N] [--seed N] [--portal]
 //              [--mesh FILE.ply] [--sky R,G,B] [--no-lamps] [--lamps N] [--bounces N]
+//              [--noise PART]
 // Without a scene it takes the reference cave of the bench data, which is no part of this
 // repository (-DVUG_BENCH_DATA=FOLDER), and skips where there is none.
 #include "bench_scene.h"
@@ -33,6 +34,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads);
   app.add_option("--seed", options.seed);
   app.add_option("--bounces", options.max_bounces);
+  app.add_option("--noise", options.noise, "blocks with less get no more samples");
   app.add_option("--mesh", mesh_file);
   app.add_option("--sky", sky);
   app.add_option("--haze", haze);
