@@ -38,6 +38,15 @@ class Check(VugTest):
         self.both("'heap/a'", link='only: ["heap/a"]')
         self.both("'heap/1/stone'", link='only: ["heap/1/stone"]')
 
+    def test_a_shining_object_has_a_layer_of_light(self):
+        glow = SCENE.replace(", {link}", "").replace("ball on skin {}", 'ball on skin { emission (1, 1, 1)  light_group "glow" }')
+        self.write("s.vug", glow.replace("{render}", 'layers ["beauty", "light_glow"]'))
+        self.expect(0, "check", "s.vug")
+        self.expect(0, "render", "s.vug", "-o", "s.exr")
+        self.assertIn("light_glow.R half", json.loads(self.expect(0, "info", "s.exr", "--json").out)["channels"])
+        self.write("s.vug", glow.replace("{render}", 'layers ["beauty", "light_glwo"]'))
+        self.assertIn("'light_glow'", self.expect(2, "check", "s.vug").err)
+
     def test_links_into_placed_scenes(self):
         self.write("part.vug", SCENE.replace(", {link}", "").replace("{render}", ""))
         text = ('light lamp = sphere(center: (0, 3, 0), only: ["%s"])\nvolume a = level_set(sphere(1m), voxel: 20cm)\n'

@@ -14,7 +14,9 @@ Schema<ObjectPlan> schema() {
              {.doc = "trace the level set itself and make no mesh: a fraction of the memory"})
       .param(
           "emission", &ObjectPlan::emission,
-          {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside", .min = 0});
+          {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside", .min = 0})
+      .param("light_group", &ObjectPlan::light_group,
+             {.doc = "group of its light in the picture's layers of lights"});
   return s;
 }
 
