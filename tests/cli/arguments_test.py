@@ -33,6 +33,34 @@ class Arguments(VugTest):
         self.expect(0, "diff", "a.exr", "a.exr", "--max", "rmse=1%", "--alarm", "1%")
         self.refused("sets no limit", "diff", "a.exr", "a.exr", "--max", "rmse=1m")
 
+    def test_limits_that_nothing_keeps_or_that_are_told_twice(self):
+        self.expect(0, *RENDER)
+        diff = ("diff", "a.exr", "a.exr")
+        self.refused("'--max rmse=-1' sets a limit below 0", *diff, "--max", "rmse=-1")
+        self.expect(0, *diff, "--max", "rmse=0", "--max", "albedo.rmse=0", "--min", "psnr=-1")
+        self.refused("there are two limits of rmse\n", *diff, "--max", "rmse=1", "--max", "rmse=2")
+        self.refused("there are two limits of albedo.rmse\n", *diff, "--max", "albedo.rmse=1", "--max", "rmse=2",
+                     "--max", "albedo.rmse=1")
+
+    def test_faults_of_options_are_not_those_of_the_text(self):
+        self.write("s.vug", BALL + "camera main { eye (0, 0, 4) }\nrender main { size 8x8  spp 1 }\n")
+        render = ("render", "s.vug", "-o", "s.exr")
+        for option, said in ((["--layers", "beauty,nope"], "--layers: there is no layer 'nope'"),
+                             (["--view", "nope"], "--view: there is no view 'nope'"),
+                             (["--display", "nope"], "--display: there is no display 'nope'"),
+                             (["--eye", "left"], "--eye: the camera has no views"),
+                             (["--denoise", "--layers", "beauty"], "--denoise: a picture without the layer 'variance'"),
+                             (["--deep", "--noise", "5%"], "--deep: a deep picture takes all samples")):
+            error = self.refused("error: " + said, *render, *option)
+            self.assertNotIn("s.vug", error)
+        self.assertEqual(self.refused("", *render, "--view", "nope").count("filmic"), 1)
+        self.assertIn("did you mean 'filmic'? there are: ", self.refused("", *render, "--view", "filmc"))
+
+    def test_without_a_verb_the_verbs_are_told(self):
+        error = self.refused("error: there is no verb\n")
+        for verb in ("build", "check", "render"):
+            self.assertRegex(error, rf"hint: .*\b{verb}\b")
+
     def test_numbers_that_are_none(self):
         for noise in ("3cm", "nan", "inf", "", "3 %", "much", "0x1p-3", "1x2"):
             self.refused("--noise: ", *RENDER, "--noise", noise)

@@ -47,6 +47,11 @@ class Check(VugTest):
         self.write("s.vug", glow.replace("{render}", 'layers ["beauty", "light_glwo"]'))
         self.assertIn("'light_glow'", self.expect(2, "check", "s.vug").err)
 
+    def test_what_is_counted(self):
+        self.write("s.vug", SCENE.replace(", {link}", "").replace("{render}", ""))
+        self.assertEqual(self.expect(0, "check", "s.vug").out,
+                         "s.vug: fine; 1 volume, 1 mesh, 2 objects, 1 place, 1 light, 1 camera, 1 render\n")
+
     def test_links_into_placed_scenes(self):
         self.write("part.vug", SCENE.replace(", {link}", "").replace("{render}", ""))
         text = ('light lamp = sphere(center: (0, 3, 0), only: ["%s"])\nvolume a = level_set(sphere(1m), voxel: 20cm)\n'

@@ -71,6 +71,13 @@ class Done(VugTest):
         stops = dim.split("hint: --exposure ")[1].split()[0]
         self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops).err, "")
 
+    def test_a_lamp_in_the_dark_makes_no_bright_picture(self):
+        text = "light lamp = sphere(radius: %s, radiance: (900, 900, 900))\ncamera main { eye (0, 0, 4) }\nrender main { size 16x12  spp 4 }\n"
+        self.write("lamp.vug", text % "50cm")
+        self.assertEqual(self.expect(0, "render", "lamp.vug", "-o", "lamp.exr").err, "")
+        self.write("lamp.vug", text % "3m")
+        self.assertIn("the picture is very bright\n", self.expect(0, "render", "lamp.vug", "-o", "lamp.exr").err)
+
     def test_extensions_in_capitals(self):
         self.write("ball.vug", BALL)
         self.expect(0, "build", "ball.vug", "-o", ".")

@@ -144,7 +144,15 @@ class Farm(VugTest):
         self.assertIn("different seeds, 5 and 9",
                       self.expect(2, *args, "--spp", "4096", "--resume", "--seed", "9").err)
         self.assertIn("done only to", self.expect(2, "merge", "state", "-o", "a.exr").err)
+        self.assertEqual(json.loads(self.expect(0, "info", "state", "--json").out)["type"], "checkpoint")
         self.assertEqual(digest(self.folder / "state"), kept)
+        whole = (self.folder / "state").read_bytes()
+        self.write("state", whole[:len(whole) // 2])
+        self.assertEqual(self.expect(2, *args, "--spp", "4096", "--resume").err,
+                         "error: cannot read the checkpoint 'state': it is cut short\n"
+                         "hint: remove it to begin anew\n")
+        self.write("none.vugpart", b"")
+        self.assertIn("it is cut short", self.expect(2, "info", "none.vugpart").err)
 
     def test_ctrl_c_saves(self):
         process = subprocess.Popen([PROGRAM, "render", "s.vug", "-o", "c.exr", "--spp", "100000",

@@ -161,7 +161,20 @@ class PictureFiles(VugTest):
             self.assertIn("a deep picture takes all samples of a pixel at once", said)
         self.expect(2, "render", "s.vug", "--part", "no.part", "--deep")
         self.assertFalse(any(name.startswith("no") for name in self.files()))
-        self.assertIn("no flat picture", self.expect(2, "info", "deep.deep.exr").err)
+        self.assertIn("no flat picture", self.expect(2, "diff", "deep.deep.exr", "deep.deep.exr").err)
+
+    def test_info_tells_what_a_deep_picture_is(self):
+        flat = json.loads(self.expect(0, "info", "deep.exr", "--json").out)
+        told = json.loads(self.expect(0, "info", "deep.deep.exr", "--json").out)
+        self.assertEqual((flat["type"], told["type"]), ("picture", "deep picture"))
+        self.assertEqual((told["width"], told["height"]), (flat["width"], flat["height"]))
+        self.assertEqual([c.split()[0] for c in told["channels"]], ["R", "G", "B", "A", "Z", "ZBack"])
+        self.assertEqual(told["metadata"]["vug:recipe"], flat["metadata"]["vug:recipe"])
+        part, = exr.read(self.folder / "deep.deep.exr")
+        self.assertEqual(told["samples"], sum(len(z) for z in part.pixels["Z"]))
+        whole = (self.folder / "deep.deep.exr").read_bytes()
+        self.write("cut.exr", whole[:len(whole) // 2])
+        self.expect(2, "info", "cut.exr")
 
     def test_stereo_is_two_parts_that_say_which_view_they_are(self):
         self.write("two.vug", SCENE.replace("fov 70deg", "fov 70deg  interaxial 20cm  convergence 1m"))

@@ -25,6 +25,9 @@ image::Limit parse_limit(const std::string& text, image::Measure::Better better)
     throw Error(ErrorCode::bad_input,
                 fmt::format("{} is better the {} it is", limit.measure, low ? "higher" : "lower"),
                 {}, fmt::format("write {} {}", low ? "--min" : "--max", text));
+  if (low && !(limit.value >= 0))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{} {}' sets a limit below 0, which nothing keeps", option, text));
   return limit;
 }
 

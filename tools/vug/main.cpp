@@ -4,6 +4,7 @@
 #include "verb.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vug/base/diagnostics.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <map>
 #include <new>
+#include <optional>
 #include <system_error>
 
 namespace vug::cli {
@@ -34,17 +36,22 @@ std::vector<Verb> verbs() {
 std::string refuse_empty(std::string& text) { return text.empty() ? "the value is empty" : ""; }
 
 /// What does not start with a dash in the first place must be a verb.
-void require_verb(const std::string& word) {
-  if (word.empty() || word[0] == '-') return;
+void require_verb(const std::optional<std::string>& first) {
   std::vector<std::string> names;
   for (const Verb& verb : verbs()) names.push_back(verb.name);
+  if (!first)
+    throw Error(
+        ErrorCode::bad_input, "there is no verb", {},
+        fmt::format("say what to do: vug {}; 'vug --help' tells more", fmt::join(names, ", ")));
+  const std::string& word = *first;
+  if (word.empty() || word[0] == '-') return;
   if (std::find(names.begin(), names.end(), word) == names.end())
     throw Error(ErrorCode::bad_input, fmt::format("there is no verb '{}'", word), {},
                 suggestion(word, names));
 }
 
 int run(int argc, char** argv) {
-  if (argc > 1) require_verb(argv[1]);
+  require_verb(argc > 1 ? std::optional<std::string>(argv[1]) : std::nullopt);
   CLI::App app("Grows film-grade caves out of grammars: text to VDB, mesh and picture.", "vug");
   app.set_version_flag("--version", "vug " VUG_VERSION);
   app.require_subcommand(1);

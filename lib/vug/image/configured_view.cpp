@@ -151,10 +151,11 @@ ViewOptions view_options(const ViewChoice& choice, WorkingSpace space) {
   const Config config = open(choice.config);
   const auto refuse = [&](const char* what, const std::string& name,
                           const std::vector<std::string>& there) {
-    const std::string near = suggestion(name, there);
+    const std::string near = nearest_name(name, there);
     return Error(
         ErrorCode::bad_input, fmt::format("there is no {} '{}' {}", what, name, config.name), {},
-        fmt::format("{}{}there are: {}", near, near.empty() ? "" : "; ", fmt::join(there, ", ")));
+        fmt::format("{}there are: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
+                    fmt::join(there, ", ")));
   };
   const std::vector<std::string> screens = displays(config);
   const std::string display =
@@ -168,7 +169,8 @@ ViewOptions view_options(const ViewChoice& choice, WorkingSpace space) {
       options.transform = *own;
       return options;
     }
-    names.insert(names.end(), {"filmic", "standard"});
+    for (const char* name : {"filmic", "standard"})
+      if (!holds(names, name)) names.emplace_back(name);
     throw refuse("view", view, names);
   }
   const auto [source, way] = entrance(config, space);

@@ -1,10 +1,12 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
+#include <vug/image/deep_info.h>
 #include <vug/image/exr_check.h>
 #include <vug/image/io.h>
 #include <vug/image/png_check.h>
 
+#include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -47,7 +49,7 @@ Error refuse_pixels(const std::filesystem::path& path, OIIO::ImageInput& input) 
                 "write it again with the program that made it");
 }
 
-std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
+std::unique_ptr<OIIO::ImageInput> open_any(const std::filesystem::path& path) {
   if (const std::string why = why_no_file(path); !why.empty()) throw refuse(path, why);
   for (const auto& fault_of : {exr_fault, png_fault})
     if (const std::string fault = fault_of(path); !fault.empty())
@@ -59,10 +61,18 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
   auto input = OIIO::ImageInput::open(path.string());
   if (!input) throw refuse_opening(path);
   const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.deep)
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
     throw refuse(path, "it is no flat picture");
   if (static_cast<double>(spec.width) * spec.height * spec.nchannels > kMostValues)
     throw refuse(path, fmt::format("its header claims {} x {} pixels", spec.width, spec.height));
+  return input;
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
+  auto input = open_any(path);
+  if (input->spec().deep)
+    throw refuse(path, "it is no flat picture",
+                 "the flat one of a render lies beside the deep one");
   return input;
 }
 
@@ -76,7 +86,7 @@ std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input) {
   for (int i = 1; many && input.seek_subimage(i, 0); ++i) {
     const OIIO::ImageSpec& part = input.spec();
     const OIIO::ImageSpec& first = parts.front();
-    if (part.deep || part.width != first.width || part.height != first.height ||
+    if (part.deep != first.deep || part.width != first.width || part.height != first.height ||
         part.x != first.x || part.y != first.y)
       break;
     parts.push_back(part);
@@ -99,6 +109,31 @@ std::vector<std::string> channels_of(const std::vector<OIIO::ImageSpec>& parts) 
     }
   }
   return out;
+}
+
+FileInfo info_of(const std::vector<OIIO::ImageSpec>& parts) {
+  const OIIO::ImageSpec& spec = parts.front();
+  FileInfo info;
+  info.width = spec.width;
+  info.height = spec.height;
+  info.left = spec.x - spec.full_x;
+  info.top = spec.y - spec.full_y;
+  info.channels = channels_of(parts);
+  for (const OIIO::ImageSpec& part : parts)
+    for (int c = 0; c < part.nchannels; ++c)
+      info.formats.emplace_back(part.channelformat(c).c_str());
+  std::array<float, 8> primaries{};
+  if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                        primaries.data()))
+    std::copy(primaries.begin(), primaries.end(), info.chromaticities.emplace().begin());
+  for (const OIIO::ImageSpec& part : parts)
+    for (const auto& attribute : part.extra_attribs) {
+      if (attribute.type() != OIIO::TypeDesc::STRING) continue;
+      std::pair<std::string, std::string> entry(attribute.name().string(), attribute.get_string());
+      if (std::find(info.metadata.begin(), info.metadata.end(), entry) == info.metadata.end())
+        info.metadata.push_back(std::move(entry));
+    }
+  return info;
 }
 
 }  // namespace
@@ -127,30 +162,22 @@ Image read(const std::filesystem::path& path, const ReadOptions& options) {
   return image;
 }
 
-FileInfo read_info(const std::filesystem::path& path) {
-  const auto input = open(path);
+FileInfo read_info(const std::filesystem::path& path) { return info_of(parts_of(*open(path))); }
+
+std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path) {
+  const auto input = open_any(path);
+  if (!input->spec().deep) return std::nullopt;
   const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
-  const OIIO::ImageSpec& spec = parts.front();
-  FileInfo info;
-  info.width = spec.width;
-  info.height = spec.height;
-  info.left = spec.x - spec.full_x;
-  info.top = spec.y - spec.full_y;
-  info.channels = channels_of(parts);
-  for (const OIIO::ImageSpec& part : parts)
-    for (int c = 0; c < part.nchannels; ++c)
-      info.formats.emplace_back(part.channelformat(c).c_str());
-  std::array<float, 8> primaries{};
-  if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
-                        primaries.data()))
-    std::copy(primaries.begin(), primaries.end(), info.chromaticities.emplace().begin());
-  for (const OIIO::ImageSpec& part : parts)
-    for (const auto& attribute : part.extra_attribs) {
-      if (attribute.type() != OIIO::TypeDesc::STRING) continue;
-      std::pair<std::string, std::string> entry(attribute.name().string(), attribute.get_string());
-      if (std::find(info.metadata.begin(), info.metadata.end(), entry) == info.metadata.end())
-        info.metadata.push_back(std::move(entry));
-    }
+  DeepInfo info{info_of(parts)};
+  constexpr double kPixelBytes = 16;  // of OpenImageIO, for a pixel without samples
+  require_memory(kPixelBytes * info.file.width * info.file.height, available_memory(),
+                 fmt::format("the picture '{}'", path.string()));
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
+    OIIO::DeepData data;
+    if (!input->read_native_deep_image(part, 0, data)) throw refuse_pixels(path, *input);
+    for (int64_t pixel = 0; pixel < data.pixels(); ++pixel)
+      info.samples += static_cast<uint64_t>(data.samples(pixel));
+  }
   return info;
 }
 

@@ -1,5 +1,6 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
+#include <vug/image/brightness.h>
 #include <vug/image/configured_view.h>
 #include <vug/image/view.h>
 
@@ -59,6 +60,21 @@ Vec3d colour_at(const Image& image, size_t pixel, const Channels& from) {
           static_cast<double>(values[from[2]])};
 }
 
+/// Calls `take` with the luminance of each pixel, where there are R, G and B.
+template <class Take>
+void each_luminance(const Image& linear, WorkingSpace space, const Take& take) {
+  constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Of Rec.709.
+  const std::optional<Channels> channels = colour_channels(linear);
+  if (!channels) return;
+  const ColourMatrix to_rec709(space, WorkingSpace::rec709);
+  for (size_t p = 0; p < linear.pixel_count(); ++p) {
+    const Vec3d c = to_rec709(colour_at(linear, p, *channels));
+    double luminance = 0;
+    for (int i = 0; i < 3; ++i) luminance += kWeights[i] * usable(c[i]);
+    take(luminance);
+  }
+}
+
 }  // namespace
 
 double srgb_encode(double linear) {
@@ -85,22 +101,22 @@ Image in_rec709(Image picture, WorkingSpace space) {
 
 std::optional<double> grey_exposure(const Image& linear, WorkingSpace space) {
   constexpr double kGrey = 0.18, kLog2 = 0.69314718055994530942;
-  constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Of Rec.709.
-  const std::optional<Channels> channels = colour_channels(linear);
-  if (!channels) return {};
-  const ColourMatrix to_rec709(space, WorkingSpace::rec709);
   double sum = 0;
   size_t lit = 0;
-  for (size_t p = 0; p < linear.pixel_count(); ++p) {
-    const Vec3d c = to_rec709(colour_at(linear, p, *channels));
-    double luminance = 0;
-    for (int i = 0; i < 3; ++i) luminance += kWeights[i] * usable(c[i]);
-    if (!(luminance > 0)) continue;
+  each_luminance(linear, space, [&](double luminance) {
+    if (!(luminance > 0)) return;
     sum += maths::log(luminance);
     ++lit;
-  }
+  });
   if (lit == 0) return {};
   return (maths::log(kGrey) - sum / static_cast<double>(lit)) / kLog2;
+}
+
+double share_above(const Image& linear, double luminance, WorkingSpace space) {
+  size_t above = 0;
+  each_luminance(linear, space, [&](double each) { above += each > luminance ? 1 : 0; });
+  return static_cast<double>(above) /
+         static_cast<double>(std::max<size_t>(1, linear.pixel_count()));
 }
 
 Image display(const Image& linear, const ViewOptions& options) {

@@ -1,5 +1,8 @@
+#include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/render/lamp.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +10,22 @@
 namespace vug::render {
 namespace {
 
+/// W/sr/m^2: what leaves single precision room for areas, for squares of distances and for sums.
+constexpr double kMostRadiance = 1e30;
+
 double luminance_of(const Vec3d& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 }  // namespace
+
+Rgb finite_radiance(const Vec3d& radiance, const std::string& hint) {
+  const double most = std::max({radiance.x, radiance.y, radiance.z});
+  if (most <= kMostRadiance) return Rgb(radiance);
+  throw Error(ErrorCode::bad_input,
+              fmt::format("a radiance of {:.3g} W/sr/m^2 is more than can be computed with: {:.0e} "
+                          "at most",
+                          most, kMostRadiance),
+              {}, hint);
+}
 
 std::string LampParams::fault() const {
   if (power && lumen) return "a lamp's light is told in watts or in lumen, not in both";
@@ -31,7 +47,9 @@ std::optional<double> LampParams::watts() const {
 Rgb LampParams::radiance_of(double watts_per_radiance) const {
   const Vec3d colour = tinted();
   const auto all = watts();
-  return Rgb(all ? colour * (*all / (watts_per_radiance * luminance_of(colour))) : colour);
+  if (!all) return finite_radiance(colour);
+  return finite_radiance(colour * (*all / (watts_per_radiance * luminance_of(colour))),
+                         "the lamp is too small for its power");
 }
 
 }  // namespace vug::render

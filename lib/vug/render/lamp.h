@@ -24,6 +24,10 @@ struct LampParams : LightNotes {
   std::optional<double> watts() const;
 };
 
+/// The radiance in single precision. Error(bad_input) with `hint` where it is so large that sums of
+/// it would not be finite there.
+Rgb finite_radiance(const Vec3d& radiance, const std::string& hint = {});
+
 /// The parameters of a kind P that derives from LightNotes.
 template <class P>
 void describe_notes(Schema<P>& s) {

@@ -58,12 +58,15 @@ class Writer {
 class Reader {
  public:
   static constexpr bool kReads = true;
-  explicit Reader(const std::filesystem::path& path)
-      : path_(path), in_(path, std::ios::binary), left_(std::filesystem::file_size(path)) {}
+  Reader(const std::filesystem::path& path, std::string what)
+      : path_(path),
+        what_(std::move(what)),
+        in_(path, std::ios::binary),
+        left_(std::filesystem::file_size(path)) {}
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read the part '{}': {}", path_.string(), why));
+                fmt::format("cannot read the {} '{}': {}", what_, path_.string(), why));
   }
   void bytes(void* data, size_t count) {
     need(count);
@@ -111,6 +114,7 @@ class Reader {
   std::vector<char> buffer_;
   size_t at_ = 0;
   std::filesystem::path path_;
+  std::string what_;  ///< What the file should be.
   std::ifstream in_;
   uint64_t left_;
   Hasher hash_;
@@ -215,11 +219,11 @@ void read_front(Reader& file, PartHeader& header, State& state, Region& covered)
     file.refuse("its content was changed");
 }
 
-Reader open(const std::filesystem::path& path) {
+Reader open(const std::filesystem::path& path, const std::string& what = "part") {
   if (const std::string why = why_no_file(path); !why.empty())
     throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read the part '{}': {}", path.string(), why));
-  return Reader(path);
+                fmt::format("cannot read the {} '{}': {}", what, path.string(), why));
+  return Reader(path, what);
 }
 
 }  // namespace
@@ -251,15 +255,15 @@ void write_part(const std::filesystem::path& path, const PartHeader& header, con
   target.commit();
 }
 
-Part read_part(const std::filesystem::path& path) {
-  Reader file = open(path);
+Part read_part(const std::filesystem::path& path, const std::string& what) {
+  Reader file = open(path, what);
   Part part;
   Region covered;
   read_front(file, part.header, part.state, covered);
   const Gather gather = part.header.layers.gather();
   file.need(covered.pixels() * 200);
   require_memory(Film::pixel_bytes(gather) * static_cast<double>(covered.pixels()),
-                 available_memory(), fmt::format("the part '{}'", path.string()),
+                 available_memory(), fmt::format("the {} '{}'", what, path.string()),
                  "merge on a machine with more memory");
   part.state.film = Film(covered, gather);
   film_of(file, part.state.film);

@@ -47,9 +47,9 @@ struct PartOutline {
 /// there (AtomicFile). About 200 bytes for each pixel. Throws Error(io).
 void write_part(const std::filesystem::path& path, const PartHeader& header, const State& state);
 
-/// Error(bad_input) names the file and what is wrong with it: missing, no part, of another version,
-/// cut short or changed.
-Part read_part(const std::filesystem::path& path);
+/// Error(bad_input) names the file, `what` it should be, and what is wrong with it: missing, no
+/// part, of another version, cut short or changed.
+Part read_part(const std::filesystem::path& path, const std::string& what = "part");
 PartOutline read_outline(const std::filesystem::path& path);
 
 /// Whether the file begins like a part; false where it cannot be read.

@@ -5,9 +5,20 @@
 #include <cmath>
 
 namespace vug::render {
+namespace {
+
+/// Directions whose cross product is shorter span no plane.
+constexpr double kParallel = 1e-6;
+
+}  // namespace
 
 std::string RectangleParams::fault() const {
-  return normal.length() > 0 ? "" : "the rectangle's normal has no length";
+  if (!(normal.length() > 0)) return "the rectangle's normal has no length";
+  if (!up) return "";
+  if (!(up->length() > 0)) return "the rectangle's up has no length";
+  return up->normalized().cross(normal.normalized()).length() < kParallel
+             ? "the rectangle's up is parallel to its normal"
+             : "";
 }
 
 Rectangle::Rectangle(const RectangleParams& p)
@@ -15,10 +26,11 @@ Rectangle::Rectangle(const RectangleParams& p)
       width_(static_cast<float>(p.width)),
       height_(static_cast<float>(p.height)) {
   const Vec3d z = p.normal.normalized();
-  Vec3d x = p.up.cross(z);
-  if (x.length() < 1e-6 * p.up.length() || !(p.up.length() > 0)) {
+  const Vec3d up = p.up.value_or(Vec3d(0, 0, 1));
+  Vec3d x = up.cross(z);
+  if (x.length() < kParallel * up.length() || !(up.length() > 0)) {
     x = Vec3d(1, 0, 0).cross(z);
-    if (x.length() < 1e-6) x = Vec3d(0, 1, 0).cross(z);
+    if (x.length() < kParallel) x = Vec3d(0, 1, 0).cross(z);
   }
   x.normalize();
   normal_ = Vec3f(z);

@@ -5,6 +5,7 @@
 #include <vug/base/vec.h>
 #include <vug/render/light.h>
 
+#include <optional>
 #include <string>
 
 namespace vug::render {
@@ -14,7 +15,7 @@ namespace vug::render {
 struct RectangleParams {
   Vec3d center{0, 0, 0};
   Vec3d normal{0, -1, 0};
-  Vec3d up{0, 0, 1};
+  std::optional<Vec3d> up;  ///< Else z, or x where that is the normal.
   double width = 1;
   double height = 1;
 
@@ -26,7 +27,8 @@ template <class P>
 void describe_rectangle(Schema<P>& s, const std::string& shines) {
   s.param("center", &RectangleParams::center, any_length("Its middle."))
       .param("normal", &RectangleParams::normal, {.doc = shines})
-      .param("up", &RectangleParams::up, {.doc = "Turns the sides: the height runs this way."})
+      .param("up", &RectangleParams::up,
+             {.doc = "Turns the sides: the height runs this way; without, z."})
       .param("width", &RectangleParams::width, positive_length("Length across the up direction."))
       .param("height", &RectangleParams::height, positive_length("Length along the up direction."));
 }

@@ -11,11 +11,10 @@ namespace vug::render {
 
 /// By angles, or by place and time. North is -z, east x, up y.
 struct SunParams {
-  double elevation = 45 * kPi / 180;
-  double azimuth = 135 * kPi / 180;
-  std::optional<double> latitude;
-  double day = 172;
-  double hour = 10;
+  std::optional<double> elevation, azimuth;
+  std::optional<double> latitude, day, hour;
+
+  std::string fault() const;  ///< Empty, or a sentence on angles told in both ways.
 
   /// Unit, towards the sun.
   Vec3d direction() const;
@@ -25,20 +24,23 @@ struct SunParams {
 template <class P>
 void describe_sun(Schema<P>& s) {
   s.param("elevation", &SunParams::elevation,
-          {.doc = "Height of the sun above the horizon.",
+          {.doc = "Height of the sun above the horizon; without, 45deg.",
            .dimension = Dimension::angle,
            .min = -kPi / 2,
            .max = kPi / 2})
-      .param("azimuth", &SunParams::azimuth,
-             {.doc = "From north (-z) over east (x).", .dimension = Dimension::angle})
+      .param(
+          "azimuth", &SunParams::azimuth,
+          {.doc = "From north (-z) over east (x); without, 135deg.", .dimension = Dimension::angle})
       .param("latitude", &SunParams::latitude,
              {.doc = "Of the place; then day and hour tell where the sun stands.",
               .dimension = Dimension::angle,
               .min = -kPi / 2,
               .max = kPi / 2})
-      .param("day", &SunParams::day, {.doc = "Of the year, 1 to 365.", .min = 1, .max = 366})
-      .param("hour", &SunParams::hour,
-             {.doc = "Of the day by the sun: it is highest at 12.", .min = 0, .max = 24});
+      .param("day", &SunParams::day,
+             {.doc = "Of the year, 1 to 365; without, 172.", .min = 1, .max = 366})
+      .param(
+          "hour", &SunParams::hour,
+          {.doc = "Of the day by the sun: it is highest at 12; without, 10.", .min = 0, .max = 24});
 }
 
 /// Irradiance (W/m^2, red, green, blue) of a surface that faces the sun, after the air: the bands'

@@ -1,5 +1,5 @@
 #include <vug/base/atomic_file.h>
-#include <vug/image/io.h>
+#include <vug/image/deep_info.h>
 #include <vug/mesh/format.h>
 #include <vug/session/describe_file.h>
 #include <vug/session/picture_file.h>
@@ -48,15 +48,22 @@ Json describe_vdb(const std::filesystem::path& file) {
 }
 
 Json describe_picture(const std::filesystem::path& file) {
-  const image::FileInfo info = image::read_info(file);
-  image::read(file);  // a file that is cut off has a sound header all the same
+  const std::optional<image::DeepInfo> deep = image::read_deep_info(file);
+  const image::FileInfo info = deep ? deep->file : image::read_info(file);
+  if (!deep) image::read(file);  // a file that is cut off has a sound header all the same
   Json channels = Json::array();
   for (size_t i = 0; i < info.channels.size(); ++i)
     channels.push_back(fmt::format("{} {}", info.channels[i], info.formats.at(i)));
   Json texts = Json::object();
   for (const auto& [key, text] : info.metadata) texts[key] = text;
-  return {{"file", file.string()}, {"type", "picture"},    {"width", info.width},
-          {"height", info.height}, {"channels", channels}, {"metadata", texts}};
+  Json out = {{"file", file.string()},
+              {"type", deep ? "deep picture" : "picture"},
+              {"width", info.width},
+              {"height", info.height},
+              {"channels", channels}};
+  if (deep) out["samples"] = deep->samples;
+  out["metadata"] = std::move(texts);
+  return out;
 }
 
 Json describe_mesh(const std::filesystem::path& file) {
@@ -73,14 +80,14 @@ Json describe_mesh(const std::filesystem::path& file) {
           {"bounds", corners(mesh::bounds(mesh))}};
 }
 
-/// A part of a picture, or a checkpoint: they are the same.
+/// A part of a picture, or a checkpoint: they differ only in that something is left to do.
 Json describe_part(const std::filesystem::path& file) {
   const render::PartOutline part = render::read_outline(file);
   render::require_whole(file);
   const render::PartHeader& header = part.header;
   const PictureLook look = from_notes(header.notes);
   Json out = {{"file", file.string()},
-              {"type", "part of a picture"},
+              {"type", part.samples_left > 0 ? "checkpoint" : "part of a picture"},
               {"bytes", std::filesystem::file_size(file)},
               {"width", header.width},
               {"height", header.height},
@@ -109,7 +116,8 @@ nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
   if (extension == ".vdb") return describe_vdb(file);
   for (const mesh::Format* format : mesh::formats())
     if (extension == "." + format->info.name) return describe_mesh(file);
-  return render::is_part(file) ? describe_part(file) : describe_picture(file);
+  return render::is_part(file) || extension == ".vugpart" ? describe_part(file)
+                                                          : describe_picture(file);
 }
 
 }  // namespace vug::session

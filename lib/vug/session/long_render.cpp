@@ -37,12 +37,21 @@ std::string kept_hint(const RenderOptions& options, const render::State& state) 
 render::State first_state(const PictureJob& job, const RenderOptions& options) {
   render::State state = render::start(job.options, options.share);
   if (!options.resume || !fs::exists(options.checkpoint)) return state;
-  render::Part kept = render::read_part(options.checkpoint);
+  constexpr const char* kAnew = "remove it to begin anew";
+  const auto read = [&] {
+    try {
+      return render::read_part(options.checkpoint, "checkpoint");
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::bad_input) throw;
+      throw Error(error.code(), error.what(), error.where(), kAnew);
+    }
+  };
+  render::Part kept = read();
   const auto refuse = [&](const std::string& what) {
     return Error(ErrorCode::bad_input,
                  fmt::format("the checkpoint '{}' is of another picture: {}",
                              options.checkpoint.string(), what),
-                 {}, "remove it to begin anew");
+                 {}, kAnew);
   };
   if (const std::string what = render::difference(kept.header, job.header); !what.empty())
     throw refuse("different " + what);

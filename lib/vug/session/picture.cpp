@@ -105,6 +105,39 @@ uint64_t sample_seed(const Shot& shot, const PictureOptions& options) {
       .state();
 }
 
+/// The fault of an option, where it told what is at fault, else of the text.
+Error at_cause(const Error& error, const std::string& option, const SourceLocation& where) {
+  if (option.empty()) return Error(error.code(), error.what(), where, error.hint());
+  return Error(error.code(), fmt::format("{}: {}", option, error.what()), {}, error.hint());
+}
+
+std::string layers_option(const PictureOptions& options) {
+  return options.layers.empty() ? "" : "--layers";
+}
+
+std::string view_option(const PictureOptions& options) {
+  if (options.view.empty()) return options.display.empty() ? "" : "--display";
+  return options.display.empty() ? "--view" : "--view and --display";
+}
+
+/// Of all that the scene may have, before meshes are made of it.
+render::LayerPlan early_layers(const Shot& shot, const RenderPlan& plan,
+                               const PictureOptions& options) {
+  try {
+    return foreseen_layers(shot, plan);
+  } catch (const Error& error) {
+    throw at_cause(error, layers_option(options), plan.where);
+  }
+}
+
+void require_options_fit(const PictureOptions& options, const RenderPlan& plan, bool whole_film) {
+  if (plan.deep && (whole_film || plan.noise > 0))
+    throw at_cause(
+        Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once", {},
+              "render it without noise, checkpoint, preview and parts; a crop is no matter"),
+        options.deep ? "--deep" : "", plan.where);
+}
+
 }  // namespace
 
 image::Metadata identifying_metadata(const Shot& shot, const PictureOptions& options) {
@@ -204,8 +237,8 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   if (options.eye != 0) {
     plan.camera = plan.camera ? plan.camera->eye_view(options.eye) : nullptr;
     if (!plan.camera)
-      throw Error(ErrorCode::bad_input, "the camera has no views of a left and a right eye",
-                  plan.where, "give it the distance of the eyes: interaxial 6.5cm");
+      throw Error(ErrorCode::bad_input, "--eye: the camera has no views of a left and a right eye",
+                  {}, "give it the distance of the eyes: interaxial 6.5cm");
   }
   PictureJob job;
   job.where = plan.where;
@@ -217,25 +250,21 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   render.sampler = plan.sampler;
   render.integrator = plan.integrator;
   render.noise = plan.noise;
-  if (plan.deep) {
-    render.deep.emplace().tolerance = plan.deep_tolerance;
-    if (whole_film || plan.noise > 0)
-      throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once",
-                  plan.where,
-                  "render it without noise, checkpoint, preview and parts; a crop is no matter");
-  }
+  if (plan.deep) render.deep.emplace().tolerance = plan.deep_tolerance;
+  require_options_fit(options, plan, whole_film);
   render.openings = plan.openings;
   if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
-  render.layers = foreseen_layers(builder.shot(), plan);  // before meshes are made of it all
+  render.layers = early_layers(builder.shot(), plan, options);
   if (options.denoise && !render.layers.has("variance"))
-    throw Error(ErrorCode::bad_input, "a picture without the layer 'variance' cannot be denoised",
-                plan.where, "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
+    throw Error(ErrorCode::bad_input,
+                "--denoise: a picture without the layer 'variance' cannot be denoised", {},
+                "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
   job.look.space = plan.working_space;
   job.look.view = {plan.view, plan.display, options.config};
   try {
     image::view_options(job.look.view, plan.working_space);
   } catch (const Error& error) {
-    throw Error(error.code(), error.what(), plan.where, error.hint());
+    throw at_cause(error, view_option(options), plan.where);
   }
   require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
@@ -244,7 +273,7 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
   try {
     render.layers = render::scene_layers(job.scene, plan.layers);
   } catch (const Error& error) {
-    throw Error(error.code(), error.what(), plan.where, error.hint());
+    throw at_cause(error, layers_option(options), plan.where);
   }
   require_memory(render::memory_estimate(job.scene, render, whole_film), builder.room(),
                  "the picture", std::string(kFewerPixels) + " or larger voxels");

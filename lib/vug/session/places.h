@@ -25,6 +25,17 @@ const Kinds<Model>& model_kinds();
 /// Found when the picture needs them: a scatter needs its mesh. `key` is that of the declaration.
 using PlacesMaker = std::function<std::vector<Place>(Builder& builder, RandomKey key)>;
 
+/// A maker that says which things its places ask for, so that the text can be judged by it:
+/// PlacesMaker::target finds it.
+struct NumberedPlaces {
+  PlacesMaker make;
+  int last = -1;  ///< The highest Place::model.
+
+  std::vector<Place> operator()(Builder& builder, RandomKey key) const {
+    return make(builder, key);
+  }
+};
+
 /// Made from the list in CMakeLists.txt.
 const Kinds<Places>& places_kinds();
 

@@ -117,6 +117,16 @@ TEST(Lights, SunStandsWhereTheClockSays) {
   EXPECT_NEAR(towards(0.8, 172, 12).y, std::sin(kPi / 2 - 0.8 + 23.44 * kPi / 180), 0.01);
 }
 
+TEST(Lights, TheSunIsToldInOneWay) {
+  EXPECT_NO_THROW(make_light("sun", {{"azimuth", radians(1)}}));
+  EXPECT_NO_THROW(make_light("daylight", {{"latitude", radians(1)}}));
+  for (const char* kind : {"sun", "daylight"})
+    for (const Named& both : {Named{{"latitude", radians(1)}, {"elevation", radians(1)}},
+                              Named{{"latitude", radians(1)}, {"azimuth", radians(1)}},
+                              Named{{"day", 100.0}}, Named{{"hour", 12.0}}})
+      EXPECT_THROW(make_light(kind, both), Error) << kind << " " << both.back().first;
+}
+
 TEST(Lights, SunReddensAsItSets) {
   const auto colour = [](double elevation) {
     return make_light("sun", {{"elevation", radians(elevation)}})

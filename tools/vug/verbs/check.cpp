@@ -57,6 +57,10 @@ int run_json(const Options& options) {
   return loaded.usable() ? kDone : kUnusable;
 }
 
+std::string counted(size_t count, const std::string& one, const std::string& many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 int run(const Options& options) {
   if (options.json) return run_json(options);
   const session::Loaded loaded = examine(options);
@@ -64,9 +68,14 @@ int run(const Options& options) {
   if (!loaded.usable()) return kUnusable;
   const session::Shot& shot = loaded.shot;
   if (!options.quiet)
-    fmt::print("{}: fine; {} volumes, {} meshes, {} objects, {} lights, {} cameras, {} renders\n",
-               options.scene.scene, shot.volumes.size(), shot.meshes.size(), shot.objects.size(),
-               shot.lights.size(), shot.cameras.size(), shot.renders.size());
+    fmt::print("{}: fine; {}, {}, {}, {}, {}, {}, {}\n", options.scene.scene,
+               counted(shot.volumes.size(), "volume", "volumes"),
+               counted(shot.meshes.size(), "mesh", "meshes"),
+               counted(shot.objects.size(), "object", "objects"),
+               counted(shot.places.size(), "place", "places"),
+               counted(shot.lights.size(), "light", "lights"),
+               counted(shot.cameras.size(), "camera", "cameras"),
+               counted(shot.renders.size(), "render", "renders"));
   return kDone;
 }
 

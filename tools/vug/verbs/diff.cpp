@@ -37,14 +37,26 @@ void require_files(const Options& options) {
   require_outputs(outputs, inputs);
 }
 
+/// What is told twice, one of them in vain.
+void require_once(const std::vector<image::Limit>& limits) {
+  for (auto a = limits.begin(); a != limits.end(); ++a)
+    for (auto b = limits.begin(); b != a; ++b)
+      if (a->layer == b->layer && a->measure == b->measure)
+        throw Error(ErrorCode::bad_input,
+                    fmt::format("there are two limits of {}{}{}", a->layer,
+                                a->layer.empty() ? "" : ".", a->measure),
+                    {}, "leave out one of them");
+}
+
 int run(Options options) {
   const ThreadLimit threads(options.threads);
   using Better = image::Measure::Better;
   if (!options.thresholds.empty()) options.diff.limits = read_limits(options.thresholds);
-  for (const std::string& text : options.most)
-    options.diff.limits.push_back(parse_limit(text, Better::low));
-  for (const std::string& text : options.least)
-    options.diff.limits.push_back(parse_limit(text, Better::high));
+  std::vector<image::Limit> told;
+  for (const std::string& text : options.most) told.push_back(parse_limit(text, Better::low));
+  for (const std::string& text : options.least) told.push_back(parse_limit(text, Better::high));
+  require_once(told);
+  options.diff.limits.insert(options.diff.limits.end(), told.begin(), told.end());
   for (const std::string& name : options.diff.measures) image::measure_of(name);
   require_files(options);
   const image::Subject reference = image::read_subject(options.reference);

@@ -6,6 +6,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
+#include <vug/image/brightness.h>
 #include <vug/session/inputs.h>
 #include <vug/session/long_render.h>
 #include <vug/session/sequence.h>
@@ -111,6 +112,10 @@ void warn_of_exposure(const session::Builder& builder, const session::Rendered& 
   const double exposure = look.exposure;
   const std::optional<double> grey = image::grey_exposure(*picture.image, look.space);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
+  // A lamp in a dark room makes no bright picture: most of it has to be.
+  const double bright = 0.18 * std::exp2(kOff - exposure);
+  if (grey && *grey < exposure && image::share_above(*picture.image, bright, look.space) < 0.5)
+    return;
   builder.warn(picture.where,
                !grey              ? "no light reaches the picture"
                : *grey > exposure ? "the picture is very dark"
@@ -238,7 +243,8 @@ int run_frames(const Options& options, session::Still& still, Progress& progress
     ++rendered;
   }
   if (skipped > 0 && !options.work.quiet)
-    fmt::print(stderr, "{} frame{} were there already\n", skipped, skipped == 1 ? "" : "s");
+    fmt::print(stderr, "{} {} there already\n", skipped,
+               skipped == 1 ? "frame was" : "frames were");
   options.work.summarise(now->builder);
   return kDone;
 }

@@ -39,7 +39,7 @@ class SunLight final : public Light {
     part_ = static_cast<float>(sine * sine / (1 + cosine));
     const Vec3d irradiance = p.irradiance.value_or(sun_irradiance(p.direction(), p.turbidity));
     // The integral of the cosine over the disk is pi sin^2.
-    radiance_ = Rgb(irradiance / (kPi * sine * sine));
+    radiance_ = finite_radiance(irradiance / (kPi * sine * sine));
     strength_ = luminance(Rgb(irradiance));
     sine_ = static_cast<float>(sine);
   }

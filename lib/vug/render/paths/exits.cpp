@@ -82,8 +82,7 @@ RectangleParams Exits::rectangle(const Patch& patch, int margin) const {
   r.center[b] = 0.5 * (b0 + b1);
   r.normal = Vec3d(0);
   r.normal[axis] = high ? -1 : 1;
-  r.up = Vec3d(0);
-  r.up[b] = 1;
+  r.up.emplace(0.0)[b] = 1;
   r.width = a1 - a0;
   r.height = b1 - b0;
   return r;

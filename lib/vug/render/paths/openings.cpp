@@ -112,7 +112,7 @@ std::vector<LightPtr> find_openings(const Rehearsal& rehearsal, Progress& progre
     for (const RectangleParams& r : exits.rectangles(kMostPortals, 0))
       portals.push_back(make_light("portal", {{"center", r.center},
                                               {"normal", r.normal},
-                                              {"up", r.up},
+                                              {"up", r.up.value()},
                                               {"width", r.width},
                                               {"height", r.height}}));
   }

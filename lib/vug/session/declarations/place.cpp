@@ -94,6 +94,35 @@ bool complete(Model& model, const SourceLocation& where, Reading& reading) {
   return true;
 }
 
+/// Of an entry of the block; the declaration's name where it is not there.
+SourceLocation where_of(const char* key, const scene::Declaration& declaration) {
+  for (const scene::Entry& entry : declaration.entries)
+    if (entry.key == key) return entry.where;
+  return declaration.where;
+}
+
+/// A sentence on shares and numbers of things that do not fit, with its place; else nothing.
+std::optional<Error> misfit(const PlacePlan& plan, const scene::Declaration& declaration) {
+  const auto refuse = [&](const char* key, const std::string& what) {
+    return Error(ErrorCode::bad_input, what, where_of(key, declaration));
+  };
+  if (!plan.shares.empty() && plan.shares.size() != plan.of.size())
+    return refuse("shares", fmt::format("{} shares do not fit {} things", plan.shares.size(),
+                                        plan.of.size()));
+  if (!plan.shares.empty() &&
+      std::all_of(plan.shares.begin(), plan.shares.end(), [](double s) { return s == 0; }))
+    return refuse("shares", "the shares are all 0: nothing could be chosen");
+  const auto count = static_cast<int>(plan.of.size());
+  for (const Places& at : plan.at) {
+    const auto* numbered = at->target<NumberedPlaces>();
+    if (numbered && numbered->last >= count)
+      return refuse("at", fmt::format("a place asks for thing number {}, but the last of '{}' is "
+                                      "number {}",
+                                      numbered->last, declaration.name, count - 1));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const DeclarationKind& place_declaration() {
@@ -104,10 +133,8 @@ const DeclarationKind& place_declaration() {
         plan->name = declaration.name;
         plan->where = declaration.where;
         plan->key = reading.evaluator.key(declaration);
-        if (!plan->shares.empty() && plan->shares.size() != plan->of.size()) {
-          reading.diagnostics.error(
-              declaration.where,
-              fmt::format("{} shares do not fit {} things", plan->shares.size(), plan->of.size()));
+        if (const std::optional<Error> fault = misfit(*plan, declaration)) {
+          reading.diagnostics.error(fault->where(), fault->what());
           return Value();
         }
         for (Model& model : plan->of)

@@ -100,10 +100,14 @@ std::vector<Place> read_points(const Points& p) {
 VUG_PLACES_KIND(points) {
   return make_kind<Places, Points>("points", "places", [](const Points& p) -> Places {
     // Now, so that a faulty table is told as a fault of the text.
-    return std::make_shared<const PlacesMaker>([places = read_points(p)](Builder&, RandomKey key) {
+    std::vector<Place> places = read_points(p);
+    int last = -1;
+    for (const Place& place : places) last = std::max(last, place.model);
+    const auto make = [places = std::move(places)](Builder&, RandomKey key) {
       std::vector<Place> keyed = places;
       for (size_t i = 0; i < keyed.size(); ++i) keyed[i].key = key.at(i);
       return keyed;
-    });
+    };
+    return std::make_shared<const PlacesMaker>(NumberedPlaces{make, last});
   });
 }

@@ -37,8 +37,12 @@ struct Pose {
 }  // namespace vug::session
 
 VUG_PLACES_KIND(pose) {
-  return places_kind<Pose>("pose", [](const Pose& p, Builder&, RandomKey key) {
-    return std::vector<Place>{
-        {pose(p.position, p.yaw, p.pitch, p.roll, p.stretch * p.scale), key, p.model.value_or(-1)}};
+  return make_kind<Places, Pose>("pose", "places", [](const Pose& p) -> Places {
+    const int model = p.model.value_or(-1);
+    const Transform at = pose(p.position, p.yaw, p.pitch, p.roll, p.stretch * p.scale);
+    const auto make = [at, model](Builder&, RandomKey key) {
+      return std::vector<Place>{{at, key, model}};
+    };
+    return std::make_shared<const PlacesMaker>(NumberedPlaces{make, model});
   });
 }
