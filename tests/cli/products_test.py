@@ -301,7 +301,7 @@ class Check(VugTest):
     def test_one_name_for_declarations_of_several_kinds(self):
         self.write("shot.vug", BALL + "mesh main on rock {}\ncamera main { eye (0, 0, 5) }\n"
                                       "render main { size 8x4  spp 1  camera main }\n")
-        self.assertIn("1 volumes, 1 meshes, 0 objects, 0 lights, 1 cameras, 1 renders",
+        self.assertIn("1 volume, 1 mesh, 0 objects, 0 places, 0 lights, 1 camera, 1 render",
                       self.expect(0, "check", "shot.vug").out)
 
 
