@@ -91,11 +91,8 @@ std::vector<float> areas(const Network& n, double total) {
 Network link(const std::vector<Place>& places, const Surface& surface, double spacing, double reach,
              uint32_t full, Progress& progress) {
   progress.begin("linking cells", 3);
-  std::vector<Vec3f> points(places.size());
-  parallel_for(
-      places.size(), [&](size_t i) { points[i] = places[i].position; }, kGrain);
   // A little wider, for what is lost by rounding when points are put into cubes.
-  const mesh::PointGrid grid(points, reach * 1.001);
+  const mesh::PointGrid grid(positions(places), reach * 1.001);
   progress.advance();
   progress.check();
   Network n;

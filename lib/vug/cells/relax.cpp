@@ -56,12 +56,10 @@ std::vector<RelaxStep> relax(std::vector<Place>& places, const Surface& surface,
   progress.begin("harmonising cells", static_cast<uint64_t>(std::max(0, options.steps)));
   std::vector<RelaxStep> steps;
   std::vector<Place> sorted(places.size());
-  std::vector<Vec3f> points(places.size());
   std::vector<float> nearest(places.size()), moved(places.size());
   for (int step = 0; step < options.steps && !places.empty(); ++step) {
     progress.check();
-    for (size_t i = 0; i < places.size(); ++i) points[i] = places[i].position;
-    const mesh::PointGrid grid(points, reach);
+    const mesh::PointGrid grid(positions(places), reach);
     for (size_t i = 0; i < places.size(); ++i) sorted[i] = places[grid.order()[i]];
     grid.sweep([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
       for (uint32_t i = cube.begin; i < cube.end; ++i) {

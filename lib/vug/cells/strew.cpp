@@ -48,10 +48,7 @@ void throw_darts(const Surface& surface, uint32_t triangle, double density, Rand
 /// The first `kept` stay, and of the others those that find room. Brings all into an order that
 /// follows space.
 void thin(std::vector<Place>& places, size_t kept, double radius, RandomKey key) {
-  std::vector<Vec3f> points(places.size());
-  parallel_for(
-      places.size(), [&](size_t i) { points[i] = places[i].position; }, kGrain);
-  const mesh::PointGrid grid(points, radius);
+  const mesh::PointGrid grid(positions(places), radius);
   std::vector<Place> sorted(places.size());
   std::vector<uint64_t> rank(places.size());
   parallel_for(

@@ -146,4 +146,11 @@ Place SurfaceSearch::nearest(const Vec3f& p, const Place& from, float limit) con
   return found == ~0u ? from : placed(found, point);
 }
 
+std::vector<Vec3f> positions(const std::vector<Place>& places) {
+  std::vector<Vec3f> points(places.size());
+  parallel_for(
+      places.size(), [&](size_t i) { points[i] = places[i].position; }, 4096);
+  return points;
+}
+
 }  // namespace vug::cells

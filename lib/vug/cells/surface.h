@@ -17,6 +17,8 @@ struct Place {
   uint32_t triangle = 0;
 };
 
+std::vector<Vec3f> positions(const std::vector<Place>& places);
+
 /// Triangles in an order that depends on where they are, not on how the meshes number them.
 class Surface {
  public:
