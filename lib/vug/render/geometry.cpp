@@ -191,13 +191,7 @@ void World::Geometry::add(const Object& object, uint32_t number) {
     part.corners = shape.corners;
     moves = moves || object.placing->moves();
     embree_->add_instance(shape, *object.placing, parts_.size());
-    for (const Affine& to : object.placing->steps())
-      for (int corner = 0; corner < 8; ++corner) {
-        const Box3f& box = shape.box;
-        bounds.extendBy(
-            to.point({corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                      corner & 4 ? box.max.z : box.min.z}));
-      }
+    for (const Affine& to : object.placing->steps()) bounds.extendBy(to.box(shape.box));
   } else if (object.surface) {
     embree_->add_surface(embree_->scene, *object.surface, parts_.size());
     bounds.extendBy(box_of(*object.surface));

@@ -20,6 +20,14 @@ struct Affine {
 
   Vec3f vector(const Vec3f& v) const { return x * v.x + y * v.y + z * v.z; }
   Vec3f point(const Vec3f& p) const { return vector(p) + origin; }
+  /// Around the images of a box's corners.
+  Box3f box(const Box3f& from) const {
+    Box3f out;
+    for (int i = 0; i < 8; ++i)
+      out.extendBy(point({i & 1 ? from.max.x : from.min.x, i & 2 ? from.max.y : from.min.y,
+                          i & 4 ? from.max.z : from.min.z}));
+    return out;
+  }
   float determinant() const { return dot(x, cross(y, z)); }
   /// Normals of a solid go by the inverse transpose and keep pointing out; not of unit length.
   Vec3f normal(const Vec3f& n) const {

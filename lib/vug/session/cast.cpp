@@ -1,5 +1,6 @@
 #include <vug/base/memory.h>
 #include <vug/render/placed_light.h>
+#include <vug/session/blame.h>
 #include <vug/session/cast.h>
 #include <vug/session/places.h>
 #include <vug/volume/samples.h>
@@ -204,7 +205,7 @@ Cast cast_of(Builder& builder, const Moments& moments) {
       put_all(builder, plan, moments, cast);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input || error.where().line > 0) throw;
-      throw Error(error.code(), error.what(), plan.where, error.hint());
+      throw blamed_on(plan.where, error);
     }
   }
   return cast;

@@ -1,4 +1,5 @@
 #include <vug/render/render.h>
+#include <vug/session/blame.h>
 #include <vug/session/cast.h>
 #include <vug/session/foresee.h>
 
@@ -84,7 +85,7 @@ render::LayerPlan foreseen_layers(const Shot& shot, const RenderPlan& plan) {
   try {
     return render::scene_layers(lights, plan.layers);
   } catch (const Error& error) {
-    throw Error(error.code(), error.what(), plan.where, error.hint());
+    throw blamed_on(plan.where, error);
   }
 }
 
@@ -100,7 +101,7 @@ void require_sound(const Shot& shot, const RenderPlan& plan) {
   try {
     render::wanted_region(options);
   } catch (const Error& error) {
-    throw Error(error.code(), error.what(), plan.where, error.hint());
+    throw blamed_on(plan.where, error);
   }
 }
 

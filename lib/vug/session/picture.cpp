@@ -3,6 +3,7 @@
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
 #include <vug/render/working_space.h>
+#include <vug/session/blame.h>
 #include <vug/session/cast.h>
 #include <vug/session/foresee.h>
 #include <vug/session/motion.h>
@@ -107,7 +108,7 @@ uint64_t sample_seed(const Shot& shot, const PictureOptions& options) {
 
 /// The fault of an option, where it told what is at fault, else of the text.
 Error at_cause(const Error& error, const std::string& option, const SourceLocation& where) {
-  if (option.empty()) return Error(error.code(), error.what(), where, error.hint());
+  if (option.empty()) return blamed_on(where, error);
   return Error(error.code(), fmt::format("{}: {}", option, error.what()), {}, error.hint());
 }
 
@@ -205,14 +206,13 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& 
   scene.lights = std::move(cast.lights);
   Box3d bounds;
   for (const render::Object& object : scene.objects) {
-    const Box3d surface = object.surface ? object.surface->bounds() : Box3d();
-    std::vector<Vec3f> corners;
-    for (int i = 0; i < 8 && !surface.isEmpty(); ++i)
-      corners.emplace_back((i & 1 ? surface.max : surface.min).x,
-                           (i & 2 ? surface.max : surface.min).y,
-                           (i & 4 ? surface.max : surface.min).z);
-    for (const Vec3f& p : object.mesh ? object.mesh->positions : corners)
-      bounds.extendBy(Vec3d(object.placing ? object.placing->at(0).point(p) : p));
+    const render::Affine to = object.placing ? object.placing->at(0) : render::Affine();
+    Box3f box;
+    if (object.mesh)
+      for (const Vec3f& p : object.mesh->positions) box.extendBy(to.point(p));
+    else if (const Box3d own = object.surface->bounds(); !own.isEmpty())
+      box = to.box({Vec3f(own.min), Vec3f(own.max)});
+    if (!box.isEmpty()) bounds.extendBy(Box3d(Vec3d(box.min), Vec3d(box.max)));
   }
   if (scene.objects.empty() && scene.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},

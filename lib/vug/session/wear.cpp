@@ -1,6 +1,7 @@
 #include <vug/base/parallel.h>
 #include <vug/cells/build.h>
 #include <vug/cells/onto_mesh.h>
+#include <vug/session/blame.h>
 #include <vug/session/wear.h>
 #include <vug/volume/samples.h>
 
@@ -24,7 +25,7 @@ cells::NetworkPtr network(const mesh::Mesh& mesh, const CellsPlan& plan, uint64_
     return std::make_shared<const cells::Network>(cells::build(surface, options, progress).network);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
-    throw Error(error.code(), error.what(), plan.spacing_where, error.hint());
+    throw blamed_on(plan.spacing_where, error);
   }
 }
 
@@ -62,7 +63,7 @@ void wear(mesh::Mesh& mesh, const CellsPlan& plan, const volume::LevelSet& solid
     simulation.run(stages, plan.length(), progress);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
-    throw Error(error.code(), error.what(), plan.where, error.hint());
+    throw blamed_on(plan.where, error);
   }
   cells::onto_mesh(simulation, mesh, progress);
 }
