@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kSecond = 1.438776877e7;  // hc/k in nm K
 
-double luminance_of(const Vec3d& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
-
 /// A bell with other widths below and above its middle, in nm.
 double bell(double x, double middle, double below, double above) {
   const double t = (x - middle) * (x < middle ? below : above);
@@ -44,7 +42,7 @@ Vec3d to_rgb(const Vec3d& xyz) {
   const Vec3d rgb(positive(3.2404542 * xyz.x - 1.5371385 * xyz.y - 0.4985314 * xyz.z),
                   positive(-0.9692660 * xyz.x + 1.8760108 * xyz.y + 0.0415560 * xyz.z),
                   positive(0.0556434 * xyz.x - 0.2040259 * xyz.y + 1.0572252 * xyz.z));
-  return rgb / luminance_of(rgb);
+  return rgb / luminance(rgb);
 }
 
 /// Colour and logarithm of the luminance at even steps of 1 / temperature, along which both are

@@ -13,8 +13,6 @@ namespace {
 /// W/sr/m^2: what leaves single precision room for areas, for squares of distances and for sums.
 constexpr double kMostRadiance = 1e30;
 
-double luminance_of(const Vec3d& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
-
 }  // namespace
 
 Rgb finite_radiance(const Vec3d& radiance, const std::string& hint) {
@@ -29,7 +27,7 @@ Rgb finite_radiance(const Vec3d& radiance, const std::string& hint) {
 
 std::string LampParams::fault() const {
   if (power && lumen) return "a lamp's light is told in watts or in lumen, not in both";
-  if ((power || lumen) && !(luminance_of(radiance) > 0))
+  if ((power || lumen) && !(luminance(radiance) > 0))
     return "a lamp of black radiance has no colour that could be brought to a power";
   if (!only.empty() && !except.empty()) return "a light has 'only' or 'except', not both";
   return "";
@@ -48,7 +46,7 @@ Rgb LampParams::radiance_of(double watts_per_radiance) const {
   const Vec3d colour = tinted();
   const auto all = watts();
   if (!all) return finite_radiance(colour);
-  return finite_radiance(colour * (*all / (watts_per_radiance * luminance_of(colour))),
+  return finite_radiance(colour * (*all / (watts_per_radiance * luminance(colour))),
                          "the lamp is too small for its power");
 }
 

@@ -23,6 +23,7 @@ inline float largest(const Rgb& c) { return std::fmax(c.x, std::fmax(c.y, c.z));
 inline bool is_black(const Rgb& c) { return !(c.x > 0 || c.y > 0 || c.z > 0); }
 /// Relative luminance of linear Rec.709 (ITU-R BT.709).
 inline float luminance(const Rgb& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
+inline double luminance(const Vec3d& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 struct Ray {
   Vec3f origin;

@@ -75,10 +75,9 @@ class IesLight final : public ShapeLamp<Ball, Measured> {
 
   static Rgb radiance(const Ies& p, const IesProfile& profile) {
     const Vec3d colour = p.tinted();
-    const double luminance = 0.2126 * colour.x + 0.7152 * colour.y + 0.0722 * colour.z;
     const double scale = p.watts() ? *p.watts() * kLumenPerWatt / profile.lumen() : 1;
     const double intensity = static_cast<double>(profile.peak()) * scale / kLumenPerWatt;
-    return finite_radiance(colour * (intensity / (kPi * p.radius * p.radius * luminance)),
+    return finite_radiance(colour * (intensity / (kPi * p.radius * p.radius * luminance(colour))),
                            "the lamp is too small for its power");
   }
 };
