@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <queue>
+#include <set>
 
 namespace vug::cells {
 namespace {
@@ -23,6 +24,21 @@ TEST(RandomColor, DrawsForItsShareOfTheCells) {
   }
   EXPECT_NEAR(colored, 2000, 4 * 40);  // four standard deviations
   EXPECT_NEAR(red / colored, 0.5, 4 * 0.289 / std::sqrt(colored));
+}
+
+TEST(RandomColor, LiesOnTheLineBetweenItsColoursWhereAsked) {
+  const Vec3d from(0.5, 0.1, 0.25), to(0.7, 0.9, 0);
+  const Simulation s =
+      ran(torus(20, 20, 6),
+          {stage("random_color", {{"from", from}, {"to", to}, {"gradient", true}})}, 1);
+  std::set<float> ways;
+  for (const Vec3f& color : s.attributes().values<Vec3f>("Cd")) {
+    const float way = (color.y - 0.1f) / 0.8f;
+    ways.insert(way);
+    EXPECT_NEAR(color.x, 0.5f + 0.2f * way, 1e-6f);
+    EXPECT_NEAR(color.z, 0.25f - 0.25f * way, 1e-6f);
+  }
+  EXPECT_GT(ways.size(), 390u);
 }
 
 TEST(SpreadingColor, IsTheMeanOfTheColouredAndConservesWhatItMust) {

@@ -8,6 +8,7 @@ struct RandomColor {
   double share = 1;
   Vec3d from{0};
   Vec3d to{1};
+  bool gradient = false;
 
   static void describe(Schema<RandomColor>& s) {
     s.doc(
@@ -21,18 +22,23 @@ struct RandomColor {
                 .max = 1})
         .param("from", &RandomColor::from,
                {.doc = "the least of each channel, excluded, linear", .min = 0, .max = 1})
-        .param("to", &RandomColor::to, {.doc = "the most of each channel", .min = 0, .max = 1});
+        .param("to", &RandomColor::to, {.doc = "the most of each channel", .min = 0, .max = 1})
+        .param("gradient", &RandomColor::gradient,
+               {.doc = "one draw for all channels: colours on the line between both"});
   }
 
   void step(Pass& pass) const {
     const auto color = pass.writes<Vec3f>("Cd");
     const auto seed = pass.writes<int32_t>("seed");
-    pass.run([=, &pass, chance = share, from = from, to = to](const auto&, uint32_t i) {
+    pass.run([=, &pass, p = *this](const auto&, uint32_t i) {
       RandomStream random = pass.random(i);
-      if (random.uniform() >= chance) return color.set(i, color[i]), seed.set(i, seed[i]);
+      if (random.uniform() >= p.share) return color.set(i, color[i]), seed.set(i, seed[i]);
+      double way = 1 - random.uniform();
       Vec3f drawn;
-      for (int c = 0; c < 3; ++c)
-        drawn[c] = static_cast<float>(from[c] + (to[c] - from[c]) * (1 - random.uniform()));
+      for (int c = 0; c < 3; ++c) {
+        if (c > 0 && !p.gradient) way = 1 - random.uniform();
+        drawn[c] = static_cast<float>(p.from[c] + (p.to[c] - p.from[c]) * way);
+      }
       color.set(i, drawn);
       seed.set(i, static_cast<int32_t>(i) + 1);
     });
