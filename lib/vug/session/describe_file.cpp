@@ -27,10 +27,22 @@ Json metadata(const volume::Metadata& entries) {
   return out;
 }
 
+Json describe_points(const volume::PointsInfo& points) {
+  Json attributes = Json::array(), groups = Json::array();
+  for (const auto& each : points.attributes)
+    attributes.push_back(fmt::format("{} {} {}", each.name, each.type, each.codec));
+  for (const auto& each : points.groups)
+    groups.push_back({{"name", each.name}, {"points", each.points}});
+  return {{"count", points.count},
+          {"bounds", corners(points.bounds)},
+          {"attributes", attributes},
+          {"groups", groups}};
+}
+
 Json describe_vdb(const std::filesystem::path& file) {
   const volume::FileInfo info = volume::info(file);
   Json grids = Json::array();
-  for (const volume::GridInfo& grid : info.grids)
+  for (const volume::GridInfo& grid : info.grids) {
     grids.push_back({{"name", grid.name},
                      {"class", volume::to_string(grid.grid_class)},
                      {"type", grid.value_type},
@@ -41,6 +53,8 @@ Json describe_vdb(const std::filesystem::path& file) {
                      {"memory_bytes", grid.statistics.memory_bytes},
                      {"bounds", corners(grid.statistics.bounds)},
                      {"metadata", metadata(grid.metadata)}});
+    if (grid.points) grids.back()["points"] = describe_points(*grid.points);
+  }
   return {{"file", file.string()}, {"type", "vdb"},
           {"bytes", info.bytes},   {"version", info.format_version},
           {"id", info.identifier}, {"metadata", metadata(info.metadata)},

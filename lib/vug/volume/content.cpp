@@ -1,6 +1,7 @@
 // The identity of a grid's content. Small-endian bytes of the tree in its own sorted order.
 #include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/points.h>
 
 #include <openvdb/openvdb.h>
 
@@ -51,8 +52,10 @@ Digest Grid::content() const {
   std::ostringstream transform(std::ios::binary);
   grid.writeTransform(transform);
   hasher.add(grid.type()).add(transform.str());
-  if (!hash_tree<openvdb::FloatGrid>(grid, hasher) &&
-      !hash_tree<openvdb::Vec3SGrid>(grid, hasher)) {
+  if (is_points(*this)) {
+    hasher.add_value(digest(points(*this)));
+  } else if (!hash_tree<openvdb::FloatGrid>(grid, hasher) &&
+             !hash_tree<openvdb::Vec3SGrid>(grid, hasher)) {
     // Any other type by its own serialised form.
     std::ostringstream bytes(std::ios::binary);
     grid.writeTopology(bytes);

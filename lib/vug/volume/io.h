@@ -1,9 +1,10 @@
 // .vdb files: written whole or not at all, with the same bytes for the same content.
 #pragma once
 
-#include <vug/volume/grid.h>
+#include <vug/volume/points.h>
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace vug::volume {
@@ -17,7 +18,8 @@ struct WriteOptions {
 /// Writes grids in this order under their names, through an AtomicFile, with blosc compression
 /// (zlib where OpenVDB lacks it). Every grid gets vug:version, vug:metersPerUnit = 1 and
 /// vug:upAxis = "y". The file's identifier, which OpenVDB draws at random, becomes a hash of the
-/// bytes. Error(bad_input) for names that are empty or not unique; Error(io).
+/// bytes. Error(bad_input) for names that are empty or not unique, and for points beside other
+/// grids: many programs can read nothing of a file that holds points; Error(io).
 void write(const std::filesystem::path& target, const std::vector<Grid>& grids,
            const WriteOptions& options = {});
 
@@ -41,6 +43,7 @@ struct GridInfo {
   bool half = false;
   Statistics statistics;
   Metadata metadata;
+  std::optional<PointsInfo> points;  ///< Where it holds points.
 };
 struct FileInfo {
   uint64_t bytes = 0;

@@ -79,9 +79,17 @@ FileInfo info(const std::filesystem::path& source) {
     out.format_version = header.format_version;
     out.identifier = header.identifier;
     if (const auto metadata = file.getMetadata()) out.metadata = read_metadata(*metadata);
-    for (const Grid& grid : all_grids(file, header))
-      out.grids.push_back({grid.name(), grid.grid_class(), grid.value_type(), grid.voxel_size(),
-                           grid.saved_as_half(), grid.statistics(), grid.metadata()});
+    for (const Grid& grid : all_grids(file, header)) {
+      out.grids.push_back({grid.name(),
+                           grid.grid_class(),
+                           grid.value_type(),
+                           grid.voxel_size(),
+                           grid.saved_as_half(),
+                           grid.statistics(),
+                           grid.metadata(),
+                           {}});
+      if (is_points(grid)) out.grids.back().points = points_info(grid);
+    }
     return out;
   });
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <openvdb/io/Compression.h>
 #include <openvdb/openvdb.h>
+#include <openvdb/points/PointDataGrid.h>
 #include <openvdb/tools/ChangeBackground.h>
 
 #include <cerrno>
@@ -41,10 +42,18 @@ void widen_band_to_half(openvdb::FloatGrid& grid) {
   openvdb::tools::changeLevelSetBackground(grid.tree(), static_cast<float>(rounded));
 }
 
+void load_attributes(const openvdb::points::PointDataGrid& points) {
+  for (auto leaf = points.tree().cbeginLeaf(); leaf; ++leaf)
+    for (size_t i = 0; i < leaf->attributeSet().size(); ++i)
+      leaf->constAttributeArray(i).loadData();
+}
+
 openvdb::GridBase::Ptr prepared(const Grid& grid, const WriteOptions& options) {
   const auto copy = openvdb::ConstPtrCast<openvdb::GridBase>(grid.data().grid->copyGrid());
   // Statistics that OpenVDB writes depend on what is in memory.
   copy->baseTree().readNonresidentBuffers();
+  if (copy->isType<openvdb::points::PointDataGrid>())
+    load_attributes(static_cast<openvdb::points::PointDataGrid&>(*copy));
   for (const Metadata& metadata : {standard_metadata(), options.metadata})
     write_metadata(*copy, metadata);
   const bool half = options.half || grid.saved_as_half();
@@ -60,13 +69,16 @@ struct Archive : openvdb::io::Archive {
   using openvdb::io::Archive::write;
 };
 
-void check_names(const std::vector<Grid>& grids) {
+void check_grids(const std::vector<Grid>& grids) {
   std::set<std::string> names;
   for (const Grid& grid : grids) {
     if (grid.name().empty()) throw Error(ErrorCode::bad_input, "a grid needs a name to be written");
     if (!names.insert(grid.name()).second)
       throw Error(ErrorCode::bad_input,
                   fmt::format("two grids of one file are named '{}'", grid.name()));
+    if (is_points(grid) != is_points(grids.front()))
+      throw Error(ErrorCode::bad_input, "points and other grids are in one file", {},
+                  "many programs can read nothing of a file that holds points: write them apart");
   }
 }
 
@@ -84,7 +96,7 @@ void set_identifier(const std::filesystem::path& file) {
 void write(const std::filesystem::path& target, const std::vector<Grid>& grids,
            const WriteOptions& options) {
   initialise_openvdb();
-  check_names(grids);
+  check_grids(grids);
   AtomicFile file(target);
   openvdb::GridCPtrVec ready;
   for (const Grid& grid : grids) ready.push_back(prepared(grid, options));
