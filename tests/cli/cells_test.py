@@ -45,8 +45,8 @@ class Cells(VugTest):
     def test_what_shows_on_the_mesh(self):
         at = len("cells skin on wall { ") + 1
         self.refused("spacing 10m  run maze", at, "cells 10 m apart are larger than the object", "use a smaller spacing")
-        self.refused("spacing 1e-6m  run maze", at, "1.25e+13 cells are more than can be numbered", "use a larger spacing")
-        self.refused("spacing 0.5mm  run maze", at, "5.02e+07 cells would take about 16.8 GiB", "use a larger spacing", "wall",
+        self.refused("spacing 1e-6m  run maze", at, "1.34e+13 cells are more than can be numbered", "use a larger spacing")
+        self.refused("spacing 0.5mm  run maze", at, "5.37e+07 cells would take about 18 GiB", "use a larger spacing", "wall",
                      "--max-memory", "300M")
 
     def test_objects_without_a_mesh_wear_nothing(self):

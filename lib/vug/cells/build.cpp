@@ -23,23 +23,26 @@ void require_fit(const Surface& surface, const BuildOptions& options) {
                 fmt::format("cells {:.4g} m apart are larger than the object, which is {:.4g} m",
                             options.spacing, surface.least_size()),
                 {}, "use a smaller spacing");
-  const double cells = estimate(surface, options.grid, options.spacing);
+  require_room(estimate(surface, options.grid, options.spacing), options);
+}
+
+}  // namespace
+
+double estimate(double area, const Grid& grid, double spacing) {
+  double each = 1;
+  if (!grid.motif.empty())
+    each = std::fabs(grid.across.x * grid.along.y - grid.across.y * grid.along.x) /
+           static_cast<double>(grid.motif.size());
+  return area / (each * spacing * spacing);
+}
+
+void require_room(double cells, const BuildOptions& options) {
   const std::string what = fmt::format("{:.3g} cells", cells);
   if (!(cells * options.grid.full < 4e9))
     throw Error(ErrorCode::too_large, what + " are more than can be numbered", {},
                 "use a larger spacing");
   require_memory(cells * kBytes, options.memory > 0 ? options.memory : available_memory(), what,
                  "use a larger spacing");
-}
-
-}  // namespace
-
-double estimate(const Surface& surface, const Grid& grid, double spacing) {
-  double each = 1;
-  if (!grid.motif.empty())
-    each = std::fabs(grid.across.x * grid.along.y - grid.across.y * grid.along.x) /
-           static_cast<double>(grid.motif.size());
-  return surface.area() / (each * spacing * spacing);
 }
 
 Built build(const Surface& surface, const BuildOptions& options, Progress& progress) {

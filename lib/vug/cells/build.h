@@ -29,7 +29,14 @@ struct Built {
 Built build(const Surface& surface, const BuildOptions& options,
             Progress& progress = Progress::none());
 
-/// Cells that a surface will have, about.
-double estimate(const Surface& surface, const Grid& grid, double spacing);
+/// Cells that a surface of so many square metres will have, about.
+double estimate(double area, const Grid& grid, double spacing);
+inline double estimate(const Surface& surface, const Grid& grid, double spacing) {
+  return estimate(surface.area(), grid, spacing);
+}
+
+/// What build refuses for its size: Error(too_large) where so many cells cannot be numbered, or
+/// not be strewn and linked within the options' memory.
+void require_room(double cells, const BuildOptions& options);
 
 }  // namespace vug::cells

@@ -42,6 +42,11 @@ std::string fault(const Network& n, uint32_t i) {
 
 }  // namespace
 
+uint64_t Network::bytes() const {
+  return (3 * sizeof(Vec3f) + sizeof(float) + sizeof(uint32_t)) * size() +
+         sizeof(uint32_t) * (links.begin.size() + links.to.size());
+}
+
 uint64_t place_of(const Vec3f& p) {
   // Sums with 0 make -0 and 0 the same. Multipliers: the golden ratio's, and those of splitmix64.
   const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x + 0.0f)}; };

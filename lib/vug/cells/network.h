@@ -27,6 +27,7 @@ struct Network {
   Links links;
 
   size_t size() const { return position.size(); }
+  uint64_t bytes() const;  ///< That it holds.
   bool operator==(const Network&) const = default;
 };
 

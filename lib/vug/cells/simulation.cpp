@@ -30,6 +30,24 @@ void Simulation::set_states(std::vector<State> states) {
   blocks_.update(blocks_.all(), states_.now);
 }
 
+namespace {
+
+template <class T>
+uint64_t bytes_of(const Column<T>& column) {
+  return sizeof(T) * (column.now.size() + column.next.size());
+}
+
+}  // namespace
+
+uint64_t Simulation::bytes() const {
+  uint64_t bytes = network_->bytes() + bytes_of(states_) + sizeof(float) * pairs_.size();
+  for (const Attribute& attribute : attributes_.all())
+    bytes += std::visit([](const auto& column) { return bytes_of(column); }, attribute.column);
+  for (const auto& [radius, links] : within_)
+    bytes += sizeof(uint32_t) * (links.begin.size() + links.to.size());
+  return bytes;
+}
+
 void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& progress) {
   for (const Stage& stage : stages)
     if (!stage.where.empty() && stage.where.size() != network_->size())

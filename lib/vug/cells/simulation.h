@@ -36,6 +36,8 @@ class Simulation {
   const std::vector<State>& states() const { return states_.now; }
   void set_states(std::vector<State> states);
 
+  uint64_t bytes() const;  ///< That it holds, with its network.
+
   /// Steps done so far.
   int step() const { return step_; }
   /// Goes on by so many steps. Error(bad_input) where stages disagree about an attribute's type, or

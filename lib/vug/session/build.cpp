@@ -1,11 +1,9 @@
 #include <vug/base/memory.h>
-#include <vug/mesh/pieces.h>
-#include <vug/meshing/polygonize.h>
-#include <vug/paint/paint.h>
 #include <vug/session/build.h>
+#include <vug/session/make_mesh.h>
+#include <vug/session/room.h>
 #include <vug/session/wear.h>
 #include <vug/volume/samples.h>
-#include <vug/volume/voxelize.h>
 
 #include <fmt/format.h>
 
@@ -39,56 +37,10 @@ std::string why_empty(const VolumePlan& plan) {
   return "its solid is empty or thinner than a voxel";
 }
 
-uint64_t bytes_of(const mesh::Mesh& mesh) {
-  uint64_t bytes =
-      2 * sizeof(Vec3f) * mesh.positions.size() + sizeof(Vec3i) * mesh.triangles.size();
-  for (const mesh::Attribute& attribute : mesh.attributes)
-    bytes += sizeof(float) * attribute.values.size();
-  return bytes;
-}
-
-void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface) {
-  const auto solid = volume::samples(surface);
-  std::vector<paint::Spot> spots(mesh.positions.size());
-  for (size_t i = 0; i < spots.size(); ++i)
-    spots[i] = {Vec3d(mesh.positions[i]), Vec3d(mesh.normals.at(i)).normalized(), solid.get()};
-  mesh::Attribute color{"Cd", 3, {}};
-  color.values.reserve(3 * spots.size());
-  for (const Vec3f& rgb : paint::colors(paint, spots))
-    for (int c = 0; c < 3; ++c) color.values.push_back(rgb[c]);
-  mesh.attributes.push_back(std::move(color));
-}
-
-/// Peak of making and polishing a mesh of a band that is so many voxels wide. A surface of area A
-/// has 1.5 A / voxel^2 vertices on average over its directions; each took 420 bytes, measured with
-/// a ball and a rough one.
-double meshing_bytes(double active_voxels, double band) {
-  constexpr double kVertexBytes = 420;
-  return kVertexBytes * 1.5 * active_voxels / band;
-}
-
-/// Peak of a surface without a mesh, with what tells its pieces apart.
-double surface_bytes(double area, double voxel) {
-  constexpr double kBrickBytes = sizeof(volume::SurfaceBricks::Brick) + 3000;
-  return kBrickBytes * volume::brick_estimate(area, voxel);
-}
-
-volume::VoxelizeOptions voxelize_options(const VolumePlan& plan, uint64_t max_memory) {
-  volume::VoxelizeOptions options;
-  options.voxel = plan.voxel;
-  options.half_width = plan.half_width;
-  options.repair = plan.repair;
-  options.max_memory = max_memory;
-  if (plan.from) options.region = Box3d(*plan.from, *plan.to);
-  return options;
-}
-
-/// No mesh of the plan needs more: as if every voxel were in the band.
-double most_meshing_bytes(const VolumePlan& plan) {
-  const Vec3d size = (plan.from ? Box3d(*plan.from, *plan.to) : plan.field.bounds()).size();
-  double voxels = 1;
-  for (int axis = 0; axis < 3; ++axis) voxels *= size[axis] / plan.voxel + 2 * plan.half_width + 2;
-  return meshing_bytes(voxels, 2 * plan.half_width);
+/// The plan and all that it stands on.
+void add_with_below(const MeshPtr& plan, std::vector<MeshPtr>& meshes) {
+  for (MeshPtr each = plan; each; each = each->cells ? each->cells->on : nullptr)
+    meshes.push_back(each);
 }
 
 }  // namespace
@@ -104,6 +56,13 @@ void Builder::warn(const SourceLocation& where, const std::string& message,
 uint64_t Builder::room() const {
   if (options_.max_memory == 0) return available_memory();
   return options_.max_memory > held_ ? options_.max_memory - held_ : 1;
+}
+
+double Builder::area_of(const VolumePtr& plan) const {
+  if (const auto held = level_sets_.find(plan); held != level_sets_.end())
+    return area_of_band(static_cast<double>(held->second.statistics().active_voxels), *plan);
+  if (plan->field.bounds().isEmpty()) return 0;
+  return volume::estimate(plan->field, voxelize_options(*plan, room())).surface_area;
 }
 
 const Builder::MadeMesh* Builder::made(const MeshPtr& plan) const {
@@ -123,15 +82,19 @@ volume::SurfaceBricksPtr Builder::made_surface(const MeshPtr& plan) const {
 void Builder::take_over(Builder&& other) {
   std::set<VolumePtr> volumes(shot_.volumes.begin(), shot_.volumes.end());
   volumes.insert(shot_.medium_volume);
-  std::vector<MeshPtr> meshes = meshes_of(shot_);
-  for (const ObjectPlan& object : shot_.objects) meshes.push_back(object.mesh);
+  std::vector<MeshPtr> meshes;
+  for (const MeshPtr& plan : meshes_of(shot_)) add_with_below(plan, meshes);
+  for (const ObjectPlan& object : shot_.objects) add_with_below(object.mesh, meshes);
   for (const PlacePlan& place : shot_.places)
     for (const Model& model : place.of)
-      if (model.mesh) meshes.push_back(model.mesh);
+      if (model.mesh) add_with_below(model.mesh, meshes);
   for (const MeshPtr& plan : meshes) {
     volumes.insert(plan->volume);
     const MadeMesh* mesh = other.made(plan);
     if (mesh && meshes_.emplace(plan, *mesh).second) held_ += bytes_of(*mesh->mesh);
+    if (const auto skin = other.skins_.find(plan->cells);
+        skin != other.skins_.end() && skins_.insert(*skin).second)
+      held_ += skin->second->simulation.bytes();
   }
   for (const MeshPtr& plan : meshes)
     if (const auto known = other.made_surface(plan); known && surfaces_.emplace(plan, known).second)
@@ -142,7 +105,7 @@ void Builder::take_over(Builder&& other) {
       level_sets_.emplace(plan, std::move(grid));
     }
   seconds_ += other.seconds_;
-  other.level_sets_.clear(), other.meshes_.clear(), other.surfaces_.clear();
+  other.level_sets_.clear(), other.meshes_.clear(), other.skins_.clear(), other.surfaces_.clear();
 }
 
 const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
@@ -163,47 +126,70 @@ const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
 }
 
 void Builder::require_room(const MeshPtr& plan) const {
+  if (made(plan)) return;
   const VolumePlan& volume = *plan->volume;
+  if (plan->cells) {
+    require_room(plan->cells->on);
+    if (skins_.count(plan->cells) == 0)
+      require_skin_room(*plan->cells, area_of(plan->volume), room());
+    return;
+  }
   if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
-  if (most_meshing_bytes(volume) <= static_cast<double>(room())) return;
+  const double band = 2 * volume.half_width;
+  if (meshing_bytes(most_active_voxels(volume), band) <= static_cast<double>(room())) return;
   try {
     const auto estimate = volume::estimate(volume.field, voxelize_options(volume, room()));
-    require_memory(estimate.bytes + meshing_bytes(estimate.active_voxels, 2 * volume.half_width),
-                   room(), fmt::format("a mesh and its grid with voxels of {} m", volume.voxel));
+    require_memory(estimate.bytes + meshing_bytes(estimate.active_voxels, band), room(),
+                   fmt::format("a mesh and its grid with voxels of {} m", volume.voxel));
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));
   }
 }
 
-std::shared_ptr<const mesh::Mesh> Builder::mesh(const MeshPtr& plan) {
+mesh::MeshPtr Builder::mesh(const MeshPtr& plan) {
   if (const MadeMesh* known = made(plan)) return known->mesh;
   require_room(plan);
-  const volume::LevelSet& surface = level_set(plan->volume);
-  const Stopwatch watch(seconds_);
-  meshing::PolygonizeOptions polygonize;
-  polygonize.adaptivity = plan->adaptivity;
-  polygonize.polish = plan->polish;
-  const field::Field* exact = plan->polish ? &plan->volume->field : nullptr;
   try {
-    const auto active = static_cast<double>(surface.statistics().active_voxels);
-    require_memory(meshing_bytes(active, 2 * plan->volume->half_width), room(), "the mesh");
-    mesh::LargePieces pieces = mesh::large_pieces(
-        meshing::polygonize(surface, exact, polygonize, progress_).mesh, plan->smallest_piece);
-    if (plan->paint) add_colors(pieces.mesh, plan->paint, surface);
-    for (const auto& cells : plan->cells) {
-      wear(pieces.mesh, *cells, surface, room(), progress_);
-      if (plan->volume->voxel > 1.01 * cells->spacing)
-        warn(cells->where,
-             fmt::format("the voxels of '{}' are larger than the cells, so that not all of these "
-                         "can show",
-                         plan->volume->name),
-             "use smaller voxels or a larger spacing");
-    }
-    held_ += bytes_of(pieces.mesh);
-    auto kept = std::make_shared<const mesh::Mesh>(std::move(pieces.mesh));
-    return meshes_.emplace(plan, MadeMesh{std::move(kept), pieces.left_out}).first->second.mesh;
+    MadeMesh mesh = plan->cells ? make_worn(*plan) : make_bare(*plan);
+    held_ += bytes_of(*mesh.mesh);
+    return meshes_.emplace(plan, std::move(mesh)).first->second.mesh;
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));
+  }
+}
+
+Builder::MadeMesh Builder::make_bare(const MeshPlan& plan) {
+  const volume::LevelSet& surface = level_set(plan.volume);
+  const Stopwatch watch(seconds_);
+  mesh::LargePieces pieces = make_mesh(plan, surface, room(), progress_);
+  return {std::make_shared<const mesh::Mesh>(std::move(pieces.mesh)), pieces.left_out};
+}
+
+Builder::MadeMesh Builder::make_worn(const MeshPlan& plan) {
+  const CellsPlan& cells = *plan.cells;
+  if (plan.volume->voxel > 1.01 * cells.spacing)
+    warn(cells.where,
+         fmt::format("the voxels of '{}' are larger than the cells, so that not all of these can "
+                     "show",
+                     plan.volume->name),
+         "use smaller voxels or a larger spacing");
+  const SkinPtr skin = this->skin(plan.cells);
+  const mesh::MeshPtr bare = mesh(cells.on);
+  const Stopwatch watch(seconds_);
+  return {std::make_shared<const mesh::Mesh>(wear(*bare, *skin, progress_)),
+          pieces_left_out(cells.on)};
+}
+
+SkinPtr Builder::skin(const CellsPtr& plan) {
+  if (const auto known = skins_.find(plan); known != skins_.end()) return known->second;
+  const Ground ground{mesh(plan->on), volume::samples(level_set(plan->on->volume))};
+  const Stopwatch watch(seconds_);
+  try {
+    auto made = std::make_shared<const Skin>(make_skin(*plan, ground, room(), progress_));
+    held_ += made->simulation.bytes();
+    return skins_.emplace(plan, std::move(made)).first->second;
+  } catch (Error& error) {
+    throw error.within(fmt::format("making the cells '{}'", plan->name));
   }
 }
 
@@ -225,10 +211,9 @@ volume::SurfaceBricksPtr Builder::surface(const MeshPtr& plan) {
   const volume::LevelSet& grid = level_set(plan->volume);
   const Stopwatch watch(seconds_);
   const auto active = static_cast<double>(grid.statistics().active_voxels);
-  const double voxel = plan->volume->voxel;
-  const double area = active * voxel * voxel / (2 * plan->volume->half_width);
+  const double area = area_of_band(active, *plan->volume);
   try {
-    require_memory(surface_bytes(area, voxel), room(), "the surface");
+    require_memory(surface_bytes(area, plan->volume->voxel), room(), "the surface");
     auto made = std::make_shared<const volume::SurfaceBricks>(grid, plan->smallest_piece);
     held_ += made->bytes();
     return surfaces_.emplace(plan, std::move(made)).first->second;
@@ -245,7 +230,8 @@ size_t Builder::pieces_left_out(const MeshPtr& plan) const {
 
 std::vector<MeshPtr> declared_meshes(const Shot& shot) {
   std::set<MeshPtr> bare;
-  for (const MeshPtr& mesh : shot.meshes) bare.insert(mesh->bare);
+  for (const MeshPtr& mesh : shot.meshes)
+    if (mesh->cells) bare.insert(mesh->cells->on);
   std::vector<MeshPtr> kept;
   std::copy_if(shot.meshes.begin(), shot.meshes.end(), std::back_inserter(kept),
                [&](const MeshPtr& mesh) { return bare.count(mesh) == 0; });

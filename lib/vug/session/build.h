@@ -5,6 +5,7 @@
 #include <vug/base/progress.h>
 #include <vug/mesh/mesh.h>
 #include <vug/session/shot.h>
+#include <vug/session/skin.h>
 #include <vug/volume/level_set.h>
 #include <vug/volume/surface_bricks.h>
 
@@ -33,14 +34,16 @@ class Builder {
   void take_over(Builder&& other);
 
   const volume::LevelSet& level_set(const VolumePtr& plan);
-  std::shared_ptr<const mesh::Mesh> mesh(const MeshPtr& plan);
+  mesh::MeshPtr mesh(const MeshPtr& plan);
+  /// The cells that a mesh wears.
+  SkinPtr skin(const CellsPtr& plan);
   /// The surface that the mesh would stand for, without one.
   volume::SurfaceBricksPtr surface(const MeshPtr& plan);
   /// How many pieces `smallest_piece` has taken from the mesh or surface; 0 before it is made.
   size_t pieces_left_out(const MeshPtr& plan) const;
 
-  /// Error(too_large) where the mesh and its grid are sure to need more than there is, as far as
-  /// that shows before the work.
+  /// Error(too_large) where the mesh, its grid and its cells are sure to need more than there is,
+  /// as far as that shows before the work.
   void require_room(const MeshPtr& plan) const;
   /// The same for the surface and its grid.
   void require_surface_room(const MeshPtr& plan) const;
@@ -67,10 +70,15 @@ class Builder {
   std::map<MeshPtr, MadeMesh> meshes_;
   /// What has been made of a plan, or of one just like it; null when nothing has.
   const MadeMesh* made(const MeshPtr& plan) const;
+  MadeMesh make_bare(const MeshPlan& plan);
+  MadeMesh make_worn(const MeshPlan& plan);
+  /// Square metres of the volume's surface, about.
+  double area_of(const VolumePtr& plan) const;
   volume::SurfaceBricksPtr made_surface(const MeshPtr& plan) const;
+  std::map<CellsPtr, SkinPtr> skins_;
   std::map<MeshPtr, volume::SurfaceBricksPtr> surfaces_;
   double seconds_ = 0;
-  uint64_t held_ = 0;  ///< Bytes of grids, meshes and surfaces.
+  uint64_t held_ = 0;  ///< Bytes of grids, meshes, skins and surfaces.
 };
 
 /// The meshes a shot declares, those without cells left out where another is the same with cells.

@@ -4,7 +4,7 @@
 #include <vug/base/rng.h>
 #include <vug/cells/kind.h>
 #include <vug/cells/rule.h>
-#include <vug/paint/paint.h>
+#include <vug/session/shot.h>
 
 #include <optional>
 #include <string>
@@ -27,6 +27,7 @@ using CellStagePtr = std::shared_ptr<const CellStage>;
 
 struct CellsPlan {
   std::string name;
+  MeshPtr on;                       ///< What they stand on.
   std::optional<cells::Grid> grid;  ///< Not given: random.
   double spacing = 0.02;            ///< Metres.
   std::optional<int> relax;         ///< Steps of harmonising; not given: the grid's own.

@@ -40,6 +40,7 @@ struct VolumePlan {
 using VolumePtr = std::shared_ptr<const VolumePlan>;
 
 struct CellsPlan;  ///< See cells_plan.h.
+using CellsPtr = std::shared_ptr<const CellsPlan>;
 
 /// `mesh NAME on VOLUME { ... }`.
 struct MeshPlan {
@@ -50,8 +51,7 @@ struct MeshPlan {
   double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
-  std::vector<std::shared_ptr<const CellsPlan>> cells;  ///< That it wears, one after the other.
-  std::shared_ptr<const MeshPlan> bare;                 ///< It without the last of them.
+  CellsPtr cells;              ///< That it wears on what they stand on; null: none.
 
   bool operator==(const MeshPlan&) const = default;
 };

@@ -45,13 +45,13 @@ TEST(Language, CellsOfTheirPageAreOnAMesh) {
   EXPECT_EQ(loaded.report(), "");
   ASSERT_EQ(loaded.shot.objects.size(), 1u);
   const MeshPlan& mesh = *loaded.shot.objects[0].mesh;
-  ASSERT_EQ(mesh.cells.size(), 1u);
+  ASSERT_TRUE(mesh.cells);
   EXPECT_EQ(mesh.name, "crust");
-  EXPECT_EQ(mesh.bare->name, "wall");
-  EXPECT_EQ(mesh.cells[0]->run.size(), 4u);
-  EXPECT_EQ(mesh.cells[0]->run[0]->span(), 1);
-  EXPECT_EQ(mesh.cells[0]->run[1]->span(), -1);
-  EXPECT_EQ(mesh.cells[0]->length(), 100);
+  EXPECT_EQ(mesh.cells->on->name, "wall");
+  EXPECT_EQ(mesh.cells->run.size(), 4u);
+  EXPECT_EQ(mesh.cells->run[0]->span(), 1);
+  EXPECT_EQ(mesh.cells->run[1]->span(), -1);
+  EXPECT_EQ(mesh.cells->length(), 100);
 }
 
 TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {

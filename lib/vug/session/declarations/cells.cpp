@@ -100,10 +100,10 @@ const DeclarationKind& cells_declaration() {
         plan->where = declaration.where;
         for (const Argument& each : arguments)
           if (each.name == "spacing") plan->spacing_where = each.where;
+        plan->on = bare;
         MeshPlan worn = *bare;
         worn.name = declaration.name;
-        worn.bare = bare;
-        worn.cells.push_back(std::make_shared<const CellsPlan>(std::move(*plan)));
+        worn.cells = std::make_shared<const CellsPlan>(std::move(*plan));
         const MeshPtr made = std::make_shared<const MeshPlan>(std::move(worn));
         reading.shot.meshes.push_back(made);
         return Object{"mesh", made};

@@ -38,7 +38,7 @@ const DeclarationKind& object_declaration() {
               "leave out 'direct'");
           return Value();
         }
-        if (plan->direct && !mesh->cells.empty()) {
+        if (plan->direct && mesh->cells) {
           reading.diagnostics.error(
               declaration.where,
               fmt::format("'{}' wears cells, for which it needs a mesh", declaration.name),

@@ -1,0 +1,16 @@
+// The mesh of a level set, as a scene asks for it.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/mesh/pieces.h>
+#include <vug/session/shot.h>
+#include <vug/volume/level_set.h>
+
+namespace vug::session {
+
+/// The mesh of the plan's level set, without its small pieces, with vertex colours.
+/// Error(too_large) where `memory` bytes do not suffice.
+mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
+                            Progress& progress);
+
+}  // namespace vug::session

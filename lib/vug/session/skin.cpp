@@ -1,0 +1,85 @@
+#include <vug/base/parallel.h>
+#include <vug/session/blame.h>
+#include <vug/session/skin.h>
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace vug::session {
+namespace {
+
+cells::BuildOptions build_options(const CellsPlan& plan, uint64_t memory) {
+  cells::BuildOptions options;
+  options.grid = plan.grid ? *plan.grid : make_product(cells::grids(), "random");
+  options.spacing = plan.spacing;
+  options.key = plan.key;
+  options.relax = plan.relax;
+  options.memory = memory;
+  return options;
+}
+
+cells::Built network(const CellsPlan& plan, const Ground& ground, uint64_t memory,
+                     Progress& progress) {
+  if (ground.mesh->triangles.empty()) return {};
+  try {
+    return cells::build(cells::Surface({ground.mesh}), build_options(plan, memory), progress);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
+    throw blamed_on(plan.spacing_where, error);
+  }
+}
+
+/// A cell is rewritten with the chance that the mask gives at its place.
+std::vector<uint8_t> chosen(const CellStage& stage, const cells::Network& cells, RandomKey key,
+                            const Ground& ground) {
+  std::vector<uint8_t> where(stage.where ? cells.size() : 0);
+  parallel_for(where.size(), [&](size_t i) {
+    const paint::Spot spot{Vec3d(cells.position[i]), Vec3d(cells.normal[i]), ground.solid.get()};
+    RandomStream random(key.at(cells::place_of(cells.position[i])));
+    where[i] = random.uniform() < (*stage.where)(spot);
+  });
+  return where;
+}
+
+std::vector<cells::Stage> stages(const CellsPlan& plan, const cells::Network& cells,
+                                 const Ground& ground) {
+  std::vector<cells::Stage> all;
+  std::map<std::string, int> used;
+  for (const CellStagePtr& stage : plan.run) {
+    // Two of one rule choose differently.
+    const int before = used[stage->name]++;
+    cells::Stage each{stage->rule, stage->name, stage->begin, stage->span(), {}};
+    if (before > 0) each.name += fmt::format(" {}", before + 1);
+    each.where = chosen(*stage, cells, plan.key.at("where").at(each.name), ground);
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
+}  // namespace
+
+Skin make_skin(const CellsPlan& plan, const Ground& ground, uint64_t memory, Progress& progress) {
+  cells::Built built = network(plan, ground, memory, progress);
+  const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
+  Skin skin{cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
+  if (cells->size() == 0) return skin;
+  try {
+    skin.simulation.run(stages(plan, *cells, ground), plan.length(), progress);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;
+    throw blamed_on(plan.where, error);
+  }
+  return skin;
+}
+
+void require_skin_room(const CellsPlan& plan, double area, uint64_t memory) {
+  const cells::BuildOptions options = build_options(plan, memory);
+  try {
+    cells::require_room(cells::estimate(area, options.grid, options.spacing), options);
+  } catch (const Error& error) {
+    throw blamed_on(plan.spacing_where, error);
+  }
+}
+
+}  // namespace vug::session
