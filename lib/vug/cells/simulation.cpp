@@ -48,13 +48,14 @@ uint64_t Simulation::bytes() const {
   return bytes;
 }
 
-void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& progress) {
+void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& progress,
+                     const std::function<void()>& after) {
   for (const Stage& stage : stages)
     if (!stage.where.empty() && stage.where.size() != network_->size())
       throw Error(ErrorCode::bad_input,
                   fmt::format("the mask of stage '{}' is not of these cells", stage.name));
   progress.begin("rewriting cells", static_cast<uint64_t>(std::max(0, steps)));
-  for (int done = 0; done < steps; ++done, ++step_) {
+  for (int done = 0; done < steps; ++done) {
     progress.check();
     for (const Stage& stage : stages) {
       const int since = step_ - stage.begin;
@@ -62,6 +63,8 @@ void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& prog
       Pass pass(*this, key_.at(stage.name), since, stage.where.empty() ? nullptr : &stage.where);
       stage.rule->step(pass);
     }
+    ++step_;
+    if (after) after();
     progress.advance();
   }
   progress.end();

@@ -6,6 +6,7 @@
 #include <vug/cells/blocks.h>
 #include <vug/cells/network.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -40,9 +41,13 @@ class Simulation {
 
   /// Steps done so far.
   int step() const { return step_; }
-  /// Goes on by so many steps. Error(bad_input) where stages disagree about an attribute's type, or
-  /// a mask is not as long as there are cells.
-  void run(const std::vector<Stage>& stages, int steps, Progress& progress = Progress::none());
+  /// As if so many had been done, for whoever also sets what they have left.
+  void set_step(int step) { step_ = step; }
+  /// Goes on by so many steps, and calls `after` (if any) when one is done. Error(bad_input) where
+  /// stages disagree about an attribute's type, or a mask is not as long as there are cells. After
+  /// Error(cancelled), too, the steps are whole: it can go on.
+  void run(const std::vector<Stage>& stages, int steps, Progress& progress = Progress::none(),
+           const std::function<void()>& after = nullptr);
 
  private:
   friend class Pass;

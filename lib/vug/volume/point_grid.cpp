@@ -44,19 +44,21 @@ void check(const Points& points, double voxel) {
     throw Error(ErrorCode::bad_input, "the voxel of points is a length above 0");
   if (points.size() > 0xffffffffu)
     throw Error(ErrorCode::too_large, "so many points cannot be numbered");
-  std::set<std::string> names{"P"};
-  const auto check_one = [&](const std::string& name, size_t size) {
+  std::set<std::string> names{"P"}, groups;
+  const auto check_one = [&](const std::string& name, size_t size, std::set<std::string>& known,
+                             const char* what) {
     if (!vp::AttributeSet::Descriptor::validName(name))
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("'{}' is no name for an attribute of points", name), {},
-                  "names have letters, digits and _");
-    if (!names.insert(name).second)
-      throw Error(ErrorCode::bad_input, fmt::format("points have two attributes '{}'", name));
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for {} of points", name, what),
+                  {}, "names have letters, digits and _");
+    if (!known.insert(name).second)
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' is {} of points twice", name, what));
     if (size != points.size())
       throw Error(ErrorCode::internal, fmt::format("'{}' has not one value for each point", name));
   };
-  for (const PointAttribute& each : points.attributes) check_one(each.name, each.size());
-  for (const PointGroup& each : points.groups) check_one(each.name, each.member.size());
+  for (const PointAttribute& each : points.attributes)
+    check_one(each.name, each.size(), names, "an attribute");
+  for (const PointGroup& each : points.groups)
+    check_one(each.name, each.member.size(), groups, "a group");
   const auto bound = static_cast<float>(kMostVoxels * voxel);
   const auto near = [&](float x) { return std::fabs(x) < bound; };  // not so if it is no number
   const auto bad = ordered_sum(points.size(), size_t{0}, [&](size_t i) -> size_t {

@@ -182,10 +182,11 @@ TEST_F(PointFiles, FaultsAreToldInASentence) {
             "2 points are not finite, or too far away for voxels of 0.1 m");
   EXPECT_EQ(fault([&] { point_grid(good, 0); }), "the voxel of points is a length above 0");
   points = good;
-  points.attributes[0].name = "odd";
-  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "points have two attributes 'odd'");
+  points.groups[0].name = "upper";
+  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'upper' is a group of points twice");
+  points = good;
   points.attributes[0].name = "P";
-  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "points have two attributes 'P'");
+  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'P' is an attribute of points twice");
   points.attributes[0].name = "my heat";
   EXPECT_EQ(fault([&] { point_grid(points, 1); }),
             "'my heat' is no name for an attribute of points; names have letters, digits and _");
