@@ -119,7 +119,7 @@ class Carrier {
   std::vector<Way>& ways_;
 };
 
-/// Takes the attribute of that name from the mesh; all 0 where there is none.
+/// Takes the attribute of that name from the mesh; where there is none all 0, colours white.
 mesh::Attribute taken(mesh::Mesh& mesh, const std::string& name, int arity) {
   mesh::Attribute out{name, arity, {}};
   auto& all = mesh.attributes;
@@ -127,7 +127,8 @@ mesh::Attribute taken(mesh::Mesh& mesh, const std::string& name, int arity) {
                                   [&](const mesh::Attribute& each) { return each.name == name; });
   if (known != all.end() && known->arity == arity) out.values = std::move(known->values);
   if (known != all.end()) all.erase(known);
-  out.values.resize(mesh.positions.size() * static_cast<size_t>(arity));
+  out.values.resize(mesh.positions.size() * static_cast<size_t>(arity),
+                    name == mesh::kColour ? 1.0f : 0.0f);
   return out;
 }
 

@@ -37,7 +37,7 @@ struct CellsPlan {
   SourceLocation where;          ///< Its name in the text.
   SourceLocation spacing_where;  ///< What `spacing` says there.
 
-  /// Steps of the whole run: `steps`, else 100 or as many as the last stage needs.
+  /// Steps of the whole run: `steps`, else what the last stage needs: 100 if it says nothing.
   int length() const;
 };
 

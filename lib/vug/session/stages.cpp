@@ -52,9 +52,10 @@ Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
 
 int CellsPlan::length() const {
   if (steps) return *steps;
-  int last = 100;
+  constexpr int kOpenEnd = 100;  // for rules that work to the end
+  int last = 0;
   for (const CellStagePtr& stage : run)
-    last = std::max(last, stage->begin + std::max(1, stage->span()));
+    last = std::max(last, stage->begin + (stage->span() < 0 ? kOpenEnd : stage->span()));
   return last;
 }
 

@@ -25,7 +25,7 @@ Schema<CellsPlan> schema() {
              {.doc = "rules, with begin, steps and where; in a step each after those before it",
               .required = true})
       .param("steps", &CellsPlan::steps,
-             {.doc = "of the whole run; 100 if not given, or as many as the last rule needs",
+             {.doc = "of the whole run; if not given, as many as rules need: those that work to the end 100 each",
               .min = 0,
               .max = 1000000});
   return s;
