@@ -185,6 +185,9 @@ void World::Geometry::add(const Object& object, uint32_t number) {
     if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
     if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
       part.colours = colour->values.data();
+    auto& slopes = slopes_[&mesh];
+    if (!slopes) slopes = std::make_unique<const MeshSlopes>(mesh);
+    part.slopes = slopes.get();
   }
   if (object.placing) {
     const Embree::Shape& shape = embree_->shape(object);
@@ -279,6 +282,7 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Space& spa
   surface.shading_normal = surface.geometric_normal;
   surface.inside = side < 0;
   surface.mesh = part.mesh.get();
+  surface.slopes = part.slopes;
   surface.triangle = triangle;
   surface.u = u, surface.v = v;
   surface.solid = part.solid.get();

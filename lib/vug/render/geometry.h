@@ -2,11 +2,13 @@
 // Embree.
 #pragma once
 
+#include <vug/render/mesh_slopes.h>
 #include <vug/render/scene.h>
 #include <vug/render/vectors.h>
 #include <vug/render/world.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -38,6 +40,7 @@ struct World::Geometry {
     std::shared_ptr<const Corners> corners;
     const Vec3f* normals = nullptr;
     const float* colours = nullptr;
+    const MeshSlopes* slopes = nullptr;
     MaterialPtr material;
     uint32_t object = 0;
     Rgb emission{0, 0, 0};
@@ -56,6 +59,7 @@ struct World::Geometry {
                            const Ray& ray, Hit& hit);
 
   std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.
+  std::map<const mesh::Mesh*, std::unique_ptr<const MeshSlopes>> slopes_;
   std::unique_ptr<Embree> embree_;
 };
 

@@ -1,5 +1,6 @@
 #include <vug/mesh/mesh.h>
 #include <vug/render/input.h>
+#include <vug/render/mesh_slopes.h>
 #include <vug/render/placing.h>
 
 #include <algorithm>
@@ -24,6 +25,12 @@ SurfaceSpot::SurfaceSpot(const Surface& surface) : surface_(surface) {
   spot_.footprint /= static_cast<double>(surface.placing->stretch());
 }
 
+void SurfaceSpot::move_to(const Vec3f& point) {
+  const Vec3d from(surface_.position), to(point);
+  moved_ = own_ ? own_->point(to) - own_->point(from) : to - from;
+  spot_.position = own_ && !surface_.looks_by_place ? own_->point(to) : to;
+}
+
 std::optional<Vec3d> SurfaceSpot::read(std::string_view name) const {
   if (!surface_.mesh && name == mesh::kColour) return Vec3d(surface_.color);
   if (!surface_.mesh) return std::nullopt;
@@ -39,6 +46,12 @@ std::optional<Vec3d> SurfaceSpot::read(std::string_view name) const {
       value[part] +=
           static_cast<double>(shares[corner] * attribute->values[corners[corner] * arity + own]);
     }
+  if (const auto* slopes = moved_ && surface_.slopes ? surface_.slopes->of(name) : nullptr) {
+    Vec3f slope(0);
+    for (size_t corner = 0; corner < 3; ++corner)
+      slope += (*slopes)[corners[corner]] * shares[corner];
+    value += Vec3d(moved_->dot(Vec3d(slope)));
+  }
   return value;
 }
 

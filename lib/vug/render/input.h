@@ -12,10 +12,9 @@ class SurfaceSpot final : private paint::Attributes {
  public:
   explicit SurfaceSpot(const Surface& surface);
   const paint::Spot& spot() const { return spot_; }
-  /// Another place of the scene in the space of the spot.
-  Vec3d position(const Vec3f& point) const {
-    return own_ && !surface_.looks_by_place ? own_->point(Vec3d(point)) : Vec3d(point);
-  }
+  /// Another place of the scene, near by: the spot moves there. Its normal stays; attributes go on
+  /// as they slope where it was.
+  void move_to(const Vec3f& point);
 
  private:
   std::optional<Vec3d> read(std::string_view name) const override;
@@ -23,6 +22,7 @@ class SurfaceSpot final : private paint::Attributes {
   const Surface& surface_;
   paint::Spot spot_;
   std::optional<Transform> own_;  ///< Of an instance: from the scene to the mesh's own space.
+  std::optional<Vec3d> moved_;    ///< How far it has been moved, in that space.
 };
 
 /// A number, or a mask that leads to one. What is read is kept within `low` and `high`, the

@@ -18,6 +18,8 @@ namespace vug::render {
 
 class Placing;
 
+class MeshSlopes;  ///< See mesh_slopes.h.
+
 /// What a material may read at a hit.
 struct Surface {
   Vec3f position;
@@ -31,6 +33,7 @@ struct Surface {
   const mesh::Mesh* mesh = nullptr;  ///< Null: none, as in tests.
   uint32_t triangle = 0;             ///< Of the mesh, and the place on it: shares of the second and
   float u = 0, v = 0;                ///< third corner.
+  const MeshSlopes* slopes = nullptr;         ///< Of the mesh, for bumps.
   const field::SampledGrid* solid = nullptr;  ///< The level set that the mesh was made of, if any.
   const Placing* placing = nullptr;           ///< Of an instance; else null.
   bool looks_by_place = false;                ///< See Object.

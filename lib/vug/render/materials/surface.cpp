@@ -360,15 +360,14 @@ bool SurfaceMaterial::bump(Surface& surface) const {
   const float height =
       static_cast<float>(p_.bump_height) * (scaled ? surface.placing->stretch() : 1);
   const float step = std::max(0.5f * surface.footprint, 0.25f * std::fabs(height));
-  const SurfaceSpot place(surface);
+  SurfaceSpot place(surface);
   const Vec3f n = surface.shading_normal * (surface.inside ? -1.0f : 1.0f);
   const Frame frame(n);
   const auto slope = [&](const Vec3f& along) {
-    paint::Spot there = place.spot();
-    there.position = place.position(surface.position + along * step);
-    const float ahead = p_.bump.at(there);
-    there.position = place.position(surface.position - along * step);
-    return (ahead - p_.bump.at(there)) * height / (2 * step);
+    place.move_to(surface.position + along * step);
+    const float ahead = p_.bump.at(place.spot());
+    place.move_to(surface.position - along * step);
+    return (ahead - p_.bump.at(place.spot())) * height / (2 * step);
   };
   const Vec3f bent = normalized(n - frame.x * slope(frame.x) - frame.y * slope(frame.y));
   surface.shading_normal = bent * (surface.inside ? -1.0f : 1.0f);

@@ -25,7 +25,8 @@ Schema<CellsPlan> schema() {
              {.doc = "rules, with begin, steps and where; in a step each after those before it",
               .required = true})
       .param("steps", &CellsPlan::steps,
-             {.doc = "of the whole run; if not given, as many as rules need: those that work to the end 100 each",
+             {.doc = "of the whole run; if not given, as many as rules need: those that work to "
+                     "the end 100 each",
               .min = 0,
               .max = 1000000});
   return s;
