@@ -103,6 +103,7 @@ TEST_P(EveryScene, IsAsKnown) {
     ASSERT_TRUE(known.contains(plan->name)) << "no facts about this mesh";
     expect_sound(*mesh, *plan, known.at(plan->name).value("residual", 0.01));
     expect_facts(metrics::measure(*mesh, {/*self_intersections=*/false}), known.at(plan->name));
+    expect_attributes(*mesh, known.at(plan->name));
   }
   for (const auto& entry : facts.at("meshes").items())
     EXPECT_TRUE(has_mesh(loaded.shot, entry.key())) << "the scene has no mesh " << entry.key();

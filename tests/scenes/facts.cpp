@@ -74,4 +74,17 @@ void expect_facts(const metrics::Report& report, const json& facts) {
           << measured;
 }
 
+void expect_attributes(const mesh::Mesh& mesh, const json& facts) {
+  const json wanted = facts.value("attributes", json::object());
+  for (const auto& [name, range] : wanted.items()) {
+    const mesh::Attribute* attribute = mesh::find_attribute(mesh, name);
+    ASSERT_TRUE(attribute) << name;
+    double sum = 0;
+    for (const float value : attribute->values) sum += static_cast<double>(value);
+    const double mean = sum / static_cast<double>(attribute->values.size());
+    EXPECT_GE(mean, range.at(0).get<double>()) << name;
+    EXPECT_LE(mean, range.at(1).get<double>()) << name;
+  }
+}
+
 }  // namespace vug::session

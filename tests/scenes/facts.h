@@ -24,10 +24,13 @@ Loaded load_scene(const std::string& name, const std::vector<scene::Override>& o
 /// FACTS}}. FACTS hold components, genus, area, volume, bounds and, where 1 % is not right,
 /// "tolerance", a share. A count may be a range [least, most]. "residual" is how far vertices may
 /// lie from the exact field (rms, voxels); 0.01 unless a scene is built far coarser than it is
-/// meant to be.
+/// meant to be. "attributes" are ranges that the means over the vertices lie in, by name.
 const nlohmann::json& scene_facts();
 
 /// Fails the test where the report is not what the facts say, and then tells what it is.
 void expect_facts(const metrics::Report& report, const nlohmann::json& facts);
+
+/// The same for what the mesh carries.
+void expect_attributes(const mesh::Mesh& mesh, const nlohmann::json& facts);
 
 }  // namespace vug::session

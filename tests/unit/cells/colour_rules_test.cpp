@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <queue>
 #include <set>
@@ -24,6 +25,18 @@ TEST(RandomColor, DrawsForItsShareOfTheCells) {
   }
   EXPECT_NEAR(colored, 2000, 4 * 40);  // four standard deviations
   EXPECT_NEAR(red / colored, 0.5, 4 * 0.289 / std::sqrt(colored));
+}
+
+// One for each square of 5 m, whatever the spacing.
+TEST(RandomColor, IsAsFarApartAsAsked) {
+  for (const double spacing : {0.5, 1.0}) {
+    const auto side = static_cast<uint32_t>(100 / spacing);
+    const auto n = std::make_shared<const Network>(flat_torus(side, side, 4, spacing));
+    const Simulation s = ran(n, {stage("random_color", {{"apart", 5.0}})}, 1);
+    const auto& seed = s.attributes().values<int32_t>("seed");
+    const auto none = std::count(seed.begin(), seed.end(), 0);
+    EXPECT_NEAR(static_cast<double>(n->size()) - static_cast<double>(none), 400, 4 * 20);
+  }
 }
 
 TEST(RandomColor, LiesOnTheLineBetweenItsColoursWhereAsked) {

@@ -1,11 +1,11 @@
+#include <vug/cells/chance.h>
 #include <vug/cells/rule.h>
 
 namespace vug::cells {
 namespace {
 
-struct RandomColor {
+struct RandomColor : Chance {
   static constexpr bool kOnce = true;
-  double share = 1;
   Vec3d from{0};
   Vec3d to{1};
   bool gradient = false;
@@ -15,16 +15,12 @@ struct RandomColor {
          "Gives cells a random colour each (Cd) and makes them seeds, for rules that spread from "
          "there; for a single step.")
         .cite("gobron2006")
-        .param("share", &RandomColor::share,
-               {.doc = "of the cells, chosen by chance",
-                .dimension = Dimension::ratio,
-                .min = 0,
-                .max = 1})
         .param("from", &RandomColor::from,
                {.doc = "the least of each channel, excluded, linear", .min = 0, .max = 1})
         .param("to", &RandomColor::to, {.doc = "the most of each channel", .min = 0, .max = 1})
         .param("gradient", &RandomColor::gradient,
                {.doc = "one draw for all channels: colours on the line between both"});
+    describe_chance(s);
   }
 
   void step(Pass& pass) const {
@@ -32,7 +28,8 @@ struct RandomColor {
     const auto seed = pass.writes<int32_t>("seed");
     pass.run([=, &pass, p = *this](const auto&, uint32_t i) {
       RandomStream random = pass.random(i);
-      if (random.uniform() >= p.share) return color.set(i, color[i]), seed.set(i, seed[i]);
+      if (random.uniform() >= p.at(pass.network(), i))
+        return color.set(i, color[i]), seed.set(i, seed[i]);
       double way = 1 - random.uniform();
       Vec3f drawn;
       for (int c = 0; c < 3; ++c) {

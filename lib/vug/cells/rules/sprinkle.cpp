@@ -1,3 +1,4 @@
+#include <vug/cells/chance.h>
 #include <vug/cells/rule.h>
 
 #include <algorithm>
@@ -5,11 +6,12 @@
 namespace vug::cells {
 namespace {
 
-struct Sprinkle {
+struct Sprinkle : Chance {
   static constexpr bool kOnce = true;
+  Sprinkle() : Chance{0.5, 0} {}
+
   std::string attribute;
   double value = 1;
-  double share = 0.5;
   double radius = 0;
   bool whole = false;
 
@@ -17,13 +19,12 @@ struct Sprinkle {
     s.doc("Sets an attribute in cells chosen by chance: how most stories begin; for a single step.")
         .param("attribute", &Sprinkle::attribute, {.doc = "its name", .required = true})
         .param("value", &Sprinkle::value, {.doc = "that it gets"})
-        .param("share", &Sprinkle::share,
-               {.doc = "of the cells", .dimension = Dimension::ratio, .min = 0, .max = 1})
         .param("radius", &Sprinkle::radius,
                {.doc = "cells so near to a chosen one get the value too",
                 .dimension = Dimension::length,
                 .min = 0})
         .param("whole", &Sprinkle::whole, {.doc = "the attribute holds whole numbers"});
+    describe_chance(s);
   }
 
   void step(Pass& pass) const { whole ? set<int32_t>(pass) : set<float>(pass); }
@@ -34,7 +35,9 @@ struct Sprinkle {
     const auto a = pass.writes<T>(attribute);
     const Links none;
     const Links& around = radius > 0 ? pass.within(radius) : none;
-    const auto chosen = [&](uint32_t i) { return pass.random(i).uniform() < share; };
+    const auto chosen = [&](uint32_t i) {
+      return pass.random(i).uniform() < at(pass.network(), i);
+    };
     pass.run([&](const auto&, uint32_t i) {
       bool meant = chosen(i);
       if (radius > 0 && !meant) {
