@@ -7,6 +7,7 @@
 #include <vug/render/vectors.h>
 
 #include <memory>
+#include <span>
 #include <string>
 
 namespace vug::render {
@@ -62,9 +63,10 @@ class Integrator {
   }
   /// What makes pictures other than exact, on request: "clamp 3"; empty where nothing does.
   virtual std::string inexact() const { return {}; }
-  /// `tally`: null, or where to keep the parts of the radiance apart.
+  /// `tally`: null, or where to keep the parts of the radiance apart. `beside`: more camera rays of
+  /// the pixel; what the camera sees shine by itself becomes the mean over all of them.
   virtual PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers,
-                           Tally* tally = nullptr) const = 0;
+                           Tally* tally = nullptr, std::span<const Ray> beside = {}) const = 0;
 };
 using IntegratorPtr = std::shared_ptr<const Integrator>;
 

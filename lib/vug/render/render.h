@@ -27,9 +27,10 @@ struct Options {
   SamplerPtr sampler;   ///< Null: sobol.
   IntegratorPtr integrator;  ///< Null: path.
   LayerPlan layers = plan_layers({}, {});
-  bool openings = true;  ///< Find where the sky shines in; no effect on the picture's mean.
-  Region crop;           ///< Which pixels of the picture; empty: all.
-  FrameStepPtr step;     ///< For the layer `motion`; null: nothing moves.
+  bool openings = true;      ///< Find where the sky shines in; no effect on the picture's mean.
+  bool bright_edges = true;  ///< More camera rays where what shines ends; nor has this.
+  Region crop;               ///< Which pixels of the picture; empty: all.
+  FrameStepPtr step;         ///< For the layer `motion`; null: nothing moves.
   /// Also a deep picture, and how; only where all samples of a pixel are taken at once: without
   /// `noise` and a Watch that wants passes or saving.
   std::optional<DeepOptions> deep;

@@ -50,6 +50,13 @@ TallyPlan plan_tally(const LayerPlan& layers, const std::vector<std::string>& sc
 /// Beyond those of any path, so that pictures in which nothing moves spend the same numbers.
 constexpr uint32_t kTimeDimension = 1u << 20;
 
+/// Rays beside each sample where something bright ends. Measured with 12,000 glowing crystals: 3, 7
+/// and 15 left 66, 60 and 58 % of the variance, for 2 to 6 % more time.
+constexpr uint32_t kBeside = 7;
+constexpr uint64_t kBesideSalt = 0x626573696465ull;
+/// Smaller pictures are done before edges are looked for.
+constexpr uint64_t kWorthLooking = 1u << 16;
+
 /// The angle across a pixel in the middle of the picture, radians.
 float pixel_angle(const Camera& camera, const Options& options) {
   const float width = static_cast<float>(options.width);
@@ -98,6 +105,31 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
       world_ = std::make_unique<const World>(*world_, scene, portals);
   if (IntegratorPtr ready = integrator_->rehearsed(rehearsal(), progress))
     integrator_ = std::move(ready);
+  if (options.bright_edges && samples >= kWorthLooking)
+    edges_ = BrightEdges(
+        *world_, wanted_, {options.width, options.height}, options.seed,
+        [&](const SampleId& id) { return camera_ray(id, 0.5f); }, progress);
+}
+
+Ray Shooter::camera_ray(const SampleId& id, float time) const {
+  SampleCursor numbers(*sampler_, id);
+  const Vec2f inside = numbers.pair(), lens = numbers.pair();
+  const float width = static_cast<float>(options_.width);
+  const float height = static_cast<float>(options_.height);
+  const Vec2f place((static_cast<float>(id.x) + inside.x) / width,
+                    (static_cast<float>(id.y) + inside.y) / height);
+  Ray ray = plain_ ? scene_.camera->ray(place, width / height, lens)
+                   : scene_.camera->ray_at(time, place, width / height, lens);
+  ray.spread = spread_;
+  return ray;
+}
+
+std::vector<Ray> Shooter::beside(SampleId id, float time) const {
+  std::vector<Ray> rays;
+  id.seed ^= kBesideSalt;
+  id.spp *= kBeside, id.index *= kBeside;
+  for (uint32_t k = 0; k < kBeside; ++k, ++id.index) rays.push_back(camera_ray(id, time));
+  return rays;
 }
 
 PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
@@ -105,23 +137,16 @@ PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
   id.x = static_cast<uint32_t>(x), id.y = static_cast<uint32_t>(y), id.index = index;
   id.spp = static_cast<uint32_t>(options_.spp), id.seed = options_.seed;
   SampleCursor numbers(*sampler_, id);
-  const Vec2f inside = numbers.pair(), lens = numbers.pair();
-  const float width = static_cast<float>(options_.width);
-  const float height = static_cast<float>(options_.height);
-  const Vec2f place((static_cast<float>(x) + inside.x) / width,
-                    (static_cast<float>(y) + inside.y) / height);
   tally.clear();
   Tally* parts = tally_.colours() > 0 ? &tally : nullptr;
-  if (plain_) {
-    Ray ray = scene_.camera->ray(place, width / height, lens);
-    ray.spread = spread_;
-    return integrator_->trace(*world_, ray, numbers, parts);
-  }
-  const float time = sampler_->single(id, kTimeDimension);
-  Ray ray = scene_.camera->ray_at(time, place, width / height, lens);
-  ray.spread = spread_;
-  PathResult result = integrator_->trace(world_->at(time), ray, numbers, parts);
+  const float time = plain_ ? 0.5f : sampler_->single(id, kTimeDimension);
+  const Ray ray = camera_ray(id, time);
+  const std::vector<Ray> more = edges_.at(x, y) ? beside(id, time) : std::vector<Ray>();
+  if (plain_) return integrator_->trace(*world_, ray, numbers, parts, more);
+  PathResult result = integrator_->trace(world_->at(time), ray, numbers, parts, more);
   result.time = time;
+  const float width = static_cast<float>(options_.width);
+  const float height = static_cast<float>(options_.height);
   if (options_.step && tally_.motion && result.first.hit) {
     const uint32_t object = result.first.object;
     const Vec2f way = options_.step->motion(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vug/base/progress.h>
+#include <vug/render/bright_edges.h>
 #include <vug/render/film.h>
 #include <vug/render/render.h>
 #include <vug/render/tally.h>
@@ -26,6 +27,9 @@ class Shooter {
 
  private:
   PathResult sample(int x, int y, uint32_t index, Tally& tally) const;
+  Ray camera_ray(const SampleId& id, float time) const;
+  /// The rays beside those of a sample; see BrightEdges.
+  std::vector<Ray> beside(SampleId id, float time) const;
 
   const Scene& scene_;
   const Options& options_;
@@ -34,6 +38,7 @@ class Shooter {
   IntegratorPtr integrator_;
   std::unique_ptr<const World> world_;
   TallyPlan tally_;
+  BrightEdges edges_;
   Region wanted_;
   float spread_;
   bool plain_;  ///< Nothing moves, and nobody asks how.

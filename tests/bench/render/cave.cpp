@@ -41,6 +41,8 @@ int main(int argc, char** argv) {
   app.add_option("--lamps", lamps, "so many small balls of together 20 W, anywhere in the box");
   app.add_flag("--portal", portal);
   app.add_flag("!--no-openings", options.openings, "leave the sky to chance where no portal is");
+  app.add_flag("!--no-bright-edges", options.bright_edges,
+               "no more camera rays where what shines ends");
   app.add_option("--guide", guide, "auto, on or off");
   app.add_flag("--no-lamps", no_lamps);
   CLI11_PARSE(app, argc, argv);

@@ -78,9 +78,9 @@ class PathIntegrator final : public Integrator {
     led->learned_ = learn(rehearsal, std::clamp(share, kFewestPaths, kMostPaths), gather, progress);
     return led;
   }
-  PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers,
-                   Tally* tally) const override {
-    return walk(world, ray, rules_, learned_, numbers, tally, nullptr);
+  PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers, Tally* tally,
+                   std::span<const Ray> beside) const override {
+    return walk(world, ray, rules_, learned_, numbers, tally, nullptr, beside);
   }
 
  private:

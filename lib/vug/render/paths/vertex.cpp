@@ -69,6 +69,18 @@ Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVe
   return arriving;
 }
 
+Rgb seen_by_camera(const World& world, const Ray& ray, TrackingNumbers& numbers, Tally* tally) {
+  const PathVertex camera;
+  Hit hit;
+  float alpha = 0;
+  const bool found = world.intersect(ray, hit);
+  if (found) hit.surface.footprint = ray.spread * hit.distance;
+  const Rgb lamps =
+      lamps_met(world, ray, found ? hit.distance : kFar, camera, alpha, numbers, tally);
+  return lamps + (found ? surface_met(world, ray, hit, camera, numbers, tally)
+                        : sky_met(world, ray, camera, numbers, tally));
+}
+
 Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, TrackingNumbers& numbers,
             Tally* tally) {
   const LightSet& lights = world.lights();

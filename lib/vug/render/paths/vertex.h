@@ -31,6 +31,9 @@ Rgb surface_met(const World& world, const Ray& ray, const Hit& hit, const PathVe
 Rgb sky_met(const World& world, const Ray& ray, const PathVertex& from, TrackingNumbers& numbers,
             Tally* tally);
 
+/// What a camera ray sees shine by itself: lamps, or what it ends at.
+Rgb seen_by_camera(const World& world, const Ray& ray, TrackingNumbers& numbers, Tally* tally);
+
 /// Part of the light that the medium lets through, up to `end` (may be kFar).
 float clear_part(const World& world, const Ray& ray, float end, TrackingNumbers& numbers);
 /// Light of a sampled light before walls and medium, as far as it lights the object.

@@ -29,7 +29,7 @@ Rgb albedo_of(const Hit& hit, const Ray& ray) {
 class Walk {
  public:
   Walk(const World& world, const Ray& camera_ray, const WalkRules& rules, const Learned& learned,
-       SampleCursor& numbers, Tally* tally, Trail* trail)
+       SampleCursor& numbers, Tally* tally, Trail* trail, std::span<const Ray> beside)
       : world_(world),
         medium_(world.medium()),
         rules_(rules),
@@ -37,6 +37,7 @@ class Walk {
         numbers_(numbers),
         tally_(tally),
         trail_(trail),
+        beside_(beside),
         ray_(camera_ray),
         spread_(camera_ray.spread) {}
 
@@ -104,8 +105,13 @@ class Walk {
     Rgb seen = lamps_met(world_, ray_, end, from_, result_.alpha, bounce.tracking, tally_);
     seen += bounce.found ? surface_met(world_, ray_, bounce.hit, from_, bounce.tracking, tally_)
                          : sky_met(world_, ray_, from_, bounce.tracking, tally_);
-    const Rgb scale = add(throughput_ * seen, depth_ - 1);
-    if (tally_) tally_->settle_met(depth_, scale);
+    float share = 1;
+    if (depth_ == 0 && !beside_.empty()) {
+      for (const Ray& ray : beside_) seen += seen_by_camera(world_, ray, bounce.tracking, tally_);
+      share /= static_cast<float>(beside_.size() + 1);
+    }
+    const Rgb scale = add(throughput_ * seen * share, depth_ - 1);
+    if (tally_) tally_->settle_met(depth_, scale * share);
   }
 
   /// True when the path turns in the medium before it comes to the surface.
@@ -253,6 +259,7 @@ class Walk {
   SampleCursor& numbers_;
   Tally* tally_;
   Trail* trail_;
+  std::span<const Ray> beside_;
 
   PathResult result_;
   int depth_ = 0;
@@ -269,8 +276,9 @@ class Walk {
 }  // namespace
 
 PathResult walk(const World& world, const Ray& camera_ray, const WalkRules& rules,
-                const Learned& learned, SampleCursor& numbers, Tally* tally, Trail* trail) {
-  return Walk(world, camera_ray, rules, learned, numbers, tally, trail).go();
+                const Learned& learned, SampleCursor& numbers, Tally* tally, Trail* trail,
+                std::span<const Ray> beside) {
+  return Walk(world, camera_ray, rules, learned, numbers, tally, trail, beside).go();
 }
 
 }  // namespace vug::render

@@ -15,8 +15,10 @@ struct WalkRules {
   float regularize = 0;  ///< Least roughness of faces that are seen by way of matte ones.
 };
 
-/// The light that a camera ray gathers. `tally` and `trail` may be null.
+/// The light that a camera ray gathers. `tally` and `trail` may be null; for `beside` see
+/// Integrator::trace.
 PathResult walk(const World& world, const Ray& camera_ray, const WalkRules& rules,
-                const Learned& learned, SampleCursor& numbers, Tally* tally, Trail* trail);
+                const Learned& learned, SampleCursor& numbers, Tally* tally, Trail* trail,
+                std::span<const Ray> beside = {});
 
 }  // namespace vug::render

@@ -1,0 +1,62 @@
+#include <vug/base/parallel.h>
+#include <vug/render/bright_edges.h>
+#include <vug/render/paths/vertex.h>
+
+#include <algorithm>
+
+namespace vug::render {
+namespace {
+
+/// Through each pixel; with its four neighbours ten rays say what a pixel sees.
+constexpr uint32_t kLooks = 2;
+constexpr uint64_t kSalt = 0x65646765ull;
+/// Beyond this part of the brightest the dimmest is another thing, not a slope of the sky.
+constexpr float kDifference = 0.2f;
+
+struct Range {
+  float least = kFar, most = 0;
+  void take_in(const Range& other) {
+    least = std::min(least, other.least), most = std::max(most, other.most);
+  }
+};
+
+}  // namespace
+
+BrightEdges::BrightEdges(const World& world, const Region& region, const Vec2i& width_height,
+                         uint64_t seed, const std::function<Ray(const SampleId&)>& camera_ray,
+                         Progress& progress)
+    : region_(region) {
+  const Region wide = Region{region.x0 - 1, region.y0 - 1, region.x1 + 1, region.y1 + 1}.overlap(
+      {0, 0, width_height.x, width_height.y});
+  std::vector<Range> seen(wide.pixels());
+  progress.begin("looking for bright edges", static_cast<uint64_t>(wide.height()));
+  parallel_for(static_cast<size_t>(wide.height()), [&](size_t line) {
+    progress.check();
+    SampleId id;
+    id.seed = seed ^ kSalt, id.spp = kLooks;
+    id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(line);
+    for (int x = wide.x0; x < wide.x1; ++x) {
+      id.x = static_cast<uint32_t>(x);
+      Range& own = seen[wide.index(x, static_cast<int>(id.y))];
+      for (id.index = 0; id.index < kLooks; ++id.index) {
+        TrackingNumbers tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
+        const float bright = luminance(seen_by_camera(world, camera_ray(id), tracking, nullptr));
+        own.take_in({bright, bright});
+      }
+    }
+    progress.advance();
+  });
+  progress.end();
+  edges_.resize(region.pixels());
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      Range around;
+      const Region across = Region{x - 1, y, x + 2, y + 1}.overlap(wide);
+      const Region along = Region{x, y - 1, x + 1, y + 2}.overlap(wide);
+      for (int u = across.x0; u < across.x1; ++u) around.take_in(seen[wide.index(u, y)]);
+      for (int v = along.y0; v < along.y1; ++v) around.take_in(seen[wide.index(x, v)]);
+      edges_[region.index(x, y)] = around.most - around.least > kDifference * around.most;
+    }
+}
+
+}  // namespace vug::render
