@@ -1,4 +1,5 @@
 """Cells in a scene: what is refused and where, what is written, the same bytes for any number of threads."""
+import json
 import unittest
 
 from vug import VugTest, digest
@@ -28,8 +29,7 @@ class Cells(VugTest):
         self.refused("spacing 20cm  run vornoi()", run, "unknown function 'vornoi'", "did you mean 'voronoi'?")
         self.refused("spacing 20cm  grid trangle  run maze", at + len("spacing 20cm  grid "), "there is no grid 'trangle'",
                      "did you mean 'triangle'?")
-        self.refused("spacing 20cm  run maze", 15, "'cells' stands on a mesh, not the name 'wal'", "did you mean 'wall'?", "wal")
-        self.refused("spacing 20cm  run maze", 15, "cells stand on a mesh, not on a volume", "mesh NAME on rock {}", "rock")
+        self.refused("spacing 20cm  run maze", 15, "'cells' stands on a mesh or level set, not the name 'wal'", "did you mean 'wall'?", "wal")
         for spacing in ("0", "0cm", "-2cm"):
             self.refused(f"spacing {spacing}  run maze", at, "the spacing of cells is a length above 0", "for instance: spacing 2cm")
         self.refused("spacing 20cm", 7, "'cells' needs 'run'", "run: rules")
@@ -67,6 +67,32 @@ class Cells(VugTest):
         head = (self.folder / "two/two.ply").read_bytes().split(b"end_header")[0].decode()
         self.assertIn("property float dust\n", head)
         self.assertIn("property float crack\n", head)
+
+    def test_how_even_they_are_is_measured(self):
+        self.write("s.vug", SCENE % ("wall", "spacing 12cm  harmonise squared  run corrosion(share: 20%, loss: 100%)"))
+        report = json.loads(self.expect(0, "measure", "s.vug", "--cells", "skin", "--json").out)
+        self.assertEqual(report["on"], {"wall": report["cells"]})
+        self.assertAlmostEqual(report["cells"], 4 * 3.14159 / 0.12 ** 2, delta=0.1 * report["cells"])
+        self.assertEqual(report["components"], 1)
+        self.assertEqual(sum(report["links"].values()), report["cells"])
+        self.assertEqual(sum(report["states"].values()), report["cells"])
+        self.assertGreaterEqual(report["five_to_seven"], 0.97)
+        self.assertEqual(len(report["harmonising"]), 30)
+        self.assertLess(report["variation"], 0.6 * report["harmonising"][0]["variation"])
+        self.write("p.vug", SCENE % ("wall", "spacing 12cm  harmonise paper  run corrosion(share: 20%, loss: 100%)"))
+        paper = json.loads(self.expect(0, "measure", "p.vug", "--cells", "skin", "--json").out)
+        self.assertGreater(paper["variation"], report["variation"])
+        self.assertIn("five_to_seven: ", self.expect(0, "measure", "s.vug", "--cells", "skin").out)
+        self.assertIn("did you mean 'skin'?", self.expect(2, "measure", "s.vug", "--cells", "skim").err)
+        self.assertIn("--cells is for scenes", self.expect(2, "measure", "s.ply", "--cells", "skin").err)
+
+    def test_several_objects(self):
+        self.write("s.vug", SCENE.replace("render", "volume other = level_set(box(size: (2, 0.4, 2)).translate((0, -1, 0)), voxel: 10cm)\n"
+                                          "render") % ("wall, other", "spacing 15cm  run sprinkle(attribute: \"wet\")"))
+        self.expect(0, "build", "s.vug", "-o", "out")
+        self.assertEqual(self.files(), ["out/s.vdb", "out/s_skin_other.ply", "out/s_skin_wall.ply", "s.vug"])
+        for name in ("wall", "other"):
+            self.assertIn(b"property float wet\n", (self.folder / f"out/s_skin_{name}.ply").read_bytes())
 
     def test_voxels_larger_than_cells_are_doubtful(self):
         self.write("s.vug", SCENE % ("wall", "spacing 5cm  run maze"))

@@ -180,6 +180,7 @@ void check_params_read(const Document& document, Diagnostics& diagnostics) {
   for (const Declaration& made : document.declarations) {
     reader.add(made.value);
     reader.add(made.target);
+    for (const ExprPtr& target : made.more_targets) reader.add(target);
     reader.add(made.entries);
   }
   for (const Grammar& grammar : document.grammars) {

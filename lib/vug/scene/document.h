@@ -41,19 +41,25 @@ struct Entry {
   std::vector<ExprPtr> values;  ///< At least one; clauses have exactly one.
 };
 
-/// `kind name = value` or `kind name on target { entries }`. After a fault it may be broken, when
-/// its kind and name are all that is sure of it, or incomplete, when some of its entries are lost.
+/// `kind name = value` or `kind name on target, target { entries }`. After a fault it may be
+/// broken, when its kind and name are all that is sure of it, or incomplete, when some of its
+/// entries are lost.
 struct Declaration {
   std::string kind;
   SourceLocation kind_where;
   std::string name;
-  SourceLocation where;        ///< Of the name.
-  ExprPtr value;               ///< Null in the block form.
-  ExprPtr target;              ///< What follows `on`; null without.
-  SourceLocation on_where;     ///< Of the word `on`.
-  std::vector<Entry> entries;  ///< Empty in the `=` form.
+  SourceLocation where;               ///< Of the name.
+  ExprPtr value;                      ///< Null in the block form.
+  ExprPtr target;                     ///< What follows `on`; null without.
+  std::vector<ExprPtr> more_targets;  ///< Behind it, after commas.
+  SourceLocation on_where;            ///< Of the word `on`.
+  std::vector<Entry> entries;         ///< Empty in the `=` form.
   bool broken = false;
   bool incomplete = false;
+
+  const Expr& target_at(size_t number) const {
+    return number == 0 ? *target : *more_targets.at(number - 1);
+  }
 };
 
 /// One part of a right-hand side or of the axiom: `op amount shape * count clauses`.

@@ -135,8 +135,10 @@ std::string dump(const Document& document) {
   for (const Let& let : document.lets)
     out += fmt::format("let {} = {}\n", let.name, dump(let.value));
   for (const Declaration& made : document.declarations) {
-    out += fmt::format("{} {} = {} on {}\n", made.kind, made.name, dump(made.value),
-                       dump(made.target));
+    out +=
+        fmt::format("{} {} = {} on {}", made.kind, made.name, dump(made.value), dump(made.target));
+    for (const ExprPtr& target : made.more_targets) out += ", " + dump(target);
+    out += '\n';
     for (const Entry& entry : made.entries) out += "  " + dump(entry) + '\n';
   }
   for (const Grammar& grammar : document.grammars) out += dump(grammar);

@@ -179,6 +179,10 @@ class StatementParser {
         cursor_.skip_newlines();
         made.on_where = cursor_.where(cursor_.take());
         made.target = exprs_.whole();
+        while (cursor_.accept(",")) {
+          cursor_.skip_newlines();
+          made.more_targets.push_back(exprs_.whole());
+        }
       }
       if (!cursor_.accept_beyond_newlines("{")) {
         const std::string hint =

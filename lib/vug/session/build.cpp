@@ -37,10 +37,12 @@ std::string why_empty(const VolumePlan& plan) {
   return "its solid is empty or thinner than a voxel";
 }
 
-/// The plan and all that it stands on.
-void add_with_below(const MeshPtr& plan, std::vector<MeshPtr>& meshes) {
-  for (MeshPtr each = plan; each; each = each->cells ? each->cells->on : nullptr)
-    meshes.push_back(each);
+/// The plan and all that it is made of.
+void add_with_parts(const MeshPtr& plan, std::vector<MeshPtr>& meshes) {
+  meshes.push_back(plan);
+  for (const MeshPtr& part : plan->parts) add_with_parts(part, meshes);
+  if (!plan->cells) return;
+  for (const MeshPtr& ground : plan->cells->on) add_with_parts(ground, meshes);
 }
 
 }  // namespace
@@ -83,13 +85,13 @@ void Builder::take_over(Builder&& other) {
   std::set<VolumePtr> volumes(shot_.volumes.begin(), shot_.volumes.end());
   volumes.insert(shot_.medium_volume);
   std::vector<MeshPtr> meshes;
-  for (const MeshPtr& plan : meshes_of(shot_)) add_with_below(plan, meshes);
-  for (const ObjectPlan& object : shot_.objects) add_with_below(object.mesh, meshes);
+  for (const MeshPtr& plan : meshes_of(shot_)) add_with_parts(plan, meshes);
+  for (const ObjectPlan& object : shot_.objects) add_with_parts(object.mesh, meshes);
   for (const PlacePlan& place : shot_.places)
     for (const Model& model : place.of)
-      if (model.mesh) add_with_below(model.mesh, meshes);
+      if (model.mesh) add_with_parts(model.mesh, meshes);
   for (const MeshPtr& plan : meshes) {
-    volumes.insert(plan->volume);
+    if (plan->volume) volumes.insert(plan->volume);
     const MadeMesh* mesh = other.made(plan);
     if (mesh && meshes_.emplace(plan, *mesh).second) held_ += bytes_of(*mesh->mesh);
     if (const auto skin = other.skins_.find(plan->cells);
@@ -127,13 +129,17 @@ const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
 
 void Builder::require_room(const MeshPtr& plan) const {
   if (made(plan)) return;
-  const VolumePlan& volume = *plan->volume;
-  if (plan->cells) {
-    require_room(plan->cells->on);
-    if (skins_.count(plan->cells) == 0)
-      require_skin_room(*plan->cells, area_of(plan->volume), room());
-    return;
+  for (const MeshPtr& part : plan->parts) require_room(part);
+  if (plan->cells && skins_.count(plan->cells) == 0) {
+    double area = 0;
+    for (const MeshPtr& ground : plan->cells->on) {
+      require_room(ground);
+      if (ground->volume) area += area_of(ground->volume);
+    }
+    require_skin_room(*plan->cells, area, room());
   }
+  if (plan->cells || !plan->volume) return;
+  const VolumePlan& volume = *plan->volume;
   if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
   const double band = 2 * volume.half_width;
   if (meshing_bytes(most_active_voxels(volume), band) <= static_cast<double>(room())) return;
@@ -150,7 +156,9 @@ mesh::MeshPtr Builder::mesh(const MeshPtr& plan) {
   if (const MadeMesh* known = made(plan)) return known->mesh;
   require_room(plan);
   try {
-    MadeMesh mesh = plan->cells ? make_worn(*plan) : make_bare(*plan);
+    MadeMesh mesh = plan->cells            ? make_worn(*plan)
+                    : !plan->parts.empty() ? make_merged(*plan)
+                                           : make_bare(*plan);
     held_ += bytes_of(*mesh.mesh);
     return meshes_.emplace(plan, std::move(mesh)).first->second.mesh;
   } catch (Error& error) {
@@ -166,26 +174,42 @@ Builder::MadeMesh Builder::make_bare(const MeshPlan& plan) {
 }
 
 Builder::MadeMesh Builder::make_worn(const MeshPlan& plan) {
-  const CellsPlan& cells = *plan.cells;
-  if (plan.volume->voxel > 1.01 * cells.spacing)
-    warn(cells.where,
+  if (plan.volume && plan.volume->voxel > 1.01 * plan.cells->spacing)
+    warn(plan.cells->where,
          fmt::format("the voxels of '{}' are larger than the cells, so that not all of these can "
                      "show",
                      plan.volume->name),
          "use smaller voxels or a larger spacing");
   const SkinPtr skin = this->skin(plan.cells);
-  const mesh::MeshPtr bare = mesh(cells.on);
+  const MeshPtr under = below(plan);
+  const mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
   return {std::make_shared<const mesh::Mesh>(wear(*bare, *skin, progress_)),
-          pieces_left_out(cells.on)};
+          pieces_left_out(under)};
+}
+
+Builder::MadeMesh Builder::make_merged(const MeshPlan& plan) {
+  std::vector<mesh::MeshPtr> parts;
+  MadeMesh made;
+  for (const MeshPtr& part : plan.parts) {
+    parts.push_back(mesh(part));
+    made.pieces_left_out += pieces_left_out(part);
+  }
+  made.mesh = std::make_shared<const mesh::Mesh>(merged(parts));
+  return made;
+}
+
+std::shared_ptr<const field::SampledGrid> Builder::solid(const MeshPtr& plan) {
+  return plan->volume ? volume::samples(level_set(plan->volume)) : nullptr;
 }
 
 SkinPtr Builder::skin(const CellsPtr& plan) {
   if (const auto known = skins_.find(plan); known != skins_.end()) return known->second;
-  const Ground ground{mesh(plan->on), volume::samples(level_set(plan->on->volume))};
+  std::vector<Ground> grounds;
+  for (const MeshPtr& each : plan->on) grounds.push_back({mesh(each), solid(each)});
   const Stopwatch watch(seconds_);
   try {
-    auto made = std::make_shared<const Skin>(make_skin(*plan, ground, room(), progress_));
+    auto made = std::make_shared<const Skin>(make_skin(*plan, grounds, room(), progress_));
     held_ += made->simulation.bytes();
     return skins_.emplace(plan, std::move(made)).first->second;
   } catch (Error& error) {
@@ -231,7 +255,7 @@ size_t Builder::pieces_left_out(const MeshPtr& plan) const {
 std::vector<MeshPtr> declared_meshes(const Shot& shot) {
   std::set<MeshPtr> bare;
   for (const MeshPtr& mesh : shot.meshes)
-    if (mesh->cells) bare.insert(mesh->cells->on);
+    if (mesh->cells) bare.insert(mesh->cells->on.begin(), mesh->cells->on.end());
   std::vector<MeshPtr> kept;
   std::copy_if(shot.meshes.begin(), shot.meshes.end(), std::back_inserter(kept),
                [&](const MeshPtr& mesh) { return bare.count(mesh) == 0; });
@@ -243,10 +267,7 @@ std::vector<MeshPtr> meshes_of(const Shot& shot) {
   std::vector<MeshPtr> meshes;
   for (const VolumePtr& volume : shot.volumes) {
     if (volume->fog) continue;
-    MeshPlan plan;
-    plan.name = volume->name;
-    plan.volume = volume;
-    meshes.push_back(std::make_shared<const MeshPlan>(std::move(plan)));
+    meshes.push_back(plain_mesh(volume));
   }
   return meshes;
 }

@@ -35,6 +35,8 @@ class Builder {
 
   const volume::LevelSet& level_set(const VolumePtr& plan);
   mesh::MeshPtr mesh(const MeshPtr& plan);
+  /// The level set whose surface the mesh is, for masks; null where there is none.
+  std::shared_ptr<const field::SampledGrid> solid(const MeshPtr& plan);
   /// The cells that a mesh wears.
   SkinPtr skin(const CellsPtr& plan);
   /// The surface that the mesh would stand for, without one.
@@ -72,6 +74,7 @@ class Builder {
   const MadeMesh* made(const MeshPtr& plan) const;
   MadeMesh make_bare(const MeshPlan& plan);
   MadeMesh make_worn(const MeshPlan& plan);
+  MadeMesh make_merged(const MeshPlan& plan);
   /// Square metres of the volume's surface, about.
   double area_of(const VolumePtr& plan) const;
   volume::SurfaceBricksPtr made_surface(const MeshPtr& plan) const;

@@ -3,7 +3,6 @@
 #include <vug/session/blame.h>
 #include <vug/session/cast.h>
 #include <vug/session/places.h>
-#include <vug/volume/samples.h>
 
 #include <fmt/format.h>
 
@@ -32,7 +31,7 @@ render::Object made(Builder& builder, const ObjectPlan& plan) {
                         Vec3f(plan.emission),
                         plan.light_group,
                         material_name(builder.shot(), plan.material, plan.name),
-                        volume::samples(builder.level_set(plan.mesh->volume))};
+                        builder.solid(plan.mesh)};
   if (plan.direct) {
     object.surface = builder.surface(plan.mesh);
     object.color = plan.mesh->paint;

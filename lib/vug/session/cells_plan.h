@@ -3,6 +3,7 @@
 
 #include <vug/base/rng.h>
 #include <vug/cells/kind.h>
+#include <vug/cells/relax.h>
 #include <vug/cells/rule.h>
 #include <vug/session/shot.h>
 
@@ -27,12 +28,13 @@ using CellStagePtr = std::shared_ptr<const CellStage>;
 
 struct CellsPlan {
   std::string name;
-  MeshPtr on;                       ///< What they stand on.
+  std::vector<MeshPtr> on;          ///< What they stand on.
   std::optional<cells::Grid> grid;  ///< Not given: random.
   double spacing = 0.02;            ///< Metres.
   std::optional<int> relax;         ///< Steps of harmonising; not given: the grid's own.
-  std::vector<CellStagePtr> run;    ///< In the order in which they work within a step.
-  std::optional<int> steps;         ///< Of the whole run; see length.
+  cells::Force harmonise = cells::Force::squared;
+  std::vector<CellStagePtr> run;  ///< In the order in which they work within a step.
+  std::optional<int> steps;       ///< Of the whole run; see length.
   RandomKey key{0};
   SourceLocation where;          ///< Its name in the text.
   SourceLocation spacing_where;  ///< What `spacing` says there.
@@ -40,5 +42,14 @@ struct CellsPlan {
   /// Steps of the whole run: `steps`, else what the last stage needs: 100 if it says nothing.
   int length() const;
 };
+
+/// The mesh without the last cells that it wears; null where it wears none.
+MeshPtr below(const MeshPlan& mesh);
+
+/// What the mesh is made of: its parts, or itself.
+std::vector<MeshPtr> parts_of(const MeshPtr& mesh);
+
+/// Of its parts the one that is `ground` under what it wears; null where there is none.
+MeshPtr part_on(const MeshPtr& mesh, const MeshPtr& ground);
 
 }  // namespace vug::session

@@ -33,7 +33,14 @@ std::vector<std::string> declaration_words() {
 /// Only some kinds stand on something; elsewhere an `on` would mean nothing.
 void check_target(const scene::Declaration& declaration, const DeclarationKind& kind,
                   Diagnostics& diagnostics) {
-  if (!declaration.target || !kind.stands_on.empty()) return;
+  if (!declaration.target) return;
+  if (!kind.stands_on.empty()) {
+    if (!declaration.more_targets.empty() && !kind.on_several)
+      diagnostics.error(declaration.more_targets[0]->where,
+                        fmt::format("a {} stands on one {}", declaration.kind, kind.stands_on),
+                        "what stands on several: cells");
+    return;
+  }
   std::vector<std::string> standing;
   for (const DeclarationKind* each : declaration_kinds())
     if (!each->stands_on.empty())

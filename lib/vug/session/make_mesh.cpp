@@ -4,6 +4,8 @@
 #include <vug/session/room.h>
 #include <vug/volume/samples.h>
 
+#include <algorithm>
+
 namespace vug::session {
 namespace {
 
@@ -33,6 +35,31 @@ mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surfac
       meshing::polygonize(surface, exact, polygonize, progress).mesh, plan.smallest_piece);
   if (plan.paint) add_colors(pieces.mesh, plan.paint, surface);
   return pieces;
+}
+
+mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts) {
+  mesh::Mesh all;
+  for (const mesh::MeshPtr& part : parts) {
+    const auto first = static_cast<uint32_t>(all.positions.size());
+    all.positions.insert(all.positions.end(), part->positions.begin(), part->positions.end());
+    all.normals.insert(all.normals.end(), part->normals.begin(), part->normals.end());
+    for (const mesh::Triangle& t : part->triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    for (const mesh::Attribute& own : part->attributes) {
+      const auto same = [&](const mesh::Attribute& each) {
+        return each.name == own.name && each.arity == own.arity;
+      };
+      auto known = std::find_if(all.attributes.begin(), all.attributes.end(), same);
+      if (known == all.attributes.end())
+        known = all.attributes.insert(known, {own.name, own.arity, {}});
+      known->values.resize(first * static_cast<size_t>(own.arity));
+      known->values.insert(known->values.end(), own.values.begin(), own.values.end());
+    }
+  }
+  for (mesh::Attribute& each : all.attributes)
+    each.values.resize(all.positions.size() * static_cast<size_t>(each.arity));
+  if (all.normals.size() != all.positions.size()) all.normals.clear();
+  return all;
 }
 
 }  // namespace vug::session

@@ -13,4 +13,8 @@ namespace vug::session {
 mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
                             Progress& progress);
 
+/// All in one, in their order; what one of them does not carry is 0 there, and without normals of
+/// all there are none.
+mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts);
+
 }  // namespace vug::session

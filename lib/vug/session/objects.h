@@ -16,4 +16,19 @@ struct ValueTraits<session::MeshPtr> : ObjectTraits<session::MeshPtr> {
   static constexpr const char* kWord = "mesh";
 };
 
+/// A mesh, or a level set that stands for a plain mesh of it.
+namespace session {
+struct AnyMesh {
+  MeshPtr mesh;
+};
+}  // namespace session
+template <>
+struct ValueTraits<session::AnyMesh> {
+  static std::string type() { return "mesh or level set"; }
+  static std::optional<session::AnyMesh> read(const Value& value);
+  static Value write(const session::AnyMesh& any) {
+    return ValueTraits<session::MeshPtr>::write(any.mesh);
+  }
+};
+
 }  // namespace vug

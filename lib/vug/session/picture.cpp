@@ -50,7 +50,8 @@ void warn_of_rock(Builder& builder, const RenderPlan& plan, const std::vector<Ob
                   const render::Camera& camera) {
   const Vec3d eye(camera.eye());
   const auto holds_eye = [&](const ObjectPlan& object) {
-    return builder.level_set(object.mesh->volume).value(eye) < 0;
+    const VolumePtr& volume = object.mesh->volume;
+    return volume && builder.level_set(volume).value(eye) < 0;
   };
   const auto solid = std::find_if(objects.begin(), objects.end(), holds_eye);
   if (solid == objects.end()) return;

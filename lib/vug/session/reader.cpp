@@ -92,10 +92,19 @@ bool has_block(const scene::Declaration& declaration, Reading& reading) {
   return false;
 }
 
-Value target_value(const std::string& kind, const scene::Declaration& declaration,
+Value target_value(const std::string& kind, const scene::Declaration& declaration, size_t number,
                    Reading& reading) {
-  if (auto value = declared_value(kind, *declaration.target, reading)) return *value;
-  return reading.evaluator.eval(*declaration.target, reading.evaluator.key(declaration).at("on"));
+  const scene::Expr& target = declaration.target_at(number);
+  if (auto value = declared_value(kind, target, reading)) return *value;
+  const RandomKey key = reading.evaluator.key(declaration).at("on");
+  return reading.evaluator.eval(target, number == 0 ? key : key.at(number));
+}
+
+void report_no_target(const std::string& kind, const scene::Declaration& declaration,
+                      Reading& reading) {
+  reading.diagnostics.error(
+      declaration.where, fmt::format("'{}' needs 'on' and a {}", declaration.kind, kind),
+      fmt::format("{} {} on NAME {{ ... }}", declaration.kind, declaration.name));
 }
 
 namespace {
@@ -195,3 +204,11 @@ Value read_family(const std::string& type, const std::string& fallback,
 }
 
 }  // namespace vug::session
+
+std::optional<vug::session::AnyMesh> vug::ValueTraits<vug::session::AnyMesh>::read(
+    const Value& value) {
+  if (const auto* mesh = value.object<session::MeshPtr>()) return session::AnyMesh{*mesh};
+  const auto* volume = value.object<session::VolumePtr>();
+  if (!volume || (*volume)->fog) return std::nullopt;
+  return session::AnyMesh{session::plain_mesh(*volume)};
+}

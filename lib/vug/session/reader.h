@@ -24,6 +24,7 @@ struct DeclarationKind {
   KindInfo info;
   std::function<Value(const scene::Declaration&, Reading&)> read;
   std::string stands_on = {};  ///< What follows `on`: "volume", "mesh"; empty: there is no `on`.
+  bool on_several = false;     ///< More of them may follow after commas.
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();
@@ -79,29 +80,47 @@ Value kind_value(const Family& family, const scene::Expr& expr, RandomKey key, R
 Value read_family(const std::string& type, const std::string& fallback,
                   const scene::Declaration& declaration, Reading& reading);
 
-/// What stands after `on`; a bare name means what `kind` declares under it, if that is something.
-Value target_value(const std::string& kind, const scene::Declaration& declaration,
+/// What one of those after `on` is, the first of them number 0; a bare name means what `kind`
+/// declares under it, if that is something.
+Value target_value(const std::string& kind, const scene::Declaration& declaration, size_t number,
                    Reading& reading);
 
-/// What stands after `on`, as a T; null with a diagnostic that names the expected type.
+/// A diagnostic where a block that stands on a `kind` says nothing of it.
+void report_no_target(const std::string& kind, const scene::Declaration& declaration,
+                      Reading& reading);
+
+/// All that stands after `on`, as Ts; empty with a diagnostic that names the expected type.
 template <class T>
-T read_target(const scene::Declaration& declaration, Reading& reading) {
-  const std::string expected = ValueTraits<T>::type();
+std::vector<T> read_targets(const scene::Declaration& declaration, Reading& reading,
+                            const std::string& kind = ValueTraits<T>::type()) {
   if (declaration.value) return {};  // read_block has told that a block is needed
   if (!declaration.target) {
-    reading.diagnostics.error(declaration.where,
-                              "'" + declaration.kind + "' needs 'on' and a " + expected,
-                              declaration.kind + " " + declaration.name + " on NAME { ... }");
+    report_no_target(kind, declaration, reading);
     return {};
   }
-  const Value value = target_value(expected, declaration, reading);
-  if (value.empty()) return {};
-  if (auto target = ValueTraits<T>::read(value)) return *target;
-  Diagnostics own;
-  own.error(declaration.target->where,
-            "'" + declaration.kind + "' stands on a " + expected + ", not " + value.type_name());
-  reading.evaluator.tell(own, {{"on", value, declaration.target->where}});
-  return {};
+  std::vector<T> all;
+  const size_t count = 1 + declaration.more_targets.size();
+  for (size_t i = 0; i < count; ++i) {
+    const Value value = target_value(kind, declaration, i, reading);
+    if (value.empty()) continue;
+    if (auto target = ValueTraits<T>::read(value)) {
+      all.push_back(*target);
+      continue;
+    }
+    const SourceLocation& where = declaration.target_at(i).where;
+    Diagnostics own;
+    own.error(where, "'" + declaration.kind + "' stands on a " + ValueTraits<T>::type() + ", not " +
+                         value.type_name());
+    reading.evaluator.tell(own, {{"on", value, where}});
+  }
+  return all.size() == count ? all : std::vector<T>();
+}
+
+/// The one thing that stands after `on`; null with a diagnostic.
+template <class T>
+T read_target(const scene::Declaration& declaration, Reading& reading) {
+  const std::vector<T> all = read_targets<T>(declaration, reading);
+  return all.empty() ? T{} : all.front();
 }
 
 }  // namespace vug::session

@@ -19,6 +19,13 @@ void with_lists(A& a, B& b, const With& with) {
 
 }  // namespace
 
+MeshPtr plain_mesh(const VolumePtr& volume) {
+  MeshPlan plan;
+  plan.name = volume->name;
+  plan.volume = volume;
+  return std::make_shared<const MeshPlan>(std::move(plan));
+}
+
 Shot::Ends Shot::ends() const {
   Ends out;
   out.medium = medium != nullptr;

@@ -42,20 +42,25 @@ using VolumePtr = std::shared_ptr<const VolumePlan>;
 struct CellsPlan;  ///< See cells_plan.h.
 using CellsPtr = std::shared_ptr<const CellsPlan>;
 
-/// `mesh NAME on VOLUME { ... }`.
+/// `mesh NAME on VOLUME { ... }`, such a mesh wearing cells, or several in one.
 struct MeshPlan {
   std::string name;
-  VolumePtr volume;
+  VolumePtr volume;            ///< Null for several.
   double adaptivity = 0;       ///< 0 keeps every quad, 1 merges what is flat.
   bool polish = true;          ///< Move vertices onto the exact field.
   double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
-  CellsPtr cells;              ///< That it wears on what they stand on; null: none.
+  CellsPtr cells;              ///< That it wears on one of what they stand on; null: none.
+  size_t ground = 0;           ///< On which.
+  std::vector<std::shared_ptr<const MeshPlan>> parts;  ///< All that it is in one; none: itself.
 
   bool operator==(const MeshPlan&) const = default;
 };
 using MeshPtr = std::shared_ptr<const MeshPlan>;
+
+/// A mesh of the level set that nobody has asked for otherwise, of the same name.
+MeshPtr plain_mesh(const VolumePtr& volume);
 
 /// `object NAME on MESH { ... }`: a mesh with what it is made of, for pictures.
 struct ObjectPlan {

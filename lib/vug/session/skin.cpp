@@ -15,15 +15,24 @@ cells::BuildOptions build_options(const CellsPlan& plan, uint64_t memory) {
   options.spacing = plan.spacing;
   options.key = plan.key;
   options.relax = plan.relax;
+  options.force = plan.harmonise;
   options.memory = memory;
   return options;
 }
 
-cells::Built network(const CellsPlan& plan, const Ground& ground, uint64_t memory,
+cells::Built network(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
                      Progress& progress) {
-  if (ground.mesh->triangles.empty()) return {};
+  std::vector<mesh::MeshPtr> meshes;
+  std::vector<uint32_t> numbers;  // of those with a surface among all
+  for (uint32_t i = 0; i < grounds.size(); ++i)
+    if (!grounds[i].mesh->triangles.empty())
+      meshes.push_back(grounds[i].mesh), numbers.push_back(i);
+  if (meshes.empty()) return {};
   try {
-    return cells::build(cells::Surface({ground.mesh}), build_options(plan, memory), progress);
+    const cells::Surface surface(meshes);
+    cells::Built built = cells::build(surface, build_options(plan, memory), progress);
+    for (uint32_t& object : built.network.object) object = numbers[object];
+    return built;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
     throw blamed_on(plan.spacing_where, error);
@@ -32,10 +41,11 @@ cells::Built network(const CellsPlan& plan, const Ground& ground, uint64_t memor
 
 /// A cell is rewritten with the chance that the mask gives at its place.
 std::vector<uint8_t> chosen(const CellStage& stage, const cells::Network& cells, RandomKey key,
-                            const Ground& ground) {
+                            const std::vector<Ground>& grounds) {
   std::vector<uint8_t> where(stage.where ? cells.size() : 0);
   parallel_for(where.size(), [&](size_t i) {
-    const paint::Spot spot{Vec3d(cells.position[i]), Vec3d(cells.normal[i]), ground.solid.get()};
+    const paint::Spot spot{Vec3d(cells.position[i]), Vec3d(cells.normal[i]),
+                           grounds[cells.object[i]].solid.get()};
     RandomStream random(key.at(cells::place_of(cells.position[i])));
     where[i] = random.uniform() < (*stage.where)(spot);
   });
@@ -43,7 +53,7 @@ std::vector<uint8_t> chosen(const CellStage& stage, const cells::Network& cells,
 }
 
 std::vector<cells::Stage> stages(const CellsPlan& plan, const cells::Network& cells,
-                                 const Ground& ground) {
+                                 const std::vector<Ground>& grounds) {
   std::vector<cells::Stage> all;
   std::map<std::string, int> used;
   for (const CellStagePtr& stage : plan.run) {
@@ -51,7 +61,7 @@ std::vector<cells::Stage> stages(const CellsPlan& plan, const cells::Network& ce
     const int before = used[stage->name]++;
     cells::Stage each{stage->rule, stage->name, stage->begin, stage->span(), {}};
     if (before > 0) each.name += fmt::format(" {}", before + 1);
-    each.where = chosen(*stage, cells, plan.key.at("where").at(each.name), ground);
+    each.where = chosen(*stage, cells, plan.key.at("where").at(each.name), grounds);
     all.push_back(std::move(each));
   }
   return all;
@@ -59,13 +69,14 @@ std::vector<cells::Stage> stages(const CellsPlan& plan, const cells::Network& ce
 
 }  // namespace
 
-Skin make_skin(const CellsPlan& plan, const Ground& ground, uint64_t memory, Progress& progress) {
-  cells::Built built = network(plan, ground, memory, progress);
+Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
+               Progress& progress) {
+  cells::Built built = network(plan, grounds, memory, progress);
   const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
   Skin skin{cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
   if (cells->size() == 0) return skin;
   try {
-    skin.simulation.run(stages(plan, *cells, ground), plan.length(), progress);
+    skin.simulation.run(stages(plan, *cells, grounds), plan.length(), progress);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
     throw blamed_on(plan.where, error);

@@ -29,9 +29,10 @@ struct Skin {
 using SkinPtr = std::shared_ptr<const Skin>;
 
 /// Makes the network and runs the plan's rules on it. Errors of the spacing are told where the text
-/// gives it; Error(too_large) where `memory` bytes do not suffice. No cells where the mesh is
-/// empty.
-Skin make_skin(const CellsPlan& plan, const Ground& ground, uint64_t memory, Progress& progress);
+/// gives it; Error(too_large) where `memory` bytes do not suffice. `object` of a cell is its
+/// ground's number; there are no cells on meshes that are empty.
+Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
+               Progress& progress);
 
 /// Error(too_large) at the spacing where cells on so many square metres need more than `memory`
 /// bytes.

@@ -50,15 +50,6 @@ Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
 
 }  // namespace
 
-int CellsPlan::length() const {
-  if (steps) return *steps;
-  constexpr int kOpenEnd = 100;  // for rules that work to the end
-  int last = 0;
-  for (const CellStagePtr& stage : run)
-    last = std::max(last, stage->begin + (stage->span() < 0 ? kOpenEnd : stage->span()));
-  return last;
-}
-
 const Kinds<CellStagePtr>& cell_stages() {
   static const std::deque<Kind<CellStagePtr>> made = [] {
     std::deque<Kind<CellStagePtr>> all;

@@ -47,11 +47,11 @@ TEST(Language, CellsOfTheirPageAreOnAMesh) {
   const MeshPlan& mesh = *loaded.shot.objects[0].mesh;
   ASSERT_TRUE(mesh.cells);
   EXPECT_EQ(mesh.name, "crust");
-  EXPECT_EQ(mesh.cells->on->name, "wall");
+  EXPECT_EQ(mesh.cells->on.at(0)->name, "wall");
   EXPECT_EQ(mesh.cells->run.size(), 4u);
   EXPECT_EQ(mesh.cells->run[0]->span(), 1);
   EXPECT_EQ(mesh.cells->run[1]->span(), -1);
-  EXPECT_EQ(mesh.cells->length(), 100);
+  EXPECT_EQ(mesh.cells->length(), 130);
 }
 
 TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {

@@ -4,6 +4,11 @@
 #include <vug/session/build.h>
 #include <vug/session/load.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace vug::session {
 namespace {
 
@@ -18,16 +23,16 @@ Shot shot_of(const std::string& cells) {
 
 TEST(Skin, IsMadeOnceAndHeld) {
   const Shot shot =
-      shot_of("cells skin on wall { spacing 10cm  run sprinkle(attribute: \"wet\") }");
+      shot_of("cells skin on wall { spacing 10cm  steps 7  run sprinkle(attribute: \"wet\") }");
   BuildOptions options;
   options.max_memory = uint64_t{1} << 30;
   Builder builder(shot, options);
   const CellsPtr cells = shot.meshes.back()->cells;
-  builder.mesh(cells->on);
+  builder.mesh(cells->on.at(0));
   const uint64_t room = builder.room();
   const SkinPtr skin = builder.skin(cells);
   EXPECT_NEAR(static_cast<double>(skin->network().size()), 4 * kPi / 0.01, 0.2 * 4 * kPi / 0.01);
-  EXPECT_EQ(skin->simulation.step(), 100);
+  EXPECT_EQ(skin->simulation.step(), 7);
   EXPECT_EQ(room - builder.room(), skin->simulation.bytes());
   // Three vectors, two numbers and six links or so of a cell, and what it carries.
   EXPECT_GT(skin->simulation.bytes(), skin->network().size() * (3 * 12 + 2 * 4 + 4 * 4 + 4));
@@ -61,6 +66,85 @@ TEST(Skin, TooManyCellsAreRefusedBeforeAnyWork) {
     EXPECT_EQ(error.hint().rfind("use a larger spacing", 0), 0u) << error.hint();
   }
   EXPECT_EQ(builder.seconds(), 0);
+}
+
+/// Two cubes side by side, `gap` metres apart, in one network.
+std::string cubes(double gap) {
+  return fmt::format(
+      "volume left = level_set(box().translate((-0.5, 0, 0)), voxel: 5cm)\n"
+      "volume right = level_set(box().translate(({}, 0, 0)), voxel: 5cm)\n"
+      "mesh wall on left {{ paint (1, 0, 0) }}\n"
+      "cells skin on wall, right {{ spacing 5cm  steps 3  run random_color(share: 5%) }}\n",
+      0.5 + gap);
+}
+
+TEST(Skin, ObjectsThatTouchAreOneNetwork) {
+  for (const double gap : {0.0, 0.3}) {
+    const Loaded loaded = load_text(cubes(gap), "cubes.vug");
+    ASSERT_TRUE(loaded.usable()) << loaded.report();
+    Builder builder(loaded.shot);
+    ASSERT_EQ(loaded.shot.meshes.size(), 3u);
+    EXPECT_EQ(declared_meshes(loaded.shot).size(), 2u) << "those that wear the cells";
+    const cells::Network& n = builder.skin(loaded.shot.meshes.back()->cells)->network();
+    const auto pieces = cells::components(n.links);
+    EXPECT_EQ(*std::max_element(pieces.begin(), pieces.end()), gap > 0 ? 1u : 0u);
+    size_t across = 0, on_wall = 0;
+    for (uint32_t i = 0; i < n.size(); ++i) {
+      on_wall += n.object[i] == 0;
+      const float x = n.position[i].x;  // where they touch cells of both are
+      EXPECT_TRUE(std::fabs(x) < 1e-4F || (n.object[i] == 0) == (x < 0)) << n.position[i];
+      for (const uint32_t to : n.links.of(i)) across += n.object[i] != n.object[to];
+    }
+    EXPECT_NEAR(static_cast<double>(on_wall), 0.5 * static_cast<double>(n.size()),
+                0.05 * static_cast<double>(n.size()));
+    // A row of 20 cells along each of four sides, with one link over the line at least, mutual.
+    if (gap > 0)
+      EXPECT_EQ(across, 0u);
+    else
+      EXPECT_GT(across, 2u * 4 * 20 / 2);
+  }
+}
+
+TEST(Skin, EachOfSeveralObjectsShowsWithAMaterialOfItsOwn) {
+  const Loaded loaded = load_text(cubes(0) +
+                                      "material red = lambert(albedo: (0.8, 0.1, 0.1))\n"
+                                      "object a on skin { of wall  material red }\n"
+                                      "object b on skin { of right }\n"
+                                      "cells more on skin { spacing 10cm  run voronoi }\n"
+                                      "object c on more { of wall }\n"
+                                      "object all on skin {}\n",
+                                  "cubes.vug");
+  ASSERT_TRUE(loaded.usable()) << loaded.report();
+  const std::vector<ObjectPlan>& objects = loaded.shot.objects;
+  ASSERT_EQ(objects.size(), 5u);
+  Builder builder(loaded.shot);
+  const auto middle = [&](const ObjectPlan& object) {
+    return mesh::bounds(*builder.mesh(object.mesh)).center().x;
+  };
+  EXPECT_NEAR(middle(objects[0]), -0.5, 1e-3);
+  EXPECT_TRUE(objects[0].material);
+  EXPECT_NEAR(middle(objects[1]), 0.5, 1e-3);
+  EXPECT_FALSE(objects[1].material);
+  EXPECT_NEAR(middle(objects[2]), -0.5, 1e-3);
+  EXPECT_TRUE(mesh::find_attribute(*builder.mesh(objects[2].mesh), "transparent"));
+  EXPECT_EQ(objects[3].mesh, objects[0].mesh);
+  EXPECT_EQ(objects[4].mesh, objects[1].mesh);
+}
+
+TEST(Skin, SeveralMeshesInOneAreTheirSum) {
+  const Loaded loaded = load_text(cubes(0.3) + "render main { spp 1 }\n", "cubes.vug");
+  ASSERT_TRUE(loaded.usable()) << loaded.report();
+  Builder builder(loaded.shot);
+  MeshPlan both;
+  both.parts = declared_meshes(loaded.shot);
+  const auto one = builder.mesh(std::make_shared<const MeshPlan>(both));
+  const auto a = builder.mesh(both.parts.at(0)), b = builder.mesh(both.parts.at(1));
+  EXPECT_EQ(one->triangles.size(), a->triangles.size() + b->triangles.size());
+  EXPECT_EQ(one->normals.size(), one->positions.size());
+  for (const mesh::Attribute& each : one->attributes)
+    EXPECT_EQ(each.values.size(), one->positions.size() * static_cast<size_t>(each.arity));
+  EXPECT_NO_THROW(mesh::validate(*one, "both"));
+  EXPECT_EQ(mesh::bounds(*one).max.x, mesh::bounds(*b).max.x);
 }
 
 }  // namespace

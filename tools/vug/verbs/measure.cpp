@@ -1,10 +1,13 @@
 #include "bar.h"
 #include "load.h"
+#include "print.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
+#include <vug/session/describe_cells.h>
 #include <vug/session/measure.h>
+#include <nlohmann/json.hpp>
 
 namespace vug::cli {
 namespace {
@@ -13,6 +16,7 @@ struct Options {
   SceneOptions scene;
   WorkOptions work;
   std::string mesh;
+  std::string cells;
   bool json = false;
 };
 
@@ -22,6 +26,7 @@ void refuse_scene_options(const Options& options) {
                        : options.scene.seed           ? "--seed"
                        : options.scene.frame          ? "--frame"
                        : !options.mesh.empty()        ? "--mesh"
+                       : !options.cells.empty()       ? "--cells"
                                                       : nullptr;
   if (option)
     throw Error(ErrorCode::bad_input,
@@ -41,7 +46,18 @@ metrics::Report report_of(const Options& options) {
   return session::measure(builder, options.mesh);
 }
 
+int run_cells(const Options& options) {
+  if (extension_of(options.scene.scene) != ".vug") refuse_scene_options(options);
+  const session::Loaded loaded = options.scene.load();
+  const ThreadLimit threads(options.work.threads);
+  session::Builder builder(loaded.shot, options.work.build_options(loaded),
+                           terminal_progress(options.work.bar()));
+  print_report(session::describe_cells(builder, options.cells), options.json);
+  return kDone;
+}
+
 int run(const Options& options) {
+  if (!options.cells.empty()) return run_cells(options);
   const metrics::Report report = report_of(options);
   if (options.json)
     fmt::print("{}", metrics::to_json(report));
@@ -59,6 +75,9 @@ Verb measure_verb() {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
             app.add_option("--mesh", options->mesh, "which mesh of the scene; else the first");
+            app.add_option("--cells", options->cells,
+                           "the cells of that name instead: how even they are, how they are linked")
+                ->excludes("--mesh");
             app.add_flag("--json", options->json, "for programs");
             options->work.add_to(app);
             return [options] { return run(*options); };

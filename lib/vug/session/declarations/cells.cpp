@@ -11,8 +11,8 @@ Schema<CellsPlan> schema() {
   ParamSpec spacing = positive_length("from one cell to the next");
   spacing.required = true;
   s.doc(
-       "The mesh with what a network of cells on it has come to carry, as attributes of its "
-       "vertices: cells NAME on MESH { spacing 2cm  run RULE, RULE(...) }.")
+       "The mesh, or several meshes, with what a network of cells on them has come to carry, as "
+       "attributes of their vertices: cells NAME on MESH { spacing 2cm  run RULE, RULE(...) }.")
       .cite("gobron2006")
       .param("spacing", &CellsPlan::spacing, spacing)
       .param("grid", &CellsPlan::grid, {.doc = "the pattern of the cells; random if not given"})
@@ -21,6 +21,9 @@ Schema<CellsPlan> schema() {
                      "given",
               .min = 0,
               .max = 1000})
+      .choice("harmonise", &CellsPlan::harmonise,
+              {{"squared", cells::Force::squared}, {"paper", cells::Force::paper}},
+              "the law of that push: squared is more even, paper that of the source")
       .param("run", &CellsPlan::run,
              {.doc = "rules, with begin, steps and where; in a step each after those before it",
               .required = true})
@@ -58,8 +61,10 @@ Arguments arguments_of(const scene::Declaration& declaration, Reading& reading) 
           {entry.key, kinds_of(type_of(entry), entry, reading.evaluator.key(declaration), reading),
            entry.where});
   }
-  const auto none = [](const std::string&, const std::string&) { return false; };
-  for (Argument& each : block_arguments(plain, none, reading)) {
+  const auto is_choice = [](const std::string& key, const std::string& word) {
+    return has_choice(schema().info(), key, word);
+  };
+  for (Argument& each : block_arguments(plain, is_choice, reading)) {
     const Number* number = each.value.get<Number>();
     if (each.name == "spacing" && number && !(number->value > 0)) {
       reading.diagnostics.error(each.where, "the spacing of cells is a length above 0",
@@ -71,14 +76,42 @@ Arguments arguments_of(const scene::Declaration& declaration, Reading& reading) 
   return arguments;
 }
 
-/// Tells how a level set gets cells.
-bool refuse_volume(const scene::Declaration& declaration, Reading& reading) {
-  if (declaration.value || !declaration.target) return false;
-  const Value value = target_value("mesh", declaration, reading);
-  if (!value.object<VolumePtr>()) return false;
-  reading.diagnostics.error(declaration.target->where, "cells stand on a mesh, not on a volume",
-                            "mesh NAME on " + declaration.target->text + " {}");
-  return true;
+/// The meshes to stand on, those that are several in one taken apart; none with a diagnostic.
+std::vector<MeshPtr> grounds(const scene::Declaration& declaration, Reading& reading) {
+  std::vector<MeshPtr> all;
+  const auto targets = read_targets<AnyMesh>(declaration, reading, "mesh");
+  for (size_t i = 0; i < targets.size(); ++i)
+    for (const MeshPtr& part : parts_of(targets[i].mesh)) {
+      for (const MeshPtr& other : all)
+        if (*part == *other) {
+          reading.diagnostics.error(declaration.target_at(i).where,
+                                    "'" + part->name + "' is there already", "name it once");
+          return {};
+        }
+      all.push_back(part);
+    }
+  return all;
+}
+
+/// Each of them wearing the cells.
+std::vector<MeshPtr> worn(const CellsPtr& cells) {
+  std::vector<MeshPtr> all;
+  for (const MeshPtr& bare : cells->on) {
+    MeshPlan plan = *bare;
+    plan.ground = all.size();
+    plan.name = cells->on.size() == 1 ? cells->name : cells->name + "_" + bare->name;
+    plan.cells = cells;
+    all.push_back(std::make_shared<const MeshPlan>(std::move(plan)));
+  }
+  return all;
+}
+
+MeshPtr in_one(const std::string& name, const std::vector<MeshPtr>& parts) {
+  if (parts.size() == 1) return parts.front();
+  MeshPlan plan;
+  plan.name = name;
+  plan.parts = parts;
+  return std::make_shared<const MeshPlan>(std::move(plan));
 }
 
 }  // namespace
@@ -93,23 +126,19 @@ const DeclarationKind& cells_declaration() {
           arguments = arguments_of(declaration, reading);
           plan = bind_block(schema(), arguments, declaration, reading);
         }
-        if (refuse_volume(declaration, reading)) return Value();
-        const MeshPtr bare = read_target<MeshPtr>(declaration, reading);
-        if (!plan || !bare) return Value();
+        const std::vector<MeshPtr> on = grounds(declaration, reading);
+        if (!plan || on.empty()) return Value();
         plan->name = declaration.name;
+        plan->on = on;
         plan->key = reading.evaluator.key(declaration);
         plan->where = declaration.where;
         for (const Argument& each : arguments)
           if (each.name == "spacing") plan->spacing_where = each.where;
-        plan->on = bare;
-        MeshPlan worn = *bare;
-        worn.name = declaration.name;
-        worn.cells = std::make_shared<const CellsPlan>(std::move(*plan));
-        const MeshPtr made = std::make_shared<const MeshPlan>(std::move(worn));
-        reading.shot.meshes.push_back(made);
-        return Object{"mesh", made};
+        const auto made = worn(std::make_shared<const CellsPlan>(std::move(*plan)));
+        for (const MeshPtr& mesh : made) reading.shot.meshes.push_back(mesh);
+        return Object{"mesh", in_one(declaration.name, made)};
       },
-      "mesh"};
+      "mesh", true};
   return kind;
 }
 

@@ -1,3 +1,4 @@
+#include <vug/session/cells_plan.h>
 #include <vug/session/reader.h>
 
 #include <fmt/format.h>
@@ -5,19 +6,48 @@
 namespace vug::session {
 namespace {
 
-Schema<ObjectPlan> schema() {
-  Schema<ObjectPlan> s("object", "declaration");
+struct Block : ObjectPlan {
+  AnyMesh of;
+};
+
+Schema<Block> schema() {
+  Schema<Block> s("object", "declaration");
   s.doc("A mesh as the picture shows it: object NAME on MESH { material ... }.")
-      .param("material", &ObjectPlan::material, {.doc = "what it is made of"})
-      .param("flat", &ObjectPlan::flat, {.doc = "shade every face flat"})
-      .param("direct", &ObjectPlan::direct,
+      .param("material", &Block::material, {.doc = "what it is made of"})
+      .param("flat", &Block::flat, {.doc = "shade every face flat"})
+      .param("direct", &Block::direct,
              {.doc = "trace the level set itself and make no mesh: a fraction of the memory"})
       .param(
-          "emission", &ObjectPlan::emission,
+          "emission", &Block::emission,
           {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside", .min = 0})
-      .param("light_group", &ObjectPlan::light_group,
-             {.doc = "group of its light in the picture's layers of lights"});
+      .param("light_group", &Block::light_group,
+             {.doc = "group of its light in the picture's layers of lights"})
+      .param("of", &Block::of,
+             {.doc = "which one of several meshes that wear the same cells; all if not given"});
   return s;
+}
+
+/// A fault of what the object asks of its mesh; empty where there is none.
+std::string fault(const ObjectPlan& plan, const std::string& name) {
+  const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->shines());
+  const char* what = !plan.direct ? "" : shines ? "shines" : plan.mesh->cells ? "wears cells" : "";
+  return *what ? fmt::format("'{}' {}, for which it needs a mesh", name, what) : "";
+}
+
+/// The parts of the mesh to show; none, with a diagnostic, where `of` is none of them.
+std::vector<MeshPtr> shown(const MeshPtr& mesh, const MeshPtr& of,
+                           const scene::Declaration& declaration, Reading& reading) {
+  if (!of) return parts_of(mesh);
+  if (const MeshPtr part = part_on(mesh, of)) return {part};
+  std::vector<std::string> names;
+  for (const MeshPtr& part : parts_of(mesh))
+    if (part->cells) names.push_back(below(*part)->name);
+  for (const scene::Entry& entry : declaration.entries)
+    if (entry.key == "of")
+      reading.diagnostics.error(entry.values.at(0)->where,
+                                fmt::format("'{}' is not of '{}'", of->name, mesh->name),
+                                suggestion(of->name, names));
+  return {};
 }
 
 }  // namespace
@@ -26,28 +56,19 @@ const DeclarationKind& object_declaration() {
   static const DeclarationKind kind = {
       schema().info(),
       [](const scene::Declaration& declaration, Reading& reading) -> Value {
-        std::optional<ObjectPlan> plan = read_block(schema(), declaration, reading);
+        std::optional<Block> block = read_block(schema(), declaration, reading);
         const MeshPtr mesh = read_target<MeshPtr>(declaration, reading);
-        if (!plan || !mesh) return Value();
-        const bool shines =
-            plan->emission.length2() > 0 || (plan->material && plan->material->shines());
-        if (plan->direct && shines) {
-          reading.diagnostics.error(
-              declaration.where,
-              fmt::format("'{}' shines, for which it needs a mesh", declaration.name),
-              "leave out 'direct'");
-          return Value();
+        if (!block || !mesh) return Value();
+        for (const MeshPtr& part : shown(mesh, block->of.mesh, declaration, reading)) {
+          ObjectPlan plan = *block;
+          plan.name = declaration.name;
+          plan.mesh = part;
+          if (const std::string told = fault(plan, plan.name); !told.empty()) {
+            reading.diagnostics.error(declaration.where, told, "leave out 'direct'");
+            return Value();
+          }
+          reading.shot.objects.push_back(std::move(plan));
         }
-        if (plan->direct && mesh->cells) {
-          reading.diagnostics.error(
-              declaration.where,
-              fmt::format("'{}' wears cells, for which it needs a mesh", declaration.name),
-              "leave out 'direct'");
-          return Value();
-        }
-        plan->name = declaration.name;
-        plan->mesh = mesh;
-        reading.shot.objects.push_back(std::move(*plan));
         return Value(Value::Name{declaration.name});
       },
       "mesh"};

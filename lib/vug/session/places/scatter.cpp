@@ -5,7 +5,6 @@
 #include <vug/paint/kind.h>
 #include <vug/session/build.h>
 #include <vug/session/places.h>
-#include <vug/volume/samples.h>
 
 namespace vug::session {
 namespace {
@@ -75,7 +74,7 @@ Place place_at(const Scatter& s, const mesh::Spot& spot) {
 
 std::vector<Place> strew(const Scatter& s, Builder& builder, RandomKey key) {
   const mesh::MeshPtr mesh = builder.mesh(s.on);
-  const auto solid = volume::samples(builder.level_set(s.on->volume));
+  const auto solid = builder.solid(s.on);
   mesh::ScatterOptions options;
   options.spacing = s.spacing;
   options.most = static_cast<size_t>(s.count);

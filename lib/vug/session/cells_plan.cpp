@@ -1,0 +1,31 @@
+#include <vug/session/cells_plan.h>
+
+#include <algorithm>
+
+namespace vug::session {
+
+int CellsPlan::length() const {
+  if (steps) return *steps;
+  constexpr int kOpenEnd = 100;  // for rules that work to the end
+  int last = 0;
+  for (const CellStagePtr& stage : run)
+    last = std::max(last, stage->begin + (stage->span() < 0 ? kOpenEnd : stage->span()));
+  return last;
+}
+
+MeshPtr below(const MeshPlan& mesh) {
+  return mesh.cells ? mesh.cells->on.at(mesh.ground) : nullptr;
+}
+
+std::vector<MeshPtr> parts_of(const MeshPtr& mesh) {
+  return mesh->parts.empty() ? std::vector<MeshPtr>{mesh} : mesh->parts;
+}
+
+MeshPtr part_on(const MeshPtr& mesh, const MeshPtr& ground) {
+  for (const MeshPtr& part : parts_of(mesh))
+    for (MeshPtr each = part; each; each = below(*each))
+      if (*each == *ground) return part;
+  return nullptr;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,44 @@
+#include "print.h"
+
+#include <fmt/format.h>
+#include <vug/scene/utf8.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// As JSON; texts of other programs' files may hold any bytes.
+std::string dumped(const Json& value, int indent) {
+  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// One "key: value" a line, nested parts indented.
+void print(const Json& value, int depth) {
+  const std::string indent(static_cast<size_t>(2 * depth), ' ');
+  for (const auto& [key, part] : value.items()) {
+    const std::string label = value.is_array() ? "-" : key + ":";
+    const bool rows = part.is_object() || (part.is_array() && !part.empty() && part[0].is_object());
+    if (rows) {
+      fmt::print("{}{}\n", indent, label);
+      print(part, depth + 1);
+    } else {
+      const std::string text = part.is_string() ? part.get<std::string>() : dumped(part, -1);
+      const size_t line = text.find('\n');
+      fmt::print("{}{} {}{}\n", indent, label, scene::printable(text.substr(0, line)),
+                 line == std::string::npos ? "" : " ...");
+    }
+  }
+}
+
+}  // namespace
+
+void print_report(const Json& report, bool json) {
+  if (json)
+    fmt::print("{}\n", dumped(report, 2));
+  else
+    print(report, 0);
+}
+
+}  // namespace vug::cli
