@@ -1,0 +1,101 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/volume/band.h>
+#include <vug/volume/grid_access.h>
+
+#include <openvdb/openvdb.h>
+
+namespace vug::volume {
+namespace {
+
+using Leaf = openvdb::FloatTree::LeafNodeType;
+
+const openvdb::FloatGrid& floats(const LevelSet& level_set) {
+  return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
+}
+
+/// The leaves of a tree and how many active voxels come before each.
+template <class Node, class Tree>
+struct Leaves {
+  explicit Leaves(Tree& tree) {
+    tree.getNodes(nodes);
+    for (const auto* leaf : nodes) {
+      begin.push_back(count);
+      count += leaf->onVoxelCount();
+    }
+  }
+  std::vector<Node*> nodes;
+  std::vector<size_t> begin;
+  size_t count = 0;
+};
+
+Vec3f vec(const openvdb::Vec3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+float stored(float value) { return value; }
+openvdb::Vec3f stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
+
+template <class GridType, class T>
+Grid filled(const LevelSet& level_set, const std::vector<T>& values) {
+  initialise_openvdb();
+  using Tree = typename GridType::TreeType;
+  using Value = typename GridType::ValueType;
+  const openvdb::FloatGrid& source = floats(level_set);
+  const Value zero = openvdb::zeroVal<Value>();
+  const auto grid =
+      GridType::create(typename Tree::Ptr(new Tree(source.tree(), zero, openvdb::TopologyCopy())));
+  grid->setTransform(source.transform().copy());
+  grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+  const Leaves<typename Tree::LeafNodeType, Tree> leaves(grid->tree());
+  if (leaves.count != values.size())
+    throw Error(ErrorCode::internal, "there is not one value for each voxel of the band");
+  parallel_for(leaves.nodes.size(), [&](size_t n) {
+    size_t at = leaves.begin[n];
+    for (auto voxel = leaves.nodes[n]->beginValueOn(); voxel; ++voxel)
+      voxel.setValue(stored(values[at++]));
+  });
+  return wrap(grid);
+}
+
+}  // namespace
+
+Band band(const LevelSet& level_set) {
+  const openvdb::FloatGrid& grid = floats(level_set);
+  const Leaves<const Leaf, const openvdb::FloatTree> leaves(grid.tree());
+  Band out;
+  out.foot.resize(leaves.count);
+  out.normal.resize(leaves.count);
+  parallel_for(leaves.nodes.size(), [&](size_t n) {
+    const auto values = grid.getConstAccessor();
+    size_t at = leaves.begin[n];
+    for (auto on = leaves.nodes[n]->cbeginValueOn(); on; ++on, ++at) {
+      const openvdb::Coord here = on.getCoord();
+      openvdb::Vec3d slope;  // per voxel
+      for (int axis = 0; axis < 3; ++axis) {
+        openvdb::Coord step(0);
+        step.setX(axis == 0).setY(axis == 1).setZ(axis == 2);
+        // Beyond the band values stand still: differences end at its rim.
+        float ahead = *on, behind = *on;
+        const bool more = values.isValueOn(here + step), less = values.isValueOn(here - step);
+        if (more) ahead = values.getValue(here + step);
+        if (less) behind = values.getValue(here - step);
+        const int steps = (more ? 1 : 0) + (less ? 1 : 0);
+        slope[axis] = steps > 0 ? static_cast<double>(ahead - behind) / steps : 0;
+      }
+      const openvdb::Vec3d up = slope.length() > 0 ? slope.unit() : openvdb::Vec3d(0, 1, 0);
+      out.normal[at] = vec(up);
+      out.foot[at] =
+          vec(grid.indexToWorld(here.asVec3d()) - up * static_cast<double>(on.getValue()));
+    }
+  });
+  return out;
+}
+
+Grid band_grid(const LevelSet& level_set, const std::vector<float>& values) {
+  return filled<openvdb::FloatGrid>(level_set, values);
+}
+Grid band_grid(const LevelSet& level_set, const std::vector<Vec3f>& values) {
+  return filled<openvdb::Vec3SGrid>(level_set, values);
+}
+
+}  // namespace vug::volume

@@ -1,0 +1,59 @@
+// Values beside a level set: at its voxels, found again by place.
+#include "solids.h"
+
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/volume/band.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::volume {
+namespace {
+
+LevelSet ball(double voxel) {
+  VoxelizeOptions options;
+  options.voxel = voxel;
+  return voxelize(sphere_at({0.2, 0, 0.1}, 1), options);
+}
+
+TEST(Band, FeetStandOnTheSurface) {
+  const double voxel = 0.05;
+  const Band band = volume::band(ball(voxel));
+  ASSERT_GT(band.size(), 10000u);
+  double off = 0, turned = 0;
+  for (size_t i = 0; i < band.size(); ++i) {
+    const Vec3d out = Vec3d(band.foot[i]) - Vec3d(0.2, 0, 0.1);
+    off = std::max(off, std::fabs(out.length() - 1));
+    turned = std::max(turned, (out.normalized() - Vec3d(band.normal[i])).length());
+  }
+  // At the rim of the band differences are of one side, half a voxel off: a turn of half a voxel
+  // over the radius there, and a foot as much beside the true one three voxels on.
+  EXPECT_LT(turned, 1.5 * voxel);
+  EXPECT_LT(off, 3 * voxel * turned);
+}
+
+TEST(Band, GridsHoldTheirValuesWhereTheLevelSetIs) {
+  const LevelSet solid = ball(0.05);
+  const Band band = volume::band(solid);
+  std::vector<float> heights;
+  for (const Vec3f& p : band.foot) heights.push_back(p.y);
+  const Grid height = band_grid(solid, heights), colour = band_grid(solid, band.normal);
+  EXPECT_EQ(height.value_type(), "float");
+  EXPECT_EQ(colour.value_type(), "vec3s");
+  EXPECT_EQ(height.voxel_size(), solid.voxel_size());
+  for (const Grid& each : {height, colour}) {
+    EXPECT_EQ(each.grid_class(), GridClass::fog);
+    EXPECT_EQ(each.statistics().active_voxels, solid.statistics().active_voxels);
+    EXPECT_EQ(each.statistics().index_min, solid.statistics().index_min);
+  }
+  const Digest expected = height.content();
+  for (const int threads : {1, 7}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(band_grid(solid, heights).content(), expected);
+  }
+  heights.pop_back();
+  EXPECT_THROW(band_grid(solid, heights), Error);
+}
+
+}  // namespace
+}  // namespace vug::volume
