@@ -56,14 +56,14 @@ class Cells(VugTest):
     def test_the_mesh_is_written_with_what_cells_carry(self):
         self.write("s.vug", SCENE % ("wall", GOOD))
         self.expect(0, "build", "s.vug", "-o", "out")
-        self.assertEqual(self.files(), ["out/s.ply", "out/s.vdb", "s.vug"])
+        self.assertEqual(self.files(), ["out/s.ply", "out/s.vdb", "out/s_skin.vdb", "s.vug"])
         head = (self.folder / "out/s.ply").read_bytes().split(b"end_header")[0].decode()
         for name in ("red", "seed", "crack", "potential", "wet", "transparent"):
             self.assertIn(f"property float {name}\n", head)
         self.write("two.vug", (SCENE % ("wall", GOOD)) + "cells film on skin { spacing 30cm  run sprinkle(attribute: \"dust\") }\n"
                    "object ball on film {}\n")
         self.expect(0, "build", "two.vug", "-o", "two")
-        self.assertEqual(sorted(p.name for p in (self.folder / "two").iterdir()), ["two.ply", "two.vdb"])
+        self.assertEqual(sorted(p.name for p in (self.folder / "two").iterdir()), ["two.ply", "two.vdb", "two_film.vdb", "two_skin.vdb"])
         head = (self.folder / "two/two.ply").read_bytes().split(b"end_header")[0].decode()
         self.assertIn("property float dust\n", head)
         self.assertIn("property float crack\n", head)

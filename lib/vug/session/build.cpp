@@ -1,5 +1,6 @@
 #include <vug/base/memory.h>
 #include <vug/session/build.h>
+#include <vug/session/cells_checkpoint.h>
 #include <vug/session/make_mesh.h>
 #include <vug/session/room.h>
 #include <vug/session/wear.h>
@@ -97,6 +98,9 @@ void Builder::take_over(Builder&& other) {
     if (const auto skin = other.skins_.find(plan->cells);
         skin != other.skins_.end() && skins_.insert(*skin).second)
       held_ += skin->second->simulation.bytes();
+    if (!plan->cells || skins_.count(plan->cells)) continue;
+    if (const SkinPtr begun = other.begun(*plan->cells))
+      if (begun_.emplace(plan->cells, begun).second) held_ += begun->simulation.bytes();
   }
   for (const MeshPtr& plan : meshes)
     if (const auto known = other.made_surface(plan); known && surfaces_.emplace(plan, known).second)
@@ -203,13 +207,27 @@ std::shared_ptr<const field::SampledGrid> Builder::solid(const MeshPtr& plan) {
   return plan->volume ? volume::samples(level_set(plan->volume)) : nullptr;
 }
 
+SkinPtr Builder::begun(const CellsPlan& plan) const {
+  const auto same = [](const MeshPtr& a, const MeshPtr& b) { return *a == *b; };
+  for (const auto* runs : {&skins_, &begun_})
+    for (const auto& [other, skin] : *runs)
+      if (plan.still && other->still && other->name == plan.name &&
+          skin->simulation.step() <= plan.length() &&
+          std::equal(other->on.begin(), other->on.end(), plan.on.begin(), plan.on.end(), same))
+        return skin;
+  return nullptr;
+}
+
 SkinPtr Builder::skin(const CellsPtr& plan) {
   if (const auto known = skins_.find(plan); known != skins_.end()) return known->second;
   std::vector<Ground> grounds;
   for (const MeshPtr& each : plan->on) grounds.push_back({mesh(each), solid(each)});
   const Stopwatch watch(seconds_);
   try {
-    auto made = std::make_shared<const Skin>(make_skin(*plan, grounds, room(), progress_));
+    SkinRun how{nullptr, options_.checkpoint.get()};
+    if (const auto begun = begun_.find(plan); begun != begun_.end()) how.from = begun->second;
+    auto made = std::make_shared<const Skin>(make_skin(*plan, grounds, room(), progress_, how));
+    if (how.from) held_ -= how.from->simulation.bytes(), begun_.erase(plan);
     held_ += made->simulation.bytes();
     return skins_.emplace(plan, std::move(made)).first->second;
   } catch (Error& error) {

@@ -19,6 +19,8 @@ struct BuildOptions {
                             ///< has free. Error(too_large) before work that needs more.
   /// Told of what is doubtful, such as an empty grid, as soon as it shows.
   std::function<void(const Diagnostics&)> tell = nullptr;
+  /// Keeps the runs of cells; null: nothing does.
+  std::shared_ptr<CellsCheckpoint> checkpoint = nullptr;
 };
 
 /// Holds products while they are needed. The shot must outlive it. Not for several threads at
@@ -30,7 +32,7 @@ class Builder {
       : shot_(shot), options_(options), progress_(progress) {}
 
   /// Keeps what another builder has made of plans that this one's shot has, too: of the same shot
-  /// at another frame all that stands still (see Still).
+  /// at another frame all that stands still (see Still), and runs of cells that only go on.
   void take_over(Builder&& other);
 
   const volume::LevelSet& level_set(const VolumePtr& plan);
@@ -78,7 +80,10 @@ class Builder {
   /// Square metres of the volume's surface, about.
   double area_of(const VolumePtr& plan) const;
   volume::SurfaceBricksPtr made_surface(const MeshPtr& plan) const;
+  /// A run that one of the plan would only go on from; null where there is none.
+  SkinPtr begun(const CellsPlan& plan) const;
   std::map<CellsPtr, SkinPtr> skins_;
+  std::map<CellsPtr, SkinPtr> begun_;  ///< Runs of an earlier frame that a plan's goes on from.
   std::map<MeshPtr, volume::SurfaceBricksPtr> surfaces_;
   double seconds_ = 0;
   uint64_t held_ = 0;  ///< Bytes of grids, meshes, skins and surfaces.

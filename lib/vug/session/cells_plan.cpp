@@ -13,6 +13,17 @@ int CellsPlan::length() const {
   return last;
 }
 
+bool CellsPlan::writes(const std::string& what) const {
+  return std::find(files.begin(), files.end(), what) != files.end();
+}
+
+std::string CellsPlan::fault() const {
+  for (const std::string& each : files)
+    if (each != "points" && each != "grids" && each != "csv")
+      return "'" + each + "' is no file of cells: these are \"points\", \"grids\" and \"csv\"";
+  return {};
+}
+
 MeshPtr below(const MeshPlan& mesh) {
   return mesh.cells ? mesh.cells->on.at(mesh.ground) : nullptr;
 }

@@ -35,12 +35,20 @@ struct CellsPlan {
   cells::Force harmonise = cells::Force::squared;
   std::vector<CellStagePtr> run;  ///< In the order in which they work within a step.
   std::optional<int> steps;       ///< Of the whole run; see length.
+  std::filesystem::path from;     ///< Points that they go on from; empty: none.
+  std::vector<std::string> files = {"points", "grids"};  ///< See `writes`.
+  bool half = false;                                     ///< Numbers in files have 16 bits.
   RandomKey key{0};
+  /// Nothing of it but `steps` depends on the frame: another frame's run can go on to this one's.
+  bool still = false;
   SourceLocation where;          ///< Its name in the text.
   SourceLocation spacing_where;  ///< What `spacing` says there.
 
   /// Steps of the whole run: `steps`, else what the last stage needs: 100 if it says nothing.
   int length() const;
+  /// Whether `vug build` writes "points", "grids" beside the level set, or a table, "csv".
+  bool writes(const std::string& what) const;
+  std::string fault() const;  ///< A sentence on `files` that are none; else empty.
 };
 
 /// The mesh without the last cells that it wears; null where it wears none.

@@ -7,8 +7,6 @@
 #include <algorithm>
 
 namespace vug::session {
-namespace {
-
 void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface) {
   const auto solid = volume::samples(surface);
   std::vector<paint::Spot> spots(mesh.positions.size());
@@ -20,8 +18,6 @@ void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::Level
     for (int c = 0; c < 3; ++c) color.values.push_back(rgb[c]);
   mesh.attributes.push_back(std::move(color));
 }
-
-}  // namespace
 
 mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
                             Progress& progress) {

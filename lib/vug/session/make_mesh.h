@@ -17,4 +17,7 @@ mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surfac
 /// all there are none.
 mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts);
 
+/// Adds the paint's colours at the vertices, which have normals, as attribute Cd.
+void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface);
+
 }  // namespace vug::session

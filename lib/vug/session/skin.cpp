@@ -1,5 +1,7 @@
 #include <vug/base/parallel.h>
 #include <vug/session/blame.h>
+#include <vug/session/cells_checkpoint.h>
+#include <vug/session/cells_files.h>
 #include <vug/session/skin.h>
 
 #include <fmt/format.h>
@@ -67,20 +69,33 @@ std::vector<cells::Stage> stages(const CellsPlan& plan, const cells::Network& ce
   return all;
 }
 
+Skin fresh_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
+                Progress& progress) {
+  cells::Built built = network(plan, grounds, memory, progress);
+  const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
+  return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
+}
+
 }  // namespace
 
 Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
-               Progress& progress) {
-  cells::Built built = network(plan, grounds, memory, progress);
-  const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
-  Skin skin{cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
-  if (cells->size() == 0) return skin;
+               Progress& progress, const SkinRun& how) {
+  Skin skin = how.from ? *how.from : fresh_skin(plan, grounds, memory, progress);
+  if (skin.network().size() == 0) return skin;
   try {
-    skin.simulation.run(stages(plan, *cells, grounds), plan.length(), progress);
+    if (!how.from && !plan.from.empty()) read_cells(plan.from, plan, skin.simulation);
+    if (how.checkpoint) how.checkpoint->put_back(plan, skin);
+    const auto after = [&] { how.checkpoint->after_step(plan, skin); };
+    skin.simulation.run(stages(plan, skin.network(), grounds),
+                        plan.length() - skin.simulation.step(), progress,
+                        how.checkpoint ? std::function<void()>(after) : nullptr);
   } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled && how.checkpoint)
+      throw how.checkpoint->stopped(plan, skin, error);
     if (error.code() != ErrorCode::bad_input) throw;
     throw blamed_on(plan.where, error);
   }
+  if (how.checkpoint) how.checkpoint->finish(plan, skin);
   return skin;
 }
 

@@ -28,11 +28,19 @@ struct Skin {
 };
 using SkinPtr = std::shared_ptr<const Skin>;
 
+class CellsCheckpoint;
+
+/// Where a run begins, and where it is kept.
+struct SkinRun {
+  SkinPtr from = nullptr;  ///< Of an equal plan with as many steps or fewer: goes on from there.
+  CellsCheckpoint* checkpoint = nullptr;
+};
+
 /// Makes the network and runs the plan's rules on it. Errors of the spacing are told where the text
 /// gives it; Error(too_large) where `memory` bytes do not suffice. `object` of a cell is its
 /// ground's number; there are no cells on meshes that are empty.
 Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
-               Progress& progress);
+               Progress& progress, const SkinRun& how = {});
 
 /// Error(too_large) at the spacing where cells on so many square metres need more than `memory`
 /// bytes.

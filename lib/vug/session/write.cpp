@@ -1,5 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/mesh/format.h>
+#include <vug/session/cells_files.h>
 #include <vug/session/write.h>
 #include <vug/volume/fog.h>
 #include <vug/volume/io.h>
@@ -8,38 +9,61 @@
 
 namespace vug::session {
 
+namespace {
+
+/// Every volume, and beside them what the cells on them carry.
+std::vector<volume::Grid> grids_of(Builder& builder) {
+  std::vector<volume::Grid> grids;
+  for (const VolumePtr& plan : builder.shot().volumes) {
+    const volume::LevelSet& level_set = builder.level_set(plan);
+    const volume::Grid grid = plan->fog ? volume::fog(level_set) : volume::Grid(level_set);
+    grids.push_back(grid.named(plan->name).stored_as_half(plan->half));
+  }
+  for (const CellsPtr& cells : declared_cells(builder.shot()))
+    if (cells->writes("grids"))
+      for (volume::Grid& grid : cell_grids(builder, cells)) grids.push_back(std::move(grid));
+  return grids;
+}
+
+}  // namespace
+
 std::vector<std::filesystem::path> product_paths(const Shot& shot,
-                                                 const std::filesystem::path& folder) {
+                                                 const std::filesystem::path& folder,
+                                                 const std::string& frame) {
+  const std::string end = frame.empty() ? "" : "." + frame;
   std::vector<std::filesystem::path> paths;
-  if (!shot.volumes.empty()) paths.push_back(folder / (shot.name + ".vdb"));
+  const auto add = [&](const std::string& stem, const std::string& extension) {
+    paths.push_back(folder / fmt::format("{}{}.{}", stem, end, extension));
+  };
+  if (!shot.volumes.empty()) add(shot.name, "vdb");
   const std::vector<MeshPtr> meshes = declared_meshes(shot);
   for (const MeshPtr& plan : meshes) {
     const bool plain = meshes.size() == 1 || plan->name == shot.name;
-    const std::string stem = plain ? shot.name : fmt::format("{}_{}", shot.name, plan->name);
-    paths.push_back(folder / fmt::format("{}.{}", stem, plan->format));
+    add(plain ? shot.name : fmt::format("{}_{}", shot.name, plan->name), plan->format);
   }
+  for (const CellsPtr& cells : declared_cells(shot))
+    for (const auto& [what, extension] : {std::pair("points", "vdb"), std::pair("csv", "csv")})
+      if (cells->writes(what)) add(fmt::format("{}_{}", shot.name, cells->name), extension);
   return paths;
 }
 
 std::vector<std::filesystem::path> write_products(Builder& builder,
-                                                  const std::filesystem::path& folder) {
+                                                  const std::filesystem::path& folder,
+                                                  const std::string& frame) {
   const Shot& shot = builder.shot();
-  const std::vector<std::filesystem::path> paths = product_paths(shot, folder);
+  const std::vector<std::filesystem::path> paths = product_paths(shot, folder, frame);
   for (const auto& path : paths) require_writable(path);
   auto path = paths.begin();
   for (const MeshPtr& plan : declared_meshes(shot)) builder.require_room(plan);
-  if (!shot.volumes.empty()) {
-    volume::WriteOptions options;
-    options.metadata = {{"vug:recipe", shot.recipe}, {"vug:seed", static_cast<int64_t>(shot.seed)}};
-    std::vector<volume::Grid> grids;
-    for (const VolumePtr& plan : shot.volumes) {
-      const volume::LevelSet& level_set = builder.level_set(plan);
-      const volume::Grid grid = plan->fog ? volume::fog(level_set) : volume::Grid(level_set);
-      grids.push_back(grid.named(plan->name).stored_as_half(plan->half));
-    }
-    volume::write(*path++, grids, options);
-  }
+  volume::WriteOptions options;
+  options.metadata = {{"vug:recipe", shot.recipe}, {"vug:seed", static_cast<int64_t>(shot.seed)}};
+  if (!shot.volumes.empty()) volume::write(*path++, grids_of(builder), options);
   for (const MeshPtr& plan : declared_meshes(shot)) mesh::write_mesh(*builder.mesh(plan), *path++);
+  for (const CellsPtr& cells : declared_cells(shot)) {
+    if (cells->writes("points"))
+      volume::write(*path++, {cell_points(*cells, *builder.skin(cells))}, options);
+    if (cells->writes("csv")) write_table(*path++, *builder.skin(cells));
+  }
   return paths;
 }
 

@@ -1,11 +1,18 @@
+#include "arguments.h"
 #include "bar.h"
 #include "load.h"
+#include "moment.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
+#include <vug/session/cells_checkpoint.h>
 #include <vug/session/inputs.h>
+#include <vug/session/sequence.h>
 #include <vug/session/write.h>
+
+#include <cstdio>
+#include <memory>
 
 namespace vug::cli {
 namespace {
@@ -14,21 +21,67 @@ struct Options {
   SceneOptions scene;
   WorkOptions work;
   std::string folder;
+  std::string frames;
+  std::string checkpoint;
+  session::CheckpointOptions keep;
 };
 
-int run(const Options& options) {
-  const session::Loaded loaded = options.scene.load();
-  require_outputs(session::product_paths(loaded.shot, options.folder),
-                  session::files_named(loaded));
-  const ThreadLimit threads(options.work.threads);
-  session::Builder builder(loaded.shot, options.work.build_options(loaded),
-                           terminal_progress(options.work.bar()));
-  const auto paths = session::write_products(builder, options.folder);
-  if (paths.empty())
+/// Makes the products of what is loaded; `frame` is empty where there is one only.
+void build_one(const Options& options, session::Builder& builder, const session::Loaded& loaded,
+               const std::string& frame) {
+  std::vector<std::filesystem::path> outputs =
+      session::product_paths(loaded.shot, options.folder, frame);
+  if (outputs.empty())
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' declares nothing to build", options.scene.scene), {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  for (const auto& path : paths) fmt::print("{}\n", path.string());
+  if (!options.checkpoint.empty()) outputs.emplace_back(options.checkpoint);
+  require_outputs(outputs, session::files_named(loaded));
+  for (const auto& path : session::write_products(builder, options.folder, frame))
+    fmt::print("{}\n", path.string());
+}
+
+int run_frames(const Options& options, Progress& progress) {
+  const std::vector<int> frames = session::parse_frames(options.frames);
+  session::Still still;
+  std::unique_ptr<Moment> now;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    auto next =
+        std::make_unique<Moment>(options.scene.load(frames[i], still), options.work, progress);
+    if (now) next->builder.take_over(std::move(now->builder));
+    now = std::move(next);
+    if (!options.work.quiet) {
+      clear_bar();
+      fmt::print(stderr, "frame {}, {} of {}\n", frames[i], i + 1, frames.size());
+    }
+    try {
+      build_one(options, now->builder, now->loaded, fmt::format("{:04}", frames[i]));
+    } catch (Error& error) {
+      throw error.within(fmt::format("building frame {}", frames[i]));
+    }
+  }
+  options.work.summarise(now->builder);
+  return kDone;
+}
+
+int run(Options options) {
+  if (options.keep.resume && options.checkpoint.empty())
+    throw Error(ErrorCode::bad_input, "there is nothing to resume from", {},
+                "name the file with --checkpoint");
+  if (!options.checkpoint.empty())
+    require_ending(options.checkpoint, ".vdb", "a checkpoint of cells holds their points");
+  const ThreadLimit threads(options.work.threads);
+  Progress& progress = terminal_progress(options.work.bar());
+  if (!options.frames.empty()) return run_frames(options, progress);
+  const session::Loaded loaded = options.scene.load();
+  session::BuildOptions build = options.work.build_options(loaded);
+  options.keep.file = options.checkpoint;
+  if (!options.checkpoint.empty())
+    build.checkpoint = std::make_shared<session::CellsCheckpoint>(options.keep, loaded.shot);
+  session::Builder builder(loaded.shot, build, progress);
+  build_one(options, builder, loaded, "");
+  std::fflush(stdout);
+  if (build.checkpoint) build.checkpoint->remove();
   options.work.summarise(builder);
   return kDone;
 }
@@ -36,10 +89,21 @@ int run(const Options& options) {
 }  // namespace
 
 Verb build_verb() {
-  return {"build", "Makes everything a scene declares: .vdb, meshes.", [](CLI::App& app) {
+  return {"build", "Makes everything a scene declares: .vdb, meshes, points.", [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
             app.add_option("-o,--output", options->folder, "the folder to write into")->required();
+            auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
+                                              "a .vdb from which runs of cells go on");
+            app.add_option("--checkpoint-every", options->keep.every, "in seconds")
+                ->transform(number_in(Dimension::time, 0, 1e6))
+                ->needs(checkpoint);
+            app.add_flag("--resume", options->keep.resume,
+                         "go on from the checkpoint, if there is one");
+            app.add_option("--frames", options->frames,
+                           "A..B or A..BxSTEP: the files of each, with its number in their names")
+                ->excludes("--frame")
+                ->excludes(checkpoint);
             options->work.add_to(app);
             return [options] { return run(*options); };
           }};

@@ -1,6 +1,7 @@
 #include "arguments.h"
 #include "bar.h"
 #include "load.h"
+#include "moment.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -185,14 +186,6 @@ void require_outputs(const Options& options, const session::Loaded& loaded) {
       outputs.push_back(std::move(path));
   vug::require_outputs(outputs, session::files_named(loaded));
 }
-
-/// A scene at one frame; the builder tells of its text.
-struct Moment {
-  explicit Moment(session::Loaded from, const WorkOptions& work, Progress& progress)
-      : loaded(std::move(from)), builder(loaded.shot, work.build_options(loaded), progress) {}
-  session::Loaded loaded;
-  session::Builder builder;
-};
 
 /// The options for one picture of a sequence.
 Options at_frame(const Options& options, int frame) {

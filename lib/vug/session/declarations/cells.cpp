@@ -31,7 +31,14 @@ Schema<CellsPlan> schema() {
              {.doc = "of the whole run; if not given, as many as rules need: those that work to "
                      "the end 100 each",
               .min = 0,
-              .max = 1000000});
+              .max = 1000000})
+      .param("from", &CellsPlan::from,
+             {.doc = "a .vdb of points that vug build has written of such cells: they begin with "
+                     "what these carry, at the step that these were at"})
+      .param("files", &CellsPlan::files,
+             {.doc = "what vug build writes beside the mesh: any of \"points\" (a .vdb), \"grids\" "
+                     "(beside the level set) and \"csv\""})
+      .param("half", &CellsPlan::half, {.doc = "numbers in points and grids have 16 bits"});
   return s;
 }
 
@@ -46,16 +53,19 @@ Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key
   return all.size() == 1 ? all[0] : Value(std::move(all));
 }
 
-Arguments arguments_of(const scene::Declaration& declaration, Reading& reading) {
+/// `still`: whether nothing but `steps` depends on the frame.
+Arguments arguments_of(const scene::Declaration& declaration, Reading& reading, bool& still) {
   const auto type_of = [](const scene::Entry& entry) -> std::string {
     return entry.key == "run" ? "rule" : entry.key == "grid" ? "grid" : "";
   };
-  scene::Declaration plain = declaration;
+  const uint64_t frame_uses = reading.resolver.frame_uses();
+  scene::Declaration plain = declaration, clock = declaration;
   plain.entries.clear();
+  clock.entries.clear();
   Arguments arguments;
   for (const scene::Entry& entry : declaration.entries) {
     if (type_of(entry).empty())
-      plain.entries.push_back(entry);
+      (entry.key == "steps" ? clock : plain).entries.push_back(entry);
     else
       arguments.push_back(
           {entry.key, kinds_of(type_of(entry), entry, reading.evaluator.key(declaration), reading),
@@ -73,6 +83,9 @@ Arguments arguments_of(const scene::Declaration& declaration, Reading& reading) 
     }
     arguments.push_back(std::move(each));
   }
+  still = reading.resolver.frame_uses() == frame_uses;
+  for (Argument& each : block_arguments(clock, is_choice, reading))
+    arguments.push_back(std::move(each));
   return arguments;
 }
 
@@ -122,8 +135,9 @@ const DeclarationKind& cells_declaration() {
       [](const scene::Declaration& declaration, Reading& reading) -> Value {
         std::optional<CellsPlan> plan;
         Arguments arguments;
+        bool still = false;
         if (has_block(declaration, reading)) {
-          arguments = arguments_of(declaration, reading);
+          arguments = arguments_of(declaration, reading, still);
           plan = bind_block(schema(), arguments, declaration, reading);
         }
         const std::vector<MeshPtr> on = grounds(declaration, reading);
@@ -134,6 +148,7 @@ const DeclarationKind& cells_declaration() {
         plan->where = declaration.where;
         for (const Argument& each : arguments)
           if (each.name == "spacing") plan->spacing_where = each.where;
+        plan->still = still;
         const auto made = worn(std::make_shared<const CellsPlan>(std::move(*plan)));
         for (const MeshPtr& mesh : made) reading.shot.meshes.push_back(mesh);
         return Object{"mesh", in_one(declaration.name, made)};

@@ -1,0 +1,37 @@
+// Cells to files: points, grids beside the level set, tables.
+#pragma once
+
+#include <vug/cells/as_points.h>
+#include <vug/session/build.h>
+#include <vug/session/cells_plan.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace vug::session {
+
+/// The cells that a shot declares, in its order; also those that others stand on.
+std::vector<CellsPtr> declared_cells(const Shot& shot);
+
+/// The cells as a grid of points under the plan's name, with the step that they are at
+/// ("vug:step") and what they are kept for ("vug:keep").
+volume::Grid cell_points(const CellsPlan& plan, const Skin& skin,
+                         cells::Keep keep = cells::Keep::shown);
+
+/// What the cells carry in the bands of the level sets that they stand on, smoothed as at vertices
+/// of a mesh: a vec3s grid NAME_Cd and float grids NAME_ATTRIBUTE for each, with the name of the
+/// level set behind NAME where these are several. Error(too_large).
+std::vector<volume::Grid> cell_grids(Builder& builder, const CellsPtr& plan);
+
+/// A line for each cell with its number, place, normal, what it carries and its state, and before
+/// them a line of their names: x, y and z, so that a scene can place things there.
+void write_table(const std::filesystem::path& file, const Skin& skin);
+
+/// Puts back what points of a file carry that cell_points has made of equal cells: the grid of the
+/// plan's name, or the first that holds points. Error(bad_input).
+void read_cells(const std::filesystem::path& file, const CellsPlan& plan,
+                cells::Simulation& simulation);
+/// The same of a grid.
+void read_cells(const volume::Grid& grid, cells::Simulation& simulation);
+
+}  // namespace vug::session

@@ -1,0 +1,18 @@
+// A scene at one frame of a sequence.
+#pragma once
+
+#include "load.h"
+
+#include <utility>
+
+namespace vug::cli {
+
+/// What is loaded of it, and a builder that tells of its text.
+struct Moment {
+  explicit Moment(session::Loaded from, const WorkOptions& work, Progress& progress)
+      : loaded(std::move(from)), builder(loaded.shot, work.build_options(loaded), progress) {}
+  session::Loaded loaded;
+  session::Builder builder;
+};
+
+}  // namespace vug::cli
