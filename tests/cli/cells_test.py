@@ -90,7 +90,7 @@ class Cells(VugTest):
         self.write("s.vug", SCENE.replace("render", "volume other = level_set(box(size: (2, 0.4, 2)).translate((0, -1, 0)), voxel: 10cm)\n"
                                           "render") % ("wall, other", "spacing 15cm  run sprinkle(attribute: \"wet\")"))
         self.expect(0, "build", "s.vug", "-o", "out")
-        self.assertEqual(self.files(), ["out/s.vdb", "out/s_skin_other.ply", "out/s_skin_wall.ply", "s.vug"])
+        self.assertEqual(self.files(), ["out/s.vdb", "out/s_skin.vdb", "out/s_skin_other.ply", "out/s_skin_wall.ply", "s.vug"])
         for name in ("wall", "other"):
             self.assertIn(b"property float wet\n", (self.folder / f"out/s_skin_{name}.ply").read_bytes())
 
