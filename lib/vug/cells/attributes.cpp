@@ -24,7 +24,8 @@ const Attribute* Attributes::find(std::string_view name) const {
   return found == all_.end() ? nullptr : &*found;
 }
 
-void Attributes::refuse_name(const std::string& name) const {
+const Attribute& Attributes::need(const std::string& name) const {
+  if (const Attribute* known = find(name)) return *known;
   std::vector<std::string> known;
   for (const Attribute& each : all_) known.push_back(each.name);
   throw Error(ErrorCode::bad_input, fmt::format("cells carry no attribute '{}'", name), {},

@@ -50,6 +50,8 @@ class Attributes {
   const std::deque<Attribute>& all() const { return all_; }
   std::deque<Attribute>& all() { return all_; }
   const Attribute* find(std::string_view name) const;
+  /// The same; Error(bad_input), with what there is, where it is not.
+  const Attribute& need(const std::string& name) const;
 
   /// The column of that name, added with `initial` in every cell where there is none.
   /// Error(bad_input) where there is one of another type.
@@ -66,15 +68,13 @@ class Attributes {
   /// The values of a column that is there; Error(bad_input), with what there is, for others.
   template <class T>
   const std::vector<T>& values(const std::string& name) const {
-    const Attribute* known = find(name);
-    if (!known) refuse_name(name);
-    const auto* same = std::get_if<Column<T>>(&known->column);
-    if (!same) refuse_type(*known, Attribute{{}, Column<T>{}}.type());
+    const Attribute& known = need(name);
+    const auto* same = std::get_if<Column<T>>(&known.column);
+    if (!same) refuse_type(known, Attribute{{}, Column<T>{}}.type());
     return same->now;
   }
 
  private:
-  [[noreturn]] void refuse_name(const std::string& name) const;
   [[noreturn]] static void refuse_type(const Attribute& known, std::string_view wanted);
 
   size_t cells_;

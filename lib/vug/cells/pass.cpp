@@ -41,6 +41,20 @@ Pass::Pass(Simulation& simulation, RandomKey key, int step, const std::vector<ui
       step_(step),
       where_(where) {}
 
+const Attributes& Pass::attributes() const { return simulation_->attributes_; }
+
+Given Pass::given(const std::string& name, float otherwise) const {
+  const Attributes& all = attributes();
+  return {all.find(name) ? all.values<float>(name).data() : nullptr, otherwise};
+}
+
+bool Pass::has(const std::string& name) const { return attributes().find(name); }
+
+Reading<Vec3f> Pass::positions() const {
+  const Attributes& all = attributes();
+  return {all.find("P") ? all.values<Vec3f>("P").data() : network_->position.data()};
+}
+
 Writing<Vec3f> Pass::writes_positions() {
   const bool known = simulation_->attributes_.find("P");
   Column<Vec3f>& column = simulation_->attributes_.column<Vec3f>("P");

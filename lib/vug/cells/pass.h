@@ -23,6 +23,26 @@ struct Writing {
   void set(uint32_t cell, const T& value) const { next[cell] = value; }
 };
 
+/// A number that somebody may have brought: `otherwise` in every cell where nobody has.
+struct Given {
+  const float* now;
+  float otherwise;
+  float operator[](uint32_t cell) const { return now ? now[cell] : otherwise; }
+};
+
+/// Any attribute as numbers; of a vector the mean of its parts.
+struct Numbers {
+  const Attribute* of;
+  float operator[](uint32_t cell) const {
+    return std::visit([cell](const auto& column) { return number(column.now[cell]); }, of->column);
+  }
+
+ private:
+  static float number(float value) { return value; }
+  static float number(int32_t value) { return static_cast<float>(value); }
+  static float number(const Vec3f& value) { return (value.x + value.y + value.z) / 3; }
+};
+
 /// Two numbers side by side, added at once.
 using Pair = float __attribute__((vector_size(8)));
 
@@ -48,6 +68,13 @@ class Pass {
   Reading<T> reads(const std::string& name, const T& initial = T(0));
   template <class T>
   Writing<T> writes(const std::string& name, const T& initial = T(0));
+  /// The same without bringing it.
+  Given given(const std::string& name, float otherwise) const;
+  bool has(const std::string& name) const;
+  /// Of whatever type; Error(bad_input), with what there is, where nobody has brought it.
+  Numbers numbers(const std::string& name) const { return {&attributes().need(name)}; }
+  /// Where cells are now.
+  Reading<Vec3f> positions() const;
   /// Where cells have moved to ("P") and how they face ("N"); at first as in the network.
   Writing<Vec3f> writes_positions();
   Writing<Vec3f> writes_normals();
@@ -66,7 +93,7 @@ class Pass {
 
   /// kernel(near, cell) for all cells that receive (and, with a mask, are in it), in parallel;
   /// near.each(cell, f) calls f for the neighbours that distribute. What it has set becomes what
-  /// is. Once a pass.
+  /// is. A rule that runs several kernels in a step asks for its attributes before each.
   template <class Kernel>
   void run(const Kernel& kernel);
   /// For all cells, whatever their state.
@@ -74,6 +101,7 @@ class Pass {
   void run_everywhere(const Kernel& kernel);
 
  private:
+  const Attributes& attributes() const;
   template <class T>
   Writing<T> write(Column<T>& column);
   template <class Kernel>

@@ -3,6 +3,7 @@
 
 #include <vug/cells/simulation.h>
 
+#include <algorithm>
 #include <array>
 
 namespace vug::cells {
@@ -20,7 +21,9 @@ Writing<T> Pass::writes(const std::string& name, const T& initial) {
 template <class T>
 Writing<T> Pass::write(Column<T>& column) {
   if (column.next.empty()) column.next = column.now;
-  written_.push_back(&column);
+  const decltype(written_)::value_type written = &column;
+  if (std::find(written_.begin(), written_.end(), written) == written_.end())
+    written_.push_back(written);
   return {column.now.data(), column.next.data()};
 }
 

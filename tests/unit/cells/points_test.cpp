@@ -29,7 +29,8 @@ std::map<std::string, Digest> carried(const Simulation& s) {
 
 std::vector<Stage> some_of_all(const std::string& last) {
   Named parameters;
-  if (last == "sprinkle") parameters = {{"attribute", "wetness"}};
+  for (const ParamInfo& param : find_kind(rules(), last)->info.params)
+    if (param.required) parameters.emplace_back(param.name, "v");
   return {stage("random_color", {{"share", 0.1}}, 1),
           stage("sprinkle", {{"attribute", "v"}, {"share", 0.01}, {"radius", 0.1}}, 1),
           stage("sprinkle", {{"attribute", "alive"}, {"whole", true}}, 1),

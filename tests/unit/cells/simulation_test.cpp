@@ -16,7 +16,8 @@ TEST(Rules, AllSayWhatTheyAreAndGiveTheSameBytesForAnyNumberOfThreads) {
   for (const RuleKind* kind : rules()) {
     EXPECT_FALSE(kind->info.doc.empty()) << kind->info.name;
     Named parameters;
-    if (kind->info.name == "sprinkle") parameters = {{"attribute", "wetness"}};
+    for (const ParamInfo& param : kind->info.params)
+      if (param.required) parameters.emplace_back(param.name, "v");
     const std::vector<Stage> stages = {
         stage("random_color", {{"share", 0.1}}, 1),
         stage("sprinkle", {{"attribute", "v"}, {"share", 0.01}, {"radius", 0.1}}, 1),

@@ -1,0 +1,91 @@
+#include <vug/base/parallel.h>
+#include <vug/cells/flow.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::cells {
+namespace {
+
+constexpr size_t kGrain = 4096;
+constexpr float kGroove = 0.5f;
+constexpr float kLevel = 1e-3f;
+constexpr float kDrop = 1e-6f;
+
+float power(float base, int exponent) {
+  float product = base;
+  for (int i = 1; i < exponent; ++i) product *= base;
+  return product;
+}
+
+}  // namespace
+
+int moves(double speed, double spacing, int step) {
+  const double each = std::min(speed / spacing, 1000.0);
+  return static_cast<int>(std::floor(each * (step + 1)) - std::floor(each * step));
+}
+
+Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
+    : links_(&pass.network().links) {
+  const Network& n = pass.network();
+  const Reading<Vec3f> position = pass.positions();
+  const Reading<State> state = pass.states();
+  const Given height = pass.given("height", 0), water = pass.given("water", 0);
+  const auto rough = static_cast<float>(options.wander * n.spacing);
+  level_.resize(n.size());
+  parallel_for(
+      n.size(),
+      [&](size_t at) {
+        const auto i = static_cast<uint32_t>(at);
+        const float up = n.normal[i].y, steep = 1 - up * up;
+        const auto drawn =
+            static_cast<float>(RandomStream(key.at(place_of(n.position[i]))).uniform());
+        level_[i] = position[i].y + height[i] * (up + kGroove * steep) + rough * steep * drawn;
+      },
+      kGrain);
+  const auto steepness = [&](uint32_t from, uint32_t to) {
+    const float drop = level_[from] - level_[to];
+    if (!(drop > 0) || !distributes(state[from]) || !receives(state[to])) return 0.0f;
+    const float far = (position[to] - position[from]).length();
+    // What is level but for rounding is level.
+    return drop > kLevel * far ? std::min(1.0f, drop / far) : 0.0f;
+  };
+  const auto cling = static_cast<float>(options.cling);
+  const auto weight = [&](float steep, uint32_t from, uint32_t to) {
+    const float straight = power(steep, options.gather);
+    if (!(cling > 0)) return straight;
+    // 1/2 where both carry the same.
+    const float wet = water[to] / (water[to] + water[from] + kDrop);
+    return straight * (1 - cling + cling * 4 * wet * wet + kDrop);
+  };
+  total_.resize(n.size());
+  steep_.resize(n.size());
+  parallel_for(
+      n.size(),
+      [&](size_t at) {
+        const auto i = static_cast<uint32_t>(at);
+        float total = 0, steepest = 0;
+        for (const uint32_t to : links_->of(i)) {
+          const float steep = steepness(i, to);
+          if (steep > 0) total += weight(steep, i, to);
+          steepest = std::max(steepest, steep);
+        }
+        total_[i] = total;
+        steep_[i] = steepest;
+      },
+      kGrain);
+  share_.resize(links_->to.size());
+  parallel_for(
+      n.size(),
+      [&](size_t at) {
+        const auto i = static_cast<uint32_t>(at);
+        for (uint32_t k = links_->begin[i]; k < links_->begin[i + 1]; ++k) {
+          const uint32_t from = links_->to[k];
+          const float steep = steepness(from, i);
+          share_[k] = steep > 0 && total_[from] > 0 ? weight(steep, from, i) / total_[from] : 0.0f;
+        }
+      },
+      kGrain);
+}
+
+}  // namespace vug::cells

@@ -1,0 +1,122 @@
+#include <vug/base/maths.h>
+#include <vug/base/parallel.h>
+#include <vug/cells/flow.h>
+#include <vug/cells/rule.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::cells {
+namespace {
+
+/// A heap of sand: of two neighbours the higher gives dust to the lower while the slope between
+/// their surfaces, dust and all, is greater than that of repose.
+struct Dust {
+  double fall = 5e-5;
+  double repose = 35 * kPi / 180;
+  double shelter = 0;
+  double speed = 0.05;
+
+  static void describe(Schema<Dust>& s) {
+    s.doc(
+         "Dust settles on what faces up, slides off what is steep and falls from overhangs. Brings "
+         "dust (its thickness), height (which grows by it) and fallen.")
+        .cite("hsu1995dust")
+        .param("fall", &Dust::fall,
+               {.doc = "thickness that settles on level rock in a step",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("repose", &Dust::repose,
+               {.doc = "steepest slope on which dust lies",
+                .dimension = Dimension::angle,
+                .min = 0,
+                .max = 80 * kPi / 180})
+        .param("shelter", &Dust::shelter,
+               {.doc = "how much less settles where a place is open (exposure): 0 the same, 100% "
+                       "nothing",
+                .dimension = Dimension::ratio,
+                .min = 0,
+                .max = 1})
+        .param("speed", &Dust::speed, positive_length("way that it slides in a step"));
+  }
+
+  void step(Pass& pass) const {
+    const Network& network = pass.network();
+    settle(pass, network);
+    const int turns =
+        std::max(pass.step() == 0 ? 1 : 0, moves(speed, network.spacing, pass.step()));
+    for (int turn = 0; turn < turns; ++turn) slide(pass, network);
+  }
+
+ private:
+  /// How far a surface at `from` stands above what would rest against one at `to`, metres; 0 where
+  /// it does not.
+  struct Excess {
+    Reading<Vec3f> position;
+    std::vector<float> top;  ///< Heights of the surface, dust and all.
+    float slope;
+    float operator()(uint32_t from, uint32_t to) const {
+      const float drop = top[from] - top[to];
+      if (!(drop > 0)) return 0;
+      const Vec3f way = position[to] - position[from];
+      const float reach2 = slope * slope * (way.x * way.x + way.z * way.z);
+      return drop * drop > reach2 ? drop - std::sqrt(reach2) : 0;
+    }
+  };
+
+  void settle(Pass& pass, const Network& network) const {
+    const auto dust = pass.writes<float>("dust"), height = pass.writes<float>("height");
+    const Given open = shelter > 0 ? pass.given("exposure", 1) : Given{nullptr, 0};
+    const auto most = static_cast<float>(fall), kept_off = static_cast<float>(shelter);
+    pass.run([=, normal = network.normal.data()](const auto&, uint32_t i) {
+      const float up = std::max(0.0f, normal[i].y);
+      const float more = most * up * std::max(0.0f, 1 - kept_off * open[i]);
+      dust.set(i, dust[i] + more);
+      height.set(i, height[i] + more);
+    });
+  }
+
+  void slide(Pass& pass, const Network& network) const {
+    const auto dust = pass.writes<float>("dust"), height = pass.writes<float>("height");
+    const auto fallen = pass.writes<float>("fallen");
+    const Reading<State> state = pass.states();
+    Excess excess{pass.positions(), std::vector<float>(network.size()),
+                  static_cast<float>(maths::tan(repose))};
+    const auto each_cell = [&](const auto& body) {
+      parallel_for(
+          network.size(), [&](size_t i) { body(static_cast<uint32_t>(i)); }, 4096);
+    };
+    each_cell([&](uint32_t i) {
+      excess.top[i] = excess.position[i].y + height[i] * std::max(0.0f, network.normal[i].y);
+    });
+    // Of each cell, what goes for each metre of excess.
+    std::vector<float> gives(network.size());
+    each_cell([&](uint32_t i) {
+      if (!(dust[i] > 0) || state[i] != State::active) return;
+      float sum = 0, most = 0;
+      for (const uint32_t to : network.links.of(i)) {
+        const float over = receives(state[to]) ? excess(i, to) : 0;
+        sum += over;
+        most = std::max(most, over);
+      }
+      gives[i] = sum > 0 ? std::min(dust[i], most / 2) / sum : 0;
+    });
+    pass.run([&](const auto&, uint32_t i) {
+      float change = 0;
+      for (const uint32_t n : network.links.of(i)) {
+        if (gives[i] > 0 && receives(state[n])) change -= gives[i] * excess(i, n);
+        if (gives[n] > 0) change += gives[n] * excess(n, i);
+      }
+      const bool hangs = network.normal[i].y <= 0;
+      const float lies = std::max(0.0f, dust[i] + change), falls = hangs ? lies : 0;
+      dust.set(i, lies - falls);
+      fallen.set(i, fallen[i] + falls);
+      height.set(i, height[i] + (lies - falls - dust[i]));
+    });
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(dust) { return rule_kind<Dust>("dust"); }

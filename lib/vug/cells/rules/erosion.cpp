@@ -1,0 +1,90 @@
+// Water wears rock with its power (discharge times slope) until it carries what it can, and drops
+// what it cannot carry any further. All cells count as equally large.
+#include <vug/cells/flow.h>
+#include <vug/cells/rule.h>
+
+#include <algorithm>
+
+namespace vug::cells {
+namespace {
+
+struct Erosion {
+  double wear = 2e-4;
+  double depth = 0.05;
+  double carry = 0.01;
+  double settle = 0.3;
+  double full = 1;
+  double speed = 0.05;
+  int gather = 3;
+  double wander = 0.3;
+
+  static void describe(Schema<Erosion>& s) {
+    s.doc(
+         "Running water carves rock, the more the steeper it runs and the weaker the rock is "
+         "(hardness, 0 where nobody says, keeps up to all of it), and leaves what it cannot carry. "
+         "Brings height (below 0 where carved), carved (metres), sediment (on its way) and washed "
+         "(gone). Water is what `run_off` brings; without it all is equally wet.")
+        .cite("whipple1999")
+        .param("wear", &Erosion::wear,
+               {.doc = "that a step takes where water is full and runs straight down",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("depth", &Erosion::depth, positive_length("that is carved at most"))
+        .param("carry", &Erosion::carry,
+               positive_length("layer of sediment that such water carries at most"))
+        .param("settle", &Erosion::settle,
+               {.doc = "of the sediment that water cannot carry, the share that a move leaves",
+                .dimension = Dimension::ratio,
+                .min = 0,
+                .max = 1})
+        .param("full", &Erosion::full,
+               {.doc = "value of water that has full power", .min = 0, .above_min = true})
+        .param("speed", &Erosion::speed, positive_length("way of the sediment in a step"))
+        .param("gather", &Erosion::gather,
+               {.doc = "power of steepness, as in run_off", .min = 1, .max = 8})
+        .param("wander", &Erosion::wander,
+               {.doc = "roughness of walls in spacings, as in run_off", .min = 0, .max = 4});
+  }
+
+  void step(Pass& pass) const {
+    pass.writes<float>("carved"), pass.writes<float>("height");
+    pass.writes<float>("sediment"), pass.writes<float>("washed");
+    const double spacing = pass.network().spacing;
+    const int turns = moves(speed, spacing, pass.step());
+    const Flow flow(pass, pass.key().at("wander"), {gather, wander, 0});
+    const auto fullness = static_cast<float>(full);
+    const Given water = pass.given("water", fullness), hardness = pass.given("hardness", 0);
+    const auto most = static_cast<float>(depth), holds = static_cast<float>(carry);
+    const auto takes = static_cast<float>(wear * spacing / speed);
+    const auto leaves = static_cast<float>(settle);
+    const auto pit = static_cast<float>(spacing / 4);
+    for (int turn = 0; turn < turns; ++turn) {
+      const auto carved = pass.writes<float>("carved"), height = pass.writes<float>("height");
+      const auto load = pass.writes<float>("sediment"), washed = pass.writes<float>("washed");
+      pass.run([&](const auto&, uint32_t i) {
+        const float arrives = flow.into([&](uint32_t n) { return load[n]; }, i);
+        const float steep = flow.steepness(i);
+        const float power = std::clamp(water[i] / fullness, 0.0f, 1.0f) * steep;
+        const float carries = holds * power;
+        float taken = 0;
+        if (arrives > carries) {
+          taken = -leaves * (arrives - carries);
+        } else if (carries > 0) {
+          const float soft = std::clamp(1 - hardness[i], 0.0f, 1.0f);
+          const float free = 1 - arrives / carries;
+          taken = std::min(
+              {takes * power * soft * free, pit * steep, std::max(0.0f, most - carved[i])});
+        }
+        carved.set(i, carved[i] + taken);
+        height.set(i, height[i] - taken);
+        load.set(i, arrives + taken);
+        washed.set(i, washed[i] + (flow.ends(i) ? load[i] : 0));
+      });
+    }
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(erosion) { return rule_kind<Erosion>("erosion"); }

@@ -1,0 +1,125 @@
+#include <vug/base/maths.h>
+#include <vug/cells/rule.h>
+#include <vug/cells/seeds.h>
+
+#include <algorithm>
+
+namespace vug::cells {
+namespace {
+
+/// Crustose lichens grow outwards at an even pace and stop where they meet. Each colony knows its
+/// middle, so that rosettes are round whatever the grid.
+struct Lichen {
+  double seeds = 25;
+  double size = 0.08;
+  double speed = 0.001;
+  double rim = 0.006;
+  double lobes = 0.12;
+  double thickness = 0.002;
+  double moisture = 0;
+  double light = 0.05;
+  std::vector<Vec3d> colors{
+      {0.46, 0.48, 0.38}, {0.6, 0.58, 0.5}, {0.62, 0.4, 0.06}, {0.3, 0.34, 0.2}};
+  Vec3d line{0.03, 0.03, 0.025};
+
+  static void describe(Schema<Lichen>& s) {
+    s.doc(
+         "Rosettes of several colours that grow from seeds, with pale rims and dark lines where "
+         "two meet. Brings lichen (1 in rosettes, 0.5 on lines), colony (numbers of their seeds), "
+         "Cd and height.")
+        .cite("desbenoit2004lichen");
+    describe_growth(s);
+    s.param("size", &Lichen::size, positive_length("radius of the largest rosettes"))
+        .param("speed", &Lichen::speed, positive_length("way that young rims grow in a step"))
+        .param("rim", &Lichen::rim,
+               {.doc = "width of the pale rim", .dimension = Dimension::length, .min = 0})
+        .param("lobes", &Lichen::lobes,
+               {.doc = "depth of lobes, as a share of the radius",
+                .dimension = Dimension::ratio,
+                .min = 0,
+                .max = 0.5})
+        .param("thickness", &Lichen::thickness,
+               {.doc = "of rosettes", .dimension = Dimension::length, .min = 0})
+        .param("colors", &Lichen::colors,
+               {.doc = "of which each rosette draws one, linear", .min = 0, .max = 1})
+        .param("line", &Lichen::line,
+               {.doc = "colour of the lines where two meet, linear", .min = 0, .max = 1});
+  }
+  std::string fault() const { return colors.empty() ? "lichens have a colour at least" : ""; }
+
+  void step(Pass& pass) const {
+    const Network& network = pass.network();
+    const auto cover = pass.writes<float>("lichen"), height = pass.writes<float>("height");
+    const auto colony = pass.writes<int32_t>("colony");
+    const auto color = pass.writes<Vec3f>("Cd");
+    const Given moist = pass.given("moisture", 1), lit = pass.given("light", 1);
+    const auto thick = static_cast<float>(thickness);
+    const auto edge = static_cast<float>(std::max(rim, 1e-6));
+    const RandomKey key = pass.key();
+    const int age = pass.step();
+    pass.run([&](const auto& near, uint32_t i) {
+      const float thrive = thrives(moist[i], moisture) * thrives(lit[i], light);
+      int32_t own = colony[i];
+      bool meets = false;
+      float left = 0;  // metres to the rim
+      if (own == 0 && age == 0 && thrive > 0 && is_seed(network, i, seeds, key.at("seeds")))
+        own = static_cast<int32_t>(i) + 1;
+      if (own == 0 && thrive > 0) {
+        float most = 0;
+        near.each(i, [&](uint32_t n) {
+          if (colony[n] == 0) return;
+          const float deep = depth(network, colony[n], i, thrive, age, key);
+          if (deep > most) most = deep, own = colony[n];
+        });
+        left = most;
+      } else if (own != 0) {
+        near.each(i, [&](uint32_t n) { meets |= colony[n] != 0 && colony[n] != own; });
+        left = depth(network, own, i, thrive, age, key);
+      }
+      const float now = own == 0 ? 0.0f : meets ? 0.5f : 1.0f;
+      height.set(i, height[i] + thick * (now - cover[i]));
+      cover.set(i, now);
+      colony.set(i, own);
+      if (own == 0) return color.set(i, color[i]);
+      if (meets) return color.set(i, Vec3f(line));
+      const float pale = 0.45f * std::clamp(1 - left / edge, 0.0f, 1.0f);
+      color.set(i, shade(network, own, i, key) * (1 - pale) + Vec3f(0.8f) * pale);
+    });
+  }
+
+ private:
+  /// How far the rim of a colony has grown past a cell; 0 or below: not yet.
+  float depth(const Network& n, int32_t colony, uint32_t cell, float thrive, int age,
+              RandomKey key) const {
+    const auto seed = static_cast<uint32_t>(colony - 1);
+    RandomStream random(key.at("colony").at(place_of(n.position[seed])));
+    const double drawn = random.uniform();
+    const double most = size * (0.2 + 0.8 * drawn * drawn);
+    const double phase = random.uniform(0, 2 * kPi), count = 5 + random.below(6);
+    const Vec3f way = n.position[cell] - n.position[seed];
+    const auto far = static_cast<double>(way.length());
+    const double turn = maths::atan2(static_cast<double>(way.dot(ahead(n, seed))),
+                                     static_cast<double>(way.dot(n.right[seed])));
+    // Lobes bulge between sharp notches; and each cell of a rim comes a little early or late.
+    const double wave = maths::sin(count * turn / 2 + phase);
+    const double bulge = 1 - lobes * (1 - 2 * wave * wave + wave * wave * wave * wave);
+    const double ragged =
+        RandomStream(key.at("rim").at(place_of(n.position[cell]))).uniform(-0.3, 0.3) * n.spacing;
+    const double grown = most * (1 - maths::exp(-speed * (age + 1) / most));
+    return static_cast<float>(grown * bulge * static_cast<double>(thrive) + ragged - far);
+  }
+  Vec3f shade(const Network& n, int32_t colony, uint32_t cell, RandomKey key) const {
+    const uint64_t seed = place_of(n.position[static_cast<size_t>(colony - 1)]);
+    RandomStream random(key.at("color").at(seed));
+    const Vec3d& taken = colors[random.below(static_cast<uint32_t>(colors.size()))];
+    const double tone = random.uniform(0.85, 1.15);
+    const double grain =
+        RandomStream(key.at("grain").at(place_of(n.position[cell]))).uniform(0.88, 1.12);
+    return Vec3f(taken * (tone * grain));
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(lichen) { return rule_kind<Lichen>("lichen"); }

@@ -1,0 +1,49 @@
+#include <vug/cells/rule.h>
+#include <vug/cells/seep.h>
+
+namespace vug::cells {
+namespace {
+
+/// What moves between two cells is the same for both, so that without drying nothing is lost. Where
+/// diffusion D and evaporation k balance, moisture falls to 37% on sqrt(D / k), `reach`.
+struct Moisture {
+  double creep = 0.03;
+  double reach = 0.15;
+  std::string from = "water";
+  double full = 0.3;
+
+  static void describe(Schema<Moisture>& s) {
+    s.doc(
+         "Rock is wet through (moisture: 1) where water runs; from there moisture creeps into the "
+         "rock around and dries, the faster the more open a place is (exposure, where a recipe "
+         "names it).")
+        .cite("hall2002")
+        .param("reach", &Moisture::reach,
+               positive_length("way from the wet on which moisture falls to 37%"));
+    describe_seep(s);
+  }
+
+  void step(Pass& pass) const {
+    const Network& network = pass.network();
+    const Seep seep(creep, network.spacing);
+    const auto given = static_cast<float>(seep.share / network.full);
+    const double steps = network.spacing / (2 * reach);
+    const auto dries = static_cast<float>(std::min(seep.share * steps * steps, 1 - seep.share));
+    const Given water = pass.given(from, 0), open = pass.given("exposure", 1);
+    const auto wets = static_cast<float>(1 / full);
+    for (int round = 0; round < seep.rounds; ++round) {
+      const auto m = pass.writes<float>("moisture");
+      pass.run([=](const auto& near, uint32_t i) {
+        float sum = 0;
+        const auto links = static_cast<float>(near.each(i, [&](uint32_t n) { sum += m[n]; }));
+        const float left = m[i] + given * (sum - links * m[i]) - dries * open[i] * m[i];
+        m.set(i, std::max(left, std::min(1.0f, wets * water[i])));
+      });
+    }
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(moisture) { return rule_kind<Moisture>("moisture"); }
