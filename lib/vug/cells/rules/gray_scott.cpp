@@ -35,7 +35,8 @@ struct GrayScott {
     const auto f = static_cast<float>(feed), k = static_cast<float>(kill);
     const auto kernel = [=](const auto& both) {
       return [=](const auto& near, uint32_t i) {
-        const float own_u = u[i], own_v = v[i];
+        const Pair own = both(i);
+        const float own_u = own[0], own_v = own[1];
         Pair sum = {0, 0};
         const auto links = static_cast<float>(near.each(i, [&](uint32_t n) { sum += both(n); }));
         // No more of u than there is: the same while v is below 1, as it is but for drops.
