@@ -54,7 +54,8 @@ void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& prog
     if (!stage.where.empty() && stage.where.size() != network_->size())
       throw Error(ErrorCode::bad_input,
                   fmt::format("the mask of stage '{}' is not of these cells", stage.name));
-  progress.begin("rewriting cells", static_cast<uint64_t>(std::max(0, steps)));
+  progress.begin(fmt::format("rewriting cells, {} steps", std::max(0, steps)),
+                 static_cast<uint64_t>(std::max(0, steps)));
   for (int done = 0; done < steps; ++done) {
     progress.check();
     for (const Stage& stage : stages) {
