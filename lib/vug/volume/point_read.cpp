@@ -28,6 +28,7 @@ struct Leaves {
   explicit Leaves(const vp::PointDataGrid& grid) {
     grid.tree().getNodes(leaves);
     for (const Leaf* leaf : leaves) {
+      leaf->validateOffsets();  // throws where they point beyond the attributes
       begin.push_back(count);
       count += leaf->pointCount();
     }
@@ -127,13 +128,19 @@ std::vector<std::string> group_names(const vp::AttributeSet::Descriptor& descrip
   return out;
 }
 
-}  // namespace
-
-bool is_points(const Grid& grid) { return grid.data().grid->isType<vp::PointDataGrid>(); }
-
-Points points(const Grid& grid) {
+/// What OpenVDB says of grids whose parts do not fit together becomes an error of ours.
+template <class Work>
+auto with_points(const Grid& grid, const Work& work) {
   const vp::PointDataGrid& data = point_data(grid);
-  const Leaves leaves(data);
+  try {
+    return work(data, Leaves(data));
+  } catch (const openvdb::Exception& fault) {
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the points of '{}' are damaged: {}", grid.name(), fault.what()));
+  }
+}
+
+Points all_of(const vp::PointDataGrid& data, const Leaves& leaves) {
   Points out;
   if (leaves.leaves.empty()) return out;
   out.position = positions(data, leaves);
@@ -150,16 +157,7 @@ Points points(const Grid& grid) {
   return out;
 }
 
-Points read_points(const std::filesystem::path& source, const std::string& name) {
-  if (!name.empty()) return points(read_grid(source, name));
-  for (const Grid& grid : read(source))
-    if (is_points(grid)) return points(grid);
-  throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", source.string()));
-}
-
-PointsInfo points_info(const Grid& grid) {
-  const vp::PointDataGrid& data = point_data(grid);
-  const Leaves leaves(data);
+PointsInfo info_of(const vp::PointDataGrid& data, const Leaves& leaves) {
   PointsInfo out;
   out.count = leaves.count;
   if (leaves.leaves.empty()) return out;
@@ -175,5 +173,20 @@ PointsInfo points_info(const Grid& grid) {
   }
   return out;
 }
+
+}  // namespace
+
+bool is_points(const Grid& grid) { return grid.data().grid->isType<vp::PointDataGrid>(); }
+
+Points points(const Grid& grid) { return with_points(grid, all_of); }
+
+Points read_points(const std::filesystem::path& source, const std::string& name) {
+  if (!name.empty()) return points(read_grid(source, name));
+  for (const Grid& grid : read(source))
+    if (is_points(grid)) return points(grid);
+  throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", source.string()));
+}
+
+PointsInfo points_info(const Grid& grid) { return with_points(grid, info_of); }
 
 }  // namespace vug::volume
