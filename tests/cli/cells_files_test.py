@@ -203,6 +203,12 @@ class CellsFiles(VugTest):
         self.expect(0, "build", "f.vug", "-o", "one", "--frame", "3")
         for name, other in (("f.ply", "f.0003.ply"), ("f_crust.vdb", "f_crust.0003.vdb")):
             self.assertEqual(digest(self.folder / "one" / name), digest(self.folder / "seq" / other), name)
+        self.write("p.vug", SCENE % ("", "20 * frame") + "object ball on crust {}\ncamera main { eye (0, 0, 4) }\n"
+                   "light bright = sky(radiance: (1, 1, 1))\nrender main { size 32x24  spp 1 }\n")
+        self.expect(0, "render", "p.vug", "-o", "p.####.exr", "--frames", "2..3")
+        self.expect(0, "render", "p.vug", "-o", "one.exr", "--frame", "3")
+        self.assertEqual(digest(self.folder / "one.exr"), digest(self.folder / "p.0003.exr"))
+        self.assertNotEqual(digest(self.folder / "one.exr"), digest(self.folder / "p.0002.exr"))
         self.expect(2, "build", "f.vug", "-o", "seq", "--frames", "1..3", "--frame", "3")
         self.expect(2, "build", "f.vug", "-o", "seq", "--frames", "3..1")
 

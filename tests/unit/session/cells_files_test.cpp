@@ -1,4 +1,5 @@
 // Cells in files, and runs that go on: from a checkpoint, from a frame, from points.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <vug/base/atomic_file.h>
@@ -59,15 +60,16 @@ class CellFiles : public testing::Test {
 TEST_F(CellFiles, ARunThatIsStoppedGoesOnToTheSameBytes) {
   const Loaded scene = loaded(kNext + kLong);
   Builder whole(scene.shot);
-  {
-    Progress progress;
+  // Stopped twice; at the end with both runs in the file, of which the film's is asked for last.
+  for (const int stop : {300, 965}) {
     Progress stopping([&](const std::string& stage, double fraction) {
-      static int runs = 0;  // the first is of the film
-      if (stage.rfind("rewriting cells", 0) == 0 && fraction == 0) ++runs;
-      if (stage.rfind("rewriting cells", 0) == 0 && runs == 2 && fraction >= 0.3) stopping.cancel();
+      const int steps = stop == 300 ? 1000 : 700;  // of this run
+      if (stage == fmt::format("rewriting cells, {} steps", steps) &&
+          fraction * steps > stop - (1000 - steps) - 0.5)
+        stopping.cancel();
     });
     BuildOptions options;
-    options.checkpoint = std::make_shared<CellsCheckpoint>(checkpoint(false), scene.shot);
+    options.checkpoint = std::make_shared<CellsCheckpoint>(checkpoint(stop > 300), scene.shot);
     Builder builder(scene.shot, options, stopping);
     made(builder, 0);
     try {
@@ -75,22 +77,27 @@ TEST_F(CellFiles, ARunThatIsStoppedGoesOnToTheSameBytes) {
       FAIL() << "it was told to stop";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::cancelled);
-      EXPECT_EQ(error.hint(), "'" + checkpoint(false).file.string() +
-                                  "' keeps what is done, 300 of 1000 steps of 'crust'; the same "
-                                  "command with --resume goes on from it");
+      EXPECT_EQ(
+          error.hint(),
+          fmt::format("'{}' keeps what is done, {} of 1000 steps of 'crust'; the same "
+                      "command{} goes on from it",
+                      checkpoint(false).file.string(), stop, stop == 300 ? " with --resume" : ""));
     }
   }
   EXPECT_THROW(CellsCheckpoint(checkpoint(false), scene.shot), Error);
   const volume::FileInfo kept = volume::info(checkpoint(true).file);
   ASSERT_EQ(kept.grids.size(), 2u);
-  EXPECT_EQ(std::get<int64_t>(kept.grids[1].metadata.at("vug:step")), 300);
+  EXPECT_EQ(std::get<int64_t>(kept.grids[1].metadata.at("vug:step")), 965);
   BuildOptions options;
-  options.checkpoint = std::make_shared<CellsCheckpoint>(checkpoint(true), scene.shot);
+  CheckpointOptions often = checkpoint(true);
+  often.every = 0;
+  options.checkpoint = std::make_shared<CellsCheckpoint>(often, scene.shot);
   Builder resumed(scene.shot, options);
   EXPECT_EQ(made(resumed, 1), made(whole, 1));
+  EXPECT_EQ(volume::info(often.file).grids.size(), 2u) << "the other run is kept";
   EXPECT_EQ(made(resumed, 0), made(whole, 0));
   options.checkpoint->remove();
-  EXPECT_FALSE(fs::exists(checkpoint(true).file));
+  EXPECT_FALSE(fs::exists(often.file));
 }
 
 TEST_F(CellFiles, ACheckpointOfAnotherSceneIsRefused) {
