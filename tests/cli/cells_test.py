@@ -94,6 +94,36 @@ class Cells(VugTest):
         for name in ("wall", "other"):
             self.assertIn(b"property float wet\n", (self.folder / f"out/s_skin_{name}.ply").read_bytes())
 
+    def test_meshes_from_files(self):
+        self.write("ball.vug", "volume rock = level_set(sphere(1m), voxel: 10cm)\nmesh wall on rock { format obj }\n")
+        self.expect(0, "build", "ball.vug", "-o", "in")
+        lines = (self.folder / "in/ball.obj").read_text().splitlines()
+        faces = [n for n, line in enumerate(lines) if line.startswith("f ")]
+        self.write("holed.obj", "\n".join(lines[:faces[100]] + lines[faces[100] + 1:]) + "\n")
+        self.write("file.vug", "mesh shell { file \"holed.obj\"  scale 2  paint layer(under: (1, 0, 0), over: (0, 1, 0), mask: slope()) }\n"
+                   "cells skin on shell { spacing 20cm  steps 60  run random_color(share: 5%), voronoi, crack(begin: 20) }\n"
+                   "object bunny on skin { material lambert(albedo: (0.6, 0.6, 0.6)) }\nrender main { size 16x12  spp 1 }\n")
+        report = json.loads(self.expect(0, "measure", "file.vug", "--cells", "skin", "--json").out)
+        self.assertEqual(report["components"], 1)
+        self.assertAlmostEqual(report["cells"], 4 * 3.14159 * 4 / 0.2 ** 2, delta=0.1 * report["cells"])
+        self.expect(0, "render", "file.vug", "-o", "file.exr")
+        self.expect(0, "build", "file.vug", "-o", "out")
+        self.assertIn("out/file.ply", self.files())
+        mesh = json.loads(self.expect(0, "info", "out/file.ply", "--json").out)
+        self.assertEqual(mesh["triangles"], len(faces) - 1)
+        self.assertAlmostEqual(mesh["bounds"][1][1], 2, delta=0.01)
+        self.assertIn("crack 1", mesh["attributes"])
+        measured = json.loads(self.expect(1, "measure", "out/file.ply", "--json").out)
+        self.assertEqual(measured["boundary_edges"], 3)
+        self.write("worn.vug", (self.folder / "file.vug").read_text() + "volume solid on skin { voxel 10cm }\n")
+        self.assertIn("worn.vug:5:8: error: a mesh with 3 open edges bounds no solid", self.expect(2, "build", "worn.vug", "-o", "out").err)
+        self.write("inside.vug", "mesh shell { file \"turned.obj\" }\ncells skin on shell { spacing 20cm  run voronoi }\n")
+        first = lines[faces[0]].split()
+        turned = lines[:faces[0]] + [" ".join([first[0], first[2], first[1], first[3]])] + lines[faces[0] + 1:]
+        self.write("turned.obj", "\n".join(turned) + "\n")
+        self.assertIn("inside.vug:2:7: error: the sides of the object do not agree about the outside",
+                      self.expect(2, "build", "inside.vug", "-o", "out").err)
+
     def test_voxels_larger_than_cells_are_doubtful(self):
         self.write("s.vug", SCENE % ("wall", "spacing 5cm  run maze"))
         self.assertIn("s.vug:4:7: warning: the voxels of 'rock' are larger than the cells",

@@ -1,8 +1,10 @@
 #include <vug/base/parallel.h>
 #include <vug/cells/onto_mesh.h>
+#include <vug/mesh/normals.h>
 #include <vug/mesh/point_grid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace vug::cells {
@@ -149,6 +151,36 @@ std::vector<Way> ways_of(const Simulation& simulation, mesh::Mesh& mesh) {
   return ways;
 }
 
+/// How far each cell has gone; none where no rule moves them.
+std::vector<Vec3f> ways_gone(const Simulation& simulation) {
+  const Attribute* place = simulation.attributes().find(kPlace);
+  const auto* column = place ? std::get_if<Column<Vec3f>>(&place->column) : nullptr;
+  if (!column) return {};
+  std::vector<Vec3f> ways(column->now.size());
+  for (size_t i = 0; i < ways.size(); ++i)
+    ways[i] = column->now[i] - simulation.network().position[i];
+  return ways;
+}
+
+/// Moves the vertices by `ways` (three numbers each) and by `height` along their normals; either
+/// may be null.
+void move_vertices(mesh::Mesh& mesh, const std::vector<float>* ways,
+                   const std::vector<float>* height) {
+  const std::vector<Vec3f> before = mesh::vertex_normals(mesh);
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    Vec3f& p = mesh.positions[v];
+    if (ways) p += Vec3f((*ways)[3 * v], (*ways)[3 * v + 1], (*ways)[3 * v + 2]);
+    if (height) p += mesh.normals[v] * (*height)[v];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw Error(ErrorCode::bad_input, "cells move the surface to places that are not finite");
+  }
+  const std::vector<Vec3f> after = mesh::vertex_normals(mesh);
+  for (size_t v = 0; v < mesh.normals.size(); ++v) {
+    const Vec3f turned = mesh.normals[v] + (after[v] - before[v]);
+    mesh.normals[v] = turned.dot(after[v]) > 0 ? turned.normalized() : after[v];
+  }
+}
+
 void add_normals(mesh::Mesh& mesh) {
   std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0));
   for (size_t face = 0; face < mesh.triangles.size(); ++face)
@@ -166,9 +198,12 @@ double mean_edge(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-void onto_mesh(const Simulation& simulation, mesh::Mesh& mesh, Progress& progress) {
+void onto_mesh(const Simulation& simulation, mesh::Mesh& mesh, const OntoMeshOptions& options,
+               Progress& progress) {
   const Network& network = simulation.network();
   std::vector<Way> ways = ways_of(simulation, mesh);
+  const std::vector<Vec3f> gone = options.move ? ways_gone(simulation) : std::vector<Vec3f>();
+  if (!gone.empty()) ways.push_back({&gone, taken(mesh, "", 3), false});
   const bool bare = mesh.normals.empty();
   if (bare) add_normals(mesh);
   const Box3d box = mesh::bounds(mesh);
@@ -188,6 +223,14 @@ void onto_mesh(const Simulation& simulation, mesh::Mesh& mesh, Progress& progres
   }
   progress.advance();
   progress.end();
+  const auto height = std::find_if(ways.begin(), ways.end(), [](const Way& way) {
+    return way.to.name == kHeight && way.to.arity == 1;
+  });
+  const bool rises = options.move && height != ways.end();
+  if (rises || !gone.empty())
+    move_vertices(mesh, gone.empty() ? nullptr : &ways.back().to.values,
+                  rises ? &height->to.values : nullptr);
+  if (!gone.empty()) ways.pop_back();
   if (bare) mesh.normals.clear();
   for (Way& way : ways) mesh.attributes.push_back(std::move(way.to));
 }

@@ -10,6 +10,14 @@ namespace vug::cells {
 /// 1 in cells that are gone from the surface (State::transparent), else 0.
 inline constexpr std::string_view kTransparent = "transparent";
 
+/// Attributes that move a surface: where cells are now, and metres along the surface's normal.
+inline constexpr std::string_view kPlace = "P";
+inline constexpr std::string_view kHeight = "height";
+
+struct OntoMeshOptions {
+  bool move = false;  ///< Take the mesh's vertices along where kPlace and kHeight say so.
+};
+
 /// Adds every attribute of the simulation's cells (but "P" and "N") and kTransparent to the mesh,
 /// in place of those of the same name.
 ///
@@ -21,8 +29,12 @@ inline constexpr std::string_view kTransparent = "transparent";
 /// there is one. A mean lies between what it is taken of: what is the same in all cells stays so
 /// exactly, and a function of slope g is met within g r.
 ///
+/// Vertices move by the mean way of the cells around them, as far as these have gone, and by the
+/// mean height along their own normal; normals turn as the triangles around them do.
+/// Error(bad_input) where a vertex would not go to a place that is finite.
+///
 /// Cells without colour (Cd of 0) count with the colour that the mesh has at the vertex.
-void onto_mesh(const Simulation& simulation, mesh::Mesh& mesh,
+void onto_mesh(const Simulation& simulation, mesh::Mesh& mesh, const OntoMeshOptions& options = {},
                Progress& progress = Progress::none());
 
 }  // namespace vug::cells

@@ -1,9 +1,12 @@
 #include <vug/base/memory.h>
+#include <vug/metrics/surface.h>
+#include <vug/session/blame.h>
 #include <vug/session/build.h>
 #include <vug/session/cells_checkpoint.h>
 #include <vug/session/make_mesh.h>
 #include <vug/session/room.h>
 #include <vug/session/wear.h>
+#include <vug/volume/from_mesh.h>
 #include <vug/volume/samples.h>
 
 #include <fmt/format.h>
@@ -32,6 +35,7 @@ class Stopwatch {
 /// Why nothing of a volume is there, as far as its plan tells.
 std::string why_empty(const VolumePlan& plan) {
   const Box3d& bounds = plan.field.bounds();
+  if (plan.of) return "its mesh is empty or thinner than a voxel";
   if (bounds.isEmpty()) return "its solid is empty";
   if (plan.from && !bounds.intersects(Box3d(*plan.from, *plan.to)))
     return "its solid lies outside of 'from' and 'to'";
@@ -42,6 +46,7 @@ std::string why_empty(const VolumePlan& plan) {
 void add_with_parts(const MeshPtr& plan, std::vector<MeshPtr>& meshes) {
   meshes.push_back(plan);
   for (const MeshPtr& part : plan->parts) add_with_parts(part, meshes);
+  if (plan->volume && plan->volume->of) add_with_parts(plan->volume->of, meshes);
   if (!plan->cells) return;
   for (const MeshPtr& ground : plan->cells->on) add_with_parts(ground, meshes);
 }
@@ -64,6 +69,7 @@ uint64_t Builder::room() const {
 double Builder::area_of(const VolumePtr& plan) const {
   if (const auto held = level_sets_.find(plan); held != level_sets_.end())
     return area_of_band(static_cast<double>(held->second.statistics().active_voxels), *plan);
+  if (plan->of && plan->of->volume) return area_of(plan->of->volume);
   if (plan->field.bounds().isEmpty()) return 0;
   return volume::estimate(plan->field, voxelize_options(*plan, room())).surface_area;
 }
@@ -86,6 +92,8 @@ void Builder::take_over(Builder&& other) {
   std::set<VolumePtr> volumes(shot_.volumes.begin(), shot_.volumes.end());
   volumes.insert(shot_.medium_volume);
   std::vector<MeshPtr> meshes;
+  for (const VolumePtr& volume : shot_.volumes)
+    if (volume->of) add_with_parts(volume->of, meshes);
   for (const MeshPtr& plan : meshes_of(shot_)) add_with_parts(plan, meshes);
   for (const ObjectPlan& object : shot_.objects) add_with_parts(object.mesh, meshes);
   for (const PlacePlan& place : shot_.places)
@@ -114,19 +122,29 @@ void Builder::take_over(Builder&& other) {
   other.level_sets_.clear(), other.meshes_.clear(), other.skins_.clear(), other.surfaces_.clear();
 }
 
+volume::LevelSet Builder::make_level_set(const VolumePlan& plan) {
+  const mesh::MeshPtr mesh = plan.of ? this->mesh(plan.of) : nullptr;
+  const Stopwatch watch(seconds_);
+  if (!mesh) return volume::voxelize(plan.field, voxelize_options(plan, room()), progress_);
+  volume::FromMeshOptions options;
+  options.voxel = plan.voxel;
+  options.half_width = plan.half_width;
+  options.max_memory = room();
+  return volume::from_mesh(*mesh, options, progress_);
+}
+
 const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
   if (const auto found = level_sets_.find(plan); found != level_sets_.end()) return found->second;
-  const Stopwatch watch(seconds_);
-  const volume::VoxelizeOptions voxelize = voxelize_options(*plan, room());
   try {
-    const volume::LevelSet& made =
-        level_sets_.emplace(plan, volume::voxelize(plan->field, voxelize, progress_)).first->second;
+    const volume::LevelSet& made = level_sets_.emplace(plan, make_level_set(*plan)).first->second;
     held_ += made.statistics().memory_bytes;
     if (!made.holds_solid())
       warn(plan->where, fmt::format("the volume '{}' comes out empty", plan->name),
            why_empty(*plan));
     return made;
   } catch (Error& error) {
+    if (plan->of && error.code() == ErrorCode::bad_input && !error.where().known())
+      throw blamed_on(plan->where, error);
     throw error.within(fmt::format("making the volume '{}'", plan->name));
   }
 }
@@ -139,11 +157,13 @@ void Builder::require_room(const MeshPtr& plan) const {
     for (const MeshPtr& ground : plan->cells->on) {
       require_room(ground);
       if (ground->volume) area += area_of(ground->volume);
+      if (ground->given) area += metrics::area(*ground->given);
     }
     require_skin_room(*plan->cells, area, room());
   }
   if (plan->cells || !plan->volume) return;
   const VolumePlan& volume = *plan->volume;
+  if (volume.of) return require_room(volume.of);
   if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
   const double band = 2 * volume.half_width;
   if (meshing_bytes(most_active_voxels(volume), band) <= static_cast<double>(room())) return;
@@ -171,9 +191,10 @@ mesh::MeshPtr Builder::mesh(const MeshPtr& plan) {
 }
 
 Builder::MadeMesh Builder::make_bare(const MeshPlan& plan) {
-  const volume::LevelSet& surface = level_set(plan.volume);
+  const volume::LevelSet* surface = plan.given ? nullptr : &level_set(plan.volume);
   const Stopwatch watch(seconds_);
-  mesh::LargePieces pieces = make_mesh(plan, surface, room(), progress_);
+  mesh::LargePieces pieces =
+      surface ? make_mesh(plan, *surface, room(), progress_) : make_mesh(plan);
   return {std::make_shared<const mesh::Mesh>(std::move(pieces.mesh)), pieces.left_out};
 }
 
@@ -188,7 +209,7 @@ Builder::MadeMesh Builder::make_worn(const MeshPlan& plan) {
   const MeshPtr under = below(plan);
   const mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
-  return {std::make_shared<const mesh::Mesh>(wear(*bare, *skin, progress_)),
+  return {std::make_shared<const mesh::Mesh>(wear(*bare, *skin, *plan.cells, progress_)),
           pieces_left_out(under)};
 }
 

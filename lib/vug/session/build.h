@@ -74,6 +74,7 @@ class Builder {
   std::map<MeshPtr, MadeMesh> meshes_;
   /// What has been made of a plan, or of one just like it; null when nothing has.
   const MadeMesh* made(const MeshPtr& plan) const;
+  volume::LevelSet make_level_set(const VolumePlan& plan);
   MadeMesh make_bare(const MeshPlan& plan);
   MadeMesh make_worn(const MeshPlan& plan);
   MadeMesh make_merged(const MeshPlan& plan);

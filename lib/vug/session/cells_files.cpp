@@ -6,6 +6,7 @@
 #include <vug/session/make_mesh.h>
 #include <vug/volume/band.h>
 #include <vug/volume/io.h>
+#include <vug/volume/samples.h>
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ mesh::Mesh feet(const MeshPlan& ground, const volume::LevelSet& level_set) {
   mesh::Mesh out;
   out.positions = std::move(band.foot);
   out.normals = std::move(band.normal);
-  if (ground.paint) add_colors(out, ground.paint, level_set);
+  if (ground.paint) add_colors(out, ground.paint, volume::samples(level_set).get());
   return out;
 }
 
@@ -102,7 +103,7 @@ std::vector<volume::Grid> cell_grids(Builder& builder, const CellsPtr& plan) {
                    builder.room(), fmt::format("the grids of '{}'", plan->name),
                    "leave grids out of its files, use larger voxels");
     mesh::Mesh places = feet(*ground, level_set);
-    cells::onto_mesh(skin->simulation, places, builder.progress());
+    cells::onto_mesh(skin->simulation, places, {}, builder.progress());
     const std::string name =
         grounds.size() == 1 ? plan->name : fmt::format("{}_{}", plan->name, ground->volume->name);
     for (const mesh::Attribute& each : places.attributes)

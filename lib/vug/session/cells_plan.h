@@ -34,6 +34,8 @@ struct CellsPlan {
   std::optional<int> relax;         ///< Steps of harmonising; not given: the grid's own.
   cells::Force harmonise = cells::Force::squared;
   std::vector<CellStagePtr> run;  ///< In the order in which they work within a step.
+  bool move = true;               ///< The mesh goes where cells go.
+  bool holes = false;             ///< The mesh is cut away where cells are gone.
   std::optional<int> steps;       ///< Of the whole run; see length.
   std::filesystem::path from;     ///< Points that they go on from; empty: none.
   std::vector<std::string> files = {"points", "grids"};  ///< See `writes`.

@@ -7,11 +7,11 @@
 #include <algorithm>
 
 namespace vug::session {
-void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface) {
-  const auto solid = volume::samples(surface);
+
+void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::SampledGrid* solid) {
   std::vector<paint::Spot> spots(mesh.positions.size());
   for (size_t i = 0; i < spots.size(); ++i)
-    spots[i] = {Vec3d(mesh.positions[i]), Vec3d(mesh.normals.at(i)).normalized(), solid.get()};
+    spots[i] = {Vec3d(mesh.positions[i]), Vec3d(mesh.normals.at(i)).normalized(), solid};
   mesh::Attribute color{"Cd", 3, {}};
   color.values.reserve(3 * spots.size());
   for (const Vec3f& rgb : paint::colors(paint, spots))
@@ -24,12 +24,18 @@ mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surfac
   meshing::PolygonizeOptions polygonize;
   polygonize.adaptivity = plan.adaptivity;
   polygonize.polish = plan.polish;
-  const field::Field* exact = plan.polish ? &plan.volume->field : nullptr;
+  const field::Field* exact = plan.polish && !plan.volume->of ? &plan.volume->field : nullptr;
   const auto active = static_cast<double>(surface.statistics().active_voxels);
   require_memory(meshing_bytes(active, 2 * plan.volume->half_width), memory, "the mesh");
   mesh::LargePieces pieces = mesh::large_pieces(
       meshing::polygonize(surface, exact, polygonize, progress).mesh, plan.smallest_piece);
-  if (plan.paint) add_colors(pieces.mesh, plan.paint, surface);
+  if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::samples(surface).get());
+  return pieces;
+}
+
+mesh::LargePieces make_mesh(const MeshPlan& plan) {
+  mesh::LargePieces pieces = mesh::large_pieces(*plan.given, plan.smallest_piece);
+  if (plan.paint) add_colors(pieces.mesh, plan.paint, nullptr);
   return pieces;
 }
 

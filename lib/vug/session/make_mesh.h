@@ -1,4 +1,4 @@
-// The mesh of a level set, as a scene asks for it.
+// The mesh of a level set or of a file, as a scene asks for it.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -13,11 +13,15 @@ namespace vug::session {
 mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
                             Progress& progress);
 
+/// The same of what the plan's file holds.
+mesh::LargePieces make_mesh(const MeshPlan& plan);
+
 /// All in one, in their order; what one of them does not carry is 0 there, and without normals of
 /// all there are none.
 mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts);
 
-/// Adds the paint's colours at the vertices, which have normals, as attribute Cd.
-void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const volume::LevelSet& surface);
+/// Adds the paint's colours at the vertices, which have normals, as attribute Cd; `solid` is the
+/// level set whose surface it is, or null.
+void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::SampledGrid* solid);
 
 }  // namespace vug::session

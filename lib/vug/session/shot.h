@@ -6,6 +6,7 @@
 #include <vug/field/field.h>
 #include <vug/grammar/tree.h>
 #include <vug/image/colour_space.h>
+#include <vug/mesh/mesh.h>
 #include <vug/paint/paint.h>
 #include <vug/render/integrator.h>
 #include <vug/render/sampler.h>
@@ -22,10 +23,13 @@
 
 namespace vug::session {
 
-/// `volume NAME = level_set(...)` or `fog(...)`.
+struct MeshPlan;
+
+/// `volume NAME = level_set(...)` or `fog(...)`, or `volume NAME on MESH { ... }`.
 struct VolumePlan {
   std::string name;  ///< Also the grid's name in the file.
   field::Field field;
+  std::shared_ptr<const MeshPlan> of;  ///< The mesh that it is made of in place of the field.
   bool fog = false;
   double voxel = 0.1;         ///< Metres.
   double half_width = 3;      ///< Of the narrow band, voxels.
@@ -42,10 +46,12 @@ using VolumePtr = std::shared_ptr<const VolumePlan>;
 struct CellsPlan;  ///< See cells_plan.h.
 using CellsPtr = std::shared_ptr<const CellsPlan>;
 
-/// `mesh NAME on VOLUME { ... }`, such a mesh wearing cells, or several in one.
+/// `mesh NAME on VOLUME { ... }` or `mesh NAME { file ... }`, such a mesh wearing cells, or several
+/// in one.
 struct MeshPlan {
   std::string name;
-  VolumePtr volume;            ///< Null for several.
+  VolumePtr volume;            ///< Null for several and for one from a file.
+  mesh::MeshPtr given;         ///< What the file holds, in metres and with normals.
   double adaptivity = 0;       ///< 0 keeps every quad, 1 merges what is flat.
   bool polish = true;          ///< Move vertices onto the exact field.
   double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.

@@ -22,6 +22,16 @@ cells::BuildOptions build_options(const CellsPlan& plan, uint64_t memory) {
   return options;
 }
 
+/// Meshes that cannot have cells, as those turned inside out in part, are told at the cells' name.
+cells::Surface surface_of(const std::vector<mesh::MeshPtr>& meshes, const CellsPlan& plan) {
+  try {
+    return cells::Surface(meshes);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;
+    throw blamed_on(plan.where, error);
+  }
+}
+
 cells::Built network(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
                      Progress& progress) {
   std::vector<mesh::MeshPtr> meshes;
@@ -30,8 +40,8 @@ cells::Built network(const CellsPlan& plan, const std::vector<Ground>& grounds, 
     if (!grounds[i].mesh->triangles.empty())
       meshes.push_back(grounds[i].mesh), numbers.push_back(i);
   if (meshes.empty()) return {};
+  const cells::Surface surface = surface_of(meshes, plan);
   try {
-    const cells::Surface surface(meshes);
     cells::Built built = cells::build(surface, build_options(plan, memory), progress);
     for (uint32_t& object : built.network.object) object = numbers[object];
     return built;

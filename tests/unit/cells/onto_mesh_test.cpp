@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace vug::cells {
 namespace {
@@ -151,6 +152,60 @@ TEST(OntoMesh, VerticesFarFromCellsTakeTheNearestThatFaceAlike) {
       ASSERT_LT(values(mesh, "x")[v], 0.2f);
     }
   }
+}
+
+mesh::Mesh with_normals(mesh::Mesh mesh) {
+  for (const Vec3f& p : mesh.positions) mesh.normals.push_back(p.normalized());
+  return mesh;
+}
+
+OntoMeshOptions moving() {
+  OntoMeshOptions options;
+  options.move = true;
+  return options;
+}
+
+TEST(OntoMesh, HeightMovesASurfaceAlongItsNormal) {
+  const mesh::Mesh ball = with_normals(mesh::sphere_mesh(Vec3d(0), 1, 4));
+  Simulation simulation(network(ball, "random", 0.1), RandomKey(1));
+  for (float& h : simulation.attributes().column<float>("height").now) h = -0.05F;
+  mesh::Mesh moved = ball, still = ball;
+  onto_mesh(simulation, moved, moving());
+  onto_mesh(simulation, still);
+  EXPECT_EQ(still.positions, ball.positions);
+  for (size_t v = 0; v < ball.positions.size(); ++v) {
+    ASSERT_NEAR(moved.positions[v].length(), 0.95, 1e-6);
+    ASSERT_NEAR((moved.normals[v] - ball.normals[v]).length(), 0, 1e-5);
+    ASSERT_EQ(values(moved, "height")[v], -0.05F);
+  }
+  // A tilt by which one side rises and the other falls turns the normals.
+  auto& height = simulation.attributes().column<float>("height").now;
+  for (size_t i = 0; i < height.size(); ++i) height[i] = 0.2F * simulation.network().position[i].x;
+  moved = ball;
+  onto_mesh(simulation, moved, moving());
+  // The surface r = 1 + 0.2 x has at (0, 1, 0) the slope dr/dx = 0.2.
+  for (size_t v = 0; v < ball.positions.size(); ++v)
+    if (ball.positions[v].y > 0.999F) {
+      EXPECT_NEAR(moved.normals[v].x / moved.normals[v].y - ball.positions[v].x, -0.2F, 0.03F);
+    }
+}
+
+TEST(OntoMesh, VerticesGoWhereCellsGo) {
+  const mesh::Mesh ball = with_normals(mesh::sphere_mesh(Vec3d(0), 1, 3));
+  Simulation simulation(network(ball, "random", 0.2), RandomKey(1));
+  auto& place = simulation.attributes().column<Vec3f>("P").now;
+  const Vec3f way(0.25F, -0.5F, 0.125F);
+  for (size_t i = 0; i < place.size(); ++i) place[i] = simulation.network().position[i] + way;
+  mesh::Mesh moved = ball;
+  onto_mesh(simulation, moved, moving());
+  for (size_t v = 0; v < ball.positions.size(); ++v) {
+    EXPECT_NEAR((moved.positions[v] - ball.positions[v] - way).length(), 0, 1e-6F);
+    EXPECT_NEAR((moved.normals[v] - ball.normals[v]).length(), 0, 1e-5F);
+  }
+  EXPECT_FALSE(mesh::find_attribute(moved, "P"));
+  EXPECT_FALSE(mesh::find_attribute(moved, ""));
+  place[0].x = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(onto_mesh(simulation, moved, moving()), Error);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // A skin is a product: made once, held, counted, and refused for its size before the work.
 #include <gtest/gtest.h>
 #include <vug/base/memory.h>
+#include <vug/mesh/topology.h>
 #include <vug/session/build.h>
 #include <vug/session/load.h>
 
@@ -145,6 +146,69 @@ TEST(Skin, SeveralMeshesInOneAreTheirSum) {
     EXPECT_EQ(each.values.size(), one->positions.size() * static_cast<size_t>(each.arity));
   EXPECT_NO_THROW(mesh::validate(*one, "both"));
   EXPECT_EQ(mesh::bounds(*one).max.x, mesh::bounds(*b).max.x);
+}
+
+TEST(Skin, CellsThatAreGoneAreHoles) {
+  const std::string gone =
+      "cells skin on wall {{ spacing 10cm  holes {}  steps 12 "
+      " run corrosion(share: 90%, loss: 50%, where: noise(noise: fbm(scale: 50cm), from: 0, to: "
+      "0.05)) }}";
+  const Shot whole = shot_of(fmt::format(fmt::runtime(gone), "false")),
+             cut = shot_of(fmt::format(fmt::runtime(gone), "true"));
+  Builder a(whole), b(cut);
+  const auto full = a.mesh(whole.meshes.back()), left = b.mesh(cut.meshes.back());
+  EXPECT_TRUE(mesh::inspect(*full).closed());
+  const mesh::Topology topology = mesh::inspect(*left);
+  EXPECT_GT(topology.boundary_loops, 5u);
+  EXPECT_EQ(topology.nonmanifold_edges + topology.misoriented_edges, 0u);
+  const auto& gone_at = mesh::find_attribute(*left, "transparent")->values;
+  EXPECT_LE(*std::max_element(gone_at.begin(), gone_at.end()), 0.5F + 1e-6F);
+  EXPECT_GT(gone_at.size(), 0u);
+}
+
+// Erosion that says how deep is a level set again, on which all stands as usual.
+TEST(Skin, AMovedSurfaceIsALevelSetAgain) {
+  const Shot shot = shot_of(
+      "cells skin on wall { spacing 5cm "
+      " run sprinkle(attribute: \"height\", value: -0.05, share: 100%) }\n"
+      "volume worn on skin { voxel 4cm }\n"
+      "mesh again on worn {}\n"
+      "cells more on worn { spacing 8cm  run voronoi }\n"
+      "object ball on more {}");
+  Builder builder(shot);
+  const auto check = [&](const mesh::Mesh& mesh) {
+    EXPECT_TRUE(mesh::inspect(mesh).closed());
+    for (const Vec3f& p : mesh.positions) ASSERT_NEAR(p.length(), 0.95F, 0.1F * 0.05F);
+  };
+  check(*builder.mesh(shot.meshes.at(1)));
+  check(*builder.mesh(shot.meshes.at(2)));
+  check(*builder.mesh(shot.objects.at(0).mesh));
+  const volume::LevelSet& worn = builder.level_set(shot.volumes.at(1));
+  EXPECT_EQ(volume::check(worn).fault, "");
+  EXPECT_EQ(worn.voxel(), 0.04);
+  EXPECT_LT(worn.value(Vec3d(0.9, 0, 0)), 0);
+  EXPECT_GT(worn.value(Vec3d(0.98, 0, 0)), 0);
+
+  const Shot still = shot_of(
+      "cells skin on wall { spacing 5cm  move false "
+      " run sprinkle(attribute: \"height\", value: -0.05, share: 100%) }");
+  Builder other(still);
+  EXPECT_EQ(other.mesh(still.meshes.at(1))->positions, other.mesh(still.meshes.at(0))->positions);
+}
+
+TEST(Skin, AMeshWithHolesBoundsNoSolid) {
+  const Shot shot = shot_of(
+      "cells skin on wall { spacing 10cm  holes true  run corrosion(share: 4%, loss: 100%) }\n"
+      "volume worn on skin {}");
+  Builder builder(shot);
+  try {
+    builder.level_set(shot.volumes.back());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where().line, 4);
+    EXPECT_NE(std::string(error.what()).find("open edges"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(shot.volumes.back()->voxel, 0.1) << "that of the mesh's own level set";
 }
 
 }  // namespace

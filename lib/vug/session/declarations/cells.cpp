@@ -27,6 +27,10 @@ Schema<CellsPlan> schema() {
       .param("run", &CellsPlan::run,
              {.doc = "rules, with begin, steps and where; in a step each after those before it",
               .required = true})
+      .param("move", &CellsPlan::move,
+             {.doc = "the mesh goes where cells go: to their P, and their height along its normal"})
+      .param("holes", &CellsPlan::holes,
+             {.doc = "cut the mesh away where cells are gone, so that one sees through"})
       .param("steps", &CellsPlan::steps,
              {.doc = "of the whole run; if not given, as many as rules need: those that work to "
                      "the end 100 each",

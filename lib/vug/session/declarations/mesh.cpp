@@ -1,6 +1,10 @@
 #include <vug/mesh/format.h>
+#include <vug/mesh/normals.h>
+#include <vug/mesh/weld.h>
 #include <vug/paint/kind.h>
 #include <vug/session/reader.h>
+
+#include <fmt/format.h>
 
 namespace vug::session {
 namespace {
@@ -12,9 +16,17 @@ std::vector<std::pair<std::string, std::string>> formats() {
   return names;
 }
 
-Schema<MeshPlan> schema() {
-  Schema<MeshPlan> s("mesh", "declaration");
-  s.doc("A triangle mesh of a level set, written beside the .vdb: mesh NAME on VOLUME { ... }.")
+struct Block : MeshPlan {
+  std::filesystem::path file;
+  double scale = 1;
+};
+
+Schema<Block> schema() {
+  Schema<Block> s("mesh", "declaration");
+  s.doc(
+       "A triangle mesh, written beside the .vdb: of a level set with mesh NAME on VOLUME { ... }, "
+       "or "
+       "from a file with mesh NAME { file \"rock.ply\" }.")
       .param("adaptivity", &MeshPlan::adaptivity,
              {.doc = "0 keeps every face, 1 merges faces that are nearly flat", .min = 0, .max = 1})
       .param("polish", &MeshPlan::polish,
@@ -24,8 +36,72 @@ Schema<MeshPlan> schema() {
               .dimension = Dimension::length,
               .min = 0})
       .param("paint", &MeshPlan::paint, {.doc = "its vertex colours: a paint or one colour"})
-      .choice("format", &MeshPlan::format, formats(), "the file that is written");
+      .choice("format", static_cast<std::string Block::*>(&MeshPlan::format), formats(),
+              "the file that is written");
+  s.param("file", &Block::file, {.doc = "an OBJ, PLY or STL file, which may be open"})
+      .param("scale", &Block::scale,
+             {.doc = "metres in one unit of the file, e.g. 0.01 for centimetres",
+              .min = 0,
+              .above_min = true});
   return s;
+}
+
+const scene::Entry* find_entry(const scene::Declaration& declaration, const std::string& key) {
+  for (const scene::Entry& entry : declaration.entries)
+    if (entry.key == key) return &entry;
+  return nullptr;
+}
+
+/// In metres. Without normals of its own it is taken for smooth, its vertices for one where they
+/// are in one place.
+mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
+  mesh::Mesh mesh = mesh::read_mesh(file);
+  for (Vec3f& p : mesh.positions) p *= static_cast<float>(scale);
+  if (mesh.normals.empty()) {
+    mesh = mesh::welded(mesh);
+    mesh.normals = mesh::vertex_normals(mesh);
+  }
+  mesh::validate(mesh, file.string());
+  if (mesh.triangles.empty())
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' has no polygons", file.string()));
+  return mesh;
+}
+
+/// What the block says of a file; null with a diagnostic at what is at fault.
+mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, Reading& reading) {
+  const scene::Entry& entry = *find_entry(declaration, "file");
+  if (declaration.target) {
+    reading.diagnostics.error(entry.where, "a mesh from a file stands on no volume",
+                              "leave out 'on' or 'file'");
+    return nullptr;
+  }
+  for (const char* key : {"adaptivity", "polish"})
+    if (const scene::Entry* other = find_entry(declaration, key)) {
+      reading.diagnostics.error(
+          other->where, fmt::format("a mesh from a file has no use for '{}'", key), "leave it out");
+      return nullptr;
+    }
+  try {
+    return std::make_shared<const mesh::Mesh>(read_file(block.file, block.scale));
+  } catch (const Error& error) {
+    reading.diagnostics.error(entry.values.at(0)->where, error.what(), error.hint());
+    return nullptr;
+  }
+}
+
+/// What the block says of a level set; null with a diagnostic.
+VolumePtr read_volume(const scene::Declaration& declaration, Reading& reading) {
+  if (!declaration.value && !declaration.target) {
+    reading.diagnostics.error(
+        declaration.where, "'mesh' needs 'on' and a volume, or a file",
+        fmt::format("mesh {0} on NAME {{ ... }}, or mesh {0} {{ file \"NAME.ply\" }}",
+                    declaration.name));
+    return nullptr;
+  }
+  const VolumePtr volume = read_target<VolumePtr>(declaration, reading);
+  if (!volume || !volume->fog) return volume;
+  reading.diagnostics.error(declaration.where, "a mesh is made of a level set, not of a fog");
+  return nullptr;
 }
 
 }  // namespace
@@ -34,17 +110,16 @@ const DeclarationKind& mesh_declaration() {
   static const DeclarationKind kind = {
       schema().info(),
       [](const scene::Declaration& declaration, Reading& reading) -> Value {
-        std::optional<MeshPlan> plan = read_block(schema(), declaration, reading);
-        const VolumePtr volume = read_target<VolumePtr>(declaration, reading);
-        if (!plan || !volume) return Value();
-        if (volume->fog) {
-          reading.diagnostics.error(declaration.where,
-                                    "a mesh is made of a level set, not of a fog");
-          return Value();
-        }
-        plan->name = declaration.name;
-        plan->volume = volume;
-        const MeshPtr made = std::make_shared<const MeshPlan>(std::move(*plan));
+        std::optional<Block> block = read_block(schema(), declaration, reading);
+        const bool from_file = find_entry(declaration, "file") != nullptr;
+        const VolumePtr volume = from_file ? nullptr : read_volume(declaration, reading);
+        if (!block) return Value();
+        MeshPlan plan = *block;
+        plan.name = declaration.name;
+        plan.volume = volume;
+        if (from_file) plan.given = given(*block, declaration, reading);
+        if (!plan.volume && !plan.given) return Value();
+        const MeshPtr made = std::make_shared<const MeshPlan>(std::move(plan));
         reading.shot.meshes.push_back(made);
         return Object{"mesh", made};
       },

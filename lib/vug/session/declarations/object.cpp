@@ -31,6 +31,8 @@ Schema<Block> schema() {
 std::string fault(const ObjectPlan& plan, const std::string& name) {
   const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->shines());
   const char* what = !plan.direct ? "" : shines ? "shines" : plan.mesh->cells ? "wears cells" : "";
+  if (plan.direct && plan.mesh->given)
+    return fmt::format("'{}' comes from a file, which is no level set to trace", name);
   return *what ? fmt::format("'{}' {}, for which it needs a mesh", name, what) : "";
 }
 
