@@ -35,6 +35,28 @@ class Cells(VugTest):
         self.refused("spacing 20cm", 7, "'cells' needs 'run'", "run: rules")
         self.refused("run maze", 7, "'cells' needs 'spacing'", "spacing: ")
 
+    def test_attributes_that_nobody_brings(self):
+        at = len("cells skin on wall { spacing 20cm  run ") + 1
+        first = "crack, corrosion(where: attribute(name: "
+        self.refused(f'spacing 20cm  run {first}"crak"))', at + len(first) - len("name: "), "no rule of 'skin' brings an attribute 'crak'",
+                     "did you mean 'crack'?")
+        for rule in ('life, freeze(attribute: "aliv")', 'life, set(attribute: "x", to: multiply([value(name: "aliv"), slope()]))'):
+            self.write("s.vug", SCENE % ("wall", f"spacing 20cm  run {rule}"))
+            error = self.expect(2, "check", "s.vug").err
+            self.assertIn("no rule of 'skin' brings an attribute 'aliv'", error)
+            self.assertIn("hint: did you mean 'alive'?", error)
+            self.assertEqual(error.count("error: "), 1, error)
+        self.write("s.vug", SCENE % ("wall", 'spacing 20cm  run sprinkle(attribute: "alive"), life'))
+        self.assertIn("error: the attribute 'alive' is a number, not a whole number", self.expect(2, "check", "s.vug").err)
+
+    def test_what_stands_around_comes_where_it_is_named(self):
+        rule = 'spacing 20cm  run set(attribute: "light", to: value(name: "exposure"))'
+        for block, there in ((rule, True), ("spacing 20cm  run moisture", False), ("spacing 20cm  run dust(shelter: 50%)", True)):
+            self.write("s.vug", SCENE % ("wall", block))
+            self.expect(0, "build", "s.vug", "-o", "out")
+            head = (self.folder / "out/s.ply").read_bytes().split(b"end_header")[0].decode()
+            self.assertEqual("property float exposure\n" in head, there, block)
+
     def test_numbers_that_are_none(self):
         for spacing in ("1m * log(-1)", "1m * (0 / 0)", "1m / 0"):
             self.write("s.vug", SCENE % ("wall", f"spacing {spacing}  run maze"))

@@ -13,6 +13,10 @@
 
 namespace vug::cells {
 
+/// What meshes and masks call 1 in cells that are gone from the surface (State::transparent), else
+/// 0.
+inline constexpr std::string_view kTransparent = "transparent";
+
 /// How a cell takes part. Only receiving and active cells are rewritten; only distributing and
 /// active ones are seen by their neighbours. Transparent cells sleep and are gone from the surface,
 /// as when corroded.

@@ -7,9 +7,6 @@
 
 namespace vug::cells {
 
-/// 1 in cells that are gone from the surface (State::transparent), else 0.
-inline constexpr std::string_view kTransparent = "transparent";
-
 /// Attributes that move a surface: where cells are now, and metres along the surface's normal.
 inline constexpr std::string_view kPlace = "P";
 inline constexpr std::string_view kHeight = "height";

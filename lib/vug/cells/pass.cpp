@@ -48,6 +48,20 @@ Given Pass::given(const std::string& name, float otherwise) const {
   return {all.find(name) ? all.values<float>(name).data() : nullptr, otherwise};
 }
 
+Given Pass::wants(const std::string& name, float otherwise) const {
+  simulation_->asked_.try_emplace(name, false);
+  return given(name, otherwise);
+}
+
+Numbers Pass::numbers(const std::string& name) const {
+  simulation_->asked_[name] = true;
+  return {attributes().find(name)};
+}
+
+double Pass::ask(const paint::Mask& mask, uint32_t cell) const {
+  return simulation_->ask(mask, cell);
+}
+
 bool Pass::has(const std::string& name) const { return attributes().find(name); }
 
 Reading<Vec3f> Pass::positions() const {

@@ -5,6 +5,7 @@
 #include <vug/cells/blocks.h>
 #include <vug/cells/near.h>
 #include <vug/cells/network.h>
+#include <vug/paint/paint.h>
 
 namespace vug::cells {
 
@@ -30,11 +31,13 @@ struct Given {
   float operator[](uint32_t cell) const { return now ? now[cell] : otherwise; }
 };
 
-/// Any attribute as numbers; of a vector the mean of its parts.
+/// Any attribute as numbers, of a vector the mean of its parts; 0 where there is none.
 struct Numbers {
   const Attribute* of;
   float operator[](uint32_t cell) const {
-    return std::visit([cell](const auto& column) { return number(column.now[cell]); }, of->column);
+    return !of ? 0
+               : std::visit([cell](const auto& column) { return number(column.now[cell]); },
+                            of->column);
   }
 
  private:
@@ -70,9 +73,13 @@ class Pass {
   Writing<T> writes(const std::string& name, const T& initial = T(0));
   /// The same without bringing it.
   Given given(const std::string& name, float otherwise) const;
+  /// And so that whoever runs the simulation knows that it had better be there.
+  Given wants(const std::string& name, float otherwise) const;
   bool has(const std::string& name) const;
-  /// Of whatever type; Error(bad_input), with what there is, where nobody has brought it.
-  Numbers numbers(const std::string& name) const { return {&attributes().need(name)}; }
+  /// Of whatever type, for a rule whose text names it.
+  Numbers numbers(const std::string& name) const;
+  /// What a mask says of a cell.
+  double ask(const paint::Mask& mask, uint32_t cell) const;
   /// Where cells are now.
   Reading<Vec3f> positions() const;
   /// Where cells have moved to ("P") and how they face ("N"); at first as in the network.

@@ -19,6 +19,8 @@ class Rule {
   virtual void step(Pass& pass) const = 0;
   /// Whether it is for a single step where nobody says how many.
   virtual bool once() const { return false; }
+  /// The attributes at which masks of its parameters look.
+  virtual paint::Uses looks() const { return {}; }
 };
 
 using RulePtr = std::shared_ptr<const Rule>;
@@ -27,7 +29,8 @@ using RuleKind = Kind<RulePtr>;
 const Kinds<RulePtr>& rules();
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
-/// `void step(Pass&) const`; with `static constexpr bool kOnce = true` it is for a single step.
+/// `void step(Pass&) const`; with `static constexpr bool kOnce = true` it is for a single step,
+/// with `paint::Uses looks() const` it has masks.
 template <class P>
 RuleKind rule_kind(std::string name) {
   struct Made final : Rule {
@@ -35,6 +38,10 @@ RuleKind rule_kind(std::string name) {
     void step(Pass& pass) const override { params.step(pass); }
     bool once() const override {
       return requires { P::kOnce; };
+    }
+    paint::Uses looks() const override {
+      if constexpr (requires(const P& p) { p.looks(); }) return params.looks();
+      return {};
     }
     P params;
   };

@@ -48,12 +48,54 @@ uint64_t Simulation::bytes() const {
   return bytes;
 }
 
+namespace {
+
+/// A cell's attributes, as masks ask for them.
+struct OfCell : paint::Attributes {
+  const Simulation* simulation;
+  uint32_t cell;
+
+  OfCell(const Simulation& s, uint32_t i) : simulation(&s), cell(i) {}
+  std::optional<Vec3d> read(std::string_view name) const override {
+    if (const Attribute* known = simulation->attributes().find(name))
+      return std::visit([this](const auto& column) { return Vec3d(column.now[cell]); },
+                        known->column);
+    // What nobody has brought yet is 0.
+    const bool gone = simulation->states()[cell] == State::transparent;
+    return Vec3d(name == kTransparent && gone ? 1 : 0);
+  }
+};
+
+}  // namespace
+
+double Simulation::ask(const paint::Mask& mask, uint32_t cell) const {
+  const OfCell attributes(*this, cell);
+  const uint32_t object = network_->object[cell];
+  const field::SampledGrid* solid = object < solids_.size() ? solids_[object].get() : nullptr;
+  paint::Spot spot{Vec3d(network_->position[cell]), Vec3d(network_->normal[cell]), solid};
+  spot.attributes = &attributes;
+  return (*mask)(spot);
+}
+
+std::vector<uint8_t> Simulation::chosen(const Stage& stage) const {
+  std::vector<uint8_t> where(network_->size());
+  parallel_for(
+      where.size(),
+      [&](size_t i) {
+        RandomStream random(stage.draws.at(place_of(network_->position[i])));
+        where[i] = random.uniform() < ask(stage.mask, static_cast<uint32_t>(i));
+      },
+      1024);
+  return where;
+}
+
 void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& progress,
                      const std::function<void()>& after) {
   for (const Stage& stage : stages)
     if (!stage.where.empty() && stage.where.size() != network_->size())
       throw Error(ErrorCode::bad_input,
                   fmt::format("the mask of stage '{}' is not of these cells", stage.name));
+  std::map<const Stage*, std::vector<uint8_t>> fixed;  // where masks do not change
   progress.begin(fmt::format("rewriting cells, {} steps", std::max(0, steps)),
                  static_cast<uint64_t>(std::max(0, steps)));
   for (int done = 0; done < steps; ++done) {
@@ -61,7 +103,13 @@ void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& prog
     for (const Stage& stage : stages) {
       const int since = step_ - stage.begin;
       if (since < 0 || (stage.steps >= 0 && since >= stage.steps)) continue;
-      Pass pass(*this, key_.at(stage.name), since, stage.where.empty() ? nullptr : &stage.where);
+      const std::vector<uint8_t>* where = stage.where.empty() ? nullptr : &stage.where;
+      if (stage.mask) {
+        std::vector<uint8_t>& now = fixed[&stage];
+        if (now.empty() || !stage.mask->uses().empty()) now = chosen(stage);
+        where = &now;
+      }
+      Pass pass(*this, key_.at(stage.name), since, where);
       stage.rule->step(pass);
     }
     ++step_;

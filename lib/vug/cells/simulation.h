@@ -5,6 +5,7 @@
 #include <vug/base/rng.h>
 #include <vug/cells/blocks.h>
 #include <vug/cells/network.h>
+#include <vug/paint/paint.h>
 
 #include <functional>
 #include <map>
@@ -21,6 +22,10 @@ struct Stage {
   int begin = 0;                 ///< Its first step.
   int steps = -1;                ///< How many it works for; below 0: to the end.
   std::vector<uint8_t> where{};  ///< 1 for each cell it may rewrite; empty: all.
+  /// In place of that the chance of each cell. One that looks at attributes is asked anew in every
+  /// step; the same draw decides each time, so that cells do not flicker.
+  paint::Mask mask = nullptr;
+  RandomKey draws{0};  ///< Keys those draws.
 };
 
 /// Within a step the stages work in their order. Each rewrites all its cells at once, from what the
@@ -37,6 +42,16 @@ class Simulation {
   const std::vector<State>& states() const { return states_.now; }
   void set_states(std::vector<State> states);
 
+  /// The level sets whose surfaces the objects are, by their numbers, for masks; null or not there
+  /// where there is none.
+  void stand_on(std::vector<std::shared_ptr<const field::SampledGrid>> solids) {
+    solids_ = std::move(solids);
+  }
+  /// What a mask says of a cell as it is now; attributes that nobody has brought yet are 0 to it.
+  double ask(const paint::Mask& mask, uint32_t cell) const;
+  /// Attributes that rules want (Pass::wants), or cannot do without: true (Pass::numbers).
+  const std::map<std::string, bool>& asked() const { return asked_; }
+
   uint64_t bytes() const;  ///< That it holds, with its network.
 
   /// Steps done so far.
@@ -51,6 +66,7 @@ class Simulation {
 
  private:
   friend class Pass;
+  std::vector<uint8_t> chosen(const Stage& stage) const;
 
   NetworkPtr network_;
   RandomKey key_;
@@ -59,6 +75,8 @@ class Simulation {
   Blocks blocks_;
   std::map<double, Links> within_;
   std::vector<float> pairs_;  ///< See Pass::pairs.
+  std::vector<std::shared_ptr<const field::SampledGrid>> solids_;
+  std::map<std::string, bool> asked_;
   int step_ = 0;
 };
 

@@ -22,6 +22,24 @@ template <class P, class Build>
 MaskKind mask_kind(std::string name, Build build) {
   return make_kind<Mask, P>(std::move(name), "mask", build);
 }
+/// The same for masks of an attribute that P::name names; build(params, uses) is told where.
+template <class P, class Build>
+MaskKind attribute_mask_kind(std::string name, Build build) {
+  Schema<P> schema(std::move(name), "mask");
+  P::describe(schema);
+  KindInfo info = schema.info();
+  const auto make = [schema = std::move(schema), build](
+                        const Arguments& arguments, const SourceLocation& where,
+                        Diagnostics& diagnostics) -> std::optional<Mask> {
+    const std::optional<P> params = schema.bind(arguments, where, diagnostics);
+    if (!params) return std::nullopt;
+    SourceLocation named = where;
+    for (const Argument& each : arguments)
+      if (each.name == "name" && each.where.known()) named = each.where;
+    return build(*params, Uses{{params->name, named}});
+  };
+  return {std::move(info), make};
+}
 template <class P, class Build>
 PaintKind paint_kind(std::string name, Build build) {
   return make_kind<Paint, P>(std::move(name), "paint", build);

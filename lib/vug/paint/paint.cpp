@@ -11,6 +11,13 @@ double ramp(double x, double from, double to) {
   return t * t * (3 - 2 * t);
 }
 
+Uses uses_of(const Mask& mask, const Paint& a, const Paint& b) {
+  Uses all = mask ? mask->uses() : Uses{};
+  for (const Paint& paint : {a, b})
+    if (paint) all.insert(all.end(), paint->uses().begin(), paint->uses().end());
+  return all;
+}
+
 std::vector<Vec3f> colors(const Paint& paint, const std::vector<Spot>& spots) {
   std::vector<Vec3f> out(spots.size());
   parallel_for(

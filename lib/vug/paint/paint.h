@@ -2,12 +2,14 @@
 // A mask gives a number between 0 and 1, a paint a linear Rec.709 colour (an albedo).
 #pragma once
 
+#include <vug/base/error.h>
 #include <vug/base/transform.h>
 #include <vug/field/sampled.h>
 
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,18 +33,48 @@ struct Spot {
   double footprint = 0;  ///< Metres across which one look takes in: finer detail may be left out.
 };
 
-/// Immutable functions, shared between threads.
-using Mask = std::shared_ptr<const std::function<double(const Spot&)>>;
-using Paint = std::shared_ptr<const std::function<Vec3d(const Spot&)>>;
+/// An attribute that a mask or a paint looks at, and where a text says so.
+struct Use {
+  std::string attribute;
+  SourceLocation where;
+};
+using Uses = std::vector<Use>;
 
+/// A function of the spot that knows which attributes it looks at. Immutable, shared between
+/// threads.
+template <class T>
+class Look {
+ public:
+  Look(std::function<T(const Spot&)> of, Uses uses) : of_(std::move(of)), uses_(std::move(uses)) {}
+  T operator()(const Spot& spot) const { return of_(spot); }
+  const Uses& uses() const { return uses_; }
+
+ private:
+  std::function<T(const Spot&)> of_;
+  Uses uses_;
+};
+using Mask = std::shared_ptr<const Look<double>>;
+using Paint = std::shared_ptr<const Look<Vec3d>>;
+
+/// `uses` are those of the masks and paints that f asks: see uses_of.
 template <class F>
-Mask make_mask(F&& f) {
-  return std::make_shared<const std::function<double(const Spot&)>>(std::forward<F>(f));
+Mask make_mask(F&& f, Uses uses = {}) {
+  return std::make_shared<const Look<double>>(std::forward<F>(f), std::move(uses));
 }
 template <class F>
-Paint make_paint(F&& f) {
-  return std::make_shared<const std::function<Vec3d(const Spot&)>>(std::forward<F>(f));
+Paint make_paint(F&& f, Uses uses = {}) {
+  return std::make_shared<const Look<Vec3d>>(std::forward<F>(f), std::move(uses));
 }
+
+/// What masks and paints look at, one after the other; null ones look at nothing.
+template <class T>
+Uses uses_of(const std::vector<std::shared_ptr<const Look<T>>>& parts) {
+  Uses all;
+  for (const auto& part : parts)
+    if (part) all.insert(all.end(), part->uses().begin(), part->uses().end());
+  return all;
+}
+Uses uses_of(const Mask& mask, const Paint& a, const Paint& b = nullptr);
 
 /// 0 up to `from`, 1 from `to` on, a smooth step between; from > to runs the other way.
 double ramp(double x, double from, double to);

@@ -20,6 +20,7 @@ struct CellStage {
   int begin = 0;             ///< Its first step, from 0.
   std::optional<int> steps;  ///< How many; not given: to the end, or one for rules that say so.
   paint::Mask where;         ///< The chance of a cell to be rewritten by it; null: all are.
+  SourceLocation at{};       ///< Its place in the text.
 
   /// How many steps it works for; below 0: to the end.
   int span() const { return steps.value_or(rule->once() ? 1 : -1); }
@@ -43,8 +44,9 @@ struct CellsPlan {
   RandomKey key{0};
   /// Nothing of it but `steps` depends on the frame: another frame's run can go on to this one's.
   bool still = false;
-  SourceLocation where;          ///< Its name in the text.
-  SourceLocation spacing_where;  ///< What `spacing` says there.
+  std::vector<std::string> surroundings;  ///< Those of session/surroundings.h that it names.
+  SourceLocation where;                   ///< Its name in the text.
+  SourceLocation spacing_where;           ///< What `spacing` says there.
 
   /// Steps of the whole run: `steps`, else what the last stage needs: 100 if it says nothing.
   int length() const;

@@ -1,8 +1,8 @@
-#include <vug/base/parallel.h>
 #include <vug/session/blame.h>
 #include <vug/session/cells_checkpoint.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/skin.h>
+#include <vug/session/surroundings.h>
 
 #include <fmt/format.h>
 
@@ -51,21 +51,7 @@ cells::Built network(const CellsPlan& plan, const std::vector<Ground>& grounds, 
   }
 }
 
-/// A cell is rewritten with the chance that the mask gives at its place.
-std::vector<uint8_t> chosen(const CellStage& stage, const cells::Network& cells, RandomKey key,
-                            const std::vector<Ground>& grounds) {
-  std::vector<uint8_t> where(stage.where ? cells.size() : 0);
-  parallel_for(where.size(), [&](size_t i) {
-    const paint::Spot spot{Vec3d(cells.position[i]), Vec3d(cells.normal[i]),
-                           grounds[cells.object[i]].solid.get()};
-    RandomStream random(key.at(cells::place_of(cells.position[i])));
-    where[i] = random.uniform() < (*stage.where)(spot);
-  });
-  return where;
-}
-
-std::vector<cells::Stage> stages(const CellsPlan& plan, const cells::Network& cells,
-                                 const std::vector<Ground>& grounds) {
+std::vector<cells::Stage> stages(const CellsPlan& plan) {
   std::vector<cells::Stage> all;
   std::map<std::string, int> used;
   for (const CellStagePtr& stage : plan.run) {
@@ -73,7 +59,8 @@ std::vector<cells::Stage> stages(const CellsPlan& plan, const cells::Network& ce
     const int before = used[stage->name]++;
     cells::Stage each{stage->rule, stage->name, stage->begin, stage->span(), {}};
     if (before > 0) each.name += fmt::format(" {}", before + 1);
-    each.where = chosen(*stage, cells, plan.key.at("where").at(each.name), grounds);
+    each.mask = stage->where;
+    each.draws = plan.key.at("where").at(each.name);
     all.push_back(std::move(each));
   }
   return all;
@@ -86,6 +73,20 @@ Skin fresh_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint6
   return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
 }
 
+/// What masks and rules ask of the rock under cells and around them.
+void look_around(const CellsPlan& plan, const std::vector<Ground>& grounds,
+                 cells::Simulation& cells, Progress& progress) {
+  std::vector<mesh::MeshPtr> meshes;
+  std::vector<std::shared_ptr<const field::SampledGrid>> solids;
+  for (const Ground& ground : grounds)
+    meshes.push_back(ground.mesh), solids.push_back(ground.solid);
+  cells.stand_on(std::move(solids));
+  for (const std::string& name : plan.surroundings)
+    if (!cells.attributes().find(name))
+      cells.attributes().column<float>(name).now =
+          surroundings_of(cells.network(), name, meshes, progress);
+}
+
 }  // namespace
 
 Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
@@ -95,9 +96,9 @@ Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64
   try {
     if (!how.from && !plan.from.empty()) read_cells(plan.from, plan, skin.simulation);
     if (how.checkpoint) how.checkpoint->put_back(plan, skin);
+    look_around(plan, grounds, skin.simulation, progress);
     const auto after = [&] { how.checkpoint->after_step(plan, skin); };
-    skin.simulation.run(stages(plan, skin.network(), grounds),
-                        plan.length() - skin.simulation.step(), progress,
+    skin.simulation.run(stages(plan), plan.length() - skin.simulation.step(), progress,
                         how.checkpoint ? std::function<void()>(after) : nullptr);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::cancelled && how.checkpoint)

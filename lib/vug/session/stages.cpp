@@ -19,7 +19,9 @@ Schema<CellStage> stage_schema(const std::string& rule) {
               .min = 1,
               .max = kMostSteps})
       .param("where", &CellStage::where,
-             {.doc = "the cells that it may rewrite: each with the chance that the mask gives"});
+             {.doc = "the cells that it may rewrite: each with the chance that the mask gives; "
+                     "asked anew in "
+                     "each step where it looks at attributes"});
   return s;
 }
 
@@ -43,6 +45,7 @@ Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
     if (!made || !stage) return std::nullopt;
     stage->rule = *made;
     stage->name = rule.info.name;
+    stage->at = where;
     return std::make_shared<const CellStage>(std::move(*stage));
   };
   return {std::move(info), make};

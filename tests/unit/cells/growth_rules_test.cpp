@@ -201,8 +201,6 @@ TEST(Freeze, LetsOthersGoOn) {
       }
     }
   }
-  Simulation s(n, RandomKey(1));
-  EXPECT_THROW(s.run({stage("freeze", {{"attribute", "wat"}})}, 1), Error);
 }
 
 }  // namespace

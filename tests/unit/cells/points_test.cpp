@@ -30,7 +30,8 @@ std::map<std::string, Digest> carried(const Simulation& s) {
 std::vector<Stage> some_of_all(const std::string& last) {
   Named parameters;
   for (const ParamInfo& param : find_kind(rules(), last)->info.params)
-    if (param.required) parameters.emplace_back(param.name, "v");
+    if (param.required)
+      parameters.emplace_back(param.name, param.type == "text" ? Value("v") : Value(0.5));
   return {stage("random_color", {{"share", 0.1}}, 1),
           stage("sprinkle", {{"attribute", "v"}, {"share", 0.01}, {"radius", 0.1}}, 1),
           stage("sprinkle", {{"attribute", "alive"}, {"whole", true}}, 1),

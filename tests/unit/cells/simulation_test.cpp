@@ -17,7 +17,8 @@ TEST(Rules, AllSayWhatTheyAreAndGiveTheSameBytesForAnyNumberOfThreads) {
     EXPECT_FALSE(kind->info.doc.empty()) << kind->info.name;
     Named parameters;
     for (const ParamInfo& param : kind->info.params)
-      if (param.required) parameters.emplace_back(param.name, "v");
+      if (param.required)
+        parameters.emplace_back(param.name, param.type == "text" ? Value("v") : Value(0.5));
     const std::vector<Stage> stages = {
         stage("random_color", {{"share", 0.1}}, 1),
         stage("sprinkle", {{"attribute", "v"}, {"share", 0.01}, {"radius", 0.1}}, 1),

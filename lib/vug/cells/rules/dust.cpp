@@ -66,7 +66,7 @@ struct Dust {
 
   void settle(Pass& pass, const Network& network) const {
     const auto dust = pass.writes<float>("dust"), height = pass.writes<float>("height");
-    const Given open = shelter > 0 ? pass.given("exposure", 1) : Given{nullptr, 0};
+    const Given open = shelter > 0 ? pass.wants("exposure", 1) : Given{nullptr, 0};
     const auto most = static_cast<float>(fall), kept_off = static_cast<float>(shelter);
     pass.run([=, normal = network.normal.data()](const auto&, uint32_t i) {
       const float up = std::max(0.0f, normal[i].y);

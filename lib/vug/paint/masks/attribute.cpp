@@ -10,7 +10,9 @@ struct AttributeMask {
   double otherwise = 0;
 
   static void describe(Schema<AttributeMask>& s) {
-    s.doc("By a number that the mesh carries at its vertices; of a colour, the mean.")
+    s.doc(
+         "By a number that the mesh carries at its vertices, or in a rule of cells the cells; of a "
+         "colour, the mean.")
         .param("name", &AttributeMask::name, {.doc = "the attribute's name", .required = true})
         .param("from", &AttributeMask::from, {.doc = "value where the mask is 0"})
         .param("to", &AttributeMask::to, {.doc = "value where the mask is 1"})
@@ -23,11 +25,12 @@ struct AttributeMask {
 }  // namespace vug::paint
 
 VUG_MASK_KIND(attribute) {
-  return mask_kind<AttributeMask>("attribute", [](const AttributeMask& a) {
-    return make_mask([a](const Spot& spot) {
+  return attribute_mask_kind<AttributeMask>("attribute", [](const AttributeMask& a, Uses uses) {
+    const auto ask = [a](const Spot& spot) {
       const auto value = spot.attributes ? spot.attributes->read(a.name) : std::nullopt;
       if (!value) return a.otherwise;
       return ramp((value->x + value->y + value->z) / 3, a.from, a.to);
-    });
+    };
+    return make_mask(ask, std::move(uses));
   });
 }

@@ -21,6 +21,7 @@ struct Between {
 
 VUG_MASK_KIND(between) {
   return mask_kind<Between>("between", [](const Between& b) {
-    return make_mask([b](const Spot& spot) { return b.from + (b.to - b.from) * (*b.mask)(spot); });
+    return make_mask([b](const Spot& spot) { return b.from + (b.to - b.from) * (*b.mask)(spot); },
+                     b.mask->uses());
   });
 }

@@ -17,10 +17,11 @@ struct Multiply {
 
 VUG_MASK_KIND(multiply) {
   return mask_kind<Multiply>("multiply", [](const Multiply& m) {
-    return make_mask([m](const Spot& spot) {
+    const auto ask = [m](const Spot& spot) {
       double product = 1;
       for (const Mask& mask : m.of) product *= (*mask)(spot);
       return product;
-    });
+    };
+    return make_mask(ask, uses_of(m.of));
   });
 }

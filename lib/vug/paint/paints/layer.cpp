@@ -23,11 +23,12 @@ struct Layer {
 
 VUG_PAINT_KIND(layer) {
   return paint_kind<Layer>("layer", [](const Layer& l) {
-    return make_paint([l](const Spot& spot) {
+    const auto ask = [l](const Spot& spot) {
       const double t = (*l.mask)(spot);
       if (t <= 0) return (*l.under)(spot);
       const Vec3d over = (*l.over)(spot);
       return t >= 1 ? over : (*l.under)(spot) * (1 - t) + over * t;
-    });
+    };
+    return make_paint(ask, uses_of(l.mask, l.under, l.over));
   });
 }

@@ -1,3 +1,4 @@
+#include <vug/session/cell_names.h>
 #include <vug/session/reader.h>
 #include <vug/session/stages.h>
 
@@ -25,7 +26,8 @@ Schema<CellsPlan> schema() {
               {{"squared", cells::Force::squared}, {"paper", cells::Force::paper}},
               "the law of that push: squared is more even, paper that of the source")
       .param("run", &CellsPlan::run,
-             {.doc = "rules, with begin, steps and where; in a step each after those before it",
+             {.doc = "rules, with begin, steps and where, or lists of them; in a step each after "
+                     "those before it",
               .required = true})
       .param("move", &CellsPlan::move,
              {.doc = "the mesh goes where cells go: to their P, and their height along its normal"})
@@ -50,8 +52,13 @@ Schema<CellsPlan> schema() {
 Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key,
                Reading& reading) {
   List all;
-  for (const scene::ExprPtr& expr : entry.values)
-    all.push_back(kind_value(*find_family(type), *expr, key.at(entry.key).at(all.size()), reading));
+  for (const scene::ExprPtr& expr : entry.values) {
+    Value made = kind_value(*find_family(type), *expr, key.at(entry.key).at(all.size()), reading);
+    // A list, as of a recipe that has a name, stands for what is in it.
+    const List* list = made.get<List>();
+    if (!list) all.push_back(std::move(made));
+    if (list) all.insert(all.end(), list->begin(), list->end());
+  }
   if (std::any_of(all.begin(), all.end(), [](const Value& each) { return each.empty(); }))
     return Value();
   return all.size() == 1 ? all[0] : Value(std::move(all));
@@ -153,6 +160,7 @@ const DeclarationKind& cells_declaration() {
         for (const Argument& each : arguments)
           if (each.name == "spacing") plan->spacing_where = each.where;
         plan->still = still;
+        read_names(*plan, reading.diagnostics);
         const auto made = worn(std::make_shared<const CellsPlan>(std::move(*plan)));
         for (const MeshPtr& mesh : made) reading.shot.meshes.push_back(mesh);
         return Object{"mesh", in_one(declaration.name, made)};

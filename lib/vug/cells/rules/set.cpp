@@ -1,0 +1,35 @@
+#include <vug/cells/rule.h>
+#include <vug/paint/kind.h>
+
+#include <cmath>
+
+namespace vug::cells {
+namespace {
+
+struct Set {
+  static constexpr bool kOnce = true;
+  std::string attribute;
+  paint::Mask to;
+
+  static void describe(Schema<Set>& s) {
+    s.doc(
+         "Brings an attribute and fills it from a mask, or with a number; for a single step, but "
+         "with `steps` it follows what the mask looks at.")
+        .param("attribute", &Set::attribute, {.doc = "its name", .required = true})
+        .param("to", &Set::to, {.doc = "what it becomes", .required = true});
+  }
+  paint::Uses looks() const { return to->uses(); }
+
+  void step(Pass& pass) const {
+    const auto number = pass.writes<float>(attribute);
+    pass.run([&](const auto&, uint32_t i) {
+      const auto value = static_cast<float>(pass.ask(to, i));
+      number.set(i, std::isfinite(value) ? value : 0);
+    });
+  }
+};
+
+}  // namespace
+}  // namespace vug::cells
+
+VUG_RULE_KIND(set) { return rule_kind<Set>("set"); }

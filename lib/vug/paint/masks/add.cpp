@@ -1,0 +1,27 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct Add {
+  std::vector<Mask> of;
+
+  static void describe(Schema<Add>& s) {
+    s.doc("The sum of masks; more than 1 where they overlap.")
+        .param("of", &Add::of, {.doc = "the masks, as a list", .required = true});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(add) {
+  return mask_kind<Add>("add", [](const Add& a) {
+    const auto ask = [a](const Spot& spot) {
+      double sum = 0;
+      for (const Mask& mask : a.of) sum += (*mask)(spot);
+      return sum;
+    };
+    return make_mask(ask, uses_of(a.of));
+  });
+}

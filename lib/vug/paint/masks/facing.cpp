@@ -1,0 +1,35 @@
+#include <vug/base/maths.h>
+#include <vug/paint/kind.h>
+
+#include <algorithm>
+
+namespace vug::paint {
+namespace {
+
+struct Facing {
+  Vec3d toward{0, 0, 1};
+  double from = kPi / 2;
+  double to = 0;
+  std::string fault() const { return toward.length2() > 0 ? "" : "a direction is longer than 0"; }
+
+  static void describe(Schema<Facing>& s) {
+    s.doc("By which way the surface faces: its weather side, what lies in the lee.")
+        .param("toward", &Facing::toward, {.doc = "a direction, of any length"})
+        .param("from", &Facing::from,
+               {.doc = "angle between it and the normal where the mask is 0",
+                .dimension = Dimension::angle})
+        .param("to", &Facing::to, {.doc = "angle where it is 1", .dimension = Dimension::angle});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(facing) {
+  return mask_kind<Facing>("facing", [](const Facing& f) {
+    return make_mask([f, way = f.toward.normalized()](const Spot& spot) {
+      const double along = std::clamp(spot.normal.dot(way), -1.0, 1.0);
+      return ramp(maths::acos(along), f.from, f.to);
+    });
+  });
+}

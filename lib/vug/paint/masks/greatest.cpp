@@ -1,0 +1,30 @@
+#include <vug/paint/kind.h>
+
+#include <algorithm>
+
+namespace vug::paint {
+namespace {
+
+struct Greatest {
+  std::vector<Mask> of;
+  std::string fault() const { return of.empty() ? "there is no mask in the list" : ""; }
+
+  static void describe(Schema<Greatest>& s) {
+    s.doc("Any of the masks: their greatest.")
+        .param("of", &Greatest::of, {.doc = "the masks, as a list", .required = true});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(greatest) {
+  return mask_kind<Greatest>("greatest", [](const Greatest& g) {
+    const auto ask = [g](const Spot& spot) {
+      double found = (*g.of[0])(spot);
+      for (size_t i = 1; i < g.of.size(); ++i) found = std::max(found, (*g.of[i])(spot));
+      return found;
+    };
+    return make_mask(ask, uses_of(g.of));
+  });
+}

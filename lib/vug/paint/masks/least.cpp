@@ -1,0 +1,30 @@
+#include <vug/paint/kind.h>
+
+#include <algorithm>
+
+namespace vug::paint {
+namespace {
+
+struct Least {
+  std::vector<Mask> of;
+  std::string fault() const { return of.empty() ? "there is no mask in the list" : ""; }
+
+  static void describe(Schema<Least>& s) {
+    s.doc("What the masks have in common: their least.")
+        .param("of", &Least::of, {.doc = "the masks, as a list", .required = true});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(least) {
+  return mask_kind<Least>("least", [](const Least& g) {
+    const auto ask = [g](const Spot& spot) {
+      double found = (*g.of[0])(spot);
+      for (size_t i = 1; i < g.of.size(); ++i) found = std::min(found, (*g.of[i])(spot));
+      return found;
+    };
+    return make_mask(ask, uses_of(g.of));
+  });
+}

@@ -1,0 +1,31 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct Ramp {
+  Mask mask;
+  double from = 0;
+  double to = 1;
+
+  static void describe(Schema<Ramp>& s) {
+    s.doc(
+         "Draws a mask out: 0 up to one value of it, 1 from another on, smooth between; a step "
+         "where "
+         "both are the same.")
+        .param("mask", &Ramp::mask, {.doc = "the mask", .required = true})
+        .param("from", &Ramp::from, {.doc = "its value where this is 0"})
+        .param("to", &Ramp::to,
+               {.doc = "its value where this is 1; less than from turns it round"});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(ramp) {
+  return mask_kind<Ramp>("ramp", [](const Ramp& r) {
+    return make_mask([r](const Spot& spot) { return ramp((*r.mask)(spot), r.from, r.to); },
+                     r.mask->uses());
+  });
+}

@@ -1,0 +1,30 @@
+#include <vug/paint/kind.h>
+
+namespace vug::paint {
+namespace {
+
+struct AttributeValue {
+  std::string name;
+  double scale = 1;
+  double otherwise = 0;
+
+  static void describe(Schema<AttributeValue>& s) {
+    s.doc("A number that the cells or the mesh carry, as it is; of a colour, the mean.")
+        .param("name", &AttributeValue::name, {.doc = "the attribute's name", .required = true})
+        .param("scale", &AttributeValue::scale, {.doc = "factor of the number"})
+        .param("otherwise", &AttributeValue::otherwise, {.doc = "the value of a mesh without it"});
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(value) {
+  return attribute_mask_kind<AttributeValue>("value", [](const AttributeValue& a, Uses uses) {
+    const auto ask = [a](const Spot& spot) {
+      const auto value = spot.attributes ? spot.attributes->read(a.name) : std::nullopt;
+      return value ? a.scale * (value->x + value->y + value->z) / 3 : a.otherwise;
+    };
+    return make_mask(ask, std::move(uses));
+  });
+}

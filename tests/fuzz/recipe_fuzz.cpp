@@ -1,0 +1,36 @@
+// Whatever a recipe says, it is refused with its faults, or its cells run for a few steps on a box.
+#include <vug/base/error.h>
+#include <vug/mesh/shapes.h>
+#include <vug/session/load.h>
+#include <vug/session/skin.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  using namespace vug;
+  const std::string recipe(reinterpret_cast<const char*>(data), size);
+  if (recipe.find('}') != std::string::npos) return 0;  // only what stands in the block
+  const std::string text =
+      "volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh wall on rock {}\n"
+      "cells skin on wall { spacing 40cm  run " +
+      recipe + "\n}\n";
+  static const mesh::MeshPtr box =
+      std::make_shared<const mesh::Mesh>(mesh::box_mesh(Box3d(Vec3d(-1), Vec3d(1, 0.5, 1))));
+  try {
+    const session::Loaded loaded = session::load_text(text, "fuzz.vug");
+    if (!loaded.usable()) return 0;
+    for (const session::MeshPtr& mesh : loaded.shot.meshes) {
+      if (!mesh->cells) continue;
+      session::CellsPlan plan = *mesh->cells;
+      if (!plan.from.empty()) continue;
+      plan.steps = std::min(plan.length(), 12);
+      plan.relax = std::min(plan.relax.value_or(2), 5);
+      session::make_skin(plan, {{box, nullptr}}, uint64_t{1} << 22, Progress::none());
+    }
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) std::abort();
+  }
+  return 0;
+}
