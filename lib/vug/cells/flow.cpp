@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug::cells {
 namespace {
@@ -60,18 +61,21 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
   };
   total_.resize(n.size());
   steep_.resize(n.size());
+  pit_.resize(n.size());
   parallel_for(
       n.size(),
       [&](size_t at) {
         const auto i = static_cast<uint32_t>(at);
-        float total = 0, steepest = 0;
+        float total = 0, steepest = 0, lowest = std::numeric_limits<float>::infinity();
         for (const uint32_t to : links_->of(i)) {
           const float steep = steepness(i, to);
           if (steep > 0) total += weight(steep, i, to);
+          if (receives(state[to])) lowest = std::min(lowest, level_[to]);
           steepest = std::max(steepest, steep);
         }
         total_[i] = total;
         steep_[i] = steepest;
+        pit_[i] = total > 0 || std::isinf(lowest) ? 0 : std::max(0.0f, lowest - level_[i]);
       },
       kGrain);
   share_.resize(links_->to.size());

@@ -24,6 +24,8 @@ class Flow {
   float level(uint32_t cell) const { return level_[cell]; }
   /// Whether no neighbour that can be reached is lower: water falls off or soaks in.
   bool ends(uint32_t cell) const { return !(total_[cell] > 0); }
+  /// Metres by which the lowest neighbour stands above a cell where water ends; 0 elsewhere.
+  float pit(uint32_t cell) const { return pit_[cell]; }
   /// The greatest drop to a neighbour, metres a metre: 0 level, 1 straight down.
   float steepness(uint32_t cell) const { return steep_[cell]; }
   /// What the neighbours above send to a cell if each gives away all of its `amount`.
@@ -37,7 +39,7 @@ class Flow {
 
  private:
   const Links* links_;
-  std::vector<float> level_, total_, steep_;
+  std::vector<float> level_, total_, steep_, pit_;
   std::vector<float> share_;  ///< For each link, what its far end sends to its near end.
 };
 

@@ -167,6 +167,10 @@ TEST(Erosion, CarvesWhatItCarriesAway) {
   for (uint32_t i = 0; i < n->size(); ++i) {
     const float depth = s.attributes().values<float>("carved")[i];
     ASSERT_LE(depth, 0.03f * 1.00001f);
+    ASSERT_GE(depth, -0.03f * 1.00001f);
+    if (n->normal[i].y < 0) {
+      ASSERT_GE(depth, 0);  // on overhangs nothing is left
+    }
     if (hard[i] > 0) {
       ASSERT_LE(depth, 0);  // it may be buried
     }

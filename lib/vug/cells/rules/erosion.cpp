@@ -29,7 +29,7 @@ struct Erosion {
                {.doc = "that a step takes where water is full and runs straight down",
                 .dimension = Dimension::length,
                 .min = 0})
-        .param("depth", &Erosion::depth, positive_length("that is carved at most"))
+        .param("depth", &Erosion::depth, positive_length("that is carved, or left, at most"))
         .param("carry", &Erosion::carry,
                positive_length("layer of sediment that such water carries at most"))
         .param("settle", &Erosion::settle,
@@ -58,6 +58,7 @@ struct Erosion {
     const auto takes = static_cast<float>(wear * spacing / speed);
     const auto leaves = static_cast<float>(settle);
     const auto pit = static_cast<float>(spacing / 4);
+    const Vec3f* normal = pass.network().normal.data();
     for (int turn = 0; turn < turns; ++turn) {
       const auto carved = pass.writes<float>("carved"), height = pass.writes<float>("height");
       const auto load = pass.writes<float>("sediment"), washed = pass.writes<float>("washed");
@@ -68,7 +69,10 @@ struct Erosion {
         const float carries = holds * power;
         float taken = 0;
         if (arrives > carries) {
-          taken = -leaves * (arrives - carries);
+          // Pits fill to their rim; on overhangs nothing lies.
+          float room = std::max(0.0f, most + carved[i]);
+          if (flow.ends(i)) room = std::min(room, flow.pit(i) / static_cast<float>(turns));
+          taken = normal[i].y > 0 ? -std::min(leaves * (arrives - carries), room) : 0;
         } else if (carries > 0) {
           const float soft = std::clamp(1 - hardness[i], 0.0f, 1.0f);
           const float free = 1 - arrives / carries;
