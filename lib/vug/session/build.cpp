@@ -199,16 +199,18 @@ Builder::MadeMesh Builder::make_bare(const MeshPlan& plan) {
 }
 
 Builder::MadeMesh Builder::make_worn(const MeshPlan& plan) {
-  if (plan.volume && plan.volume->voxel > 1.01 * plan.cells->spacing)
+  const bool refine = plan.cells->refine.value_or(!plan.volume);
+  if (plan.volume && !refine && plan.volume->voxel > 1.01 * plan.cells->spacing)
     warn(plan.cells->where,
          fmt::format("the voxels of '{}' are larger than the cells, so that not all of these can "
                      "show",
                      plan.volume->name),
-         "use smaller voxels or a larger spacing");
+         "use smaller voxels, a larger spacing or refine true");
   const SkinPtr skin = this->skin(plan.cells);
   const MeshPtr under = below(plan);
-  const mesh::MeshPtr bare = mesh(under);
+  mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
+  if (refine) bare = refined_for(*plan.cells, *bare, room());
   return {std::make_shared<const mesh::Mesh>(wear(*bare, *skin, *plan.cells, progress_)),
           pieces_left_out(under)};
 }

@@ -37,8 +37,9 @@ struct CellsPlan {
   std::vector<CellStagePtr> run;  ///< In the order in which they work within a step.
   bool move = true;               ///< The mesh goes where cells go.
   bool holes = false;             ///< The mesh is cut away where cells are gone.
-  std::optional<int> steps;       ///< Of the whole run; see length.
-  std::filesystem::path from;     ///< Points that they go on from; empty: none.
+  std::optional<bool> refine;  ///< Cut triangles that are larger than cells; not given: of files.
+  std::optional<int> steps;    ///< Of the whole run; see length.
+  std::filesystem::path from;  ///< Points that they go on from; empty: none.
   std::vector<std::string> files = {"points", "grids"};  ///< See `writes`.
   bool half = false;                                     ///< Numbers in files have 16 bits.
   RandomKey key{0};

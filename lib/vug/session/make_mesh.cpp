@@ -1,5 +1,8 @@
 #include <vug/base/memory.h>
+#include <vug/mesh/refine.h>
 #include <vug/meshing/polygonize.h>
+#include <vug/session/blame.h>
+#include <vug/session/cells_plan.h>
 #include <vug/session/make_mesh.h>
 #include <vug/session/room.h>
 #include <vug/volume/samples.h>
@@ -62,6 +65,17 @@ mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts) {
     each.values.resize(all.positions.size() * static_cast<size_t>(each.arity));
   if (all.normals.size() != all.positions.size()) all.normals.clear();
   return all;
+}
+
+mesh::MeshPtr refined_for(const CellsPlan& plan, const mesh::Mesh& mesh, uint64_t memory) {
+  // With its vertices, half as many, and the table of edges.
+  constexpr uint64_t kTriangleBytes = 120;
+  try {
+    return std::make_shared<const mesh::Mesh>(
+        mesh::refined(mesh, plan.spacing, static_cast<size_t>(memory / kTriangleBytes)));
+  } catch (const Error& error) {
+    throw blamed_on(plan.spacing_where, error);
+  }
 }
 
 }  // namespace vug::session

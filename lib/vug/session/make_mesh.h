@@ -24,4 +24,7 @@ mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts);
 /// level set whose surface it is, or null.
 void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::SampledGrid* solid);
 
+/// With triangles no larger than the plan's cells. Error(too_large) at its spacing.
+mesh::MeshPtr refined_for(const CellsPlan& plan, const mesh::Mesh& mesh, uint64_t memory);
+
 }  // namespace vug::session

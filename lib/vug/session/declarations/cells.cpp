@@ -33,6 +33,9 @@ Schema<CellsPlan> schema() {
              {.doc = "the mesh goes where cells go: to their P, and their height along its normal"})
       .param("holes", &CellsPlan::holes,
              {.doc = "cut the mesh away where cells are gone, so that one sees through"})
+      .param("refine", &CellsPlan::refine,
+             {.doc = "cut large triangles into some as small as cells, so that all of these show; "
+                     "those of meshes from files if not given"})
       .param("steps", &CellsPlan::steps,
              {.doc = "of the whole run; if not given, as many as rules need: those that work to "
                      "the end 100 each",

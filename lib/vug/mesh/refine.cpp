@@ -1,0 +1,103 @@
+#include <vug/base/error.h>
+#include <vug/mesh/refine.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+namespace vug::mesh {
+namespace {
+
+constexpr uint32_t kNone = ~0u;
+
+class Refiner {
+ public:
+  Refiner(Mesh& mesh, double longest) : mesh_(mesh), limit2_(longest * longest) {}
+
+  /// Halves long edges once; whether there were any.
+  bool halve() {
+    middles_.clear();
+    std::vector<Triangle> finer;
+    for (const Triangle& t : mesh_.triangles) {
+      const std::array<uint32_t, 3> m = {middle(t[0], t[1]), middle(t[1], t[2]),
+                                         middle(t[2], t[0])};
+      split(t, m, finer);
+    }
+    mesh_.triangles = std::move(finer);
+    return !middles_.empty();
+  }
+
+ private:
+  double length2(uint32_t a, uint32_t b) const {
+    return (Vec3d(mesh_.positions[a]) - Vec3d(mesh_.positions[b])).length2();
+  }
+
+  /// The vertex in the middle of an edge that is too long; else kNone.
+  uint32_t middle(uint32_t a, uint32_t b) {
+    if (!(length2(a, b) > limit2_)) return kNone;
+    const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    const auto [at, fresh] =
+        middles_.try_emplace(key, static_cast<uint32_t>(mesh_.positions.size()));
+    if (fresh) add(a, b);
+    return at->second;
+  }
+
+  void add(uint32_t a, uint32_t b) {
+    mesh_.positions.push_back((mesh_.positions[a] + mesh_.positions[b]) * 0.5f);
+    if (!mesh_.normals.empty()) {
+      const Vec3f sum = mesh_.normals[a] + mesh_.normals[b];
+      mesh_.normals.push_back(sum.length2() > 0 ? sum.normalized() : mesh_.normals[a]);
+    }
+    for (Attribute& attribute : mesh_.attributes) {
+      const auto arity = static_cast<size_t>(attribute.arity);
+      for (size_t c = 0; c < arity; ++c)
+        attribute.values.push_back(
+            0.5f * (attribute.values[a * arity + c] + attribute.values[b * arity + c]));
+    }
+  }
+
+  /// The parts of a triangle; m[k] is the middle of the edge from corner k to the next.
+  void split(const Triangle& t, const std::array<uint32_t, 3>& m, std::vector<Triangle>& out) {
+    const auto halved = std::count_if(m.begin(), m.end(), [](uint32_t v) { return v != kNone; });
+    if (halved == 0) return out.push_back(t);
+    if (halved == 3) {
+      out.insert(out.end(), {{t[0], m[0], m[2]}, {t[1], m[1], m[0]}, {t[2], m[2], m[1]}});
+      return out.push_back({m[0], m[1], m[2]});
+    }
+    // Turned so that the one whole edge, or the one halved, comes last.
+    size_t last = 0;
+    while ((m[last] == kNone) != (halved == 2)) ++last;
+    const size_t first = (last + 1) % 3, second = (last + 2) % 3;
+    const uint32_t a = t[first], b = t[second], c = t[last];
+    if (halved == 1) {
+      out.push_back({a, b, m[last]});
+      return out.push_back({m[last], b, c});
+    }
+    const uint32_t ab = m[first], bc = m[second];
+    out.push_back({ab, b, bc});
+    if (length2(a, bc) <= length2(ab, c))
+      out.insert(out.end(), {{a, ab, bc}, {a, bc, c}});
+    else
+      out.insert(out.end(), {{a, ab, c}, {ab, bc, c}});
+  }
+
+  Mesh& mesh_;
+  double limit2_;
+  std::unordered_map<uint64_t, uint32_t> middles_;
+};
+
+}  // namespace
+
+Mesh refined(Mesh mesh, double longest, size_t most) {
+  if (!(longest > 0)) throw Error(ErrorCode::bad_input, "edges are longer than nothing");
+  Refiner refiner(mesh, longest);
+  while (refiner.halve())
+    if (mesh.triangles.size() > most)
+      throw Error(ErrorCode::too_large,
+                  fmt::format("edges of {:.3g} m make more than {} triangles", longest, most));
+  return mesh;
+}
+
+}  // namespace vug::mesh
