@@ -1,21 +1,41 @@
+#include <vug/base/parallel.h>
 #include <vug/render/occlusion.h>
 #include <vug/session/surroundings.h>
 
 namespace vug::session {
 namespace {
 
-const std::string kExposure = "exposure", kOcclusion = "occlusion";
+const std::string kExposure = "exposure", kOcclusion = "occlusion", kCurvature = "curvature";
 constexpr double kNear = 0.5;
+
+std::vector<float> curvature(const cells::Network& n) {
+  std::vector<float> mean(n.size());
+  parallel_for(
+      n.size(),
+      [&](size_t at) {
+        const auto i = static_cast<uint32_t>(at);
+        float turned = 0, gone = 0;
+        for (const uint32_t to : n.links.of(i)) {
+          const Vec3f way = n.position[to] - n.position[i];
+          turned += (n.normal[to] - n.normal[i]).dot(way);
+          gone += way.length2();
+        }
+        mean[i] = gone > 0 ? turned / gone : 0;
+      },
+      4096);
+  return mean;
+}
 
 }  // namespace
 
 const std::vector<std::string>& surroundings() {
-  static const std::vector<std::string> names = {kExposure, kOcclusion};
+  static const std::vector<std::string> names = {kExposure, kOcclusion, kCurvature};
   return names;
 }
 
 std::vector<float> surroundings_of(const cells::Network& cells, const std::string& name,
                                    const std::vector<mesh::MeshPtr>& meshes, Progress& progress) {
+  if (name == kCurvature) return curvature(cells);
   render::OpennessOptions options;
   // Cells lie on the facets of a mesh, whose smooth normals see a little way into their neighbours.
   options.lift = cells.spacing / 4;

@@ -68,5 +68,25 @@ TEST(Surroundings, OfABallAreThoseOfItsSlope) {
   EXPECT_NEAR(off / static_cast<double>(open.size()), 0, 0.02);
 }
 
+TEST(Surroundings, ABallIsCurvedByItsRadiusAndAHollowTheOtherWay) {
+  for (const auto& [solid, expected] : std::vector<std::pair<std::string, double>>{
+           {"sphere(50cm)", 2}, {"sphere(2m) - sphere(1m)", -1}}) {
+    const SkinPtr skin = skin_of(
+        "volume other = level_set(" + solid +
+        ", voxel: 5cm)\nmesh face on other {}\n"
+        "cells curved on face { spacing 6cm  steps 1  run set(attribute: \"c\", to: value(name: "
+        "\"curvature\")) }");
+    ASSERT_TRUE(skin);
+    double sum = 0, cells = 0;
+    for (uint32_t i = 0; i < skin->network().size(); ++i) {
+      if (skin->network().position[i].length() > 1.5f) continue;  // the outside of the hollow one
+      sum += static_cast<double>(skin->simulation.attributes().values<float>("curvature")[i]);
+      ++cells;
+    }
+    EXPECT_GT(cells, 100);
+    EXPECT_NEAR(sum / cells / expected, 1, 0.05) << solid;
+  }
+}
+
 }  // namespace
 }  // namespace vug::session
