@@ -2,6 +2,7 @@
 import json
 import unittest
 
+import exr
 from vug import VugTest, digest
 
 SCENE = """volume rock = level_set(sphere(1m), voxel: 10cm)
@@ -123,7 +124,7 @@ class Cells(VugTest):
         faces = [n for n, line in enumerate(lines) if line.startswith("f ")]
         self.write("holed.obj", "\n".join(lines[:faces[100]] + lines[faces[100] + 1:]) + "\n")
         self.write("file.vug", "mesh shell { file \"holed.obj\"  scale 2  paint layer(under: (1, 0, 0), over: (0, 1, 0), mask: slope()) }\n"
-                   "cells skin on shell { spacing 20cm  steps 60  run random_color(share: 5%), voronoi, crack(begin: 20) }\n"
+                   "cells skin on shell { spacing 20cm  refine false  steps 60  run random_color(share: 5%), voronoi, crack(begin: 20) }\n"
                    "object bunny on skin { material lambert(albedo: (0.6, 0.6, 0.6)) }\nrender main { size 16x12  spp 1 }\n")
         report = json.loads(self.expect(0, "measure", "file.vug", "--cells", "skin", "--json").out)
         self.assertEqual(report["components"], 1)
@@ -150,6 +151,46 @@ class Cells(VugTest):
         self.write("s.vug", SCENE % ("wall", "spacing 5cm  run maze"))
         self.assertIn("s.vug:4:7: warning: the voxels of 'rock' are larger than the cells",
                       self.expect(0, "build", "s.vug", "-o", "out").err)
+
+    def test_same_bytes_of_what_moves_and_is_cut(self):
+        self.write("s.vug", """volume left = level_set(box().translate((-0.5, 0, 0)), voxel: 5cm)
+volume right = level_set(box().translate((0.5, 0, 0)), voxel: 5cm)
+cells rain on left, right { spacing 5cm  steps 12  files ["csv"]
+  run sprinkle(attribute: "height", value: -0.04, share: 10%, radius: 12cm), melting }
+volume worn on rain { voxel 4cm }
+cells rust on worn { spacing 5cm  holes true  run corrosion(share: 80%, loss: 50%, where: noise(noise: fbm(scale: 30cm), from: 0, to: 0.1)) }
+""")
+        made = set()
+        for threads in (1, 2, 7):
+            self.expect(0, "build", "s.vug", "-o", f"out{threads}", "--threads", threads)
+            names = sorted(p.name for p in (self.folder / f"out{threads}").iterdir() if p.suffix in (".ply", ".vdb"))
+            made.add(tuple((name, digest(self.folder / f"out{threads}" / name)) for name in names))
+        self.assertEqual(len(made), 1)
+        self.assertIn("s_rain_left.ply", dict(next(iter(made))))
+        report = json.loads(self.expect(1, "measure", "out1/s_rust.ply", "--json").out)
+        self.assertGreater(report["boundary_edges"], 20)
+        self.assertEqual(report["nonmanifold_edges"] + report["misoriented_edges"], 0)
+        grids = json.loads(self.expect(0, "info", "out1/s.vdb", "--json").out)["grids"]
+        worn, = [grid for grid in grids if grid["name"] == "worn"]
+        self.assertEqual((worn["class"], worn["voxel_size"][0]), ("level set", 0.04))
+
+    def test_cells_finer_than_a_pixel_are_averaged(self):
+        # 156 cells of chance to a pixel: their mean is a half, give or take 0.5 / sqrt(156), and the samples' own noise.
+        self.write("s.vug", """volume rock = level_set(box(size: (5, 4, 1)), voxel: 4cm)
+cells skin on rock { spacing 4cm  relax 0  run sprinkle(attribute: "mark", share: 50%) }
+camera main { kind orthographic  eye (0, 0, 5)  target (0, 0, 0)  width 4m }
+render main { size 8x6  spp 256  layers ["beauty", "attribute_mark"] }
+""")
+        self.expect(0, "render", "s.vug", "-o", "s.exr")
+        part, = exr.read(self.folder / "s.exr")
+        name, = [name for name, _ in part.channels if "mark" in name]
+        values = part.pixels[name]
+        self.assertEqual(len(values), 48)
+        mean = sum(values) / 48
+        self.assertAlmostEqual(mean, 0.5, delta=0.03)
+        spread = (sum((v - mean) ** 2 for v in values) / 47) ** 0.5
+        self.assertLess(spread, 0.5 / 156 ** 0.5 * 1.5, "one sample a pixel would spread by 0.3")
+        self.assertGreater(spread, 0.005)
 
     def test_same_bytes(self):
         self.write("s.vug", SCENE % ("wall", GOOD))
