@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       if (!mesh->cells) continue;
       session::CellsPlan plan = *mesh->cells;
       if (!plan.from.empty()) continue;
-      plan.steps = std::min(plan.length(), 12);
+      plan.steps = std::min(plan.length(), 6);
       plan.relax = std::min(plan.relax.value_or(2), 5);
       session::make_skin(plan, {{box, nullptr}}, uint64_t{1} << 22, Progress::none());
     }
