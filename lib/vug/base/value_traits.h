@@ -96,8 +96,9 @@ template <class T>
 struct ValueTraits<std::optional<T>> {
   static std::string type() { return ValueTraits<T>::type(); }
   static std::optional<std::optional<T>> read(const Value& v) {
-    const auto inner = ValueTraits<T>::read(v);
-    return inner ? std::optional(inner) : std::nullopt;
+    const std::optional<T> inner = ValueTraits<T>::read(v);
+    if (!inner) return std::nullopt;
+    return std::optional<std::optional<T>>(std::in_place, inner);
   }
   static Value write(const std::optional<T>& v) { return v ? ValueTraits<T>::write(*v) : Value(); }
 };

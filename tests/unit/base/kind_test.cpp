@@ -15,11 +15,13 @@ struct Strand {
 struct Rope : Strand {
   std::filesystem::path file = "plain.png";
   int plies = 3;
+  std::optional<int> knots;
 
   static void describe(Schema<Rope>& s) {
     s.param("length", &Strand::length, positive_length("of the rope"))
         .param("file", &Rope::file, {.doc = "a picture of it"})
-        .param("plies", &Rope::plies, {.doc = "strands", .min = 1});
+        .param("plies", &Rope::plies, {.doc = "strands", .min = 1})
+        .param("knots", &Rope::knots, {.doc = "in it; as many as it likes if not given"});
   }
   std::string fault() const { return plies > 10 * length ? "too many plies for its length" : ""; }
 };
@@ -58,6 +60,8 @@ TEST(Kind, MakesItsProductOfArguments) {
   EXPECT_EQ(made->length, 2);  // a member of a base of the parameter struct
   EXPECT_EQ(made->plies, 5);
   EXPECT_EQ(made->file, "plain.png");
+  EXPECT_FALSE(made->knots);
+  EXPECT_EQ(make_product(kRopes, "rope", {{"knots", 4}})->knots, 4);
 }
 
 TEST(Kind, RefusesWhatDoesNotFit) {
@@ -67,6 +71,8 @@ TEST(Kind, RefusesWhatDoesNotFit) {
             "'plies' must be at least 1, not 0; 'length' must be above 0, not -1m");
   EXPECT_EQ(refusal({{"file", "torn.png"}}), "cannot read it / mend it");
   EXPECT_EQ(refusal({{"file", 3.0}}), "'file' expects a file, not a number");
+  EXPECT_EQ(refusal({{"knots", 2.5}}), "'knots' expects a whole number, not 2.5");
+  EXPECT_EQ(refusal({{"knots", "two"}}), "'knots' expects a whole number, not a text");
 }
 
 TEST(Kind, KnowsItsNeighbours) {
