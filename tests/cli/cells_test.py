@@ -41,7 +41,7 @@ class Cells(VugTest):
         first = "crack, corrosion(where: attribute(name: "
         self.refused(f'spacing 20cm  run {first}"crak"))', at + len(first) - len("name: "), "no rule of 'skin' brings an attribute 'crak'",
                      "did you mean 'crack'?")
-        for rule in ('life, freeze(attribute: "aliv")', 'life, set(attribute: "x", to: multiply([value(name: "aliv"), slope()]))'):
+        for rule in ('life, freeze(attribute: "aliv")', 'life, set(attribute: "lit", to: multiply([value(name: "aliv"), slope()]))'):
             self.write("s.vug", SCENE % ("wall", f"spacing 20cm  run {rule}"))
             error = self.expect(2, "check", "s.vug").err
             self.assertIn("no rule of 'skin' brings an attribute 'aliv'", error)
@@ -49,6 +49,33 @@ class Cells(VugTest):
             self.assertEqual(error.count("error: "), 1, error)
         self.write("s.vug", SCENE % ("wall", 'spacing 20cm  run sprinkle(attribute: "alive"), life'))
         self.assertIn("error: the attribute 'alive' is a number, not a whole number", self.expect(2, "check", "s.vug").err)
+
+    def test_names_that_files_cannot_hold(self):
+        for name in ("my wet part", "", "2nd", "id", "x"):
+            self.refused(f'spacing 20cm  run set(attribute: "{name}", to: 0.3)', 7, "", "letters, digits and _")
+
+    def test_whole_numbers_of_steps(self):
+        self.write("s.vug", SCENE % ("wall", "spacing 20cm  run life  steps 2.5"))
+        self.assertIn("s.vug:4:46: error: 'steps' expects a whole number, not 2.5", self.expect(2, "check", "s.vug").err)
+
+    def test_a_misspelt_attribute_in_a_material_is_a_warning(self):
+        for name, told in (("crak", True), ("crack", False), ("my_own", False)):
+            material = f'material surface(color: layer(under: (1, 1, 1), over: (0, 0, 0), mask: attribute(name: "{name}")))'
+            self.write("s.vug", SCENE % ("wall", GOOD) + "object stone on skin { " + material + " }\n")
+            error = self.expect(0, "check", "s.vug").err
+            self.assertEqual("warning: nobody brings an attribute 'crak'" in error, told, error)
+            self.assertEqual("did you mean 'crack'?" in error, told, error)
+
+    def test_a_surface_that_is_gone_is_doubtful(self):
+        self.write("s.vug", SCENE % ("wall", 'spacing 20cm  holes true  steps 2  run set(attribute: "k", to: 1), '
+                                             'freeze(attribute: "k", above: 0.5, as: transparent)'))
+        self.assertIn("warning: nothing is left of the mesh 'skin'", self.expect(0, "build", "s.vug", "-o", "out").err)
+
+    def test_points_beyond_the_end(self):
+        self.write("s.vug", SCENE % ("wall", "spacing 20cm  steps 5  run life"))
+        self.expect(0, "build", "s.vug", "-o", "out")
+        self.write("t.vug", SCENE % ("wall", 'spacing 20cm  steps 3  from "out/s_skin.vdb"  run life'))
+        self.assertIn("the points are at step 5 already, the run ends at 3", self.expect(2, "build", "t.vug", "-o", "more").err)
 
     def test_what_stands_around_comes_where_it_is_named(self):
         rule = 'spacing 20cm  run set(attribute: "light", to: value(name: "exposure"))'

@@ -14,10 +14,20 @@ std::string dumped(const Json& value, int indent) {
   return value.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+/// Of long lists of rows the first and the last so many are shown.
+constexpr size_t kEnds = 2;
+
 /// One "key: value" a line, nested parts indented.
 void print(const Json& value, int depth) {
   const std::string indent(static_cast<size_t>(2 * depth), ' ');
+  size_t row = 0;
   for (const auto& [key, part] : value.items()) {
+    if (value.is_array() && value.size() > 4 * kEnds) {
+      const size_t at = row++;
+      if (at == kEnds)
+        fmt::print("{}... {} more, which --json shows\n", indent, value.size() - 2 * kEnds);
+      if (at >= kEnds && at + kEnds < value.size()) continue;
+    }
     const std::string label = value.is_array() ? "-" : key + ":";
     const bool rows = part.is_object() || (part.is_array() && !part.empty() && part[0].is_object());
     if (rows) {

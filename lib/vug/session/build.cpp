@@ -211,8 +211,11 @@ Builder::MadeMesh Builder::make_worn(const MeshPlan& plan) {
   mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
   if (refine) bare = refined_for(*plan.cells, *bare, room());
-  return {std::make_shared<const mesh::Mesh>(wear(*bare, *skin, *plan.cells, progress_)),
-          pieces_left_out(under)};
+  const auto worn = std::make_shared<const mesh::Mesh>(wear(*bare, *skin, *plan.cells, progress_));
+  if (worn->triangles.empty() && !bare->triangles.empty())
+    warn(plan.cells->where, fmt::format("nothing is left of the mesh '{}'", plan.name),
+         "all of its cells are gone and 'holes' cuts them away");
+  return {worn, pieces_left_out(under)};
 }
 
 Builder::MadeMesh Builder::make_merged(const MeshPlan& plan) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace vug::session {
@@ -52,6 +53,19 @@ class Trial {
   std::vector<std::pair<SourceLocation, Error>> faults_;
 };
 
+/// What is wrong with a name that files are to carry; empty where nothing is.
+std::string fault_of_name(const std::string& name) {
+  static const std::set<std::string> kept = {
+      "x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "id", "pscale", "object"};
+  const auto good = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), good) ||
+      std::isdigit(static_cast<unsigned char>(name[0])) || name.size() > 100)
+    return fmt::format("'{}' cannot be the name of an attribute", name);
+  if (kept.count(name) > 0)
+    return fmt::format("cells cannot bring an attribute '{}', which files use for their own", name);
+  return "";
+}
+
 }  // namespace
 
 void read_names(CellsPlan& plan, Diagnostics& diagnostics) {
@@ -84,6 +98,10 @@ void read_names(CellsPlan& plan, Diagnostics& diagnostics) {
       if (needed) look(name, stage->at);
     }
   }
+  plan.brings = known;
+  for (const std::string& name : known)
+    if (const std::string fault = fault_of_name(name); !fault.empty())
+      diagnostics.error(plan.where, fault, "letters, digits and _ that do not begin with a digit");
   for (const std::string& name : surroundings())
     if (named.count(name) > 0 && !trial.brings(name)) plan.surroundings.push_back(name);
 }

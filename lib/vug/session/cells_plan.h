@@ -42,6 +42,7 @@ struct CellsPlan {
   std::filesystem::path from;  ///< Points that they go on from; empty: none.
   std::vector<std::string> files = {"points", "grids"};  ///< See `writes`.
   bool half = false;                                     ///< Numbers in files have 16 bits.
+  std::vector<std::string> brings;  ///< Names of attributes that it will carry.
   RandomKey key{0};
   /// Nothing of it but `steps` depends on the frame: another frame's run can go on to this one's.
   bool still = false;

@@ -5,6 +5,7 @@
 #include <vug/session/foresee.h>
 #include <vug/session/grammar_binding.h>
 #include <vug/session/load.h>
+#include <vug/session/misspelt.h>
 #include <vug/session/reader.h>
 #include <vug/volume/samples.h>
 
@@ -149,6 +150,8 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
     resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
   scene::check_params_read(document, loaded.diagnostics);
   foresee(loaded.shot, document, loaded.diagnostics);
+  if (!loaded.diagnostics.has_errors())
+    warn_of_misspelt_attributes(document, loaded.shot, loaded.diagnostics);
   loaded.shot.moves = resolver.frame_uses() > 0;
   loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.moves);
   return loaded;

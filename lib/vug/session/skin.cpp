@@ -96,6 +96,11 @@ Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64
   try {
     if (!how.from && !plan.from.empty()) read_cells(plan.from, plan, skin.simulation);
     if (how.checkpoint) how.checkpoint->put_back(plan, skin);
+    if (skin.simulation.step() > plan.length() && !how.from)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the points are at step {} already, the run ends at {}",
+                              skin.simulation.step(), plan.length()),
+                  {}, "raise 'steps', or leave 'from' out");
     look_around(plan, grounds, skin.simulation, progress);
     const auto after = [&] { how.checkpoint->after_step(plan, skin); };
     skin.simulation.run(stages(plan), plan.length() - skin.simulation.step(), progress,

@@ -1,0 +1,71 @@
+#include <vug/cells/onto_mesh.h>
+#include <vug/session/cells_plan.h>
+#include <vug/session/misspelt.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::session {
+namespace {
+
+std::vector<std::string> carried(const Shot& shot) {
+  std::vector<std::string> names;
+  for (const MeshPtr& mesh : shot.meshes) {
+    if (mesh->cells)
+      names.insert(names.end(), mesh->cells->brings.begin(), mesh->cells->brings.end());
+    if (mesh->given)
+      for (const mesh::Attribute& each : mesh->given->attributes) names.push_back(each.name);
+  }
+  if (!names.empty()) names.emplace_back(mesh::kColour);
+  return names;
+}
+
+class Search {
+ public:
+  Search(const std::vector<std::string>& names, Diagnostics& diagnostics)
+      : names_(names), diagnostics_(diagnostics) {}
+
+  void look(const scene::ExprPtr& expr) const {
+    if (!expr) return;
+    if (expr->kind == scene::ExprKind::call && (expr->text == "attribute" || expr->text == "value"))
+      judge(*expr);
+    for (const scene::Operand& operand : expr->operands) look(operand.value);
+  }
+
+ private:
+  void judge(const scene::Expr& call) const {
+    const scene::Expr* name = nullptr;
+    for (const scene::Operand& operand : call.operands) {
+      if (operand.name == "otherwise") return;
+      if (operand.name == "name" || operand.name.empty()) name = operand.value.get();
+    }
+    if (!name || name->kind != scene::ExprKind::text) return;
+    if (std::find(names_.begin(), names_.end(), name->text) != names_.end()) return;
+    const std::string near = nearest_name(name->text, names_);
+    if (near.empty()) return;
+    diagnostics_.warning(name->where, fmt::format("nobody brings an attribute '{}'", name->text),
+                         fmt::format("did you mean '{}'?", near));
+  }
+
+  const std::vector<std::string>& names_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void warn_of_misspelt_attributes(const scene::Document& document, const Shot& shot,
+                                 Diagnostics& diagnostics) {
+  const std::vector<std::string> names = carried(shot);
+  if (names.empty()) return;
+  const Search search(names, diagnostics);
+  for (const scene::Let& let : document.lets) search.look(let.value);
+  for (const scene::Declaration& declaration : document.declarations) {
+    search.look(declaration.value);
+    for (const scene::Entry& entry : declaration.entries)
+      if (declaration.kind != "cells")  // told as errors
+        for (const scene::ExprPtr& value : entry.values) search.look(value);
+  }
+}
+
+}  // namespace vug::session
