@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/mesh/add_between.h>
 #include <vug/mesh/cut.h>
 
 #include <algorithm>
@@ -92,20 +93,8 @@ class Cutter {
 
   /// A vertex on the way from a to b.
   uint32_t add(uint32_t a, uint32_t b, float share) {
-    const auto between = [&](const auto& x, const auto& y) { return x + (y - x) * share; };
-    out_.positions.push_back(between(mesh_.positions[a], mesh_.positions[b]));
-    if (!mesh_.normals.empty()) {
-      const Vec3f n = between(mesh_.normals[a], mesh_.normals[b]);
-      out_.normals.push_back(a == b || n.length2() == 0 ? mesh_.normals[a] : n.normalized());
-    }
-    for (size_t i = 0; i < mesh_.attributes.size(); ++i) {
-      const Attribute& from = mesh_.attributes[i];
-      const auto arity = static_cast<size_t>(from.arity);
-      for (size_t c = 0; c < arity; ++c)
-        out_.attributes[i].values.push_back(
-            between(from.values[a * arity + c], from.values[b * arity + c]));
-    }
-    return static_cast<uint32_t>(out_.positions.size() - 1);
+    const auto between = [share](const auto& x, const auto& y) { return x + (y - x) * share; };
+    return add_between(mesh_, a, b, between, out_);
   }
 
   const Mesh& mesh_;

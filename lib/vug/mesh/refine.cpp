@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/mesh/add_between.h>
 #include <vug/mesh/refine.h>
 
 #include <fmt/format.h>
@@ -38,24 +39,10 @@ class Refiner {
   uint32_t middle(uint32_t a, uint32_t b) {
     if (!(length2(a, b) > limit2_)) return kNone;
     const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-    const auto [at, fresh] =
-        middles_.try_emplace(key, static_cast<uint32_t>(mesh_.positions.size()));
-    if (fresh) add(a, b);
+    const auto [at, fresh] = middles_.try_emplace(key, kNone);
+    const auto half = [](const auto& x, const auto& y) { return (x + y) * 0.5f; };
+    if (fresh) at->second = add_between(mesh_, a, b, half, mesh_);
     return at->second;
-  }
-
-  void add(uint32_t a, uint32_t b) {
-    mesh_.positions.push_back((mesh_.positions[a] + mesh_.positions[b]) * 0.5f);
-    if (!mesh_.normals.empty()) {
-      const Vec3f sum = mesh_.normals[a] + mesh_.normals[b];
-      mesh_.normals.push_back(sum.length2() > 0 ? sum.normalized() : mesh_.normals[a]);
-    }
-    for (Attribute& attribute : mesh_.attributes) {
-      const auto arity = static_cast<size_t>(attribute.arity);
-      for (size_t c = 0; c < arity; ++c)
-        attribute.values.push_back(
-            0.5f * (attribute.values[a * arity + c] + attribute.values[b * arity + c]));
-    }
   }
 
   /// The parts of a triangle; m[k] is the middle of the edge from corner k to the next.
