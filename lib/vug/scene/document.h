@@ -57,6 +57,12 @@ struct Declaration {
   bool broken = false;
   bool incomplete = false;
 
+  /// The first entry of that key; null without one.
+  const Entry* find_entry(const std::string& key) const {
+    for (const Entry& entry : entries)
+      if (entry.key == key) return &entry;
+    return nullptr;
+  }
   const Expr& target_at(size_t number) const {
     return number == 0 ? *target : *more_targets.at(number - 1);
   }

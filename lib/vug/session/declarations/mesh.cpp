@@ -46,12 +46,6 @@ Schema<Block> schema() {
   return s;
 }
 
-const scene::Entry* find_entry(const scene::Declaration& declaration, const std::string& key) {
-  for (const scene::Entry& entry : declaration.entries)
-    if (entry.key == key) return &entry;
-  return nullptr;
-}
-
 /// In metres. Without normals of its own it is taken for smooth, its vertices for one where they
 /// are in one place.
 mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
@@ -69,14 +63,14 @@ mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
 
 /// What the block says of a file; null with a diagnostic at what is at fault.
 mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, Reading& reading) {
-  const scene::Entry& entry = *find_entry(declaration, "file");
+  const scene::Entry& entry = *declaration.find_entry("file");
   if (declaration.target) {
     reading.diagnostics.error(entry.where, "a mesh from a file stands on no volume",
                               "leave out 'on' or 'file'");
     return nullptr;
   }
   for (const char* key : {"adaptivity", "polish"})
-    if (const scene::Entry* other = find_entry(declaration, key)) {
+    if (const scene::Entry* other = declaration.find_entry(key)) {
       reading.diagnostics.error(
           other->where, fmt::format("a mesh from a file has no use for '{}'", key), "leave it out");
       return nullptr;
@@ -111,7 +105,7 @@ const DeclarationKind& mesh_declaration() {
       schema().info(),
       [](const scene::Declaration& declaration, Reading& reading) -> Value {
         std::optional<Block> block = read_block(schema(), declaration, reading);
-        const bool from_file = find_entry(declaration, "file") != nullptr;
+        const bool from_file = declaration.find_entry("file") != nullptr;
         const VolumePtr volume = from_file ? nullptr : read_volume(declaration, reading);
         if (!block) return Value();
         MeshPlan plan = *block;

@@ -44,11 +44,9 @@ std::vector<MeshPtr> shown(const MeshPtr& mesh, const MeshPtr& of,
   std::vector<std::string> names;
   for (const MeshPtr& part : parts_of(mesh))
     if (part->cells) names.push_back(below(*part)->name);
-  for (const scene::Entry& entry : declaration.entries)
-    if (entry.key == "of")
-      reading.diagnostics.error(entry.values.at(0)->where,
-                                fmt::format("'{}' is not of '{}'", of->name, mesh->name),
-                                suggestion(of->name, names));
+  reading.diagnostics.error(declaration.find_entry("of")->values.at(0)->where,
+                            fmt::format("'{}' is not of '{}'", of->name, mesh->name),
+                            suggestion(of->name, names));
   return {};
 }
 

@@ -96,9 +96,8 @@ bool complete(Model& model, const SourceLocation& where, Reading& reading) {
 
 /// Of an entry of the block; the declaration's name where it is not there.
 SourceLocation where_of(const char* key, const scene::Declaration& declaration) {
-  for (const scene::Entry& entry : declaration.entries)
-    if (entry.key == key) return entry.where;
-  return declaration.where;
+  const scene::Entry* entry = declaration.find_entry(key);
+  return entry ? entry->where : declaration.where;
 }
 
 /// A sentence on shares and numbers of things that do not fit, with its place; else nothing.
