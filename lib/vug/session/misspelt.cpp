@@ -1,4 +1,5 @@
 #include <vug/cells/onto_mesh.h>
+#include <vug/session/cells_files.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/misspelt.h>
 
@@ -11,12 +12,11 @@ namespace {
 
 std::vector<std::string> carried(const Shot& shot) {
   std::vector<std::string> names;
-  for (const MeshPtr& mesh : shot.meshes) {
-    if (mesh->cells)
-      names.insert(names.end(), mesh->cells->brings.begin(), mesh->cells->brings.end());
+  for (const CellsPtr& cells : declared_cells(shot))
+    names.insert(names.end(), cells->brings.begin(), cells->brings.end());
+  for (const MeshPtr& mesh : shot.meshes)
     if (mesh->given)
       for (const mesh::Attribute& each : mesh->given->attributes) names.push_back(each.name);
-  }
   if (!names.empty()) names.emplace_back(mesh::kColour);
   return names;
 }
