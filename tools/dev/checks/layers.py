@@ -9,7 +9,7 @@ from .tree import Finding, module_of
 
 # The one module that may include each of these.
 DOORS = {"openvdb/": "volume", "embree3/": "render", "OpenImageIO/": "image", "OpenEXR/": "image",
-         "OpenColorIO/": "image"}
+         "OpenColorIO/": "image", "tiny_gltf.h": "exchange"}
 # Costly to parse: never reachable through a header that another module includes.
 HEAVY = (*DOORS, "nlohmann/json.hpp", "CLI/", "Eigen/")
 

@@ -1,0 +1,37 @@
+#include <vug/base/diagnostics.h>
+#include <vug/base/error.h>
+#include <vug/exchange/format.h>
+
+#include <fmt/format.h>
+
+namespace vug::exchange {
+
+#define VUG_KIND(name) const Format& name##_format();
+#include <vug/exchange/formats_kinds.inc>
+#undef VUG_KIND
+
+const std::vector<const Format*>& formats() {
+  static const std::vector<const Format*> all = {
+#define VUG_KIND(name) &name##_format(),
+#include <vug/exchange/formats_kinds.inc>
+#undef VUG_KIND
+  };
+  return all;
+}
+
+const Format& format(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Format* each : formats()) {
+    if (each->info.name == name) return *each;
+    known.push_back(each->info.name);
+  }
+  throw Error(ErrorCode::bad_input, fmt::format("there is no exchange format '{}'", name), {},
+              suggestion(name, known));
+}
+
+Written write(const Format& format, const Assembly& assembly, const Space& space,
+              const std::filesystem::path& file, const FormatOptions& options, Progress& progress) {
+  return format.write(converted(assembly, format.space.value_or(space)), file, options, progress);
+}
+
+}  // namespace vug::exchange

@@ -1,0 +1,53 @@
+// Files that hold a whole assembly. Each is a kind; its name is its extension.
+#pragma once
+
+#include <vug/base/kind.h>
+#include <vug/base/progress.h>
+#include <vug/exchange/assembly.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::exchange {
+
+struct FormatOptions {
+  /// Many of one part as one thing that repeats; else each on its own.
+  bool instancing = true;
+  /// Numbers for the radiance of shining surfaces over W/sr/m^2; none: as the format defines them.
+  std::optional<double> emission_scale;
+};
+
+/// What was written, and in sentences what the format cannot hold.
+struct Written {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> left_out;
+};
+
+struct Format {
+  KindInfo info;
+  std::optional<Space> space;  ///< Where the format allows one only.
+  /// The assembly stands in a space that the format allows. Files are whole or not there.
+  /// Error(io), Error(too_large).
+  Written (*write)(const Assembly& assembly, const std::filesystem::path& file,
+                   const FormatOptions& options, Progress& progress) = nullptr;
+};
+
+const std::vector<const Format*>& formats();
+/// Error(bad_input), with those that there are, where there is none of that name.
+const Format& format(const std::string& name);
+
+/// Converts to `space`, or to that of the format, and writes. The same assembly, the same bytes.
+Written write(const Format& format, const Assembly& assembly, const Space& space,
+              const std::filesystem::path& file, const FormatOptions& options = {},
+              Progress& progress = Progress::none());
+
+/// Lumen to a watt where a format counts in candela, lux or nits: 683, which programs divide by
+/// that count in watts again.
+inline constexpr double kLumenPerWatt = 683;
+
+}  // namespace vug::exchange
+
+/// Opens the one definition that a format's file exports, from outside of any namespace.
+#define VUG_EXCHANGE_FORMAT(name) VUG_EXPORT_KIND(vug::exchange, Format, name##_format)

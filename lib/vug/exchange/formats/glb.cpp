@@ -1,0 +1,265 @@
+// glTF 2.0 in one binary file, by tinygltf.
+#include <vug/base/atomic_file.h>
+#include <vug/base/maths.h>
+#include <vug/exchange/format.h>
+#include <vug/exchange/gltf_buffer.h>
+#include <vug/exchange/gltf_material.h>
+#include <vug/exchange/place.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <map>
+
+namespace vug::exchange {
+namespace {
+
+using tinygltf::Value;
+
+class Writer {
+ public:
+  Writer(const Assembly& assembly, const FormatOptions& options)
+      : assembly_(assembly), options_(options), buffer_(model_) {
+    model_.scenes.resize(1);
+    model_.scenes[0].name = assembly.name;
+    model_.defaultScene = 0;
+    const Provenance& from = assembly.provenance;
+    model_.asset.version = "2.0";
+    model_.asset.generator = "Vug " + from.version;
+    model_.asset.extras = Value(Value::Object{{"vug:recipe", Value(from.recipe)},
+                                              {"vug:seed", Value(std::to_string(from.seed))},
+                                              {"vug:frame", Value(from.frame)},
+                                              {"vug:version", Value(from.version)}});
+  }
+
+  void add_groups(Progress& progress) {
+    progress.begin("glTF", assembly_.groups.size());
+    for (const Group& group : assembly_.groups) {
+      progress.check();
+      add_group(group);
+      progress.advance();
+    }
+    progress.end();
+  }
+  void add_cameras() {
+    for (const Camera& camera : assembly_.cameras) add_camera(camera);
+  }
+  void add_lamps() {
+    for (const Lamp& lamp : assembly_.lamps) add_lamp(lamp);
+  }
+
+  Written save(const std::filesystem::path& file) {
+    for (const Volume& volume : assembly_.volumes)
+      left_out_.push_back(fmt::format("volume '{}': it is in {}", volume.name, volume.file));
+    if (model_.buffers[0].data.empty()) model_.buffers.clear();
+    AtomicFile target(file);
+    std::ofstream out(target.path(), std::ios::binary);
+    tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, out, false, true);
+    out.close();
+    if (!out)
+      throw Error(ErrorCode::io,
+                  fmt::format("cannot write '{}': {}", file.string(), std::strerror(errno)));
+    target.commit();
+    return {{file}, left_out_};
+  }
+
+ private:
+  void use(const std::string& extension) {
+    auto& used = model_.extensionsUsed;
+    if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+  }
+  void stand(tinygltf::Node node) {
+    model_.nodes.push_back(std::move(node));
+    model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()) - 1);
+  }
+  tinygltf::Node node(const std::string& name, const Placement& at) const {
+    tinygltf::Node node;
+    node.name = name;
+    if (at.move != Vec3d(0.0)) node.translation = {at.move.x, at.move.y, at.move.z};
+    if (at.turn != Placement().turn) node.rotation = {at.turn.begin(), at.turn.end()};
+    if (at.scale != Vec3d(1.0)) node.scale = {at.scale.x, at.scale.y, at.scale.z};
+    return node;
+  }
+
+  int material_of(const Part& part) {
+    tinygltf::Material made = gltf_material(part, options_.emission_scale.value_or(kLumenPerWatt));
+    for (const auto& [name, value] : made.extensions) use(name);
+    const auto same = std::find(model_.materials.begin(), model_.materials.end(), made);
+    if (same != model_.materials.end()) return static_cast<int>(same - model_.materials.begin());
+    model_.materials.push_back(std::move(made));
+    return static_cast<int>(model_.materials.size()) - 1;
+  }
+  int add_mesh(const Part& part) {
+    model_.meshes.push_back(gltf_mesh(part, material_of(part), buffer_, left_out_));
+    return static_cast<int>(model_.meshes.size()) - 1;
+  }
+  int mesh_of(size_t part) {
+    const auto known = meshes_.find(part);
+    if (known != meshes_.end()) return known->second;
+    return meshes_[part] = add_mesh(assembly_.parts.at(part));
+  }
+  /// The part where a map that shears takes it, which no node can say.
+  int sheared_mesh(const Part& part, const Transform& place) {
+    mesh::Mesh mesh = *part.mesh;
+    for (Vec3f& p : mesh.positions) p = Vec3f(place.point(Vec3d(p)));
+    for (Vec3f& n : mesh.normals) n = Vec3f(place.normal(Vec3d(n)).normalized());
+    if (place.determinant() < 0)
+      for (mesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    Part moved = part;
+    moved.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+    return add_mesh(moved);
+  }
+
+  void add_group(const Group& group) {
+    const Part& part = assembly_.parts.at(group.part);
+    if (part.mesh->triangles.empty()) {
+      left_out_.push_back(fmt::format("'{}': its mesh is empty", group.name));
+      return;
+    }
+    std::vector<Placement> places;
+    for (const Transform& place : group.places) {
+      if (const auto parts = placement(place)) {
+        places.push_back(*parts);
+        continue;
+      }
+      tinygltf::Node alone = node(group.name, {});
+      alone.mesh = sheared_mesh(part, place);
+      stand(std::move(alone));
+    }
+    if (places.size() > 1 && options_.instancing) return add_instances(group, places);
+    for (size_t i = 0; i < places.size(); ++i) {
+      tinygltf::Node one = node(
+          places.size() == 1 ? group.name : fmt::format("{}.{}", group.name, i + 1), places[i]);
+      one.mesh = mesh_of(group.part);
+      stand(std::move(one));
+    }
+  }
+  void add_instances(const Group& group, const std::vector<Placement>& places) {
+    std::vector<float> moves, turns, scales;
+    for (const Placement& each : places) {
+      for (int i = 0; i < 3; ++i) moves.push_back(static_cast<float>(each.move[i]));
+      for (int i = 0; i < 3; ++i) scales.push_back(static_cast<float>(each.scale[i]));
+      for (const double part : each.turn) turns.push_back(static_cast<float>(part));
+    }
+    const auto accessor = [&](const std::vector<float>& values, int arity) {
+      return Value(buffer_.floats(values.data(), places.size(), arity, false, 0));
+    };
+    tinygltf::Node all = node(group.name, {});
+    all.mesh = mesh_of(group.part);
+    all.extensions["EXT_mesh_gpu_instancing"] =
+        Value(Value::Object{{"attributes", Value(Value::Object{{"TRANSLATION", accessor(moves, 3)},
+                                                               {"ROTATION", accessor(turns, 4)},
+                                                               {"SCALE", accessor(scales, 3)}})}});
+    use("EXT_mesh_gpu_instancing");
+    stand(std::move(all));
+  }
+
+  void add_camera(const Camera& camera) {
+    tinygltf::Camera made;
+    made.name = camera.name;
+    if (camera.orthographic) {
+      made.type = "orthographic";
+      made.orthographic.xmag = 0.5 * camera.span;
+      made.orthographic.ymag = 0.5 * camera.span / camera.aspect;
+      made.orthographic.znear = camera.near;
+      made.orthographic.zfar = camera.far;
+    } else {
+      made.type = "perspective";
+      made.perspective.aspectRatio = camera.aspect;
+      made.perspective.yfov = 2 * maths::atan2(maths::tan(0.5 * camera.fov), camera.aspect);
+      made.perspective.znear = camera.near;
+      made.perspective.zfar = camera.far;
+    }
+    if (camera.aperture > 0) {
+      made.extras = Value(Value::Object{{"vug:aperture", Value(camera.aperture)},
+                                        {"vug:focus", Value(camera.focus)}});
+      left_out_.push_back(
+          fmt::format("depth of field of the camera '{}': only in its extras", camera.name));
+    }
+    model_.cameras.push_back(std::move(made));
+    tinygltf::Node at = node(camera.name, placement(camera.place).value_or(Placement()));
+    at.camera = static_cast<int>(model_.cameras.size()) - 1;
+    stand(std::move(at));
+  }
+
+  void add_lamp(const Lamp& lamp) {
+    using Shape = Lamp::Shape;
+    if (lamp.shape == Shape::dome) {
+      left_out_.push_back(fmt::format("light '{}': glTF has no skies", lamp.name));
+      return;
+    }
+    tinygltf::Light made;
+    made.name = lamp.name;
+    const Vec3d watts = strength(lamp);
+    const double most = std::max({watts.x, watts.y, watts.z});
+    made.intensity = most * kLumenPerWatt;
+    const Vec3d color = most > 0 ? watts / most : Vec3d(1.0);
+    made.color = {color.x, color.y, color.z};
+    made.type = lamp.shape == Shape::sun      ? "directional"
+                : lamp.shape == Shape::sphere ? "point"
+                                              : "spot";
+    Value::Object shape = {{"vug:radiance", gltf_value(lamp.radiance)}};
+    if (lamp.shape == Shape::spot) {
+      const double outer = std::min(0.5 * lamp.angle, 0.5 * kPi);
+      made.spot.outerConeAngle = outer;
+      made.spot.innerConeAngle = std::min(outer * (1 - lamp.edge), outer * (1 - 1e-6));
+      if (lamp.angle > kPi)
+        left_out_.push_back(fmt::format("light '{}': its cone ends at 180 degrees", lamp.name));
+    }
+    if (lamp.shape == Shape::rectangle || lamp.shape == Shape::disk) {
+      made.spot.outerConeAngle = 0.5 * kPi;
+      made.spot.innerConeAngle = 0;
+      left_out_.push_back(fmt::format("the size of the light '{}': it is a spot there", lamp.name));
+    }
+    if (lamp.shape == Shape::rectangle) {
+      shape.emplace("vug:width", Value(lamp.width));
+      shape.emplace("vug:height", Value(lamp.height));
+    } else if (lamp.shape == Shape::sun) {
+      shape.emplace("vug:angle", Value(lamp.angle));
+    } else {
+      shape.emplace("vug:radius", Value(lamp.radius));
+    }
+    if (!lamp.profile.empty())
+      left_out_.push_back(fmt::format("the profile of the light '{}'", lamp.name));
+    made.extras = Value(shape);
+    model_.lights.push_back(std::move(made));
+    use("KHR_lights_punctual");
+    tinygltf::Node at = node(lamp.name, placement(lamp.place).value_or(Placement()));
+    at.extensions["KHR_lights_punctual"] =
+        Value(Value::Object{{"light", Value(static_cast<int>(model_.lights.size()) - 1)}});
+    stand(std::move(at));
+  }
+
+  const Assembly& assembly_;
+  const FormatOptions& options_;
+  tinygltf::Model model_;
+  GltfBuffer buffer_;
+  std::map<size_t, int> meshes_;
+  std::vector<std::string> left_out_;
+};
+
+Written write_glb(const Assembly& assembly, const std::filesystem::path& file,
+                  const FormatOptions& options, Progress& progress) {
+  Writer writer(assembly, options);
+  writer.add_groups(progress);
+  writer.add_cameras();
+  writer.add_lamps();
+  return writer.save(file);
+}
+
+}  // namespace
+}  // namespace vug::exchange
+
+VUG_EXCHANGE_FORMAT(glb) {
+  return {{"glb",
+           "exchange format",
+           "glTF 2.0, always in metres with y up: meshes with colours and attributes, instances, "
+           "cameras, small lights",
+           "gltf2",
+           {}},
+          Space{UpAxis::y, 1},
+          write_glb};
+}

@@ -1,0 +1,145 @@
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+#include <vug/exchange/gltf_buffer.h>
+#include <vug/exchange/names.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace vug::exchange {
+namespace {
+
+constexpr size_t kMostBytes = 0xffffffffu - (1u << 24);  // the rest is for the text
+
+Vec3f unit(const Vec3f& normal) {
+  const float length = normal.length();
+  return length > 0 ? normal / length : Vec3f(0, 1, 0);
+}
+
+std::string upper(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return text;
+}
+
+}  // namespace
+
+GltfBuffer::GltfBuffer(tinygltf::Model& model) : model_(model) { model_.buffers.resize(1); }
+
+void GltfBuffer::require_room(size_t bytes) const {
+  const size_t all = model_.buffers[0].data.size() + bytes;
+  if (all <= kMostBytes) return;
+  throw Error(ErrorCode::too_large,
+              fmt::format("a .glb file holds at most 4 GiB, and this takes {}",
+                          bytes_text(static_cast<double>(all))),
+              {}, "use larger voxels, or another format such as usda");
+}
+
+int GltfBuffer::view(const void* data, size_t bytes, int target) {
+  require_room(bytes);
+  std::vector<unsigned char>& all = model_.buffers[0].data;
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = all.size();
+  view.byteLength = bytes;
+  view.target = target;
+  const auto* from = static_cast<const unsigned char*>(data);
+  all.insert(all.end(), from, from + bytes);
+  all.resize((all.size() + 3) / 4 * 4);
+  model_.bufferViews.push_back(std::move(view));
+  return static_cast<int>(model_.bufferViews.size()) - 1;
+}
+
+int GltfBuffer::accessor(int view, int component, int type, size_t count) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = view;
+  accessor.componentType = component;
+  accessor.type = type;
+  accessor.count = count;
+  model_.accessors.push_back(std::move(accessor));
+  return static_cast<int>(model_.accessors.size()) - 1;
+}
+
+int GltfBuffer::floats(const float* values, size_t count, int arity, bool bounds, int target) {
+  const auto width = static_cast<size_t>(arity);
+  const int type = arity == 1 ? TINYGLTF_TYPE_SCALAR : arity;  // VEC2 is 2, and so on
+  const int made = accessor(view(values, count * width * sizeof(float), target),
+                            TINYGLTF_COMPONENT_TYPE_FLOAT, type, count);
+  if (!bounds) return made;
+  std::vector<double> low(width, kInfinity), high(width, -kInfinity);
+  for (size_t i = 0; i < count * width; ++i) {
+    const auto value = static_cast<double>(values[i]);
+    low[i % width] = std::min(low[i % width], value);
+    high[i % width] = std::max(high[i % width], value);
+  }
+  model_.accessors.back().minValues = low;
+  model_.accessors.back().maxValues = high;
+  return made;
+}
+
+int GltfBuffer::indices(const std::vector<mesh::Triangle>& triangles, size_t vertices) {
+  constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+  const size_t count = 3 * triangles.size();
+  if (vertices > 0xffff)  // the highest index of 16 bits means something else
+    return accessor(view(triangles.data(), count * sizeof(uint32_t), kTarget),
+                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count);
+  std::vector<uint16_t> narrow;
+  narrow.reserve(count);
+  for (const mesh::Triangle& t : triangles)
+    for (const uint32_t corner : t) narrow.push_back(static_cast<uint16_t>(corner));
+  return accessor(view(narrow.data(), count * sizeof(uint16_t), kTarget),
+                  TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, count);
+}
+
+int GltfBuffer::colors(const std::vector<float>& rgb) {
+  const size_t count = rgb.size() / 3;
+  std::vector<uint16_t> values(4 * count, 0xffff);
+  for (size_t i = 0; i < count; ++i)
+    for (size_t c = 0; c < 3; ++c)
+      values[4 * i + c] =
+          static_cast<uint16_t>(std::lround(std::clamp(rgb[3 * i + c], 0.0f, 1.0f) * 65535));
+  const int made =
+      accessor(view(values.data(), values.size() * sizeof(uint16_t), TINYGLTF_TARGET_ARRAY_BUFFER),
+               TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4, count);
+  model_.accessors.back().normalized = true;
+  return made;
+}
+
+tinygltf::Mesh gltf_mesh(const Part& part, int material, GltfBuffer& buffer,
+                         std::vector<std::string>& left_out) {
+  constexpr int kTarget = TINYGLTF_TARGET_ARRAY_BUFFER;
+  const mesh::Mesh& mesh = *part.mesh;
+  const size_t vertices = mesh.positions.size();
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.material = material;
+  primitive.attributes["POSITION"] =
+      buffer.floats(&mesh.positions[0].x, vertices, 3, true, kTarget);
+  if (!mesh.normals.empty()) {
+    std::vector<Vec3f> normals;
+    normals.reserve(vertices);
+    for (const Vec3f& normal : mesh.normals) normals.push_back(unit(normal));
+    primitive.attributes["NORMAL"] = buffer.floats(&normals[0].x, vertices, 3, false, kTarget);
+  }
+  Names names;
+  for (const mesh::Attribute& each : mesh.attributes) {
+    if (each.name == mesh::kColour && each.arity == 3)
+      primitive.attributes["COLOR_0"] = buffer.colors(each.values);
+    else if (each.arity <= 4)
+      primitive.attributes[fmt::format("_{}", names.unique(upper(each.name)))] =
+          buffer.floats(each.values.data(), vertices, each.arity, false, kTarget);
+    else
+      left_out.push_back(
+          fmt::format("'{}' of '{}': {} numbers a vertex", each.name, part.name, each.arity));
+  }
+  primitive.indices = buffer.indices(mesh.triangles, vertices);
+  tinygltf::Mesh out;
+  out.name = part.name;
+  out.primitives.push_back(std::move(primitive));
+  return out;
+}
+
+}  // namespace vug::exchange

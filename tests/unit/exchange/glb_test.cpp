@@ -1,0 +1,151 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/exchange/format.h>
+
+#include <gtest/gtest.h>
+#include <tiny_gltf.h>
+
+#include <fstream>
+
+#include "sample.h"
+
+namespace vug::exchange {
+namespace {
+
+class Glb : public testing::Test {
+ protected:
+  Glb()
+      : folder_(testing::TempDir() + "vug_glb_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    std::filesystem::remove_all(folder_);
+  }
+  ~Glb() override { std::filesystem::remove_all(folder_); }
+
+  tinygltf::Model round_trip(const Assembly& assembly, const Space& space = {},
+                             const FormatOptions& options = {}) {
+    written_ = write(format("glb"), assembly, space, folder_ / "a.glb", options);
+    tinygltf::Model model;
+    std::string errors, warnings;
+    EXPECT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &errors, &warnings,
+                                                        (folder_ / "a.glb").string()))
+        << errors << warnings;
+    return model;
+  }
+  std::filesystem::path folder_;
+  Written written_;
+};
+
+const tinygltf::Node& node(const tinygltf::Model& model, const std::string& name) {
+  for (const tinygltf::Node& each : model.nodes)
+    if (each.name == name) return each;
+  ADD_FAILURE() << "no node " << name;
+  return model.nodes.front();
+}
+
+TEST_F(Glb, ACubeOfAMetreIsOneMetreWhateverSpaceIsAskedFor) {
+  for (const Space& space : {Space{UpAxis::y, 1}, Space{UpAxis::z, 0.01}}) {
+    const tinygltf::Model model = round_trip(sample(), space);
+    const auto& position = model.accessors.at(
+        static_cast<size_t>(model.meshes.at(0).primitives.at(0).attributes.at("POSITION")));
+    EXPECT_EQ(position.minValues, (std::vector<double>{0, 0, 0}));
+    EXPECT_EQ(position.maxValues, (std::vector<double>{1, 1, 1}));
+    EXPECT_EQ(position.count, 8u);
+    EXPECT_EQ(node(model, "main").translation, (std::vector<double>{0, 1.5, 4}));
+  }
+}
+
+TEST_F(Glb, EverythingIsThereOnce) {
+  const tinygltf::Model model = round_trip(sample());
+  EXPECT_EQ(model.meshes.size(), 1u);
+  EXPECT_EQ(model.materials.size(), 1u);
+  EXPECT_EQ(model.cameras.size(), 2u);
+  EXPECT_EQ(model.lights.size(), 5u);
+  EXPECT_EQ(model.nodes.size(), 2u + 2 + 5);
+  const auto& instancing = node(model, "strewn").extensions.at("EXT_mesh_gpu_instancing");
+  const int moves = instancing.Get("attributes").Get("TRANSLATION").GetNumberAsInt();
+  EXPECT_EQ(model.accessors.at(static_cast<size_t>(moves)).count, 3u);
+  const auto& attributes = model.meshes[0].primitives[0].attributes;
+  for (const char* name : {"POSITION", "NORMAL", "COLOR_0", "_WETNESS", "_FLOW"})
+    EXPECT_EQ(attributes.count(name), 1u) << name;
+  EXPECT_EQ(model.asset.extras.Get("vug:recipe").Get<std::string>(), sample().provenance.recipe);
+}
+
+TEST_F(Glb, WithoutInstancingEveryPlaceIsANode) {
+  FormatOptions options;
+  options.instancing = false;
+  const tinygltf::Model model = round_trip(sample(), {}, options);
+  EXPECT_EQ(model.nodes.size(), 4u + 2 + 5);
+  EXPECT_EQ(model.meshes.size(), 1u);
+  EXPECT_EQ(node(model, "strewn.2").translation, (std::vector<double>{4, 0, -1}));
+  EXPECT_EQ(model.extensionsUsed.end(),
+            std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(),
+                      "EXT_mesh_gpu_instancing"));
+}
+
+TEST_F(Glb, WattsAreCandelaOver683) {
+  const tinygltf::Model model = round_trip(sample());
+  const tinygltf::Light& ball = model.lights.at(0);
+  // What a program finds that takes 683 lumen for a watt, as Blender does: the watts of the lamp.
+  const double watts = ball.intensity / 683 * 4 * kPi;
+  for (size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(watts * ball.color[c], power(sample().lamps[0])[static_cast<int>(c)], 1e-9);
+  EXPECT_EQ(ball.type, "point");
+  EXPECT_EQ(model.lights.at(3).type, "spot");
+  EXPECT_NEAR(model.lights.at(3).spot.outerConeAngle, 0.5, 1e-12);
+  EXPECT_NEAR(model.lights.at(3).spot.innerConeAngle, 0.4, 1e-12);
+  EXPECT_EQ(model.lights.at(4).type, "directional");
+}
+
+TEST_F(Glb, WhatItCannotHoldIsTold) {
+  Assembly all = sample();
+  all.volumes.push_back({"fog", "sample_fog.vdb", {{"density", "fog volume"}}, Box3d()});
+  round_trip(all);
+  std::string told;
+  for (const std::string& each : written_.left_out) told += each + "\n";
+  for (const char* what : {"lamp5", "lamp1", "volume 'fog'", "depth of field"})
+    EXPECT_NE(told.find(what), std::string::npos) << what << " in\n" << told;
+}
+
+TEST_F(Glb, ShearedAndMirroredPlacesStandWhereTheyShould) {
+  Assembly all = sample();
+  const Transform shear = Transform::scaling({1, 2, 1}) * Transform::rotation({0, 0, 1}, 0.5);
+  all.groups = {{"sheared", 0, {shear}}, {"mirrored", 0, {Transform::scaling({-1, 1, 1})}}};
+  const tinygltf::Model model = round_trip(all);
+  ASSERT_EQ(model.meshes.size(), 2u);
+  const auto& mesh = model.meshes.at(static_cast<size_t>(node(model, "sheared").mesh));
+  const auto& position =
+      model.accessors.at(static_cast<size_t>(mesh.primitives.at(0).attributes.at("POSITION")));
+  const Box3d box = shear.box(Box3d(Vec3d(0.0), Vec3d(1.0)));
+  for (size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(position.maxValues[i], box.max[static_cast<int>(i)], 1e-6);
+  EXPECT_EQ(node(model, "mirrored").scale, (std::vector<double>{-1, 1, 1}));
+}
+
+TEST_F(Glb, TheSameBytesAgain) {
+  round_trip(sample());
+  const std::string first = read_text(folder_ / "a.glb");
+  round_trip(sample());
+  EXPECT_EQ(first, read_text(folder_ / "a.glb"));
+}
+
+TEST_F(Glb, AFullDiskLeavesTheOldFile) {
+  round_trip(sample());
+  const std::string before = read_text(folder_ / "a.glb");
+  Assembly all = sample();
+  Progress cancelled;
+  cancelled.cancel();
+  EXPECT_THROW(write(format("glb"), all, {}, folder_ / "a.glb", {}, cancelled), Error);
+  EXPECT_EQ(before, read_text(folder_ / "a.glb"));
+  std::filesystem::create_directories(folder_ / "b.glb");
+  EXPECT_THROW(write(format("glb"), all, {}, folder_ / "b.glb"), Error);
+}
+
+TEST_F(Glb, AnEmptySceneIsAFile) {
+  Assembly none;
+  none.name = "none";
+  const tinygltf::Model model = round_trip(none);
+  EXPECT_TRUE(model.nodes.empty());
+}
+
+}  // namespace
+}  // namespace vug::exchange

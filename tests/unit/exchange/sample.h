@@ -1,0 +1,66 @@
+// An assembly whose every number is known.
+#pragma once
+
+#include <vug/exchange/assembly.h>
+#include <vug/mesh/normals.h>
+#include <vug/mesh/shapes.h>
+
+#include <memory>
+
+namespace vug::exchange {
+
+/// A cube of 1 m that stands on the origin's ground, from (0, 0, 0) to (1, 1, 1), once as it is
+/// and three times as instances; two cameras and one lamp of each shape.
+inline Assembly sample() {
+  Assembly all;
+  all.name = "sample";
+  all.provenance = {"seed 7\n# a \"recipe\"\n", 7, 1, "0"};
+  mesh::Mesh cube = mesh::box_mesh(Box3d(Vec3d(0.0), Vec3d(1.0)));
+  cube.normals = mesh::vertex_normals(cube);
+  cube.attributes = {{"Cd", 3, {}}, {"wetness", 1, {}}, {"flow", 3, {}}};
+  for (size_t v = 0; v < cube.positions.size(); ++v) {
+    const auto part = static_cast<float>(v) / 8;
+    cube.attributes[0].values.insert(cube.attributes[0].values.end(), {part, 0.5F, 1});
+    cube.attributes[1].values.push_back(part);
+    cube.attributes[2].values.insert(cube.attributes[2].values.end(), {0, 1, 0});
+  }
+  Part part{"cube", std::make_shared<const mesh::Mesh>(std::move(cube)), "rock", {}, {}};
+  part.look.specular = 0.25;
+  part.look.wetness = 0.5;
+  all.parts = {part};
+  all.groups = {{"cube", 0, {Transform()}}, {"strewn", 0, {}}};
+  for (int i = 1; i <= 3; ++i)
+    all.groups[1].places.push_back(Transform::translation({2.0 * i, 0, -1}) *
+                                   Transform::rotation({0, 1, 0}, 0.5 * kPi) *
+                                   Transform::scaling(Vec3d(0.5)));
+  Camera view;
+  view.name = "main";
+  view.place = Transform::translation({0, 1.5, 4});
+  view.fov = 0.5 * kPi;
+  view.aspect = 2;
+  view.aperture = 0.01;
+  view.focus = 3;
+  Camera plan = view;
+  plan.name = "plan";
+  plan.orthographic = true;
+  plan.place = plan.place * Transform::rotation({1, 0, 0}, -0.5 * kPi);
+  all.cameras = {view, plan};
+  using Shape = Lamp::Shape;
+  for (const Shape shape :
+       {Shape::sphere, Shape::rectangle, Shape::disk, Shape::spot, Shape::sun, Shape::dome}) {
+    Lamp lamp;
+    lamp.name = "lamp" + std::to_string(static_cast<int>(shape));
+    lamp.shape = shape;
+    lamp.place = Transform::translation({0, 3, 0}) * Transform::rotation({1, 0, 0}, -0.5 * kPi);
+    lamp.radiance = {4, 2, 1};
+    lamp.radius = 0.25;
+    lamp.width = 0.5;
+    lamp.height = 0.25;
+    lamp.angle = shape == Shape::sun ? 0.01 : 1;
+    lamp.edge = 0.2;
+    all.lamps.push_back(lamp);
+  }
+  return all;
+}
+
+}  // namespace vug::exchange
