@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 #include <vug/base/memory.h>
+#include <vug/session/data_folders.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 
 namespace vug::cli {
 
@@ -38,9 +37,7 @@ session::LoadOptions SceneOptions::load_options() const {
                     "write -D once for each parameter");
     options.overrides.push_back({name, define.substr(equals + 1)});
   }
-  if (const char* folder = std::getenv("VUG_DATA")) options.include_folders.emplace_back(folder);
-  for (const char* folder : {VUG_SOURCE_DATA, VUG_INSTALLED_DATA})
-    if (std::filesystem::is_directory(folder)) options.include_folders.emplace_back(folder);
+  options.include_folders = session::data_folders();
   return options;
 }
 

@@ -1,5 +1,6 @@
 #include <vug/cells/quality.h>
 #include <vug/session/describe_cells.h>
+#include <vug/session/find.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,17 +11,6 @@ namespace vug::session {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-CellsPtr find_cells(const Shot& shot, const std::string& name) {
-  std::vector<std::string> names;
-  for (const MeshPtr& mesh : shot.meshes) {
-    if (!mesh->cells) continue;
-    if (mesh->cells->name == name) return mesh->cells;
-    names.push_back(mesh->cells->name);
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("the scene has no cells '{}'", name), {},
-              names.empty() ? "cells NAME on MESH { ... }" : suggestion(name, names));
-}
 
 Json links(const cells::Quality& quality) {
   Json out = Json::object();

@@ -144,6 +144,9 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   Maker maker(options.still, reading);
   announce(document, reading, maker);
   evaluator.check_all();
+  for (const scene::ParamValue& each : evaluator.params())
+    loaded.parameters.push_back({each.param->name, each.value, each.fallback, each.low, each.high,
+                                 each.param->doc, each.param->where});
   for (const scene::Declaration& declaration : document.declarations)
     resolver.declared(declaration.kind, declaration.name, declaration.where, loaded.diagnostics);
   for (const scene::Grammar& grammar : document.grammars)

@@ -30,11 +30,22 @@ struct LoadOptions {
   Still* still = nullptr;
 };
 
+/// A parameter of a scene, as data for whoever shows or changes it.
+struct Parameter {
+  std::string name;
+  Value value;      ///< Of this run.
+  Value fallback;   ///< Without overrides.
+  Value low, high;  ///< Both ends of its range; empty without one.
+  std::string doc;
+  SourceLocation where;  ///< Its name in the text.
+};
+
 /// A loaded scene. When `diagnostics` has errors the shot is incomplete and must not be used.
 struct Loaded {
   Shot shot;
   Diagnostics diagnostics;
   std::vector<std::shared_ptr<const scene::Source>> sources;
+  std::vector<Parameter> parameters;  ///< In the order of the text.
 
   bool usable() const { return !diagnostics.has_errors(); }
   /// The diagnostics with their lines and carets, as `vug check` prints them.

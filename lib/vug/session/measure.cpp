@@ -2,29 +2,11 @@
 #include <vug/mesh/format.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/metrics/cells.h>
+#include <vug/session/find.h>
 #include <vug/session/measure.h>
 #include <vug/volume/io.h>
 
-#include <fmt/format.h>
-
 namespace vug::session {
-namespace {
-
-MeshPtr find_mesh(const Shot& shot, const std::string& name) {
-  const std::vector<MeshPtr> meshes = meshes_of(shot);
-  std::vector<std::string> names;
-  for (const MeshPtr& mesh : meshes) {
-    if (name.empty() || mesh->name == name) return mesh;
-    names.push_back(mesh->name);
-  }
-  if (names.empty())
-    throw Error(ErrorCode::bad_input, "the scene has no mesh and no level set to measure", {},
-                "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  throw Error(ErrorCode::bad_input, fmt::format("the scene has no mesh '{}'", name), {},
-              suggestion(name, names));
-}
-
-}  // namespace
 
 metrics::Report measure(Builder& builder, const std::string& name) {
   const MeshPtr plan = find_mesh(builder.shot(), name);

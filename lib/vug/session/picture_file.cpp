@@ -1,3 +1,4 @@
+#include <vug/base/atomic_file.h>
 #include <vug/image/denoise.h>
 #include <vug/render/cryptomatte.h>
 #include <vug/session/picture_file.h>
@@ -105,11 +106,49 @@ struct Denoised {
   std::optional<image::Image> layers, shown;
 };
 
-Denoised denoised(const PictureView& view, const PictureLook& look) {
-  if (!look.denoise) return {};
-  image::Image smooth = image::denoise(view.image);
-  image::Image layers = joined(view.image, smooth);
-  return {std::move(layers), as_colour(std::move(smooth))};
+std::vector<Denoised> denoised(const std::vector<PictureView>& views) {
+  std::vector<Denoised> out(views.size());
+  for (size_t i = 0; i < views.size(); ++i) {
+    if (!from_notes(views[i].header.notes).denoise) continue;
+    image::Image smooth = image::denoise(views[i].image);
+    out[i].layers = joined(views[i].image, smooth);
+    out[i].shown = as_colour(std::move(smooth));
+  }
+  return out;
+}
+
+/// Of each view: its name in files, "left" and "right" of two.
+std::string view_name(const std::vector<PictureView>& views, size_t i) {
+  return views.size() == 1 ? "" : i == 0 ? "left" : "right";
+}
+
+void write_layers(const std::filesystem::path& exr, const std::vector<PictureView>& views,
+                  const std::vector<Denoised>& smooth) {
+  std::vector<image::ExrView> parts;
+  for (size_t i = 0; i < views.size(); ++i)
+    parts.push_back({view_name(views, i), smooth[i].layers ? *smooth[i].layers : views[i].image,
+                     layered_options(from_notes(views[i].header.notes), views[i].header)});
+  image::write_exr(exr, parts);
+}
+
+void write_shown(const std::filesystem::path& png, const std::vector<PictureView>& views,
+                 const std::vector<Denoised>& smooth) {
+  const auto shown = [&](size_t i) -> const image::Image& {
+    return smooth[i].shown ? *smooth[i].shown : views[i].image;
+  };
+  const PictureLook look = from_notes(views.front().header.notes);
+  if (views.size() == 1) return write_png(png, shown(0), look);
+  write_png(png, side_by_side(shown(0), shown(1)), look);
+}
+
+bool has_deep(const std::vector<PictureView>& views) { return views.front().deep != nullptr; }
+
+void write_deep(const std::filesystem::path& file, const std::vector<PictureView>& views) {
+  std::vector<image::DeepView> deep;
+  for (size_t i = 0; i < views.size(); ++i)
+    deep.push_back({view_name(views, i), *views[i].deep,
+                    exr_options(from_notes(views[i].header.notes), views[i].header)});
+  image::write_deep_exr(file, deep);
 }
 
 }  // namespace
@@ -167,29 +206,27 @@ std::filesystem::path deep_beside(const std::filesystem::path& exr) {
 
 std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
                                                  const std::vector<PictureView>& views) {
-  std::vector<Denoised> smooth;
-  std::vector<image::ExrView> parts;
-  std::vector<image::DeepView> deep;
-  std::vector<const image::Image*> shown;
-  smooth.reserve(views.size());  // what it holds is pointed to
-  const PictureLook look = from_notes(views.front().header.notes);
-  for (const PictureView& view : views) {
-    const PictureLook own = from_notes(view.header.notes);
-    const std::string name = views.size() == 1 ? "" : parts.empty() ? "left" : "right";
-    const Denoised& more = smooth.emplace_back(denoised(view, own));
-    parts.push_back(
-        {name, more.layers ? *more.layers : view.image, layered_options(own, view.header)});
-    if (view.deep) deep.push_back({name, *view.deep, exr_options(own, view.header)});
-    shown.push_back(more.shown ? &*more.shown : &view.image);
-  }
-  image::write_exr(exr, parts);
-  if (shown.size() == 1)
-    write_png(png_beside(exr), *shown[0], look);
-  else
-    write_png(png_beside(exr), side_by_side(*shown[0], *shown[1]), look);
-  if (deep.empty()) return {exr, png_beside(exr)};
-  image::write_deep_exr(deep_beside(exr), deep);
+  const std::vector<Denoised> smooth = denoised(views);
+  write_layers(exr, views, smooth);
+  write_shown(png_beside(exr), views, smooth);
+  if (!has_deep(views)) return {exr, png_beside(exr)};
+  write_deep(deep_beside(exr), views);
   return {exr, png_beside(exr), deep_beside(exr)};
+}
+
+void write_picture_file(const std::filesystem::path& file, const std::vector<PictureView>& views) {
+  const std::string name = file.filename().string(), extension = extension_of(file);
+  if (extension == ".png") return write_shown(file, views, denoised(views));
+  if (extension != ".exr")
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for a picture", file.string()),
+                {}, "end it in .exr for all layers, or in .png for what an eye sees");
+  constexpr std::string_view kDeep = ".deep.exr";
+  if (name.size() < kDeep.size() || name.substr(name.size() - kDeep.size()) != kDeep)
+    return write_layers(file, views, denoised(views));
+  if (!has_deep(views))
+    throw Error(ErrorCode::bad_input, "the picture was not rendered deep", {},
+                "ask for a deep picture when it is rendered");
+  write_deep(file, views);
 }
 
 void write_preview(const std::filesystem::path& png, const image::Image& image,

@@ -43,6 +43,9 @@ struct PictureView {
 /// PNG shows them side by side.
 std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
                                                  const std::vector<PictureView>& views);
+/// Writes one of these files: NAME.exr, NAME.png or NAME.deep.exr. Error(bad_input) for other names
+/// and for a deep picture of views without one.
+void write_picture_file(const std::filesystem::path& file, const std::vector<PictureView>& views);
 std::filesystem::path png_beside(const std::filesystem::path& exr);
 /// NAME.deep.exr.
 std::filesystem::path deep_beside(const std::filesystem::path& exr);

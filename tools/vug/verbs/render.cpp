@@ -7,10 +7,9 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
-#include <vug/image/brightness.h>
 #include <vug/session/inputs.h>
-#include <vug/session/long_render.h>
 #include <vug/session/sequence.h>
+#include <vug/session/views.h>
 #include <vug/session/write.h>
 
 #include <charconv>
@@ -106,60 +105,20 @@ void parse(Options& options) {
   if (!options.preview.empty()) require_ending(options.preview, ".png", "");
 }
 
-/// A first picture of a scene is often black or white, and its light not to be guessed.
-void warn_of_exposure(const session::Builder& builder, const session::Rendered& picture) {
-  constexpr double kOff = 5;  // stops
-  const session::PictureLook look = session::from_notes(picture.header.notes);
-  const double exposure = look.exposure;
-  const std::optional<double> grey = image::grey_exposure(*picture.image, look.space);
-  if (grey && std::fabs(*grey - exposure) <= kOff) return;
-  // A lamp in a dark room makes no bright picture: most of it has to be.
-  const double bright = 0.18 * std::exp2(kOff - exposure);
-  if (grey && *grey < exposure && image::share_above(*picture.image, bright, look.space) < 0.5)
-    return;
-  builder.warn(picture.where,
-               !grey              ? "no light reaches the picture"
-               : *grey > exposure ? "the picture is very dark"
-                                  : "the picture is very bright",
-               grey ? fmt::format("--exposure {:.1f} would show its middle as grey", *grey)
-                    : "put a light where the camera looks, or a sky behind an opening");
-}
-
 std::string time_text(double seconds) {
   if (seconds < 90) return fmt::format("about {:.0f} s", seconds);
   if (seconds < 5400) return fmt::format("about {:.0f} min", seconds / 60);
   return fmt::format("about {:.1f} h", seconds / 3600);
 }
 
-/// The picture, or both views of a camera for stereo, one after the other; nothing of a part.
-std::vector<session::Rendered> render_views(const Options& options, session::Builder& builder) {
-  const session::RenderOptions& render = options.render;
-  if (render.picture.eye != 0 || !session::has_two_views(builder.shot(), render.picture))
-    return {session::render_picture(builder, render)};
-  if (!options.part.empty() || !options.checkpoint.empty())
-    throw Error(ErrorCode::bad_input,
-                "a picture of two views has no checkpoint and is not made of parts", {},
-                "render one view at a time: --eye left, then --eye right");
-  std::vector<session::Rendered> views;
-  for (const int eye : {-1, 1}) {
-    session::RenderOptions one = render;
-    one.picture.eye = eye;
-    if (eye > 0) one.estimate = nullptr;
-    views.push_back(session::render_picture(builder, one));
-  }
-  return views;
-}
-
 /// Renders one picture of what is loaded, and writes it.
 void render_one(const Options& options, session::Builder& builder) {
-  const std::vector<session::Rendered> rendered = render_views(options, builder);
-  std::vector<session::PictureView> views;
-  for (const session::Rendered& each : rendered)
-    if (each.image) views.push_back({*each.image, each.header, each.deep ? &*each.deep : nullptr});
+  const std::vector<session::Rendered> rendered = session::render_views(builder, options.render);
+  const std::vector<session::PictureView> views = session::views_of(rendered);
   if (views.empty()) {
     fmt::print("{}\n", options.part);
   } else {
-    warn_of_exposure(builder, rendered.front());
+    session::warn_of_exposure(builder, rendered.front());
     for (const auto& path : session::write_picture(options.output, views))
       fmt::print("{}\n", path.string());
   }
