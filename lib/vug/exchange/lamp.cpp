@@ -4,6 +4,15 @@
 
 namespace vug::exchange {
 
+Transform looking(const Vec3d& from, const Vec3d& along, const Vec3d& up) {
+  const Vec3d z = -along.normalized();
+  Vec3d x = up.cross(z);
+  if (!(x.length() > 1e-6 * up.length())) x = Vec3d(0, 0, 1).cross(z);
+  if (!(x.length() > 1e-6)) x = Vec3d(1, 0, 0).cross(z);
+  x.normalize();
+  return {x, z.cross(x), z, from};
+}
+
 double focal_length(const Camera& camera) {
   return 0.5 * kFilmWidth / maths::tan(0.5 * camera.fov);
 }

@@ -30,6 +30,10 @@ struct Lamp {
   bool visible = true;                          ///< Whether cameras see the lamp itself.
 };
 
+/// Where something stands that looks or shines `along`, with `up` upwards as far as that goes: any
+/// direction that is not the same will do.
+Transform looking(const Vec3d& from, const Vec3d& along, const Vec3d& up = {0, 1, 0});
+
 /// Of red, green and blue in Rec.709.
 inline double luminance(const Vec3d& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 

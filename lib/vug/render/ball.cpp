@@ -1,3 +1,4 @@
+#include <vug/exchange/lamp.h>
 #include <vug/render/ball.h>
 #include <vug/render/sampling.h>
 
@@ -58,6 +59,12 @@ LightBounds Ball::bounds(float luminance) const {
   out.box = {center_ - Vec3f(radius_), center_ + Vec3f(radius_)};
   out.strength = luminance * cross_section();
   return out;
+}
+
+void Ball::tell(exchange::Lamp& lamp) const {
+  lamp.shape = exchange::Lamp::Shape::sphere;
+  lamp.place = Transform::translation(Vec3d(center_));
+  lamp.radius = static_cast<double>(radius_);
 }
 
 }  // namespace vug::render

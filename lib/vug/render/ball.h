@@ -21,6 +21,7 @@ class Ball {
   float importance(const LitPoint& point) const;
   float importance_along(const Ray& ray, float begin, float end) const;
   LightBounds bounds(float luminance) const;
+  void tell(exchange::Lamp& lamp) const;
 
   const Vec3f& center() const { return center_; }
   float radius() const { return radius_; }

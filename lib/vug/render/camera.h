@@ -7,6 +7,10 @@
 #include <memory>
 #include <optional>
 
+namespace vug::exchange {
+struct Camera;
+}
+
 namespace vug::render {
 
 /// What EXR's standard attributes worldToCamera and worldToNDC hold, row after row, for points as
@@ -46,6 +50,10 @@ class Camera {
     (void)aspect;
     return std::nullopt;
   }
+
+  /// Fills in what files of other programs are told of it, but for its name and the picture's
+  /// shape; false where they have no word for it.
+  virtual bool as_data(exchange::Camera& camera) const { return (void)camera, false; }
 
   /// Empty: at one moment only.
   virtual Shutter shutter() const { return {}; }

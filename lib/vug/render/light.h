@@ -10,6 +10,10 @@
 #include <utility>
 #include <vector>
 
+namespace vug::exchange {
+struct Lamp;
+}
+
 namespace vug::render {
 
 /// Index of an object in a scene.
@@ -94,6 +98,10 @@ class Light {
   }
   /// A sky that portals would hardly find, as the sun: it is sampled beside them.
   virtual bool beside_portals() const { return false; }
+
+  /// Fills in what files of other programs are told of it, but for its name; false where they have
+  /// no word for it.
+  virtual bool as_data(exchange::Lamp& lamp) const { return (void)lamp, false; }
 
  private:
   LightNotes notes_;

@@ -35,6 +35,7 @@ class LightOfLight : public Light {
     return light_->escape_radiance(direction);
   }
   bool beside_portals() const override { return light_->beside_portals(); }
+  bool as_data(exchange::Lamp& lamp) const override { return light_->as_data(lamp); }
 
  protected:
   const Light& inner() const { return *light_; }

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <memory>
 
+namespace vug::exchange {
+struct Look;
+}
 namespace vug::field {
 class SampledGrid;
 }
@@ -74,6 +77,10 @@ class Material {
 
   /// Share of the place that water covers, 0 to 1.
   virtual float wetness(const Surface& surface) const { return (void)surface, 0.0f; }
+
+  /// What it looks like there to programs that know one mix of lobes, but for its emission; without
+  /// more a matte body that reflects as much light as this does seen from above.
+  virtual exchange::Look look(const Surface& surface) const;
 
   /// The same material for light in other primaries: `way` leads there from linear Rec.709, in
   /// which its parameters, paints and vertex colours are.

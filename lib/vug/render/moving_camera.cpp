@@ -33,6 +33,7 @@ class MovingCamera final : public Camera {
     return moving_camera(std::move(views));
   }
   bool moves() const override { return true; }
+  bool as_data(exchange::Camera& camera) const override { return middle().as_data(camera); }
   Ray ray_at(float time, const Vec2f& film, float aspect, const Vec2f& lens) const override {
     const Between at = between(time);
     const Ray a = at.first.ray(film, aspect, lens), b = at.second.ray(film, aspect, lens);

@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/exchange/lamp.h>
 #include <vug/render/light_of_light.h>
 #include <vug/render/placed_light.h>
 #include <vug/render/placing.h>
@@ -42,6 +43,15 @@ class PlacedLight final : public LightOfLight {
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
     if (!inner().intersect(own(ray), max_distance / scale_, hit)) return false;
     hit.distance *= scale_;
+    return true;
+  }
+  bool as_data(exchange::Lamp& lamp) const override {
+    if (!inner().as_data(lamp)) return false;
+    const Transform placed = place_ * lamp.place;
+    const auto axis = [&](int i) { return placed.column(i).normalized(); };
+    lamp.place = Transform(axis(0), axis(1), axis(2), placed.origin());
+    for (double* length : {&lamp.radius, &lamp.width, &lamp.height})
+      *length *= static_cast<double>(scale_);
     return true;
   }
 

@@ -1,4 +1,5 @@
 #include <vug/base/maths.h>
+#include <vug/exchange/lamp.h>
 #include <vug/render/rectangle.h>
 
 #include <algorithm>
@@ -168,6 +169,13 @@ float Rectangle::importance_along(const Ray& ray, float begin, float end) const 
   const Vec3f to = center_ - ray.at(t);
   // Integrated over the ray, 1 / distance^2 gives 1 / (nearest distance).
   return area() / std::sqrt(std::max(dot(to, to), 0.25f * area()));
+}
+
+void Rectangle::tell(exchange::Lamp& lamp) const {
+  lamp.shape = exchange::Lamp::Shape::rectangle;
+  lamp.place = exchange::looking(Vec3d(center_), Vec3d(normal_), Vec3d(y_));
+  lamp.width = static_cast<double>(width_);
+  lamp.height = static_cast<double>(height_);
 }
 
 }  // namespace vug::render

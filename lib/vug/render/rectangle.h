@@ -52,6 +52,7 @@ class Rectangle {
   float importance_along(const Ray& ray, float begin, float end) const;
 
   LightBounds bounds(float luminance) const;
+  void tell(exchange::Lamp& lamp) const;
   const Vec3f& center() const { return center_; }
   float area() const { return width_ * height_; }
   /// To its corners.

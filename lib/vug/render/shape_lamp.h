@@ -2,6 +2,7 @@
 // measured lamps have in common.
 #pragma once
 
+#include <vug/exchange/lamp.h>
 #include <vug/render/lamp.h>
 #include <vug/render/light.h>
 
@@ -20,7 +21,8 @@ struct EvenProfile {
   void narrow(LightBounds&) const {}
 };
 
-/// Shape has sample, pdf, hit, importance, importance_along, bounds, center and radius.
+/// Shape has sample, pdf, hit, importance, importance_along, bounds, center, radius and tell, which
+/// tells a lamp's data what it is; a profile may have that, too.
 template <class Shape, class Profile = EvenProfile>
 class ShapeLamp : public Light {
  public:
@@ -60,6 +62,13 @@ class ShapeLamp : public Light {
     return true;
   }
   bool camera_visible() const override { return visible_; }
+  bool as_data(exchange::Lamp& lamp) const override {
+    lamp.radiance = Vec3d(radiance_);
+    lamp.visible = visible_;
+    shape_.tell(lamp);
+    if constexpr (requires { profile_.tell(lamp); }) profile_.tell(lamp);
+    return true;
+  }
 
  private:
   float most(const Vec3f& point) const {

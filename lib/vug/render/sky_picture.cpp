@@ -1,4 +1,5 @@
 #include <vug/base/maths.h>
+#include <vug/exchange/lamp.h>
 #include <vug/render/sampling.h>
 #include <vug/render/sky_picture.h>
 
@@ -72,6 +73,16 @@ Rgb SkyPicture::escape_radiance(const Vec3f& direction) const {
   const long ix = static_cast<long>(fx), iy = static_cast<long>(fy);
   return (texel(ix, iy) * (1 - ax) + texel(ix + 1, iy) * ax) * (1 - ay) +
          (texel(ix, iy + 1) * (1 - ax) + texel(ix + 1, iy + 1) * ax) * ay;
+}
+
+bool SkyPicture::as_data(exchange::Lamp& lamp) const {
+  image::Image picture(static_cast<int>(width_), static_cast<int>(height_), {"R", "G", "B"});
+  for (size_t i = 0; i < texels_.size(); ++i)
+    for (int c = 0; c < 3; ++c) picture.pixels[3 * i + static_cast<size_t>(c)] = texels_[i][c];
+  lamp.shape = exchange::Lamp::Shape::dome;
+  lamp.place = Transform::rotation({0, 1, 0}, 2 * kPi * static_cast<double>(turn_));
+  lamp.picture = std::make_shared<const image::Image>(std::move(picture));
+  return true;
 }
 
 size_t SkyPicture::index_of(float place, size_t count) {

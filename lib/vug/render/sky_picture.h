@@ -22,6 +22,7 @@ class SkyPicture : public Light {
   float mean_luminance() const override { return mean_luminance_; }
   /// Interpolated between the middles of texels.
   Rgb escape_radiance(const Vec3f& direction) const override;
+  bool as_data(exchange::Lamp& lamp) const override;
 
  protected:
   /// `texels` row by row from straight up; `turn` of the way round to the left.

@@ -34,6 +34,8 @@ std::array<float, 16> View::world_to_camera() const {
   return m;
 }
 
+Transform View::place() const { return {Vec3d(right), Vec3d(up), -Vec3d(forward), Vec3d(eye)}; }
+
 std::array<float, 16> product(const std::array<float, 16>& a, const std::array<float, 16>& b) {
   std::array<float, 16> out{};
   for (size_t row = 0; row < 4; ++row)

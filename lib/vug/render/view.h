@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vug/base/schema.h>
+#include <vug/base/transform.h>
 #include <vug/render/camera.h>
 
 #include <optional>
@@ -72,6 +73,8 @@ struct View {
     return {dot(d, right), dot(d, up), dot(d, forward)};
   }
   std::array<float, 16> world_to_camera() const;
+  /// From where it looks along -z to the world.
+  Transform place() const;
 
   Vec3f eye, right, up, forward;
   Shutter shutter;

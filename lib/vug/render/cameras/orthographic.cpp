@@ -1,4 +1,5 @@
 // A camera whose rays are parallel: plans and sections.
+#include <vug/exchange/camera.h>
 #include <vug/render/kind.h>
 #include <vug/render/view.h>
 
@@ -35,6 +36,12 @@ class OrthographicCamera final : public Camera {
   Vec3f eye() const override { return view_.eye; }
   Shutter shutter() const override { return view_.shutter; }
   float depth(const Vec3f& point) const override { return dot(point - view_.eye, view_.forward); }
+  bool as_data(exchange::Camera& camera) const override {
+    camera.place = view_.place();
+    camera.orthographic = true;
+    camera.span = static_cast<double>(width_);
+    return true;
+  }
   std::optional<CameraMatrices> matrices(float aspect) const override {
     std::array<float, 16> to_ndc{};
     to_ndc[0] = 1 / width_;

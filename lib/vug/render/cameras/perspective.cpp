@@ -1,4 +1,5 @@
 // A perspective camera, pinhole or thin lens.
+#include <vug/exchange/camera.h>
 #include <vug/render/kind.h>
 #include <vug/render/lens.h>
 #include <vug/render/view.h>
@@ -63,6 +64,13 @@ class PerspectiveCamera final : public Camera {
     to_ndc[14] = -1;
     const auto to_camera = view_.world_to_camera();
     return CameraMatrices{to_camera, product(to_camera, to_ndc)};
+  }
+  bool as_data(exchange::Camera& camera) const override {
+    camera.place = view_.place();
+    camera.fov = 2 * maths::atan2(static_cast<double>(half_width_), 1);
+    camera.aperture = 2 * static_cast<double>(lens_radius_);
+    camera.focus = static_cast<double>(focus_);
+    return true;
   }
   Shutter shutter() const override { return view_.shutter; }
   /// Both eyes look the same way; each sees a part of the same window at the convergence.

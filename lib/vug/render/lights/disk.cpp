@@ -86,6 +86,11 @@ class DiskShape {
     out.strength = luminance * area();
     return out;
   }
+  void tell(exchange::Lamp& lamp) const {
+    lamp.shape = exchange::Lamp::Shape::disk;
+    lamp.place = exchange::looking(Vec3d(center_), Vec3d(axes_.z));
+    lamp.radius = static_cast<double>(radius_);
+  }
   const Vec3f& center() const { return center_; }
   float radius() const { return radius_; }
 

@@ -60,6 +60,11 @@ struct Measured {
     bounds.cos_spread = 1;
     bounds.cos_reach = profile->lowest_cosine();
   }
+  /// The radiance that gives as much light when it leaves evenly.
+  void tell(exchange::Lamp& lamp) const {
+    lamp.place = exchange::looking(lamp.place.origin(), Vec3d(axes.z), Vec3d(axes.y));
+    lamp.radiance *= profile->lumen() / (4 * kPi * static_cast<double>(profile->peak()));
+  }
 };
 
 class IesLight final : public ShapeLamp<Ball, Measured> {
@@ -71,7 +76,13 @@ class IesLight final : public ShapeLamp<Ball, Measured> {
   IesLight(const Ies& p, const std::shared_ptr<const IesProfile>& profile)
       : ShapeLamp(Ball(p.center, p.radius), p, radiance(p, *profile),
                   {profile, Frame(Vec3f(p.direction.normalized())),
-                   static_cast<float>(p.turn / (2 * kPi))}) {}
+                   static_cast<float>(p.turn / (2 * kPi))}),
+        file_(p.file) {}
+
+  bool as_data(exchange::Lamp& lamp) const override {
+    lamp.profile = file_;
+    return ShapeLamp::as_data(lamp);
+  }
 
   static Rgb radiance(const Ies& p, const IesProfile& profile) {
     const Vec3d colour = p.tinted();
@@ -80,6 +91,8 @@ class IesLight final : public ShapeLamp<Ball, Measured> {
     return finite_radiance(colour * (intensity / (kPi * p.radius * p.radius * luminance(colour))),
                            "the lamp is too small for its power");
   }
+
+  std::filesystem::path file_;
 };
 
 }  // namespace

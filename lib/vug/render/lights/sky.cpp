@@ -1,5 +1,6 @@
 // A sky of one colour. No direction towards it is better than another, so it is found by the
 // material's own directions and through portals, and samples nothing itself.
+#include <vug/exchange/lamp.h>
 #include <vug/render/kind.h>
 #include <vug/render/lamp.h>
 
@@ -28,6 +29,11 @@ class SkyLight final : public Light {
   bool is_sky() const override { return true; }
   float mean_luminance() const override { return luminance(radiance_); }
   Rgb escape_radiance(const Vec3f&) const override { return radiance_; }
+  bool as_data(exchange::Lamp& lamp) const override {
+    lamp.shape = exchange::Lamp::Shape::dome;
+    lamp.radiance = Vec3d(radiance_);
+    return true;
+  }
 
  private:
   Rgb radiance_;

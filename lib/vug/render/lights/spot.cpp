@@ -69,6 +69,13 @@ struct Cone {
     bounds.cos_spread = 1;
     bounds.cos_reach = outer;
   }
+  void tell(exchange::Lamp& lamp) const {
+    const double half = maths::acos(static_cast<double>(outer));
+    lamp.shape = exchange::Lamp::Shape::spot;
+    lamp.place = exchange::looking(lamp.place.origin(), Vec3d(axis));
+    lamp.angle = 2 * half;
+    lamp.edge = half > 0 ? 1 - maths::acos(static_cast<double>(inner)) / half : 0;
+  }
 };
 
 class SpotLight final : public ShapeLamp<Ball, Cone> {

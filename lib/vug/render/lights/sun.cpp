@@ -1,5 +1,6 @@
 // A disk in the sky, infinitely far: every place sees it in the same direction.
 #include <vug/base/maths.h>
+#include <vug/exchange/lamp.h>
 #include <vug/render/kind.h>
 #include <vug/render/lamp.h>
 #include <vug/render/sampling.h>
@@ -67,6 +68,13 @@ class SunLight final : public Light {
   float mean_luminance() const override { return luminance(radiance_) * 0.5f * part_; }
   Rgb escape_radiance(const Vec3f& direction) const override {
     return inside(direction) ? radiance_ : Rgb(0.0f);
+  }
+  bool as_data(exchange::Lamp& lamp) const override {
+    lamp.shape = exchange::Lamp::Shape::sun;
+    lamp.place = exchange::looking(Vec3d(0.0), -Vec3d(axes_.z));
+    lamp.radiance = Vec3d(radiance_);
+    lamp.angle = 2 * maths::atan2(static_cast<double>(sine_), 1 - static_cast<double>(part_));
+    return true;
   }
 
  private:

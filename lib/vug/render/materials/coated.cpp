@@ -1,6 +1,7 @@
 // Diffuse rock under a clear film: wet stone, varnish, or with a rough face plain dry rock. See
 // FilmLobe: light that enters is reflected by the rock again and again below the face, which
 // darkens it as water does.
+#include <vug/exchange/look.h>
 #include <vug/render/kind.h>
 #include <vug/render/lobes/film.h>
 
@@ -45,6 +46,13 @@ class CoatedMaterial final : public Material {
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<FilmBsdf>(); }
   float wetness(const Surface&) const override { return 1; }
+  exchange::Look look(const Surface& surface) const override {
+    exchange::Look look;
+    look.base_color = Vec3d(albedo_ * surface.color);
+    look.wetness = 1;
+    look.coat_roughness = static_cast<double>(roughness_);
+    return look;
+  }
   MaterialPtr in_space(const image::ColourMatrix& way) const override {
     auto copy = std::make_shared<CoatedMaterial>(*this);
     copy->way_ = way;

@@ -1,4 +1,5 @@
 // Ideal diffuse reflection, the same on both sides.
+#include <vug/exchange/look.h>
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
 
@@ -44,6 +45,11 @@ class LambertMaterial final : public Material {
     return memory.make<LambertBsdf>(way_(albedo_ * surface.color));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<LambertBsdf>(); }
+  exchange::Look look(const Surface& surface) const override {
+    exchange::Look look;
+    look.base_color = Vec3d(albedo_ * surface.color);
+    return look;
+  }
   MaterialPtr in_space(const image::ColourMatrix& way) const override {
     auto copy = std::make_shared<LambertMaterial>(*this);
     copy->way_ = way;

@@ -1,5 +1,6 @@
 // Two materials side by side, by a mask: some of each where it is between 0 and 1.
 #include <vug/base/error.h>
+#include <vug/exchange/look.h>
 #include <vug/render/input.h>
 #include <vug/render/kind.h>
 
@@ -96,6 +97,10 @@ class MixMaterial final : public Material {
   float wetness(const Surface& surface) const override {
     const float share = share_at(surface);
     return p_.a->wetness(surface) * (1 - share) + p_.b->wetness(surface) * share;
+  }
+  exchange::Look look(const Surface& surface) const override {
+    return exchange::blend(p_.a->look(surface), p_.b->look(surface),
+                           static_cast<double>(share_at(surface)));
   }
   MaterialPtr in_space(const image::ColourMatrix& way) const override {
     Mix p = p_;

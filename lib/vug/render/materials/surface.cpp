@@ -3,6 +3,7 @@
 // rather than above each other wherever that keeps the whole reciprocal and without loss; only
 // what matters for rock is layered: a face over a coloured body, and water over it.
 #include <vug/base/maths.h>
+#include <vug/exchange/look.h>
 #include <vug/render/input.h>
 #include <vug/render/kind.h>
 #include <vug/render/lobes/eon.h>
@@ -279,6 +280,7 @@ class SurfaceMaterial final : public Material {
   float wetness(const Surface& surface) const override {
     return p_.coat.at(SurfaceSpot(surface).spot());
   }
+  exchange::Look look(const Surface& surface) const override;
   MaterialPtr in_space(const image::ColourMatrix& way) const override {
     SurfaceParams p = p_;
     p.color.way = p.fuzz_color.way = p.emission.way = p.through_color.way = way;
@@ -297,6 +299,27 @@ class SurfaceMaterial final : public Material {
   float pane_mean_ = 0;
   Rgb absorption_;
 };
+
+/// Fibres, which such programs have other words for, each its own, only lend their colour.
+exchange::Look SurfaceMaterial::look(const Surface& surface) const {
+  const SurfaceSpot place(surface);
+  const paint::Spot& spot = place.spot();
+  const auto number = [&](const NumberInput& input) { return static_cast<double>(input.at(spot)); };
+  const float furry = p_.fuzz.at(spot) * (1 - p_.subsurface.at(spot));
+  exchange::Look look;
+  look.base_color =
+      Vec3d(p_.color.at(spot, surface.color) * (1 - furry) + p_.fuzz_color.at(spot) * furry);
+  look.roughness = number(p_.roughness);
+  look.specular = number(p_.specular);
+  look.ior = p_.ior;
+  look.metallic = number(p_.metal);
+  look.transmission = number(p_.transmission);
+  look.subsurface = number(p_.subsurface);
+  look.wetness = number(p_.coat);
+  look.coat_roughness = number(p_.coat_roughness);
+  look.thin = p_.thin;
+  return look;
+}
 
 const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
                                 BsdfMemory& memory) const {
