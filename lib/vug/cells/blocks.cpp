@@ -4,11 +4,28 @@
 #include <numeric>
 
 namespace vug::cells {
+namespace {
+
+std::pair<uint32_t, uint32_t> near_links(const Links& links, uint32_t first, uint32_t end) {
+  const uint32_t least = first - std::min(first, kBlock);
+  const uint32_t most = std::min(static_cast<uint32_t>(links.size()), end + kBlock);
+  uint32_t from = first, to = end;
+  for (uint32_t k = links.begin[first]; k < links.begin[end]; ++k) {
+    const uint32_t other = links.to[k];
+    if (other < least || other >= most) return {0, 0};
+    from = std::min(from, other);
+    to = std::max(to, other + 1);
+  }
+  return {from, to};
+}
+
+}  // namespace
 
 Blocks::Blocks(const Links& links, const std::vector<State>& states)
     : cells_(static_cast<uint32_t>(links.size())) {
   const size_t blocks = (links.size() + kBlock - 1) / kBlock;
   degree_.resize(blocks);
+  around_.resize(blocks);
   receiving_.resize(blocks);
   silent_.resize(blocks);
   parallel_for(blocks, [&](size_t b) {
@@ -17,6 +34,7 @@ Blocks::Blocks(const Links& links, const std::vector<State>& states)
     bool same = true;
     for (uint32_t i = first(block); i < end(block); ++i) same &= links.degree(i) == degree;
     degree_[b] = same ? degree : 0;
+    around_[b] = near_links(links, first(block), end(block));
   });
   update(all(), states);
 }

@@ -5,11 +5,12 @@
 #include <vug/cells/links.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vug::cells {
 
 /// Cells of one task: enough to pay for handing it out, few enough to stay in the second cache.
-inline constexpr uint32_t kBlock = 4096;
+inline constexpr uint32_t kBlock = 8192;
 
 class Blocks {
  public:
@@ -20,6 +21,9 @@ class Blocks {
   uint32_t end(uint32_t block) const { return std::min(cells_, (block + 1) * kBlock); }
   /// Links of every cell of the block; 0 where they differ.
   uint32_t degree(uint32_t block) const { return degree_[block]; }
+  /// The cells from one to before another that hold the block and what it is linked to, but no more
+  /// than a block beyond either end of it.
+  std::pair<uint32_t, uint32_t> around(uint32_t block) const { return around_[block]; }
   /// Whether every cell of the block receives.
   bool is_full(uint32_t block) const { return receiving_[block] == end(block) - first(block); }
   /// Blocks in which somebody receives, by number.
@@ -34,6 +38,7 @@ class Blocks {
  private:
   uint32_t cells_;
   std::vector<uint32_t> degree_, receiving_, silent_, awake_;
+  std::vector<std::pair<uint32_t, uint32_t>> around_;
   uint64_t silent_total_ = 0;
 };
 

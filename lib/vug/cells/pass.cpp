@@ -96,21 +96,6 @@ const Links& Pass::within(double radius) {
   return at->second;
 }
 
-bool Pass::all_awake() const { return blocks_->awake().size() == blocks_->count(); }
-
-const Pair* Pass::pairs(const Writing<float>& a, const Writing<float>& b) {
-  std::vector<float>& both = simulation_->pairs_;
-  both.resize(2 * network_->size());
-  parallel_for(blocks_->count(), [&](size_t block) {
-    const auto number = static_cast<uint32_t>(block);
-    for (uint32_t i = blocks_->first(number); i < blocks_->end(number); ++i) {
-      both[2 * size_t{i}] = a[i];
-      both[2 * size_t{i} + 1] = b[i];
-    }
-  });
-  return reinterpret_cast<const Pair*>(both.data());
-}
-
 uint32_t Pass::pick(uint32_t block, uint32_t* picked) const {
   uint32_t count = 0;
   for (uint32_t i = blocks_->first(block); i < blocks_->end(block); ++i) {

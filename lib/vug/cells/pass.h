@@ -46,8 +46,10 @@ struct Numbers {
   static float number(const Vec3f& value) { return (value.x + value.y + value.z) / 3; }
 };
 
-/// Two numbers side by side, added at once.
-using Pair = float __attribute__((vector_size(8)));
+/// Of two attributes.
+struct Two {
+  float a, b;
+};
 
 class Simulation;
 
@@ -92,17 +94,16 @@ class Pass {
   /// for each radius.
   const Links& within(double radius);
 
-  /// Whether nobody sleeps anywhere.
-  bool all_awake() const;
-  /// Two attributes as pairs, copied: neighbours are then fetched once for both, which pays for the
-  /// copy where all cells are awake.
-  const Pair* pairs(const Writing<float>& a, const Writing<float>& b);
-
   /// kernel(near, cell) for all cells that receive (and, with a mask, are in it), in parallel;
   /// near.each(cell, f) calls f for the neighbours that distribute. What it has set becomes what
   /// is. A rule that runs several kernels in a step asks for its attributes before each.
   template <class Kernel>
   void run(const Kernel& kernel);
+  /// The same for two numbers that spread: what is next is react(own, sum, count), of the sums over
+  /// the `count` neighbours that distribute. Neighbours are fetched once for both, and react is
+  /// called for several cells at once where it has no branches.
+  template <class React>
+  void run_on_sums(const Writing<float>& a, const Writing<float>& b, const React& react);
   /// For all cells, whatever their state.
   template <class Kernel>
   void run_everywhere(const Kernel& kernel);
@@ -113,6 +114,9 @@ class Pass {
   Writing<T> write(Column<T>& column);
   template <class Kernel>
   void run_block(uint32_t block, const Kernel& kernel) const;
+  /// Cells of a block in which all receive and hear all their neighbours.
+  template <class Kernel>
+  void run_heard(uint32_t block, uint32_t from, uint32_t end, const Kernel& kernel) const;
   /// The cells of a block that are to be given; the others that receive keep what they have.
   uint32_t pick(uint32_t block, uint32_t* picked) const;
   void keep(uint32_t cell) const;
@@ -134,3 +138,4 @@ class Pass {
 }  // namespace vug::cells
 
 #include <vug/cells/pass_inl.h>
+#include <vug/cells/pass_sums_inl.h>

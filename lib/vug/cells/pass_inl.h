@@ -28,21 +28,13 @@ Writing<T> Pass::write(Column<T>& column) {
 }
 
 template <class Kernel>
-void Pass::run_block(uint32_t block, const Kernel& kernel) const {
+void Pass::run_heard(uint32_t block, uint32_t from, uint32_t end, const Kernel& kernel) const {
   const Links& links = network_->links;
-  const uint32_t first = blocks_->first(block), end = blocks_->end(block);
+  const uint32_t first = blocks_->first(block);
   const auto over = [&](const auto& near) {
     const Kernel own = kernel;  // where the compiler sees that nothing else changes it
-    for (uint32_t i = first; i < end; ++i) own(near, i);
+    for (uint32_t i = from; i < end; ++i) own(near, i);
   };
-  if (where_ || !blocks_->is_full(block) || !blocks_->all_heard()) {
-    const NearMixed near{links.begin.data(), links.to.data(), states_->data()};
-    if (!where_ && blocks_->is_full(block)) return over(near);
-    std::array<uint32_t, kBlock> picked;
-    const uint32_t count = pick(block, picked.data());
-    for (uint32_t k = 0; k < count; ++k) kernel(near, picked[k]);
-    return;
-  }
   const uint32_t* to = links.to.data() + links.begin[first];
   switch (blocks_->degree(block)) {
     case 3:
@@ -56,6 +48,23 @@ void Pass::run_block(uint32_t block, const Kernel& kernel) const {
     default:
       return over(NearAll{links.begin.data(), links.to.data()});
   }
+}
+
+template <class Kernel>
+void Pass::run_block(uint32_t block, const Kernel& kernel) const {
+  const uint32_t first = blocks_->first(block), end = blocks_->end(block);
+  const bool all = !where_ && blocks_->is_full(block);
+  if (all && blocks_->all_heard()) return run_heard(block, first, end, kernel);
+  const Links& links = network_->links;
+  const NearMixed near{links.begin.data(), links.to.data(), states_->data()};
+  if (all) {
+    const Kernel own = kernel;
+    for (uint32_t i = first; i < end; ++i) own(near, i);
+    return;
+  }
+  std::array<uint32_t, kBlock> picked;
+  const uint32_t count = pick(block, picked.data());
+  for (uint32_t k = 0; k < count; ++k) kernel(near, picked[k]);
 }
 
 template <class Kernel>

@@ -40,7 +40,7 @@ uint64_t bytes_of(const Column<T>& column) {
 }  // namespace
 
 uint64_t Simulation::bytes() const {
-  uint64_t bytes = network_->bytes() + bytes_of(states_) + sizeof(float) * pairs_.size();
+  uint64_t bytes = network_->bytes() + bytes_of(states_);
   for (const Attribute& attribute : attributes_.all())
     bytes += std::visit([](const auto& column) { return bytes_of(column); }, attribute.column);
   for (const auto& [radius, links] : within_)

@@ -74,7 +74,6 @@ class Simulation {
   Column<State> states_;
   Blocks blocks_;
   std::map<double, Links> within_;
-  std::vector<float> pairs_;  ///< See Pass::pairs.
   std::vector<std::shared_ptr<const field::SampledGrid>> solids_;
   std::map<std::string, bool> asked_;
   int step_ = 0;

@@ -200,9 +200,24 @@ TEST(GrayScott, ConservesWhatItMustAndIsThatOfAPlainLoop) {
   EXPECT_GT(std::accumulate(v.begin(), v.end(), 0.0), 1);  // it lives
 }
 
+TEST(GrayScott, IsTheSameForEachCellAloneAndForBlocks) {
+  // Blocks with all they are linked to nearby, blocks that reach around, and links of many numbers.
+  for (const NetworkPtr& network : {torus(40, 1000, 8), torus(200, 200, 6), uneven(0.01)}) {
+    ASSERT_GT(network->size(), 4 * kBlock);
+    const std::vector<Stage> drops = {stage("sprinkle", {{"attribute", "v"}, {"share", 0.1}})};
+    Simulation blocks = ran(network, drops, 1), cells = ran(network, drops, 1);
+    Stage masked = stage("gray_scott");
+    masked.where.assign(network->size(), 1);
+    blocks.run({stage("gray_scott")}, 20);
+    cells.run({masked}, 20);
+    for (const char* name : {"u", "v"})
+      EXPECT_EQ(blocks.attributes().values<float>(name), cells.attributes().values<float>(name));
+  }
+}
+
 TEST(GrayScott, IsTheSameWhereSomeBlocksSleep) {
   // Two sheets in one network of more than a block each: where one sleeps the other does the same.
-  Network both = flat_torus(72, 64, 8);
+  Network both = flat_torus(132, 64, 8);
   const auto count = static_cast<uint32_t>(both.size());
   const NetworkPtr one = std::make_shared<const Network>(both);
   const auto twice = [&](auto& list) {

@@ -33,21 +33,12 @@ struct GrayScott {
     const float du = static_cast<float>(diffusion_u) / full;
     const float dv = static_cast<float>(diffusion_v) / full;
     const auto f = static_cast<float>(feed), k = static_cast<float>(kill);
-    const auto kernel = [=](const auto& both) {
-      return [=](const auto& near, uint32_t i) {
-        const Pair own = both(i);
-        const float own_u = own[0], own_v = own[1];
-        Pair sum = {0, 0};
-        const auto links = static_cast<float>(near.each(i, [&](uint32_t n) { sum += both(n); }));
-        // No more of u than there is: the same while v is below 1, as it is but for drops.
-        const float reaction = own_u * std::min(1.0f, own_v * own_v);
-        u.set(i, own_u + du * (sum[0] - links * own_u) - reaction + f * (1 - own_u));
-        v.set(i, own_v + dv * (sum[1] - links * own_v) + reaction - (f + k) * own_v);
-      };
-    };
-    if (!pass.all_awake()) return pass.run(kernel([=](uint32_t n) { return Pair{u[n], v[n]}; }));
-    const Pair* pairs = pass.pairs(u, v);
-    pass.run(kernel([=](uint32_t n) { return pairs[n]; }));
+    pass.run_on_sums(u, v, [=](Two own, Two sum, float links) {
+      // No more of u than there is: the same while v is below 1, as it is but for drops.
+      const float reaction = own.a * std::min(1.0f, own.b * own.b);
+      return Two{own.a + du * (sum.a - links * own.a) - reaction + f * (1 - own.a),
+                 own.b + dv * (sum.b - links * own.b) + reaction - (f + k) * own.b};
+    });
   }
 };
 

@@ -1,0 +1,80 @@
+// Pass::run_on_sums. Neighbours lie all over memory, and two attributes of a cell in two places: so
+// a block copies what is around it in pairs, short enough for the second cache, and sums those.
+#pragma once
+
+#include <vug/cells/pass_inl.h>
+
+#include <cstring>
+
+namespace vug::cells {
+
+/// Two attributes of a block and of all that it is linked to, in pairs.
+class Pairs {
+ public:
+  using Quad = float __attribute__((vector_size(16)));
+
+  Pairs(uint32_t first, uint32_t end, const float* a, const float* b) : first_(first) {
+    float* pair = pairs_.data();
+    for (uint32_t n = first; n < end; ++n, pair += 2) {
+      pair[0] = a[n];
+      pair[1] = b[n];
+    }
+    pair[0] = pair[1] = 0;
+  }
+
+  /// Adds a cell's pair to the first two of a sum. It reads the next pair as well, whose sum nobody
+  /// asks for: so an addition and its reading are one instruction.
+  struct Adder {
+    const float* pairs;
+    void operator()(uint32_t cell, Quad& sum) const {
+      Quad two;
+      std::memcpy(&two, pairs + 2 * size_t{cell}, sizeof(two));
+      sum += two;
+    }
+  };
+  Adder adder() const { return {pairs_.data() - 2 * size_t{first_}}; }
+
+ private:
+  uint32_t first_;
+  alignas(64) std::array<float, 2 * (3 * size_t{kBlock} + 1)> pairs_;
+};
+
+template <class React>
+void Pass::run_on_sums(const Writing<float>& a, const Writing<float>& b, const React& react) {
+  const auto set = [=](uint32_t i, Two sum, float count) {
+    const Two next = react(Two{a[i], b[i]}, sum, count);
+    a.set(i, next.a);
+    b.set(i, next.b);
+  };
+  const auto one_by_one = [=](const auto& near, uint32_t i) {
+    Two sum{0, 0};
+    const uint32_t count = near.each(i, [&](uint32_t n) { sum.a += a[n], sum.b += b[n]; });
+    set(i, sum, static_cast<float>(count));
+  };
+  const std::vector<uint32_t> blocks = blocks_->awake();
+  parallel_for(blocks.size(), [&](size_t at) {
+    const uint32_t block = blocks[at];
+    const auto [first_near, end_near] = blocks_->around(block);
+    if (where_ || !blocks_->all_heard() || !blocks_->is_full(block) || first_near == end_near)
+      return run_block(block, one_by_one);
+    const Pairs pairs(first_near, end_near, a.now, b.now);
+    constexpr uint32_t kTurn = 512;
+    std::array<Two, kTurn> sums;
+    std::array<float, kTurn> counts;
+    for (uint32_t from = blocks_->first(block); from < blocks_->end(block); from += kTurn) {
+      const uint32_t end = std::min(from + kTurn, blocks_->end(block));
+      const auto gather = [=, add = pairs.adder(), to_sum = sums.data(), to_count = counts.data()](
+                              const auto& near, uint32_t i) {
+        Pairs::Quad sum = {0, 0, 0, 0};
+        const uint32_t count = near.each(i, [&](uint32_t n) { add(n, sum); });
+        to_sum[i - from] = {sum[0], sum[1]};
+        to_count[i - from] = static_cast<float>(count);
+      };
+      run_heard(block, from, end, gather);
+      for (uint32_t i = from; i < end; ++i) set(i, sums[i - from], counts[i - from]);
+    }
+  });
+  finish(blocks, false);
+}
+
+}  // namespace vug::cells
