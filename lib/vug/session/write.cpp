@@ -4,7 +4,6 @@
 #include <vug/session/cells_files.h>
 #include <vug/session/write.h>
 #include <vug/volume/fog.h>
-#include <vug/volume/io.h>
 
 #include <fmt/format.h>
 
@@ -27,6 +26,16 @@ std::vector<volume::Grid> grids_of(Builder& builder) {
 }
 
 }  // namespace
+
+volume::WriteOptions write_options(const Shot& shot) {
+  volume::WriteOptions options;
+  options.metadata = {{"vug:recipe", shot.recipe}, {"vug:seed", static_cast<int64_t>(shot.seed)}};
+  return options;
+}
+
+void write_volumes(Builder& builder, const std::filesystem::path& vdb) {
+  volume::write(vdb, grids_of(builder), write_options(builder.shot()));
+}
 
 std::vector<std::filesystem::path> product_paths(const Shot& shot,
                                                  const std::filesystem::path& folder,
@@ -56,9 +65,7 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
   for (const auto& path : paths) require_writable(path);
   auto path = paths.begin();
   for (const MeshPtr& plan : declared_meshes(shot)) builder.require_room(plan);
-  volume::WriteOptions options;
-  options.metadata = {{"vug:recipe", shot.recipe}, {"vug:seed", static_cast<int64_t>(shot.seed)}};
-  if (!shot.volumes.empty()) volume::write(*path++, grids_of(builder), options);
+  if (!shot.volumes.empty()) write_volumes(builder, *path++);
   for (const MeshPtr& plan : declared_meshes(shot)) mesh::write_mesh(*builder.mesh(plan), *path++);
   for (const CellsPtr& cells : declared_cells(shot)) {
     if (cells->writes("points")) {
@@ -67,7 +74,7 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
       constexpr double kBytes = 150;
       require_memory(kBytes * static_cast<double>(skin->network().size()), builder.room(),
                      fmt::format("the points of '{}'", cells->name), "leave them out of its files");
-      volume::write(*path++, {cell_points(*cells, *skin)}, options);
+      volume::write(*path++, {cell_points(*cells, *skin)}, write_options(shot));
     }
     if (cells->writes("csv")) write_table(*path++, *builder.skin(cells));
   }

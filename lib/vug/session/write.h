@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vug/session/build.h>
+#include <vug/volume/io.h>
 
 #include <filesystem>
 
@@ -21,5 +22,11 @@ std::vector<std::filesystem::path> product_paths(const Shot& shot,
 std::vector<std::filesystem::path> write_products(Builder& builder,
                                                   const std::filesystem::path& folder,
                                                   const std::string& frame = {});
+
+/// The first of these files under any name: all volumes, with what cells on them carry.
+void write_volumes(Builder& builder, const std::filesystem::path& vdb);
+
+/// What files of the shot's grids tell about where they come from.
+volume::WriteOptions write_options(const Shot& shot);
 
 }  // namespace vug::session
