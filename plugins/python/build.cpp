@@ -1,0 +1,188 @@
+// What is made of a scene: level sets, meshes, cells, pictures, files.
+#include "build.h"
+
+#include "cells.h"
+#include "grid.h"
+#include "mesh.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/metrics/report.h>
+#include <vug/session/describe_cells.h>
+#include <vug/session/find.h>
+#include <vug/session/inputs.h>
+#include <vug/session/measure.h>
+#include <vug/session/write.h>
+#include <vug/volume/fog.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::python {
+namespace {
+
+Build make_build(const std::shared_ptr<Scene>& scene, const py::object& max_memory, int threads,
+                 const py::object& progress) {
+  return Build(scene, {memory_of(max_memory), threads_of(threads), progress});
+}
+
+volume::Grid named(const volume::Grid& grid, const session::VolumePlan& plan) {
+  return grid.named(plan.name).stored_as_half(plan.half);
+}
+
+LevelSet level_set(Build& build, const std::string& name) {
+  const session::Shot& shot = build.scene()->shot();
+  const session::VolumePtr plan = session::find_volume(shot, name);
+  std::optional<volume::Grid> made;
+  build.work([&](session::Builder& builder) { made = named(builder.level_set(plan), *plan); });
+  return {{*made, session::write_options(shot)}};
+}
+
+Grid volume_of(Build& build, const std::string& name) {
+  const session::Shot& shot = build.scene()->shot();
+  const session::VolumePtr plan = session::find_volume(shot, name);
+  std::optional<volume::Grid> made;
+  build.work([&](session::Builder& builder) {
+    const volume::LevelSet& set = builder.level_set(plan);
+    made = named(plan->fog ? volume::fog(set) : volume::Grid(set), *plan);
+  });
+  return {*made, session::write_options(shot)};
+}
+
+py::object volume_for_python(Build& build, const std::string& name) {
+  Grid made = volume_of(build, name);
+  if (made.grid.grid_class() == volume::GridClass::level_set)
+    return py::cast(LevelSet{std::move(made)});
+  return py::cast(std::move(made));
+}
+
+Mesh mesh(Build& build, const std::string& name) {
+  const session::MeshPtr plan = session::find_mesh(build.scene()->shot(), name);
+  Mesh made;
+  build.work([&](session::Builder& builder) { made.mesh = builder.mesh(plan); });
+  return made;
+}
+
+Cells cells_of(Build& build, const std::string& name) {
+  const session::Shot& shot = build.scene()->shot();
+  Cells made;
+  made.plan = session::find_cells(shot, name);
+  made.write = session::write_options(shot);
+  build.work([&](session::Builder& builder) { made.skin = builder.skin(made.plan); });
+  return made;
+}
+
+py::object measure(Build& build, const std::string& name) {
+  std::string json;
+  build.work(
+      [&](session::Builder& builder) { json = metrics::to_json(session::measure(builder, name)); });
+  return from_json(json);
+}
+
+py::object measure_cells(Build& build, const std::string& name) {
+  const session::CellsPtr plan = session::find_cells(build.scene()->shot(), name);
+  std::string json;
+  build.work([&](session::Builder& builder) {
+    json = session::describe_cells(builder, plan->name).dump();
+  });
+  return from_json(json);
+}
+
+/// All into a folder, or the grids into one file; never over what the scene is made of.
+std::vector<std::filesystem::path> save(Build& build, const std::filesystem::path& to) {
+  const bool grids = extension_of(to) == ".vdb";
+  const session::Shot& shot = build.scene()->shot();
+  const auto paths = grids ? std::vector{to} : session::product_paths(shot, to);
+  if (paths.empty() || (grids && shot.volumes.empty()))
+    throw Error(ErrorCode::bad_input, "the scene declares nothing to build", {},
+                "add for instance: volume rock = level_set(..., voxel: 5cm)");
+  require_outputs(paths, session::files_named(build.scene()->loaded()));
+  build.work([&](session::Builder& builder) {
+    if (grids)
+      session::write_volumes(builder, to);
+    else
+      session::write_products(builder, to);
+  });
+  return paths;
+}
+
+constexpr const char* kRender =
+    "The picture of a render block, or of the first: a vug.Image. What is given replaces what the\n"
+    "block says: camera (a name), size (width, height), spp (samples per pixel), crop (left, top,\n"
+    "right, bottom), layers (names), noise (a share: stop sampling below it), seed (of samples),\n"
+    "exposure (stops), denoise, deep, full_float, multi_part, tiled (truths), eye ('left', "
+    "'right'),\n"
+    "working_space, view, display (names), ocio (a file).";
+
+void bind_products(py::class_<Build>& type) {
+  type.def("level_set", &level_set, "name"_a = "",
+           "The level set of a volume, also of a fog; without a name the first.")
+      .def("volume", &volume_for_python, "name"_a = "",
+           "What the .vdb holds of a volume: a level set, or the density of a fog.")
+      .def("mesh", &mesh, "name"_a = "",
+           "A mesh, also that which cells have weathered, by their name; without a name the first.")
+      .def("cells", &cells_of, "name"_a = "", "Cells on a mesh, after their rules have run.")
+      .def("measure", &measure, "mesh"_a = "",
+           "Area, volume, genus and all that `vug measure --json` tells, as a dict.")
+      .def("measure_cells", &measure_cells, "name"_a = "",
+           "How even cells are and how they are linked, as `vug measure --cells` tells it.")
+      .def("save", &save, "to"_a,
+           "Writes what `vug build` writes into a folder, or all grids to a file that ends in "
+           ".vdb;\n"
+           "gives the paths.");
+}
+
+}  // namespace
+
+void bind_build(py::module_& module) {
+  py::class_<Build> type(module, "Build",
+                         "What is made of a scene: each thing once, when it is first asked for.\n\n"
+                         "`progress(share, what)` is called on the thread that asks: share goes\n"
+                         "from 0 to 1 in each stage `what`. Where it returns False the work stops\n"
+                         "with vug.Cancelled; what it raises is raised. Ctrl-C stops work, too.\n"
+                         "What was made before is kept, and the rest can be asked for again.");
+  bind_products(type);
+  type.def(
+          "render",
+          [](Build& build, const std::string& name, const py::kwargs& given) {
+            session::RenderOptions options = render_options(*build.scene(), given);
+            options.picture.render = name;
+            return render(build, options);
+          },
+          "name"_a = "", kRender)
+      .def_property_readonly(
+          "scene", [](const Build& b) { return std::const_pointer_cast<Scene>(b.scene()); })
+      .def_property(
+          "progress", [](Build& b) { return b.settings().progress; },
+          [](Build& b, const py::object& progress) { b.settings().progress = progress; },
+          "The callback, or None.")
+      .def("__repr__", [](const Build& b) {
+        return fmt::format("<vug.Build of '{}'>", b.scene()->shot().name);
+      });
+  const py::object scene = module.attr("Scene");
+  py::class_<Scene, std::shared_ptr<Scene>> scenes(scene);
+  scenes.def("build", &make_build, "max_memory"_a = py::none(), "threads"_a = 0,
+             "progress"_a = py::none(),
+             "A vug.Build. Refuses work that needs more than max_memory: bytes or '8G', else nine\n"
+             "tenths of what is free. threads: 0 takes all cores; results do not depend on it.");
+  scenes.def(
+      "measure",
+      [](const std::shared_ptr<Scene>& self, const std::string& name, const py::object& memory,
+         int threads, const py::object& progress) {
+        Build build = make_build(self, memory, threads, progress);
+        return measure(build, name);
+      },
+      "mesh"_a = "", "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
+      "Build.measure of a build that is not kept.");
+  scenes.def(
+      "render",
+      [](const std::shared_ptr<Scene>& self, const std::string& name, const py::object& memory,
+         int threads, const py::object& progress, const py::kwargs& given) {
+        session::RenderOptions options = render_options(*self, given);
+        options.picture.render = name;
+        Build build = make_build(self, memory, threads, progress);
+        return render(build, options);
+      },
+      "name"_a = "", "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
+      kRender);
+}
+
+}  // namespace vug::python

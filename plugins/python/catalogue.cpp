@@ -1,0 +1,31 @@
+// Everything a scene can say, from the schemas of its kinds.
+#include "binding.h"
+
+#include <vug/base/diagnostics.h>
+#include <vug/session/catalogue.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::python {
+namespace {
+
+py::object kinds_for_python(const std::string& word) {
+  const std::vector<const KindInfo*> kinds = session::find_kinds(word);
+  nlohmann::ordered_json json = session::catalogue_json(kinds);
+  for (size_t k = 0; k < kinds.size(); ++k)
+    for (size_t p = 0; p < kinds[k]->params.size(); ++p)
+      json[k]["params"][p]["text"] = session::describe(kinds[k]->params[p]);
+  return from_json(json.dump());
+}
+
+}  // namespace
+
+void bind_catalogue(py::module_& module) {
+  module.def("find_kinds", &kinds_for_python, "word"_a = "",
+             "What `vug list WORD --json` prints: kinds of that name, category or family, or all;\n"
+             "and of each parameter its type, range and default in a line, 'text'.");
+  module.def("kind_words", &session::kind_words, "Words that find_kinds knows.");
+  module.def("suggestion", &suggestion, "name"_a, "candidates"_a,
+             "A sentence that offers the nearest candidate.");
+}
+
+}  // namespace vug::python

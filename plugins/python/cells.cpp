@@ -1,0 +1,99 @@
+// Cells on rock: where they are and what they carry, as arrays that share memory.
+#include "cells.h"
+
+#include "arrays.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/session/cells_files.h>
+
+namespace vug::python {
+namespace {
+
+/// An array of the network's.
+template <class Member>
+auto shown(Member cells::Network::*member) {
+  return [member](const Cells& self) {
+    return view(self.skin->network().*member, owner_of(self.skin));
+  };
+}
+
+py::dict attributes(const Cells& self) {
+  py::dict out;
+  const py::capsule owner = owner_of(self.skin);
+  for (const cells::Attribute& each : self.skin->simulation.attributes().all())
+    std::visit([&](const auto& column) { out[py::str(each.name)] = view(column.now, owner); },
+               each.column);
+  return out;
+}
+
+py::array states(const Cells& self) {
+  const std::vector<cells::State>& all = self.skin->simulation.states();
+  static_assert(sizeof(cells::State) == 1);
+  return view(py::dtype::of<uint8_t>(), {static_cast<py::ssize_t>(all.size())}, {1}, all.data(),
+              owner_of(self.skin));
+}
+
+std::vector<std::string> state_names() {
+  std::vector<std::string> names;
+  for (int s = 0; s <= static_cast<int>(cells::State::transparent); ++s)
+    names.emplace_back(cells::name_of(static_cast<cells::State>(s)));
+  return names;
+}
+
+py::tuple links(const Cells& self) {
+  const cells::Links& links = self.skin->network().links;
+  const py::capsule owner = owner_of(self.skin);
+  return py::make_tuple(view(links.begin, owner), view(links.to, owner));
+}
+
+void save(const Cells& self, const std::filesystem::path& file) {
+  const py::gil_scoped_release others;
+  const std::string extension = extension_of(file);
+  if (extension == ".csv") return session::write_table(file, *self.skin);
+  if (extension != ".vdb")
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for cells", file.string()), {},
+                "end it in .vdb for points, or in .csv for a table");
+  volume::write(file, {session::cell_points(*self.plan, *self.skin)}, self.write);
+}
+
+}  // namespace
+
+void bind_cells(py::module_& module) {
+  using cells::Network;
+  py::class_<Cells>(module, "Cells",
+                    "A skin: cells on meshes, and what their rules have made of them.\n\n"
+                    "Its arrays, of n cells, share its memory: nothing is copied, nobody can\n"
+                    "write to them, and each keeps what it shows alive.")
+      .def_property_readonly("name", [](const Cells& c) { return c.plan->name; })
+      .def_property_readonly(
+          "spacing", [](const Cells& c) { return c.skin->network().spacing; },
+          "Metres from one cell to the next, about.")
+      .def_property_readonly(
+          "step", [](const Cells& c) { return c.skin->simulation.step(); },
+          "Steps that the rules have done.")
+      .def("__len__", [](const Cells& c) { return c.skin->network().size(); })
+      .def_property_readonly("positions", shown(&Network::position), "(n, 3) float32, metres.")
+      .def_property_readonly("normals", shown(&Network::normal),
+                             "(n, 3) float32 of unit length, out of the solid.")
+      .def_property_readonly("tangents", shown(&Network::right),
+                             "(n, 3) float32 of unit length, to the right along the surface.")
+      .def_property_readonly("areas", shown(&Network::area),
+                             "(n,) float32, square metres that each stands for.")
+      .def_property_readonly("objects", shown(&Network::object),
+                             "(n,) uint32, which of the meshes each is on.")
+      .def_property_readonly("states", &states, "(n,) uint8, indices into state_names.")
+      .def_property_readonly_static("state_names", [](const py::object&) { return state_names(); })
+      .def_property_readonly("links", &links,
+                             "(begin, to): neighbours of cell i are to[begin[i]:begin[i + 1]].")
+      .def_property_readonly("attributes", &attributes,
+                             "What cells carry by name: (n,) float32 or int32, or (n, 3) float32.")
+      .def("save", &save, "file"_a,
+           "Writes points to a .vdb, or a table to a .csv, as `vug build` does.")
+      .def("__repr__", [](const Cells& c) {
+        return fmt::format("<vug.Cells '{}', {} after {} steps>", c.plan->name,
+                           c.skin->network().size(), c.skin->simulation.step());
+      });
+}
+
+}  // namespace vug::python

@@ -1,0 +1,74 @@
+// Two pictures: the same, or different?
+#include "image.h"
+
+#include <fmt/format.h>
+#include <vug/image/diff.h>
+#include <vug/image/report.h>
+
+namespace vug::python {
+namespace {
+
+struct Verdict {
+  image::Diff diff;
+  std::string reference, test;
+};
+
+/// A picture in memory, or a file.
+image::Subject subject(const py::handle& given, const std::string& name) {
+  if (!py::isinstance<Image>(given))
+    return image::read_subject(given.cast<std::filesystem::path>());
+  const Image& rendered = given.cast<const Image&>();
+  const session::PictureLook look = session::from_notes(rendered.part().header.notes);
+  image::Subject out;
+  out.name = name;
+  out.image = rendered.image();
+  out.metadata = look.metadata;
+  out.left = rendered.part().header.crop.x0;
+  out.top = rendered.part().header.crop.y0;
+  out.space = look.space;
+  return out;
+}
+
+Verdict compare(const py::object& reference, const py::object& test,
+                const std::map<std::string, double>& limits, const std::vector<std::string>& layers,
+                const std::vector<std::string>& measures, const std::optional<double>& alarm) {
+  const image::Subject right = subject(reference, "reference"), judged = subject(test, "test");
+  image::DiffOptions options;
+  options.layers = layers;
+  options.measures = measures;
+  options.alarm = alarm;
+  for (const auto& [name, value] : limits) options.limits.push_back(image::limit_of(name, value));
+  const py::gil_scoped_release others;
+  return {image::diff(right, judged, options), right.name, judged.name};
+}
+
+}  // namespace
+
+void bind_diff(py::module_& module) {
+  py::class_<Verdict>(module, "Diff", "A verdict on two pictures. Printed, it is a table.")
+      .def_property_readonly(
+          "same", [](const Verdict& v) { return v.diff.same; },
+          "Whether they differ by no more than limits or noise allow.")
+      .def_property_readonly("verdict",
+                             [](const Verdict& v) { return image::verdict_text(v.diff); })
+      .def_property_readonly(
+          "reasons", [](const Verdict& v) { return v.diff.reasons; },
+          "Why they are different, in sentences.")
+      .def(
+          "data",
+          [](const Verdict& v) { return from_json(image::to_json(v.diff, v.reference, v.test)); },
+          "What `vug diff --json` writes, in dicts and lists.")
+      .def("__str__", [](const Verdict& v) { return image::to_table(v.diff); })
+      .def("__repr__", [](const Verdict& v) {
+        return fmt::format("<vug.Diff: {}>", v.diff.same ? "the same" : "different");
+      });
+  module.def(
+      "diff", &compare, "reference"_a, "test"_a, "limits"_a = std::map<std::string, double>(),
+      "layers"_a = std::vector<std::string>(), "measures"_a = std::vector<std::string>(),
+      "alarm"_a = py::none(),
+      "Compares two pictures, each a vug.Image or a file, as `vug diff` does. limits: what a\n"
+      "measure may be at most, {'rmse': 0.01, 'N.max': 0.1}; alarm: demands the test of\n"
+      "significance at this rate of false alarms.");
+}
+
+}  // namespace vug::python

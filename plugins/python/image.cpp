@@ -1,0 +1,112 @@
+// Pictures: layers as arrays that share memory, and files.
+#include "image.h"
+
+#include "arrays.h"
+
+#include <fmt/format.h>
+#include <vug/image/layers.h>
+
+namespace vug::python {
+namespace {
+
+/// The layer's channels in the picture's memory: (height, width) of one, else (height, width, k).
+/// Channels of a layer follow each other in what is rendered.
+py::array layer_view(const Image& self, const image::Layer& layer) {
+  const image::Image& picture = self.image();
+  const auto first = static_cast<size_t>(picture.find_channel(layer.channels.front()));
+  for (size_t c = 0; c < layer.channels.size(); ++c)
+    if (picture.find_channel(layer.channels[c]) != static_cast<int>(first + c))
+      throw Error(ErrorCode::internal, fmt::format("the channels of '{}' are apart", layer.name));
+  constexpr auto kFloat = static_cast<py::ssize_t>(sizeof(float));
+  const auto pixel = kFloat * static_cast<py::ssize_t>(picture.channels.size());
+  std::vector<py::ssize_t> shape = {picture.height, picture.width};
+  std::vector<py::ssize_t> strides = {pixel * picture.width, pixel};
+  if (layer.channels.size() > 1) {
+    shape.push_back(static_cast<py::ssize_t>(layer.channels.size()));
+    strides.push_back(kFloat);
+  }
+  return view(py::dtype::of<float>(), shape, strides, picture.pixels.data() + first,
+              owner_of(self.rendered));
+}
+
+py::dict layers(const Image& self) {
+  py::dict out;
+  for (const image::Layer& each : image::layers_of(self.image().channels))
+    out[py::str(each.name)] = layer_view(self, each);
+  return out;
+}
+
+py::array layer(const Image& self, const std::string& name) {
+  std::vector<std::string> names;
+  for (const image::Layer& each : image::layers_of(self.image().channels)) {
+    if (each.name == name) return layer_view(self, each);
+    names.push_back(each.name);
+  }
+  throw py::key_error(
+      fmt::format("the picture has no layer '{}'; {}", name, suggestion(name, names)));
+}
+
+py::array pixels(const Image& self) {
+  const image::Image& picture = self.image();
+  const auto channels = static_cast<py::ssize_t>(picture.channels.size());
+  constexpr auto kFloat = static_cast<py::ssize_t>(sizeof(float));
+  return view(py::dtype::of<float>(), {picture.height, picture.width, channels},
+              {kFloat * channels * picture.width, kFloat * channels, kFloat}, picture.pixels.data(),
+              owner_of(self.rendered));
+}
+
+py::dict metadata(const Image& self) {
+  py::dict out;
+  for (const auto& [name, text] : session::from_notes(self.part().header.notes).metadata)
+    out[py::str(name)] = text;
+  return out;
+}
+
+py::dict views(const Image& self) {
+  if (self.rendered->size() == 1) return py::dict();
+  return py::dict("left"_a = Image{self.rendered, 0}, "right"_a = Image{self.rendered, 1});
+}
+
+void save(const Image& self, const std::filesystem::path& file) {
+  const py::gil_scoped_release others;
+  session::write_picture_file(file, session::views_of(*self.rendered));
+}
+
+}  // namespace
+
+void bind_image(py::module_& module) {
+  py::class_<Image>(module, "Image",
+                    "A rendered picture: float32 layers of linear light.\n\n"
+                    "Its arrays share its memory: nothing is copied, nobody can write to them,\n"
+                    "and each keeps what it shows alive. Row 0 is the top.")
+      .def_property_readonly("width", [](const Image& i) { return i.image().width; })
+      .def_property_readonly("height", [](const Image& i) { return i.image().height; })
+      .def_property_readonly(
+          "channels", [](const Image& i) { return i.image().channels; },
+          "Names as in the EXR: 'R', 'Z', 'albedo.R'.")
+      .def_property_readonly(
+          "origin",
+          [](const Image& i) {
+            const render::Region& crop = i.part().header.crop;
+            return py::make_tuple(crop.x0, crop.y0);
+          },
+          "Where its top left pixel lies in the whole picture, of which it may be a crop.")
+      .def_property_readonly("pixels", &pixels, "All channels: (height, width, channels).")
+      .def_property_readonly("layers", &layers,
+                             "Arrays by layer: (height, width, k), or (height, width) of layers\n"
+                             "with one channel. 'beauty' is R, G and B.")
+      .def("__getitem__", &layer, "layer"_a, "One of the layers.")
+      .def_property_readonly("metadata", &metadata, "Texts that files keep of where it comes from.")
+      .def_property_readonly("views", &views,
+                             "Of a camera for stereo the images 'left' and 'right'; else empty.")
+      .def("save", &save, "file"_a,
+           "Writes NAME.exr with all layers, NAME.png as an eye sees it, or NAME.deep.exr of a "
+           "deep\n"
+           "picture: the files of `vug render`. Of a stereo picture both views.")
+      .def("__repr__", [](const Image& i) {
+        return fmt::format("<vug.Image {}x{}, {} channels>", i.image().width, i.image().height,
+                           i.image().channels.size());
+      });
+}
+
+}  // namespace vug::python

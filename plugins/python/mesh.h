@@ -1,0 +1,15 @@
+// Meshes as Python holds them.
+#pragma once
+
+#include "binding.h"
+
+#include <vug/mesh/mesh.h>
+
+namespace vug::python {
+
+/// Immutable; its arrays share what it points to.
+struct Mesh {
+  mesh::MeshPtr mesh;
+};
+
+}  // namespace vug::python

@@ -1,0 +1,233 @@
+// Scenes: loading, overriding, what they declare.
+#include "scene.h"
+
+#include "errors.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/session/cells_files.h>
+#include <vug/session/data_folders.h>
+
+#include <algorithm>
+
+namespace vug::python {
+namespace {
+
+using SharedScene = std::shared_ptr<Scene>;
+
+/// Also sets these parameters.
+void set_parameters(Settings& settings, const py::dict& changes) {
+  std::vector<scene::Override>& all = settings.load.overrides;
+  for (const auto& [key, value] : changes) {
+    if (!py::isinstance<py::str>(key)) throw py::type_error("names of parameters must be texts");
+    const auto name = key.cast<std::string>();
+    const std::string text = override_text(name, value);
+    const auto known = std::find_if(all.begin(), all.end(),
+                                    [&](const scene::Override& each) { return each.name == name; });
+    if (known == all.end())
+      all.push_back({name, text});
+    else
+      known->text = text;
+    settings.numbers.erase(name);
+    if (!py::isinstance<py::str>(value)) settings.numbers.insert(name);
+  }
+}
+
+Settings changed(Settings settings, const py::dict& params, const std::optional<uint64_t>& seed,
+                 const std::optional<double>& frame, const py::kwargs& more) {
+  if (seed) settings.load.seed = seed;
+  if (frame) settings.load.frame = *frame;
+  if (!(std::fabs(settings.load.frame) <= 1e6)) throw py::value_error("frame must be within 1e6");
+  set_parameters(settings, params);
+  set_parameters(settings, more);
+  return settings;
+}
+
+Settings fresh() {
+  Settings settings;
+  settings.load.include_folders = session::data_folders();
+  return settings;
+}
+
+/// Angles need a unit in a scene's text; Python's are radians. False where there are none.
+bool give_units(Settings& settings, const session::Loaded& loaded) {
+  bool given = false;
+  for (scene::Override& each : settings.load.overrides)
+    for (const session::Parameter& param : loaded.parameters) {
+      const Number* number = param.fallback.get<Number>();
+      if (param.name != each.name || !number || number->dimension != Dimension::angle) continue;
+      if (settings.numbers.erase(each.name) == 0) continue;
+      each.text += "rad";
+      given = true;
+    }
+  return given;
+}
+
+SharedScene load(const std::filesystem::path& file, const py::dict& params,
+                 const std::optional<uint64_t>& seed, const std::optional<double>& frame,
+                 const py::kwargs& more) {
+  return std::make_shared<Scene>(read_text(file), file.string(),
+                                 changed(fresh(), params, seed, frame, more));
+}
+
+SharedScene loads(const std::string& text, const std::filesystem::path& base,
+                  const std::string& name, const py::dict& params,
+                  const std::optional<uint64_t>& seed, const std::optional<double>& frame,
+                  const py::kwargs& more) {
+  const std::filesystem::path file = base == "." ? std::filesystem::path(name) : base / name;
+  return std::make_shared<Scene>(text, file.string(), changed(fresh(), params, seed, frame, more));
+}
+
+SharedScene change(const Scene& scene, const py::dict& params, const std::optional<uint64_t>& seed,
+                   const std::optional<double>& frame, const py::kwargs& more) {
+  return std::make_shared<Scene>(scene.text(), scene.file(),
+                                 changed(scene.settings(), params, seed, frame, more));
+}
+
+py::dict params(const Scene& scene) {
+  const py::object type = py::module_::import("vug._params").attr("Param");
+  py::dict out;
+  for (const session::Parameter& each : scene.loaded().parameters) {
+    const Number* number = each.fallback.get<Number>();
+    const auto* vector = each.fallback.get<Value::Vector>();
+    const Dimension dimension = number   ? number->dimension
+                                : vector ? vector->dimension
+                                         : Dimension::none;
+    std::string kind = each.fallback.get<Value::Name>() ? "name" : each.fallback.type_name();
+    if (number) kind = "number";
+    for (const std::string article : {"a ", "an "})
+      if (kind.rfind(article, 0) == 0) kind = kind.substr(article.size());
+    out[py::str(each.name)] = type(each.name, to_python(each.value), to_python(each.fallback),
+                                   to_python(each.low), to_python(each.high), each.doc, kind,
+                                   dimension == Dimension::none ? "" : to_string(dimension));
+  }
+  return py::module_::import("types").attr("MappingProxyType")(out);
+}
+
+py::dict derivations(const SharedScene& scene) {
+  py::dict out;
+  for (const session::Derivation& each : scene->shot().derivations)
+    out[py::str(each.name)] = Derivation{scene, &each};
+  return out;
+}
+
+template <class Plan>
+const std::string& name_of(const Plan& plan) {
+  if constexpr (requires { plan->name; })
+    return plan->name;
+  else if constexpr (requires { plan.name; })
+    return plan.name;
+  else
+    return plan.first;
+}
+
+/// Names in one of the shot's lists, in the order of the text.
+template <class List>
+auto names(List session::Shot::*list) {
+  return [list](const Scene& scene) {
+    std::vector<std::string> out;
+    for (const auto& each : scene.shot().*list) out.push_back(name_of(each));
+    return out;
+  };
+}
+
+template <class Plans>
+std::vector<std::string> names_of(const Plans& plans) {
+  std::vector<std::string> out;
+  for (const auto& each : plans) out.push_back(each->name);
+  return out;
+}
+
+void bind_names(py::class_<Scene, SharedScene>& type) {
+  using session::Shot;
+  type.def_property_readonly("volumes", names(&Shot::volumes), "Names, as are all these lists.")
+      .def_property_readonly(
+          "meshes", [](const Scene& s) { return names_of(session::meshes_of(s.shot())); },
+          "Those that are declared, else one for each level set.")
+      .def_property_readonly(
+          "cells", [](const Scene& s) { return names_of(session::declared_cells(s.shot())); })
+      .def_property_readonly("objects", names(&Shot::objects))
+      .def_property_readonly("places", names(&Shot::places))
+      .def_property_readonly("lights", names(&Shot::lights))
+      .def_property_readonly("materials", names(&Shot::materials))
+      .def_property_readonly("cameras", names(&Shot::cameras))
+      .def_property_readonly("renders", names(&Shot::renders));
+}
+
+}  // namespace
+
+Scene::Scene(std::string text, std::string file, Settings settings)
+    : text_(std::move(text)), file_(std::move(file)), settings_(std::move(settings)) {
+  {
+    const py::gil_scoped_release others;
+    loaded_ = at(settings_.load.frame);
+    if (!loaded_.usable() && give_units(settings_, loaded_)) {
+      still_ = {};
+      loaded_ = at(settings_.load.frame);
+    }
+  }
+  if (!loaded_.usable()) raise(loaded_);
+  warn(warnings_of(loaded_, loaded_.diagnostics));
+}
+
+session::Loaded Scene::at(double frame) const {
+  const std::lock_guard lock(loading_);
+  session::LoadOptions options = settings_.load;
+  options.frame = frame;
+  options.still = &still_;
+  return session::load_text(text_, file_, options);
+}
+
+std::function<std::shared_ptr<const session::Shot>(double)> Scene::moments() const {
+  return [this](double frame) {
+    session::Loaded loaded = at(frame);
+    for (const Diagnostic& each : loaded.diagnostics.all())
+      if (each.severity == Severity::error)
+        throw Error(ErrorCode::bad_input, each.message, each.where, each.hint)
+            .within(fmt::format("loading the moment {}", frame));
+    return std::make_shared<const session::Shot>(std::move(loaded.shot));
+  };
+}
+
+void bind_scene(py::module_& module) {
+  py::class_<Scene, SharedScene> type(
+      module, "Scene",
+      "A scene: a text, with parameters, seed and frame set. It never changes: `with_` gives\n"
+      "another. Made by vug.load and vug.loads.");
+  type.def(
+          "with_", &change, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
+          "frame"_a = py::none(),
+          "The same text with other parameters, by name or in a dict: scene.with_(LD=3). What was\n"
+          "set before stays set. Numbers are metres, radians or plain; a str is text of the scene\n"
+          "language: '30%', '2m', '45deg'.")
+      .def_property_readonly("params", &params,
+                             "vug.Param by name: value, range, doc; in the order of the text.")
+      .def_property_readonly("derivations", &derivations, "vug.Derivation by its grammar's name.")
+      .def_property_readonly(
+          "name", [](const Scene& s) { return s.shot().name; },
+          "The file's name without its ending.")
+      .def_property_readonly("file", &Scene::file)
+      .def_property_readonly("text", &Scene::text)
+      .def_property_readonly("seed", [](const Scene& s) { return s.shot().seed; })
+      .def_property_readonly("frame", [](const Scene& s) { return s.shot().frame; })
+      .def_property_readonly(
+          "moves", [](const Scene& s) { return s.shot().moves; },
+          "Whether something depends on the frame.")
+      .def_property_readonly(
+          "recipe", [](const Scene& s) { return s.shot().recipe; },
+          "The text and what was set: what files keep of where they come from.")
+      .def("__repr__", [](const Scene& s) {
+        return fmt::format("<vug.Scene '{}', seed {}>", s.shot().name, s.shot().seed);
+      });
+  bind_names(type);
+  module.def("load", &load, "file"_a, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
+             "frame"_a = py::none(),
+             "The scene of a .vug file, with parameters by name or in a dict:\n"
+             "vug.load('grotto.vug', LD=3, seed=7). Raises vug.Error with all faults of the text.");
+  module.def("loads", &loads, "text"_a, "base"_a = ".", "name"_a = "scene.vug",
+             "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(), "frame"_a = py::none(),
+             "The same of a text; files that it names are looked for in the folder `base`, and\n"
+             "messages call it `name`.");
+}
+
+}  // namespace vug::python

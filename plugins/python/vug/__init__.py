@@ -1,0 +1,25 @@
+"""Vug grows film-grade caves out of grammars.
+
+    import vug
+    scene = vug.load("grotto.vug", seed=3)
+    build = scene.build()
+    mesh = build.mesh()
+    image = scene.render(spp=16, size=(480, 270))
+    image.save("grotto.exr")
+
+Lengths are metres, angles radians; space is right-handed, y up. See docs/python.md.
+"""
+from ._catalogue import Catalogue, Kind, KindParam
+from ._errors import Cancelled, Diagnostic, Error, SceneWarning
+from ._params import Param
+from ._vug import (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene, __version__,
+                   diff, load, loads, read_mesh)
+
+catalogue = Catalogue()
+
+__all__ = ["Build", "Cancelled", "Catalogue", "Cells", "Derivation", "Diagnostic", "Diff", "Error",
+           "Grid", "Image", "Kind", "KindParam", "LevelSet", "Mesh", "Param", "Scene",
+           "SceneWarning", "catalogue", "diff", "load", "loads", "read_mesh"]
+
+for _type in (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene):
+    _type.__module__ = __name__

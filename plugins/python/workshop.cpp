@@ -1,0 +1,68 @@
+#include "build.h"
+#include "errors.h"
+
+#include <vug/base/memory.h>
+
+namespace vug::python {
+
+struct Build::Shop {
+  Shop(const Scene& scene, uint64_t max_memory)
+      : progress([this](const std::string& stage, double share) { post.report(stage, share); }),
+        builder(scene.shot(), options(scene, max_memory), progress) {}
+
+  session::BuildOptions options(const Scene& scene, uint64_t max_memory) {
+    session::BuildOptions out;
+    out.max_memory = max_memory;
+    out.tell = [this, &scene](const Diagnostics& doubtful) {
+      post.warn(warnings_of(scene.loaded(), doubtful));
+    };
+    return out;
+  }
+
+  Post post;
+  Progress progress;
+  session::Builder builder;
+};
+
+Build::Build(ScenePtr scene, BuildSettings settings)
+    : scene_(std::move(scene)), settings_(std::move(settings)) {
+  shop_ = open();
+}
+
+std::unique_ptr<Build::Shop> Build::open() {
+  return std::make_unique<Shop>(*scene_, settings_.max_memory);
+}
+
+void Build::work(const std::function<void(session::Builder&)>& work) {
+  if (busy_) {
+    PyErr_SetString(PyExc_RuntimeError, "this build is at work already");
+    throw py::error_already_set();
+  }
+  if (shop_->progress.cancelled()) {
+    std::unique_ptr<Shop> next = open();
+    next->builder.take_over(std::move(shop_->builder));
+    shop_ = std::move(next);
+  }
+  struct Busy {
+    explicit Busy(bool& flag) : flag_(flag) { flag_ = true; }
+    ~Busy() { flag_ = false; }
+    bool& flag_;
+  } const busy(busy_);
+  follow(shop_->post, shop_->progress, settings_.progress, settings_.threads,
+         [&] { work(shop_->builder); });
+}
+
+uint64_t memory_of(const py::object& given) {
+  if (given.is_none()) return available_memory() / 10 * 9;
+  if (py::isinstance<py::str>(given)) return parse_bytes(given.cast<std::string>());
+  const auto bytes = given.cast<int64_t>();
+  if (bytes < 1) throw py::value_error("max_memory must be above 0");
+  return static_cast<uint64_t>(bytes);
+}
+
+int threads_of(int given) {
+  if (given < 0 || given > 1024) throw py::value_error("threads must be 0 (all cores) to 1024");
+  return given;
+}
+
+}  // namespace vug::python

@@ -1,0 +1,126 @@
+"""Faults as exceptions with their places; arguments that cannot be used; warnings."""
+import pickle
+import unittest
+import warnings
+
+import numpy
+import vug
+from case import BALL, Case
+
+
+class Faults(Case):
+    def test_several_faults_of_a_text(self):
+        self.write("bad.vug", "volume rock = level_set(spere(1m), voxel: 10cm)\n"
+                              "mesh wall on rok {}\n")
+        with self.assertRaises(vug.Error) as caught:
+            vug.load("bad.vug")
+        error = caught.exception
+        self.assertEqual((error.code, error.file, error.line, error.column), ("bad_input", "bad.vug", 1, 25))
+        self.assertEqual(error.message, "unknown function 'spere'")
+        self.assertEqual(error.hint, "did you mean 'sphere'?")
+        self.assertEqual([(d.severity, d.line) for d in error.diagnostics], [("error", 1), ("error", 2)])
+        self.assertIn("bad.vug:2:14: error:", str(error))
+        self.assertIn("^\nhint: did you mean 'sphere'?", str(error))
+
+    def test_they_survive_a_journey(self):
+        with self.assertRaises(vug.Error) as caught:
+            vug.loads("volume = 3\n")
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual(vars(again), vars(caught.exception))
+        self.assertEqual(str(again), str(caught.exception))
+
+    def test_names_that_are_not_there(self):
+        scene = vug.loads(BALL)
+        build = scene.build()
+        for ask in (lambda: build.mesh("wal"), lambda: build.measure("wal"), lambda: scene.measure("wal")):
+            with self.assertRaisesRegex(vug.Error, "the scene has no mesh 'wal'\nhint: did you mean 'wall'"):
+                ask()
+        with self.assertRaisesRegex(vug.Error, "no volume 'rok'\nhint: did you mean 'rock'"):
+            build.level_set("rok")
+        with self.assertRaisesRegex(vug.Error, "no cells"):
+            build.cells()
+        with self.assertRaisesRegex(vug.Error, "no camera 'man'\nhint: did you mean 'main'"):
+            scene.render(camera="man")
+        with self.assertRaisesRegex(vug.Error, "no render 'mian'"):
+            scene.render("mian")
+
+    def test_overrides(self):
+        with self.assertRaisesRegex(vug.Error, "param 'R' is 9m, outside 0.5m..2m"):
+            vug.loads(BALL, R=9)
+        with self.assertRaisesRegex(vug.Error, "'RR'"):
+            vug.loads(BALL, RR=1)
+        for value in (numpy.nan, -numpy.inf):
+            with self.assertRaisesRegex(ValueError, "'R' is .*must be finite"):
+                vug.loads(BALL, R=value)
+        for value in (None, {}, [1, 2], (1, 2, "3"), object(), b"1m"):
+            with self.assertRaisesRegex(TypeError, "'R' is a "):
+                vug.loads(BALL, R=value)
+        with self.assertRaises(ValueError):
+            vug.loads(BALL, frame=float("nan"))
+        with self.assertRaises(TypeError):
+            vug.loads(BALL, seed=-1)
+        with self.assertRaises(TypeError):
+            vug.loads(BALL, {1: 2})
+
+    def test_options_of_a_picture(self):
+        scene = vug.loads(BALL)
+        for options, kind, words in [
+                ({"sp": 3}, TypeError, "render has no option 'sp'; did you mean 'spp'"),
+                ({"spp": 0}, ValueError, "spp must be at least 1"),
+                ({"spp": "many"}, TypeError, "spp must be a whole number"),
+                ({"size": (0, 4)}, ValueError, "size"),
+                ({"size": 4}, TypeError, "size must be two whole numbers"),
+                ({"crop": (4, 4, 2, 2)}, ValueError, "crop"),
+                ({"noise": numpy.nan}, ValueError, "noise must be from 0 to 1"),
+                ({"exposure": 99}, ValueError, "exposure"),
+                ({"eye": "middle"}, ValueError, "eye"),
+                ({"eye": "left"}, vug.Error, "no views"),
+                ({"working_space": "rec70"}, ValueError, "did you mean 'rec709'"),
+                ({"layers": ["albdo"]}, vug.Error, "albdo"),
+                ({"layers": 3}, TypeError, "layers"),
+                ({"denoise": 3}, TypeError, "denoise must be True or False"),
+                ({"crop": (0, 0, 999, 999)}, vug.Error, "crop")]:
+            with self.assertRaisesRegex(kind, words, msg=options):
+                scene.render(**options)
+
+    def test_files(self):
+        with self.assertRaisesRegex(vug.Error, "no such file"):
+            vug.load("nowhere.vug")
+        with self.assertRaises(vug.Error):
+            vug.read_mesh("nowhere.ply")
+        build = vug.loads(BALL).build()
+        mesh, image = build.mesh(), build.render(spp=1)
+        self.write("file", "")
+        for save in (mesh.save, image.save, build.level_set().save):
+            with self.assertRaises(vug.Error, msg=save):
+                save("a.doc")
+        with self.assertRaises(vug.Error) as caught:
+            mesh.save("file/a.ply")
+        self.assertEqual(caught.exception.code, "io")
+        with self.assertRaisesRegex(vug.Error, "not rendered deep"):
+            image.save("a.deep.exr")
+        self.write("scene.vug", BALL)
+        with self.assertRaises(vug.Error):
+            vug.loads("let a = 1\n").build().save("out")
+
+
+class Warnings(Case):
+    def test_they_name_the_line_that_asked(self):
+        text = BALL.replace("sphere(R)", "sphere(R).translate((9, 0, 0))").replace(
+            "voxel: 10cm", "voxel: 10cm, from: (-1, -1, -1), to: (1, 1, 1)")
+        with warnings.catch_warnings(record=True) as seen:
+            warnings.simplefilter("always")
+            vug.loads(text).build().level_set()
+        self.assertEqual([w.category for w in seen], [vug.SceneWarning])
+        self.assertIn("the volume 'rock' comes out empty", str(seen[0].message))
+        self.assertIn("scene.vug:2:8: warning:", str(seen[0].message))
+        self.assertEqual(seen[0].filename, __file__)
+
+    def test_as_errors_they_stop_the_work(self):
+        dark = BALL.replace("radiance: (1, 1, 1)", "radiance: (0, 0, 0)")
+        with self.assertRaisesRegex(vug.SceneWarning, "no light reaches the picture"):
+            vug.loads(dark).render(spp=1)
+
+
+if __name__ == "__main__":
+    unittest.main()
