@@ -59,6 +59,7 @@ struct Group {
 struct VolumeGrid {
   std::string name;
   std::string grid_class;  ///< "level set", "fog volume", ...
+  bool color = false;      ///< Vectors in place of numbers.
 };
 struct Volume {
   std::string name;

@@ -1,6 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/mesh/format.h>
+#include <vug/mesh/file.h>
 
 #include <fmt/format.h>
 
@@ -45,9 +45,8 @@ Mesh read_mesh(const std::filesystem::path& file) {
   return mesh;
 }
 
-void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
-  const Format& format = format_of(file);
-  validate(mesh, file.string());
+void write_file(const std::filesystem::path& file,
+                const std::function<void(const ByteSink&)>& write) {
   AtomicFile target(file);
   const auto refuse = [&] {
     throw Error(ErrorCode::io,
@@ -58,11 +57,17 @@ void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
   };
   std::unique_ptr<std::FILE, Closer> out(std::fopen(target.path().c_str(), "wb"));
   if (!out) refuse();
-  format.write(mesh, [&](std::string_view bytes) {
+  write([&](std::string_view bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) refuse();
   });
   if (std::fclose(out.release()) != 0) refuse();
   target.commit();
+}
+
+void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
+  const Format& format = format_of(file);
+  validate(mesh, file.string());
+  write_file(file, [&](const ByteSink& sink) { format.write(mesh, sink); });
 }
 
 }  // namespace vug::mesh

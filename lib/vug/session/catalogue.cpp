@@ -1,3 +1,4 @@
+#include <vug/exchange/program.h>
 #include <vug/image/measure.h>
 #include <vug/session/catalogue.h>
 #include <vug/session/grammar_binding.h>
@@ -20,6 +21,8 @@ std::vector<const KindInfo*> all_kinds() {
   for (const Family& family : families())
     for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
   for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);
+  for (const exchange::Format* format : exchange::formats()) kinds.push_back(&format->info);
+  for (const exchange::Program* program : exchange::programs()) kinds.push_back(&program->info);
   return kinds;
 }
 

@@ -54,16 +54,17 @@ int run(const Options& options) {
 }  // namespace
 
 Verb list_verb() {
-  return {"list",
-          "Lists everything a scene can say and pictures are compared by, or one kind with its "
-          "parameters.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            app.add_option("kind", options->what,
-                           "a kind (torus), a category (primitive) or what is declared (material)");
-            app.add_flag("--json", options->json, "for programs");
-            return [options] { return run(*options); };
-          }};
+  return {
+      "list",
+      "Lists everything a scene can say, pictures are compared by and export writes, or one kind "
+      "with its parameters.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        app.add_option("kind", options->what,
+                       "a kind (torus), a category (primitive) or what is declared (material)");
+        app.add_flag("--json", options->json, "for programs");
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli

@@ -1,0 +1,202 @@
+// USD as text: a layer that needs no library to write.
+#include <vug/base/atomic_file.h>
+#include <vug/exchange/format.h>
+#include <vug/exchange/names.h>
+#include <vug/exchange/place.h>
+#include <vug/exchange/usd_lamp.h>
+#include <vug/exchange/usd_mesh.h>
+#include <vug/image/io.h>
+#include <vug/mesh/file.h>
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+namespace vug::exchange {
+namespace {
+
+class Writer {
+ public:
+  Writer(const Assembly& assembly, const FormatOptions& options, UsdText& out,
+         std::filesystem::path file, Written& written)
+      : assembly_(assembly),
+        options_(options),
+        out_(out),
+        file_(std::move(file)),
+        written_(written),
+        root_(identifier(assembly.name)) {}
+
+  void write(Progress& progress) {
+    header();
+    out_.def("Xform", root_, {"kind = \"assembly\""});
+    materials();
+    progress.begin("USD", assembly_.groups.size());
+    for (const Group& group : assembly_.groups) {
+      progress.check();
+      add(group);
+      progress.advance();
+    }
+    progress.end();
+    for (const Volume& volume : assembly_.volumes) add(volume);
+    for (const Camera& camera : assembly_.cameras)
+      write_usd_camera(out_, camera, names_.unique(camera.name), assembly_.space.metres_per_unit);
+    for (const Lamp& lamp : assembly_.lamps) add(lamp);
+    out_.end();
+    out_.finish();
+  }
+
+ private:
+  void header() {
+    const Provenance& from = assembly_.provenance;
+    out_.line("#usda 1.0").line("(").line("    customLayerData = {{");
+    out_.line("        string \"vug:recipe\" = {}", usd_string(from.recipe));
+    out_.line("        string \"vug:seed\" = \"{}\"", from.seed);
+    out_.line("        double \"vug:frame\" = {}", from.frame);
+    out_.line("        string \"vug:version\" = {}", usd_string(from.version));
+    out_.line("    }}").line("    defaultPrim = \"{}\"", root_);
+    out_.line("    metersPerUnit = {}", assembly_.space.metres_per_unit);
+    out_.line("    upAxis = \"{}\"", assembly_.space.up == UpAxis::y ? "Y" : "Z").line(")");
+  }
+
+  void materials() {
+    names_.unique("materials");
+    out_.def("Scope", "materials");
+    Names names;
+    for (size_t i = 0; i < assembly_.parts.size(); ++i) {
+      const Part& part = assembly_.parts[i];
+      std::string& path = material_[i];
+      for (size_t j = 0; j < i && path.empty(); ++j)
+        if (same_usd_material(assembly_.parts[j], part)) path = material_[j];
+      if (!path.empty()) continue;
+      const std::string name = names.unique(part.material);
+      path = fmt::format("/{}/materials/{}", root_, name);
+      write_usd_material(out_, part, path, name);
+    }
+    out_.end();
+  }
+
+  /// A mesh that stands at that path, or one that refers to where it stands already.
+  void mesh(size_t part, const std::string& parent, const std::string& name) {
+    const auto [known, fresh] = meshes_.try_emplace(part, parent + "/" + name);
+    if (fresh) return write_usd_mesh(out_, assembly_.parts[part], name, material_.at(part));
+    out_.def("Mesh", name, {fmt::format("prepend references = <{}>", known->second)}).end();
+  }
+
+  void add(const Group& group) {
+    std::vector<Placement> places;
+    std::vector<Transform> alone;
+    const bool many = group.places.size() > 1 && options_.instancing;
+    for (const Transform& place : group.places) {
+      const auto parts = many ? placement(place) : std::nullopt;
+      parts ? places.push_back(*parts) : alone.push_back(place);
+    }
+    for (const Transform& place : alone) {
+      const std::string name = names_.unique(group.name);
+      out_.def("Xform", name);
+      mesh(group.part, fmt::format("/{}/{}", root_, name), "mesh");
+      out_.place(place).end();
+    }
+    if (!places.empty()) add_instances(group, places);
+  }
+
+  void add_instances(const Group& group, const std::vector<Placement>& places) {
+    const std::string name = names_.unique(group.name);
+    const std::string path = fmt::format("/{}/{}", root_, name);
+    std::vector<float> moves, turns, scales;
+    for (const Placement& each : places) {
+      for (int i = 0; i < 3; ++i) moves.push_back(static_cast<float>(each.move[i]));
+      for (int i = 0; i < 3; ++i) scales.push_back(static_cast<float>(each.scale[i]));
+      for (const size_t i : {3u, 0u, 1u, 2u}) turns.push_back(static_cast<float>(each.turn[i]));
+    }
+    const std::vector<int> first(places.size(), 0);
+    out_.def("PointInstancer", name);
+    const Box3d box = box_of(group);
+    out_.line("float3[] extent = [{}, {}]", usd_tuple(box.min), usd_tuple(box.max));
+    out_.line("rel prototypes = [<{}/Prototypes/mesh>]", path);
+    out_.array("int", "protoIndices", first.data(), first.size(), 1);
+    out_.array("point3f", "positions", moves.data(), places.size(), 3);
+    out_.array("quath", "orientations", turns.data(), places.size(), 4);
+    out_.array("quatf", "orientationsf", turns.data(), places.size(), 4);
+    out_.array("float3", "scales", scales.data(), places.size(), 3);
+    out_.def("Scope", "Prototypes");
+    mesh(group.part, path + "/Prototypes", "mesh");
+    out_.end().end();
+  }
+
+  Box3d box_of(const Group& group) const {
+    const Box3d own = mesh::bounds(*assembly_.parts.at(group.part).mesh);
+    Box3d all;
+    if (!own.isEmpty())
+      for (const Transform& place : group.places) all.extendBy(place.box(own));
+    return all.isEmpty() ? Box3d(Vec3d(0.0), Vec3d(0.0)) : all;
+  }
+
+  void add(const Volume& volume) {
+    const std::string name = names_.unique(volume.name);
+    out_.def("Volume", name);
+    if (!volume.bounds.isEmpty())
+      out_.line("float3[] extent = [{}, {}]", usd_tuple(volume.bounds.min),
+                usd_tuple(volume.bounds.max));
+    for (const VolumeGrid& grid : volume.grids)
+      out_.line("rel field:{} = </{}/{}/{}>", identifier(grid.name), root_, name,
+                identifier(grid.name));
+    for (const VolumeGrid& grid : volume.grids) {
+      out_.def("OpenVDBAsset", identifier(grid.name));
+      out_.line("asset filePath = @./{}@", volume.file);
+      out_.line("token fieldName = \"{}\"", grid.name);
+      out_.line("token fieldClass = \"{}\"", grid.grid_class == "level set"    ? "levelSet"
+                                             : grid.grid_class == "fog volume" ? "fogVolume"
+                                                                               : "unknown");
+      out_.line("token fieldDataType = \"{}\"", grid.color ? "color3f" : "float");
+      out_.end();
+    }
+    out_.end();
+  }
+
+  void add(const Lamp& lamp) {
+    const std::string name = names_.unique(lamp.name);
+    std::string picture;
+    if (lamp.picture) {
+      const std::filesystem::path beside =
+          file_.parent_path() / fmt::format("{}_{}.exr", file_.stem().string(), name);
+      image::write_exr(beside, *lamp.picture);
+      written_.files.push_back(beside);
+      picture = "./" + beside.filename().string();
+    }
+    write_usd_lamp(out_, lamp, name, picture);
+  }
+
+  const Assembly& assembly_;
+  const FormatOptions& options_;
+  UsdText& out_;
+  std::filesystem::path file_;
+  Written& written_;
+  std::string root_;
+  Names names_;
+  std::map<size_t, std::string> meshes_, material_;
+};
+
+Written write_usda(const Assembly& assembly, const std::filesystem::path& file,
+                   const FormatOptions& options, Progress& progress) {
+  Written written{{file}, {}};
+  mesh::write_file(file, [&](const mesh::ByteSink& sink) {
+    UsdText text(sink);
+    Writer(assembly, options, text, file, written).write(progress);
+  });
+  return written;
+}
+
+}  // namespace
+}  // namespace vug::exchange
+
+VUG_EXCHANGE_FORMAT(usda) {
+  return {{"usda",
+           "exchange format",
+           "USD as text: meshes with primvars and previews of their looks, instances, volumes, "
+           "cameras and lights of any shape",
+           "usd",
+           {}},
+          std::nullopt,
+          write_usda};
+}

@@ -1,0 +1,8 @@
+#include <vug/exchange/program.h>
+
+VUG_EXCHANGE_PROGRAM(usd) {
+  Program made = make_program("usd", "Any reader of USD: metres, y up");
+  made.space = {UpAxis::y, 1};
+  made.formats = {"usda"};
+  return made;
+}

@@ -1,0 +1,146 @@
+#include <vug/exchange/channels.h>
+#include <vug/exchange/names.h>
+#include <vug/exchange/usd_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::exchange {
+namespace {
+
+constexpr const char* kPerVertex = " (interpolation = \"vertex\")";
+constexpr const char* kFull = "full";
+
+bool varies(const Part& part, const Channel& channel) {
+  return mesh::find_attribute(*part.mesh, channel.attribute, channel.arity()) != nullptr;
+}
+
+std::string primvar(std::string_view attribute) {
+  return attribute == mesh::kColour ? "displayColor" : identifier(std::string(attribute));
+}
+
+void write_attribute(UsdText& out, const mesh::Attribute& attribute) {
+  const char* type = attribute.arity == 1       ? "float"
+                     : attribute.arity == 2     ? "float2"
+                     : attribute.arity == 4     ? "float4"
+                     : attribute.arity != 3     ? nullptr
+                     : is_color(attribute.name) ? "color3f"
+                                                : "vector3f";
+  const std::string name = "primvars:" + primvar(attribute.name);
+  if (type)
+    out.array(type, name, attribute.values.data(),
+              attribute.values.size() / static_cast<size_t>(attribute.arity), attribute.arity,
+              kPerVertex);
+  else
+    out.array("float", name, attribute.values.data(), attribute.values.size(), 1,
+              fmt::format(" (elementSize = {} interpolation = \"vertex\")", attribute.arity));
+}
+
+void write_shape(UsdText& out, const mesh::Mesh& mesh) {
+  const Box3d box = mesh::bounds(mesh);
+  const Vec3d low = box.isEmpty() ? Vec3d(0.0) : box.min, high = box.isEmpty() ? low : box.max;
+  out.line("float3[] extent = [{}, {}]", usd_tuple(low), usd_tuple(high));
+  const std::vector<int> threes(mesh.triangles.size(), 3);
+  out.array("int", "faceVertexCounts", threes.data(), threes.size(), 1);
+  out.array("int", "faceVertexIndices", mesh.triangles.empty() ? nullptr : mesh.triangles[0].data(),
+            3 * mesh.triangles.size(), 1);
+  const auto* points = mesh.positions.empty() ? nullptr : &mesh.positions[0].x;
+  out.array("point3f", "points", points, mesh.positions.size(), 3);
+  if (!mesh.normals.empty())
+    out.array("normal3f", "normals", &mesh.normals[0].x, mesh.normals.size(), 3, kPerVertex);
+  for (const mesh::Attribute& attribute : mesh.attributes) write_attribute(out, attribute);
+}
+
+/// The index for which all of a body has as much of a face as the share of it has.
+double weakened(double ior, double share) {
+  const double f = std::sqrt(share) * std::fabs((ior - 1) / (ior + 1));
+  return (1 + f) / (1 - f);
+}
+
+void write_input(UsdText& out, const Part& part, const std::string& path, const Channel& channel,
+                 const std::string& input) {
+  const char* type = channel.color ? "color3f" : "float";
+  if (varies(part, channel))
+    out.line("{} inputs:{}.connect = <{}/{}.outputs:result>", type, input, path,
+             primvar(channel.attribute));
+  else if (channel.color)
+    out.line("{} inputs:{} = {}", type, input, usd_tuple(part.look.*channel.color));
+  else
+    out.line("{} inputs:{} = {}", type, input, part.look.*channel.number);
+}
+
+}  // namespace
+
+void write_usd_mesh(UsdText& out, const Part& part, const std::string& name,
+                    const std::string& material) {
+  std::vector<std::string> metadata = {"prepend apiSchemas = [\"MaterialBindingAPI\"]"};
+  if (!part.coarser.empty()) {
+    metadata.push_back(fmt::format("variants = {{ string levelOfDetail = \"{}\" }}", kFull));
+    metadata.emplace_back("prepend variantSets = \"levelOfDetail\"");
+  }
+  out.def("Mesh", name, metadata);
+  out.line("rel material:binding = <{}>", material);
+  out.line("uniform token orientation = \"rightHanded\"");
+  out.line("uniform token subdivisionScheme = \"none\"");
+  if (part.look.thin) out.line("uniform bool doubleSided = true");
+  if (!varies(part, channels()[0]))
+    out.line("color3f[] primvars:displayColor = [{}] (interpolation = \"constant\")",
+             usd_tuple(part.look.base_color));
+  if (part.coarser.empty()) {
+    write_shape(out, *part.mesh);
+    out.end();
+    return;
+  }
+  out.open("variantSet \"levelOfDetail\" = {");
+  out.open(fmt::format("\"{}\" {{", kFull));
+  write_shape(out, *part.mesh);
+  out.end();
+  for (size_t i = 0; i < part.coarser.size(); ++i) {
+    out.open(fmt::format("\"lod{}\" {{", i + 1));
+    out.line("custom double vug:distance = {}", part.coarser[i].distance);
+    write_shape(out, *part.coarser[i].mesh);
+    out.end();
+  }
+  out.end().end();
+}
+
+bool same_usd_material(const Part& a, const Part& b) {
+  if (a.material != b.material || !(a.look == b.look)) return false;
+  return std::all_of(channels().begin(), channels().end(), [&](const Channel& channel) {
+    return varies(a, channel) == varies(b, channel);
+  });
+}
+
+void write_usd_material(UsdText& out, const Part& part, const std::string& path,
+                        const std::string& name) {
+  const Look& look = part.look;
+  out.def("Material", name);
+  out.line("token outputs:surface.connect = <{}/surface.outputs:surface>", path);
+  out.def("Shader", "surface");
+  out.line("uniform token info:id = \"UsdPreviewSurface\"");
+  for (const Channel& channel : channels()) {
+    if (channel.color == &Look::base_color) write_input(out, part, path, channel, "diffuseColor");
+    if (channel.color == &Look::emission) write_input(out, part, path, channel, "emissiveColor");
+    if (channel.number == &Look::roughness) write_input(out, part, path, channel, "roughness");
+    if (channel.number == &Look::metallic) write_input(out, part, path, channel, "metallic");
+    if (channel.number == &Look::wetness) write_input(out, part, path, channel, "clearcoat");
+  }
+  out.line("float inputs:clearcoatRoughness = {}", look.coat_roughness);
+  out.line("float inputs:ior = {}", weakened(look.ior, look.specular));
+  out.line("float inputs:opacity = {}", 1 - look.transmission);
+  out.line("int inputs:useSpecularWorkflow = 0");
+  out.line("token outputs:surface");
+  out.end();
+  for (const Channel& channel : channels()) {
+    if (!varies(part, channel)) continue;
+    const std::string reader = primvar(channel.attribute);
+    out.def("Shader", reader);
+    out.line("uniform token info:id = \"UsdPrimvarReader_float{}\"", channel.color ? "3" : "");
+    out.line("string inputs:varname = \"{}\"", reader);
+    out.line("{} outputs:result", channel.color ? "float3" : "float");
+    out.end();
+  }
+  out.end();
+}
+
+}  // namespace vug::exchange

@@ -1,0 +1,65 @@
+// Inside exchange/ only: the text form of USD on its way out.
+#pragma once
+
+#include <vug/base/transform.h>
+#include <vug/mesh/output.h>
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace vug::exchange {
+
+/// Lines with their indent; blocks in braces. Numbers are the shortest that read back the same.
+class UsdText {
+ public:
+  explicit UsdText(const mesh::ByteSink& sink) : out_(sink) {}
+
+  template <class... Parts>
+  UsdText& line(fmt::format_string<Parts...> form, Parts&&... parts) {
+    indent();
+    out_.text(fmt::format(form, std::forward<Parts>(parts)...)).text("\n");
+    return *this;
+  }
+  /// `def TYPE "NAME" (metadata) {` and so on; end() closes it.
+  UsdText& def(const std::string& type, const std::string& name,
+               const std::vector<std::string>& metadata = {});
+  UsdText& open(const std::string& text);
+  UsdText& end();
+
+  /// `TYPE[] NAME = [(...), ...]`, tuples of `arity` numbers, with metadata in brackets behind it.
+  template <class T>
+  UsdText& array(const std::string& type, const std::string& name, const T* values, size_t count,
+                 int arity, const std::string& metadata = {}) {
+    indent();
+    out_.text(type).text("[] ").text(name).text(" = [");
+    for (size_t i = 0; i < count; ++i) {
+      if (i > 0) out_.text(", ");
+      if (arity > 1) out_.text("(");
+      for (int k = 0; k < arity; ++k) {
+        if (k > 0) out_.text(", ");
+        out_.number(values[i * static_cast<size_t>(arity) + static_cast<size_t>(k)]);
+      }
+      if (arity > 1) out_.text(")");
+    }
+    out_.text("]").text(metadata).text("\n");
+    return *this;
+  }
+  /// Where something stands; nothing for what stands where it is.
+  UsdText& place(const Transform& place);
+  void finish() { out_.finish(); }
+
+ private:
+  void indent();
+
+  mesh::Output out_;
+  size_t depth_ = 0;
+};
+
+/// In quotes, with escapes.
+std::string usd_string(const std::string& text);
+/// (x, y, z)
+std::string usd_tuple(const Vec3d& v);
+
+}  // namespace vug::exchange

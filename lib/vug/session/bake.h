@@ -1,0 +1,18 @@
+// Looks at the vertices of a mesh: what its material says of each place, as attributes.
+#pragma once
+
+#include <vug/exchange/look.h>
+#include <vug/render/scene.h>
+
+namespace vug::session {
+
+struct Baked {
+  mesh::MeshPtr mesh;   ///< With an attribute for each channel of the look that varies.
+  exchange::Look look;  ///< Elsewhere the mean.
+};
+
+/// The object's material, seen from outside in the mesh's own space; its "Cd" becomes the body's
+/// colour. An attribute of the mesh that is called like a channel is kept under "raw_NAME".
+Baked bake(const render::Object& object);
+
+}  // namespace vug::session

@@ -1,0 +1,195 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/memory.h>
+#include <vug/cells/as_points.h>
+#include <vug/exchange/channels.h>
+#include <vug/mesh/format.h>
+#include <vug/session/assemble.h>
+#include <vug/session/cells_files.h>
+#include <vug/session/export_set.h>
+#include <vug/volume/fog.h>
+#include <vug/volume/io.h>
+#include <vug/volume/placed.h>
+
+#include <fmt/format.h>
+
+namespace vug::session {
+namespace {
+
+exchange::Space space_of(const ExportOptions& options) {
+  exchange::Space space = options.program->space;
+  if (options.up) space.up = *options.up;
+  if (options.metres_per_unit) space.metres_per_unit = *options.metres_per_unit;
+  return space;
+}
+
+/// Names and places of files.
+class Names {
+ public:
+  Names(const Shot& shot, std::filesystem::path folder, const ExportOptions& options)
+      : shot_(shot), folder_(std::move(folder)), options_(options) {}
+
+  std::filesystem::path scene(const std::string& format) const {
+    return folder_ / fmt::format("{}.{}", shot_.name, format);
+  }
+  std::filesystem::path volume(const VolumePlan& plan) const {
+    return folder_ / fmt::format("{}_{}.vdb", shot_.name, plan.name);
+  }
+  std::filesystem::path points(const CellsPlan& plan) const {
+    const std::string& format = options_.program->points_format;
+    return folder_ /
+           fmt::format("{}_{}_points.{}", shot_.name, plan.name, format.empty() ? "vdb" : format);
+  }
+  std::filesystem::path grids(const CellsPlan& plan) const {
+    return folder_ / fmt::format("{}_{}_grids.vdb", shot_.name, plan.name);
+  }
+
+ private:
+  const Shot& shot_;
+  std::filesystem::path folder_;
+  const ExportOptions& options_;
+};
+
+mesh::Mesh as_mesh(const volume::Points& points) {
+  mesh::Mesh out;
+  out.positions = points.position;
+  for (const volume::PointAttribute& each : points.attributes) {
+    mesh::Attribute made{each.name, 1, {}};
+    if (const auto* vectors = std::get_if<std::vector<Vec3f>>(&each.values)) {
+      if (each.name == "N") {
+        out.normals = *vectors;
+        continue;
+      }
+      made.arity = 3;
+      for (const Vec3f& v : *vectors) made.values.insert(made.values.end(), {v.x, v.y, v.z});
+    } else {
+      std::visit(
+          [&](const auto& values) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(values)>, std::vector<Vec3f>>)
+              for (const auto value : values) made.values.push_back(static_cast<float>(value));
+          },
+          each.values);
+    }
+    out.attributes.push_back(std::move(made));
+  }
+  return out;
+}
+
+class Exporter {
+ public:
+  Exporter(Builder& builder, const std::filesystem::path& folder, const ExportOptions& options)
+      : builder_(builder),
+        options_(options),
+        names_(builder.shot(), folder, options),
+        space_(space_of(options)),
+        way_(exchange::way({}, space_)) {
+    const Shot& shot = builder.shot();
+    vdb_.metadata = {{"vug:recipe", shot.recipe},
+                     {"vug:seed", static_cast<int64_t>(shot.seed)},
+                     {"vug:frame", shot.frame},
+                     {"vug:upAxis", exchange::to_string(space_.up)},
+                     {"vug:metersPerUnit", space_.metres_per_unit}};
+  }
+
+  exchange::Written all() {
+    Assembled made = assemble(builder_);
+    for (const VolumePtr& plan : builder_.shot().volumes)
+      made.assembly.volumes.push_back(write(*plan, builder_.level_set(plan)));
+    for (const CellsPtr& plan : declared_cells(builder_.shot())) write(plan);
+    out_.left_out = std::move(made.left_out);
+    for (const std::string& name : options_.program->formats) {
+      const exchange::Format& format = exchange::format(name);
+      exchange::Written more = exchange::write(format, made.assembly, space_, names_.scene(name),
+                                               options_.program->options, builder_.progress());
+      out_.files.insert(out_.files.end(), more.files.begin(), more.files.end());
+      for (const std::string& what : more.left_out)
+        out_.left_out.push_back(fmt::format("{} in .{}", what, name));
+    }
+    return std::move(out_);
+  }
+
+ private:
+  exchange::Volume write(const VolumePlan& plan, const volume::LevelSet& level_set) {
+    const volume::Grid grid = plan.fog ? volume::fog(level_set) : volume::Grid(level_set);
+    const Box3d bounds = grid.statistics().bounds;
+    const std::string name = plan.fog ? "density" : "surface";
+    const std::filesystem::path file = names_.volume(plan);
+    write(file, {grid.named(name).stored_as_half(plan.half)});
+    return {plan.name,
+            file.filename().string(),
+            {{name, volume::to_string(grid.grid_class())}},
+            bounds};
+  }
+  void write(const CellsPtr& plan) {
+    const SkinPtr skin = builder_.skin(plan);
+    if (plan->writes("grids")) write(names_.grids(*plan), cell_grids(builder_, plan));
+    if (!plan->writes("points")) return;
+    constexpr double kBytes = 150;  // see write_products
+    require_memory(kBytes * static_cast<double>(skin->network().size()), builder_.room(),
+                   fmt::format("the points of '{}'", plan->name), "leave them out of its files");
+    volume::Points points = cells::as_points(skin->simulation);
+    move(points);
+    const std::filesystem::path file = names_.points(*plan);
+    if (!options_.program->points_format.empty()) {
+      mesh::write_mesh(as_mesh(points), file);
+    } else {
+      if (plan->half)
+        for (volume::PointAttribute& each : points.attributes) each.half = true;
+      const double voxel = cells::voxel_of_points(skin->network()) * way_.max_stretch();
+      volume::write(file, {volume::point_grid(points, voxel).named(plan->name)}, vdb_);
+    }
+    out_.files.push_back(file);
+  }
+  /// Into the program's space: places, what points somewhere, and the size of points.
+  void move(volume::Points& points) const {
+    if (space_ == exchange::Space()) return;
+    const double scale = way_.max_stretch();
+    for (Vec3f& p : points.position) p = Vec3f(way_.point(Vec3d(p)));
+    for (volume::PointAttribute& each : points.attributes) {
+      if (auto* vectors = std::get_if<std::vector<Vec3f>>(&each.values);
+          vectors && !exchange::is_color(each.name))
+        for (Vec3f& v : *vectors) v = Vec3f(way_.vector(Vec3d(v)) / scale);
+      if (auto* sizes = std::get_if<std::vector<float>>(&each.values);
+          sizes && each.name == "pscale")
+        for (float& size : *sizes) size *= static_cast<float>(scale);
+    }
+  }
+  void write(const std::filesystem::path& file, const std::vector<volume::Grid>& grids) {
+    std::vector<volume::Grid> there;
+    for (const volume::Grid& grid : grids)
+      there.push_back(space_ == exchange::Space() ? grid : volume::placed(grid, way_));
+    volume::write(file, there, vdb_);
+    out_.files.push_back(file);
+  }
+
+  Builder& builder_;
+  const ExportOptions& options_;
+  Names names_;
+  exchange::Space space_;
+  Transform way_;
+  volume::WriteOptions vdb_;
+  exchange::Written out_;
+};
+
+}  // namespace
+
+std::vector<std::filesystem::path> export_paths(const Shot& shot,
+                                                const std::filesystem::path& folder,
+                                                const ExportOptions& options) {
+  const Names names(shot, folder, options);
+  std::vector<std::filesystem::path> paths;
+  for (const VolumePtr& plan : shot.volumes) paths.push_back(names.volume(*plan));
+  for (const CellsPtr& plan : declared_cells(shot)) {
+    if (plan->writes("grids")) paths.push_back(names.grids(*plan));
+    if (plan->writes("points")) paths.push_back(names.points(*plan));
+  }
+  for (const std::string& format : options.program->formats) paths.push_back(names.scene(format));
+  return paths;
+}
+
+exchange::Written export_set(Builder& builder, const std::filesystem::path& folder,
+                             const ExportOptions& options) {
+  for (const auto& path : export_paths(builder.shot(), folder, options)) require_writable(path);
+  return Exporter(builder, folder, options).all();
+}
+
+}  // namespace vug::session

@@ -1,0 +1,32 @@
+// All that another program is given, in files.
+#pragma once
+
+#include <vug/exchange/program.h>
+#include <vug/session/build.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::session {
+
+struct ExportOptions {
+  const exchange::Program* program = nullptr;  ///< Whom it is for.
+  std::optional<exchange::UpAxis> up;          ///< Instead of the program's.
+  std::optional<double> metres_per_unit;       ///< Likewise.
+};
+
+/// The files that export_set is sure to write.
+std::vector<std::filesystem::path> export_paths(const Shot& shot,
+                                                const std::filesystem::path& folder,
+                                                const ExportOptions& options);
+
+/// Writes into `folder`, each file whole or not at all, where NAME is the shot's: NAME.glb or what
+/// else the program reads; a file NAME_VOLUME.vdb for each volume, with the grid `surface` or
+/// `density`; of cells NAME_CELLS_points and, where the scene asks for them, the grids of what they
+/// carry in NAME_CELLS_grids.vdb. The builder's shot is one of with_meshes.
+exchange::Written export_set(Builder& builder, const std::filesystem::path& folder,
+                             const ExportOptions& options);
+
+}  // namespace vug::session

@@ -1,0 +1,162 @@
+// What the text says, by plain search; tests/dcc reads it with readers of others.
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/exchange/program.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "sample.h"
+
+namespace vug::exchange {
+namespace {
+
+class Usda : public testing::Test {
+ protected:
+  Usda()
+      : folder_(testing::TempDir() + "vug_usda_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    std::filesystem::remove_all(folder_);
+  }
+  ~Usda() override { std::filesystem::remove_all(folder_); }
+
+  std::string text_of(const Assembly& assembly, const Space& space = {},
+                      const FormatOptions& options = {}) {
+    written_ = write(format("usda"), assembly, space, folder_ / "a.usda", options);
+    return read_text(folder_ / "a.usda");
+  }
+  std::filesystem::path folder_;
+  Written written_;
+};
+
+size_t count(const std::string& text, const std::string& what) {
+  size_t found = 0;
+  for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+/// The numbers behind the first "NAME = " after `from`, brackets passed over, to the line's end.
+std::vector<double> numbers(const std::string& text, const std::string& name,
+                            const std::string& from = "") {
+  const size_t begin = text.find(from);
+  const size_t at = text.find(" " + name + " = ", begin == std::string::npos ? 0 : begin);
+  if (at == std::string::npos) return {};
+  std::string line = text.substr(at + name.size() + 4);
+  line = line.substr(0, std::min(line.find('\n'), line.find(" (inter")));
+  std::replace_if(
+      line.begin(), line.end(),
+      [](char c) { return c == '(' || c == ')' || c == '[' || c == ']' || c == ','; }, ' ');
+  std::istringstream in(line);
+  std::vector<double> out;
+  for (double value = 0; in >> value;) out.push_back(value);
+  return out;
+}
+
+TEST_F(Usda, ACubeOfAMetreIsOneMetreInEverySpace) {
+  for (const double unit : {1.0, 0.01})
+    for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
+      const std::string text = text_of(sample(), {up, unit});
+      EXPECT_EQ(numbers(text, "metersPerUnit"), std::vector<double>{unit});
+      EXPECT_EQ(count(text, up == UpAxis::y ? "upAxis = \"Y\"" : "upAxis = \"Z\""), 1u);
+      const std::vector<double> box = numbers(text, "extent");
+      ASSERT_EQ(box.size(), 6u);
+      for (size_t i = 0; i < 3; ++i) EXPECT_NEAR((box[i + 3] - box[i]) * unit, 1, 1e-6);
+      // The camera stands 1.5 m up and sees 36 mm of film, in tenths of the unit.
+      const std::vector<double> place = numbers(text, "xformOp:transform", "Camera \"main\"");
+      ASSERT_EQ(place.size(), 16u);
+      EXPECT_NEAR(place[up == UpAxis::y ? 13 : 14] * unit, 1.5, 1e-9);
+      const double film = numbers(text, "horizontalAperture", "Camera \"main\"").at(0);
+      const double focal = numbers(text, "focalLength", "Camera \"main\"").at(0);
+      EXPECT_NEAR(film * unit / 10, 0.036, 1e-9);
+      EXPECT_NEAR(film / (2 * focal), 1, 1e-9);  // the tangent of 45 degrees
+      // f-number: focal length over the opening of 1 cm.
+      EXPECT_NEAR(numbers(text, "fStop", "Camera \"main\"").at(0), 0.018 / 0.01, 1e-9);
+      EXPECT_NEAR(numbers(text, "inputs:radius", "SphereLight").at(0) * unit, 0.25, 1e-9);
+    }
+}
+
+TEST_F(Usda, EverythingIsThereOnce) {
+  Assembly all = sample();
+  all.volumes.push_back(
+      {"fog", "sample_fog.vdb", {{"density", "fog volume"}}, Box3d(Vec3d(0.0), Vec3d(1.0))});
+  const std::string text = text_of(all);
+  const std::pair<const char*, size_t> expected[] = {{"def Mesh ", 2},
+                                                     {"def PointInstancer ", 1},
+                                                     {"def Camera ", 2},
+                                                     {"def SphereLight ", 2},
+                                                     {"def RectLight ", 1},
+                                                     {"def DiskLight ", 1},
+                                                     {"def DistantLight ", 1},
+                                                     {"def DomeLight ", 1},
+                                                     {"def Volume ", 1},
+                                                     {"def OpenVDBAsset ", 1},
+                                                     {"def Material ", 1},
+                                                     {"point3f[] points", 1},
+                                                     {"color3f[] primvars:displayColor", 1},
+                                                     {"float[] primvars:wetness", 1},
+                                                     {"vector3f[] primvars:flow", 1},
+                                                     {"prepend references", 1}};
+  for (const auto& [what, times] : expected) EXPECT_EQ(count(text, what), times) << what;
+  EXPECT_EQ(numbers(text, "positions").size(), 9u);
+  EXPECT_EQ(count(text, "{"), count(text, "}"));
+}
+
+TEST_F(Usda, LampsHaveTheirRadianceAndTheSunItsIrradiance) {
+  const std::string text = text_of(sample());
+  EXPECT_EQ(numbers(text, "inputs:intensity", "SphereLight"), std::vector<double>{4});
+  EXPECT_EQ(numbers(text, "inputs:color", "SphereLight"), (std::vector<double>{1, 0.5, 0.25}));
+  EXPECT_NEAR(numbers(text, "inputs:intensity", "DistantLight").at(0),
+              4 * kPi * std::pow(std::sin(0.005), 2), 1e-12);
+  EXPECT_NEAR(numbers(text, "inputs:shaping:cone:angle").at(0), 0.5 * 180 / kPi, 1e-9);
+}
+
+TEST_F(Usda, TheRecipeIsOneString) {
+  const std::string text = text_of(sample());
+  EXPECT_EQ(count(text, R"("seed 7\n# a \"recipe\"\n")"), 1u);
+}
+
+TEST_F(Usda, LevelsOfDetailAreVariants) {
+  Assembly all = sample();
+  all.parts[0].coarser.push_back({all.parts[0].mesh, 0.25});
+  const std::string text = text_of(all, {UpAxis::y, 0.01});
+  EXPECT_EQ(count(text, "variantSet \"levelOfDetail\""), 1u);
+  EXPECT_EQ(count(text, "\"lod1\" {"), 1u);
+  EXPECT_EQ(numbers(text, "vug:distance"), std::vector<double>{25});
+}
+
+TEST_F(Usda, APictureOfTheSkyIsAFileBeside) {
+  Assembly all = sample();
+  image::Image sky(4, 2, {"R", "G", "B"});
+  all.lamps.back().picture = std::make_shared<const image::Image>(sky);
+  const std::string text = text_of(all);
+  ASSERT_EQ(written_.files.size(), 2u);
+  EXPECT_TRUE(std::filesystem::exists(written_.files[1]));
+  EXPECT_EQ(count(text, "@./a_lamp5.exr@"), 1u);
+}
+
+TEST_F(Usda, AnUnwritablePathIsTold) {
+  std::filesystem::create_directories(folder_ / "b.usda");
+  EXPECT_THROW(write(format("usda"), sample(), {}, folder_ / "b.usda"), Error);
+  text_of(sample());
+  const std::string before = read_text(folder_ / "a.usda");
+  Progress cancelled;
+  cancelled.cancel();
+  EXPECT_THROW(write(format("usda"), sample(), {}, folder_ / "a.usda", {}, cancelled), Error);
+  EXPECT_EQ(before, read_text(folder_ / "a.usda"));
+}
+
+TEST(Programs, NameFormatsThatThereAre) {
+  for (const Program* each : programs()) {
+    EXPECT_FALSE(each->formats.empty()) << each->info.name;
+    for (const std::string& name : each->formats) EXPECT_NO_THROW(format(name));
+    EXPECT_EQ(&program(each->info.name), each);
+  }
+  EXPECT_THROW(program("softimage"), Error);
+  EXPECT_THROW(format("fbx"), Error);
+}
+
+}  // namespace
+}  // namespace vug::exchange

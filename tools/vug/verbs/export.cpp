@@ -1,0 +1,67 @@
+#include "arguments.h"
+#include "bar.h"
+#include "load.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vug/base/atomic_file.h>
+#include <vug/base/parallel.h>
+#include <vug/session/assemble.h>
+#include <vug/session/export_set.h>
+#include <vug/session/inputs.h>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  WorkOptions work;
+  std::string folder;
+  std::string program = "usd";
+  std::string up, unit;
+};
+
+int run(const Options& options) {
+  session::ExportOptions what;
+  what.program = &exchange::program(options.program);
+  if (!options.up.empty()) what.up = options.up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
+  if (!options.unit.empty()) what.metres_per_unit = options.unit == "cm" ? 0.01 : 1;
+  const ThreadLimit threads(options.work.threads);
+  const session::Loaded loaded = options.scene.load();
+  const session::Shot shot = session::with_meshes(loaded.shot);
+  require_outputs(session::export_paths(shot, options.folder, what), session::files_named(loaded));
+  session::Builder builder(shot, options.work.build_options(loaded),
+                           terminal_progress(options.work.bar()));
+  const exchange::Written written = session::export_set(builder, options.folder, what);
+  for (const auto& path : written.files) fmt::print("{}\n", path.string());
+  if (options.work.quiet) return kDone;
+  clear_bar();
+  for (const std::string& each : written.left_out) fmt::print(stderr, "left out: {}\n", each);
+  options.work.summarise(builder);
+  return kDone;
+}
+
+}  // namespace
+
+Verb export_verb() {
+  return {"export", "Writes what another program reads best: meshes, volumes, cameras, lights.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            options->scene.add_to(app);
+            app.add_option("-o,--output", options->folder, "the folder to write into")->required();
+            std::vector<std::string> programs;
+            for (const exchange::Program* each : exchange::programs())
+              programs.push_back(each->info.name);
+            app.add_option("--for", options->program,
+                           fmt::format("whom it is for: {}; else usd", fmt::join(programs, ", ")));
+            app.add_option("--up", options->up,
+                           "the axis that points up, y or z, instead of its own")
+                ->check(CLI::IsMember({"y", "z"}));
+            app.add_option("--unit", options->unit, "the unit, m or cm, instead of its own")
+                ->check(CLI::IsMember({"m", "cm"}));
+            options->work.add_to(app);
+            return [options] { return run(*options); };
+          }};
+}
+
+}  // namespace vug::cli
