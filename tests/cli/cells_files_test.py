@@ -75,6 +75,11 @@ class CellsFiles(VugTest):
     def info(self, file):
         return json.loads(self.expect(0, "info", file, "--json").out)
 
+    def test_what_a_table_holds(self):
+        about = self.info("out/s_crust.csv")
+        self.assertEqual((about["type"], about["rows"]), ("table", self.info("out/s_crust.vdb")["grids"][0]["points"]["count"]))
+        self.assertEqual(about["columns"][:4], ["id", "x", "y", "z"])
+
     def test_points_grids_and_table_are_written(self):
         self.assertEqual(self.files(), ["out/s.ply", "out/s.vdb", "out/s_crust.csv", "out/s_crust.vdb", "s.vug"])
         grid, = self.info("out/s_crust.vdb")["grids"]
@@ -220,12 +225,15 @@ class CellsFiles(VugTest):
         self.assertIn("a checkpoint of cells holds their points",
                       self.expect(2, "build", "s.vug", "-o", "x", "--checkpoint", "kept.state").err)
         self.write("bad.vug", SCENE % ('files ["ply"]', 60))
-        self.assertIn("bad.vug:4:7: error: 'ply' is no file of cells", self.expect(2, "check", "bad.vug").err)
+        error = self.expect(2, "check", "bad.vug").err
+        self.assertRegex(error, r"bad\.vug:\d+:\d+: error: 'ply' is no file of cells")
+        self.assertIn(error.splitlines()[1][error.splitlines()[2].index("^"):][:5], '"ply"')
         self.write("from.vug", SCENE % ('from "out/s.vdb"', 60))
-        error = self.expect(2, "build", "from.vug", "-o", "x").err
-        self.assertIn("from.vug:4:7: error: 'out/s.vdb' holds no points", error)
         self.write("lost.vug", SCENE % ('from "lost.vdb"', 60))
-        self.assertIn("cannot read 'lost.vdb'", self.expect(2, "build", "lost.vug", "-o", "x").err)
+        for verb in (("build", "-o", "x"), ("check",)):
+            error = self.expect(2, verb[0], "from.vug", *verb[1:]).err
+            self.assertIn("from.vug:4:7: error: 'out/s.vdb' holds no points", error)
+            self.assertIn("cannot read 'lost.vdb'", self.expect(2, verb[0], "lost.vug", *verb[1:]).err)
 
 
 if __name__ == "__main__":

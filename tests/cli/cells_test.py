@@ -66,6 +66,23 @@ class Cells(VugTest):
             self.assertEqual("warning: nobody brings an attribute 'crak'" in error, told, error)
             self.assertEqual("did you mean 'crack'?" in error, told, error)
 
+    def test_a_misspelt_attribute_in_a_layer_is_a_warning(self):
+        for name, told in (("crak", True), ("crack", False), ("my_own", False)):
+            self.write("s.vug", SCENE % ("wall", GOOD) + 'render more { layers ["beauty", "attribute_%s"] }\n' % name)
+            self.assertEqual("warning: nobody brings an attribute 'crak'" in self.expect(0, "check", "s.vug").err, told, name)
+
+    def test_a_surface_that_folds_is_doubtful(self):
+        # Where two balls meet, they grow into each other.
+        for height, folds in ((0.5, True), (-0.05, False)):
+            scene = SCENE.replace("sphere(1m)", "sphere(1m) + sphere(1m).translate((1.4, 0, 0))")
+            self.write("s.vug", scene % ("wall", f'spacing 10cm  steps 1  run set(attribute: "height", to: {height})'))
+            error = self.expect(0, "build", "s.vug", "-o", "out").err
+            self.assertEqual("warning: where cells move the mesh 'skin' it folds" in error, folds, error)
+
+    def test_a_surface_that_flies_away_is_refused(self):
+        self.refused('spacing 20cm  steps 1  run set(attribute: "height", to: 1000000)', 7, "cells move the surface by up to 1e+06 m",
+                     "'height' is in metres; with 'move false' the mesh stays where it is")
+
     def test_a_surface_that_is_gone_is_doubtful(self):
         self.write("s.vug", SCENE % ("wall", 'spacing 20cm  holes true  steps 2  run set(attribute: "k", to: 1), '
                                              'freeze(attribute: "k", above: 0.5, as: transparent)'))

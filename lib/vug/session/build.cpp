@@ -211,7 +211,15 @@ Builder::MadeMesh Builder::make_worn(const MeshPlan& plan) {
   mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
   if (refine) bare = refined_for(*plan.cells, *bare, room());
-  const auto worn = std::make_shared<const mesh::Mesh>(wear(*bare, *skin, *plan.cells, progress_));
+  Worn made = wear(*bare, *skin, *plan.cells, progress_);
+  if (made.turned > 0)
+    warn(plan.cells->where,
+         fmt::format(
+             "where cells move the mesh '{}' it folds: {} of its {} triangles are turned over",
+             plan.name, made.turned, bare->triangles.size()),
+         "let them move less, or make a volume of it and a mesh of that: volume NAME on " +
+             plan.name);
+  const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
   if (worn->triangles.empty() && !bare->triangles.empty())
     warn(plan.cells->where, fmt::format("nothing is left of the mesh '{}'", plan.name),
          "all of its cells are gone and 'holes' cuts them away");

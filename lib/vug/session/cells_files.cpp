@@ -2,6 +2,7 @@
 #include <vug/base/memory.h>
 #include <vug/cells/onto_mesh.h>
 #include <vug/mesh/output.h>
+#include <vug/session/blame.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/make_mesh.h>
 #include <vug/volume/band.h>
@@ -50,6 +51,11 @@ volume::Grid grid_of(const mesh::Attribute& attribute, const volume::LevelSet& l
     vectors[i] = {attribute.values[3 * i], attribute.values[3 * i + 1],
                   attribute.values[3 * i + 2]};
   return volume::band_grid(level_set, vectors);
+}
+
+Error without_points(const std::filesystem::path& file) {
+  return Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", file.string()), {},
+               "vug build writes them of cells whose files are not told to leave them out");
 }
 
 /// Names of columns of a table.
@@ -159,13 +165,25 @@ void read_cells(const volume::Grid& grid, cells::Simulation& simulation) {
                  exact ? cells::Keep::exact : cells::Keep::shown, apart);
 }
 
+void require_points(const CellsPlan& plan) {
+  if (plan.from.empty()) return;
+  try {
+    const volume::FileInfo info = volume::info(plan.from);
+    if (std::none_of(info.grids.begin(), info.grids.end(),
+                     [](const volume::GridInfo& grid) { return grid.points.has_value(); }))
+      throw without_points(plan.from);
+  } catch (const Error& error) {
+    throw blamed_on(plan.where, error);
+  }
+}
+
 void read_cells(const std::filesystem::path& file, const CellsPlan& plan,
                 cells::Simulation& simulation) {
   const volume::Grid* found = nullptr;
   const std::vector<volume::Grid> grids = volume::read(file);
   for (const volume::Grid& grid : grids)
     if (volume::is_points(grid) && (!found || grid.name() == plan.name)) found = &grid;
-  if (!found) throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", file.string()));
+  if (!found) throw without_points(file);
   try {
     read_cells(*found, simulation);
   } catch (const Error& error) {

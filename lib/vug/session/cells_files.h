@@ -27,6 +27,9 @@ std::vector<volume::Grid> cell_grids(Builder& builder, const CellsPtr& plan);
 /// them a line of their names: x, y and z, so that a scene can place things there.
 void write_table(const std::filesystem::path& file, const Skin& skin);
 
+/// Error at the plan's name where the file that it goes on from cannot be read or holds no points.
+void require_points(const CellsPlan& plan);
+
 /// Puts back what points of a file carry that cell_points has made of equal cells: the grid of the
 /// plan's name, or the first that holds points. Error(bad_input).
 void read_cells(const std::filesystem::path& file, const CellsPlan& plan,

@@ -4,6 +4,11 @@
 
 namespace vug::session {
 
+const std::vector<std::string>& cell_files() {
+  static const std::vector<std::string> all = {"points", "grids", "csv"};
+  return all;
+}
+
 int CellsPlan::length() const {
   if (steps) return *steps;
   constexpr int kOpenEnd = 100;  // for rules that work to the end
@@ -18,9 +23,10 @@ bool CellsPlan::writes(const std::string& what) const {
 }
 
 std::string CellsPlan::fault() const {
+  const std::vector<std::string>& known = cell_files();
   for (const std::string& each : files)
-    if (each != "points" && each != "grids" && each != "csv")
-      return "'" + each + "' is no file of cells: these are \"points\", \"grids\" and \"csv\"";
+    if (std::find(known.begin(), known.end(), each) == known.end())
+      return "'" + each + "' is no file of cells";
   return {};
 }
 

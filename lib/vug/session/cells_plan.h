@@ -27,6 +27,9 @@ struct CellStage {
 };
 using CellStagePtr = std::shared_ptr<const CellStage>;
 
+/// What `vug build` can write of cells: "points", "grids" beside the level set, a table, "csv".
+const std::vector<std::string>& cell_files();
+
 struct CellsPlan {
   std::string name;
   std::vector<MeshPtr> on;          ///< What they stand on.
@@ -52,7 +55,7 @@ struct CellsPlan {
 
   /// Steps of the whole run: `steps`, else what the last stage needs: 100 if it says nothing.
   int length() const;
-  /// Whether `vug build` writes "points", "grids" beside the level set, or a table, "csv".
+  /// One of cell_files().
   bool writes(const std::string& what) const;
   std::string fault() const;  ///< A sentence on `files` that are none; else empty.
 };

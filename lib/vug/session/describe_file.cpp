@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace vug::session {
 namespace {
@@ -94,6 +96,21 @@ Json describe_mesh(const std::filesystem::path& file) {
           {"bounds", corners(mesh::bounds(mesh))}};
 }
 
+/// A table with a line of names, as of cells.
+Json describe_table(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  const size_t end = std::min(text.find('\n'), text.size());
+  std::istringstream names(text.substr(0, end - (end > 0 && text[end - 1] == '\r')));
+  Json columns = Json::array();
+  for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
+  const auto lines = std::count(text.begin(), text.end(), '\n') +
+                     static_cast<std::ptrdiff_t>(!text.empty() && text.back() != '\n');
+  return {{"file", file.string()},
+          {"type", "table"},
+          {"rows", std::max<std::ptrdiff_t>(0, lines - 1)},
+          {"columns", columns}};
+}
+
 /// A part of a picture, or a checkpoint: they differ only in that something is left to do.
 Json describe_part(const std::filesystem::path& file) {
   const render::PartOutline part = render::read_outline(file);
@@ -128,6 +145,7 @@ Json describe_part(const std::filesystem::path& file) {
 nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   if (extension == ".vdb") return describe_vdb(file);
+  if (extension == ".csv") return describe_table(file);
   for (const mesh::Format* format : mesh::formats())
     if (extension == "." + format->info.name) return describe_mesh(file);
   return render::is_part(file) || extension == ".vugpart" ? describe_part(file)

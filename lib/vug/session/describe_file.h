@@ -8,7 +8,8 @@
 namespace vug::session {
 
 /// .vdb: grids with class, type, voxel size, active voxels, bounds, metadata, points; pictures:
-/// size, channels, header texts; meshes: vertices, triangles, attributes, bounds.
+/// size, channels, header texts; meshes: vertices, triangles, attributes, bounds; tables: rows and
+/// columns.
 /// Error(bad_input) for other files and for broken ones.
 nlohmann::ordered_json describe_file(const std::filesystem::path& file);
 

@@ -26,6 +26,7 @@ class Search {
   Search(const std::vector<std::string>& names, Diagnostics& diagnostics)
       : names_(names), diagnostics_(diagnostics) {}
 
+  /// For masks and paints that read an attribute.
   void look(const scene::ExprPtr& expr) const {
     if (!expr) return;
     if (expr->kind == scene::ExprKind::call && (expr->text == "attribute" || expr->text == "value"))
@@ -33,18 +34,30 @@ class Search {
     for (const scene::Operand& operand : expr->operands) look(operand.value);
   }
 
+  /// For layers "attribute_NAME".
+  void look_at_layers(const scene::ExprPtr& expr) const {
+    if (expr->kind == scene::ExprKind::text && expr->text.rfind(kLayer, 0) == 0)
+      judge(expr->text.substr(kLayer.size()), expr->where);
+    for (const scene::Operand& operand : expr->operands) look_at_layers(operand.value);
+  }
+
  private:
+  static constexpr std::string_view kLayer = "attribute_";
+
   void judge(const scene::Expr& call) const {
     const scene::Expr* name = nullptr;
     for (const scene::Operand& operand : call.operands) {
       if (operand.name == "otherwise") return;
       if (operand.name == "name" || operand.name.empty()) name = operand.value.get();
     }
-    if (!name || name->kind != scene::ExprKind::text) return;
-    if (std::find(names_.begin(), names_.end(), name->text) != names_.end()) return;
-    const std::string near = nearest_name(name->text, names_);
+    if (name && name->kind == scene::ExprKind::text) judge(name->text, name->where);
+  }
+
+  void judge(const std::string& name, const SourceLocation& where) const {
+    if (std::find(names_.begin(), names_.end(), name) != names_.end()) return;
+    const std::string near = nearest_name(name, names_);
     if (near.empty()) return;
-    diagnostics_.warning(name->where, fmt::format("nobody brings an attribute '{}'", name->text),
+    diagnostics_.warning(where, fmt::format("nobody brings an attribute '{}'", name),
                          fmt::format("did you mean '{}'?", near));
   }
 
@@ -62,6 +75,8 @@ void warn_of_misspelt_attributes(const scene::Document& document, const Shot& sh
   for (const scene::Let& let : document.lets) search.look(let.value);
   for (const scene::Declaration& declaration : document.declarations) {
     search.look(declaration.value);
+    if (const scene::Entry* layers = declaration.find_entry("layers"))
+      for (const scene::ExprPtr& value : layers->values) search.look_at_layers(value);
     for (const scene::Entry& entry : declaration.entries)
       if (declaration.kind != "cells")  // told as errors
         for (const scene::ExprPtr& value : entry.values) search.look(value);

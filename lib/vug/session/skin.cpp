@@ -91,6 +91,7 @@ void look_around(const CellsPlan& plan, const std::vector<Ground>& grounds,
 
 Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
                Progress& progress, const SkinRun& how) {
+  if (!how.from) require_points(plan);
   Skin skin = how.from ? *how.from : fresh_skin(plan, grounds, memory, progress);
   if (skin.network().size() == 0) return skin;
   try {

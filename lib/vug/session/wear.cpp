@@ -1,23 +1,42 @@
 #include <vug/cells/onto_mesh.h>
 #include <vug/mesh/cut.h>
+#include <vug/mesh/moved.h>
 #include <vug/session/blame.h>
 #include <vug/session/wear.h>
 
-namespace vug::session {
+#include <fmt/format.h>
 
-mesh::Mesh wear(mesh::Mesh bare, const Skin& skin, const CellsPlan& plan, Progress& progress) {
-  if (bare.triangles.empty()) return bare;
+namespace vug::session {
+namespace {
+
+/// Metres in a unit that someone makes out who has written nonsense.
+void require_near(const mesh::Mesh& bare, const mesh::Mesh& moved) {
+  const double size = mesh::bounds(bare).size().length(), way = mesh::longest_way(bare, moved);
+  if (way > 10 * size)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("cells move the surface by up to {:.3g} m, and all of it is {:.3g} m",
+                            way, size),
+                {}, "'height' is in metres; with 'move false' the mesh stays where it is");
+}
+
+}  // namespace
+
+Worn wear(const mesh::Mesh& bare, const Skin& skin, const CellsPlan& plan, Progress& progress) {
+  Worn worn{bare, 0};
+  if (bare.triangles.empty()) return worn;
   cells::OntoMeshOptions options;
   options.move = plan.move;
   try {
-    cells::onto_mesh(skin.simulation, bare, options, progress);
+    cells::onto_mesh(skin.simulation, worn.mesh, options, progress);
+    if (plan.move) require_near(bare, worn.mesh);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
     throw blamed_on(plan.where, error);
   }
-  const mesh::Attribute* gone = mesh::find_attribute(bare, cells::kTransparent, 1);
-  if (!plan.holes || !gone) return bare;
-  return mesh::cut(bare, gone->values, 0.5F);
+  if (plan.move) worn.turned = mesh::turned_over(bare, worn.mesh);
+  const mesh::Attribute* gone = mesh::find_attribute(worn.mesh, cells::kTransparent, 1);
+  if (plan.holes && gone) worn.mesh = mesh::cut(worn.mesh, gone->values, 0.5F);
+  return worn;
 }
 
 }  // namespace vug::session

@@ -5,8 +5,14 @@
 
 namespace vug::session {
 
+struct Worn {
+  mesh::Mesh mesh;
+  size_t turned = 0;  ///< Triangles whose other side shows since it was moved.
+};
+
 /// The mesh with what the skin's cells carry at its vertices (see cells/onto_mesh.h), moved and
-/// with holes where the plan says so.
-mesh::Mesh wear(mesh::Mesh bare, const Skin& skin, const CellsPlan& plan, Progress& progress);
+/// with holes where the plan says so. Error(bad_input) at the plan's name where it would be moved
+/// by more than ten times its own size.
+Worn wear(const mesh::Mesh& bare, const Skin& skin, const CellsPlan& plan, Progress& progress);
 
 }  // namespace vug::session

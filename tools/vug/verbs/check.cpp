@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <vug/image/configured_view.h>
+#include <vug/session/cells_files.h>
 #include <vug/session/foresee.h>
 #include <nlohmann/json.hpp>
 
@@ -32,6 +33,11 @@ Json to_json(const session::Loaded& loaded, const std::string& file) {
 session::Loaded examine(const Options& options) {
   session::Loaded loaded = session::load(options.scene.scene, options.scene.load_options());
   if (!loaded.usable()) return loaded;
+  for (const session::CellsPtr& cells : session::declared_cells(loaded.shot)) try {
+      session::require_points(*cells);
+    } catch (const Error& error) {
+      loaded.diagnostics.error(error.where(), error.what(), error.hint());
+    }
   for (const session::RenderPlan& plan : loaded.shot.renders) try {
       if (session::shows_nothing(loaded.shot))
         loaded.diagnostics.warning(plan.where, "the scene has nothing to show");

@@ -15,7 +15,7 @@ struct Options {
 }  // namespace
 
 Verb info_verb() {
-  return {"info", "Tells what is in a .vdb, picture, mesh, part of a picture or checkpoint.",
+  return {"info", "Tells what is in a .vdb, picture, mesh, table, part of a picture or checkpoint.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             app.add_option("file", options->file, "the file")->required();

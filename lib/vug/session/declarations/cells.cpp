@@ -51,6 +51,21 @@ Schema<CellsPlan> schema() {
   return s;
 }
 
+/// Tells of texts among the values that name no file of cells; false where there is one.
+bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
+  const std::vector<std::string>& known = cell_files();
+  bool fine = true;
+  if (expr->kind == scene::ExprKind::text &&
+      std::find(known.begin(), known.end(), expr->text) == known.end()) {
+    fine = false;
+    diagnostics.error(expr->where, "'" + expr->text + "' is no file of cells",
+                      suggestion(expr->text, known));
+  }
+  for (const scene::Operand& operand : expr->operands)
+    fine &= are_files(operand.value, diagnostics);
+  return fine;
+}
+
 /// The values of an entry that names kinds of a family.
 Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key,
                Reading& reading) {
@@ -95,6 +110,9 @@ Arguments arguments_of(const scene::Declaration& declaration, Reading& reading, 
                                 "for instance: spacing 2cm");
       each.value = Value();
     }
+    if (each.name == "files")
+      for (const scene::ExprPtr& value : declaration.find_entry("files")->values)
+        if (!are_files(value, reading.diagnostics)) each.value = Value();
     arguments.push_back(std::move(each));
   }
   still = reading.resolver.frame_uses() == frame_uses;

@@ -78,7 +78,11 @@ mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, R
   try {
     return std::make_shared<const mesh::Mesh>(read_file(block.file, block.scale));
   } catch (const Error& error) {
-    reading.diagnostics.error(entry.values.at(0)->where, error.what(), error.hint());
+    const SourceLocation& there = error.where();
+    const std::string what =
+        there.known() ? fmt::format("{} (line {} of '{}')", error.what(), there.line, there.file)
+                      : error.what();
+    reading.diagnostics.error(entry.values.at(0)->where, what, error.hint());
     return nullptr;
   }
 }
