@@ -67,8 +67,8 @@ py::array_t<int64_t> whole_numbers(const py::handle& given, const std::string& w
   return array.cast<py::array_t<int64_t, py::array::c_style | py::array::forcecast>>();
 }
 
-py::object corners(const Box3d& box) {
-  if (box.isEmpty()) return py::none();
+std::optional<py::array_t<double>> corners(const Box3d& box) {
+  if (box.isEmpty()) return std::nullopt;
   py::array_t<double> out({2, 3});
   for (int i = 0; i < 3; ++i) {
     out.mutable_at(0, i) = box.min[i];

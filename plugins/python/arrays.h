@@ -42,7 +42,7 @@ py::array_t<double> numbers(const py::handle& given, const std::string& what, py
 py::array_t<int64_t> whole_numbers(const py::handle& given, const std::string& what,
                                    py::ssize_t columns);
 
-/// ((x, y, z), (x, y, z)) as an array of 2 x 3; None for an empty box.
-py::object corners(const Box3d& box);
+/// ((x, y, z), (x, y, z)) as an array of 2 x 3; nothing for an empty box.
+std::optional<py::array_t<double>> corners(const Box3d& box);
 
 }  // namespace vug::python

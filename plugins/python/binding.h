@@ -26,9 +26,10 @@ void bind_scene(py::module_& module);
 void bind_build(py::module_& module);
 void bind_catalogue(py::module_& module);
 
-/// Text of JSON as dicts, lists and numbers.
-inline py::object from_json(const std::string& text) {
-  return py::module_::import("json").attr("loads")(text);
+/// Text of JSON as dicts, lists and numbers; T is what it holds.
+template <class T = py::dict>
+T from_json(const std::string& text) {
+  return T(py::module_::import("json").attr("loads")(text));
 }
 
 }  // namespace vug::python

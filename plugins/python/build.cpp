@@ -19,8 +19,8 @@
 namespace vug::python {
 namespace {
 
-Build make_build(const std::shared_ptr<Scene>& scene, const py::object& max_memory, int threads,
-                 const py::object& progress) {
+Build make_build(const std::shared_ptr<Scene>& scene, const Memory& max_memory, int threads,
+                 const Callback& progress) {
   return Build(scene, {memory_of(max_memory), threads_of(threads), progress});
 }
 
@@ -36,22 +36,14 @@ LevelSet level_set(Build& build, const std::string& name) {
   return {{*made, session::write_options(shot)}};
 }
 
-Grid volume_of(Build& build, const std::string& name) {
-  const session::Shot& shot = build.scene()->shot();
-  const session::VolumePtr plan = session::find_volume(shot, name);
+std::variant<LevelSet, Grid> volume_of(Build& build, const std::string& name) {
+  const session::VolumePtr plan = session::find_volume(build.scene()->shot(), name);
+  if (!plan->fog) return level_set(build, name);
   std::optional<volume::Grid> made;
   build.work([&](session::Builder& builder) {
-    const volume::LevelSet& set = builder.level_set(plan);
-    made = named(plan->fog ? volume::fog(set) : volume::Grid(set), *plan);
+    made = named(volume::fog(builder.level_set(plan)), *plan);
   });
-  return {*made, session::write_options(shot)};
-}
-
-py::object volume_for_python(Build& build, const std::string& name) {
-  Grid made = volume_of(build, name);
-  if (made.grid.grid_class() == volume::GridClass::level_set)
-    return py::cast(LevelSet{std::move(made)});
-  return py::cast(std::move(made));
+  return Grid{*made, session::write_options(build.scene()->shot())};
 }
 
 Mesh mesh(Build& build, const std::string& name) {
@@ -70,14 +62,14 @@ Cells cells_of(Build& build, const std::string& name) {
   return made;
 }
 
-py::object measure(Build& build, const std::string& name) {
+py::dict measure(Build& build, const std::string& name) {
   std::string json;
   build.work(
       [&](session::Builder& builder) { json = metrics::to_json(session::measure(builder, name)); });
   return from_json(json);
 }
 
-py::object measure_cells(Build& build, const std::string& name) {
+py::dict measure_cells(Build& build, const std::string& name) {
   const session::CellsPtr plan = session::find_cells(build.scene()->shot(), name);
   std::string json;
   build.work([&](session::Builder& builder) {
@@ -115,7 +107,7 @@ constexpr const char* kRender =
 void bind_products(py::class_<Build>& type) {
   type.def("level_set", &level_set, "name"_a = "",
            "The level set of a volume, also of a fog; without a name the first.")
-      .def("volume", &volume_for_python, "name"_a = "",
+      .def("volume", &volume_of, "name"_a = "",
            "What the .vdb holds of a volume: a level set, or the density of a fog.")
       .def("mesh", &mesh, "name"_a = "",
            "A mesh, also that which cells have weathered, by their name; without a name the first.")
@@ -152,7 +144,7 @@ void bind_build(py::module_& module) {
           "scene", [](const Build& b) { return std::const_pointer_cast<Scene>(b.scene()); })
       .def_property(
           "progress", [](Build& b) { return b.settings().progress; },
-          [](Build& b, const py::object& progress) { b.settings().progress = progress; },
+          [](Build& b, const Callback& progress) { b.settings().progress = progress; },
           "The callback, or None.")
       .def("__repr__", [](const Build& b) {
         return fmt::format("<vug.Build of '{}'>", b.scene()->shot().name);
@@ -165,8 +157,8 @@ void bind_build(py::module_& module) {
              "tenths of what is free. threads: 0 takes all cores; results do not depend on it.");
   scenes.def(
       "measure",
-      [](const std::shared_ptr<Scene>& self, const std::string& name, const py::object& memory,
-         int threads, const py::object& progress) {
+      [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,
+         int threads, const Callback& progress) {
         Build build = make_build(self, memory, threads, progress);
         return measure(build, name);
       },
@@ -174,8 +166,8 @@ void bind_build(py::module_& module) {
       "Build.measure of a build that is not kept.");
   scenes.def(
       "render",
-      [](const std::shared_ptr<Scene>& self, const std::string& name, const py::object& memory,
-         int threads, const py::object& progress, const py::kwargs& given) {
+      [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,
+         int threads, const Callback& progress, const py::kwargs& given) {
         session::RenderOptions options = render_options(*self, given);
         options.picture.render = name;
         Build build = make_build(self, memory, threads, progress);

@@ -11,13 +11,17 @@
 
 #include <functional>
 #include <memory>
+#include <variant>
 
 namespace vug::python {
+
+/// Bytes, a text such as "8G", or nothing: nine tenths of what is free.
+using Memory = std::optional<std::variant<int64_t, std::string>>;
 
 struct BuildSettings {
   uint64_t max_memory = 0;  ///< Bytes.
   int threads = 0;          ///< 0: all cores.
-  py::object progress = py::none();
+  Callback progress;
 };
 
 /// A Builder with its scene, that tells Python how it gets on.
@@ -43,8 +47,7 @@ class Build {
   bool busy_ = false;  ///< Guarded by the interpreter's lock.
 };
 
-/// Bytes of None (nine tenths of what is free), a number, or a text such as "8G".
-uint64_t memory_of(const py::object& given);
+uint64_t memory_of(const Memory& given);
 int threads_of(int given);
 
 /// The options of `render` by their names in Python.

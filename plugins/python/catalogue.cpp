@@ -8,13 +8,13 @@
 namespace vug::python {
 namespace {
 
-py::object kinds_for_python(const std::string& word) {
+py::list kinds_for_python(const std::string& word) {
   const std::vector<const KindInfo*> kinds = session::find_kinds(word);
   nlohmann::ordered_json json = session::catalogue_json(kinds);
   for (size_t k = 0; k < kinds.size(); ++k)
     for (size_t p = 0; p < kinds[k]->params.size(); ++p)
       json[k]["params"][p]["text"] = session::describe(kinds[k]->params[p]);
-  return from_json(json.dump());
+  return from_json<py::list>(json.dump());
 }
 
 }  // namespace

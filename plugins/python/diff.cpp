@@ -5,6 +5,9 @@
 #include <vug/image/diff.h>
 #include <vug/image/report.h>
 
+#include <map>
+#include <variant>
+
 namespace vug::python {
 namespace {
 
@@ -14,10 +17,12 @@ struct Verdict {
 };
 
 /// A picture in memory, or a file.
-image::Subject subject(const py::handle& given, const std::string& name) {
-  if (!py::isinstance<Image>(given))
-    return image::read_subject(given.cast<std::filesystem::path>());
-  const Image& rendered = given.cast<const Image&>();
+using Picture = std::variant<Image, std::filesystem::path>;
+
+image::Subject subject(const Picture& given, const std::string& name) {
+  if (const auto* file = std::get_if<std::filesystem::path>(&given))
+    return image::read_subject(*file);
+  const Image& rendered = std::get<Image>(given);
   const session::PictureLook look = session::from_notes(rendered.part().header.notes);
   image::Subject out;
   out.name = name;
@@ -29,7 +34,7 @@ image::Subject subject(const py::handle& given, const std::string& name) {
   return out;
 }
 
-Verdict compare(const py::object& reference, const py::object& test,
+Verdict compare(const Picture& reference, const Picture& test,
                 const std::map<std::string, double>& limits, const std::vector<std::string>& layers,
                 const std::vector<std::string>& measures, const std::optional<double>& alarm) {
   const image::Subject right = subject(reference, "reference"), judged = subject(test, "test");

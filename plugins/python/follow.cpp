@@ -15,11 +15,11 @@ namespace {
 constexpr std::chrono::milliseconds kPatience{100};
 
 /// Tells a letter; false where the answer is to stop.
-bool tell(const Post::Letter& letter, const py::object& callback) {
+bool tell(const Post::Letter& letter, const Callback& callback) {
   warn(letter.warnings);
-  if (callback.is_none()) return true;
+  if (!callback) return true;
   for (const auto& [stage, share] : letter.reports)
-    if (callback(share, stage).is(py::bool_(false))) return false;
+    if ((*callback)(share, stage).is(py::bool_(false))) return false;
   return true;
 }
 
@@ -61,7 +61,7 @@ Post::Letter Post::wait() {
   return std::exchange(letter_, {});
 }
 
-void follow(Post& post, Progress& progress, const py::object& callback, int threads,
+void follow(Post& post, Progress& progress, const Callback& callback, int threads,
             const std::function<void()>& work) {
   std::exception_ptr fault, raised;
   bool stopped = false;

@@ -38,10 +38,13 @@ class Post {
   Letter letter_;
 };
 
-/// Does `work` and calls `callback(share, what)` (None: nobody) as it goes; `threads` bounds its
+/// Whom to tell; nobody where there is none.
+using Callback = std::optional<py::function>;
+
+/// Does `work` and calls `callback(share, what)` as it goes; `threads` bounds its
 /// threads, 0: all cores. What the callback or Ctrl-C raises, or a callback that returns False,
 /// cancels `progress`, and is raised when the work has stopped; else what the work throws.
-void follow(Post& post, Progress& progress, const py::object& callback, int threads,
+void follow(Post& post, Progress& progress, const Callback& callback, int threads,
             const std::function<void()>& work);
 
 }  // namespace vug::python

@@ -76,7 +76,7 @@ py::array triangle_view(const Mesh& self) {
               owner_of(self.mesh));
 }
 
-py::object measure(const Mesh& self) {
+py::dict measure(const Mesh& self) {
   std::string json;
   {
     const py::gil_scoped_release others;
@@ -102,8 +102,8 @@ void bind_mesh(py::module_& module) {
           "(n, 3) float32, metres.")
       .def_property_readonly(
           "normals",
-          [](const Mesh& m) -> py::object {
-            if (m.mesh->normals.empty()) return py::none();
+          [](const Mesh& m) -> std::optional<py::array> {
+            if (m.mesh->normals.empty()) return std::nullopt;
             return view(m.mesh->normals, owner_of(m.mesh));
           },
           "(n, 3) float32 of unit length, out of the solid; None without.")

@@ -101,7 +101,7 @@ py::dict params(const Scene& scene) {
                                    to_python(each.low), to_python(each.high), each.doc, kind,
                                    dimension == Dimension::none ? "" : to_string(dimension));
   }
-  return py::module_::import("types").attr("MappingProxyType")(out);
+  return out;
 }
 
 py::dict derivations(const SharedScene& scene) {

@@ -52,10 +52,10 @@ void Build::work(const std::function<void(session::Builder&)>& work) {
          [&] { work(shop_->builder); });
 }
 
-uint64_t memory_of(const py::object& given) {
-  if (given.is_none()) return available_memory() / 10 * 9;
-  if (py::isinstance<py::str>(given)) return parse_bytes(given.cast<std::string>());
-  const auto bytes = given.cast<int64_t>();
+uint64_t memory_of(const Memory& given) {
+  if (!given) return available_memory() / 10 * 9;
+  if (const auto* text = std::get_if<std::string>(&*given)) return parse_bytes(*text);
+  const int64_t bytes = std::get<int64_t>(*given);
   if (bytes < 1) throw py::value_error("max_memory must be above 0");
   return static_cast<uint64_t>(bytes);
 }

@@ -16,4 +16,4 @@ class Param(NamedTuple):
     high: Optional[float]
     doc: str
     type: str  # "number", "vector", "true or false", "text", "name"
-    dimension: str  # "length in metres", "angle", ...; empty for plain numbers
+    dimension: str  # "length", "angle", "ratio", "number per metre", "time"; empty for plain numbers
