@@ -1,3 +1,4 @@
+#include <vug/base/atomic_file.h>
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/exchange/format.h>
@@ -32,6 +33,12 @@ const Format& format(const std::string& name) {
 Written write(const Format& format, const Assembly& assembly, const Space& space,
               const std::filesystem::path& file, const FormatOptions& options, Progress& progress) {
   return format.write(converted(assembly, format.space.value_or(space)), file, options, progress);
+}
+
+std::vector<std::pair<std::string, std::string>> read_texts(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  const Format& known = format(extension.empty() ? extension : extension.substr(1));
+  return known.read_texts(read_text(file), file.string());
 }
 
 }  // namespace vug::exchange

@@ -32,6 +32,9 @@ struct Format {
   /// Error(io), Error(too_large).
   Written (*write)(const Assembly& assembly, const std::filesystem::path& file,
                    const FormatOptions& options, Progress& progress) = nullptr;
+  /// Of a whole file's bytes; see the function of that name.
+  std::vector<std::pair<std::string, std::string>> (*read_texts)(std::string_view bytes,
+                                                                 const std::string& file) = nullptr;
 };
 
 const std::vector<const Format*>& formats();
@@ -42,6 +45,10 @@ const Format& format(const std::string& name);
 Written write(const Format& format, const Assembly& assembly, const Space& space,
               const std::filesystem::path& file, const FormatOptions& options = {},
               Progress& progress = Progress::none());
+
+/// The texts of a file's provenance by name, "vug:recipe" and others; none in others' files.
+/// Error(bad_input) for what is no file of the format that its extension names, or cut off.
+std::vector<std::pair<std::string, std::string>> read_texts(const std::filesystem::path& file);
 
 /// Lumen to a watt where a format counts in candela, lux or nits: 683, which programs divide by
 /// that count in watts again.

@@ -64,10 +64,10 @@ void write_file(const std::filesystem::path& file,
   target.commit();
 }
 
-void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
+void write_mesh(const Mesh& mesh, const std::filesystem::path& file, const Notes& notes) {
   const Format& format = format_of(file);
   validate(mesh, file.string());
-  write_file(file, [&](const ByteSink& sink) { format.write(mesh, sink); });
+  write_file(file, [&](const ByteSink& sink) { format.write(mesh, notes, sink); });
 }
 
 }  // namespace vug::mesh

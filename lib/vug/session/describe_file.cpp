@@ -1,4 +1,5 @@
 #include <vug/base/atomic_file.h>
+#include <vug/exchange/format.h>
 #include <vug/image/deep_info.h>
 #include <vug/mesh/format.h>
 #include <vug/session/describe_file.h>
@@ -82,6 +83,20 @@ Json describe_picture(const std::filesystem::path& file) {
   return out;
 }
 
+Json texts_of(const std::vector<std::pair<std::string, std::string>>& texts) {
+  Json out = Json::object();
+  for (const auto& [name, text] : texts) out[name] = text;
+  return out;
+}
+
+/// glTF and USD: who made them, and of what; what is in them others tell.
+Json describe_scene(const std::filesystem::path& file) {
+  return {{"file", file.string()},
+          {"type", "scene of another program"},
+          {"bytes", std::filesystem::file_size(file)},
+          {"metadata", texts_of(exchange::read_texts(file))}};
+}
+
 Json describe_mesh(const std::filesystem::path& file) {
   const mesh::Mesh mesh = mesh::read_mesh(file);
   Json attributes = Json::array();
@@ -93,7 +108,8 @@ Json describe_mesh(const std::filesystem::path& file) {
           {"vertices", mesh.positions.size()},
           {"triangles", mesh.triangles.size()},
           {"attributes", attributes},
-          {"bounds", corners(mesh::bounds(mesh))}};
+          {"bounds", corners(mesh::bounds(mesh))},
+          {"metadata", texts_of(mesh::read_texts(read_text(file)))}};
 }
 
 /// A table with a line of names, as of cells.
@@ -146,6 +162,8 @@ nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   if (extension == ".vdb") return describe_vdb(file);
   if (extension == ".csv") return describe_table(file);
+  for (const exchange::Format* format : exchange::formats())
+    if (extension == "." + format->info.name) return describe_scene(file);
   for (const mesh::Format* format : mesh::formats())
     if (extension == "." + format->info.name) return describe_mesh(file);
   return render::is_part(file) || extension == ".vugpart" ? describe_part(file)

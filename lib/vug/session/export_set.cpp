@@ -130,7 +130,13 @@ class Exporter {
     move(points);
     const std::filesystem::path file = names_.points(*plan);
     if (!options_.program->points_format.empty()) {
-      mesh::write_mesh(as_mesh(points), file);
+      mesh::Notes notes;
+      notes.space = fmt::format("{}, {} up", space_.metres_per_unit == 1 ? "metres" : "centimetres",
+                                exchange::to_string(space_.up));
+      notes.texts = {{"vug:recipe", builder_.shot().recipe},
+                     {"vug:seed", std::to_string(builder_.shot().seed)},
+                     {"vug:version", VUG_VERSION}};
+      mesh::write_mesh(as_mesh(points), file, notes);
     } else {
       if (plan->half)
         for (volume::PointAttribute& each : points.attributes) each.half = true;

@@ -66,7 +66,12 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
   auto path = paths.begin();
   for (const MeshPtr& plan : declared_meshes(shot)) builder.require_room(plan);
   if (!shot.volumes.empty()) write_volumes(builder, *path++);
-  for (const MeshPtr& plan : declared_meshes(shot)) mesh::write_mesh(*builder.mesh(plan), *path++);
+  mesh::Notes notes;
+  notes.texts = {{"vug:recipe", shot.recipe},
+                 {"vug:seed", std::to_string(shot.seed)},
+                 {"vug:version", VUG_VERSION}};
+  for (const MeshPtr& plan : declared_meshes(shot))
+    mesh::write_mesh(*builder.mesh(plan), *path++, notes);
   for (const CellsPtr& cells : declared_cells(shot)) {
     if (cells->writes("points")) {
       const SkinPtr skin = builder.skin(cells);

@@ -16,7 +16,7 @@ namespace {
 
 std::string written(const Format& format, const Mesh& mesh) {
   std::string bytes;
-  format.write(mesh, [&](std::string_view more) { bytes += more; });
+  format.write(mesh, {}, [&](std::string_view more) { bytes += more; });
   return bytes;
 }
 

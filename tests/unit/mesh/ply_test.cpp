@@ -64,10 +64,10 @@ TEST(Ply, AttributesOfAnyArityComeBack) {
                      {"flow", 3, {1, 2, 3, 4, 5, 6, 7, 8, 9}},
                      {"uv", 2, {0, 0, 1, 0, 0, 1}}};
   std::string bytes;
-  format_of("x.ply").write(mesh, [&](std::string_view more) { bytes += more; });
+  format_of("x.ply").write(mesh, {}, [&](std::string_view more) { bytes += more; });
   EXPECT_EQ(read(bytes), mesh);
   mesh.attributes.push_back({"moss", 1, {0, 0, 0}});
-  EXPECT_THROW(format_of("x.ply").write(mesh, [](std::string_view) {}), Error);
+  EXPECT_THROW(format_of("x.ply").write(mesh, {}, [](std::string_view) {}), Error);
 }
 
 TEST(Ply, ClaimsThatTheFileIsTooShortForAreRefusedBeforeTheyCostMemory) {

@@ -23,7 +23,7 @@ TEST(Stl, TextIsReadAndWelded) {
 
 TEST(Stl, BinaryFilesMayBeginWithSolid) {
   std::string bytes;
-  format_of("x.stl").write(read(kText), [&](std::string_view more) { bytes += more; });
+  format_of("x.stl").write(read(kText), {}, [&](std::string_view more) { bytes += more; });
   bytes.replace(0, 5, "solid");
   EXPECT_EQ(read(bytes).triangles.size(), 2U);
 }

@@ -34,7 +34,7 @@ Mesh read_new_kind(std::string_view bytes, const std::string& file) {
   return mesh;
 }
 
-void write_new_kind(const Mesh& mesh, const ByteSink& sink) {
+void write_new_kind(const Mesh& mesh, const Notes&, const ByteSink& sink) {
   Output out(sink);
   for (const Vec3f& p : mesh.positions)
     out.text("v ").number(p.x).text(" ").number(p.y).text(" ").number(p.z).text("\n");

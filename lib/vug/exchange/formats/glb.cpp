@@ -7,6 +7,7 @@
 #include <vug/exchange/place.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -250,6 +251,28 @@ Written write_glb(const Assembly& assembly, const std::filesystem::path& file,
   return writer.save(file);
 }
 
+/// The text stands in the first chunk, behind five numbers of 32 bits.
+std::vector<std::pair<std::string, std::string>> read_glb(std::string_view bytes,
+                                                          const std::string& file) {
+  constexpr size_t kHeader = 20;
+  const auto refuse = [&] {
+    return Error(ErrorCode::bad_input, "the file is no binary glTF, or it is cut off",
+                 {file, 0, 0});
+  };
+  uint32_t words[5] = {};
+  if (bytes.size() < kHeader || bytes.substr(0, 4) != "glTF") throw refuse();
+  std::memcpy(words, bytes.data(), sizeof words);
+  if (words[2] != bytes.size() || words[3] > bytes.size() - kHeader) throw refuse();
+  const auto json = nlohmann::json::parse(bytes.substr(kHeader, words[3]), nullptr, false);
+  if (!json.is_object()) throw refuse();
+  std::vector<std::pair<std::string, std::string>> texts;
+  const auto asset = json.find("asset");
+  if (asset == json.end() || !asset->is_object() || !asset->contains("extras")) return texts;
+  for (const auto& [name, value] : asset->at("extras").items())
+    texts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+  return texts;
+}
+
 }  // namespace
 }  // namespace vug::exchange
 
@@ -261,5 +284,6 @@ VUG_EXCHANGE_FORMAT(glb) {
            "gltf2",
            {}},
           Space{UpAxis::y, 1},
-          write_glb};
+          write_glb,
+          read_glb};
 }

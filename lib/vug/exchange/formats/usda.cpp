@@ -187,6 +187,30 @@ Written write_usda(const Assembly& assembly, const std::filesystem::path& file,
   return written;
 }
 
+/// Of the lines `string "vug:NAME" = "..."` before the first prim.
+std::vector<std::pair<std::string, std::string>> read_usda(std::string_view bytes,
+                                                           const std::string& file) {
+  if (bytes.substr(0, 5) != "#usda")
+    throw Error(ErrorCode::bad_input, "the file is no USD text", {file, 1, 1});
+  bytes = bytes.substr(0, bytes.find("\ndef "));
+  constexpr std::string_view kBegin = "string \"vug:", kEquals = "\" = \"";
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (size_t at = bytes.find(kBegin); at != std::string_view::npos; at = bytes.find(kBegin, at)) {
+    at += kBegin.size();
+    const size_t end = bytes.find(kEquals, at);
+    if (end == std::string_view::npos) break;
+    const std::string name = "vug:" + std::string(bytes.substr(at, end - at));
+    std::string text;
+    for (at = end + kEquals.size(); at < bytes.size() && bytes[at] != '"'; ++at) {
+      const bool escape = bytes[at] == '\\' && at + 1 < bytes.size();
+      const char c = bytes[escape ? ++at : at];
+      text += !escape ? c : c == 'n' ? '\n' : c == 'r' ? '\r' : c == 't' ? '\t' : c;
+    }
+    texts.emplace_back(name, std::move(text));
+  }
+  return texts;
+}
+
 }  // namespace
 }  // namespace vug::exchange
 
@@ -198,5 +222,6 @@ VUG_EXCHANGE_FORMAT(usda) {
            "usd",
            {}},
           std::nullopt,
-          write_usda};
+          write_usda,
+          read_usda};
 }

@@ -136,9 +136,9 @@ Mesh read_obj(std::string_view bytes, const std::string& file) {
   return reader.finish();
 }
 
-void write_obj(const Mesh& mesh, const ByteSink& sink) {
+void write_obj(const Mesh& mesh, const Notes& notes, const ByteSink& sink) {
   Output out(sink);
-  out.text("# Vug mesh, metres, y up\n");
+  out.text(comment_lines(notes, "# "));
   const Attribute* colour = find_attribute(mesh, kColour, 3);
   const auto triple = [&](const auto& v) {
     out.text(" ").number(v[0]).text(" ").number(v[1]).text(" ").number(v[2]);

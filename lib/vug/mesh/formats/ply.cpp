@@ -204,7 +204,7 @@ std::vector<std::string> property_names(const Attribute& attribute) {
   return names;
 }
 
-void write_ply(const Mesh& mesh, const ByteSink& sink) {
+void write_ply(const Mesh& mesh, const Notes& notes, const ByteSink& sink) {
   std::vector<std::string> names(std::begin(kCoordinates), std::end(kCoordinates));
   if (!mesh.normals.empty()) names.insert(names.end(), std::begin(kNormals), std::end(kNormals));
   for (const Attribute& attribute : mesh.attributes)
@@ -215,7 +215,7 @@ void write_ply(const Mesh& mesh, const ByteSink& sink) {
       names.push_back(name);
     }
   Output out(sink);
-  out.text("ply\nformat binary_little_endian 1.0\ncomment Vug mesh, metres, y up\n");
+  out.text("ply\nformat binary_little_endian 1.0\n").text(comment_lines(notes, "comment "));
   out.text(fmt::format("element vertex {}\n", mesh.positions.size()));
   for (const std::string& name : names) out.text("property float ").text(name).text("\n");
   // int is what most readers expect; it holds 2^31 - 1 vertices.

@@ -101,11 +101,11 @@ Mesh read_stl(std::string_view bytes, const std::string& file) {
               {file, 0, 0}, "the file may be cut off, or no STL file");
 }
 
-void write_stl(const Mesh& mesh, const ByteSink& sink) {
+void write_stl(const Mesh& mesh, const Notes& notes, const ByteSink& sink) {
   if (mesh.triangles.size() > UINT32_MAX)
     throw Error(ErrorCode::bad_input, "STL holds at most 4294967295 triangles");
   Output out(sink);
-  std::string header = "Vug mesh, metres, y up";
+  std::string header = "Vug mesh, " + notes.space;
   header.resize(kHeader, ' ');
   out.text(header).binary(static_cast<uint32_t>(mesh.triangles.size()));
   const auto triple = [&](const Vec3f& p) { out.binary(p.x).binary(p.y).binary(p.z); };

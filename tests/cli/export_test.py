@@ -1,0 +1,146 @@
+"""vug export writes sets for other programs; vug recipe tells what made a file, which makes it again."""
+import json
+import os
+import struct
+import unittest
+
+from vug import BALL, VugTest, digest
+
+SCENE = """seed 3
+param R = 1m in 50cm..2m
+
+grammar cave {
+  axiom Room*2
+  Room -> + sphere(R) label random
+}
+
+volume rock = level_set(cave, voxel: 20cm)
+volume mist = fog(sphere(R), voxel: 25cm)
+mesh wall on rock { paint layer(under: (0.5, 0.4, 0.3), over: (0.1, 0.2, 0.1), mask: slope(from: 30deg, to: 60deg)) }
+object wall on wall { material surface(roughness: 0.6) }
+camera main { eye (0, 2, 6) target (0, 0, 0) }
+light ball = sphere(center: (0, 3, 0), power: 100)
+render main { size 16x9 spp 1 }
+"""
+PROGRAMS = {"blender": "glb", "houdini": "usda", "maya": "usda", "unreal": "usda", "usd": "usda"}
+
+
+def buffer_of(glb):
+    data = glb.read_bytes()
+    [text] = struct.unpack_from("<I", data, 12)
+    return data[20 + text:]
+
+
+class Export(VugTest):
+    def setUp(self):
+        super().setUp()
+        self.write("cave.vug", SCENE)
+
+    def test_a_set_for_every_program(self):
+        listed = json.loads(self.expect(0, "list", "program", "--json").out)
+        self.assertEqual([each["name"] for each in listed], list(PROGRAMS))
+        for program, ending in PROGRAMS.items():
+            said = self.expect(0, "export", "cave.vug", "-o", program, "--for", program)
+            names = ["cave_rock.vdb", "cave_mist.vdb", f"cave.{ending}"]
+            self.assertEqual(said.out.split(), [f"{program}/{name}" for name in names])
+            self.assertEqual(sorted(os.listdir(self.folder / program)), sorted(names))
+            for name in names:
+                about = json.loads(self.expect(0, "info", f"{program}/{name}", "--json").out)
+                self.assertEqual(about["metadata"]["vug:recipe"], SCENE, name)
+
+    def test_axes_and_units_that_are_asked_for(self):
+        self.expect(0, "export", "cave.vug", "-o", "o", "--up", "z", "--unit", "cm")
+        text = (self.folder / "o/cave.usda").read_text()
+        self.assertIn("    metersPerUnit = 0.01\n    upAxis = \"Z\"\n", text)
+        about = json.loads(self.expect(0, "info", "o/cave_rock.vdb", "--json").out)
+        self.assertEqual(about["metadata"]["vug:upAxis"], "z")
+        self.assertAlmostEqual(about["grids"][0]["voxel_size"][0], 20)
+
+    def test_the_same_bytes_again(self):
+        for folder, threads in (("a", 1), ("b", 7)):
+            for program in ("blender", "unreal"):
+                self.expect(0, "export", "cave.vug", "-o", folder, "--for", program,
+                            "--threads", threads)
+        for path in (self.folder / "a").iterdir():
+            self.assertEqual(digest(path), digest(self.folder / "b" / path.name), path.name)
+
+    def test_what_is_left_out_is_told(self):
+        self.write("sky.vug", BALL + "light heaven = sky(radiance: (1, 1, 1))\n")
+        said = self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender")
+        self.assertIn("left out: light 'heaven': glTF has no skies in .glb\n", said.err)
+        self.assertEqual(self.expect(0, "export", "sky.vug", "-o", "o", "-q").err, "")
+
+    def test_refusals(self):
+        self.assertIn("did you mean 'blender'?",
+                      self.expect(2, "export", "cave.vug", "-o", "o", "--for", "blendr").err)
+        self.vug("export", "cave.vug", "-o", "o", "--up", "x")
+        self.assertFalse((self.folder / "o").exists())
+        (self.folder / "o/cave.usda").mkdir(parents=True)
+        self.expect(3, "export", "cave.vug", "-o", "o")
+        self.assertEqual(os.listdir(self.folder / "o"), ["cave.usda"])
+
+    def test_a_full_disk_leaves_the_old_files(self):
+        self.expect(0, "export", "cave.vug", "-o", "o", "--for", "usd")
+        before = {path.name: digest(path) for path in (self.folder / "o").iterdir()}
+        # A limit on the size of files is a disk that is full for the large ones.
+        limit = (self.folder / "o/cave.usda").stat().st_size // 2
+        said = self.vug("export", "cave.vug", "-o", "o", "--for", "usd", "-D", "R=1.1m",
+                        preexec_fn=lambda: set_file_limit(limit))
+        self.assertEqual(said.code, 3, said.err)
+        self.assertIn("cannot write 'o/cave", said.err)
+        self.assertEqual(sorted(before), sorted(os.listdir(self.folder / "o")))
+        self.assertEqual(before["cave.usda"], digest(self.folder / "o/cave.usda"))
+
+
+def set_file_limit(limit):
+    import resource
+    import signal
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+
+class Recipe(VugTest):
+    def prepare(self):
+        self.write("cave.vug", SCENE)
+        self.expect(0, "export", "cave.vug", "-o", "set", "--for", "blender", "-D", "R=80cm", "--seed", 9)
+        self.expect(0, "export", "cave.vug", "-o", "set", "--for", "usd", "-D", "R=80cm", "--seed", 9)
+        self.expect(0, "build", "cave.vug", "-o", "set", "-D", "R=80cm", "--seed", 9)
+        self.expect(0, "render", "cave.vug", "-o", "set/cave.exr", "-D", "R=80cm", "--seed", 9)
+
+    def test_every_file_tells_the_same(self):
+        expected = SCENE.replace("seed 3", "seed 9").replace("= 1m in", "= 80cm in")
+        files = sorted(path.name for path in (self.folder / "set").iterdir())
+        files.remove("cave.png")  # which only shows it
+        for ending in ("vdb", "glb", "usda", "ply", "exr"):
+            self.assertTrue(any(name.endswith(ending) for name in files), ending)
+        for name in files:
+            self.assertEqual(self.expect(0, "recipe", f"set/{name}").out, expected, name)
+
+    def test_it_makes_the_same_again(self):
+        self.expect(0, "recipe", "set/cave.vdb", "-o", "again/cave.vug")
+        self.expect(0, "export", "again/cave.vug", "-o", "new", "--for", "blender")
+        self.assertEqual(buffer_of(self.folder / "set/cave.glb"), buffer_of(self.folder / "new/cave.glb"))
+        self.expect(0, "build", "again/cave.vug", "-o", "new")
+        for name in ("set/cave.ply", "new/cave.ply"):
+            self.expect(0, "measure", name)
+        old, new = [json.loads(self.expect(0, "measure", f"{folder}/cave.ply", "--json").out)
+                    for folder in ("set", "new")]
+        self.assertEqual({**old, "name": ""}, {**new, "name": ""})
+        # What was made of an unchanged text is the same to the byte.
+        self.expect(0, "recipe", "new/cave.vdb", "-o", "third/cave.vug")
+        self.expect(0, "build", "third/cave.vug", "-o", "third")
+        for name in ("cave.vdb", "cave.ply"):
+            self.assertEqual(digest(self.folder / "new" / name), digest(self.folder / "third" / name))
+
+    def test_files_without_one_are_refused(self):
+        self.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.assertIn("does not tell its recipe", self.expect(2, "recipe", "a.obj").err)
+        self.write("a.glb", b"glTF\x02\0\0\0\xff\xff\xff\xff\0\0\0\0JSON")
+        self.expect(2, "recipe", "a.glb")
+        self.write("a.usda", "def Xform {}\n")
+        self.expect(2, "recipe", "a.usda")
+        self.expect(2, "recipe", "missing.vdb")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+#include "verb.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/session/recipe.h>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  std::string file, output;
+};
+
+int run(const Options& options) {
+  const session::Recipe recipe = session::recipe_of(options.file);
+  if (options.output.empty()) {
+    fmt::print("{}", recipe.scene);
+  } else {
+    require_outputs({options.output}, {options.file});
+    write_text(options.output, recipe.scene);
+  }
+  for (const std::string& argument : recipe.arguments)
+    fmt::print(stderr, "build it with: {}\n", argument);
+  if (!recipe.version.empty() && recipe.version != VUG_VERSION)
+    fmt::print(stderr, "made by vug {}, this is {}\n", recipe.version, VUG_VERSION);
+  return kDone;
+}
+
+}  // namespace
+
+Verb recipe_verb() {
+  return {"recipe", "Prints the scene text that made a file, which makes it again.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("file", options->file,
+                           "a .vdb, .glb, .usda, .ply, .obj, picture, part or checkpoint")
+                ->required();
+            app.add_option("-o,--output", options->output, "a file for the text; else it is shown");
+            return [options] { return run(*options); };
+          }};
+}
+
+}  // namespace vug::cli
