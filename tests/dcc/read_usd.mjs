@@ -1,0 +1,48 @@
+// What two readers of USD find in a file, as JSON: the prims with their attributes as tinyusdz
+// parses them, and what three.js makes of the whole.
+import fs from 'fs';
+import {createRequire} from 'module';
+
+const file = process.argv[2];
+const node = process;
+
+// tinyusdz is built for browsers: it looks for a window, and that there is no Node.
+async function tinyusdz() {
+  const wasm = createRequire(import.meta.url).resolve('tinyusdz/tinyusdz.wasm');
+  globalThis.window = globalThis;
+  globalThis.document = {currentScript: null};
+  delete globalThis.process;
+  const start = (await import('tinyusdz/tinyusdz.js')).default;
+  const module = await start({wasmBinary: fs.readFileSync(wasm), print: () => {}, printErr: () => {}});
+  globalThis.process = node;
+  delete globalThis.window;
+  delete globalThis.document;
+  const layer = new module.TinyUSDZLoaderNative();
+  if (!layer.loadAsLayerFromBinary(new Uint8Array(fs.readFileSync(file)), file))
+    throw new Error(layer.error());
+  return layer.layerToString();
+}
+
+async function three() {
+  const THREE = await import('three');
+  const {USDLoader} = await import('three/examples/jsm/loaders/USDLoader.js');
+  const scene = new USDLoader().parse(fs.readFileSync(file, 'utf8'));
+  scene.updateMatrixWorld(true);
+  const found = [];
+  scene.traverse((object) => {
+    const one = {type: object.type, name: object.name, parent: object.parent?.name ?? '',
+                 matrix: object.matrixWorld.elements};
+    if (object.isMesh) {
+      const box = new THREE.Box3().setFromObject(object, true);
+      one.box = [box.min.toArray(), box.max.toArray()];
+      one.vertices = object.geometry.attributes.position.count;
+    }
+    if (object.isLight)
+      Object.assign(one, {color: object.color.toArray(), intensity: object.intensity});
+    found.push(one);
+  });
+  return found;
+}
+
+const parsed = await tinyusdz();
+console.log(JSON.stringify({tinyusdz: parsed, three: await three()}));

@@ -1,0 +1,82 @@
+"""Two readers of USD, tinyusdz and three.js, find all that a scene shows, where it stands."""
+import math
+import re
+import unittest
+
+from others import SCENE, VugTest, node, require_node
+
+# Metres in a unit, and whether z is up.
+SPACES = {"usd": (1, False), "maya": (0.01, False), "unreal": (0.01, True)}
+
+
+def prims(text):
+    """[(type, name)] of every prim that tinyusdz has printed."""
+    return re.findall(r'def (\w+) "([^"]+)"', text)
+
+
+def block(text, kind, name):
+    """The lines of a prim up to its end."""
+    begin = re.search(rf'^( *)def {kind} "{name}"', text, re.M)
+    return text[begin.start():text.index("\n" + begin.group(1) + "}", begin.start())]
+
+
+def numbers(text, name):
+    found = re.search(rf"\b{re.escape(name)} = (.*)", text).group(1)
+    return [float(n) for n in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", found)]
+
+
+class Usd(VugTest):
+    def prepare(self):
+        self.write("all.vug", SCENE)
+        for program in SPACES:
+            self.expect(0, "export", "all.vug", "-o", program, "--for", program, "-q")
+
+    def read(self, program):
+        return node("read_usd.mjs", self.folder / program / "all.usda")
+
+    def test_tinyusdz_finds_everything(self):
+        for program, (unit, turned) in SPACES.items():
+            text = self.read(program)["tinyusdz"]
+            kinds = [kind for kind, _ in prims(text)]
+            expected = {"Mesh": 2, "PointInstancer": 1, "Volume": 3, "OpenVDBAsset": 3, "Camera": 2,
+                        "Material": 2, "SphereLight": 2, "RectLight": 1, "DiskLight": 1,
+                        "DistantLight": 1, "DomeLight": 1}
+            self.assertEqual({kind: kinds.count(kind) for kind in expected}, expected, program)
+            self.assertAlmostEqual(numbers(text, "metersPerUnit")[0], unit)
+            self.assertIn(f'upAxis = "{"Z" if turned else "Y"}"', text)
+            for name in ("rock", "stone", "mist"):
+                grid = "density" if name == "mist" else "surface"
+                asset = block(block(text, "Volume", name), "OpenVDBAsset", grid)
+                self.assertIn(f"@./all_{name}.vdb@", asset)
+                self.assertTrue((self.folder / program / f"all_{name}.vdb").exists())
+            # A cube of a metre is one.
+            box = numbers(block(text, "Xform", "wall"), "extent")
+            for axis in range(3):
+                self.assertAlmostEqual((box[3 + axis] - box[axis]) * unit, 1, delta=1e-4)
+            self.assertEqual(len(numbers(block(text, "PointInstancer", "heap"), "positions")), 9)
+            # 100 W from a ball of 10 cm.
+            ball = block(text, "SphereLight", "ball")
+            radius = numbers(ball, "inputs:radius")[0] * unit
+            watts = 4 * math.pi**2 * radius**2 * numbers(ball, "inputs:intensity")[0]
+            self.assertAlmostEqual(watts, 100, delta=0.01)
+
+    def test_three_places_everything(self):
+        # It takes every layer to metres with y up by what the layer says of its space.
+        for program in SPACES:
+            found = self.read(program)["three"]
+            [wall] = [each for each in found if each["type"] == "Mesh" and each["parent"] == "wall"]
+            for axis, (low, high) in enumerate([(0.5, 1.5), (0, 1), (1.5, 2.5)]):
+                self.assertAlmostEqual(wall["box"][0][axis], low, delta=1e-3, msg=program)
+                self.assertAlmostEqual(wall["box"][1][axis], high, delta=1e-3, msg=program)
+            types = [each["type"] for each in found]
+            expected = {"PerspectiveCamera": 1, "OrthographicCamera": 1, "DirectionalLight": 1,
+                        "RectAreaLight": 2}  # a disk is one, too
+            self.assertEqual({kind: types.count(kind) for kind in expected}, expected, program)
+            [camera] = [each for each in found if each["type"] == "PerspectiveCamera"]
+            for got, wanted in zip(camera["matrix"][12:15], (0, 2, 6)):
+                self.assertAlmostEqual(got, wanted, delta=1e-4, msg=program)
+
+
+if __name__ == "__main__":
+    require_node()
+    unittest.main()
