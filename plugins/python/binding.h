@@ -24,6 +24,7 @@ void bind_diff(py::module_& module);
 void bind_derivation(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_build(py::module_& module);
+void bind_export(py::module_& module);
 void bind_catalogue(py::module_& module);
 
 /// Text of JSON as dicts, lists and numbers; T is what it holds.

@@ -28,6 +28,8 @@ struct BuildSettings {
 class Build {
  public:
   Build(ScenePtr scene, BuildSettings settings);
+  /// Of another shot of the scene's.
+  Build(ScenePtr scene, std::shared_ptr<const session::Shot> shot, BuildSettings settings);
 
   /// Calls `work` with the builder, on a thread of its own (see follow). RuntimeError while another
   /// does: a builder is not for several at once. What was cancelled can be asked for again.
@@ -42,6 +44,7 @@ class Build {
   std::unique_ptr<Shop> open();
 
   ScenePtr scene_;
+  std::shared_ptr<const session::Shot> shot_;
   BuildSettings settings_;
   std::shared_ptr<Shop> shop_;
   bool busy_ = false;  ///< Guarded by the interpreter's lock.

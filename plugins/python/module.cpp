@@ -16,5 +16,6 @@ PYBIND11_MODULE(_vug, module) {
   bind_derivation(module);
   bind_scene(module);
   bind_build(module);
+  bind_export(module);
   bind_catalogue(module);
 }

@@ -6,9 +6,9 @@
 namespace vug::python {
 
 struct Build::Shop {
-  Shop(const Scene& scene, uint64_t max_memory)
+  Shop(const Scene& scene, const session::Shot& shot, uint64_t max_memory)
       : progress([this](const std::string& stage, double share) { post.report(stage, share); }),
-        builder(scene.shot(), options(scene, max_memory), progress) {}
+        builder(shot, options(scene, max_memory), progress) {}
 
   session::BuildOptions options(const Scene& scene, uint64_t max_memory) {
     session::BuildOptions out;
@@ -25,12 +25,15 @@ struct Build::Shop {
 };
 
 Build::Build(ScenePtr scene, BuildSettings settings)
-    : scene_(std::move(scene)), settings_(std::move(settings)) {
+    : Build(scene, {scene, &scene->shot()}, std::move(settings)) {}
+
+Build::Build(ScenePtr scene, std::shared_ptr<const session::Shot> shot, BuildSettings settings)
+    : scene_(std::move(scene)), shot_(std::move(shot)), settings_(std::move(settings)) {
   shop_ = open();
 }
 
 std::unique_ptr<Build::Shop> Build::open() {
-  return std::make_unique<Shop>(*scene_, settings_.max_memory);
+  return std::make_unique<Shop>(*scene_, *shot_, settings_.max_memory);
 }
 
 void Build::work(const std::function<void(session::Builder&)>& work) {

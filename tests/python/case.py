@@ -52,4 +52,4 @@ class Case(unittest.TestCase):
         self.assertEqual(ours.read_bytes(), theirs.read_bytes(), f"{ours} and {theirs} differ")
 
 
-QUIET = ("build", "render", "measure")
+QUIET = ("build", "export", "measure", "render")

@@ -1,6 +1,7 @@
 """From text to files: what Python makes has the bytes of what the command makes."""
 import json
 import unittest
+import warnings
 
 import numpy
 import vug
@@ -115,6 +116,22 @@ class Chain(Case):
         left = self.scene.render(camera="eyes", noise=0.3, eye="left")
         self.assertTrue(numpy.array_equal(left["beauty"], image["beauty"]))
         self.assertEqual(left.views, {})
+
+    def test_export(self):
+        for program in [kind.name for kind in vug.catalogue.find("program")]:
+            self.vug("export", "cave.vug", "-o", f"theirs {program}", "--for", program, *FLAGS)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # what is left out differs from program to program
+                paths = self.scene.export(f"ours {program}", program)
+            self.assertEqual(sorted(p.name for p in paths),
+                             sorted(p.name for p in (self.folder / f"theirs {program}").iterdir()))
+            for path in paths:
+                self.assert_same_files(path, f"theirs {program}/{path.name}")
+        for wrong in ({"up": "x"}, {"unit": "mm"}):
+            with self.assertRaises(ValueError):
+                self.scene.export("out", **wrong)
+        with self.assertRaises(vug.Error):
+            self.scene.export("out", "blendr")
 
     def test_diff(self):
         one, two = self.scene.render(spp=1), self.scene.with_(R=1.5).render(spp=1)

@@ -1,0 +1,58 @@
+// What other programs read.
+#include "build.h"
+#include "errors.h"
+
+#include <vug/base/atomic_file.h>
+#include <vug/session/assemble.h>
+#include <vug/session/export_set.h>
+#include <vug/session/inputs.h>
+
+namespace vug::python {
+namespace {
+
+session::ExportOptions export_options(const std::string& program,
+                                      const std::optional<std::string>& up,
+                                      const std::optional<std::string>& unit) {
+  session::ExportOptions options;
+  options.program = &exchange::program(program);
+  if (up && *up != "y" && *up != "z") throw py::value_error("up must be 'y' or 'z'");
+  if (unit && *unit != "m" && *unit != "cm") throw py::value_error("unit must be 'm' or 'cm'");
+  if (up) options.up = *up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
+  if (unit) options.metres_per_unit = *unit == "cm" ? 0.01 : 1;
+  return options;
+}
+
+std::vector<std::filesystem::path> export_scene(const std::shared_ptr<Scene>& scene,
+                                                const std::filesystem::path& folder,
+                                                const std::string& program,
+                                                const std::optional<std::string>& up,
+                                                const std::optional<std::string>& unit,
+                                                const Memory& memory, int threads,
+                                                const Callback& progress) {
+  const session::ExportOptions options = export_options(program, up, unit);
+  const auto shot = std::make_shared<const session::Shot>(session::with_meshes(scene->shot()));
+  require_outputs(session::export_paths(*shot, folder, options),
+                  session::files_named(scene->loaded()));
+  Build build(scene, shot, {memory_of(memory), threads_of(threads), progress});
+  exchange::Written written;
+  build.work(
+      [&](session::Builder& builder) { written = session::export_set(builder, folder, options); });
+  for (std::string& each : written.left_out) each = "left out: " + each;
+  warn(written.left_out);
+  return written.files;
+}
+
+}  // namespace
+
+void bind_export(py::module_& module) {
+  py::class_<Scene, std::shared_ptr<Scene>> scenes(module.attr("Scene"));
+  scenes.def(
+      "export", &export_scene, "folder"_a, "program"_a = "usd", "up"_a = py::none(),
+      "unit"_a = py::none(), "max_memory"_a = py::none(), "threads"_a = 0,
+      "progress"_a = py::none(),
+      "Writes what another program reads best, as `vug export --for PROGRAM` does, and gives\n"
+      "the paths; vug.catalogue.find('program') lists the programs. up: 'y' or 'z', unit: 'm'\n"
+      "or 'cm', instead of the program's own. Warns of what is left out.");
+}
+
+}  // namespace vug::python
