@@ -3,6 +3,7 @@
 
 #include <vug/base/diagnostics.h>
 #include <vug/session/catalogue.h>
+#include <vug/session/plugin.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::python {
@@ -20,6 +21,11 @@ py::list kinds_for_python(const std::string& word) {
 }  // namespace
 
 void bind_catalogue(py::module_& module) {
+  module.def(
+      "load_plugin", &session::load_plugin, "file"_a,
+      "Loads a plugin, a shared library with further kinds; before the first scene. Those in\n"
+      "the folders of $VUG_PLUGIN_PATH are loaded by `import vug`.");
+  module.def("plugins_in_path", &session::plugins_in_path, "Those that `import vug` loads.");
   module.def("find_kinds", &kinds_for_python, "word"_a = "",
              "What `vug list WORD --json` prints: kinds of that name, category or family, or all;\n"
              "and of each parameter its type, range and default in a line, 'text'.");

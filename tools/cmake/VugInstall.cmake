@@ -29,5 +29,6 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/VugConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/VugConfig.cmake ${PROJECT_BINARY_DIR}/VugConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/tools/cmake/VugDependencies.cmake
-  ${PROJECT_SOURCE_DIR}/tools/cmake/VugImageTest.cmake DESTINATION ${package_folder})
+  ${PROJECT_SOURCE_DIR}/tools/cmake/VugImageTest.cmake
+  ${PROJECT_SOURCE_DIR}/tools/cmake/VugPlugin.cmake DESTINATION ${package_folder})
 install(EXPORT VugTargets NAMESPACE Vug:: DESTINATION ${package_folder})

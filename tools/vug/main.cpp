@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vug/base/diagnostics.h>
+#include <vug/session/plugin.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -62,9 +63,13 @@ int run(int argc, char** argv) {
   app.footer(
       "'vug VERB --help' tells more. Exit codes: 0 done, 1 the answer is no, 2 unusable input, 3 a "
       "failure.");
+  std::vector<std::string> plugins;
+  app.add_option("--plugin", plugins, "a plugin to load, beside those in $VUG_PLUGIN_PATH")
+      ->take_all()
+      ->allow_extra_args(false);
   std::map<const CLI::App*, std::function<int()>> runs;
   for (const Verb& verb : verbs()) {
-    CLI::App* command = app.add_subcommand(verb.name, verb.doc);
+    CLI::App* command = app.add_subcommand(verb.name, verb.doc)->fallthrough();
     runs[command] = verb.setup(*command);
     for (CLI::Option* option : command->get_options())  // first of all, before ranges are checked
       option->transform(CLI::Validator(refuse_empty, ""));
@@ -74,6 +79,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
+  for (const auto& plugin : session::plugins_in_path()) session::load_plugin(plugin);
+  for (const std::string& plugin : plugins) session::load_plugin(plugin);
   return runs.at(app.get_subcommands().at(0))();
 }
 

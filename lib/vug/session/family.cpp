@@ -5,12 +5,16 @@
 #include <vug/paint/kind.h>
 #include <vug/render/kinds.h>
 #include <vug/session/family.h>
+#include <vug/session/family_kinds.h>
 #include <vug/session/objects.h>
 #include <vug/session/places.h>
 #include <vug/session/stages.h>
 #include <vug/session/volume_kinds.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <atomic>
 
 namespace vug::session {
 namespace {
@@ -18,14 +22,7 @@ namespace {
 template <class Product>
 Family family(const Kinds<Product>& kinds) {
   Family out{ValueTraits<Product>::type(), {}};
-  for (const Kind<Product>* kind : kinds)
-    out.kinds.push_back({&kind->info,
-                         [kind](const Arguments& arguments, const SourceLocation& where,
-                                Diagnostics& diagnostics) -> std::optional<Value> {
-                           auto product = kind->make(arguments, where, diagnostics);
-                           if (!product) return std::nullopt;
-                           return ValueTraits<Product>::write(*product);
-                         }});
+  for (const Kind<Product>* kind : kinds) out.kinds.push_back(as_family_kind(*kind));
   return out;
 }
 
@@ -44,8 +41,10 @@ const FamilyKind* Family::find(const std::string& name) const {
   return nullptr;
 }
 
-const std::vector<Family>& families() {
-  static const std::vector<Family> all = {
+namespace {
+
+std::vector<Family>& own_families() {
+  static std::vector<Family> all = {
       family(field::field_kinds()), family(field::blends()),    family(field::noises()),
       family(volume_kinds()),       family(paint::masks()),     family(paint::paints()),
       family(render::materials()),  family(render::lights()),   family(render::media()),
@@ -54,6 +53,35 @@ const std::vector<Family>& families() {
       family(cell_stages()),
   };
   return all;
+}
+
+std::atomic<bool> asked_for = false;
+
+}  // namespace
+
+const std::vector<Family>& families() {
+  asked_for = true;
+  return own_families();
+}
+
+void add_kinds(const std::vector<std::pair<std::string, FamilyKind>>& kinds) {
+  if (asked_for)
+    throw Error(ErrorCode::bad_input, "comes too late: the kinds are in use already", {},
+                "load plugins before the first scene");
+  std::vector<Family> all = own_families();
+  for (const auto& [type, kind] : kinds) {
+    const std::string& wanted = type;  // clang 14 captures no parts of a pair
+    const auto family = std::find_if(all.begin(), all.end(),
+                                     [&](const Family& each) { return each.type == wanted; });
+    if (family == all.end())
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("brings a {}, of which a scene knows none", type));
+    if (family->find(kind.info->name))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("brings a {} '{}', which is there already", type, kind.info->name));
+    family->kinds.push_back(kind);
+  }
+  own_families() = std::move(all);
 }
 
 const Family* find_family(const std::string& type) {

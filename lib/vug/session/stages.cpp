@@ -25,6 +25,8 @@ Schema<CellStage> stage_schema(const std::string& rule) {
   return s;
 }
 
+}  // namespace
+
 Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
   const Schema<CellStage> schema = stage_schema(rule.info.name);
   KindInfo info = rule.info;
@@ -50,8 +52,6 @@ Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
   };
   return {std::move(info), make};
 }
-
-}  // namespace
 
 const Kinds<CellStagePtr>& cell_stages() {
   static const std::deque<Kind<CellStagePtr>> made = [] {

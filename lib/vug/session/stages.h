@@ -9,6 +9,9 @@ namespace vug::session {
 /// The kinds of cells::rules(), whose parameters are followed by `begin`, `steps` and `where`.
 const Kinds<CellStagePtr>& cell_stages();
 
+/// The same of one, which must outlive it.
+Kind<CellStagePtr> as_stage(const cells::RuleKind& rule);
+
 }  // namespace vug::session
 
 namespace vug {

@@ -9,17 +9,27 @@
 
 Lengths are metres, angles radians; space is right-handed, y up. See docs/python.md.
 """
+import warnings as _warnings
+
+from . import _vug
 from ._catalogue import Catalogue, Kind, KindParam
 from ._errors import Cancelled, Diagnostic, Error, SceneWarning
 from ._params import Param
 from ._vug import (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene, __version__,
-                   diff, load, loads, read_mesh)
+                   diff, load, load_plugin, loads, read_mesh)
 
 catalogue = Catalogue()
 
 __all__ = ["Build", "Cancelled", "Catalogue", "Cells", "Derivation", "Diagnostic", "Diff", "Error",
            "Grid", "Image", "Kind", "KindParam", "LevelSet", "Mesh", "Param", "Scene",
-           "SceneWarning", "catalogue", "diff", "load", "loads", "read_mesh"]
+           "SceneWarning", "catalogue", "diff", "load", "load_plugin", "loads",
+           "read_mesh"]
 
 for _type in (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene):
     _type.__module__ = __name__
+
+for _plugin in _vug.plugins_in_path():
+    try:
+        load_plugin(_plugin)
+    except Error as _error:  # the package is of use without it
+        _warnings.warn(str(_error), SceneWarning, stacklevel=2)
