@@ -49,6 +49,7 @@ std::variant<LevelSet, Grid> volume_of(Build& build, const std::string& name) {
 Mesh mesh(Build& build, const std::string& name) {
   const session::MeshPtr plan = session::find_mesh(build.scene()->shot(), name);
   Mesh made;
+  made.notes = session::mesh_notes(build.scene()->shot());
   build.work([&](session::Builder& builder) { made.mesh = builder.mesh(plan); });
   return made;
 }

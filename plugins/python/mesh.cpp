@@ -120,7 +120,7 @@ void bind_mesh(py::module_& module) {
           "save",
           [](const Mesh& m, const std::filesystem::path& file) {
             const py::gil_scoped_release others;
-            mesh::write_mesh(*m.mesh, file);
+            mesh::write_mesh(*m.mesh, file, m.notes);
           },
           "file"_a, "Writes a .ply, .obj or .stl; what the format cannot hold is left out.")
       .def("__repr__", [](const Mesh& m) {

@@ -4,12 +4,14 @@
 #include "binding.h"
 
 #include <vug/mesh/mesh.h>
+#include <vug/mesh/notes.h>
 
 namespace vug::python {
 
 /// Immutable; its arrays share what it points to.
 struct Mesh {
   mesh::MeshPtr mesh;
+  mesh::Notes notes = {};  ///< That files of it keep.
 };
 
 }  // namespace vug::python

@@ -33,6 +33,14 @@ volume::WriteOptions write_options(const Shot& shot) {
   return options;
 }
 
+mesh::Notes mesh_notes(const Shot& shot) {
+  mesh::Notes notes;
+  notes.texts = {{"vug:recipe", shot.recipe},
+                 {"vug:seed", std::to_string(shot.seed)},
+                 {"vug:version", VUG_VERSION}};
+  return notes;
+}
+
 void write_volumes(Builder& builder, const std::filesystem::path& vdb) {
   volume::write(vdb, grids_of(builder), write_options(builder.shot()));
 }
@@ -66,12 +74,8 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
   auto path = paths.begin();
   for (const MeshPtr& plan : declared_meshes(shot)) builder.require_room(plan);
   if (!shot.volumes.empty()) write_volumes(builder, *path++);
-  mesh::Notes notes;
-  notes.texts = {{"vug:recipe", shot.recipe},
-                 {"vug:seed", std::to_string(shot.seed)},
-                 {"vug:version", VUG_VERSION}};
   for (const MeshPtr& plan : declared_meshes(shot))
-    mesh::write_mesh(*builder.mesh(plan), *path++, notes);
+    mesh::write_mesh(*builder.mesh(plan), *path++, mesh_notes(shot));
   for (const CellsPtr& cells : declared_cells(shot)) {
     if (cells->writes("points")) {
       const SkinPtr skin = builder.skin(cells);

@@ -1,6 +1,7 @@
 // Products to files.
 #pragma once
 
+#include <vug/mesh/notes.h>
 #include <vug/session/build.h>
 #include <vug/volume/io.h>
 
@@ -28,5 +29,7 @@ void write_volumes(Builder& builder, const std::filesystem::path& vdb);
 
 /// What files of the shot's grids tell about where they come from.
 volume::WriteOptions write_options(const Shot& shot);
+/// The same of its meshes.
+mesh::Notes mesh_notes(const Shot& shot);
 
 }  // namespace vug::session
