@@ -22,7 +22,8 @@ camera main { eye (0, 2, 6) target (0, 0, 0) }
 light ball = sphere(center: (0, 3, 0), power: 100)
 render main { size 16x9 spp 1 }
 """
-PROGRAMS = {"blender": "glb", "houdini": "usda", "maya": "usda", "unreal": "usda", "usd": "usda"}
+PROGRAMS = {"blender": ["glb"], "gltf": ["glb"], "houdini": ["usda"], "maya": ["usda"],
+            "meshes": ["obj", "ply"], "unreal": ["usda"], "usd": ["usda"]}
 
 
 def buffer_of(glb):
@@ -39,9 +40,9 @@ class Export(VugTest):
     def test_a_set_for_every_program(self):
         listed = json.loads(self.expect(0, "list", "program", "--json").out)
         self.assertEqual([each["name"] for each in listed], list(PROGRAMS))
-        for program, ending in PROGRAMS.items():
+        for program, endings in PROGRAMS.items():
             said = self.expect(0, "export", "cave.vug", "-o", program, "--for", program)
-            names = ["cave_rock.vdb", "cave_mist.vdb", f"cave.{ending}"]
+            names = ["cave_rock.vdb", "cave_mist.vdb", *(f"cave.{ending}" for ending in endings)]
             self.assertEqual(said.out.split(), [f"{program}/{name}" for name in names])
             self.assertEqual(sorted(os.listdir(self.folder / program)), sorted(names))
             for name in names:

@@ -23,6 +23,11 @@ class Gltf(VugTest):
         self.assertEqual((info["drawCallCount"], info["materialCount"]), (2, 2))
         self.assertEqual(info["maxAttributes"], 4)  # place, normal, colour, wetness
 
+    def test_instances(self):
+        self.write("all.vug", SCENE)
+        info = self.report("all.vug", "all.glb", "--for", "gltf")
+        self.assertIn("EXT_mesh_gpu_instancing", info["extensionsUsed"])
+
     def test_scenes_of_ours(self):
         for scene in ("teaching/strewn", "teaching/crystals"):
             name = scene.split("/")[1]

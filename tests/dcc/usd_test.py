@@ -76,6 +76,20 @@ class Usd(VugTest):
             for got, wanted in zip(camera["matrix"][12:15], (0, 2, 6)):
                 self.assertAlmostEqual(got, wanted, delta=1e-4, msg=program)
 
+    def test_levels_of_detail_are_variants(self):
+        self.expect(0, "export", "all.vug", "-o", "levels", "--for", "usd", "--lod", "2", "-q")
+        found = self.read("levels")
+        for level in ("full", "lod1", "lod2"):
+            self.assertIn(f'"{level}" {{', found["tinyusdz"])
+        self.assertEqual(found["tinyusdz"].count('def Mesh "shape"'), 2 * 3)
+        # The first is the whole; the others have a quarter of the one before, about.
+        sizes = [len(counts.split(",")) for counts in
+                 re.findall(r"faceVertexCounts = (.*)", block(found["tinyusdz"], "Xform", "wall"))]
+        whole = block(self.read("usd")["tinyusdz"], "Xform", "wall")
+        self.assertEqual(sizes[0], len(numbers(whole, "faceVertexCounts")))
+        for finer, coarser in zip(sizes, sizes[1:]):
+            self.assertAlmostEqual(coarser / finer, 0.25, delta=0.01)
+
 
 if __name__ == "__main__":
     require_node()

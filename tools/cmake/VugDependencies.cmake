@@ -20,6 +20,7 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 vug_needs(CGAL CONFIG)
 vug_needs(nlohmann_json CONFIG)
 vug_needs(TinyGLTF CONFIG)
+vug_needs(meshoptimizer CONFIG)
 vug_needs(OpenImageIO CONFIG)
 # Debian's target names include folders of OpenCV, which its headers do not need.
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES

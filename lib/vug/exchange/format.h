@@ -28,6 +28,7 @@ struct Written {
 struct Format {
   KindInfo info;
   std::optional<Space> space;  ///< Where the format allows one only.
+  bool levels = false;         ///< A file holds levels of detail beside the whole.
   /// The assembly stands in a space that the format allows. Files are whole or not there.
   /// Error(io), Error(too_large).
   Written (*write)(const Assembly& assembly, const std::filesystem::path& file,

@@ -69,16 +69,9 @@ void write_input(UsdText& out, const Part& part, const std::string& path, const 
     out.line("{} inputs:{} = {}", type, input, part.look.*channel.number);
 }
 
-}  // namespace
-
-void write_usd_mesh(UsdText& out, const Part& part, const std::string& name,
-                    const std::string& material) {
-  std::vector<std::string> metadata = {"prepend apiSchemas = [\"MaterialBindingAPI\"]"};
-  if (!part.coarser.empty()) {
-    metadata.push_back(fmt::format("variants = {{ string levelOfDetail = \"{}\" }}", kFull));
-    metadata.emplace_back("prepend variantSets = \"levelOfDetail\"");
-  }
-  out.def("Mesh", name, metadata);
+void write_mesh(UsdText& out, const Part& part, const mesh::Mesh& mesh, const std::string& name,
+                const std::string& material) {
+  out.def("Mesh", name, {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
   out.line("rel material:binding = <{}>", material);
   out.line("uniform token orientation = \"rightHanded\"");
   out.line("uniform token subdivisionScheme = \"none\"");
@@ -86,19 +79,28 @@ void write_usd_mesh(UsdText& out, const Part& part, const std::string& name,
   if (!varies(part, channels()[0]))
     out.line("color3f[] primvars:displayColor = [{}] (interpolation = \"constant\")",
              usd_tuple(part.look.base_color));
-  if (part.coarser.empty()) {
-    write_shape(out, *part.mesh);
-    out.end();
-    return;
-  }
+  write_shape(out, mesh);
+  out.end();
+}
+
+}  // namespace
+
+std::string usd_mesh_type(const Part& part) { return part.coarser.empty() ? "Mesh" : "Xform"; }
+
+void write_usd_mesh(UsdText& out, const Part& part, const std::string& name,
+                    const std::string& material) {
+  if (part.coarser.empty()) return write_mesh(out, part, *part.mesh, name, material);
+  out.def(usd_mesh_type(part), name,
+          {fmt::format("variants = {{ string levelOfDetail = \"{}\" }}", kFull),
+           "prepend variantSets = \"levelOfDetail\""});
   out.open("variantSet \"levelOfDetail\" = {");
   out.open(fmt::format("\"{}\" {{", kFull));
-  write_shape(out, *part.mesh);
+  write_mesh(out, part, *part.mesh, "shape", material);
   out.end();
   for (size_t i = 0; i < part.coarser.size(); ++i) {
     out.open(fmt::format("\"lod{}\" {{", i + 1));
     out.line("custom double vug:distance = {}", part.coarser[i].distance);
-    write_shape(out, *part.coarser[i].mesh);
+    write_mesh(out, part, *part.coarser[i].mesh, "shape", material);
     out.end();
   }
   out.end().end();

@@ -8,9 +8,13 @@
 
 namespace vug::exchange {
 
-/// A Mesh prim of that name, bound to the material at that path; with coarser meshes in variants.
+/// A Mesh prim of that name, bound to the material at that path; with coarser meshes an Xform whose
+/// variants each hold one.
 void write_usd_mesh(UsdText& out, const Part& part, const std::string& name,
                     const std::string& material);
+
+/// Which of both it is.
+std::string usd_mesh_type(const Part& part);
 
 /// A Material prim: a UsdPreviewSurface that reads what varies from the mesh.
 void write_usd_material(UsdText& out, const Part& part, const std::string& path,

@@ -162,10 +162,10 @@ nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   if (extension == ".vdb") return describe_vdb(file);
   if (extension == ".csv") return describe_table(file);
-  for (const exchange::Format* format : exchange::formats())
-    if (extension == "." + format->info.name) return describe_scene(file);
   for (const mesh::Format* format : mesh::formats())
     if (extension == "." + format->info.name) return describe_mesh(file);
+  for (const exchange::Format* format : exchange::formats())
+    if (extension == "." + format->info.name) return describe_scene(file);
   return render::is_part(file) || extension == ".vugpart" ? describe_part(file)
                                                           : describe_picture(file);
 }

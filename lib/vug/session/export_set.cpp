@@ -2,6 +2,7 @@
 #include <vug/base/memory.h>
 #include <vug/cells/as_points.h>
 #include <vug/exchange/channels.h>
+#include <vug/exchange/levels.h>
 #include <vug/mesh/format.h>
 #include <vug/session/assemble.h>
 #include <vug/session/cells_files.h>
@@ -11,6 +12,8 @@
 #include <vug/volume/placed.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vug::session {
 namespace {
@@ -28,8 +31,9 @@ class Names {
   Names(const Shot& shot, std::filesystem::path folder, const ExportOptions& options)
       : shot_(shot), folder_(std::move(folder)), options_(options) {}
 
-  std::filesystem::path scene(const std::string& format) const {
-    return folder_ / fmt::format("{}.{}", shot_.name, format);
+  std::filesystem::path scene(const std::string& format, int level = 0) const {
+    const std::string end = level > 0 ? fmt::format("_lod{}", level) : "";
+    return folder_ / fmt::format("{}{}.{}", shot_.name, end, format);
   }
   std::filesystem::path volume(const VolumePlan& plan) const {
     return folder_ / fmt::format("{}_{}.vdb", shot_.name, plan.name);
@@ -90,24 +94,43 @@ class Exporter {
                      {"vug:metersPerUnit", space_.metres_per_unit}};
   }
 
-  exchange::Written all() {
+  Exported all() {
     Assembled made = assemble(builder_);
+    exchange::add_levels(made.assembly, options_.levels, builder_.progress());
+    tell_levels(made.assembly);
     for (const VolumePtr& plan : builder_.shot().volumes)
       made.assembly.volumes.push_back(write(*plan, builder_.level_set(plan)));
     for (const CellsPtr& plan : declared_cells(builder_.shot())) write(plan);
     out_.left_out = std::move(made.left_out);
     for (const std::string& name : options_.program->formats) {
       const exchange::Format& format = exchange::format(name);
-      exchange::Written more = exchange::write(format, made.assembly, space_, names_.scene(name),
-                                               options_.program->options, builder_.progress());
-      out_.files.insert(out_.files.end(), more.files.begin(), more.files.end());
-      for (const std::string& what : more.left_out)
-        out_.left_out.push_back(fmt::format("{} in .{}", what, name));
+      write(format, made.assembly, names_.scene(name));
+      for (int level = 1; level <= options_.levels && !format.levels; ++level)
+        write(format, exchange::at_level(made.assembly, level), names_.scene(name, level));
     }
     return std::move(out_);
   }
 
  private:
+  void write(const exchange::Format& format, const exchange::Assembly& assembly,
+             const std::filesystem::path& file) {
+    exchange::Written more = exchange::write(format, assembly, space_, file,
+                                             options_.program->options, builder_.progress());
+    out_.files.insert(out_.files.end(), more.files.begin(), more.files.end());
+    for (const std::string& what : more.left_out) {
+      const std::string sentence = fmt::format("{} in .{}", what, format.info.name);
+      if (std::find(out_.left_out.begin(), out_.left_out.end(), sentence) == out_.left_out.end())
+        out_.left_out.push_back(sentence);
+    }
+  }
+  void tell_levels(const exchange::Assembly& assembly) {
+    for (const exchange::Part& part : assembly.parts)
+      for (size_t i = 0; i < part.coarser.size(); ++i)
+        out_.levels.push_back(
+            fmt::format("level {} of '{}': {} of {} triangles, {} off", i + 1, part.name,
+                        part.coarser[i].mesh->triangles.size(), part.mesh->triangles.size(),
+                        quantity_text(part.coarser[i].distance, Dimension::length)));
+  }
   exchange::Volume write(const VolumePlan& plan, const volume::LevelSet& level_set) {
     const volume::Grid grid = plan.fog ? volume::fog(level_set) : volume::Grid(level_set);
     const Box3d bounds = grid.statistics().bounds;
@@ -173,7 +196,7 @@ class Exporter {
   exchange::Space space_;
   Transform way_;
   volume::WriteOptions vdb_;
-  exchange::Written out_;
+  Exported out_;
 };
 
 }  // namespace
@@ -188,12 +211,16 @@ std::vector<std::filesystem::path> export_paths(const Shot& shot,
     if (plan->writes("grids")) paths.push_back(names.grids(*plan));
     if (plan->writes("points")) paths.push_back(names.points(*plan));
   }
-  for (const std::string& format : options.program->formats) paths.push_back(names.scene(format));
+  for (const std::string& format : options.program->formats) {
+    paths.push_back(names.scene(format));
+    for (int level = 1; level <= options.levels && !exchange::format(format).levels; ++level)
+      paths.push_back(names.scene(format, level));
+  }
   return paths;
 }
 
-exchange::Written export_set(Builder& builder, const std::filesystem::path& folder,
-                             const ExportOptions& options) {
+Exported export_set(Builder& builder, const std::filesystem::path& folder,
+                    const ExportOptions& options) {
   for (const auto& path : export_paths(builder.shot(), folder, options)) require_writable(path);
   return Exporter(builder, folder, options).all();
 }

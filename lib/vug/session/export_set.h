@@ -15,6 +15,7 @@ struct ExportOptions {
   const exchange::Program* program = nullptr;  ///< Whom it is for.
   std::optional<exchange::UpAxis> up;          ///< Instead of the program's.
   std::optional<double> metres_per_unit;       ///< Likewise.
+  int levels = 0;  ///< Of detail beside the whole: each a quarter as many triangles.
 };
 
 /// The files that export_set is sure to write.
@@ -25,8 +26,12 @@ std::vector<std::filesystem::path> export_paths(const Shot& shot,
 /// Writes into `folder`, each file whole or not at all, where NAME is the shot's: NAME.glb or what
 /// else the program reads; a file NAME_VOLUME.vdb for each volume, with the grid `surface` or
 /// `density`; of cells NAME_CELLS_points and, where the scene asks for them, the grids of what they
-/// carry in NAME_CELLS_grids.vdb. The builder's shot is one of with_meshes.
-exchange::Written export_set(Builder& builder, const std::filesystem::path& folder,
-                             const ExportOptions& options);
+/// carry in NAME_CELLS_grids.vdb; levels of detail in NAME_lod1.glb and so on, in variants (USD).
+/// The builder's shot is one of with_meshes.
+struct Exported : exchange::Written {
+  std::vector<std::string> levels;  ///< In sentences, how far each level is off.
+};
+Exported export_set(Builder& builder, const std::filesystem::path& folder,
+                    const ExportOptions& options);
 
 }  // namespace vug::session

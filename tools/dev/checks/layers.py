@@ -9,7 +9,8 @@ from .tree import Finding, module_of
 
 # The one module that may include each of these.
 DOORS = {"openvdb/": "volume", "embree3/": "render", "OpenImageIO/": "image", "OpenEXR/": "image",
-         "OpenColorIO/": "image", "tiny_gltf.h": "exchange"}
+         "OpenColorIO/": "image", "tiny_gltf.h": "exchange",
+         "meshoptimizer.h": "exchange"}
 # Costly to parse: never reachable through a header that another module includes.
 HEAVY = (*DOORS, "nlohmann/json.hpp", "CLI/", "Eigen/")
 

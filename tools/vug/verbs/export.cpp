@@ -19,6 +19,7 @@ struct Options {
   std::string folder;
   std::string program = "usd";
   std::string up, unit;
+  int levels = 0;
 };
 
 int run(const Options& options) {
@@ -26,16 +27,18 @@ int run(const Options& options) {
   what.program = &exchange::program(options.program);
   if (!options.up.empty()) what.up = options.up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
   if (!options.unit.empty()) what.metres_per_unit = options.unit == "cm" ? 0.01 : 1;
+  what.levels = options.levels;
   const ThreadLimit threads(options.work.threads);
   const session::Loaded loaded = options.scene.load();
   const session::Shot shot = session::with_meshes(loaded.shot);
   require_outputs(session::export_paths(shot, options.folder, what), session::files_named(loaded));
   session::Builder builder(shot, options.work.build_options(loaded),
                            terminal_progress(options.work.bar()));
-  const exchange::Written written = session::export_set(builder, options.folder, what);
+  const session::Exported written = session::export_set(builder, options.folder, what);
   for (const auto& path : written.files) fmt::print("{}\n", path.string());
   if (options.work.quiet) return kDone;
   clear_bar();
+  for (const std::string& each : written.levels) fmt::print(stderr, "{}\n", each);
   for (const std::string& each : written.left_out) fmt::print(stderr, "left out: {}\n", each);
   options.work.summarise(builder);
   return kDone;
@@ -44,24 +47,27 @@ int run(const Options& options) {
 }  // namespace
 
 Verb export_verb() {
-  return {"export", "Writes what another program reads best: meshes, volumes, cameras, lights.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            options->scene.add_to(app);
-            app.add_option("-o,--output", options->folder, "the folder to write into")->required();
-            std::vector<std::string> programs;
-            for (const exchange::Program* each : exchange::programs())
-              programs.push_back(each->info.name);
-            app.add_option("--for", options->program,
-                           fmt::format("whom it is for: {}; else usd", fmt::join(programs, ", ")));
-            app.add_option("--up", options->up,
-                           "the axis that points up, y or z, instead of its own")
-                ->check(CLI::IsMember({"y", "z"}));
-            app.add_option("--unit", options->unit, "the unit, m or cm, instead of its own")
-                ->check(CLI::IsMember({"m", "cm"}));
-            options->work.add_to(app);
-            return [options] { return run(*options); };
-          }};
+  return {
+      "export", "Writes what another program reads best: meshes, volumes, cameras, lights.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        options->scene.add_to(app);
+        app.add_option("-o,--output", options->folder, "the folder to write into")->required();
+        std::vector<std::string> programs;
+        for (const exchange::Program* each : exchange::programs())
+          programs.push_back(each->info.name);
+        app.add_option("--for", options->program,
+                       fmt::format("whom it is for: {}; else usd", fmt::join(programs, ", ")));
+        app.add_option("--up", options->up, "the axis that points up, y or z, instead of its own")
+            ->check(CLI::IsMember({"y", "z"}));
+        app.add_option("--unit", options->unit, "the unit, m or cm, instead of its own")
+            ->check(CLI::IsMember({"m", "cm"}));
+        app.add_option("--lod", options->levels,
+                       "levels of detail beside the whole, each with a quarter of the triangles")
+            ->check(whole_number_in(0, 8));
+        options->work.add_to(app);
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli

@@ -284,6 +284,7 @@ VUG_EXCHANGE_FORMAT(glb) {
            "gltf2",
            {}},
           Space{UpAxis::y, 1},
+          false,
           write_glb,
           read_glb};
 }

@@ -80,7 +80,9 @@ class Writer {
   void mesh(size_t part, const std::string& parent, const std::string& name) {
     const auto [known, fresh] = meshes_.try_emplace(part, parent + "/" + name);
     if (fresh) return write_usd_mesh(out_, assembly_.parts[part], name, material_.at(part));
-    out_.def("Mesh", name, {fmt::format("prepend references = <{}>", known->second)}).end();
+    out_.def(usd_mesh_type(assembly_.parts[part]), name,
+             {fmt::format("prepend references = <{}>", known->second)})
+        .end();
   }
 
   void add(const Group& group) {
@@ -222,6 +224,7 @@ VUG_EXCHANGE_FORMAT(usda) {
            "usd",
            {}},
           std::nullopt,
+          true,
           write_usda,
           read_usda};
 }

@@ -1,0 +1,81 @@
+#include <vug/exchange/flat_mesh.h>
+#include <vug/mesh/format.h>
+#include <vug/mesh/normals.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::exchange {
+namespace {
+
+mesh::Attribute& attribute_of(mesh::Mesh& all, const mesh::Attribute& like) {
+  for (mesh::Attribute& each : all.attributes)
+    if (each.name == like.name && each.arity == like.arity) return each;
+  return all.attributes.emplace_back(mesh::Attribute{like.name, like.arity, {}});
+}
+
+void append(const Part& part, const Transform& place, mesh::Mesh& all) {
+  const mesh::Mesh& mesh = *part.mesh;
+  const auto first = static_cast<uint32_t>(all.positions.size());
+  for (const Vec3f& p : mesh.positions) all.positions.emplace_back(place.point(Vec3d(p)));
+  const double side = place.determinant() < 0 ? -1 : 1;
+  for (const Vec3f& n : mesh.normals.empty() ? mesh::vertex_normals(mesh) : mesh.normals)
+    all.normals.emplace_back(Vec3f(place.normal(Vec3d(n)).normalized()));
+  for (const mesh::Triangle& t : mesh.triangles)
+    all.triangles.push_back(side > 0 ? mesh::Triangle{t[0] + first, t[1] + first, t[2] + first}
+                                     : mesh::Triangle{t[0] + first, t[2] + first, t[1] + first});
+  for (const mesh::Attribute& own : mesh.attributes) {
+    mesh::Attribute& there = attribute_of(all, own);
+    there.values.resize(first * static_cast<size_t>(own.arity));
+    there.values.insert(there.values.end(), own.values.begin(), own.values.end());
+  }
+  mesh::Attribute& color = attribute_of(all, {std::string(mesh::kColour), 3, {}});
+  for (size_t i = color.values.size() / 3; i < all.positions.size(); ++i)
+    for (int c = 0; c < 3; ++c) color.values.push_back(static_cast<float>(part.look.base_color[c]));
+}
+
+std::string unit_of(double metres) {
+  if (metres == 1) return "metres";
+  return metres == 0.01 ? "centimetres" : fmt::format("units of {} m", metres);
+}
+
+}  // namespace
+
+mesh::Mesh flat_mesh(const Assembly& assembly) {
+  mesh::Mesh all;
+  for (const Group& group : assembly.groups)
+    for (const Transform& place : group.places) append(assembly.parts.at(group.part), place, all);
+  for (mesh::Attribute& each : all.attributes)
+    each.values.resize(all.positions.size() * static_cast<size_t>(each.arity));
+  return all;
+}
+
+Written write_flat_mesh(const Assembly& assembly, const std::filesystem::path& file,
+                        const FormatOptions&, Progress& progress) {
+  progress.check();
+  const Provenance& from = assembly.provenance;
+  mesh::Notes notes;
+  notes.space = fmt::format("{}, {} up", unit_of(assembly.space.metres_per_unit),
+                            to_string(assembly.space.up));
+  notes.texts = {{"vug:recipe", from.recipe},
+                 {"vug:seed", std::to_string(from.seed)},
+                 {"vug:frame", fmt::format("{}", from.frame)},
+                 {"vug:version", from.version}};
+  mesh::write_mesh(flat_mesh(assembly), file, notes);
+  Written written{{file}, {}};
+  const auto leave_out = [&](const auto& things, const char* what) {
+    for (const auto& each : things)
+      written.left_out.push_back(fmt::format("{} '{}'", what, each.name));
+  };
+  leave_out(assembly.cameras, "camera");
+  leave_out(assembly.lamps, "light");
+  return written;
+}
+
+std::vector<std::pair<std::string, std::string>> read_flat_texts(std::string_view bytes,
+                                                                 const std::string&) {
+  return mesh::read_texts(bytes);
+}
+
+}  // namespace vug::exchange

@@ -1,0 +1,20 @@
+// Inside exchange/ only: a scene as the one mesh that simple formats hold.
+#pragma once
+
+#include <vug/exchange/format.h>
+#include <vug/mesh/notes.h>
+
+namespace vug::exchange {
+
+/// All parts where they stand, in one mesh. Every vertex has a colour, its own or its look's; other
+/// attributes are 0 where a part has none.
+mesh::Mesh flat_mesh(const Assembly& assembly);
+
+/// Writes that by the mesh format of the file's extension, with provenance in its comments.
+Written write_flat_mesh(const Assembly& assembly, const std::filesystem::path& file,
+                        const FormatOptions& options, Progress& progress);
+
+std::vector<std::pair<std::string, std::string>> read_flat_texts(std::string_view bytes,
+                                                                 const std::string& file);
+
+}  // namespace vug::exchange

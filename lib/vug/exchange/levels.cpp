@@ -1,0 +1,107 @@
+#include <vug/base/parallel.h>
+#include <vug/exchange/levels.h>
+#include <vug/mesh/distance.h>
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+
+namespace vug::exchange {
+namespace {
+
+constexpr uint32_t kUnused = UINT32_MAX;
+
+/// Vertices that no triangle uses are left out.
+mesh::Mesh with_triangles(const mesh::Mesh& mesh, std::vector<mesh::Triangle> triangles) {
+  std::vector<uint32_t> now(mesh.positions.size(), kUnused), kept;
+  for (mesh::Triangle& t : triangles)
+    for (uint32_t& corner : t) {
+      if (now[corner] == kUnused) {
+        now[corner] = static_cast<uint32_t>(kept.size());
+        kept.push_back(corner);
+      }
+      corner = now[corner];
+    }
+  mesh::Mesh out;
+  out.triangles = std::move(triangles);
+  for (const uint32_t vertex : kept) {
+    out.positions.push_back(mesh.positions[vertex]);
+    if (!mesh.normals.empty()) out.normals.push_back(mesh.normals[vertex]);
+  }
+  for (const mesh::Attribute& each : mesh.attributes) {
+    const auto arity = static_cast<size_t>(each.arity);
+    mesh::Attribute& made = out.attributes.emplace_back(mesh::Attribute{each.name, each.arity, {}});
+    for (const uint32_t vertex : kept)
+      for (size_t k = 0; k < arity; ++k) made.values.push_back(each.values[vertex * arity + k]);
+  }
+  return out;
+}
+
+/// The farthest of a mesh's points from the other.
+double farthest(const mesh::Mesh& from, const mesh::MeshDistance& to) {
+  const auto most = [](double a, double b) { return std::max(a, b); };
+  const auto distance = [&](const Vec3d& p) { return to.closest(p).distance; };
+  const double corners = ordered_reduce(
+      from.positions.size(), 0.0, [&](size_t i) { return distance(Vec3d(from.positions[i])); },
+      most);
+  const double middles = ordered_reduce(
+      from.triangles.size(), 0.0,
+      [&](size_t i) {
+        const auto p = mesh::corners(from, i);
+        double out = distance((p[0] + p[1] + p[2]) / 3);
+        for (size_t k = 0; k < 3; ++k) out = std::max(out, distance((p[k] + p[(k + 1) % 3]) * 0.5));
+        return out;
+      },
+      most);
+  return std::max(corners, middles);
+}
+
+}  // namespace
+
+mesh::Mesh coarser(const mesh::Mesh& mesh, double share) {
+  if (mesh.triangles.empty()) return mesh;
+  const size_t indices = 3 * mesh.triangles.size();
+  const size_t wanted = static_cast<size_t>(static_cast<double>(indices) * share) / 3 * 3;
+  std::vector<mesh::Triangle> triangles(mesh.triangles.size());
+  constexpr float kAnyError = 1;  // of the mesh's extent: the number of triangles decides
+  const size_t left =
+      meshopt_simplify(triangles[0].data(), mesh.triangles[0].data(), indices, &mesh.positions[0].x,
+                       mesh.positions.size(), sizeof(Vec3f), wanted, kAnyError, 0, nullptr);
+  triangles.resize(left / 3);
+  return with_triangles(mesh, std::move(triangles));
+}
+
+double hausdorff_distance(const mesh::Mesh& a, const mesh::Mesh& b) {
+  if (a.triangles.empty() || b.triangles.empty()) return 0;
+  return std::max(farthest(a, mesh::MeshDistance(b)), farthest(b, mesh::MeshDistance(a)));
+}
+
+void add_levels(Assembly& assembly, int count, Progress& progress) {
+  progress.begin("levels of detail", assembly.parts.size() * static_cast<uint64_t>(count));
+  for (Part& part : assembly.parts) {
+    part.coarser.clear();
+    mesh::MeshPtr finer = part.mesh;
+    for (int i = 0; i < count; ++i) {
+      progress.check();
+      mesh::Mesh made = coarser(*finer);
+      if (made.triangles.empty() || made.triangles.size() == finer->triangles.size()) break;
+      const double distance = hausdorff_distance(*part.mesh, made);
+      finer = std::make_shared<const mesh::Mesh>(std::move(made));
+      part.coarser.push_back({finer, distance});
+      progress.advance();
+    }
+  }
+  progress.end();
+}
+
+Assembly at_level(const Assembly& assembly, int number) {
+  Assembly out = assembly;
+  for (Part& part : out.parts) {
+    if (!part.coarser.empty())
+      part.mesh = part.coarser[std::min(static_cast<size_t>(number), part.coarser.size()) - 1].mesh;
+    part.coarser.clear();
+  }
+  return out;
+}
+
+}  // namespace vug::exchange
