@@ -80,6 +80,8 @@ class Views(Case):
         begin, to = skin.links
         self.assertEqual((len(begin), begin[-1]), (len(skin) + 1, len(to)))
         self.assertLess(skin.states.max(), len(vug.Cells.state_names))
+        self.assertEqual(len(build.mesh("wall").positions), n)  # the one below the cells
+        self.assertNotEqual(address(build.mesh("wall").positions), address(mesh.positions))
         image = build.render(spp=1)
         self.assertEqual(image["beauty"].shape, (18, 32, 3))
         self.assertEqual(image["Z"].shape, (18, 32))

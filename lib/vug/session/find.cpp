@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vug::session {
 namespace {
 
@@ -28,7 +30,10 @@ constexpr const char* kVolume = "volume rock = level_set(..., voxel: 5cm)";
 }  // namespace
 
 MeshPtr find_mesh(const Shot& shot, const std::string& name) {
-  return find_named(meshes_of(shot), name, "mesh", kVolume);
+  std::vector<MeshPtr> meshes = meshes_of(shot);
+  for (const MeshPtr& mesh : shot.meshes)
+    if (std::find(meshes.begin(), meshes.end(), mesh) == meshes.end()) meshes.push_back(mesh);
+  return find_named(meshes, name, "mesh", kVolume);
 }
 
 VolumePtr find_volume(const Shot& shot, const std::string& name) {

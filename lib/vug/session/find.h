@@ -7,7 +7,8 @@
 
 namespace vug::session {
 
-/// Of what a shot shows or measures (see meshes_of); an empty name takes the first.
+/// Of what a shot shows or measures (see meshes_of), and of meshes under cells; an empty name takes
+/// the first.
 /// Error(bad_input), with the nearest name, where there is none.
 MeshPtr find_mesh(const Shot& shot, const std::string& name);
 /// Likewise of its volumes.
