@@ -269,7 +269,8 @@ std::vector<std::pair<std::string, std::string>> read_glb(std::string_view bytes
   const auto asset = json.find("asset");
   if (asset == json.end() || !asset->is_object() || !asset->contains("extras")) return texts;
   for (const auto& [name, value] : asset->at("extras").items())
-    texts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+    if (value.is_primitive())
+      texts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
   return texts;
 }
 
