@@ -81,16 +81,18 @@ class Export(VugTest):
         self.assertEqual(os.listdir(self.folder / "o"), ["cave.usda"])
 
     def test_a_full_disk_leaves_the_old_files(self):
-        self.expect(0, "export", "cave.vug", "-o", "o", "--for", "usd")
-        before = {path.name: digest(path) for path in (self.folder / "o").iterdir()}
-        # A limit on the size of files is a disk that is full for the large ones.
-        limit = (self.folder / "o/cave.usda").stat().st_size // 2
-        said = self.vug("export", "cave.vug", "-o", "o", "--for", "usd", "-D", "R=1.1m",
-                        preexec_fn=lambda: set_file_limit(limit))
-        self.assertEqual(said.code, 3, said.err)
-        self.assertIn("cannot write 'o/cave", said.err)
-        self.assertEqual(sorted(before), sorted(os.listdir(self.folder / "o")))
-        self.assertEqual(before["cave.usda"], digest(self.folder / "o/cave.usda"))
+        for program, name in (("usd", "cave.usda"), ("blender", "cave.glb"), ("meshes", "cave.ply")):
+            folder = self.folder / program
+            self.expect(0, "export", "cave.vug", "-o", program, "--for", program)
+            before = {path.name: digest(path) for path in folder.iterdir()}
+            # A limit on the size of files is a disk that is full for the large ones.
+            limit = (folder / name).stat().st_size // 2
+            said = self.vug("export", "cave.vug", "-o", program, "--for", program, "-D", "R=1.1m",
+                            preexec_fn=lambda most=limit: set_file_limit(most))
+            self.assertEqual(said.code, 3, said.err)
+            self.assertIn(f"cannot write '{program}/cave", said.err)
+            self.assertEqual(sorted(before), sorted(os.listdir(folder)))
+            self.assertEqual(before[name], digest(folder / name))
 
 
 def set_file_limit(limit):
