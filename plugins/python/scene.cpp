@@ -7,8 +7,10 @@
 #include <vug/base/atomic_file.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/data_folders.h>
+#include <vug/session/recipe.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace vug::python {
 namespace {
@@ -76,6 +78,17 @@ SharedScene loads(const std::string& text, const std::filesystem::path& base,
                   const py::kwargs& more) {
   const std::filesystem::path file = base == "." ? std::filesystem::path(name) : base / name;
   return std::make_shared<Scene>(text, file.string(), changed(fresh(), params, seed, frame, more));
+}
+
+/// Files keep no frame in the text: it is the one argument that they may name.
+SharedScene scene_of(const std::filesystem::path& file, const std::filesystem::path& base) {
+  const session::Recipe recipe = session::recipe_of(file);
+  std::optional<double> frame;
+  for (const std::string& argument : recipe.arguments)
+    if (constexpr std::string_view kFrame = "--frame "; argument.rfind(kFrame, 0) == 0)
+      frame = std::stod(argument.substr(kFrame.size()));
+  return loads(recipe.scene, base, file.stem().string() + ".vug", py::dict(), std::nullopt, frame,
+               py::kwargs());
 }
 
 SharedScene change(const Scene& scene, const py::dict& params, const std::optional<uint64_t>& seed,
@@ -228,6 +241,10 @@ void bind_scene(py::module_& module) {
              "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(), "frame"_a = py::none(),
              "The same of a text; files that it names are looked for in the folder `base`, and\n"
              "messages call it `name`.");
+  module.def(
+      "scene_of", &scene_of, "file"_a, "base"_a = ".",
+      "The scene that made a file of ours: a .vdb, a mesh, a picture, what was exported. Files\n"
+      "that its text names are looked for in the folder `base`.");
 }
 
 }  // namespace vug::python

@@ -133,6 +133,19 @@ class Chain(Case):
         with self.assertRaises(vug.Error):
             self.scene.export("out", "blendr")
 
+    def test_files_tell_their_scene(self):
+        scene = self.scene.with_(STAINED=True)  # so that it moves
+        build = scene.build()
+        build.render(spp=1).save("picture.exr")
+        for file in [*build.save("ours")[:2], "picture.exr"]:
+            again = vug.scene_of(file)
+            self.assertEqual((again.seed, again.frame), (5, 2), file)
+            self.assertEqual({name: p.value for name, p in again.params.items()},
+                             {name: p.value for name, p in scene.params.items()}, file)
+            self.assertTrue(numpy.array_equal(again.build().mesh().positions, build.mesh().positions), file)
+        with self.assertRaises(vug.Error):
+            vug.scene_of("cave.vug.txt")
+
     def test_diff(self):
         one, two = self.scene.render(spp=1), self.scene.with_(R=1.5).render(spp=1)
         self.assertTrue(vug.diff(one, one).same)

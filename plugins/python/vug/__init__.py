@@ -16,14 +16,14 @@ from ._catalogue import Catalogue, Kind, KindParam
 from ._errors import Cancelled, Diagnostic, Error, SceneWarning
 from ._params import Param
 from ._vug import (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene, __version__,
-                   diff, load, load_plugin, loads, read_mesh)
+                   diff, load, load_plugin, loads, read_mesh, scene_of)
 
 catalogue = Catalogue()
 
 __all__ = ["Build", "Cancelled", "Catalogue", "Cells", "Derivation", "Diagnostic", "Diff", "Error",
            "Grid", "Image", "Kind", "KindParam", "LevelSet", "Mesh", "Param", "Scene",
            "SceneWarning", "catalogue", "diff", "load", "load_plugin", "loads",
-           "read_mesh"]
+           "read_mesh", "scene_of"]
 
 for _type in (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene):
     _type.__module__ = __name__
