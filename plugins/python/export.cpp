@@ -34,7 +34,7 @@ std::vector<std::filesystem::path> export_scene(const std::shared_ptr<Scene>& sc
   require_outputs(session::export_paths(*shot, folder, options),
                   session::files_named(scene->loaded()));
   Build build(scene, shot, {memory_of(memory), threads_of(threads), progress});
-  exchange::Written written;
+  session::Exported written;
   build.work(
       [&](session::Builder& builder) { written = session::export_set(builder, folder, options); });
   for (std::string& each : written.left_out) each = "left out: " + each;

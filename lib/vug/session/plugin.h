@@ -55,9 +55,11 @@ std::vector<std::filesystem::path> plugins_in_path();
 }  // namespace vug::session
 
 /// Opens the one definition that a plugin exports beside its interface; `kinds` is a PluginKinds.
+// NOLINTBEGIN(bugprone-macro-parentheses): it names a parameter
 #define VUG_PLUGIN(kinds)                                                                \
   extern "C" __attribute__((visibility("default"))) const char* vug_plugin_interface() { \
     return vug::session::kPluginInterface;                                               \
   }                                                                                      \
   extern "C" __attribute__((visibility("default"))) void vug_plugin_kinds(               \
       vug::session::PluginKinds& kinds)
+// NOLINTEND(bugprone-macro-parentheses)
