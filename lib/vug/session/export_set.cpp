@@ -78,6 +78,12 @@ mesh::Mesh as_mesh(const volume::Points& points) {
   return out;
 }
 
+/// As programs look for it; a level set of the air of a cave has another sign than its rock.
+std::string grid_name(const VolumePlan& plan) {
+  if (plan.fog) return "density";
+  return plan.name == "air" ? "air" : "surface";
+}
+
 class Exporter {
  public:
   Exporter(Builder& builder, const std::filesystem::path& folder, const ExportOptions& options)
@@ -134,7 +140,7 @@ class Exporter {
   exchange::Volume write(const VolumePlan& plan, const volume::LevelSet& level_set) {
     const volume::Grid grid = plan.fog ? volume::fog(level_set) : volume::Grid(level_set);
     const Box3d bounds = grid.statistics().bounds;
-    const std::string name = plan.fog ? "density" : "surface";
+    const std::string name = grid_name(plan);
     const std::filesystem::path file = names_.volume(plan);
     write(file, {grid.named(name).stored_as_half(plan.half)});
     return {plan.name,

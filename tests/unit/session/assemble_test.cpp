@@ -90,6 +90,22 @@ TEST(Assemble, WhatShinesSaysSo) {
   EXPECT_EQ(glow.look.base_color, Vec3d(0.5));
 }
 
+TEST(ExportSet, AirIsCalledAir) {
+  const Loaded scene = load_text(
+      "let room = sphere(1m)\nvolume rock = level_set(box(size: (3, 3, 3)) - room, voxel: 20cm)\n"
+      "volume air = level_set(room, voxel: 20cm)\n",
+      "t.vug", {});
+  ASSERT_TRUE(scene.usable()) << scene.report();
+  const std::filesystem::path folder = testing::TempDir() + "vug_export_air";
+  ExportOptions options;
+  options.program = exchange::programs().front();
+  const Shot shot = with_meshes(scene.shot);
+  Builder builder(shot);
+  export_set(builder, folder, options);
+  EXPECT_EQ(volume::info(folder / "t_air.vdb").grids.at(0).name, "air");
+  EXPECT_EQ(volume::info(folder / "t_rock.vdb").grids.at(0).name, "surface");
+}
+
 TEST(ExportSet, VolumesStandInTheProgramsSpace) {
   const Made made;
   const std::filesystem::path folder = testing::TempDir() + "vug_export_set";
