@@ -7,9 +7,11 @@
 #include <vug/base/atomic_file.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/data_folders.h>
+#include <vug/session/inputs.h>
 #include <vug/session/recipe.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 namespace vug::python {
@@ -117,6 +119,15 @@ py::dict params(const Scene& scene) {
   return out;
 }
 
+/// Each once, in order; without what was set from outside, which counts as a text of the scene,
+/// too.
+std::vector<std::filesystem::path> files(const Scene& scene) {
+  std::set<std::filesystem::path> out;
+  for (const std::filesystem::path& path : session::files_named(scene.loaded()))
+    if (std::filesystem::exists(path)) out.insert(path);
+  return {out.begin(), out.end()};
+}
+
 py::dict derivations(const SharedScene& scene) {
   py::dict out;
   for (const session::Derivation& each : scene->shot().derivations)
@@ -220,6 +231,9 @@ void bind_scene(py::module_& module) {
           "name", [](const Scene& s) { return s.shot().name; },
           "The file's name without its ending.")
       .def_property_readonly("file", &Scene::file)
+      .def_property_readonly(
+          "files", &files,
+          "Paths of all that it reads: its texts, and meshes, grids and pictures named in them.")
       .def_property_readonly("text", &Scene::text)
       .def_property_readonly("seed", [](const Scene& s) { return s.shot().seed; })
       .def_property_readonly("frame", [](const Scene& s) { return s.shot().frame; })

@@ -42,6 +42,14 @@ class Chain(Case):
         self.write("cave.vug", CAVE)
         self.scene = vug.load("cave.vug", R=1.25, DIRT="10%", STAINED=False, seed=5, frame=2)
 
+    def test_what_a_scene_reads(self):
+        self.assertEqual([path.name for path in self.scene.files], ["cave.vug"])
+        vug.loads(BALL).build().mesh().save("ball.ply")
+        self.write("walls.vug", 'let walls = mesh("ball.ply")')
+        self.write("all.vug", 'include "walls.vug"\nvolume rock = level_set(walls, voxel: 1m)')
+        names = sorted(path.name for path in vug.load("all.vug").files)
+        self.assertEqual(names, ["all.vug", "ball.ply", "walls.vug"])
+
     def test_products(self):
         self.vug("build", "cave.vug", "-o", "theirs", *FLAGS)
         build = self.scene.build()

@@ -1,0 +1,171 @@
+"""Puts what a worker has made into a cave's collection. What is there already is filled anew where it has
+changed, so that materials, modifiers and places an artist has given to it stay."""
+import hashlib
+import json
+import os
+import shutil
+
+import bpy
+
+from . import geometry, lights, look, parameters
+from .glb import Glb
+
+NAME, DIGEST = "vug_name", "vug_digest"
+MAKERS = {"mesh": lambda name, kind: bpy.data.meshes.new(name),
+          "camera": lambda name, kind: bpy.data.cameras.new(name),
+          "light": lambda name, kind: bpy.data.lights.new(name, kind),
+          "volume": lambda name, kind: bpy.data.volumes.new(name)}
+
+
+def digest(*parts):
+    sum_ = hashlib.sha256()
+    for part in parts:
+        sum_.update(memoryview(part).cast("B") if hasattr(part, "dtype") else repr(part).encode())
+    return sum_.hexdigest()
+
+
+def fresh(thing, *parts):
+    """Whether these are others than when it was asked last; they count as known from then on."""
+    now = digest(*parts)
+    if thing.get(DIGEST) == now:
+        return False
+    thing[DIGEST] = now
+    return True
+
+
+class Arrival:
+    def __init__(self, collection, glb):
+        self.collection, self.glb = collection, glb
+        self.objects = {each[NAME]: each for each in collection.objects if NAME in each}
+        self.before = set(self.objects)
+        self.materials = {slot.material[NAME]: slot.material for each in collection.objects
+                          for slot in each.material_slots if slot.material and NAME in slot.material}
+        self.data = {}
+        self.changed = 0
+
+    def object(self, name, kind, data, place):
+        thing = self.objects.get(name)
+        if thing and thing.type != kind.upper():
+            bpy.data.objects.remove(thing)
+            thing = None
+        if not thing:
+            thing = bpy.data.objects.new(name, data)
+            thing[NAME] = name
+            self.collection.objects.link(thing)
+        elif thing.data != data:
+            thing.data = data
+        self.before.discard(name)
+        if fresh(thing, [list(row) for row in place]):
+            thing.matrix_world = place
+        return thing
+
+    def data_of(self, kind, name, sort=None):
+        """The object's own data where it has it, else new."""
+        thing = self.objects.get(name)
+        if thing and thing.type == kind.upper() and sort in (None, getattr(thing.data, "type", None)):
+            return thing.data
+        return MAKERS[kind](name, sort)
+
+    def mesh(self, name, index):
+        if index in self.data:
+            return self.data[index]
+        surface = self.glb.surface(index)
+        mesh = self.data[index] = self.data_of("mesh", name)
+        arrays = [surface.positions, surface.triangles, *surface.attributes.values()]
+        if surface.normals is not None:
+            arrays.append(surface.normals)
+        if fresh(mesh, *arrays, list(surface.attributes)):
+            geometry.fill(mesh, surface)
+            self.changed += 1
+        self.dress(mesh, surface)
+        return mesh
+
+    def dress(self, mesh, surface):
+        if surface.material is None:
+            return
+        about, channels = self.glb.list("materials")[surface.material], look.channels_of(surface)
+        name = about.get("name") or surface.name
+        key = f"{name}|{'+'.join(channels)}|{surface.material}"
+        material = self.materials.get(key)
+        if not material:
+            material = self.materials[key] = bpy.data.materials.new(name)
+            material[NAME] = key
+        if fresh(material, json.dumps(about, sort_keys=True), channels):
+            look.build(material, about, channels)
+        ours = [i for i, each in enumerate(mesh.materials) if each and NAME in each]
+        if not mesh.materials:
+            mesh.materials.append(material)
+        elif ours and mesh.materials[ours[0]] != material:
+            mesh.materials[ours[0]] = material
+
+    def nodes(self):
+        for name, kind, index, place in self.glb.nodes:
+            if kind == "mesh":
+                data = self.mesh(name, index)
+            else:
+                about = (self.glb.lights if kind == "light" else self.glb.list("cameras"))[index]
+                sort = lights.kind_of(about) if kind == "light" else None
+                data = self.data_of(kind, name, sort)
+                if fresh(data, json.dumps(about, sort_keys=True)):
+                    (lights.fill_light if kind == "light" else lights.fill_camera)(data, about)
+            self.object(name, kind, data, place)
+
+    def volume(self, name, path):
+        data = self.data_of("volume", name)
+        stored = bpy.path.relpath(path) if bpy.data.filepath and self.collection.vug.folder.startswith(
+            "//") else path
+        if data.filepath == stored:
+            data.grids.unload()
+        data.filepath = stored
+        data.grids.load()
+        level_set = "surface" in data.grids
+        thing = self.object(name, "volume", data, ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)))
+        if level_set:  # to work on; as a fog it would hide the mesh
+            thing.hide_render, thing.display_type = True, "BOUNDS"
+
+    def sweep(self):
+        """Takes away what the scene no longer has."""
+        for name in self.before:
+            thing = self.objects[name]
+            data = thing.data
+            bpy.data.objects.remove(thing)
+            if data and not data.users:
+                bpy.data.batch_remove([data])
+        for material in self.materials.values():
+            if not material.users:
+                bpy.data.materials.remove(material)
+
+
+def move_volumes(collection, files, folder):
+    """Brings the .vdb files to the cave's folder, each whole or not at all; gives their paths."""
+    target = bpy.path.abspath(collection.vug.folder)
+    out = []
+    for name in files:
+        os.makedirs(target, exist_ok=True)
+        path, beside = os.path.join(target, name), os.path.join(target, f".{name}.{os.getpid()}")
+        try:
+            shutil.copyfile(os.path.join(folder, name), beside)
+            os.replace(beside, path)
+        finally:
+            if os.path.exists(beside):
+                os.remove(beside)
+        out.append(path)
+    return out
+
+
+def bring(collection, scene, files, folder):
+    """How many meshes are new or have changed. What can fail does so before a thing is touched."""
+    glb = Glb(os.path.join(folder, next(name for name in files if name.endswith(".glb"))))
+    for index in range(len(glb.list("meshes"))):
+        glb.surface(index)
+    volumes = move_volumes(collection, [name for name in files if name.endswith(".vdb")], folder)
+    parameters.take(collection, scene["params"])
+    arrival = Arrival(collection, glb)
+    arrival.nodes()
+    stem = scene["name"] + "_"
+    for path in volumes:
+        name = os.path.splitext(os.path.basename(path))[0]
+        arrival.volume((name[len(stem):] if name.startswith(stem) else name) + " volume", path)
+    arrival.sweep()
+    collection.vug.known = scene["key"]
+    return arrival.changed

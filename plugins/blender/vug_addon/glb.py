@@ -1,0 +1,87 @@
+"""Reads the binary glTF that vug export writes, whole: Blender's own importer leaves out the attributes
+of vertices that are not colours and rounds colours to 8 bits. Space is the file's: metres, y up."""
+import json
+import struct
+
+import numpy
+from mathutils import Matrix, Quaternion, Vector
+
+TYPES = {5121: numpy.uint8, 5123: numpy.uint16, 5125: numpy.uint32, 5126: numpy.float32}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+# From y up to z up: the one place where axes turn.
+TURN = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
+
+
+def turned(vectors):
+    """Rows of three numbers, with z up."""
+    return numpy.stack([vectors[:, 0], -vectors[:, 2], vectors[:, 1]], 1)
+
+
+class Surface:
+    """A mesh: `positions`, `normals` or None and `triangles`; `attributes` by name. Turned to z up."""
+
+    def __init__(self, glb, about):
+        primitive = about["primitives"][0]
+        arrays = {name: glb.array(index) for name, index in primitive["attributes"].items()}
+        self.name = about["name"]
+        self.material = primitive.get("material")
+        self.positions = turned(arrays.pop("POSITION"))
+        normals = arrays.pop("NORMAL", None)
+        self.normals = None if normals is None else turned(normals)
+        self.triangles = glb.array(primitive["indices"]).reshape(-1, 3).astype(numpy.int32)
+        if len(self.triangles) and self.triangles.max() >= len(self.positions):
+            raise ValueError(f"'{self.name}' names vertices that are not there")
+        self.attributes = {}
+        for name, values in arrays.items():
+            own = "Cd" if name == "COLOR_0" else name.lstrip("_").lower()
+            color = name == "COLOR_0" or own.endswith("color") or own.endswith("cd") or own == "emission"
+            if values.ndim == 2 and values.shape[1] == 3 and not color:
+                values = turned(values)
+            self.attributes[own] = values
+
+
+class Glb:
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            data = file.read()
+        magic, _, length, words, _ = struct.unpack_from("<4sIIII", data)
+        if magic != b"glTF" or length != len(data):
+            raise ValueError(f"'{path}' is no whole binary glTF")
+        self.about = json.loads(data[20:20 + words])
+        self._bytes = memoryview(data)[20 + words + 8:]
+
+    def array(self, index):
+        accessor = self.about["accessors"][index]
+        view = self.about["bufferViews"][accessor["bufferView"]]
+        width = WIDTHS[accessor["type"]]
+        kind = TYPES[accessor["componentType"]]
+        values = numpy.frombuffer(self._bytes, kind, accessor["count"] * width, view.get("byteOffset", 0))
+        if accessor.get("normalized"):
+            values = values.astype(numpy.float32) / numpy.float32(numpy.iinfo(kind).max)
+        return values if width == 1 else values.reshape(-1, width)
+
+    def surface(self, index):
+        return Surface(self, self.about["meshes"][index])
+
+    def list(self, name):
+        return self.about.get(name, [])
+
+    @property
+    def lights(self):
+        return self.about.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
+
+    @property
+    def nodes(self):
+        """(name, kind, index, matrix in Blender's space); kind is "mesh", "camera" or "light"."""
+        for node in self.list("nodes"):
+            x, y, z, w = node.get("rotation", (0, 0, 0, 1))
+            place = TURN @ Matrix.LocRotScale(Vector(node.get("translation", (0, 0, 0))),
+                                              Quaternion((w, x, y, z)),
+                                              Vector(node.get("scale", (1, 1, 1))))
+            light = node.get("extensions", {}).get("KHR_lights_punctual", {}).get("light")
+            if "mesh" in node:  # its vertices are turned already
+                yield node["name"], "mesh", node["mesh"], place @ TURN.inverted()
+            elif "camera" in node:
+                yield node["name"], "camera", node["camera"], place
+            elif light is not None:
+                yield node["name"], "light", light, place

@@ -1,0 +1,58 @@
+"""Lights and cameras that mean the same as Vug's. Blender counts the watts that a lamp sends out in all
+directions; a colour above 1 goes into the watts. See docs/dcc.md for what a file says of lamps."""
+import math
+
+LUMEN_PER_WATT = 683  # of each colour; as the file is written
+FILM = 36  # millimetres
+
+
+def kind_of(about):
+    extras = about.get("extras", {})
+    if about["type"] == "directional":
+        return "SUN"
+    if about["type"] == "point":
+        return "POINT"
+    spot = about.get("spot", {})
+    flat = spot.get("innerConeAngle", 0) == 0 and spot.get("outerConeAngle", 0) > 1.57079
+    return "AREA" if "vug:width" in extras or (flat and "vug:radius" in extras) else "SPOT"
+
+
+def fill_light(light, about):
+    extras = about.get("extras", {})
+    axis = about.get("intensity", 1) / LUMEN_PER_WATT  # W/sr along the axis; of a sun W/m2
+    light.color = about.get("color", (1, 1, 1))
+    if hasattr(light, "use_soft_falloff"):
+        light.use_soft_falloff = False
+    if light.type == "SUN":
+        light.energy = axis
+        light.angle = extras.get("vug:angle", 0)
+    elif light.type == "AREA":
+        light.energy = math.pi * axis
+        light.shape = "RECTANGLE" if "vug:width" in extras else "DISK"
+        light.size = extras.get("vug:width", 2 * extras.get("vug:radius", 0.5))
+        light.size_y = extras.get("vug:height", light.size)
+    else:
+        light.energy = 4 * math.pi * axis
+        light.shadow_soft_size = extras.get("vug:radius", 0)
+        if light.type == "SPOT":
+            outer = about["spot"].get("outerConeAngle", math.pi / 4)
+            light.spot_size = 2 * outer
+            light.spot_blend = 1 - about["spot"].get("innerConeAngle", 0) / outer
+
+
+def fill_camera(camera, about):
+    camera.sensor_fit, camera.sensor_width = "HORIZONTAL", FILM
+    if about["type"] == "orthographic":
+        camera.type = "ORTHO"
+        view = about["orthographic"]
+        camera.ortho_scale = 2 * view["xmag"]
+    else:
+        camera.type = "PERSP"
+        view = about["perspective"]
+        camera.angle_x = 2 * math.atan(math.tan(view["yfov"] / 2) * view["aspectRatio"])
+    camera.clip_start, camera.clip_end = view["znear"], view["zfar"]
+    extras = about.get("extras", {})
+    camera.dof.use_dof = "vug:aperture" in extras
+    if camera.dof.use_dof:
+        camera.dof.focus_distance = extras["vug:focus"]
+        camera.dof.aperture_fstop = camera.lens / 1000 / extras["vug:aperture"]

@@ -1,0 +1,91 @@
+"""Materials for Cycles and Eevee: what varies over a mesh comes from its attributes, the rest is numbers."""
+CHANNELS = ("Cd", "roughness", "wetness", "metallic", "transmission", "emission")
+
+
+def channels_of(surface):
+    return tuple(name for name in CHANNELS if name in surface.attributes)
+
+
+def socket(node, *names):
+    """The input that has the first of these names: Blender 4 has renamed some."""
+    for name in names:
+        if name in node.inputs:
+            return node.inputs[name]
+    raise KeyError(names[0])
+
+
+class Tree:
+    def __init__(self, material):
+        material.use_nodes = True
+        self.nodes, self.links = material.node_tree.nodes, material.node_tree.links
+        self.nodes.clear()
+        self._row = 0
+
+    def add(self, kind, column):
+        node = self.nodes.new(kind)
+        node.location = (300 * column, -200 * self._row)
+        self._row += 1
+        return node
+
+    def attribute(self, name, output):
+        node = self.add("ShaderNodeAttribute", 0)
+        node.attribute_type, node.attribute_name, node.label = "GEOMETRY", name, name
+        return node.outputs[output]
+
+    def feed(self, target, channels, name, value, output="Fac"):
+        """The attribute where the mesh has it, else the number."""
+        if name in channels:
+            self.links.new(self.attribute(name, output), target)
+        else:
+            target.default_value = value
+
+
+def extension(gltf, name, key, fallback):
+    return gltf.get("extensions", {}).get(f"KHR_materials_{name}", {}).get(key, fallback)
+
+
+def build(material, gltf, channels):
+    """Fills a material with what a glTF material says. What is only matte becomes a diffuse surface,
+    as Vug's is; Blender's Principled BSDF is no Lambertian surface at any setting."""
+    tree = Tree(material)
+    body = gltf.get("pbrMetallicRoughness", {})
+    color = body.get("baseColorFactor", (1, 1, 1, 1))
+    metallic = body.get("metallicFactor", 1)
+    specular = extension(gltf, "specular", "specularFactor", 1)
+    ior = extension(gltf, "ior", "ior", 1.5)
+    coat = extension(gltf, "clearcoat", "clearcoatFactor", 0)
+    clear = extension(gltf, "transmission", "transmissionFactor", 0)
+    matte = not (metallic or specular or coat or clear or
+                 {"wetness", "metallic", "transmission"} & set(channels))
+    if matte:
+        shader = tree.add("ShaderNodeBsdfDiffuse", 1)
+        tree.feed(shader.inputs["Color"], channels, "Cd", color, "Color")
+    else:
+        shader = tree.add("ShaderNodeBsdfPrincipled", 1)
+        tree.feed(shader.inputs["Base Color"], channels, "Cd", color, "Color")
+        tree.feed(shader.inputs["Roughness"], channels, "roughness", body.get("roughnessFactor", 1))
+        tree.feed(shader.inputs["Metallic"], channels, "metallic", metallic)
+        tree.feed(socket(shader, "Clearcoat", "Coat Weight"), channels, "wetness", coat)
+        tree.feed(socket(shader, "Transmission", "Transmission Weight"), channels, "transmission", clear)
+        socket(shader, "Clearcoat Roughness", "Coat Roughness").default_value = extension(
+            gltf, "clearcoat", "clearcoatRoughnessFactor", 0.1)
+        shader.inputs["IOR"].default_value = ior
+        facing = ((ior - 1) / (ior + 1)) ** 2  # what is mirrored straight on; 0.08 is at 1 in Blender 3
+        socket(shader, "Specular", "Specular IOR Level").default_value = specular * (
+            facing / 0.08 if "Specular" in shader.inputs else 0.5)
+    out = shader.outputs[0]
+    shine = gltf.get("emissiveFactor", (0, 0, 0))
+    if any(shine):
+        emission = tree.add("ShaderNodeEmission", 1)
+        strength = extension(gltf, "emissive_strength", "emissiveStrength", 1)
+        if "emission" in channels:
+            tree.links.new(tree.attribute("emission", "Color"), emission.inputs["Color"])
+            strength = 1
+        else:
+            emission.inputs["Color"].default_value = (*shine, 1)
+        emission.inputs["Strength"].default_value = strength
+        both = tree.add("ShaderNodeAddShader", 2)
+        tree.links.new(out, both.inputs[0])
+        tree.links.new(emission.outputs[0], both.inputs[1])
+        out = both.outputs[0]
+    tree.links.new(out, tree.add("ShaderNodeOutputMaterial", 3).inputs["Surface"])

@@ -1,0 +1,180 @@
+"""What can be done: add, update, cancel, defaults, and a mesh out as a field."""
+import bpy
+from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy_extras.io_utils import ExportHelper, ImportHelper
+
+from . import cave_out, parameters, properties
+from .making import Making
+
+
+class Works:
+    """Runs a Making: in the background with a bar and a timer where there is a window and a user,
+    to the end where a script or a headless Blender calls."""
+
+    def begin(self, context):
+        raise NotImplementedError
+
+    @classmethod
+    def poll(cls, context):
+        return Making.current is None
+
+    def execute(self, context):
+        making = self.begin(context)
+        while not making.step(wait=0.2):
+            pass
+        return self.tell(making)
+
+    def start(self, context):
+        if bpy.app.background:
+            return self.execute(context)
+        self.making = self.begin(context)
+        manager = context.window_manager
+        manager.progress_begin(0, 100)
+        self.timer = manager.event_timer_add(0.1, window=context.window)
+        manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC" and event.value == "PRESS":
+            self.making.cancel()
+        if event.type != "TIMER" and not self.making.cancelled:
+            return {"PASS_THROUGH"}
+        context.window_manager.progress_update(100 * self.making.share)
+        context.workspace.status_text_set(f"Vug: {self.making.what} {self.making.share:.0%}   Esc: cancel")
+        for area in context.screen.areas if context.screen else ():
+            if area.type == "VIEW_3D":
+                area.tag_redraw()
+        if not self.making.step():
+            return {"PASS_THROUGH"}
+        context.window_manager.event_timer_remove(self.timer)
+        context.window_manager.progress_end()
+        context.workspace.status_text_set(None)
+        return self.tell(self.making)
+
+    def tell(self, making):
+        if making.cancelled:
+            self.report({"INFO"}, "cancelled: nothing was changed")
+            return {"CANCELLED"}
+        if making.error:
+            self.report({"ERROR"}, making.error)
+            return {"CANCELLED"}
+        self.report({"INFO"}, making.told)
+        return {"FINISHED"}
+
+
+class VUG_OT_add(Works, bpy.types.Operator, ImportHelper):
+    """Add a cave from a .vug scene"""
+
+    bl_idname, bl_label, bl_options = "vug.add", "Vug Cave", {"REGISTER", "UNDO"}
+    filename_ext = ".vug"
+    filter_glob: StringProperty(default="*.vug", options={"HIDDEN"})
+    chosen: BoolProperty(default=False, options={"HIDDEN", "SKIP_SAVE"})
+
+    def invoke(self, context, event):
+        self.chosen = True
+        return ImportHelper.invoke(self, context, event)
+
+    def execute(self, context):
+        return self.start(context) if self.chosen and not bpy.app.background else Works.execute(self, context)
+
+    def begin(self, context):
+        return Making(source=self.filepath)
+
+
+class VUG_OT_update(Works, bpy.types.Operator):
+    """Build the cave again with the parameters as they are; does nothing where nothing has changed"""
+
+    bl_idname, bl_label, bl_options = "vug.update", "Update", {"REGISTER", "UNDO"}
+    cave: StringProperty(name="Cave", description="Name of its collection; empty: the active one",
+                         options={"SKIP_SAVE"})
+
+    @classmethod
+    def poll(cls, context):
+        return Making.current is None and bool(properties.caves())
+
+    def invoke(self, context, event):
+        return self.start(context)
+
+    def begin(self, context):
+        collection = bpy.data.collections.get(self.cave) if self.cave else properties.active_cave(context)
+        if not collection or not collection.vug.source:
+            raise RuntimeError("choose a cave: an object of it, or its collection")
+        return Making(collection=collection)
+
+
+class VUG_OT_cancel(bpy.types.Operator):
+    """Stop what is being built; everything stays as it is"""
+
+    bl_idname, bl_label = "vug.cancel", "Cancel"
+
+    @classmethod
+    def poll(cls, context):
+        return Making.current is not None
+
+    def execute(self, context):
+        Making.current.cancel()
+        return {"FINISHED"}
+
+
+class VUG_OT_defaults(bpy.types.Operator):
+    """Set all parameters of the cave to what the scene says"""
+
+    bl_idname, bl_label, bl_options = "vug.defaults", "Defaults", {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return properties.active_cave(context) is not None
+
+    def execute(self, context):
+        parameters.reset(properties.active_cave(context))
+        return {"FINISHED"}
+
+
+class VUG_OT_export_field(bpy.types.Operator, ExportHelper):
+    """Write the active closed mesh as a solid for scenes: a .ply file and a .vug scene that reads it"""
+
+    bl_idname, bl_label = "vug.export_field", "Vug Field"
+    filename_ext = ".ply"
+    filter_glob: StringProperty(default="*.ply", options={"HIDDEN"})
+    voxel: FloatProperty(name="Voxel", default=0.05, min=1e-4, subtype="DISTANCE",
+                         description="Edge of a voxel of the scene that is written beside the mesh")
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.type == "MESH"
+
+    def execute(self, context):
+        try:
+            told = cave_out.write(context.object, context.evaluated_depsgraph_get(), self.filepath, self.voxel)
+        except (OSError, ValueError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, told)
+        return {"FINISHED"}
+
+
+OPERATORS = (VUG_OT_add, VUG_OT_update, VUG_OT_cancel, VUG_OT_defaults, VUG_OT_export_field)
+
+
+def draw_add(menu, context):
+    menu.layout.operator("vug.add", icon="MESH_ICOSPHERE")
+
+
+def draw_export(menu, context):
+    menu.layout.operator("vug.export_field", text="Vug Field (.ply + .vug)")
+
+
+def register():
+    for each in OPERATORS:
+        bpy.utils.register_class(each)
+    bpy.types.VIEW3D_MT_add.append(draw_add)
+    bpy.types.TOPBAR_MT_file_export.append(draw_export)
+
+
+def unregister():
+    if Making.current:
+        Making.current.cancel()
+    bpy.types.TOPBAR_MT_file_export.remove(draw_export)
+    bpy.types.VIEW3D_MT_add.remove(draw_add)
+    for each in reversed(OPERATORS):
+        bpy.utils.unregister_class(each)

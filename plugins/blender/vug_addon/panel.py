@@ -1,0 +1,44 @@
+"""The sidebar of the 3D view: a cave's parameters."""
+import bpy
+
+from . import parameters, properties
+from .making import Making
+
+
+class VUG_PT_cave(bpy.types.Panel):
+    bl_idname, bl_label = "VUG_PT_cave", "Vug"
+    bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "Vug"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        if Making.current:
+            layout.label(text=f"{Making.current.what} {Making.current.share:.0%}")
+            layout.operator("vug.cancel", icon="X")
+        collection = properties.active_cave(context)
+        if not collection:
+            layout.operator("vug.add", icon="MESH_ICOSPHERE")
+            layout.operator("vug.export_field")
+            return
+        layout.label(text=collection.name, icon="OUTLINER_COLLECTION")
+        column = layout.column()
+        for param, key in parameters.shown(collection):
+            column.prop(collection, f'["{bpy.utils.escape_identifier(key)}"]', text=param["name"])
+        column.prop(collection.vug, "use_seed")
+        if collection.vug.use_seed:
+            column.prop(collection.vug, "seed")
+        row = layout.row(align=True)
+        row.operator("vug.update", icon="FILE_REFRESH").cave = collection.name
+        row.operator("vug.defaults", icon="LOOP_BACK")
+        column = layout.column()
+        column.prop(collection.vug, "source")
+        column.prop(collection.vug, "folder")
+        layout.operator("vug.export_field")
+
+
+def register():
+    bpy.utils.register_class(VUG_PT_cave)
+
+
+def unregister():
+    bpy.utils.unregister_class(VUG_PT_cave)

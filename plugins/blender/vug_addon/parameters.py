@@ -1,0 +1,95 @@
+"""Parameters of a scene as custom properties of a cave's collection: sliders that Blender saves, animates
+and shows by itself, with the scene's ranges and docs."""
+import json
+
+RESERVED = ("vug", "cycles")  # names that Blender uses in the same place
+SUBTYPES = {"length": "DISTANCE", "angle": "ANGLE", "time": "TIME_ABSOLUTE"}
+UNITS = {"ratio": "share, 1 is all", "number per metre": "per metre"}
+
+
+def key_of(name):
+    return name + "_" if name in RESERVED else name
+
+
+def about(collection):
+    """What the scene has said of its parameters: dicts as vug.Param has them."""
+    return json.loads(collection.vug.parameters or "[]")
+
+
+def stored(value, kind):
+    """As a custom property holds it; None where it cannot."""
+    if kind == "true or false":
+        return int(value)
+    if isinstance(value, (float, int, str)):
+        return float(value) if kind == "number" else value
+    if isinstance(value, (list, tuple)) and len(value) == 3:
+        return [float(each) for each in value]
+    return None
+
+
+def same(a, b):
+    return list(a) == list(b) if hasattr(a, "__len__") and not isinstance(a, str) else a == b
+
+
+def dress(collection, key, param):
+    ui = collection.id_properties_ui(key)
+    unit = UNITS.get(param["dimension"])
+    doc = param["doc"] + (f" ({unit})" if unit else "")
+    default = stored(param["default"], param["type"])
+    wanted = {"description": doc, "default": default}
+    if param["type"] == "true or false":
+        wanted.update(min=0, max=1)
+    elif param["type"] == "number":
+        for side in ("min", "max"):
+            limit = param["low" if side == "min" else "high"]
+            if isinstance(limit, float):
+                wanted.update({side: limit, "soft_" + side: limit})
+        if param["dimension"] in SUBTYPES:
+            wanted["subtype"] = SUBTYPES[param["dimension"]]
+        wanted["precision"] = 3
+    ui.clear()
+    ui.update(**wanted)
+
+
+def take(collection, params):
+    """Makes the properties of these parameters. What an artist has set stays; what still has the old
+    default gets the new one; parameters that are gone go."""
+    before = {param["name"]: param for param in about(collection)}
+    for param in params:
+        key, kind = key_of(param["name"]), param["type"]
+        default = stored(param["default"], kind)
+        if default is None:
+            continue
+        old = before.get(param["name"])
+        untouched = old is None or old["type"] != kind or key not in collection or same(
+            collection[key], stored(old["default"], kind))
+        if untouched:
+            collection[key] = default
+        dress(collection, key, param)
+    names = {param["name"] for param in params}
+    for name in before:
+        if name not in names and key_of(name) in collection:
+            del collection[key_of(name)]
+    collection.vug.parameters = json.dumps(params)
+
+
+def shown(collection):
+    """(param, key) of all that can be set."""
+    return [(param, key_of(param["name"])) for param in about(collection)
+            if key_of(param["name"]) in collection]
+
+
+def changed(collection):
+    """Values by name of what differs from its default, as the worker takes them."""
+    out = {}
+    for param, key in shown(collection):
+        value = collection[key]
+        if same(value, stored(param["default"], param["type"])):
+            continue
+        out[param["name"]] = list(value) if hasattr(value, "to_list") else value
+    return out
+
+
+def reset(collection):
+    for param, key in shown(collection):
+        collection[key] = stored(param["default"], param["type"])

@@ -1,0 +1,77 @@
+"""What a cave keeps in the .blend, and where the add-on finds Vug."""
+import os
+
+import bpy
+from bpy.props import BoolProperty, IntProperty, PointerProperty, StringProperty
+
+
+class VugCave(bpy.types.PropertyGroup):
+    """Of a collection that holds a cave; `source` is empty in all others."""
+
+    source: StringProperty(name="Scene", subtype="FILE_PATH", description="The .vug file")
+    use_seed: BoolProperty(name="Own Seed", description="Another seed than the scene's")
+    seed: IntProperty(name="Seed", min=0, description="Another number, another cave of the same kind")
+    folder: StringProperty(name="Volumes", subtype="DIR_PATH",
+                           description="Where the .vdb files of this cave are kept")
+    parameters: StringProperty(options={"HIDDEN"})  # what the scene has said of them, in JSON
+    known: StringProperty(options={"HIDDEN"})  # the key of what Blender has; see worker.py
+
+
+class VugPreferences(bpy.types.AddonPreferences):
+    bl_idname = __package__
+
+    python: StringProperty(
+        name="Python", subtype="FILE_PATH",
+        description="The Python 3 that Vug's package is made for; empty: the one of Blender")
+    package: StringProperty(
+        name="Package", subtype="DIR_PATH",
+        description="The folder that holds the package 'vug'; empty: where that Python looks by itself")
+
+    def draw(self, context):
+        self.layout.prop(self, "python")
+        self.layout.prop(self, "package")
+
+
+def preferences():
+    addon = bpy.context.preferences.addons.get(__package__)
+    return addon.preferences if addon else None
+
+
+def caves():
+    return [each for each in bpy.data.collections if each.vug.source]
+
+
+def active_cave(context):
+    """The one of the active object, else the active collection, else the only one; or None."""
+    thing = getattr(context, "object", None)
+    candidates = [each for each in (thing.users_collection if thing else ()) if each.vug.source]
+    if context.collection and context.collection.vug.source:
+        candidates.append(context.collection)
+    all_caves = caves()
+    if not candidates and len(all_caves) == 1:
+        candidates = all_caves
+    return candidates[0] if candidates else None
+
+
+def folder_of_volumes(name):
+    """Beside the .blend where that is saved, else among the user's data."""
+    if bpy.data.filepath:
+        return f"//vug/{name}/"
+    stem = bpy.utils.user_resource("DATAFILES", path=os.path.join("vug", name))
+    folder, number = stem, 1
+    while os.path.exists(folder):
+        number += 1
+        folder = f"{stem}_{number}"
+    return os.path.join(folder, "")
+
+
+def register():
+    bpy.utils.register_class(VugCave)
+    bpy.utils.register_class(VugPreferences)
+    bpy.types.Collection.vug = PointerProperty(type=VugCave)
+
+
+def unregister():
+    del bpy.types.Collection.vug
+    bpy.utils.unregister_class(VugPreferences)
+    bpy.utils.unregister_class(VugCave)

@@ -1,0 +1,290 @@
+"""Runs inside of Blender: installs the add-on's zip and uses it.
+
+blender --background --factory-startup --python in_addon.py -- use|again FOLDER ZIP
+"""
+import gc
+import os
+import sys
+
+import bpy
+import numpy
+
+part, folder, zipped = sys.argv[sys.argv.index("--") + 1:]
+os.chdir(folder)
+
+
+def equal(got, wanted, what=""):
+    assert got == wanted, f"{what}: {got!r} in place of {wanted!r}"
+
+
+def near(got, wanted, most, what=""):
+    assert numpy.abs(numpy.asarray(got) - numpy.asarray(wanted)).max() <= most, (
+        f"{what}: {got} in place of {wanted}")
+
+
+def refused(operator, *words, **arguments):
+    try:
+        operator(**arguments)
+    except RuntimeError as error:
+        for word in words:
+            assert word in str(error), f"'{word}' is not in: {error}"
+        return
+    raise AssertionError(f"{operator} {arguments} was not refused")
+
+
+def values(items, member, width):
+    out = numpy.empty(len(items) * width, numpy.float32)
+    items.foreach_get(member, out)
+    return out.reshape(-1, width)
+
+
+def corners(mesh):
+    out = numpy.empty(len(mesh.loops), numpy.int32)
+    mesh.loops.foreach_get("vertex_index", out)
+    return out.reshape(-1, 3)
+
+
+def volume_of(mesh):
+    points, (a, b, c) = values(mesh.vertices, "co", 3), corners(mesh).T
+    return float((points[a] * numpy.cross(points[b], points[c])).sum() / 6)
+
+
+def print_of(collection):
+    """All that could change in a cave, and how many things there are at all."""
+    out = [len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.materials), len(bpy.data.volumes),
+           collection.vug.known, sorted(collection.keys())]
+    for thing in collection.objects:
+        out.append((thing.name, [tuple(row) for row in thing.matrix_world]))
+        if thing.type == "MESH":
+            out.append((values(thing.data.vertices, "co", 3).tobytes(), corners(thing.data).tobytes()))
+    return out
+
+
+def resident():
+    """Megabytes of memory that are in use."""
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+def cave():
+    return bpy.data.collections["cave"]
+
+
+def thing(name):
+    return next(each for each in cave().objects if each["vug_name"] == name)
+
+
+def install():
+    bpy.ops.preferences.addon_install(filepath=zipped)
+    bpy.ops.preferences.addon_enable(module="vug_addon")
+
+
+def empty():
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    bpy.ops.preferences.addon_enable(module="vug_addon")
+
+
+def adds():
+    equal(bpy.ops.vug.add(filepath=f"{folder}/cave.vug"), {"FINISHED"})
+    types = [each.type for each in cave().objects]
+    equal({kind: types.count(kind) for kind in set(types)},
+          {"MESH": 4, "CAMERA": 2, "LIGHT": 4, "VOLUME": 3})
+    equal(len({each.data for each in cave().objects if each.type == "MESH"}), 2, "shared meshes")
+    near(thing("heap.2").matrix_world.translation, (4, 0, 1), 1e-6)
+    equal([grid.name for grid in thing("rock volume").data.grids], ["surface"])
+    equal([grid.name for grid in thing("mist volume").data.grids], ["density"])
+
+
+def parameters():
+    equal(cave()["R"], 0.7)
+    ui = cave().id_properties_ui("R").as_dict()
+    near((ui["min"], ui["max"], ui["default"]), (0.5, 1, 0.7), 1e-12)
+    equal(ui["description"], "radius of the ball")
+    equal((cave()["WET"], cave()["SHARE"]), (1, 0.5))
+    near(cave().id_properties_ui("LEAN").as_dict()["max"], numpy.pi / 4, 1e-9)
+    equal(cave().id_properties_ui("LEAN").as_dict()["subtype"], "ANGLE")
+
+
+def geometry():
+    mesh = thing("wall").data
+    points = values(mesh.vertices, "co", 3)
+    near((points.min(0), points.max(0)), ((0.3, -3.7, 1.3), (1.7, -2.3, 2.7)), 2e-3, "bounds, z up")
+    near(volume_of(mesh), 4 / 3 * numpy.pi * 0.7**3, 0.01)
+    import vug  # what Blender has is what Vug makes, in its order
+    ours = vug.load("cave.vug").build().mesh("wall")
+    x, y, z = ours.positions.T
+    equal(numpy.array_equal(points, numpy.stack([x, -z, y], 1)), True, "positions")
+    equal(numpy.array_equal(corners(mesh), ours.triangles), True, "triangles")
+    equal(mesh.validate(), False, "faults that Blender finds")
+    mesh.calc_normals_split()
+    ways = values(mesh.loops, "normal", 3)
+    out = points[corners(mesh).ravel()] - (1, -3, 2)
+    out /= numpy.linalg.norm(out, axis=1)[:, None]
+    assert (ways * out).sum(1).min() > 0.99, "normals"
+
+
+def attributes():
+    mesh = thing("wall").data
+    height = values(mesh.vertices, "co", 3)[:, 2]
+    t = numpy.clip(height - 1.5, 0, 1)
+    t = (t * t * (3 - 2 * t))[:, None]
+    wanted = ((1 - t) * (0.8, 0.4, 0.02) + t * (0.1, 0.2, 0.9)) * (0.5, 1, 1)
+    color = mesh.attributes["Cd"]
+    equal((color.domain, color.data_type), ("POINT", "FLOAT_COLOR"))
+    near(values(color.data, "color", 4)[:, :3], wanted, 1 / 255, "colours")
+    near(values(mesh.attributes["wetness"].data, "value", 1), t, 1 / 255, "wetness")
+    nodes = thing("wall").material_slots[0].material.node_tree.nodes
+    named = {node.attribute_name for node in nodes if node.type == "ATTRIBUTE"}
+    equal(named, {"Cd", "wetness"})
+    near(next(node for node in nodes if node.type == "BSDF_PRINCIPLED").inputs["Roughness"].default_value,
+         0.6, 1e-6)
+    shine = next(node for node in thing("heap.1").material_slots[0].material.node_tree.nodes
+                 if node.type == "EMISSION")
+    near(numpy.array(shine.inputs["Color"].default_value[:3]) * shine.inputs["Strength"].default_value,
+         (2, 1, 0.5), 1e-5)
+
+
+def lights():
+    near(thing("ball").data.energy, 100, 0.01)
+    near(thing("ball").data.shadow_soft_size, 0.1, 1e-6)
+    sun = thing("sun").data
+    near(numpy.array(sun.color) * sun.energy, (3, 2, 1), 1e-4)
+    window = thing("window").data
+    equal((window.type, window.shape), ("AREA", "RECTANGLE"))
+    near((window.size, window.size_y), (1, 0.5), 1e-6)
+    near(numpy.array(window.color) * window.energy, numpy.pi * 0.5 * numpy.array((3, 2, 1)), 1e-4)
+    near(thing("main").data.angle_x, numpy.pi / 3, 1e-5)
+    near(thing("plan").data.ortho_scale, 8, 1e-5)
+
+
+def slider():
+    before = print_of(cave())
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    equal(print_of(cave()) == before, True, "nothing has changed")
+    pebble = thing("heap.1").data["vug_digest"]
+    thing("heap.1").location.x += 1  # an artist's
+    cave()["R"] = 0.9
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.9**3, 0.02)
+    equal(thing("heap.1").data["vug_digest"], pebble, "a mesh that has not changed")
+    near(thing("heap.1").location.x, 4, 1e-6, "what an artist has moved")
+    equal([len(each) for each in (cave().objects, bpy.data.meshes, bpy.data.materials, bpy.data.volumes)],
+          [13, 2, 2, 3])
+    cave()["WET"] = 0
+    cave()["SHARE"] = 0.25
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    near(values(thing("wall").data.attributes["Cd"].data, "color", 4)[:, 0].max(), 0.2, 1 / 255)
+    cave()["SHARE"] = 2.0
+    before = print_of(cave())
+    refused(bpy.ops.vug.update, "SHARE")
+    equal(print_of(cave()) == before, True, "after a value out of its range")
+    bpy.ops.vug.defaults()
+    equal(cave()["SHARE"], 0.5)
+
+
+def nothing_is_built():
+    from vug_addon.making import Making
+    bpy.ops.vug.update()
+    making = Making(collection=cave())
+    while not making.step(wait=0.1):
+        pass
+    equal((making.told, making.changed, making.share), ("nothing has changed", 0, 0))
+
+
+def cancel():
+    from vug_addon.making import Making
+    before = print_of(cave())
+    cave()["R"] = 0.95
+    cave().vug.source = f"{folder}/slow.vug"
+    making = Making(collection=cave())
+    equal(bpy.ops.vug.update.poll(), False, "a second one meanwhile")
+    while making.share == 0:
+        assert not making.step(wait=0.05), f"it was too fast to stop: {making.error} {making.told}"
+    pid, room = making.job.pid, making.job.folder
+    equal(bpy.ops.vug.cancel(), {"FINISHED"})
+    equal(making.step(), True)
+    equal((Making.current, making.error, making.cancelled), (None, "", True))
+    assert not os.path.exists(room) and not os.path.exists(f"/proc/{pid}"), "left behind"
+    equal(print_of(cave()) == before, True, "after cancelling")
+    cave().vug.source = f"{folder}/cave.vug"
+    bpy.ops.vug.defaults()
+
+
+def faults():
+    before = print_of(cave())
+    refused(bpy.ops.vug.add, "bad.vug:7:", "unknown function 'spere'", "sphere", filepath=f"{folder}/bad.vug")
+    refused(bpy.ops.vug.add, "nowhere.vug", filepath=f"{folder}/nowhere.vug")
+    equal(print_of(cave()) == before and len(bpy.data.collections) == 1, True, "after faults")
+    options = bpy.context.preferences.addons["vug_addon"].preferences
+    options.python = "/no/such/python"
+    refused(bpy.ops.vug.add, "/no/such/python", filepath=f"{folder}/cave.vug")
+    options.python = ""
+
+
+def block_out():
+    bpy.ops.mesh.primitive_cube_add(size=2, location=(5, 1, 2))
+    cube = bpy.context.object
+    cube.scale = (1, 0.5, -1.5)  # 2 m by 1 m by 3 m, mirrored
+    bpy.context.view_layer.update()
+    equal(bpy.ops.vug.export_field(filepath=f"{folder}/cube.ply", voxel=0.1), {"FINISHED"})
+    import vug
+    scene = vug.load("cube.vug")
+    near(scene.build().level_set("rock").bounds, ((4, 0.5, -1.5), (6, 3.5, -0.5)), 0.5, "where it is")
+    bpy.ops.vug.add(filepath=f"{folder}/cube.vug")
+    wall = bpy.data.collections["cube"].objects["wall.001"].data
+    near(volume_of(wall), 6, 6 * 5e-3)
+    points = values(wall.vertices, "co", 3)
+    near((points.min(0), points.max(0)), ((4, 0.5, 0.5), (6, 1.5, 3.5)), 1e-2)
+    bpy.ops.mesh.primitive_plane_add()
+    refused(bpy.ops.vug.export_field, "'Plane' is open: 4 edges", filepath=f"{folder}/plane.ply")
+    assert not os.path.exists("plane.ply")
+    bpy.data.objects.remove(bpy.context.object)
+
+
+def save():
+    cave()["R"] = 0.8
+    bpy.ops.vug.update(cave="cave")
+    bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/saved.blend")
+
+
+def memory():
+    """Twenty runs that each make all meshes anew, after five that warm up. A mesh of 5300 vertices takes
+    about 1 MB in Blender and its arrays half of it, so a leak of either would show 10 or 20 MB."""
+    sizes, meshes = [], len(bpy.data.meshes)
+    for i in range(25):
+        cave()["R"] = 0.6 + 0.01 * i
+        cave()["LEAN"] = 0.1 + 0.01 * i
+        equal(bpy.ops.vug.update(cave="cave"), {"FINISHED"})
+        gc.collect()
+        sizes.append(resident())
+    print(f"# MB after 5 and 25 updates: {sizes[4]:.1f} {sizes[-1]:.1f}; {len(thing('wall').data.vertices)} vertices")
+    assert sizes[-1] - sizes[4] < 8, sizes
+    equal(len(bpy.data.meshes), meshes)
+
+
+def reloads():
+    bpy.ops.preferences.addon_enable(module="vug_addon")
+    bpy.ops.wm.open_mainfile(filepath=f"{folder}/saved.blend")
+    equal(cave()["R"], 0.8)
+    near(cave().id_properties_ui("R").as_dict()["max"], 1, 1e-12)
+    near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.8**3, 0.02)
+    assert "Cd" in thing("wall").data.attributes
+    rock = thing("rock volume").data
+    assert rock.grids.load(), rock.grids.error_message
+    before = print_of(cave())
+    equal(bpy.ops.vug.update(cave="cave"), {"FINISHED"})
+    equal(print_of(cave()) == before, True, "nothing has changed since it was saved")
+    cave()["R"] = 0.6
+    bpy.ops.vug.update(cave="cave")
+    near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.6**3, 0.01)
+    bpy.ops.preferences.addon_disable(module="vug_addon")
+    assert not hasattr(bpy.types.Collection, "vug")
+
+
+CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, slider, nothing_is_built,
+                  cancel, faults, block_out, save, memory),
+          "again": (reloads,)}
+for check in CHECKS[part]:
+    check()
+    print(f"ok {check.__name__}", flush=True)
+print("\nALL GOOD")
