@@ -152,7 +152,7 @@ def lights():
     window = thing("window").data
     equal((window.type, window.shape), ("AREA", "RECTANGLE"))
     near((window.size, window.size_y), (1, 0.5), 1e-6)
-    near(numpy.array(window.color) * window.energy, numpy.pi * 0.5 * numpy.array((3, 2, 1)), 1e-4)
+    near(numpy.array(window.color) * window.energy, 4 * 0.5 * numpy.array((3, 2, 1)), 1e-4)
     near(thing("main").data.angle_x, numpy.pi / 3, 1e-5)
     near(thing("plan").data.ortho_scale, 8, 1e-5)
 

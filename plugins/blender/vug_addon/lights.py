@@ -1,5 +1,5 @@
-"""Lights and cameras that mean the same as Vug's. Blender counts the watts that a lamp sends out in all
-directions; a colour above 1 goes into the watts. See docs/dcc.md for what a file says of lamps."""
+"""Lights and cameras that mean the same as Vug's. Blender counts the watts that a lamp would send out if it
+shone in all directions as it does along its axis. See docs/dcc.md for what a file says of lamps."""
 import math
 
 LUMEN_PER_WATT = 683  # of each colour; as the file is written
@@ -27,7 +27,7 @@ def fill_light(light, about):
         light.energy = axis
         light.angle = extras.get("vug:angle", 0)
     elif light.type == "AREA":
-        light.energy = math.pi * axis
+        light.energy = 4 * axis  # an area lamp of Cycles has a radiance of energy / (4 area)
         light.shape = "RECTANGLE" if "vug:width" in extras else "DISK"
         light.size = extras.get("vug:width", 2 * extras.get("vug:radius", 0.5))
         light.size_y = extras.get("vug:height", light.size)
