@@ -7,27 +7,36 @@ from . import cave_out, parameters, properties
 from .making import Making
 
 
-class Works:
-    """Runs a Making: in the background with a bar and a timer where there is a window and a user,
-    to the end where a script or a headless Blender calls."""
+class Tells:
+    """Says how a Making went."""
 
-    def begin(self, context):
-        raise NotImplementedError
+    def tell(self, making):
+        if making.cancelled:
+            self.report({"INFO"}, "cancelled: nothing was changed")
+            return {"CANCELLED"}
+        if making.error:
+            self.report({"ERROR"}, making.error)
+            return {"CANCELLED"}
+        self.report({"INFO"}, making.told)
+        return {"FINISHED"}
 
-    @classmethod
-    def poll(cls, context):
-        return Making.current is None
-
-    def execute(self, context):
-        making = self.begin(context)
+    def run(self, making):
+        """To its end where a script or a headless Blender calls."""
         while not making.step(wait=0.2):
             pass
         return self.tell(making)
 
-    def start(self, context):
-        if bpy.app.background:
-            return self.execute(context)
-        self.making = self.begin(context)
+
+class VUG_OT_work(Tells, bpy.types.Operator):
+    """Waits in the background for what is being made, with a bar. An operator of its own, because one
+    that the file browser calls cannot wait"""
+
+    bl_idname, bl_label, bl_options = "vug.work", "Build Vug Cave", {"INTERNAL", "UNDO"}
+
+    def invoke(self, context, event):
+        self.making = Making.current
+        if not self.making:
+            return {"CANCELLED"}
         manager = context.window_manager
         manager.progress_begin(0, 100)
         self.timer = manager.event_timer_add(0.1, window=context.window)
@@ -51,21 +60,11 @@ class Works:
         context.workspace.status_text_set(None)
         return self.tell(self.making)
 
-    def tell(self, making):
-        if making.cancelled:
-            self.report({"INFO"}, "cancelled: nothing was changed")
-            return {"CANCELLED"}
-        if making.error:
-            self.report({"ERROR"}, making.error)
-            return {"CANCELLED"}
-        self.report({"INFO"}, making.told)
-        return {"FINISHED"}
 
-
-class VUG_OT_add(Works, bpy.types.Operator, ImportHelper):
+class VUG_OT_add(Tells, bpy.types.Operator, ImportHelper):
     """Add a cave from a .vug scene"""
 
-    bl_idname, bl_label, bl_options = "vug.add", "Vug Cave", {"REGISTER", "UNDO"}
+    bl_idname, bl_label, bl_options = "vug.add", "Vug Cave", {"UNDO"}
     filename_ext = ".vug"
     filter_glob: StringProperty(default="*.vug", options={"HIDDEN"})
     chosen: BoolProperty(default=False, options={"HIDDEN", "SKIP_SAVE"})
@@ -74,17 +73,21 @@ class VUG_OT_add(Works, bpy.types.Operator, ImportHelper):
         self.chosen = True
         return ImportHelper.invoke(self, context, event)
 
+    @classmethod
+    def poll(cls, context):
+        return Making.current is None
+
     def execute(self, context):
-        return self.start(context) if self.chosen and not bpy.app.background else Works.execute(self, context)
+        making = Making(source=self.filepath)
+        if bpy.app.background or not self.chosen:
+            return self.run(making)
+        return bpy.ops.vug.work("INVOKE_DEFAULT") and {"FINISHED"}
 
-    def begin(self, context):
-        return Making(source=self.filepath)
 
-
-class VUG_OT_update(Works, bpy.types.Operator):
+class VUG_OT_update(Tells, bpy.types.Operator):
     """Build the cave again with the parameters as they are; does nothing where nothing has changed"""
 
-    bl_idname, bl_label, bl_options = "vug.update", "Update", {"REGISTER", "UNDO"}
+    bl_idname, bl_label, bl_options = "vug.update", "Update", {"UNDO"}
     cave: StringProperty(name="Cave", description="Name of its collection; empty: the active one",
                          options={"SKIP_SAVE"})
 
@@ -92,14 +95,21 @@ class VUG_OT_update(Works, bpy.types.Operator):
     def poll(cls, context):
         return Making.current is None and bool(properties.caves())
 
-    def invoke(self, context, event):
-        return self.start(context)
-
     def begin(self, context):
         collection = bpy.data.collections.get(self.cave) if self.cave else properties.active_cave(context)
-        if not collection or not collection.vug.source:
-            raise RuntimeError("choose a cave: an object of it, or its collection")
-        return Making(collection=collection)
+        if collection and collection.vug.source:
+            return Making(collection=collection)
+        self.report({"ERROR"}, "choose a cave: an object of it, or its collection")
+        return None
+
+    def invoke(self, context, event):
+        if bpy.app.background:
+            return self.execute(context)
+        return bpy.ops.vug.work("INVOKE_DEFAULT") and {"FINISHED"} if self.begin(context) else {"CANCELLED"}
+
+    def execute(self, context):
+        making = self.begin(context)
+        return self.run(making) if making else {"CANCELLED"}
 
 
 class VUG_OT_cancel(bpy.types.Operator):
@@ -153,7 +163,7 @@ class VUG_OT_export_field(bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
 
-OPERATORS = (VUG_OT_add, VUG_OT_update, VUG_OT_cancel, VUG_OT_defaults, VUG_OT_export_field)
+OPERATORS = (VUG_OT_work, VUG_OT_add, VUG_OT_update, VUG_OT_cancel, VUG_OT_defaults, VUG_OT_export_field)
 
 
 def draw_add(menu, context):
