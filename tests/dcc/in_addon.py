@@ -93,6 +93,7 @@ def adds():
     near(thing("heap.2").matrix_world.translation, (4, 0, 1), 1e-6)
     equal([grid.name for grid in thing("rock volume").data.grids], ["surface"])
     equal([grid.name for grid in thing("mist volume").data.grids], ["density"])
+    equal((thing("rock volume").hide_render, thing("mist volume").hide_render), (True, False))
 
 
 def parameters():

@@ -118,7 +118,7 @@ class Arrival:
             data.grids.unload()
         data.filepath = stored
         data.grids.load()
-        level_set = "surface" in data.grids
+        level_set = "surface" in data.grids or "air" in data.grids
         thing = self.object(name, "volume", data, ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)))
         if level_set:  # to work on; as a fog it would hide the mesh
             thing.hide_render, thing.display_type = True, "BOUNDS"
@@ -155,7 +155,7 @@ def move_volumes(collection, files, folder):
 
 def bring(collection, scene, files, folder):
     """How many meshes are new or have changed. What can fail does so before a thing is touched."""
-    glb = Glb(os.path.join(folder, next(name for name in files if name.endswith(".glb"))))
+    glb = Glb(os.path.join(folder, scene["name"] + ".glb"))
     for index in range(len(glb.list("meshes"))):
         glb.surface(index)
     volumes = move_volumes(collection, [name for name in files if name.endswith(".vdb")], folder)
