@@ -46,7 +46,8 @@ def cycles(folder, size, spp, runs):
     subprocess.run([program, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
                     HERE / "in_same_light.py", "--", folder, HERE.parents[1] / "plugins/blender",
                     *map(str, (*size, spp, runs, BOUNCES))],
-                   check=True, stdout=subprocess.DEVNULL, env={**os.environ, "PATH": path})
+                   check=True, stdout=subprocess.DEVNULL,
+                   env={**os.environ, "PATH": path, "BLENDER_USER_DATAFILES": f"{folder}/data"})
     return numpy.stack([numpy.load(f"{folder}/cycles_{run}.npy") for run in range(runs)])
 
 
