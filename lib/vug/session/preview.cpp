@@ -1,0 +1,232 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/exchange/format.h>
+#include <vug/exchange/levels.h>
+#include <vug/grammar/tree_output.h>
+#include <vug/session/assemble.h>
+#include <vug/session/measure.h>
+#include <vug/session/preview.h>
+#include <vug/session/recipe.h>
+#include <vug/session/views.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace vug::session {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A folder for files on the way into the page; it goes when this does.
+class Scratch {
+ public:
+  Scratch() : path_((std::filesystem::temp_directory_path() / "vug_preview_XXXXXX").string()) {
+    if (!mkdtemp(path_.data())) throw Error(ErrorCode::io, "cannot make a temporary folder");
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  std::filesystem::path file(const std::string& name) const {
+    return std::filesystem::path(path_) / name;
+  }
+
+ private:
+  std::string path_;
+};
+
+std::string base64(std::string_view bytes) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve(bytes.size() / 3 * 4 + 4);
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    uint32_t bits = 0;
+    for (size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (size_t k = 0; k < 4; ++k)
+      out += i + k <= bytes.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return out;
+}
+
+/// In a script element nothing but "<" can end it, and JSON has another way to write that.
+std::string script_text(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string out;
+  for (const char c : text) c == '<' ? out += "\\u003c" : out += c;
+  return out;
+}
+std::string html_text(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    c == '<' ? out += "&lt;" : c == '>' ? out += "&gt;" : c == '&' ? out += "&amp;" : out += c;
+  return out;
+}
+
+/// The page with texts in place of its marks, which are looked for in the page alone.
+std::string filled(std::string_view page,
+                   const std::vector<std::pair<std::string, std::string>>& texts) {
+  std::string out;
+  for (const auto& [mark, text] : texts) {
+    const size_t at = page.find(mark);
+    if (at == std::string_view::npos)
+      throw Error(ErrorCode::bad_input, fmt::format("the page has no mark {}", mark));
+    out.append(page.substr(0, at)).append(text);
+    page.remove_prefix(at + mark.size());
+  }
+  return out.append(page);
+}
+
+std::string text_of(const Value& value) {
+  if (const Number* number = value.get<Number>())
+    return quantity_text(number->value, number->dimension);
+  return value.empty() ? "" : to_string(value);
+}
+
+Json parameters(const Loaded& loaded) {
+  Json out = Json::array();
+  for (const Parameter& each : loaded.parameters) {
+    Json one = {{"name", each.name},
+                {"value", text_of(each.value)},
+                {"fallback", text_of(each.fallback)},
+                {"low", text_of(each.low)},
+                {"high", text_of(each.high)},
+                {"doc", each.doc}};
+    const Number *value = each.value.get<Number>(), *low = each.low.get<Number>(),
+                 *high = each.high.get<Number>();
+    if (value && low && high && high->value > low->value)
+      one["share"] = (value->value - low->value) / (high->value - low->value);
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+/// Files stand in the page without their folders, which are nobody else's business.
+Json trees(const Shot& shot) {
+  Json out = Json::array();
+  for (const Derivation& derivation : shot.derivations) {
+    Json tree = Json::parse(grammar::tree_json(derivation.tree));
+    for (Json& production : tree["productions"]) {
+      auto& file = production["where"]["file"];
+      file = std::filesystem::path(file.get<std::string>()).filename().string();
+    }
+    out.push_back({{"name", derivation.name}, {"tree", std::move(tree)}});
+  }
+  return out;
+}
+
+Json picture(const std::filesystem::path& file, const std::string& note) {
+  const std::string bytes = read_text(file);
+  const auto begins = [&](std::string_view with) {
+    return bytes.compare(0, with.size(), with) == 0;
+  };
+  const char* type = begins("\x89PNG\r\n")    ? "image/png"
+                     : begins("\xff\xd8\xff") ? "image/jpeg"
+                                              : "";
+  if (!*type)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' is neither a PNG nor a JPEG", file.string()), {},
+                "vug render writes a PNG beside its .exr");
+  return {{"type", type}, {"data", base64(bytes)}, {"note", note}};
+}
+
+/// Small and smoothed: a minute's work at most for most scenes.
+Json rendered_picture(Builder& builder, const Scratch& scratch) {
+  constexpr int kWidth = 960, kSamples = 32;
+  const RenderPlan plan = render_plan(builder.shot(), {});
+  RenderOptions options;
+  const double shrink = std::min(1.0, double(kWidth) / plan.size[0]);
+  options.picture.size = Vec2i(std::max(1, static_cast<int>(plan.size[0] * shrink + 0.5)),
+                               std::max(1, static_cast<int>(plan.size[1] * shrink + 0.5)));
+  options.picture.spp = std::min(plan.spp, kSamples);
+  options.picture.denoise = true;
+  options.picture.deep = false;
+  const std::vector<Rendered> rendered = render_views(builder, options);
+  const std::filesystem::path png = scratch.file("picture.png");
+  write_picture_file(png, views_of(rendered));
+  return picture(
+      png, fmt::format("Rendered small for this page: {} x {}, {} samples a pixel, "
+                       "smoothed",
+                       options.picture.size->x, options.picture.size->y, *options.picture.spp));
+}
+
+size_t triangles(const exchange::Assembly& assembly) {
+  size_t sum = 0;
+  for (const exchange::Part& part : assembly.parts) sum += part.mesh->triangles.size();
+  return sum;
+}
+
+void thin_out(exchange::Assembly& assembly, size_t most, Progress& progress) {
+  const size_t all = triangles(assembly);
+  if (all <= most) return;
+  const double share = static_cast<double>(most) / static_cast<double>(all);
+  progress.begin("thinning out", assembly.parts.size());
+  for (exchange::Part& part : assembly.parts) {
+    progress.check();
+    mesh::Mesh made = exchange::coarser(*part.mesh, share);
+    if (!made.triangles.empty()) part.mesh = std::make_shared<const mesh::Mesh>(std::move(made));
+    progress.advance();
+  }
+  progress.end();
+}
+
+/// The name of the camera that a picture would be taken with; empty without any.
+std::string camera_name(const Shot& shot, const RenderPlan& plan) {
+  for (const CameraPlan& each : shot.cameras)
+    if (plan.camera ? each.camera == plan.camera : each.name == plan.name) return each.name;
+  return shot.cameras.empty() ? "" : shot.cameras.front().name;
+}
+
+}  // namespace
+
+Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& options) {
+  const Shot& shot = builder.shot();
+  const RenderPlan plan = render_plan(shot, {});
+  const Scratch scratch;
+  Json data = {{"name", shot.name},
+               {"seed", std::to_string(shot.seed)},
+               {"frame", shot.frame},
+               {"version", VUG_VERSION},
+               {"camera", camera_name(shot, plan)},
+               {"exposure", plan.exposure},
+               {"picture", nullptr},
+               {"metrics", nullptr}};
+  if (!options.picture.empty())
+    data["picture"] = picture(options.picture, options.picture.filename().string());
+  Assembled made = assemble(builder);
+  Preview out;
+  out.whole = triangles(made.assembly);
+  thin_out(made.assembly, options.max_triangles, builder.progress());
+  out.triangles = triangles(made.assembly);
+  const std::filesystem::path glb = scratch.file("model.glb");
+  const exchange::Format& format = exchange::format("glb");
+  exchange::Written written =
+      exchange::write(format, made.assembly, *format.space, glb, {}, builder.progress());
+  out.left_out = std::move(made.left_out);
+  out.left_out.insert(out.left_out.end(), written.left_out.begin(), written.left_out.end());
+
+  if (!shot.meshes.empty() || !options.mesh.empty()) {
+    metrics::Report report = measure(builder, options.mesh);
+    report.build_seconds.reset();  // the page would differ each time
+    data["metrics"] = Json::parse(metrics::to_json(report));
+  }
+  if (options.picture.empty() && options.render)
+    data["picture"] = rendered_picture(builder, scratch);
+  data["triangles"] = out.triangles;
+  data["whole"] = out.whole;
+  data["trees"] = trees(shot);
+  data["parameters"] = parameters(loaded);
+  data["recipe"] = recipe_in(shot.recipe).scene;
+  out.page = filled(options.page, {{"@VUG_TITLE@", html_text(shot.name)},
+                                   {"@VUG_DATA@", script_text(data)},
+                                   {"@VUG_MODEL@", base64(read_text(glb))}});
+  return out;
+}
+
+}  // namespace vug::session

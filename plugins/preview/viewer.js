@@ -1,0 +1,184 @@
+// The model: orbits, the scene's cameras and lamps, even light, a cut from above.
+import * as three from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+
+const GROUND = 0x15171a;
+const LUMEN_PER_WATT = 683;  // the exporter's, see lib/vug/exchange/format.h
+const MOST_LAMPS = 12;       // of a forward renderer; the strongest are taken
+
+export class Viewer {
+  constructor(canvas, data) {
+    this.canvas = canvas;
+    this.data = data;
+    this.renderer = new three.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.toneMapping = three.AgXToneMapping;
+    this.renderer.localClippingEnabled = true;
+    this.scene = new three.Scene();
+    this.scene.background = new three.Color(GROUND);
+    this.camera = new three.PerspectiveCamera(50, 1, 0.01, 1000);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.12;
+    this.controls.autoRotateSpeed = 0.6;
+    this.plane = new three.Plane(new three.Vector3(0, -1, 0), 0);
+    this.lamps = [];
+    this.stops = 0;
+    this.wanted = true;
+    this.controls.addEventListener('change', () => { this.wanted = true; });
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+  }
+
+  async load(bytes) {
+    const gltf = await new GLTFLoader().parseAsync(bytes, '');
+    this.model = gltf.scene;
+    this.scene.add(this.model);
+    this.model.updateMatrixWorld(true);
+    this.triangles = 0;
+    this.materials = new Set();
+    this.model.traverse((node) => this.take(node));
+    this.box = new three.Box3();
+    for (const mesh of this.meshes()) this.box.expandByObject(mesh);
+    if (this.box.isEmpty()) this.box.set(new three.Vector3(-1, -1, -1), new three.Vector3(1, 1, 1));
+    this.size = this.box.getSize(new three.Vector3()).length();
+    this.findCamera(gltf.cameras);
+    this.addEvenLight();
+    this.chooseLamps();
+    this.cut(1);
+    this.resize();
+    this.goHome();
+    this.draw();
+    this.loop();
+  }
+
+  *meshes() {
+    const all = [];
+    this.model.traverse((node) => { if (node.isMesh) all.push(node); });
+    yield* all;
+  }
+
+  take(node) {
+    if (node.isLight) this.lamps.push(node);
+    if (!node.isMesh) return;
+    const { index, attributes } = node.geometry;
+    this.triangles += (index ? index.count : attributes.position.count) / 3 * (node.isInstancedMesh ? node.count : 1);
+    for (const material of [node.material].flat()) {
+      if (this.materials.has(material)) continue;
+      this.materials.add(material);
+      material.clippingPlanes = [this.plane];
+      material.side = three.DoubleSide;  // a cut shows the inside
+      if (material.emissiveIntensity > 1) material.emissiveIntensity /= LUMEN_PER_WATT;
+    }
+  }
+
+  findCamera(cameras) {
+    const named = cameras.find((each) => each.name === this.data.camera);
+    this.own = named ?? cameras[0] ?? null;
+  }
+
+  /// A sky, what the ground gives back, and a lamp that goes with the viewer: nothing is black.
+  addEvenLight() {
+    this.even = new three.Group();
+    this.even.add(new three.HemisphereLight(0xe6edf5, 0xb0a494, 1.7));
+    const sun = new three.DirectionalLight(0xfff1de, 1.6);
+    sun.position.set(0.5, 1, 0.35);
+    this.even.add(sun);
+    this.scene.add(this.even);
+    this.torch = new three.DirectionalLight(0xffffff, 1.1);
+    this.torch.position.set(-0.35, 0.4, 1);
+    this.torch.target.position.set(0, 0, -1);
+    this.camera.add(this.torch, this.torch.target);
+    this.scene.add(this.camera);
+  }
+
+  chooseLamps() {
+    for (const lamp of this.lamps) {
+      lamp.intensity /= LUMEN_PER_WATT;
+      lamp.visible = false;
+    }
+    this.lamps.sort((a, b) => b.intensity - a.intensity).splice(MOST_LAMPS);
+  }
+
+  useLamps(on) {
+    for (const lamp of this.lamps) lamp.visible = on;
+    this.even.visible = this.torch.visible = !on;
+    this.exposure();
+  }
+
+  exposure() {
+    const own = this.even.visible ? 0 : this.data.exposure;
+    this.renderer.toneMappingExposure = 2 ** (this.stops + own);
+    this.wanted = true;
+  }
+  brighten(stops) {
+    this.stops = stops;
+    this.exposure();
+  }
+  showEdges(on) {
+    for (const material of this.materials) material.wireframe = on;
+    this.wanted = true;
+  }
+  turn(on) { this.controls.autoRotate = on; }
+  /// `share` of the height is left, from below.
+  cut(share) {
+    const { min, max } = this.box;
+    this.plane.constant = min.y + (max.y - min.y) * share + (share >= 1 ? this.size : 0);
+    this.wanted = true;
+  }
+
+  look(from, to, angle, aspect) {
+    this.camera.position.copy(from);
+    this.controls.target.copy(to);
+    this.angle = angle;
+    this.aspect = aspect;
+    this.camera.near = this.size * 2e-4;
+    this.camera.far = this.size * 20 + from.distanceTo(to);
+    this.resize();
+    this.controls.update();
+    this.wanted = true;
+  }
+
+  /// Turns about what the scene's camera has in its middle.
+  goHome() {
+    if (!this.own) return this.showWhole();
+    const from = this.own.getWorldPosition(new three.Vector3());
+    const along = this.own.getWorldDirection(new three.Vector3());
+    const hits = new three.Raycaster(from, along).intersectObjects([...this.meshes()], false);
+    const middle = this.box.getCenter(new three.Vector3()).sub(from).dot(along);
+    const far = hits.length ? hits[0].distance : Math.max(middle, this.size * 0.1);
+    const to = from.clone().addScaledVector(along, far);
+    const wide = this.own.isOrthographicCamera;
+    const angle = wide ? 2 * Math.atan2(this.own.top, far) * 180 / Math.PI : this.own.fov;
+    this.look(from, to, angle, wide ? this.own.right / this.own.top : this.own.aspect);
+  }
+  showWhole() {
+    const middle = this.box.getCenter(new three.Vector3());
+    const way = new three.Vector3(0.55, 0.5, 1).normalize();
+    this.look(middle.clone().addScaledVector(way, this.size * 1.15), middle, 50, 1);
+  }
+
+  /// The whole of the picture that the camera was made for stays in sight.
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    const half = Math.tan((this.angle ?? 50) * Math.PI / 360);
+    const room = Math.max(1, (this.aspect ?? 1) / this.camera.aspect);
+    this.camera.fov = Math.atan(half * room) * 360 / Math.PI;
+    this.camera.updateProjectionMatrix();
+    this.wanted = true;
+    if (this.model) this.draw();
+  }
+
+  draw() {
+    this.wanted = false;
+    this.renderer.render(this.scene, this.camera);
+  }
+  loop() {
+    requestAnimationFrame(() => this.loop());
+    this.controls.update();
+    if (this.wanted) this.draw();
+  }
+}

@@ -1,0 +1,90 @@
+#include "arguments.h"
+#include "bar.h"
+#include "load.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/base/parallel.h>
+#include <vug/session/assemble.h>
+#include <vug/session/data_folders.h>
+#include <vug/session/inputs.h>
+#include <vug/session/preview.h>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  SceneOptions scene;
+  WorkOptions work;
+  std::string output, picture, mesh;
+  bool render = false;
+  int max_triangles = 300000;
+};
+
+/// preview.html of the data folders, or that of the build.
+std::filesystem::path page_file() {
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path& folder : session::data_folders())
+    files.push_back(folder / "preview.html");
+  files.emplace_back(VUG_BUILT_PAGE);
+  for (const std::filesystem::path& file : files)
+    if (why_no_file(file).empty()) return file;
+  throw Error(ErrorCode::bad_input, "this Vug was built without the page that a preview fills", {},
+              "install npm, and build again where it can reach its registry");
+}
+
+int run(Options options) {
+  const std::filesystem::path page = page_file();
+  if (options.output.empty())
+    options.output = std::filesystem::path(options.scene.scene).stem().string() + ".html";
+  require_ending(options.output, ".html", "the page is one .html file");
+  const ThreadLimit threads(options.work.threads);
+  const session::Loaded loaded = options.scene.load();
+  const session::Shot shot = session::with_meshes(loaded.shot);
+  std::vector<std::filesystem::path> inputs = session::files_named(loaded);
+  inputs.push_back(page);
+  if (!options.picture.empty()) inputs.emplace_back(options.picture);
+  require_outputs({options.output}, inputs);
+
+  session::PreviewOptions what;
+  what.page = read_text(page);
+  what.picture = options.picture, what.render = options.render, what.mesh = options.mesh;
+  what.max_triangles = static_cast<size_t>(options.max_triangles);
+  session::Builder builder(shot, options.work.build_options(loaded),
+                           terminal_progress(options.work.bar()));
+  const session::Preview made = session::preview(builder, loaded, what);
+  write_text(options.output, made.page);
+  fmt::print("{}\n", options.output);
+  if (options.work.quiet) return kDone;
+  clear_bar();
+  if (made.triangles < made.whole)
+    fmt::print(stderr, "thinned out to {} of {} triangles\n", made.triangles, made.whole);
+  for (const std::string& each : made.left_out) fmt::print(stderr, "left out: {}\n", each);
+  options.work.summarise(builder);
+  return kDone;
+}
+
+}  // namespace
+
+Verb preview_verb() {
+  return {
+      "preview", "Writes a web page, one file, that shows the model, picture, tree and figures.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        options->scene.add_to(app);
+        app.add_option("-o,--output", options->output,
+                       "the .html to write; else the scene's name with that ending");
+        auto* picture =
+            app.add_option("--picture", options->picture, "a .png or .jpg to show beside it");
+        app.add_flag("--render", options->render, "render a small picture to show beside it")
+            ->excludes(picture);
+        app.add_option("--max-triangles", options->max_triangles,
+                       "thin the model out to about so many; else 300000")
+            ->check(whole_number_in(100, 100000000));
+        app.add_option("--mesh", options->mesh, "whose metrics it tells; else the first mesh's");
+        options->work.add_to(app);
+        return [options] { return run(*options); };
+      }};
+}
+
+}  // namespace vug::cli
