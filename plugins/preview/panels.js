@@ -27,7 +27,9 @@ function picture(data) {
   return [image, make('p', { class: 'note', textContent: data.picture.note })];
 }
 
-/// Branches below the second row are made when they are opened: trees may be large.
+const SMALL_TREE = 80;
+
+/// Of a large tree, branches below the second row are made when they are opened.
 function branch(tree, id, depth) {
   const node = tree.nodes[id];
   const rule = tree.productions[node.production];
@@ -39,7 +41,7 @@ function branch(tree, id, depth) {
   const fill = () => {
     if (!below.childElementCount) below.append(...node.children.map((child) => branch(tree, child, depth + 1)));
   };
-  const details = make('details', { open: depth < 2 }, make('summary', { title }, ...line), below);
+  const details = make('details', { open: depth < 2 || tree.nodes.length <= SMALL_TREE }, make('summary', { title }, ...line), below);
   if (details.open) fill();
   details.addEventListener('toggle', () => { if (details.open) fill(); });
   return make('li', {}, details);

@@ -80,12 +80,16 @@ export class Viewer {
   /// A sky, what the ground gives back, and a lamp that goes with the viewer: nothing is black.
   addEvenLight() {
     this.even = new three.Group();
-    this.even.add(new three.HemisphereLight(0xe6edf5, 0xb0a494, 1.7));
-    const sun = new three.DirectionalLight(0xfff1de, 1.6);
+    this.even.add(new three.HemisphereLight(0xe6edf5, 0x9a8f82, 1.2));
+    const sun = new three.DirectionalLight(0xfff1de, 2.3);
     sun.position.set(0.5, 1, 0.35);
     this.even.add(sun);
     this.scene.add(this.even);
-    this.torch = new three.DirectionalLight(0xffffff, 1.1);
+    // Stands for what walls give back where the scene's lamps shine.
+    this.fill = new three.HemisphereLight(0xffffff, 0xc8bdb0, 0.2 / 2 ** this.data.exposure);
+    this.fill.visible = false;
+    this.scene.add(this.fill);
+    this.torch = new three.DirectionalLight(0xffffff, 1.2);
     this.torch.position.set(-0.35, 0.4, 1);
     this.torch.target.position.set(0, 0, -1);
     this.camera.add(this.torch, this.torch.target);
@@ -102,6 +106,7 @@ export class Viewer {
 
   useLamps(on) {
     for (const lamp of this.lamps) lamp.visible = on;
+    this.fill.visible = on;
     this.even.visible = this.torch.visible = !on;
     this.exposure();
   }
