@@ -62,7 +62,7 @@ void Pass::run_block(uint32_t block, const Kernel& kernel) const {
     for (uint32_t i = first; i < end; ++i) own(near, i);
     return;
   }
-  std::array<uint32_t, kBlock> picked;
+  std::array<uint32_t, kBlock> picked;  // NOLINT: filled by pick
   const uint32_t count = pick(block, picked.data());
   for (uint32_t k = 0; k < count; ++k) kernel(near, picked[k]);
 }

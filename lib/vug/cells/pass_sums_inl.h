@@ -13,7 +13,8 @@ class Pairs {
  public:
   using Quad = float __attribute__((vector_size(16)));
 
-  Pairs(uint32_t first, uint32_t end, const float* a, const float* b) : first_(first) {
+  Pairs(uint32_t first, uint32_t end, const float* a, const float* b)  // NOLINT: set below
+      : first_(first) {
     float* pair = pairs_.data();
     for (uint32_t n = first; n < end; ++n, pair += 2) {
       pair[0] = a[n];
@@ -59,8 +60,8 @@ void Pass::run_on_sums(const Writing<float>& a, const Writing<float>& b, const R
       return run_block(block, one_by_one);
     const Pairs pairs(first_near, end_near, a.now, b.now);
     constexpr uint32_t kTurn = 512;
-    std::array<Two, kTurn> sums;
-    std::array<float, kTurn> counts;
+    std::array<Two, kTurn> sums;      // NOLINT: set before they are read
+    std::array<float, kTurn> counts;  // NOLINT: likewise
     for (uint32_t from = blocks_->first(block); from < blocks_->end(block); from += kTurn) {
       const uint32_t end = std::min(from + kTurn, blocks_->end(block));
       const auto gather = [=, add = pairs.adder(), to_sum = sums.data(), to_count = counts.data()](

@@ -78,7 +78,7 @@ void BoxTree::visit_nearest(const Vec3d& p, double squared_limit, const Visit& v
 
 template <class Visit>
 void BoxTree::visit_overlapping(const Box3d& box, const Visit& visit) const {
-  std::array<uint32_t, 64> stack;
+  std::array<uint32_t, 64> stack;  // NOLINT: filled as it grows
   size_t size = 0;
   if (!nodes_.empty()) stack[size++] = 0;
   while (size > 0) {

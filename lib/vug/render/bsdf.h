@@ -66,7 +66,7 @@ class Bsdf {
 };
 
 /// Where the Bsdf of one hit stands: on the stack of the path.
-class BsdfMemory {
+class BsdfMemory {  // NOLINT: what is made in it sets its part
  public:
   static constexpr size_t kBytes = 4096;
 

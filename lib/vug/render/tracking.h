@@ -15,7 +15,7 @@ class TrackingNumbers {
  public:
   explicit TrackingNumbers(const Vec2f& begin) {
     uint32_t words[2];
-    std::memcpy(words, &begin, sizeof words);
+    std::memcpy(words, begin.getValue(), sizeof words);
     state_ = (static_cast<uint64_t>(words[0]) << 32 | words[1]) * kFactor + kStep;
     next();
   }

@@ -11,7 +11,7 @@
 namespace vug::render {
 
 /// At most kMost cones with their shares, made anew for each place that asks for directions.
-class Cones {
+class Cones {  // NOLINT: only what has been added is read
  public:
   static constexpr size_t kMost = 32;
 
