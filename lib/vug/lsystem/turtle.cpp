@@ -1,0 +1,172 @@
+#include <vug/base/error.h>
+#include <vug/lsystem/walker.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::lsystem {
+
+Walker::Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& options, Pen* pen)
+    : word_(word),
+      alphabet_(alphabet),
+      options_(options),
+      pen_(pen),
+      meanings_(meanings(alphabet, options)) {
+  for (const Bezier& guide : options.guides) guides_.emplace_back(guide);
+  state_.radius = 0.5 * options.width;
+  state_.elasticity = options.elasticity;
+}
+
+void Walker::walk(const std::vector<SymbolId>& symbols, const PoseVisitor& visit) {
+  std::vector<bool> asked(alphabet_.size());
+  for (const SymbolId id : symbols) asked[id] = true;
+  for (at_ = 0; at_ < word_.size(); ++at_) {
+    const SymbolId id = word_.symbol(at_);
+    if (asked[id]) visit(at_, state_.pose);
+    if (meanings_[id].turn != Turn::nothing) obey(meanings_[id], word_.parameters(at_));
+  }
+  if (!stack_.empty()) fail("a '[' is not closed");
+  if (braces_ > 0) fail("a '{' is not closed");
+}
+
+void Walker::fail(const std::string& what) const {
+  const size_t at = std::min(at_, word_.size() - 1);
+  throw Error(ErrorCode::bad_input, fmt::format("{}, at '{}', module {} of the word", what,
+                                                to_string(word_, alphabet_, at, at + 1), at + 1));
+}
+
+void Walker::obey(const Meaning& meaning, Parameters p) {
+  for (const double value : p)
+    if (!std::isfinite(value)) fail("a parameter is not a finite number");
+  const Frame& frame = state_.pose.frame;
+  const double angle = p.empty() ? options_.angle : p[0];
+  switch (meaning.turn) {
+    case Turn::draw:
+      forward(p, braces_ == 0);
+      if (braces_ > 0 && pen_) pen_->corner(state_);
+      break;
+    case Turn::trace:
+      forward(p, true);
+      break;
+    case Turn::move:
+      forward(p, false);
+      state_.axis = Axis::kNone;
+      if (braces_ > 0 && pen_) pen_->corner(state_);
+      break;
+    case Turn::left:
+      turn(frame.binormal, angle);
+      break;
+    case Turn::right:
+      turn(frame.binormal, -angle);
+      break;
+    case Turn::down:
+      turn(frame.normal, angle);
+      break;
+    case Turn::up:
+      turn(frame.normal, -angle);
+      break;
+    case Turn::roll_left:
+      turn(frame.tangent, -angle);
+      break;
+    case Turn::roll_right:
+      turn(frame.tangent, angle);
+      break;
+    case Turn::back:
+      state_.pose.frame = {-frame.tangent, -frame.normal, frame.binormal};
+      break;
+    case Turn::level:
+      level();
+      break;
+    case Turn::width:
+      if (!p.empty() && p[0] < 0) fail("a width is below 0");
+      state_.radius = p.empty() ? state_.radius * options_.thinner : 0.5 * p[0];
+      state_.radius_set = true;
+      break;
+    case Turn::colour:
+      state_.colour = p.empty() ? state_.colour + 1 : static_cast<int>(std::clamp(p[0], -1e9, 1e9));
+      break;
+    case Turn::push:
+      push();
+      break;
+    case Turn::pop:
+      pop();
+      break;
+    case Turn::open:
+    case Turn::corner:
+    case Turn::close:
+      brace(meaning.turn);
+      break;
+    case Turn::node:
+      if (pen_) pen_->node(state_, p.empty() ? 1 : p[0]);
+      break;
+    case Turn::age:
+      state_.age = p[0];
+      break;
+    case Turn::guide:
+      begin_guide(p);
+      break;
+    case Turn::elasticity:
+      state_.elasticity = p[0];
+      break;
+    case Turn::instance:
+      if (pen_) pen_->instance(state_, meaning.name, p);
+      break;
+    case Turn::nothing:
+      break;
+  }
+}
+
+void Walker::level() {
+  Frame& frame = state_.pose.frame;
+  const Vec3d left = Vec3d(0, 1, 0).cross(frame.tangent);
+  if (left.length() < 1e-9) return;  // plumb: every roll is level
+  frame.normal = left.normalized();
+  frame = frame.squared();
+}
+
+void Walker::push() {
+  if (stack_.size() >= options_.most_depth)
+    fail(fmt::format("more than {} brackets within brackets", options_.most_depth));
+  stack_.push_back(state_);
+  if (state_.axis != Axis::kNone && pen_) {
+    state_.parent_along = pen_->length(state_);
+    state_.parent = state_.axis;
+    state_.axis = Axis::kNone;
+    state_.radius_set = false;
+  }
+  state_.guide = -1;  // a branch goes its own way
+}
+
+void Walker::pop() {
+  if (stack_.empty()) fail("a ']' closes nothing");
+  state_ = stack_.back();
+  stack_.pop_back();
+}
+
+void Walker::brace(Turn turn) {
+  if (turn == Turn::open) {
+    ++braces_;
+    if (pen_) pen_->open(state_);
+    return;
+  }
+  if (braces_ == 0) fail(turn == Turn::close ? "a '}' closes nothing" : "a '.' outside of { }");
+  if (turn == Turn::close) --braces_;
+  if (pen_) turn == Turn::close ? pen_->close() : pen_->corner(state_);
+}
+
+Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleOptions& options) {
+  Drawing drawing;
+  drawing.names = options.instances;
+  Pen pen(drawing);
+  Walker(word, alphabet, options, &pen).walk({}, {});
+  return drawing;
+}
+
+void visit_poses(const Word& word, const Alphabet& alphabet, const TurtleOptions& options,
+                 const std::vector<SymbolId>& symbols, const PoseVisitor& visit) {
+  Walker(word, alphabet, options, nullptr).walk(symbols, visit);
+}
+
+}  // namespace vug::lsystem

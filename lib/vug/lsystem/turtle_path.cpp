@@ -1,0 +1,115 @@
+// Where a turtle goes: straight, along a guide, and how stems bend to the tropism.
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/lsystem/walker.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::lsystem {
+namespace {
+
+/// v under the least turn that takes one direction to another.
+Vec3d carried(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
+  const Vec3d axis = from.cross(to);
+  const double sine = axis.length();
+  if (sine < 1e-12) return v;
+  return turned(v, axis / sine, maths::atan2(sine, from.dot(to)));
+}
+
+}  // namespace
+
+Vec3d Walker::in_world(const Vec3d& v) const {
+  const auto& axes = state_.guide_axes;
+  return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z;
+}
+
+void Walker::forward(Parameters p, bool drawn) {
+  const double length = p.empty() ? options_.step : p[0];
+  if (length < 0 && drawn) fail("a stem's length is below 0");
+  if (drawn && length == 0) return;
+  const bool tapers = drawn && p.size() > 1;
+  if (tapers && p[1] < 0) fail("a stem's radius is below 0");
+  const double begun = tapers && !state_.radius_set ? p[1] : state_.radius;
+  if (tapers) {
+    state_.radius = p[1];
+    state_.radius_set = true;
+  }
+  if (drawn && pen_) pen_->begin(state_, begun);
+  advance(length, begun, state_.radius, drawn);
+  if (state_.elasticity != 0) bend();
+}
+
+void Walker::advance(double length, double begun, double radius, bool drawn) {
+  if (state_.guide >= 0) {
+    const double whole = guides_[static_cast<size_t>(state_.guide)].length() * state_.guide_scale;
+    const double bent = std::min(length, whole - state_.guide_along);
+    if (bent > 1e-9 * whole) {
+      // What is left beyond the guide's end by rounding is no stem of its own.
+      const bool all = length - bent <= 1e-9 * whole;
+      const double between = all ? radius : begun + (radius - begun) * bent / length;
+      follow(all ? length : bent, begun, between, drawn);
+      if (all) return;
+      length -= bent;
+    }
+  }
+  state_.pose.position += state_.pose.frame.tangent * length;
+  step(length, radius, drawn);
+}
+
+/// Bends as the guide does on this stretch: both keep the angle that is between them.
+void Walker::follow(double length, double begun, double radius, bool drawn) {
+  const ArcBezier& guide = guides_[static_cast<size_t>(state_.guide)];
+  const double scale = state_.guide_scale, from = state_.guide_along;
+  constexpr int kProbes = 4;
+  double bend = 0;
+  for (int i = 0; i < kProbes; ++i) {
+    const Vec3d a = guide.tangent((from + length * i / kProbes) / scale),
+                b = guide.tangent((from + length * (i + 1) / kProbes) / scale);
+    bend += maths::atan2(a.cross(b).length(), a.dot(b));
+  }
+  const int steps = std::clamp(static_cast<int>(std::ceil(bend / options_.smooth)), 1, 1000);
+  Vec3d point = guide.point(from / scale), tangent = in_world(guide.tangent(from / scale));
+  for (int i = 1; i <= steps; ++i) {
+    const double along = from + length * i / steps;
+    const Vec3d next = guide.point(along / scale), ahead = in_world(guide.tangent(along / scale));
+    TurtlePose& pose = state_.pose;
+    const Vec3d heading = pose.frame.tangent;
+    const Vec3d to = pose.position + carried(in_world(next - point) * scale, tangent, heading);
+    pose.frame = transported(pose.frame, pose.position, to, carried(ahead, tangent, heading));
+    pose.position = to;
+    step(length / steps, begun + (radius - begun) * i / steps, drawn);
+    point = next;
+    tangent = ahead;
+  }
+  state_.guide_along = from + length;
+}
+
+void Walker::bend() {
+  const Vec3d axis = state_.pose.frame.tangent.cross(options_.tropism);
+  const double torque = axis.length();
+  if (torque > 1e-12) turn(axis / torque, state_.elasticity * torque);
+}
+
+void Walker::begin_guide(Parameters p) {
+  const double last = static_cast<double>(guides_.size()) - 1;
+  if (p[0] < 0) {
+    state_.guide = -1;
+    return;
+  }
+  if (p[0] != std::floor(p[0]) || p[0] > last)
+    fail(guides_.empty() ? "there is no guide"
+                         : fmt::format("there is no guide {} (the last is {})", p[0], last));
+  state_.guide_scale = p.size() > 1 ? p[1] : 1;
+  if (!(state_.guide_scale > 0)) fail("a guide's scale is not above 0");
+  state_.guide = static_cast<int>(p[0]);
+  state_.guide_along = 0;
+  Frame& frame = state_.pose.frame;
+  state_.guide_axes = {-frame.normal, frame.tangent, frame.binormal};
+  const Vec3d ahead = in_world(guides_[static_cast<size_t>(state_.guide)].tangent(0));
+  frame = Frame{ahead, carried(frame.normal, frame.tangent, ahead), frame.binormal}.squared();
+}
+
+}  // namespace vug::lsystem

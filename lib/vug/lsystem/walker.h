@@ -1,0 +1,51 @@
+// Inside of the turtle only: reads a word module by module.
+#pragma once
+
+#include <vug/lsystem/pen.h>
+#include <vug/lsystem/turtle_table.h>
+
+namespace vug::lsystem {
+
+class Walker {
+ public:
+  /// Without a pen it only walks. All must outlive it.
+  Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& options, Pen* pen);
+
+  void walk(const std::vector<SymbolId>& symbols, const PoseVisitor& visit);
+
+ private:
+  using Parameters = std::span<const double>;
+
+  /// Error(bad_input) that names the module.
+  [[noreturn]] void fail(const std::string& what) const;
+  void obey(const Meaning& meaning, Parameters p);
+  void turn(const Vec3d& axis, double angle) {
+    state_.pose.frame = state_.pose.frame.turned(axis, angle);
+  }
+  void level();
+  void push();
+  void pop();
+  void forward(Parameters p, bool drawn);
+  void advance(double length, double begun, double radius, bool drawn);
+  void follow(double length, double begun, double radius, bool drawn);
+  void step(double length, double radius, bool drawn) {
+    if (drawn && pen_) pen_->extend(state_, length, radius);
+  }
+  void bend();
+  void begin_guide(Parameters p);
+  Vec3d in_world(const Vec3d& v) const;  ///< A direction of the guide's own space.
+  void brace(Turn turn);
+
+  const Word& word_;
+  const Alphabet& alphabet_;
+  const TurtleOptions& options_;
+  Pen* pen_;
+  std::vector<Meaning> meanings_;
+  std::vector<ArcBezier> guides_;
+  TurtleState state_;
+  std::vector<TurtleState> stack_;
+  size_t at_ = 0;
+  size_t braces_ = 0;
+};
+
+}  // namespace vug::lsystem
