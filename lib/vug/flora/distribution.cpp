@@ -1,0 +1,49 @@
+#include <vug/base/maths.h>
+#include <vug/flora/distribution.h>
+
+#include <fmt/format.h>
+
+namespace vug::flora {
+
+#define VUG_KIND(name) const DistributionKind& name##_distribution();
+#include <vug/flora/distributions_kinds.inc>
+#undef VUG_KIND
+
+const Kinds<DistributionPtr>& distributions() {
+#define VUG_KIND(name) &name##_distribution(),
+  static const Kinds<DistributionPtr> kinds = {
+#include <vug/flora/distributions_kinds.inc>
+  };
+#undef VUG_KIND
+  return kinds;
+}
+
+/// Times between such events are exponential; those that end before `mean` are counted.
+uint64_t poisson(double mean, RandomStream& random) {
+  uint64_t count = 0;
+  for (double time = -maths::log(1 - random.uniform()); time < mean;
+       time -= maths::log(1 - random.uniform()))
+    ++count;
+  return count;
+}
+
+void require_density(double density, double area) {
+  if (!(density > 0))
+    throw Error(ErrorCode::bad_input, fmt::format("a density of {}: it must be above 0", density));
+  if (!(density * area <= kMostPoints))
+    throw Error(ErrorCode::too_large,
+                fmt::format("{:.4g} m^2 with {:.4g} points each hold more than {:.4g} points", area,
+                            density, kMostPoints));
+}
+
+}  // namespace vug::flora
+
+namespace vug {
+
+std::optional<flora::DistributionPtr> ValueTraits<flora::DistributionPtr>::read(const Value& v) {
+  const auto* name = v.get<Value::Name>();
+  if (!name || !find_kind(flora::distributions(), name->text)) return ObjectTraits::read(v);
+  return make_product(flora::distributions(), name->text);
+}
+
+}  // namespace vug

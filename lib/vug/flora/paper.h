@@ -1,0 +1,16 @@
+// The particle distribution of Luo et al. 2010 (cite luo2010bamboo).
+#pragma once
+
+#include <vug/flora/plot.h>
+
+#include <vector>
+
+namespace vug::flora {
+
+/// Eq. 2-4: the corners averaged by weights that are divided by their sum. Inside the corners'
+/// convex hull, since each weight must be above 0 (the paper allows any real number, which would
+/// put most points outside). Error(bad_input): another number of weights than of corners, one that
+/// is 0, negative or not finite.
+Vec2d weighted_point(const Corners& corners, const std::vector<double>& weights);
+
+}  // namespace vug::flora

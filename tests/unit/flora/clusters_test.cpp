@@ -1,0 +1,89 @@
+// Cluster processes against the K functions that theory gives them.
+#include "stands.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug::flora {
+namespace {
+
+constexpr double kSide = 20, kDensity = 2, kPerClump = 8;
+constexpr double kClumps = kDensity / kPerClump;
+constexpr int kRuns = 200;
+const std::vector<double> kRadii = {0.25, 0.5, 1, 1.5, 2};
+
+/// Ripley's K by the known density, of all runs together: how many others lie within r of a point,
+/// for those that are so far within the plot that all of them are there.
+std::vector<double> k_function(const std::string& name, const Named& parameters) {
+  const double border = kRadii.back();
+  std::vector<double> pairs(kRadii.size());
+  for (uint64_t run = 0; run < kRuns; ++run) {
+    const std::vector<Vec2d> points = draw(name, parameters, square(kSide), kDensity, run);
+    for (const Vec2d& p : points) {
+      if (std::min(std::min(p.x, p.y), std::min(kSide - p.x, kSide - p.y)) < border) continue;
+      for (const Vec2d& other : points) {
+        if (&other == &p) continue;
+        const double apart = (other - p).length();
+        for (size_t i = 0; i < kRadii.size(); ++i) pairs[i] += apart < kRadii[i];
+      }
+    }
+  }
+  const double inner = (kSide - 2 * border) * (kSide - 2 * border);
+  for (double& k : pairs) k /= kRuns * inner * kDensity * kDensity;
+  return pairs;
+}
+
+TEST(Clusters, ThomasHasTheKFunctionOfTheory) {
+  const double spread = 0.5;
+  const auto found = k_function("thomas", {{"per_clump", kPerClump}, {"spread", spread}});
+  for (size_t i = 0; i < kRadii.size(); ++i) {
+    const double r = kRadii[i];
+    const double theory = kPi * r * r + (1 - std::exp(-r * r / (4 * spread * spread))) / kClumps;
+    EXPECT_NEAR(found[i] / theory, 1, 0.05) << "within " << r << " m";
+  }
+}
+
+/// Chance that two even points of a disk are nearer than z times its diameter.
+double chance_in_disk(double z) {
+  if (z >= 1) return 1;
+  const double rest = std::sqrt(1 - z * z);
+  return 2 + ((8 * z * z - 4) * std::acos(z) - 2 * std::asin(z) + 4 * z * rest * rest * rest -
+              6 * z * rest) /
+                 kPi;
+}
+
+TEST(Clusters, MaternHasTheKFunctionOfTheory) {
+  const double radius = 0.9;
+  const auto found = k_function("matern", {{"per_clump", kPerClump}, {"radius", radius}});
+  for (size_t i = 0; i < kRadii.size(); ++i) {
+    const double r = kRadii[i];
+    const double theory = kPi * r * r + chance_in_disk(r / (2 * radius)) / kClumps;
+    EXPECT_NEAR(found[i] / theory, 1, 0.05) << "within " << r << " m";
+  }
+}
+
+TEST(Clusters, AreAsDenseAtTheBorderAsWithin) {
+  for (const char* name : {"thomas", "matern"}) {
+    double at_border = 0, all = 0;
+    const double border = 1;
+    for (uint64_t run = 0; run < kRuns; ++run)
+      for (const Vec2d& p : draw(name, {}, square(kSide), kDensity, run)) {
+        ++all;
+        at_border += std::min(std::min(p.x, p.y), std::min(kSide - p.x, kSide - p.y)) < border;
+      }
+    const double area = kSide * kSide, strip = area - (kSide - 2 * border) * (kSide - 2 * border);
+    EXPECT_NEAR(all / kRuns / area / kDensity, 1, 0.05) << name;
+    EXPECT_NEAR(at_border / all / (strip / area), 1, 0.05) << name;
+  }
+}
+
+TEST(Clusters, MorePlantsLeaveTheFirstWhereTheyAre) {
+  const std::vector<Vec2d> few = draw("thomas", {}, square(30), 0.3);
+  const std::vector<Vec2d> more = draw("thomas", {}, square(30), 0.6);
+  ASSERT_GT(more.size(), few.size());
+  EXPECT_TRUE(std::equal(few.begin(), few.end(), more.begin()));
+}
+
+}  // namespace
+}  // namespace vug::flora

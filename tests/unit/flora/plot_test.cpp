@@ -1,0 +1,79 @@
+#include <vug/flora/plot.h>
+
+#include <gtest/gtest.h>
+#include <vug/base/error.h>
+
+#include <cmath>
+
+namespace vug::flora {
+namespace {
+
+std::string fault_of(const Corners& corners) {
+  try {
+    const Plot plot(corners);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_input);
+    return error.what();
+  }
+}
+
+/// An L: the square of side 2 without its quarter of large x and y.
+const Corners kBent = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+
+TEST(Plot, KnowsItsAreaAndWhatLiesInIt) {
+  const Plot plot(kBent);
+  EXPECT_NEAR(plot.area(), 3, 1e-15);
+  EXPECT_EQ(plot.low(), Vec2d(0, 0));
+  EXPECT_EQ(plot.high(), Vec2d(2, 2));
+  EXPECT_TRUE(plot.contains({0.5, 1.9}));
+  EXPECT_TRUE(plot.contains({1.9, 0.5}));
+  EXPECT_FALSE(plot.contains({1.5, 1.5}));
+  EXPECT_FALSE(plot.contains({-0.1, 1}));
+  EXPECT_NEAR(plot.to_border({1.5, 1.5}), 0.5, 1e-15);
+  EXPECT_NEAR(plot.to_border({0.25, 0.5}), 0.25, 1e-15);
+  EXPECT_EQ(plot.dent(), 3);
+  const Corners turned(kBent.rbegin(), kBent.rend());
+  EXPECT_NEAR(Plot(turned).area(), 3, 1e-15);
+  EXPECT_EQ(Plot(turned).dent(), 2);
+  EXPECT_EQ(Plot({{0, 0}, {1, 0}, {2, 0}, {1, 1}}).dent(), -1);  // in line is no dent
+}
+
+TEST(Plot, SpreadsPointsEvenlyOverItsParts) {
+  const Plot plot(kBent);
+  constexpr int kCount = 300000;
+  std::array<int, 3> in{};
+  for (int i = 0; i < kCount; ++i) {
+    RandomStream random(RandomKey(9).at(static_cast<uint64_t>(i)));
+    const Vec2d p = plot.point(random);
+    ASSERT_TRUE(plot.contains(p) || plot.to_border(p) < 1e-12);
+    ++in[p.y > 1 ? 0 : p.x > 1 ? 1 : 2];
+  }
+  for (const int count : in) EXPECT_NEAR(count, kCount / 3.0, 5 * std::sqrt(kCount * 2.0 / 9));
+}
+
+TEST(Plot, RefusesWhatIsNoSimplePolygonAndSaysWhere) {
+  EXPECT_EQ(fault_of({{0, 0}, {1, 0}}), "a polygon has 3 corners at least, not 2");
+  EXPECT_EQ(fault_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}),
+            "sides 1 and 3 of the polygon cross or touch at (1, 1)");
+  EXPECT_EQ(fault_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
+            "corners 2 and 3 of the polygon are both at (1, 0)");
+  EXPECT_EQ(fault_of({{0, 0}, {2, 0}, {1, 0}, {1, 1}}),
+            "side 2 of the polygon runs back along side 1, from (2, 0)");
+  // A corner on another side: the plot would fall apart there.
+  EXPECT_EQ(fault_of({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}),
+            "sides 1 and 3 of the polygon cross or touch at (2, 0)");
+  EXPECT_NE(fault_of({{0, 0}, {1, NAN}, {0, 1}}).find("corner 2"), std::string::npos);
+  EXPECT_NE(fault_of({{0, 0}, {1e7, 0}, {0, 1}}).find("1e6 m at most"), std::string::npos);
+  EXPECT_NE(fault_of({{0, 0}, {1, 1}, {2, 2}}), "");
+  EXPECT_EQ(fault_of(kBent), "");
+}
+
+TEST(Plot, TakesPolygonsThatAreFarAwayAndSmall) {
+  const Vec2d far(123456.5, -654321.25);
+  const Plot plot({far, far + Vec2d(0.01, 0), far + Vec2d(0.01, 0.02), far + Vec2d(0, 0.02)});
+  EXPECT_NEAR(plot.area(), 2e-4, 1e-10);
+}
+
+}  // namespace
+}  // namespace vug::flora

@@ -1,0 +1,34 @@
+// Plots and draws that several tests of point processes use.
+#pragma once
+
+#include <vug/flora/distribution.h>
+
+namespace vug::flora {
+
+inline Corners square(double side) { return {{0, 0}, {side, 0}, {side, side}, {0, side}}; }
+
+/// Of circumradius 1.
+inline Corners hexagon() {
+  const double h = std::sqrt(0.75);
+  return {{1, 0}, {0.5, h}, {-0.5, h}, {-1, 0}, {-0.5, -h}, {0.5, -h}};
+}
+
+inline std::vector<Vec2d> draw(const std::string& name, const Named& parameters,
+                               const Corners& corners, double density, uint64_t seed = 1) {
+  const Plot plot(corners);
+  return make_product(distributions(), name, parameters)
+      ->points(plot, density, RandomKey(seed), Progress::none());
+}
+
+/// What is thrown when it is drawn; empty where nothing is.
+inline std::string fault_of(const std::string& name, const Named& parameters,
+                            const Corners& corners, double density) {
+  try {
+    draw(name, parameters, corners, density);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace vug::flora
