@@ -1,3 +1,4 @@
+#include <vug/base/hyperbolic.h>
 #include <vug/base/maths.h>
 #include <vug/scene/functions.h>
 
@@ -219,6 +220,8 @@ std::vector<Function> all_functions() {
        arc_tangent},
       {"exp", "a plain number", "e to its power", plain<maths::exp>},
       {"log", "a plain number", "natural logarithm", logarithm},
+      {"tanh", "a plain number", "hyperbolic tangent", plain<maths::tanh>},
+      {"atanh", "a plain number between -1 and 1", "its inverse", plain<maths::atanh>},
       {"pow", "two numbers", "the first to the power of the second", power},
       {"mod", "two numbers", "the rest of a division, with the divisor's sign", modulo},
       {"clamp", "three numbers", "the first, kept between the others", clamp},

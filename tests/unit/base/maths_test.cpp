@@ -1,3 +1,4 @@
+#include <vug/base/hyperbolic.h>
 #include <vug/base/maths.h>
 #include <vug/base/rng.h>
 
@@ -24,6 +25,20 @@ TEST(Maths, AgreesWithTheLibrary) {
     const double c = random.uniform(-1, 1);
     EXPECT_NEAR(maths::acos(c), std::acos(c), 1e-15);
   }
+}
+
+TEST(Maths, HyperbolicFunctionsAgreeWithTheLibrary) {
+  RandomStream random(RandomKey(1).at("hyperbolic"));
+  for (int i = 0; i < 20000; ++i) {
+    const double x = std::pow(10, random.uniform(-6, 1.4)) * (i % 2 ? 1 : -1);
+    EXPECT_NEAR(maths::tanh(x) / std::tanh(x), 1, 5e-16) << x;
+    const double y = std::pow(10, random.uniform(-6, -1e-4)) * (i % 2 ? 1 : -1);
+    EXPECT_NEAR(maths::atanh(y) / std::atanh(y), 1, 1e-15) << y;
+  }
+  EXPECT_EQ(maths::tanh(0), 0);
+  EXPECT_EQ(maths::tanh(-1000), -1);
+  EXPECT_EQ(maths::atanh(1), INFINITY);
+  EXPECT_TRUE(std::isnan(maths::atanh(1.5)));
 }
 
 TEST(Maths, EdgesAreRight) {
