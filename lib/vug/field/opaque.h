@@ -6,6 +6,7 @@
 namespace vug::field {
 
 /// S has: Gradient sample(const Vec3d& p) const   (value in metres and gradient; thread-safe)
+///        double value(const Vec3d& p) const      (optional: where the value alone costs less)
 /// Batches go lane by lane in double precision; intervals come from the Lipschitz constant.
 template <class S>
 class OpaqueNode final : public Readings<OpaqueNode<S>> {
@@ -15,7 +16,7 @@ class OpaqueNode final : public Readings<OpaqueNode<S>> {
         name_(std::move(name)),
         source_(std::move(source)) {}
 
-  double at(const Point<double>& p) const { return source_.sample(vector(p)).value; }
+  double at(const Point<double>& p) const { return value(vector(p)); }
   template <class R>
   Dual<R> at(const Point<Dual<R>>& p) const {
     const Gradient g = source_.sample({p.x.v, p.y.v, p.z.v});
@@ -24,13 +25,16 @@ class OpaqueNode final : public Readings<OpaqueNode<S>> {
   Interval at(const Point<Interval>& p) const {
     const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
     const double reach = 0.5 * Vec3d(p.x.width(), p.y.width(), p.z.width()).length();
-    return this->centre_form(source_.sample(centre).value, {centre, reach});
+    return this->centre_form(value(centre), {centre, reach});
   }
 
   void fill(const Point<Pack>* points, int count, Pack* out, Scratch&) const {
     for (int i = 0; i < count; ++i) {
-      Lanes lanes = sample(points[i]);
-      out[i] = Pack::load(lanes.value);
+      float xyz[3][Pack::kLanes], values[Pack::kLanes];
+      store(points[i], xyz);
+      for (int lane = 0; lane < Pack::kLanes; ++lane)
+        values[lane] = static_cast<float>(value(lane_of(xyz, lane)));
+      out[i] = Pack::load(values);
     }
   }
   void fill(const Point<Pack>* points, int count, Dual<Pack>* out, Scratch&) const {
@@ -41,20 +45,33 @@ class OpaqueNode final : public Readings<OpaqueNode<S>> {
     }
   }
   std::string name() const override { return name_; }
+  const S& source() const { return source_; }
 
  private:
+  double value(const Vec3d& p) const {
+    if constexpr (requires { source_.value(p); })
+      return source_.value(p);
+    else
+      return source_.sample(p).value;
+  }
+  static void store(const Point<Pack>& p, float (&xyz)[3][Pack::kLanes]) {
+    p.x.store(xyz[0]);
+    p.y.store(xyz[1]);
+    p.z.store(xyz[2]);
+  }
+  static Vec3d lane_of(const float (&xyz)[3][Pack::kLanes], int lane) {
+    return Vec3d(Vec3f(xyz[0][lane], xyz[1][lane], xyz[2][lane]));
+  }
   struct Lanes {
     float value[Pack::kLanes];
     float slope[3][Pack::kLanes];
   };
   Lanes sample(const Point<Pack>& p) const {
     float xyz[3][Pack::kLanes];
-    p.x.store(xyz[0]);
-    p.y.store(xyz[1]);
-    p.z.store(xyz[2]);
+    store(p, xyz);
     Lanes out;
     for (int lane = 0; lane < Pack::kLanes; ++lane) {
-      const Gradient g = source_.sample(Vec3d(Vec3f(xyz[0][lane], xyz[1][lane], xyz[2][lane])));
+      const Gradient g = source_.sample(lane_of(xyz, lane));
       out.value[lane] = static_cast<float>(g.value);
       for (int axis = 0; axis < 3; ++axis)
         out.slope[axis][lane] = static_cast<float>(g.gradient[axis]);

@@ -1,0 +1,32 @@
+#include <vug/flora/polygon_mesh.h>
+#include <vug/mesh/polygon.h>
+
+namespace vug::flora {
+
+mesh::Mesh polygon_mesh(const lsystem::Drawing& drawing) {
+  mesh::Mesh mesh;
+  mesh::Attribute order{"order", 1, {}}, colour{"colour", 1, {}};
+  for (const lsystem::Polygon& polygon : drawing.polygons) {
+    std::vector<uint32_t> corners;
+    Vec3d area(0);  // Newell's normal, the same for any triangulation
+    for (size_t i = 0; i < polygon.corners.size(); ++i) {
+      const Vec3d& a = polygon.corners[i];
+      const Vec3d& b = polygon.corners[(i + 1) % polygon.corners.size()];
+      area += (a - polygon.corners[0]).cross(b - polygon.corners[0]);
+      corners.push_back(static_cast<uint32_t>(mesh.positions.size()));
+      mesh.positions.emplace_back(a);
+    }
+    if (area.length() > 0)
+      mesh::add_polygon(mesh, corners);
+    else
+      mesh.positions.resize(mesh.positions.size() - corners.size());
+    const size_t more = mesh.positions.size() - mesh.normals.size();
+    mesh.normals.insert(mesh.normals.end(), more, Vec3f(area.normalized()));
+    order.values.insert(order.values.end(), more, static_cast<float>(polygon.order));
+    colour.values.insert(colour.values.end(), more, static_cast<float>(polygon.colour));
+  }
+  mesh.attributes = {std::move(order), std::move(colour)};
+  return mesh;
+}
+
+}  // namespace vug::flora

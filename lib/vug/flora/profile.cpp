@@ -1,0 +1,70 @@
+#include <vug/flora/profile.h>
+
+#include <algorithm>
+
+namespace vug::flora {
+namespace {
+
+/// How much of the radius the narrow ring at an edge takes, which keeps its shading sharp.
+constexpr double kEdge = 0.97;
+
+/// Where along rings lie between two places: at the tube's own, at those the relief asks for, and
+/// at the places themselves.
+std::vector<double> places(const Tube& tube, double from, double to, bool relief) {
+  std::vector<double> all = {from, to};
+  for (const Ring& ring : tube.rings()) all.push_back(ring.along);
+  if (relief) {
+    const std::vector<double> more = tube.relief().rows();
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  std::sort(all.begin(), all.end());
+  // Rings that are closer than this are one.
+  const double least = std::max(1e-7, 1e-3 * tube.rings().back().radius);
+  std::vector<double> kept;
+  for (const double s : all)
+    if (s >= from && s <= to && (kept.empty() || s - kept.back() > least)) kept.push_back(s);
+  kept.back() = to;
+  return kept;
+}
+
+void add_inner(std::vector<Row>& rows, const Tube& tube, double from, double to, bool backwards) {
+  std::vector<double> all = places(tube, from, to, false);
+  if (backwards) std::reverse(all.begin(), all.end());
+  for (const double s : all) rows.push_back({s, 1, true, false});
+}
+
+}  // namespace
+
+std::vector<Profile> profiles(const Tube& tube) {
+  std::vector<Profile> closed;
+  const Chamber *at_start = nullptr, *at_end = nullptr;
+  for (const Chamber& c : tube.chambers()) {
+    if (c.from < tube.start()) at_start = &c;
+    if (c.to > tube.end()) at_end = &c;
+    if (c.from < tube.start() || c.to > tube.end()) continue;
+    Profile inside;  // from its top down, so that the solid's outside is the hollow
+    inside.rows.push_back({c.to, kEdge, true, false});
+    add_inner(inside.rows, tube, c.from, c.to, true);
+    inside.rows.push_back({c.from, kEdge, true, false});
+    closed.push_back(std::move(inside));
+  }
+  Profile outer;
+  outer.ring = at_start && at_start == at_end;
+  if (at_start && !outer.ring) {  // up from the diaphragm is down the wall
+    outer.rows.push_back({at_start->to, kEdge, true, false});
+    add_inner(outer.rows, tube, tube.start(), at_start->to, true);
+  }
+  outer.rows.push_back({tube.start(), kEdge, false, true});
+  for (const double s : places(tube, tube.start(), tube.end(), true))
+    outer.rows.push_back({s, 1, false, false});
+  outer.rows.push_back({tube.end(), kEdge, false, true});
+  if (at_end) {
+    const double to = outer.ring ? tube.start() : at_end->from;
+    add_inner(outer.rows, tube, to, tube.end(), true);
+    if (!outer.ring) outer.rows.push_back({to, kEdge, true, false});
+  }
+  closed.insert(closed.begin(), std::move(outer));
+  return closed;
+}
+
+}  // namespace vug::flora

@@ -1,0 +1,110 @@
+#include <vug/base/vec.h>
+#include <vug/flora/relief.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::flora {
+namespace {
+
+/// Of the groove's length, over which it sinks in above the ridge and fades out at its end.
+constexpr double kSink = 0.08, kFade = 0.5;
+
+}  // namespace
+
+const char* Relief::fault() const {
+  if (!(scar >= 0 && ridge >= 0 && scar + ridge <= 1)) return "rings are 0 to 100% of the radius";
+  if (!(scar_width > 0 && ridge_width > 0 && ridge_above >= 0)) return "rings have a width above 0";
+  if (!(groove >= 0 && groove <= 0.3)) return "a groove is at most 30% of the radius deep";
+  if (!(groove_width > 0 && groove_width <= kPi)) return "a groove is up to 180 degrees wide";
+  if (!(groove_length > 0 && groove_length <= 1)) return "a groove is up to an internode long";
+  return "";
+}
+
+NodeRelief::NodeRelief(const Relief& relief, std::vector<ReliefNode> nodes)
+    : relief_(relief), nodes_(std::move(nodes)) {
+  for (const ReliefNode& node : nodes_) {
+    const double r = node.radius;
+    highest_ = std::max(highest_, (relief.scar + relief.ridge) * r);
+    // Shares of the radius over shares of it: rings of any size are as steep.
+    slope_ = std::max(
+        slope_, kBumpSlope * (relief.scar / relief.scar_width + relief.ridge / relief.ridge_width));
+    const double length = relief.groove_length * (node.next - node.along);
+    if (node.angles.empty() || relief.groove <= 0 || length <= 0) continue;
+    deepest_ = std::max(deepest_, relief.groove * r);
+    slope_ = std::max(slope_, 1.5 * relief.groove * r / (kSink * length));
+    turn_ = std::max(turn_, kBumpSlope * relief.groove * r / relief.groove_width);
+  }
+}
+
+double NodeRelief::ring_of(const ReliefNode& node, double along) const {
+  const double x = (along - node.along) / node.radius;
+  return node.radius * (relief_.scar * bump(x / relief_.scar_width) +
+                        relief_.ridge * bump((x - relief_.ridge_above) / relief_.ridge_width));
+}
+
+double NodeRelief::rings(double along) const {
+  // Rings of neighbours do not add up where internodes are short: the higher one shows.
+  double most = 0;
+  const double reach = std::max(relief_.scar_width, relief_.ridge_above + relief_.ridge_width);
+  const auto above =
+      std::lower_bound(nodes_.begin(), nodes_.end(), along,
+                       [](const ReliefNode& node, double s) { return node.along < s; });
+  for (auto node = above; node != nodes_.end(); ++node) {
+    if (node->along - along > reach * node->radius) break;
+    if (node->radius > 0) most = std::max(most, ring_of(*node, along));
+  }
+  for (auto node = above; node != nodes_.begin();) {
+    --node;
+    if (along - node->along > reach * node->radius) break;
+    if (node->radius > 0) most = std::max(most, ring_of(*node, along));
+  }
+  return most;
+}
+
+double NodeRelief::groove_shape(const ReliefNode& node, double along) const {
+  const double length = relief_.groove_length * (node.next - node.along);
+  const double x = length > 0 ? (along - node.along) / length : -1;
+  if (x <= 0 || x >= 1) return 0;
+  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
+  return smooth(std::min(1.0, x / kSink)) * smooth(std::min(1.0, (1 - x) / kFade));
+}
+
+double NodeRelief::grooves(double along, double angle) const {
+  if (deepest_ == 0) return 0;
+  const auto above =
+      std::upper_bound(nodes_.begin(), nodes_.end(), along,
+                       [](double s, const ReliefNode& node) { return s < node.along; });
+  if (above == nodes_.begin()) return 0;
+  const ReliefNode& node = *(above - 1);
+  double most = 0;
+  for (const double bed : node.angles) {
+    double off = std::fabs(angle - bed);
+    off -= 2 * kPi * std::floor(off / (2 * kPi));
+    off = std::min(off, 2 * kPi - off);
+    most = std::max(most, bump(off / relief_.groove_width));
+  }
+  return most * relief_.groove * node.radius * groove_shape(node, along);
+}
+
+std::vector<double> NodeRelief::rows() const {
+  // Of the way from crest to foot: denser where a bump bends most.
+  constexpr double kPlaces[] = {-1, -0.8, -0.577, -0.35, -0.15, 0, 0.15, 0.35, 0.577, 0.8, 1};
+  std::vector<double> rows;
+  for (const ReliefNode& node : nodes_) {
+    for (const double x : kPlaces) {
+      if (relief_.scar > 0) rows.push_back(node.along + x * relief_.scar_width * node.radius);
+      if (relief_.ridge > 0)
+        rows.push_back(node.along + (relief_.ridge_above + x * relief_.ridge_width) * node.radius);
+    }
+    if (node.angles.empty() || deepest_ == 0) continue;
+    const double length = relief_.groove_length * (node.next - node.along);
+    for (const double x : {0., 0.25, 0.5, 0.75, 1.}) {
+      rows.push_back(node.along + x * kSink * length);
+      rows.push_back(node.along + (1 - x * kFade) * length);
+    }
+  }
+  return rows;
+}
+
+}  // namespace vug::flora

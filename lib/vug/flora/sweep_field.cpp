@@ -1,0 +1,157 @@
+#include <vug/field/boolean.h>
+#include <vug/field/opaque.h>
+#include <vug/flora/sweep_field.h>
+#include <vug/mesh/box_tree.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::flora {
+namespace {
+
+/// The exact distance to the hull of two balls; see field/primitives/tapered_capsule.cpp.
+struct Capsule {
+  Vec3d a, axis;
+  double length, radius_a, radius_b, sine, cosine;
+
+  Capsule(const Vec3d& from, const Vec3d& to, double at_from, double at_to)
+      : a(from),
+        axis((to - from).normalized()),
+        length((to - from).length()),
+        radius_a(at_from),
+        radius_b(at_to) {
+    // A ball that holds the other has no slanted part: the hull of two as large holds both.
+    if (std::fabs(radius_a - radius_b) >= 0.9 * length)
+      radius_a = radius_b = std::max(at_from, at_to);
+    sine = (radius_a - radius_b) / length;
+    cosine = std::sqrt(1 - sine * sine);
+  }
+  double distance(const Vec3d& p) const {
+    const Vec3d from_a = p - a;
+    const double y = from_a.dot(axis), x = (from_a - axis * y).length();
+    const double foot = y - x * sine / cosine;
+    if (foot < 0) return std::sqrt(x * x + y * y) - radius_a;
+    if (foot > length) return std::sqrt(x * x + (y - length) * (y - length)) - radius_b;
+    return x * cosine + y * sine - radius_a;
+  }
+  Box3d bounds() const {
+    return united(grown(Box3d(a), radius_a), grown(Box3d(a + axis * length), radius_b));
+  }
+};
+
+/// A tube between capsules that hold all of it.
+class Stem {
+ public:
+  explicit Stem(Tube tube) : tube_(std::move(tube)) {
+    const std::vector<Ring>& rings = tube_.rings();
+    constexpr double kSlack = 1 + 1e-6;  // cross-sections lean a little against the capsules
+    std::vector<Box3d> boxes;
+    for (size_t i = 0; i + 1 < rings.size(); ++i) {
+      capsules_.emplace_back(rings[i].centre, rings[i + 1].centre, tube_.reach(i) * kSlack,
+                             tube_.reach(i + 1) * kSlack);
+      boxes.push_back(capsules_.back().bounds());
+      bounds_ = united(bounds_, boxes.back());
+    }
+    tree_ = mesh::BoxTree(boxes);
+  }
+  const Box3d& bounds() const { return bounds_; }
+  const Tube& tube() const { return tube_; }
+
+  /// The value at p, or any number above `limit` where it is no lower than that.
+  double value(const Vec3d& p, double limit) const {
+    double outer = std::max(limit, 0.0);
+    if (outer == 0) outer = 1e-300;  // boxes that hold p still count
+    size_t nearest = capsules_.size();
+    double least = kInfinity;
+    tree_.visit_nearest(p, square(outer), [&](uint32_t i) {
+      const double d = capsules_[i].distance(p);
+      if (d < least) least = d, nearest = i;
+      return square(std::max(0.0, std::min(outer, least)));
+    });
+    if (nearest == capsules_.size() || least >= limit) return kInfinity;
+    // Beyond this the capsules are the greater value whatever the relief is, and cross-sections
+    // may meet.
+    const double slope = tube_.slope(), a = tube_.reach(nearest), b = tube_.reach(nearest + 1);
+    const double most = std::fabs(a - b) + tube_.relief().highest() + tube_.relief().deepest();
+    if (least * (slope - 1) > most + 0.25 * std::max(a, b)) return least;
+    return std::max(least, tube_.value(tube_.place(p, nearest)) / slope);
+  }
+
+ private:
+  static double square(double x) { return x * x; }
+
+  Tube tube_;
+  std::vector<Capsule> capsules_;
+  mesh::BoxTree tree_;
+  Box3d bounds_;
+};
+
+class Stems {
+ public:
+  explicit Stems(std::vector<Tube> tubes) {
+    std::vector<Box3d> boxes;
+    for (Tube& tube : tubes) {
+      stems_.emplace_back(std::move(tube));
+      boxes.push_back(stems_.back().bounds());
+    }
+    tree_ = mesh::BoxTree(boxes);
+  }
+  const Box3d& bounds() const { return tree_.bounds(); }
+  std::vector<Tube> tubes() const {
+    std::vector<Tube> all;
+    for (const Stem& stem : stems_) all.push_back(stem.tube());
+    return all;
+  }
+
+  double value(const Vec3d& p) const {
+    double least = kInfinity;
+    tree_.visit_nearest(p, kInfinity, [&](uint32_t i) {
+      least = std::min(least, stems_[i].value(p, least));
+      const double reach = std::max(0.0, least);
+      return reach * reach;
+    });
+    return least;
+  }
+
+ private:
+  std::vector<Stem> stems_;
+  mesh::BoxTree tree_;
+};
+
+struct SweepSource {
+  std::shared_ptr<const Stems> stems;
+
+  double value(const Vec3d& p) const { return stems->value(p); }
+  /// The gradient by central differences, which err by the square of the step.
+  field::Gradient sample(const Vec3d& p) const {
+    const double h = 1e-6 * (1 + 0.1 * p.length());
+    field::Gradient out{value(p), {}};
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3d before = p, after = p;
+      before[axis] -= h;
+      after[axis] += h;
+      out.gradient[axis] = (value(after) - value(before)) / (2 * h);
+    }
+    return out;
+  }
+};
+
+}  // namespace
+
+field::Field swept(std::vector<Tube> tubes) {
+  if (tubes.empty()) return field::empty();
+  SweepSource source{std::make_shared<const Stems>(std::move(tubes))};
+  field::Traits traits;
+  traits.exactness = field::Exactness::bound;
+  traits.bounds = source.stems->bounds();
+  traits.growth = 1;
+  return field::Field(
+      std::make_shared<field::OpaqueNode<SweepSource>>("swept", traits, std::move(source)));
+}
+
+std::vector<Tube> tubes_of(const field::Field& field) {
+  const auto* node = dynamic_cast<const field::OpaqueNode<SweepSource>*>(field.node().get());
+  return node ? node->source().stems->tubes() : std::vector<Tube>();
+}
+
+}  // namespace vug::flora

@@ -1,0 +1,220 @@
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/flora/tube.h>
+#include <vug/flora/tube_rings.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::flora {
+namespace {
+
+/// Grooves fade out towards the middle line, where the angle means nothing: between these shares
+/// of the radius.
+constexpr double kGrooveFrom = 0.3, kGrooveTo = 0.7;
+/// Of the parent's radius that a branch hides in its wood.
+constexpr double kHidden = 0.85;
+
+}  // namespace
+
+std::string SweepOptions::fault() const {
+  if (const char* told = relief.fault(); *told) return told;
+  if (!(wall >= 0 && wall < 1)) return "a wall is 0 to 100% of the radius";
+  if (!(diaphragm > 0)) return "a diaphragm has a thickness above 0";
+  if (!(smooth > 0)) return "the bend between two cross-sections is above 0";
+  return "";
+}
+
+std::optional<Tube> Tube::make(const lsystem::Axis& axis, double parent_radius,
+                               const SweepOptions& options) {
+  if (const std::string told = options.fault(); !told.empty())
+    throw Error(ErrorCode::bad_input, told);
+  Tube tube;
+  tube.order_ = axis.order;
+  tube.rings_ = make_rings(axis, kHidden * parent_radius, options);
+  if (tube.rings_.size() < 2) return std::nullopt;
+  std::vector<ReliefNode> nodes;
+  for (const lsystem::Node& node : axis.nodes) {
+    if (node.along < tube.start() || node.along > tube.end()) continue;
+    const Frame frame = tube.at(node.along).frame;
+    ReliefNode out{node.along, tube.radius(node.along) * node.size, tube.end(), {}};
+    for (const Vec3d& way : node.branches)
+      out.angles.push_back(maths::atan2(way.dot(frame.binormal), way.dot(frame.normal)));
+    if (!nodes.empty()) nodes.back().next = out.along;
+    nodes.push_back(std::move(out));
+  }
+  Relief relief = options.relief;
+  if (axis.order >= options.relief_orders) relief.scar = relief.ridge = relief.groove = 0;
+  tube.relief_ = NodeRelief(relief, std::move(nodes));
+  tube.wall_ = axis.order == 0 ? options.wall : 0;
+  if (tube.wall_ > 0) tube.set_chambers(options.diaphragm, options.open);
+  tube.set_slope();
+  return tube;
+}
+
+void Tube::set_chambers(double diaphragm, bool open) {
+  const double beyond = end() - start();
+  Chamber chamber{open ? start() - beyond : start() + diaphragm * radius(start()), 0};
+  const auto add = [&](double to) {
+    chamber.to = to;
+    if (chamber.to > chamber.from) chambers_.push_back(chamber);
+  };
+  for (const ReliefNode& node : relief_.nodes()) {
+    const double half = 0.5 * diaphragm * radius(node.along);
+    add(node.along - half);
+    chamber.from = node.along + half;
+  }
+  add(open ? end() + beyond : end() - diaphragm * radius(end()));
+}
+
+void Tube::set_slope() {
+  double taper = 0, tilt = 0, squeeze = 1;
+  for (size_t i = 0; i + 1 < rings_.size(); ++i) {
+    const Ring &a = rings_[i], &b = rings_[i + 1];
+    const double length = (b.centre - a.centre).length();
+    const double half_bend = 0.5 * (b.frame.tangent - a.frame.tangent).length();
+    taper = std::max(taper, std::fabs(b.radius - a.radius) / length);
+    tilt = std::max(tilt, half_bend);
+    // On the inner side of a bend cross-sections draw together.
+    const double reach = std::max(this->reach(i), this->reach(i + 1));
+    squeeze = std::min(squeeze, 1 - 2 * half_bend * reach / length);
+  }
+  squeeze = std::max(squeeze, 0.3);
+  const double rim = rings_.front().radius > 0 ? relief_.deepest() : 0;
+  double thinnest = rings_.front().radius;
+  for (const ReliefNode& node : relief_.nodes())
+    if (!node.angles.empty()) thinnest = std::min(thinnest, radius(node.next));
+  const double out = rim > 0 ? 1 + rim / ((kGrooveTo - kGrooveFrom) * thinnest) : 1;
+  const double along = (taper + tilt + relief_.slope()) / squeeze;
+  const double around = rim > 0 ? relief_.turn() / (kGrooveTo * thinnest) : 0;
+  slope_ = 1.02 * std::sqrt(out * out + along * along + around * around);
+}
+
+size_t Tube::segment_at(double along) const {
+  const auto next = std::upper_bound(rings_.begin() + 1, rings_.end() - 1, along,
+                                     [](double s, const Ring& ring) { return s < ring.along; });
+  return static_cast<size_t>(next - rings_.begin()) - 1;
+}
+
+Ring Tube::at(double along) const {
+  const size_t i = segment_at(along);
+  const Ring &a = rings_[i], &b = rings_[i + 1];
+  const double u = std::clamp((along - a.along) / (b.along - a.along), 0.0, 1.0);
+  const Vec3d way = (b.centre - a.centre).normalized();
+  // Planes between two that meet in a line all pass through it: see place().
+  const double before = way.dot(a.frame.tangent), after = way.dot(b.frame.tangent);
+  const double v = u * after / ((1 - u) * before + u * after);
+  Ring out;
+  out.centre = a.centre * (1 - v) + b.centre * v;
+  out.frame = Frame{a.frame.tangent * (1 - u) + b.frame.tangent * u,
+                    a.frame.normal * (1 - u) + b.frame.normal * u, Vec3d(0)}
+                  .squared();
+  out.along = a.along * (1 - u) + b.along * u;
+  out.radius = a.radius * (1 - u) + b.radius * u;
+  out.age = a.age * (1 - u) + b.age * u;
+  return out;
+}
+
+Tube::Place Tube::place(const Vec3d& p, size_t segment) const {
+  size_t i = std::min(segment, rings_.size() - 2);
+  double before = 0, after = 0;
+  for (size_t moves = 0; moves < rings_.size(); ++moves) {
+    before = (p - rings_[i].centre).dot(rings_[i].frame.tangent);
+    after = (rings_[i + 1].centre - p).dot(rings_[i + 1].frame.tangent);
+    if (before < 0 && after >= 0 && i > 0)
+      --i;
+    else if (after < 0 && before >= 0 && i + 2 < rings_.size())
+      ++i;
+    else
+      break;
+  }
+  Place out;
+  out.segment = i;
+  Ring ring;
+  if (i == 0 && before < 0) {
+    ring = rings_[0];
+    ring.centre += ring.frame.tangent * before;
+    ring.along += before;
+  } else if (i + 2 == rings_.size() && after < 0) {
+    ring = rings_.back();
+    ring.centre -= ring.frame.tangent * after;
+    ring.along -= after;
+  } else {
+    // The share of the way between both planes, by the distances to them.
+    const double u = before + after > 0 ? std::clamp(before / (before + after), 0.0, 1.0) : 0.5;
+    ring = at(rings_[i].along * (1 - u) + rings_[i + 1].along * u);
+  }
+  const Vec3d off = p - ring.centre;
+  const double x = off.dot(ring.frame.normal), y = off.dot(ring.frame.binormal);
+  out.along = ring.along;
+  out.out = std::sqrt(x * x + y * y);
+  out.angle = maths::atan2(y, x);
+  return out;
+}
+
+Vec3d Tube::point(double along, double angle, double out) const {
+  const Ring ring = at(along);
+  return ring.centre + ring.frame.around(angle) * out;
+}
+
+double Tube::radius(double along) const {
+  const size_t i = segment_at(along);
+  const Ring &a = rings_[i], &b = rings_[i + 1];
+  const double u = std::clamp((along - a.along) / (b.along - a.along), 0.0, 1.0);
+  return a.radius * (1 - u) + b.radius * u;
+}
+
+double Tube::displaced(double along, double angle) const {
+  return radius(along) + relief_.rings(along) - relief_.grooves(along, angle);
+}
+
+double Tube::value(const Place& place) const {
+  const double smooth = radius(place.along), full = smooth + relief_.rings(place.along);
+  const double in =
+      std::clamp((place.out / smooth - kGrooveFrom) / (kGrooveTo - kGrooveFrom), 0.0, 1.0);
+  const double groove = in > 0 ? in * relief_.grooves(place.along, place.angle) : 0;
+  double value = std::max({place.out - full + groove, start() - place.along, place.along - end()});
+  if (chambers_.empty()) return value;
+  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
+                                     [](double s, const Chamber& c) { return s < c.from; });
+  const double inner = place.out - smooth * (1 - wall_);
+  const auto carve = [&](const Chamber& c) {
+    value = std::max(value, -std::max({inner, c.from - place.along, place.along - c.to}));
+  };
+  if (next != chambers_.end()) carve(*next);
+  if (next != chambers_.begin()) carve(*(next - 1));
+  return value;
+}
+
+Box3d Tube::bounds() const {
+  Box3d box;
+  for (size_t i = 0; i + 1 < rings_.size(); ++i) {
+    const Vec3d &a = rings_[i].frame.tangent, &b = rings_[i + 1].frame.tangent;
+    const double tilt = (b - a).length(), out = std::max(reach(i), reach(i + 1));
+    for (const size_t end : {i, i + 1}) {
+      const Vec3d& t = rings_[end].frame.tangent;
+      Vec3d half;
+      for (int axis = 0; axis < 3; ++axis)
+        half[axis] = out * std::min(1.0, std::sqrt(std::max(0.0, 1 - t[axis] * t[axis])) + tilt);
+      box.extendBy(rings_[end].centre - half);
+      box.extendBy(rings_[end].centre + half);
+    }
+  }
+  return box;
+}
+
+std::vector<Tube> tubes(const lsystem::Drawing& drawing, const SweepOptions& options) {
+  std::vector<Tube> all;
+  all.reserve(drawing.axes.size());
+  for (const lsystem::Axis& axis : drawing.axes) {
+    const lsystem::Axis* parent =
+        axis.parent == lsystem::Axis::kNone ? nullptr : &drawing.axes[axis.parent];
+    const double inside = parent && parent->stations.size() > 1
+                              ? lsystem::station_at(*parent, axis.parent_along).radius
+                              : 0;
+    if (auto tube = Tube::make(axis, inside, options)) all.push_back(std::move(*tube));
+  }
+  return all;
+}
+
+}  // namespace vug::flora

@@ -1,0 +1,225 @@
+// The two ways a swept stem is shown must show the same surface, and keep what they promise.
+#include "stems.h"
+
+#include <vug/base/parallel.h>
+#include <vug/base/rng.h>
+#include <vug/flora/sweep_field.h>
+#include <vug/flora/sweep_mesh.h>
+#include <vug/mesh/distance.h>
+#include <vug/mesh/topology.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug::flora {
+namespace {
+
+struct Case {
+  const char* name;
+  std::vector<Tube> tubes;
+  double voxel;  ///< That a set would be made with, metres.
+  size_t pieces;
+};
+
+std::vector<Case> cases() {
+  lsystem::Drawing both;
+  both.axes = {bent_culm(), folded_branch()};
+  lsystem::Drawing cut;
+  cut.axes = {bent_culm(0.9, 0.05, 3, 0.2)};
+  cut.axes[0].nodes.erase(cut.axes[0].nodes.begin());  // cut between nodes at both ends
+  lsystem::Drawing pipe = cut;
+  pipe.axes[0].nodes.clear();
+  return {{"culm and branch", tubes(both, plain_sweep()), 2e-3, 2},
+          {"hollow culm", tubes(cut, hollow_sweep()), 2e-3, 4},
+          {"cut culm", tubes(cut, open_sweep()), 2e-3, 2},
+          {"pipe", tubes(pipe, open_sweep()), 2e-3, 1}};
+}
+
+Vec3d random_in(const Box3d& box, RandomStream& random) {
+  Vec3d p;
+  for (int axis = 0; axis < 3; ++axis) p[axis] = random.uniform(box.min[axis], box.max[axis]);
+  return p;
+}
+
+TEST(Sweep, MeshIsClosedAndManifold) {
+  for (const Case& c : cases()) {
+    const mesh::Mesh mesh = swept_mesh(c.tubes);
+    mesh::validate(mesh, c.name);
+    const mesh::Topology topology = mesh::inspect(mesh);
+    EXPECT_TRUE(topology.closed()) << c.name;
+    EXPECT_EQ(topology.misoriented_edges, 0u) << c.name;
+    EXPECT_EQ(topology.nonmanifold_vertices, 0u) << c.name;
+    EXPECT_EQ(topology.degenerate_triangles, 0u) << c.name;
+    EXPECT_EQ(topology.unused_vertices, 0u) << c.name;
+    EXPECT_EQ(topology.components, c.pieces) << c.name;
+    EXPECT_EQ(topology.genus, std::string(c.name) == "pipe" ? 1u : 0u) << c.name;
+  }
+}
+
+TEST(Sweep, FieldAndMeshDifferByLessThanHalfAVoxel) {
+  for (const Case& c : cases()) {
+    const mesh::Mesh mesh = swept_mesh(c.tubes);
+    const field::Field field = swept(c.tubes);
+    const mesh::MeshDistance distance(mesh);
+    double slope = 1;
+    for (const Tube& tube : c.tubes) slope = std::max(slope, tube.slope());
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto [a, b, d] = mesh::corners(mesh, t);
+      const Vec3d middle = (a + b + d) / 3;
+      ASSERT_LE(std::fabs(field.value(middle)) * slope, 0.5 * c.voxel) << c.name << " " << middle;
+    }
+    // And where the field says that the surface is.
+    RandomStream random(RandomKey(3).at(c.name));
+    int met = 0;
+    for (int ray = 0; ray < 20000 && met < 400; ++ray) {
+      Vec3d p = random_in(grown(mesh::bounds(mesh), 0.05), random);
+      const Vec3d way = random_in(Box3d(Vec3d(-1), Vec3d(1)), random).normalized();
+      for (int step = 0; step < 400; ++step) {
+        const double value = field.value(p);
+        if (std::fabs(value) < 1e-7) {
+          ++met;
+          ASSERT_LE(std::fabs(distance.signed_distance(p)), 0.5 * c.voxel) << c.name << " " << p;
+          break;
+        }
+        p += way * std::fabs(value);
+        if (value > 5) break;
+      }
+    }
+    EXPECT_GT(met, 100) << c.name;
+  }
+}
+
+TEST(Sweep, SignIsThatOfTheMesh) {
+  for (const Case& c : cases()) {
+    if (c.tubes.size() > 1) continue;  // stems that overlap make no one closed mesh
+    const mesh::Mesh mesh = swept_mesh(c.tubes);
+    const field::Field field = swept(c.tubes);
+    const mesh::MeshDistance distance(mesh);
+    RandomStream random(RandomKey(4).at(c.name));
+    int inside = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3d p = random_in(grown(mesh::bounds(mesh), 0.02), random);
+      const double d = distance.signed_distance(p);
+      inside += d < 0;
+      if (std::fabs(d) > 0.5 * c.voxel) {
+        ASSERT_EQ(field.value(p) < 0, d < 0) << c.name << " at " << p << " distance " << d;
+      }
+      ASSERT_LE(std::fabs(field.value(p)), std::fabs(d) + 0.5 * c.voxel) << c.name << " at " << p;
+    }
+    EXPECT_GT(inside, 20) << c.name;
+  }
+}
+
+TEST(Sweep, FieldChangesNoFasterThanPromised) {
+  for (const Case& c : cases()) {
+    const field::Field field = swept(c.tubes);
+    RandomStream random(RandomKey(5).at(c.name));
+    const mesh::Mesh mesh = swept_mesh(c.tubes);
+    for (int i = 0; i < 20000; ++i) {
+      // Near the surface, where relief, folds and walls are.
+      const auto v = random.below(static_cast<uint32_t>(mesh.positions.size()));
+      const double reach = i % 3 == 0 ? 0.3 : i % 3 == 1 ? 0.03 : 0.004;
+      const Vec3d p = Vec3d(mesh.positions[v]) + random_in({Vec3d(-reach), Vec3d(reach)}, random);
+      const Vec3d q = p + random_in({Vec3d(-0.1 * reach), Vec3d(0.1 * reach)}, random);
+      ASSERT_LE(std::fabs(field.value(p) - field.value(q)), (p - q).length() * 1.0001 + 1e-9)
+          << c.name << " between " << p << " and " << q;
+    }
+  }
+}
+
+TEST(Sweep, GrowsBeyondItsBox) {
+  for (const Case& c : cases()) {
+    const field::Field field = swept(c.tubes);
+    RandomStream random(RandomKey(6).at(c.name));
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3d p = random_in(grown(field.bounds(), 3), random);
+      Vec3d off(0);
+      for (int axis = 0; axis < 3; ++axis)
+        off[axis] =
+            std::max({field.bounds().min[axis] - p[axis], p[axis] - field.bounds().max[axis], 0.0});
+      if (off.length() > 0) {
+        ASSERT_GE(field.value(p), off.length() * (1 - 1e-6)) << c.name;
+      }
+    }
+  }
+}
+
+TEST(Sweep, BoundingBoxIsNeverExceeded) {
+  for (const Case& c : cases()) {
+    Box3d box;
+    for (const Tube& tube : c.tubes) box = united(box, tube.bounds());
+    const Box3d shown = mesh::bounds(swept_mesh(c.tubes));
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_GE(shown.min[axis], box.min[axis] - 1e-6) << c.name;
+      EXPECT_LE(shown.max[axis], box.max[axis] + 1e-6) << c.name;
+    }
+    // And it is no tent: within a tenth of what is shown.
+    EXPECT_LT((box.size() - shown.size()).length(), 0.1 * shown.size().length()) << c.name;
+  }
+}
+
+TEST(Sweep, RidgesAreAsHighAsTheReliefSays) {
+  lsystem::Drawing drawing;
+  drawing.axes = {bent_culm()};
+  drawing.axes[0].nodes.front().along = 0.1;  // all of them whole
+  const SweepOptions options = plain_sweep();
+  const Tube tube = tubes(drawing, options).front();
+  const mesh::Mesh mesh = swept_mesh({tube});
+  for (const ReliefNode& node : tube.relief().nodes()) {
+    for (const auto& [above, height] :
+         {std::pair(0.0, options.relief.scar),
+          std::pair(options.relief.ridge_above, options.relief.ridge)}) {
+      const double along = node.along + above * node.radius;
+      const double wanted = tube.radius(along) + height * node.radius;
+      EXPECT_NEAR(tube.displaced(along, 2), wanted, 1e-12);
+      double most = 0;
+      for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Tube::Place place = tube.place(Vec3d(mesh.positions[i]), 0);
+        if (std::fabs(place.along - along) < 0.01 * node.radius) most = std::max(most, place.out);
+      }
+      EXPECT_NEAR(most, wanted, 0.02 * wanted);
+    }
+    if (node.angles.empty()) continue;
+    const double above = node.along + 0.3 * options.relief.groove_length * (node.next - node.along);
+    const double bed = tube.radius(above) - tube.displaced(above, node.angles[0]);
+    EXPECT_NEAR(bed, options.relief.groove * node.radius, 1e-12);
+    EXPECT_EQ(tube.displaced(above, node.angles[0] + 1), tube.radius(above));
+  }
+}
+
+TEST(Sweep, AttributesTellWhereOnThePlant) {
+  lsystem::Drawing drawing;
+  drawing.axes = {bent_culm()};
+  const Tube tube = tubes(drawing, plain_sweep()).front();
+  const mesh::Mesh mesh = swept_mesh({tube});
+  const auto value = [&](const char* name, size_t i) {
+    return static_cast<double>(mesh::find_attribute(mesh, name, 1)->values[i]);
+  };
+  for (size_t i = 0; i < mesh.positions.size(); i += 7) {
+    const double along = tube.place(Vec3d(mesh.positions[i]), 0).along;
+    EXPECT_NEAR(value("along", i), along, 1e-5);
+    EXPECT_NEAR(value("above_node", i) + value("below_node", i), 0.3, 1e-5);
+    EXPECT_NEAR(std::fabs(std::remainder(value("internode", i) - along / 0.3, 1)), 0, 1e-3);
+    EXPECT_EQ(value("age", i), 3);
+    EXPECT_EQ(value("order", i), 0);
+  }
+}
+
+TEST(Sweep, MeshIsTheSameForAnyNumberOfThreads) {
+  for (const Case& c : cases()) {
+    const Digest alone = mesh::digest(swept_mesh(c.tubes));
+    for (const int threads : {1, 2, 7}) {
+      const ThreadLimit limit(threads);
+      EXPECT_EQ(mesh::digest(swept_mesh(c.tubes)), alone) << c.name;
+    }
+  }
+}
+
+TEST(Sweep, NothingIsTheEmptyField) {
+  EXPECT_TRUE(swept({}).bounds().isEmpty());
+  EXPECT_TRUE(swept_mesh({}).positions.empty());
+}
+
+}  // namespace
+}  // namespace vug::flora
