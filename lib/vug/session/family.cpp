@@ -2,6 +2,7 @@
 #include <vug/field/blend_kind.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
+#include <vug/flora/distribution.h>
 #include <vug/paint/kind.h>
 #include <vug/render/kinds.h>
 #include <vug/session/family.h>
@@ -45,12 +46,12 @@ namespace {
 
 std::vector<Family>& own_families() {
   static std::vector<Family> all = {
-      family(field::field_kinds()), family(field::blends()),    family(field::noises()),
-      family(volume_kinds()),       family(paint::masks()),     family(paint::paints()),
-      family(render::materials()),  family(render::lights()),   family(render::media()),
-      family(render::cameras()),    family(render::samplers()), family(render::integrators()),
-      family(places_kinds()),       family(model_kinds()),      family(cells::grids()),
-      family(cell_stages()),
+      family(field::field_kinds()),   family(field::blends()),    family(field::noises()),
+      family(volume_kinds()),         family(paint::masks()),     family(paint::paints()),
+      family(render::materials()),    family(render::lights()),   family(render::media()),
+      family(render::cameras()),      family(render::samplers()), family(render::integrators()),
+      family(places_kinds()),         family(model_kinds()),      family(cells::grids()),
+      family(flora::distributions()), family(cell_stages()),
   };
   return all;
 }

@@ -1,7 +1,8 @@
-// Every ```vug example of docs/language.md, docs/tour.md and docs/cells.md is a scene that all of
+// Every ```vug example of docs/language.md, tour.md, cells.md and groves.md is a scene that all of
 // the program understands: names of kinds and parameters too, which the parser alone does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
+#include <vug/session/cast.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/load.h>
 
@@ -53,6 +54,15 @@ TEST(Language, CellsOfTheirPageAreOnAMesh) {
   EXPECT_EQ(mesh.cells->run[0]->span(), 1);
   EXPECT_EQ(mesh.cells->run[1]->span(), -1);
   EXPECT_EQ(mesh.cells->length(), 130);
+}
+
+TEST(Language, PlantsOfTheGrovesPageStandOnTheirGround) {
+  const std::vector<std::string> examples = blocks("vug", "groves.md");
+  ASSERT_FALSE(examples.empty());
+  const Loaded loaded = load_text(examples[0], "groves.md");
+  EXPECT_EQ(loaded.report(), "");
+  Builder builder(loaded.shot);
+  EXPECT_GT(cast_of(builder).objects.size(), 100u);
 }
 
 TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {

@@ -19,9 +19,11 @@ Schema<PlacePlan> schema() {
           "of", &PlacePlan::of,
           {.doc = "what stands there: an object, a scene(\"file.vug\"), or several to choose from",
            .required = true})
-      .param("at", &PlacePlan::at,
-             {.doc = "where: points such as (1, 0, 2), pose(...), scatter(...), points(...)",
-              .required = true})
+      .param(
+          "at", &PlacePlan::at,
+          {.doc =
+               "where: points such as (1, 0, 2), pose(...), scatter(...), grove(...), points(...)",
+           .required = true})
       .param("shares", &PlacePlan::shares,
              {.doc = "how often each of several things is chosen, against the others", .min = 0})
       .param("material", &PlacePlan::material,
