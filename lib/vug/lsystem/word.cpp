@@ -39,6 +39,13 @@ void Word::clear() {
   values_.clear();
 }
 
+void Word::resize(size_t modules, size_t values) {
+  check_room(values);
+  symbols_.resize(modules);
+  starts_.resize(modules + 1);
+  values_.resize(values);
+}
+
 std::string to_string(const Word& word, const Alphabet& alphabet, size_t begin, size_t end) {
   std::string out;
   const auto to = std::back_inserter(out);

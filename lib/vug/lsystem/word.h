@@ -3,10 +3,10 @@
 #pragma once
 
 #include <vug/lsystem/alphabet.h>
+#include <vug/lsystem/array.h>
 
 #include <span>
 #include <string>
-#include <vector>
 
 namespace vug::lsystem {
 
@@ -37,16 +37,25 @@ class Word {
   void append(const Word& other);
   void clear();
 
-  /// All parameters of all modules, in order.
-  std::span<const double> values() const { return values_; }
+  /// The arrays themselves: symbols; where each module's parameters begin among `values`, with the
+  /// end of the last behind it; and all parameters of all modules, in order.
   std::span<const SymbolId> symbols() const { return symbols_; }
+  std::span<const uint32_t> starts() const { return starts_; }
+  std::span<const double> values() const { return values_; }
+  std::span<SymbolId> symbols() { return symbols_; }
+  std::span<uint32_t> starts() { return starts_; }
+  std::span<double> values() { return values_; }
+
+  /// Room for that many modules with that many parameters in all, of unset content: whoever calls
+  /// this writes the arrays. Error(too_large) beyond 2^32 - 1 parameters.
+  void resize(size_t modules, size_t values);
 
   bool operator==(const Word&) const = default;
 
  private:
-  std::vector<SymbolId> symbols_;
-  std::vector<uint32_t> starts_{0};  ///< One more than there are symbols.
-  std::vector<double> values_;
+  Array<SymbolId> symbols_;
+  Array<uint32_t> starts_{0};
+  Array<double> values_;
 };
 
 /// "B(2)A(4,4)[+F]": without blanks, as ABOP prints words (prusinkiewicz1990). Numbers are in base

@@ -1,4 +1,5 @@
 #include <vug/scene/check.h>
+#include <vug/scene/lsystem_check.h>
 #include <vug/scene/units.h>
 
 #include <fmt/format.h>
@@ -94,6 +95,13 @@ class NameChecker {
     if (!grammar.axiom_where.known() && !grammar.broken)
       diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
                          "write 'axiom' and the symbols that the derivation starts from");
+    if (grammar.lsystem)
+      return check_lsystem(
+          *grammar.lsystem,
+          [&](const std::string& name, const SourceLocation& where) {
+            return allowed(name, where);
+          },
+          diagnostics_);
     std::map<std::string, std::set<size_t>> arities;
     for (const Rule& rule : grammar.rules) {
       arities[rule.head].insert(rule.formals.size());
@@ -158,6 +166,27 @@ class NameCollector {
     add(rule.items);
     hidden_.clear();
   }
+  void add(const LSystem& system) {
+    const auto add_word = [&](const ModuleString& word) {
+      for (const Module& module : word)
+        for (const ExprPtr& argument : module.arguments) add(argument);
+    };
+    add_word(system.axiom);
+    for (const ScheduleTurn& turn : system.schedule) add(turn.count);
+    add(system.decompose.depth);
+    add(system.interpret.depth);
+    for_each_production(system, [&](const Production& one) {
+      const auto hide = [&](const Pattern& pattern) {
+        for (const Formal& formal : pattern.formals) hidden_.insert(formal.name);
+      };
+      std::for_each(one.left.begin(), one.left.end(), hide);
+      hide(one.head);
+      std::for_each(one.right.begin(), one.right.end(), hide);
+      for (const ExprPtr& expr : {one.weight, one.guard, one.after}) add(expr);
+      add_word(one.word);
+      hidden_.clear();
+    });
+  }
 
   std::set<std::string> names;
 
@@ -187,6 +216,7 @@ void check_params_read(const Document& document, Diagnostics& diagnostics) {
     reader.add(grammar.axiom);
     reader.add(grammar.options);
     for (const Rule& rule : grammar.rules) reader.add(rule);
+    if (grammar.lsystem) reader.add(*grammar.lsystem);
   }
   for (const Param& param : document.params)
     if (!reader.names.count(param.name) && !document.lost.may_mention(param.name) &&

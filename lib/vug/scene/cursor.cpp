@@ -91,6 +91,7 @@ void Cursor::skip_newlines() {
 }
 
 const Token& Cursor::beyond_newlines() const {
+  if (lines_ > 0 && brackets_ == 0) return tokens_[at_];
   size_t at = at_;
   while (is_line_break(tokens_[at])) ++at;
   return tokens_[at];

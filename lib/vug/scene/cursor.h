@@ -79,6 +79,18 @@ class Cursor {
     Cursor& cursor_;
   };
 
+  /// While it lives, an expression ends with its line: the next one may start with any sign.
+  class Line {
+   public:
+    explicit Line(Cursor& cursor) : cursor_(cursor) { ++cursor_.lines_; }
+    ~Line() { --cursor_.lines_; }
+    Line(const Line&) = delete;
+    Line& operator=(const Line&) = delete;
+
+   private:
+    Cursor& cursor_;
+  };
+
   /// Bounds recursion; fails when too deep.
   class Nest {
    public:
@@ -103,6 +115,7 @@ class Cursor {
   size_t at_ = 0;
   size_t last_ = 0;
   int brackets_ = 0;
+  int lines_ = 0;
   int nesting_ = 0;
   int errors_ = 0;
   int faults_ = 0;

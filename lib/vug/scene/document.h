@@ -97,9 +97,10 @@ struct Rule {
   std::vector<Item> items;  ///< Empty for `-> nothing`.
 };
 
-/// `grammar name : kind { ... }`. The kind picks the syntax of items (the dialect); "shape" is
-/// the only one so far. Another kind keeps rules, formals, weights, guards and options, and
-/// brings its own item parser.
+struct LSystem;  ///< See lsystem_document.h.
+
+/// `grammar name : kind { ... }`. The kind picks the dialect: "shape", or "lsystem", whose axiom
+/// and rules are in `lsystem`.
 struct Grammar {
   std::string name;
   SourceLocation where;
@@ -108,8 +109,9 @@ struct Grammar {
   SourceLocation axiom_where;
   std::vector<Entry> options;
   std::vector<Rule> rules;
-  bool broken = false;                 ///< Something in it is at fault: nothing can be derived.
-  std::set<std::string> broken_rules;  ///< Heads of rules that are left out for their faults.
+  std::shared_ptr<const LSystem> lsystem;  ///< Null for shapes.
+  bool broken = false;                     ///< Something in it is at fault: nothing can be derived.
+  std::set<std::string> broken_rules;      ///< Heads of rules that are left out for their faults.
 };
 
 /// What faults have hidden of a text. It is there so that nobody blames the rest for it.

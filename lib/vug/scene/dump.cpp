@@ -1,4 +1,4 @@
-#include <vug/scene/document.h>
+#include <vug/scene/lsystem_document.h>
 
 #include <fmt/format.h>
 
@@ -116,6 +116,7 @@ std::string dump(const Grammar& grammar) {
     out += fmt::format(") @ {} if {}\n", dump(rule.weight), dump(rule.guard));
     out += dump(rule.items);
   }
+  if (grammar.lsystem) out += scene::dump(*grammar.lsystem);
   return out;
 }
 

@@ -1,4 +1,5 @@
 #include <vug/scene/grammar_parser.h>
+#include <vug/scene/lsystem_parser.h>
 
 #include <fmt/format.h>
 
@@ -32,11 +33,12 @@ void GrammarParser::parse(Grammar& grammar) {
   if (cursor_.accept(":")) {
     const Token& kind = cursor_.expect_name("the kind of grammar after ':'");
     grammar.kind = std::string(kind.text);
-    if (grammar.kind != "shape")
+    if (grammar.kind != "shape" && grammar.kind != "lsystem")
       cursor_.fail(kind, fmt::format("unknown kind of grammar '{}'", kind.text),
-                   suggestion(grammar.kind, {"shape"}));
+                   suggestion(grammar.kind, {"shape", "lsystem"}));
   }
   if (!cursor_.accept_beyond_newlines("{")) cursor_.unexpected("'{' before the grammar's rules");
+  if (grammar.kind == "lsystem") return LSystemParser(cursor_).parse(grammar);
   const Token& open = cursor_.last();
   find_heads();
   for (;;) {

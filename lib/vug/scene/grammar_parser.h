@@ -1,5 +1,4 @@
-// Grammar blocks out of tokens. Rules, formals, weights, guards and options are the same for
-// every kind of grammar; items are of the kind's dialect.
+// Grammar blocks out of tokens: those of shapes here, those of L-systems in lsystem_parser.h.
 #pragma once
 
 #include <vug/scene/expr_parser.h>

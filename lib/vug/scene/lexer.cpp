@@ -81,8 +81,22 @@ class Lexer {
     token.number = value;
     token.faulty = std::exchange(faulty_, false);
     tokens_.push_back(token);
+    if (token.is("{") && (braces_ > 0 || opens_lsystem())) ++braces_;
+    if (token.is("}") && braces_ > 0) --braces_;
     advance(length);
     touches_ = kind != TokenKind::newline;
+  }
+
+  /// True when the last token is the brace of `grammar NAME: lsystem {`.
+  bool opens_lsystem() const {
+    std::vector<const Token*> before;
+    for (size_t i = tokens_.size() - 1; i-- > 0 && before.size() < 4;) {
+      const Token& token = tokens_[i];
+      if (token.kind == TokenKind::comment || token.text == "\n") continue;
+      before.push_back(&token);
+    }
+    return before.size() == 4 && before[0]->is_name("lsystem") && before[1]->is(":") &&
+           before[2]->kind == TokenKind::name && before[3]->is_name("grammar");
   }
 
   void advance(size_t length) {
@@ -183,7 +197,10 @@ class Lexer {
     const std::string_view two = text_.substr(at_, 2);
     for (const char* known : {"->", "..", "<=", ">=", "==", "!="})
       if (two == known) return 2;
-    return std::string_view("()[]{},:=+-*/^&~@.<>").find(look()) != std::string_view::npos ? 1 : 0;
+    const auto among = [&](std::string_view signs) {
+      return signs.find(look()) != std::string_view::npos;
+    };
+    return among("()[]{},:=+-*/^&~@.<>") || (braces_ > 0 && among("\\|$!'%?")) ? 1 : 0;
   }
 
   /// One diagnostic for a run of characters that mean nothing.
@@ -228,6 +245,7 @@ class Lexer {
   int column_ = 1;
   bool touches_ = false;
   bool faulty_ = false;  ///< The token that is being read.
+  int braces_ = 0;       ///< Open ones of an L-system's block; its turtle has more signs.
   Start line_start_;
   std::vector<Token> tokens_;
 };

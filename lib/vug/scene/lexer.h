@@ -19,7 +19,8 @@ enum class TokenKind {
   size,     ///< 1920x1080
   text,     ///< With its quotes; see `unquote`.
   name,     ///< Letters, digits and _, not starting with a digit.
-  sign,     ///< ( ) [ ] { } , : = + - * / ^ & ~ @ . .. -> < <= > >= == !=
+  sign,     ///< ( ) [ ] { } , : = + - * / ^ & ~ @ . .. -> < <= > >= == != and, in the block of an
+            ///< L-system, \ | $ ! ' % ?
   junk      ///< Characters that no text may hold; a diagnostic was given.
 };
 

@@ -1,0 +1,31 @@
+// Vectors that do not fill what they are about to be overwritten with.
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace vug::lsystem {
+
+/// As std::allocator, but `resize` leaves new numbers unset: a step writes each of them, on the
+/// thread that the memory should be near.
+template <class T>
+struct UnsetAllocator : std::allocator<T> {
+  static_assert(std::is_trivially_default_constructible_v<T>);
+  template <class U>
+  struct rebind {  // NOLINT(readability-identifier-naming): the standard's name
+    using other = UnsetAllocator<U>;
+  };
+  template <class U, class... Args>
+  void construct(U* place, Args&&... args) {
+    if constexpr (sizeof...(args) == 0)
+      ::new (static_cast<void*>(place)) U;
+    else
+      ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
+  }
+};
+
+template <class T>
+using Array = std::vector<T, UnsetAllocator<T>>;
+
+}  // namespace vug::lsystem

@@ -1,0 +1,366 @@
+#include <vug/lsystem/compile.h>
+#include <vug/lsystem/endless.h>
+#include <vug/lsystem/expressions.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace vug::lsystem {
+
+namespace {
+
+constexpr const char* kTurns = "+-&^\\/";
+
+class Compiler {
+ public:
+  Compiler(const scene::Grammar& grammar, scene::Evaluator& evaluator, const FindSystem& find)
+      : grammar_(grammar), text_(*grammar.lsystem), evaluator_(evaluator), find_(find) {}
+
+  SystemPtr run() {
+    system_.name = grammar_.name;
+    system_.where = grammar_.where;
+    system_.key = evaluator_.root().at("grammar").at(grammar_.name).state();
+    guarded([&] { options(); });
+    guarded([&] { axiom(); });
+    books();
+    if (faults_) return nullptr;
+    marks();
+    guarded([&] { subsystems(); });
+    finish_books();
+    if (faults_ || !check_ends(system_, evaluator_.diagnostics())) return nullptr;
+    return std::make_shared<const System>(std::move(system_));
+  }
+
+ private:
+  template <class Work>
+  void guarded(const Work& work) {
+    try {
+      work();
+    } catch (const Faulty&) {
+      faults_ = true;
+    }
+  }
+
+  [[noreturn]] void fail(const SourceLocation& where, std::string message, std::string hint = {}) {
+    evaluator_.diagnostics().error(where, std::move(message), std::move(hint));
+    throw Faulty{};
+  }
+
+  double number(const scene::Entry& entry, double least, double most, bool whole) {
+    const Value value = evaluator_.eval(*entry.values.at(0), evaluator_.root().at(entry.key));
+    if (value.empty()) throw Faulty{};
+    const Number* n = value.get<Number>();
+    const bool fits =
+        n && n->value >= least && n->value <= most && (!whole || n->value == std::floor(n->value));
+    if (!fits)
+      fail(entry.where,
+           fmt::format("'{}' is a {}number from {} to {}, not {}", entry.key, whole ? "whole " : "",
+                       least, most, n ? to_string(value) : value.type_name()));
+    return n->value;
+  }
+
+  void options() {
+    for (const scene::Entry& entry : grammar_.options) {
+      if (entry.key == "steps") system_.steps = static_cast<int>(number(entry, 0, 1e6, true));
+      if (entry.key == "time") {
+        system_.time = number(entry, 0, 1e9, false);
+        time_where_ = entry.where;
+      }
+      if (entry.key == "steps") steps_where_ = entry.where;
+      if (entry.key == "limit") system_.limit = static_cast<int64_t>(number(entry, 1, 4e9, true));
+      if (entry.key == "seed") {
+        const auto seed = static_cast<uint64_t>(number(entry, 0, 0x1p53, true));
+        system_.key = RandomKey(seed).at("grammar").at(grammar_.name).state();
+      }
+    }
+  }
+
+  void axiom() {
+    Production& axiom = system_.axiom;
+    axiom.text = "axiom";
+    axiom.where = grammar_.axiom_where;
+    Expressions expressions(evaluator_, {});
+    word(text_.axiom, expressions, axiom);
+    system_.random = system_.random || expressions.draws();
+  }
+
+  void word(const scene::ModuleString& modules, Expressions& expressions, Production& out) {
+    for (const scene::Module& module : modules) {
+      out.symbols.push_back(symbol(module.name, module.arguments.size(), module.where));
+      for (const scene::ExprPtr& argument : module.arguments) {
+        if (argument == module.arguments[0] && is_turn(module.name))
+          check_turn(*argument, expressions);
+        expressions.number(*argument, out.values);
+      }
+      const uint32_t before = out.ends.empty() ? 0 : out.ends.back();
+      out.ends.push_back(before + static_cast<uint32_t>(module.arguments.size()));
+    }
+    out.simple = out.values.code.size() == out.value_count() &&
+                 std::all_of(out.values.code.begin(), out.values.code.end(), [](const auto& one) {
+                   return one.op == Op::constant || one.op == Op::formal ||
+                          one.op == Op::times_formal || one.op == Op::plus_formal;
+                 });
+  }
+
+  static bool is_turn(const std::string& name) {
+    return name.size() == 1 && std::string_view(kTurns).find(name[0]) != std::string_view::npos;
+  }
+
+  /// +(60) would be sixty radians.
+  void check_turn(const scene::Expr& argument, Expressions& expressions) {
+    const std::optional<Value> value = expressions.constant(argument);
+    const Number* n = value ? value->get<Number>() : nullptr;
+    if (n && n->value != 0 && n->dimension != Dimension::angle)
+      fail(argument.where, fmt::format("a turn by {}: an angle needs its unit", to_string(*value)),
+           fmt::format("write {0}deg or {0}rad", n->value));
+  }
+
+  SymbolId symbol(const std::string& name, size_t parameters, const SourceLocation& where) {
+    try {
+      return system_.alphabet.add(name, parameters);
+    } catch (const Error& error) {
+      fail(where, error.what(), error.hint());
+    }
+  }
+
+  std::vector<ContextModule> context(const std::vector<scene::Pattern>& patterns) {
+    std::vector<ContextModule> out;
+    for (const scene::Pattern& one : patterns) {
+      ContextModule module;
+      if (one.name == "[") module.kind = ContextModule::Kind::open;
+      if (one.name == "]") module.kind = ContextModule::Kind::close;
+      module.symbol = symbol(one.name, one.formals.size(), one.where);
+      out.push_back(module);
+    }
+    return out;
+  }
+
+  static std::string written(const scene::Pattern& pattern) {
+    std::string out = pattern.name;
+    for (size_t i = 0; i < pattern.formals.size(); ++i)
+      out += fmt::format("{}{}", i == 0 ? "(" : ", ", pattern.formals[i].name);
+    return pattern.formals.empty() ? out : out + ')';
+  }
+
+  void production(const scene::Production& text, bool stage) {
+    Production out;
+    out.text = written(text.head);
+    out.where = text.head.where;
+    out.head = symbol(text.head.name, text.head.formals.size(), text.head.where);
+    std::vector<std::string> formals;
+    const auto add = [&](const scene::Pattern& pattern) {
+      for (const scene::Formal& formal : pattern.formals) formals.push_back(formal.name);
+    };
+    std::for_each(text.left.begin(), text.left.end(), add);
+    add(text.head);
+    std::for_each(text.right.begin(), text.right.end(), add);
+    out.left = context(text.left);
+    out.right = context(text.right);
+    if (stage && out.has_context())
+      fail(out.where, "rules of a stage look at their module only",
+           "contexts belong to the rules outside 'decompose' and 'interpret'");
+    if (text.after) {
+      if (text.head.formals.empty())
+        fail(text.after->where, fmt::format("'{}' has no parameter to be its age", out.text),
+             fmt::format("write {}(age) after ...", text.head.name));
+      if (out.has_context() || stage)
+        fail(text.after->where, "a module ages alone: 'after' goes with no context and no stage");
+    }
+    Expressions expressions(evaluator_, formals);
+    if (text.guard) expressions.truth(*text.guard, out.guard);
+    if (text.weight) expressions.number(*text.weight, out.weight);
+    if (text.after) expressions.number(*text.after, out.after);
+    word(text.word, expressions, out);
+    if (expressions.draws() || text.weight) system_.random = true;
+    if (system_.productions.size() >= 65000) fail(out.where, "more than 65000 rules");
+    system_.productions.push_back(std::move(out));
+    if (text.after) aged_.insert(system_.productions.back().head);
+  }
+
+  std::vector<uint16_t> productions(const std::vector<scene::Production>& texts, bool stage) {
+    std::vector<uint16_t> indices;
+    for (const scene::Production& text : texts)
+      guarded([&] {
+        production(text, stage);
+        indices.push_back(static_cast<uint16_t>(system_.productions.size() - 1));
+      });
+    return indices;
+  }
+
+  void books() {
+    const std::vector<uint16_t> always = productions(text_.productions, false);
+    for (const scene::ProductionTable& table : text_.tables) {
+      pending_.push_back(productions(table.productions, false));
+      pending_.back().insert(pending_.back().end(), always.begin(), always.end());
+    }
+    if (text_.tables.empty()) pending_.push_back(always);
+    decompose_ = productions(text_.decompose.productions, true);
+    interpret_ = productions(text_.interpret.productions, true);
+    guarded([&] { schedule(); });
+    for (auto [stage, text] : {std::pair(&system_.decompose, &text_.decompose),
+                               std::pair(&system_.interpret, &text_.interpret)})
+      guarded([&, out = stage, depth = text->depth] {
+        if (!depth) return;
+        const auto count = evaluator_.count(*depth, evaluator_.root().at("depth"));
+        if (!count) throw Faulty{};
+        out->depth = *count;
+      });
+  }
+
+  void schedule() {
+    for (const scene::ScheduleTurn& turn : text_.schedule) {
+      std::optional<int> count = 1;
+      if (turn.count) count = evaluator_.count(*turn.count, evaluator_.root().at("schedule"));
+      if (!count) throw Faulty{};
+      if (*count > 1'000'000) fail(turn.where, "a turn of more than a million steps");
+      const auto table = std::find_if(text_.tables.begin(), text_.tables.end(),
+                                      [&](const auto& one) { return one.name == turn.table; });
+      system_.schedule.insert(system_.schedule.end(), static_cast<size_t>(*count),
+                              static_cast<uint16_t>(table - text_.tables.begin()));
+    }
+    if (system_.schedule.empty()) system_.schedule.push_back(0);
+  }
+
+  bool named(const std::vector<scene::Pattern>& list, const std::string& name) const {
+    return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
+  }
+
+  /// What the symbols are to the engine.
+  void marks() {
+    Alphabet& alphabet = system_.alphabet;
+    system_.open = alphabet.find("[", 0);
+    system_.close = alphabet.find("]", 0);
+    system_.cut = alphabet.find("%", 0);
+    for (size_t i = 0; i < alphabet.size(); ++i) {
+      const auto id = static_cast<SymbolId>(i);
+      const std::string& name = alphabet.name(id);
+      const bool bracket = id == system_.open || id == system_.close;
+      system_.unseen.push_back(
+          !bracket &&
+          (named(text_.ignore, name) || (!text_.consider.empty() && !named(text_.consider, name))));
+      system_.ages.push_back(alphabet.parameters(id) > 0 &&
+                             (aged_.count(id) > 0 || named(text_.ages, name)));
+      system_.query.push_back(System::is_query(name));
+      system_.asks = system_.asks || System::is_query(name);
+    }
+    system_.timed = std::find(system_.ages.begin(), system_.ages.end(), true) != system_.ages.end();
+    for (Production& p : system_.productions)
+      for (size_t k = 0; k < p.symbols.size(); ++k)
+        if (system_.ages[p.symbols[k]]) p.ages.push_back(k == 0 ? 0 : p.ends[k - 1]);
+    guarded([&] {
+      if (system_.timed && steps_where_.known())
+        fail(steps_where_, "modules that age have a 'time', not 'steps'");
+      if (!system_.timed && time_where_.known())
+        fail(time_where_, "'time' is for modules that age",
+             "give their rules an 'after', or name them in 'ages'");
+      if (!system_.timed) return;
+      for (const Production& p : system_.productions)
+        if (p.has_context()) fail(p.where, "where modules age, rules have no context");
+      if (text_.schedule.size() > 1)
+        fail(text_.schedule[1].where, "where modules age, there is one table at most");
+      const std::vector<uint16_t>& book = pending_[0];
+      for (const uint16_t rule : book) {
+        const Production& p = system_.productions[rule];
+        if (p.after.empty())
+          fail(p.where, fmt::format("when does '{}' happen?", p.text),
+               "where modules age, every rule has an 'after'; others go into 'decompose'");
+      }
+    });
+  }
+
+  void subsystems() {
+    const size_t own = system_.alphabet.size();
+    std::set<SymbolId> heads;
+    for (const Production& p : system_.productions) heads.insert(p.head);
+    for (size_t i = 0; i < own; ++i) {
+      const auto id = static_cast<SymbolId>(i);
+      const std::string name = system_.alphabet.name(id);
+      if (heads.count(id) || system_.alphabet.parameters(id) > 1) continue;
+      const SystemPtr inner = find_(name, grammar_.where);
+      if (!inner) continue;
+      SubSystem sub{inner, {}};
+      for (size_t s = 0; s < inner->alphabet.size(); ++s) {
+        const auto theirs = static_cast<SymbolId>(s);
+        sub.symbols.push_back(symbol(inner->alphabet.name(theirs),
+                                     inner->alphabet.parameters(theirs), grammar_.where));
+      }
+      system_.random = system_.random || inner->random;
+      system_.subsystems.emplace(id, std::move(sub));
+    }
+    // Symbols that came with them are constants here.
+    for (size_t i = own; i < system_.alphabet.size(); ++i) {
+      system_.unseen.push_back(false);
+      system_.ages.push_back(false);
+      system_.query.push_back(false);
+    }
+  }
+
+  RuleBook book(const std::vector<uint16_t>& indices) {
+    RuleBook out;
+    std::vector<std::vector<uint16_t>> by_symbol(system_.alphabet.size());
+    for (const uint16_t rule : indices) by_symbol[system_.productions[rule].head].push_back(rule);
+    out.first.push_back(0);
+    for (std::vector<uint16_t>& rules : by_symbol) {
+      // Those that look around go first (prusinkiewicz1990, section 1.8).
+      std::stable_partition(rules.begin(), rules.end(),
+                            [&](uint16_t rule) { return system_.productions[rule].has_context(); });
+      warn_of_unreached(rules);
+      out.rules.insert(out.rules.end(), rules.begin(), rules.end());
+      out.first.push_back(static_cast<uint32_t>(out.rules.size()));
+    }
+    out.contexts = std::any_of(indices.begin(), indices.end(), [&](uint16_t rule) {
+      return system_.productions[rule].has_context();
+    });
+    return out;
+  }
+
+  /// A rule behind one that always fits.
+  void warn_of_unreached(const std::vector<uint16_t>& rules) {
+    const Production* always = nullptr;
+    for (const uint16_t rule : rules) {
+      const Production& p = system_.productions[rule];
+      if (always && warned_.insert(rule).second)
+        evaluator_.diagnostics().warning(
+            p.where,
+            fmt::format("this rule of '{}' is never taken: one before it always fits", p.text),
+            fmt::format("the other is at {}; write weights, '@1', for a choice by chance",
+                        to_string(always->where)));
+      if (!always && p.guard.empty() && p.weight.empty() && !p.has_context()) always = &p;
+    }
+  }
+
+  void finish_books() {
+    for (const std::vector<uint16_t>& indices : pending_) system_.books.push_back(book(indices));
+    system_.decompose.book = book(decompose_);
+    system_.interpret.book = book(interpret_);
+  }
+
+  const scene::Grammar& grammar_;
+  const scene::LSystem& text_;
+  scene::Evaluator& evaluator_;
+  const FindSystem& find_;
+  System system_;
+  std::vector<std::vector<uint16_t>> pending_;  ///< Of each table.
+  std::vector<uint16_t> decompose_, interpret_;
+  std::set<SymbolId> aged_;
+  std::set<uint16_t> warned_;
+  SourceLocation steps_where_, time_where_;
+  bool faults_ = false;
+};
+
+}  // namespace
+
+const std::vector<std::string>& system_options() {
+  static const std::vector<std::string> names{"steps", "time", "limit", "seed"};
+  return names;
+}
+
+SystemPtr compile(const scene::Grammar& grammar, scene::Evaluator& evaluator,
+                  const FindSystem& find) {
+  return Compiler(grammar, evaluator, find).run();
+}
+
+}  // namespace vug::lsystem

@@ -1,0 +1,81 @@
+#include <vug/lsystem/endless.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::lsystem {
+
+namespace {
+
+/// Symbols that the stage makes out of `symbol` whatever chance and parameters say: those that each
+/// rule makes which may be taken, if one is taken for certain.
+std::vector<SymbolId> surely_made(const System& system, const RuleBook& book, SymbolId symbol) {
+  std::vector<SymbolId> made;
+  bool certain = false;
+  for (uint32_t r = book.first[symbol]; r < book.first[symbol + 1u]; ++r) {
+    const Production& p = system.productions[book.rules[r]];
+    std::vector<SymbolId> own(p.symbols), both;
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    std::set_intersection(made.begin(), made.end(), own.begin(), own.end(),
+                          std::back_inserter(both));
+    made = r == book.first[symbol] ? own : both;
+    certain = certain || p.guard.empty();
+    if (p.guard.empty() && p.weight.empty()) break;  // the next ones are never taken
+  }
+  return certain ? made : std::vector<SymbolId>();
+}
+
+/// A symbol that makes the next, and so on, and the last the first; empty where there is none.
+std::vector<SymbolId> circle(const System& system, const RuleBook& book) {
+  const size_t count = system.alphabet.size();
+  std::vector<std::vector<SymbolId>> makes(count), made_by(count);
+  std::vector<size_t> left(count);  // how many of those it makes may go on for ever
+  for (size_t s = 0; s < count; ++s) {
+    makes[s] = surely_made(system, book, static_cast<SymbolId>(s));
+    left[s] = makes[s].size();
+    for (const SymbolId next : makes[s]) made_by[next].push_back(static_cast<SymbolId>(s));
+  }
+  std::vector<SymbolId> ends;
+  for (size_t s = 0; s < count; ++s)
+    if (left[s] == 0) ends.push_back(static_cast<SymbolId>(s));
+  for (size_t i = 0; i < ends.size(); ++i)
+    for (const SymbolId before : made_by[ends[i]])
+      if (--left[before] == 0) ends.push_back(before);
+  const auto lasting = [&](SymbolId symbol) { return left[symbol] > 0; };
+
+  const auto start = std::find_if(left.begin(), left.end(), [](size_t n) { return n > 0; });
+  if (start == left.end()) return {};
+  std::vector<SymbolId> way{static_cast<SymbolId>(start - left.begin())};
+  for (;;) {
+    const auto& next = makes[way.back()];
+    const SymbolId to = *std::find_if(next.begin(), next.end(), lasting);
+    const auto seen = std::find(way.begin(), way.end(), to);
+    way.push_back(to);
+    if (seen != way.end() - 1) return {std::find(way.begin(), way.end(), to), way.end()};
+  }
+}
+
+}  // namespace
+
+bool check_ends(const System& system, Diagnostics& diagnostics) {
+  bool sound = true;
+  for (const auto& [stage, name] : {std::pair(&system.decompose, "decomposition"),
+                                    std::pair(&system.interpret, "interpretation")}) {
+    if (stage->depth || stage->book.empty()) continue;
+    const std::vector<SymbolId> way = circle(system, stage->book);
+    if (way.empty()) continue;
+    std::string names;
+    for (const SymbolId symbol : way)
+      names += (names.empty() ? "" : " -> ") + system.alphabet.name(symbol);
+    const Production& rule = system.productions[stage->book.rules[stage->book.first[way[0]]]];
+    diagnostics.error(rule.where,
+                      fmt::format("the {} of '{}' never ends: {}", name, rule.text, names),
+                      "let a guard end it, or give the block a 'depth'");
+    sound = false;
+  }
+  return sound;
+}
+
+}  // namespace vug::lsystem

@@ -1,0 +1,59 @@
+// Scene expressions into programs.
+#pragma once
+
+#include <vug/lsystem/program.h>
+#include <vug/scene/evaluator.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::lsystem {
+
+/// Thrown after a fault was reported.
+struct Faulty {};
+
+/// Compiles the expressions of one production. What holds no formal and draws nothing is evaluated
+/// here and now, with all that scenes know; the rest is arithmetic, comparisons, `if`, draws and
+/// the functions of numbers. Formals and results are in base units and have no dimension.
+class Expressions {
+ public:
+  Expressions(scene::Evaluator& evaluator, std::vector<std::string> formals)
+      : evaluator_(evaluator), formals_(std::move(formals)) {}
+
+  /// Appends what leaves the number on the stack; Faulty after a report.
+  void number(const scene::Expr& expr, Program& program) { expect(expr, Type::number, program); }
+  void truth(const scene::Expr& expr, Program& program) { expect(expr, Type::truth, program); }
+
+  /// The value where it is the same for every module: nothing for others.
+  std::optional<Value> constant(const scene::Expr& expr);
+
+  bool draws() const { return draws_ > 0; }  ///< Something so far.
+
+ private:
+  enum class Type { number, truth };
+
+  void expect(const scene::Expr& expr, Type type, Program& program);
+  Type compile(const scene::Expr& expr, Program& program);
+  Type fold(const scene::Expr& expr, Program& program);
+  Type unary(const scene::Expr& expr, Program& program);
+  Type binary(const scene::Expr& expr, Program& program);
+  Type logical(const scene::Expr& expr, Program& program);
+  Type choose(const scene::Expr& expr, Program& program);
+  Type pick(const scene::Expr& expr, Program& program);
+  Type call(const scene::Expr& expr, Program& program);
+  bool fuse(Program& program, Op op, size_t left, size_t right) const;
+  bool is_constant(const scene::Expr& expr) const;
+  std::optional<uint32_t> formal(const std::string& name) const;
+  void put(Program& program, Op op, uint32_t index = 0, double value = 0);
+  size_t jump(Program& program, Op op);
+  void land(Program& program, size_t jump) const;
+  [[noreturn]] void fail(const scene::Expr& expr, std::string message, std::string hint = {});
+
+  scene::Evaluator& evaluator_;
+  std::vector<std::string> formals_;
+  uint32_t draws_ = 0;
+  int height_ = 0;  ///< Of the stack, in the program that is being compiled.
+};
+
+}  // namespace vug::lsystem

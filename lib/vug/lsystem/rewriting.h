@@ -1,0 +1,55 @@
+// One synchronous step: every module of a word is replaced at once.
+//
+// Two passes over fixed chunks of the word, so that no result depends on the number of threads and
+// nothing is copied twice: the first chooses a production for each module and counts what it will
+// make, the second writes everything where it belongs.
+//
+// Random numbers are keyed by the way from the axiom: a module's key is its parent's key and its
+// place in the successor. So a branch keeps its numbers whatever happens in other branches.
+#pragma once
+
+#include <vug/lsystem/system.h>
+
+namespace vug::lsystem {
+
+/// A word with what its future depends on.
+struct Derivation {
+  Word word;
+  Array<uint64_t> keys;  ///< Of each module; empty in systems without chance.
+
+  bool operator==(const Derivation&) const = default;
+};
+
+enum class Mode {
+  step,     ///< Where no production of a module fits, it stays, but draws anew in the next step.
+  passing,  ///< Of a stage, or of time: a module that stays is the same as before.
+};
+
+/// Where a word was made by one call of `rewrite` after the other, its buffers are used again.
+class Rewriter {
+ public:
+  explicit Rewriter(const System& system) : system_(system) {}
+
+  /// The axiom's word.
+  void start(Derivation& out) const;
+
+  /// Replaces the modules of `word` by the book; false when no production fits anywhere. Cuts first
+  /// where there is a "%". `salt` tells the draws of stages apart. Error(too_large) beyond the
+  /// system's limit, Error(bad_input) where a parameter, a weight or an age is no finite number,
+  /// both naming the production.
+  bool rewrite(const RuleBook& book, Derivation& word, Mode mode, uint64_t salt = 0);
+
+ private:
+  struct Chunk;
+  void choose(const RuleBook& book, const class Surroundings& around, Chunk& chunk, uint64_t salt);
+  void write(const RuleBook& book, const class Surroundings& around, const Chunk& chunk, Mode mode,
+             uint64_t salt);
+  [[noreturn]] void refuse(size_t modules) const;
+
+  const System& system_;
+  const Derivation* from_ = nullptr;
+  Derivation to_;
+  Array<uint16_t> choice_;  ///< By module: production and 1, or 0 for none.
+};
+
+}  // namespace vug::lsystem

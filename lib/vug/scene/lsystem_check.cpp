@@ -1,0 +1,68 @@
+#include <vug/scene/lsystem_check.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace vug::scene {
+
+namespace {
+
+void check_formals(const Production& production, const NameAllowed& allowed,
+                   Diagnostics& diagnostics) {
+  std::set<std::string> names;
+  const auto visit = [&](const Pattern& pattern) {
+    for (const Formal& formal : pattern.formals)
+      if (allowed(formal.name, formal.where) && !names.insert(formal.name).second)
+        diagnostics.error(formal.where,
+                          fmt::format("the parameter '{}' twice in one head", formal.name));
+  };
+  for (const Pattern& one : production.left) visit(one);
+  visit(production.head);
+  for (const Pattern& one : production.right) visit(one);
+}
+
+using Arities = std::map<std::string, std::set<size_t>>;
+
+void check_arities(const ModuleString& word, const Arities& arities, Diagnostics& diagnostics) {
+  for (const Module& module : word) {
+    const auto known = arities.find(module.name);
+    const size_t given = module.arguments.size();
+    if (known == arities.end() || known->second.count(given) || is_turtle_name(module.name))
+      continue;
+    std::string takes;
+    for (const size_t count : known->second)
+      takes += fmt::format("{}{}", takes.empty() ? "" : " or ", count);
+    diagnostics.error(
+        module.where,
+        fmt::format("'{}' with {} parameter{}", module.name, given, given == 1 ? "" : "s"),
+        fmt::format("its rules take {}", takes));
+  }
+}
+
+}  // namespace
+
+void check_lsystem(const LSystem& system, const NameAllowed& allowed, Diagnostics& diagnostics) {
+  Arities arities;
+  for_each_production(system, [&](const Production& production) {
+    check_formals(production, allowed, diagnostics);
+    arities[production.head.name].insert(production.head.formals.size());
+  });
+  check_arities(system.axiom, arities, diagnostics);
+  for_each_production(system, [&](const Production& production) {
+    check_arities(production.word, arities, diagnostics);
+  });
+  std::vector<std::string> tables;
+  for (const ProductionTable& table : system.tables) tables.push_back(table.name);
+  for (const ScheduleTurn& turn : system.schedule)
+    if (std::find(tables.begin(), tables.end(), turn.table) == tables.end())
+      diagnostics.error(turn.where, fmt::format("there is no table '{}'", turn.table),
+                        suggestion(turn.table, tables));
+  if (!system.tables.empty() && system.schedule.empty())
+    diagnostics.error(system.tables[0].where, "tables without a schedule",
+                      fmt::format("add 'schedule {}'", system.tables[0].name));
+}
+
+}  // namespace vug::scene

@@ -1,0 +1,58 @@
+#include <vug/scene/lsystem_document.h>
+
+#include <fmt/format.h>
+
+namespace vug::scene {
+
+namespace {
+
+std::string dump(const ExprPtr& expr) { return expr ? scene::dump(*expr) : "-"; }
+
+std::string dump(const std::vector<Pattern>& patterns) {
+  std::string out;
+  for (const Pattern& one : patterns) {
+    out += ' ' + one.name + '(';
+    for (const Formal& formal : one.formals) out += formal.name + ',';
+    out += ')';
+  }
+  return out;
+}
+
+std::string dump(const ModuleString& word) {
+  std::string out;
+  for (const Module& module : word) {
+    out += ' ' + module.name + '(';
+    for (const ExprPtr& argument : module.arguments) out += dump(argument) + ',';
+    out += ')';
+  }
+  return out;
+}
+
+std::string dump(const std::vector<Production>& productions) {
+  std::string out;
+  for (const Production& one : productions)
+    out += fmt::format("  {} <{} >{} @ {} if {} after {} ->{}\n", dump(one.left), dump({one.head}),
+                       dump(one.right), dump(one.weight), dump(one.guard), dump(one.after),
+                       dump(one.word));
+  return out;
+}
+
+}  // namespace
+
+std::string dump(const LSystem& system) {
+  std::string out = "  axiom" + dump(system.axiom) + '\n' + dump(system.productions);
+  for (const ProductionTable& table : system.tables)
+    out += fmt::format("  table {}\n{}", table.name, dump(table.productions));
+  for (const ScheduleTurn& turn : system.schedule)
+    out += fmt::format("  turn {} * {}\n", turn.table, dump(turn.count));
+  for (const auto& [name, stage] :
+       {std::pair("decompose", &system.decompose), std::pair("interpret", &system.interpret)})
+    out += fmt::format("  {} depth {}\n{}", name, dump(stage->depth), dump(stage->productions));
+  for (const auto& [name, list] :
+       {std::pair("ignore", &system.ignore), std::pair("consider", &system.consider),
+        std::pair("ages", &system.ages)})
+    out += fmt::format("  {}{}\n", name, dump(*list));
+  return out;
+}
+
+}  // namespace vug::scene

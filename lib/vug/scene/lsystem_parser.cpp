@@ -1,0 +1,379 @@
+#include <vug/scene/grammar_parser.h>
+#include <vug/scene/lsystem_parser.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace vug::scene {
+
+namespace {
+
+constexpr std::string_view kSigns = "+-&^\\/|$!'[]{}.%";
+
+bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+
+/// A sign that is a module of its own; ".." is two of them.
+bool is_module_sign(const Token& token) {
+  if (token.kind != TokenKind::sign) return false;
+  return token.text == ".." || token.is("?") ||
+         (token.text.size() == 1 && kSigns.find(token.text[0]) != std::string_view::npos);
+}
+
+bool starts_module(const Token& token) {
+  return token.kind == TokenKind::name || is_module_sign(token);
+}
+
+/// Words with a meaning of their own behind a rule's head.
+bool is_clause_word(const Token& token) { return token.is_name("if") || token.is_name("after"); }
+
+}  // namespace
+
+bool is_turtle_name(const std::string& name) {
+  return name == "F" || name == "f" || name == "G" ||
+         (name.size() == 1 && kSigns.find(name[0]) != std::string_view::npos);
+}
+
+std::vector<std::string_view> split_names(std::string_view letters) {
+  std::vector<std::string_view> out;
+  for (size_t begin = 0, end; begin < letters.size(); begin = end) {
+    for (end = begin + 1; end < letters.size() && !is_capital(letters[end]);) ++end;
+    const std::string_view piece = letters.substr(begin, end - begin);
+    const bool moves = piece.size() > 1 && piece[0] == 'F' &&
+                       piece.find_first_not_of('f', 1) == std::string_view::npos;
+    for (size_t i = 0; moves && i < piece.size(); ++i) out.push_back(piece.substr(i, 1));
+    if (!moves) out.push_back(piece);
+  }
+  return out;
+}
+
+void LSystemParser::parse(Grammar& grammar) {
+  auto system = std::make_shared<LSystem>();
+  system_ = system.get();
+  grammar.lsystem = system;
+  const int faults = cursor_.faults();
+  grammar.broken = true;  // until it is read
+  entries(fmt::format("grammar '{}'", grammar.name), system->productions, &grammar, nullptr);
+  grammar.broken = cursor_.faults() != faults;
+}
+
+void LSystemParser::entries(const std::string& what, Block& rules, Grammar* grammar,
+                            ExprPtr* depth) {
+  const Token& open = cursor_.last();
+  for (;;) {
+    while (cursor_.peek().kind == TokenKind::newline) cursor_.take();
+    if (cursor_.accept("}")) return;
+    if (cursor_.at_end() || at_lost_brace()) {
+      cursor_.error(open, fmt::format("the '{{' of {} is never closed", what));
+      return;
+    }
+    try {
+      entry(rules, grammar, depth);
+      if (!cursor_.at_line_end()) cursor_.unexpected("the end of the line");
+    } catch (const SyntaxFault&) {
+      cursor_.recover_entry();
+    }
+  }
+}
+
+void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
+  const Token& first = cursor_.peek();
+  if (grammar && at_part()) return part(*grammar);
+  if (at_rule()) {
+    rules.push_back(production());
+    return;
+  }
+  if (first.kind != TokenKind::name || (!grammar && !first.is_name("depth")))
+    cursor_.fail(first, fmt::format("expected a rule, found {}", describe(first)),
+                 "rules are written: head -> successor");
+  const Cursor::Line line(cursor_);
+  if (grammar) {
+    grammar->options.push_back(parse_entry(cursor_, exprs_));
+  } else if (depth) {
+    cursor_.take();
+    *depth = exprs_.whole();
+  } else {
+    cursor_.fail(first, "a table holds rules only");
+  }
+}
+
+/// At a word that opens a part of the block which is neither a rule nor an option.
+bool LSystemParser::at_part() const {
+  const Token& first = cursor_.peek();
+  const Token& second = cursor_.peek(1);
+  if (first.is_name("table")) return second.kind == TokenKind::name && !at_rule(1);
+  if (first.is_name("decompose") || first.is_name("interpret"))
+    return second.is("{") || (second.kind == TokenKind::newline && !at_rule());
+  const bool list = first.is_name("axiom") || first.is_name("ignore") ||
+                    first.is_name("consider") || first.is_name("ages") || first.is_name("schedule");
+  return list && !at_rule();
+}
+
+void LSystemParser::part(Grammar& grammar) {
+  const Token& word = cursor_.take();
+  if (word.is_name("axiom")) {
+    if (grammar.axiom_where.known())
+      cursor_.error(word, fmt::format("grammar '{}' has two axioms", grammar.name));
+    grammar.axiom_where = cursor_.where(word);
+    system_->axiom = this->word("the axiom");
+  } else if (word.is_name("table")) {
+    table();
+  } else if (word.is_name("decompose")) {
+    stage(system_->decompose);
+  } else if (word.is_name("interpret")) {
+    stage(system_->interpret);
+  } else if (word.is_name("schedule")) {
+    schedule();
+  } else {
+    names(word.is_name("ignore")     ? system_->ignore
+          : word.is_name("consider") ? system_->consider
+                                     : system_->ages);
+  }
+}
+
+void LSystemParser::table() {
+  const Token& name = cursor_.expect_name("the name of the table");
+  ProductionTable table{std::string(name.text), cursor_.where(name), {}};
+  for (const ProductionTable& other : system_->tables)
+    if (other.name == table.name)
+      cursor_.error(name, fmt::format("a second table '{}'", table.name),
+                    fmt::format("the first is at {}", to_string(other.where)));
+  if (!cursor_.accept_beyond_newlines("{")) cursor_.unexpected("'{' before the table's rules");
+  entries(fmt::format("table '{}'", table.name), table.productions, nullptr, nullptr);
+  system_->tables.push_back(std::move(table));
+}
+
+void LSystemParser::stage(ProductionStage& stage) {
+  const Token& word = cursor_.last();
+  if (stage.where.known())
+    cursor_.error(word, fmt::format("a second '{}' block", word.text),
+                  fmt::format("the first is at {}", to_string(stage.where)));
+  stage.where = cursor_.where(word);
+  if (!cursor_.accept_beyond_newlines("{"))
+    cursor_.unexpected(fmt::format("'{{' after '{}'", word.text));
+  entries(fmt::format("'{}'", word.text), stage.productions, nullptr, &stage.depth);
+}
+
+void LSystemParser::schedule() {
+  const Token& word = cursor_.last();
+  const Cursor::Line line(cursor_);
+  while (!cursor_.at_line_end()) {
+    const Token& name = cursor_.expect_name("the name of a table");
+    ScheduleTurn turn{std::string(name.text), cursor_.where(name), nullptr};
+    if (cursor_.accept("*")) turn.count = exprs_.tight();
+    system_->schedule.push_back(std::move(turn));
+    cursor_.accept(",");
+  }
+  if (system_->schedule.empty())
+    cursor_.fail(word, "'schedule' names no table", "schedule spring*3 summer*2");
+}
+
+void LSystemParser::names(std::vector<Pattern>& out) {
+  const Token& word = cursor_.last();
+  while (!cursor_.at_line_end()) {
+    pattern(out);
+    cursor_.accept(",");
+    if (!out.back().formals.empty())
+      cursor_.error(cursor_.last(), fmt::format("'{}' takes names only", word.text));
+  }
+  if (out.empty())
+    cursor_.fail(word, fmt::format("'{}' has no names", word.text),
+                 fmt::format("{} + - F", word.text));
+}
+
+size_t LSystemParser::beyond_newlines(size_t ahead) const {
+  while (cursor_.peek(ahead).kind == TokenKind::newline && cursor_.peek(ahead).text != ";") ++ahead;
+  return ahead;
+}
+
+/// True when the line holds an arrow outside brackets, or the next line starts with one.
+bool LSystemParser::at_rule(size_t from) const {
+  if (!starts_module(cursor_.peek(from))) return false;
+  int depth = 0;
+  for (size_t ahead = from;; ++ahead) {
+    const Token& token = cursor_.peek(ahead);
+    if (token.is("->")) return true;
+    if (token.kind == TokenKind::end || token.is("}")) return false;
+    if (token.is("(")) ++depth;
+    if (token.is(")")) --depth;
+    if (token.kind == TokenKind::newline && depth <= 0)
+      return cursor_.peek(beyond_newlines(ahead)).is("->");
+  }
+}
+
+/// At what can only be a statement of the scene. A line of modules may look like one, `A B {`, but
+/// no statement begins with a capital letter or with a word of this dialect.
+bool LSystemParser::at_lost_brace() const {
+  return cursor_.at_statement() && !is_capital(cursor_.peek().text[0]) && !at_part() && !at_rule();
+}
+
+Production LSystemParser::production() {
+  Production production;
+  sides(production);
+  for (;;) {
+    const Token& clause = cursor_.peek();
+    ExprPtr* slot = clause.is("@")            ? &production.weight
+                    : clause.is_name("if")    ? &production.guard
+                    : clause.is_name("after") ? &production.after
+                                              : nullptr;
+    if (!slot) break;
+    if (*slot) cursor_.fail(clause, fmt::format("a second '{}' of one rule", clause.text));
+    cursor_.take();
+    *slot = exprs_.whole();
+  }
+  if (!cursor_.accept_beyond_newlines("->"))
+    cursor_.unexpected("'->', '@ weight', 'if condition' or 'after age'");
+  if (!at_rule(beyond_newlines(0))) cursor_.skip_newlines();
+  if (cursor_.peek().is_name("nothing"))
+    cursor_.take();
+  else
+    production.word = word(fmt::format("the rule of '{}'", production.head.name));
+  return production;
+}
+
+/// `left < head > right`
+void LSystemParser::sides(Production& production) {
+  const Token& first = cursor_.peek();
+  std::vector<Pattern> head = patterns();
+  if (cursor_.accept("<")) {
+    production.left = std::move(head);
+    for (const Pattern& one : production.left)
+      if (one.name == "[" || one.name == "]")
+        cursor_.error(first, "a left context has no branches",
+                      "it is the way back to the root, past all side branches");
+    head = patterns();
+  }
+  if (cursor_.accept(">")) production.right = patterns();
+  if (cursor_.peek().is("<") || cursor_.peek().is(">"))
+    cursor_.fail(cursor_.peek(),
+                 fmt::format("a second '{}' in the head of a rule", cursor_.peek().text),
+                 "heads are written: left < strict > right");
+  if (head.size() != 1)
+    cursor_.fail(first,
+                 head.empty() ? "a rule without a module to replace"
+                              : fmt::format("a rule replaces one module, not {}", head.size()),
+                 "the modules around it are its context: left < strict > right");
+  production.head = std::move(head[0]);
+  for (const char* fixed : {"[", "]", "%"})
+    if (production.head.name == fixed)
+      cursor_.error(first, fmt::format("'{}' cannot be replaced", fixed));
+  int open = 0;
+  for (const Pattern& one : production.right) {
+    open += one.name == "[" ? 1 : one.name == "]" ? -1 : 0;
+    if (open < 0) break;
+  }
+  if (open != 0) cursor_.error(first, "unbalanced brackets in the right context");
+}
+
+std::vector<Pattern> LSystemParser::patterns() {
+  std::vector<Pattern> out;
+  while (starts_module(cursor_.peek()) && !is_clause_word(cursor_.peek())) pattern(out);
+  return out;
+}
+
+void LSystemParser::pattern(std::vector<Pattern>& out) {
+  ModuleString modules;
+  module(modules);
+  for (Module& one : modules) {
+    Pattern& made = out.emplace_back(Pattern{std::move(one.name), std::move(one.where), {}});
+    for (const ExprPtr& argument : one.arguments) {
+      if (argument->kind != ExprKind::name)
+        cursor_.fail(cursor_.last(),
+                     fmt::format("the parameters of '{}' in a rule's head are names", made.name),
+                     fmt::format("write {0}(x) if x == ...", made.name));
+      made.formals.push_back({argument->text, argument->where});
+    }
+  }
+}
+
+/// True when the word has another module: on this line, inside an open bracket or polygon, or on a
+/// next line that starts with a sign or a capital letter and is no rule.
+bool LSystemParser::goes_on(bool open) const {
+  const Token& here = cursor_.peek();
+  if (here.kind != TokenKind::newline) return !cursor_.at_line_end() || (open && here.is("}"));
+  if (here.text == ";") return false;
+  const size_t next = beyond_newlines(0);
+  const Token& first = cursor_.peek(next);
+  if (first.is("}")) return open;
+  if (!starts_module(first) || at_rule(next)) return false;
+  return open || first.kind == TokenKind::sign || is_capital(first.text[0]);
+}
+
+ModuleString LSystemParser::word(const std::string& whose) {
+  ModuleString word;
+  std::vector<const Token*> branches, polygons;
+  while (goes_on(!polygons.empty() || !branches.empty())) {
+    while (cursor_.peek().kind == TokenKind::newline) cursor_.take();
+    const Token& token = cursor_.peek();
+    if (token.is("}") && polygons.empty()) break;
+    if (token.is("->"))
+      cursor_.fail(token, "a second rule on one line", "put ';' or a line break before it");
+    if (!starts_module(token)) {
+      std::string hint;
+      if (token.kind == TokenKind::number)
+        hint = "a module's name begins with a letter; numbers stand in ( )";
+      if (token.is("<") || token.is(">")) hint = "contexts stand before the arrow";
+      cursor_.fail(token, fmt::format("expected a module, found {}", describe(token)), hint);
+    }
+    if (token.is("[")) branches.push_back(&token);
+    if (token.is("{")) polygons.push_back(&token);
+    if (token.is("]") || token.is("}")) {
+      std::vector<const Token*>& open = token.is("]") ? branches : polygons;
+      if (open.empty())
+        cursor_.fail(token, fmt::format("'{}' without its '{}' in {}", token.text,
+                                        token.is("]") ? "[" : "{", whose));
+      open.pop_back();
+    }
+    module(word);
+  }
+  for (const auto& stack : {branches, polygons})
+    if (!stack.empty())
+      cursor_.fail(*stack.back(),
+                   fmt::format("the '{}' in {} is never closed", stack.back()->text, whose));
+  if (word.empty())
+    cursor_.fail(cursor_.last(), fmt::format("{} has no modules", whose),
+                 cursor_.last().is("->") ? "write 'nothing' for a module that vanishes" : "");
+  return word;
+}
+
+/// One token's modules: letters in a row are several, of which the last takes the arguments.
+void LSystemParser::module(ModuleString& word) {
+  const Token& token = cursor_.take();
+  SourceLocation where = cursor_.where(token);
+  if (token.kind == TokenKind::name) {
+    for (const std::string_view name : split_names(token.text)) {
+      word.push_back({std::string(name), where, {}});
+      where.column += static_cast<int>(name.size());
+    }
+  } else if (token.is("..")) {
+    word.push_back({".", where, {}});
+    ++where.column;
+    word.push_back({".", where, {}});
+  } else if (token.is("?")) {
+    const Token& name = cursor_.expect_name("the name of a query behind '?'");
+    word.push_back({fmt::format("?{}", name.text), where, {}});
+  } else {
+    word.push_back({std::string(token.text), where, {}});
+  }
+  if (!cursor_.peek().is("(")) return;
+  if (token.is("[") || token.is("]") || token.is("{") || token.is("}") || token.is("%"))
+    cursor_.fail(cursor_.peek(), fmt::format("'{}' takes no parameters", token.text));
+  word.back().arguments = arguments(word.back());
+}
+
+std::vector<ExprPtr> LSystemParser::arguments(const Module& whose) {
+  std::vector<ExprPtr> out;
+  const Token& open = cursor_.take();
+  const Cursor::Brackets brackets(cursor_);
+  while (!cursor_.peek().is(")")) {
+    out.push_back(exprs_.whole());
+    if (cursor_.peek().is(":"))
+      cursor_.fail(cursor_.peek(), "modules take their arguments by position");
+    if (!cursor_.accept(",")) break;
+  }
+  cursor_.expect(")", fmt::format(" to close '{}(' of line {}", whose.name, open.line));
+  return out;
+}
+
+}  // namespace vug::scene

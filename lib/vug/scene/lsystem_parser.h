@@ -1,0 +1,50 @@
+// The block of an L-system out of tokens: the dialect of `grammar NAME: lsystem { ... }`.
+#pragma once
+
+#include <vug/scene/expr_parser.h>
+#include <vug/scene/lsystem_document.h>
+
+namespace vug::scene {
+
+class LSystemParser {
+ public:
+  explicit LSystemParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor) {}
+
+  /// Everything behind the block's '{' up to its '}'; broken parts are reported and left out.
+  void parse(Grammar& grammar);
+
+ private:
+  using Block = std::vector<Production>;
+
+  void entries(const std::string& what, Block& rules, Grammar* grammar, ExprPtr* depth);
+  void entry(Block& rules, Grammar* grammar, ExprPtr* depth);
+  void part(Grammar& grammar);
+  void table();
+  void stage(ProductionStage& stage);
+  void schedule();
+  void names(std::vector<Pattern>& out);
+
+  Production production();
+  void sides(Production& production);
+  std::vector<Pattern> patterns();
+  void pattern(std::vector<Pattern>& out);
+  ModuleString word(const std::string& whose);
+  void module(ModuleString& word);
+  std::vector<ExprPtr> arguments(const Module& whose);
+  bool goes_on(bool open) const;
+
+  bool at_rule(size_t from = 0) const;
+  bool at_part() const;
+  bool at_lost_brace() const;
+  size_t beyond_newlines(size_t ahead) const;
+
+  Cursor& cursor_;
+  ExprParser exprs_;
+  LSystem* system_ = nullptr;
+};
+
+/// The names that letters in a row are: each capital begins one, so FFA is F F A and FlFr is Fl Fr;
+/// and Ff is F f, the turtle's line and its move. The pieces view the text.
+std::vector<std::string_view> split_names(std::string_view letters);
+
+}  // namespace vug::scene
