@@ -51,9 +51,9 @@ std::vector<SymbolId> circle(const System& system, const RuleBook& book) {
   for (;;) {
     const auto& next = makes[way.back()];
     const SymbolId to = *std::find_if(next.begin(), next.end(), lasting);
-    const auto seen = std::find(way.begin(), way.end(), to);
+    const auto seen = std::find(way.begin(), way.end(), to) - way.begin();
     way.push_back(to);
-    if (seen != way.end() - 1) return {std::find(way.begin(), way.end(), to), way.end()};
+    if (static_cast<size_t>(seen) + 1 < way.size()) return {way.begin() + seen, way.end()};
   }
 }
 

@@ -1,5 +1,6 @@
 #include <vug/scene/format.h>
 #include <vug/scene/format_columns.h>
+#include <vug/scene/format_lsystem.h>
 #include <vug/scene/lexer.h>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ bool ends_operand(const Token& t) {
 
 class Formatter {
  public:
-  explicit Formatter(const std::vector<Token>& tokens) : tokens_(tokens) {}
+  explicit Formatter(const std::vector<Token>& tokens)
+      : tokens_(tokens), marks_(mark_lsystems(tokens)) {}
 
   std::string run() {
     find_heads();
@@ -85,6 +87,8 @@ class Formatter {
     const Token& first = tokens_[begin];
     const bool closes = first.is(")") || first.is("]") || first.is("}");
     if (closes && !open_.empty()) return open_.back().indent;
+    if (marks_[begin].inside && !in_brackets())
+      return inside() + (marks_[begin].goes_on || hanging_ ? 4 : 0);
     const bool goes_on = is_arithmetic(first) || first.is(".") || first.is("->") ||
                          is_word(first) || first.is(",") ||
                          (in_grammar() && ((items_ && is_clause(first)) || is_symbol(begin)));
@@ -144,29 +148,34 @@ class Formatter {
       }
       row.cells.back() += token.text;
       key = starts_entry;
-      track(token, begin, row.indent);
+      track(i, begin, row.indent);
     }
     const Token& last = tokens_[end - 1];
-    hanging_ = is_arithmetic(last) || last.is(",") || last.is("=") || last.is("->") ||
-               last.is("..") || is_word(last);
+    hanging_ = !marks_[end - 1].module && (is_arithmetic(last) || last.is(",") || last.is("=") ||
+                                           last.is("->") || last.is("..") || is_word(last));
   }
 
   static bool ends_entry(const Token& before) {
     return ends_operand(before) || before.is("{") || before.kind == TokenKind::newline;
   }
 
-  void track(const Token& token, size_t begin, int indent) {
+  void track(size_t at, size_t begin, int indent) {
+    const Token& token = tokens_[at];
     if (token.kind != TokenKind::sign) return;
+    if (marks_[at].module && !token.is("(") && !token.is(")")) return;  // the turtle's brackets
     const char sign = token.text[0];
+    const bool grammar = tokens_[begin].is_name("grammar") || marks_[at].inside;
     if (one_of(token.text, {"(", "[", "{"}))
-      open_.push_back({sign, sign == '{' && tokens_[begin].is_name("grammar"), indent});
+      open_.push_back({sign, sign == '{' && grammar, indent});
     if (one_of(token.text, {")", "]", "}"}) && !open_.empty()) open_.pop_back();
   }
 
   /// What the line is, if such lines line up with each other.
   std::string kind(size_t begin, size_t end) const {
     const Token& first = tokens_[begin];
-    if (first.kind != TokenKind::name || hanging_ || is_word(first)) return {};
+    if (marks_[begin].inside && marks_[begin].goes_on) return {};
+    const bool sign = marks_[begin].module;  // a rule of "+"
+    if ((first.kind != TokenKind::name && !sign) || hanging_ || is_word(first)) return {};
     for (size_t i = begin; i < end; ++i)
       if (tokens_[i].text == ";") return {};
     if (in_grammar()) return holds("->", begin, end) ? "rule" : "";
@@ -214,7 +223,7 @@ class Formatter {
       if (!in_braces()) return now;
       if (now < 3 && t.is("->")) return 3;
       if (now == 3 && is_clause(t)) return 4;
-      if (now < 2 && t.is_name("if")) return 2;
+      if (now < 2 && (t.is_name("if") || (marks_[i].inside && t.is_name("after")))) return 2;
       return now < 1 && t.is("@") ? 1 : now;
     }
     if (!open_.empty()) return now;
@@ -229,6 +238,11 @@ class Formatter {
   int gap(size_t begin, size_t i) const {
     const Token& before = tokens_[i - 1];
     const Token& t = tokens_[i];
+    if (marks_[i].module && marks_[i - 1].module) return t.touches || t.is("(") ? 0 : 1;
+    if (marks_[i].module || marks_[i - 1].module) {
+      if (before.is("(") || t.is(")") || t.is(",") || t.text == ";") return 0;
+      return 1;
+    }
     if (before.is("(") || before.is("[")) return 0;
     if (t.is(")") || t.is("]") || t.is(",") || t.is(":") || t.text == ";") return 0;
     if (before.is("{") && t.is("}")) return 0;
@@ -244,6 +258,7 @@ class Formatter {
   }
 
   const std::vector<Token>& tokens_;
+  std::vector<LSystemToken> marks_;  ///< By token.
   std::vector<Row> rows_;
   std::vector<Open> open_;
   std::set<std::string_view> heads_;

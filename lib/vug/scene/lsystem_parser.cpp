@@ -102,7 +102,8 @@ void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
 bool LSystemParser::at_part() const {
   const Token& first = cursor_.peek();
   const Token& second = cursor_.peek(1);
-  if (first.is_name("table")) return second.kind == TokenKind::name && !at_rule(1);
+  if (first.is_name("table"))
+    return second.kind == TokenKind::name && cursor_.peek(beyond_newlines(2)).is("{");
   if (first.is_name("decompose") || first.is_name("interpret"))
     return second.is("{") || (second.kind == TokenKind::newline && !at_rule());
   const bool list = first.is_name("axiom") || first.is_name("ignore") ||
@@ -291,11 +292,11 @@ void LSystemParser::pattern(std::vector<Pattern>& out) {
 /// next line that starts with a sign or a capital letter and is no rule.
 bool LSystemParser::goes_on(bool open) const {
   const Token& here = cursor_.peek();
-  if (here.kind != TokenKind::newline) return !cursor_.at_line_end() || (open && here.is("}"));
+  if (here.kind != TokenKind::newline) return here.is("}") ? open : !cursor_.at_line_end();
   if (here.text == ";") return false;
   const size_t next = beyond_newlines(0);
   const Token& first = cursor_.peek(next);
-  if (first.is("}")) return open;
+  if (first.is("}")) return false;  // first on its line it is the block's
   if (!starts_module(first) || at_rule(next)) return false;
   return open || first.kind == TokenKind::sign || is_capital(first.text[0]);
 }

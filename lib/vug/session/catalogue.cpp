@@ -2,6 +2,7 @@
 #include <vug/image/measure.h>
 #include <vug/session/catalogue.h>
 #include <vug/session/grammar_binding.h>
+#include <vug/session/lsystem_binding.h>
 #include <vug/session/reader.h>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ std::vector<const KindInfo*> all_kinds() {
   std::vector<const KindInfo*> kinds;
   for (const DeclarationKind* kind : declaration_kinds()) kinds.push_back(&kind->info);
   kinds.push_back(&grammar_info());
+  kinds.push_back(&lsystem_info());
   for (const Family& family : families())
     for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
   for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);

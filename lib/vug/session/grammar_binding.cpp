@@ -2,6 +2,7 @@
 // carry SG+M steps, which sgm::interpret performs.
 #include <vug/field/kind.h>
 #include <vug/session/grammar_binding.h>
+#include <vug/session/lsystem_binding.h>
 #include <vug/sgm/derive.h>
 
 #include <fmt/format.h>
@@ -314,12 +315,7 @@ sgm::Options Binder::options() {
 }  // namespace
 
 Value bind_grammar(const scene::Grammar& source, Reading& reading) {
-  if (source.kind != "shape" && !source.broken) {
-    reading.diagnostics.error(source.where,
-                              fmt::format("there is no grammar kind '{}'", source.kind),
-                              suggestion(source.kind, {"shape"}));
-    return Value();
-  }
+  if (source.kind == "lsystem") return bind_lsystem(source, reading);
   Binder binder(source, reading);
   try {
     if (source.broken) {

@@ -11,7 +11,8 @@ const KindInfo& grammar_info();
 
 constexpr int64_t kMostProductions = 100'000, kMostSymbols = 1'000'000;  ///< Unless a block says.
 
-/// Derives the grammar and gives its field; the derivation is added to the shot.
+/// Derives the grammar and gives its field; the derivation is added to the shot. An L-system is
+/// bound by bind_lsystem.
 Value bind_grammar(const scene::Grammar& grammar, Reading& reading);
 
 }  // namespace vug::session

@@ -15,6 +15,7 @@ void with_lists(A& a, B& b, const With& with) {
   with(a.materials, b.materials);
   with(a.renders, b.renders);
   with(a.derivations, b.derivations);
+  with(a.lsystems, b.lsystems);
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <vug/base/hash.h>
 #include <vug/base/rng.h>
+#include <vug/base/schema.h>
 #include <vug/field/field.h>
 #include <vug/grammar/tree.h>
 #include <vug/image/colour_space.h>
+#include <vug/lsystem/system.h>
 #include <vug/mesh/mesh.h>
 #include <vug/paint/paint.h>
 #include <vug/render/integrator.h>
@@ -144,6 +146,15 @@ struct Derivation {
   int64_t productions = 0;
 };
 
+/// `grammar NAME: lsystem { ... }`, to be derived and drawn: see lsystem/derive.h.
+struct LSystemPlan {
+  std::string name;
+  lsystem::SystemPtr system;
+  Arguments turtle;      ///< Options of its block for whoever draws it, as given.
+  SourceLocation where;  ///< Its name in the text.
+};
+using LSystemPtr = std::shared_ptr<const LSystemPlan>;
+
 struct Shot {
   std::string name;  ///< The scene file's stem.
   uint64_t seed = 0;
@@ -162,6 +173,7 @@ struct Shot {
   VolumePtr medium_volume;  ///< Whose density the medium has, if it needs one.
   std::vector<RenderPlan> renders;
   std::vector<Derivation> derivations;
+  std::vector<LSystemPtr> lsystems;
 
   /// Where its lists end, to tell later what has been added to them.
   struct Ends {

@@ -1,0 +1,25 @@
+// SHA-256, as sha256sum and Python's hashlib compute it: for words that others compute too.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace vug::cli {
+
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+
+  void add(std::string_view bytes);
+  std::string hex();  ///< 64 digits; the last call.
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vug::cli

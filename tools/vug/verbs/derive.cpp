@@ -1,0 +1,138 @@
+#include "load.h"
+#include "sha256.h"
+
+#include <vug/base/parallel.h>
+#include <vug/lsystem/derive.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace vug::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  SceneOptions scene;
+  std::string grammar;
+  lsystem::DeriveOptions how;
+  int threads = 0;
+  bool drawn = false;
+  bool count = false;
+  bool hash = false;
+  bool json = false;
+};
+
+/// The one that is asked for; of several one has to be named.
+session::LSystemPtr chosen(const session::Shot& shot, const std::string& wanted) {
+  std::vector<std::string> names;
+  for (const session::LSystemPtr& each : shot.lsystems) {
+    if (each->name == wanted) return each;
+    names.push_back(each->name);
+  }
+  if (names.empty())
+    throw Error(ErrorCode::bad_input, "the scene has no L-system", {},
+                "grammar NAME: lsystem { ... }; 'vug tree' shows other grammars");
+  if (!wanted.empty())
+    throw Error(ErrorCode::bad_input, fmt::format("the scene has no L-system '{}'", wanted), {},
+                suggestion(wanted, names));
+  if (names.size() > 1)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the scene has several L-systems: {}", fmt::join(names, ", ")), {},
+                "name one behind the scene");
+  return shot.lsystems.front();
+}
+
+/// How many modules of each name there are.
+std::map<std::string, size_t> counts(const lsystem::Word& word, const lsystem::Alphabet& alphabet) {
+  std::vector<size_t> by_symbol(alphabet.size());
+  for (const lsystem::SymbolId symbol : word.symbols()) ++by_symbol[symbol];
+  std::map<std::string, size_t> out;
+  for (size_t id = 0; id < by_symbol.size(); ++id)
+    if (by_symbol[id] > 0) out[alphabet.name(static_cast<lsystem::SymbolId>(id))] += by_symbol[id];
+  return out;
+}
+
+/// The word as text, a part at a time.
+template <class Take>
+void in_parts(const lsystem::Word& word, const lsystem::Alphabet& alphabet, const Take& take) {
+  constexpr size_t kPart = 1 << 16;
+  for (size_t begin = 0; begin < word.size(); begin += kPart)
+    take(lsystem::to_string(word, alphabet, begin, std::min(word.size(), begin + kPart)));
+}
+
+std::string hash_of(const lsystem::Word& word, const lsystem::Alphabet& alphabet) {
+  Sha256 hash;
+  in_parts(word, alphabet, [&](const std::string& part) { hash.add(part); });
+  return hash.hex();
+}
+
+void print_json(const Options& options, const lsystem::System& system, const lsystem::Word& word) {
+  Json out{{"grammar", system.name}};
+  if (system.timed)
+    out["time"] = options.how.time.value_or(system.time);
+  else
+    out["steps"] = options.how.steps.value_or(system.steps);
+  out["modules"] = word.size();
+  out["symbols"] = counts(word, system.alphabet);
+  out["sha256"] = hash_of(word, system.alphabet);
+  if (!options.count && !options.hash) out["word"] = lsystem::to_string(word, system.alphabet);
+  fmt::print("{}\n", out.dump(2));
+}
+
+int run(const Options& options) {
+  const session::Loaded loaded = options.scene.load();
+  const lsystem::System& system = *chosen(loaded.shot, options.grammar)->system;
+  if (system.timed ? options.how.steps.has_value() : options.how.time.has_value())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the L-system '{}' has {}", system.name,
+                            system.timed ? "a time, not steps" : "steps, not a time"),
+                {}, system.timed ? "--time T" : "--steps N");
+  const ThreadLimit limit(options.threads);
+  lsystem::Derivation derivation = lsystem::derive(system, options.how);
+  const lsystem::Word word = options.drawn ? lsystem::interpreted(system, std::move(derivation))
+                                           : std::move(derivation.word);
+  const lsystem::Alphabet& alphabet = system.alphabet;
+  if (options.json) {
+    print_json(options, system, word);
+  } else if (options.count) {
+    for (const auto& [name, count] : counts(word, alphabet)) fmt::print("{} {}\n", name, count);
+    fmt::print("total {}\n", word.size());
+  } else if (options.hash) {
+    fmt::print("{}\n", hash_of(word, alphabet));
+  } else {
+    in_parts(word, alphabet, [](const std::string& part) { fmt::print("{}", part); });
+    fmt::print("\n");
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Verb derive_verb() {
+  return {"derive", "Prints the word that an L-system of a scene grows.", [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            options->scene.add_to(app);
+            app.add_option("grammar", options->grammar, "which L-system, if there are several");
+            auto* steps = app.add_option("--steps", options->how.steps, "instead of the scene's")
+                              ->check(CLI::Range(0, 1000000));
+            app.add_option("--time", options->how.time, "likewise, where modules age")
+                ->check(CLI::Range(0.0, 1e9))
+                ->excludes(steps);
+            app.add_flag("--drawn", options->drawn,
+                         "as the turtle reads it: interpreted, with the words of other systems");
+            auto* count = app.add_flag("--count", options->count, "how many modules of each name");
+            app.add_flag("--hash", options->hash,
+                         "SHA-256 of the word as printed, without line end")
+                ->excludes(count);
+            app.add_flag("--json", options->json, "counts, hash and word, for programs");
+            app.add_option("--threads", options->threads, "threads; 0 means all cores")
+                ->check(CLI::Range(0, 1024));
+            return [options] { return run(*options); };
+          }};
+}
+
+}  // namespace vug::cli
