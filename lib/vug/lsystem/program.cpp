@@ -1,3 +1,4 @@
+#include <vug/base/hyperbolic.h>
 #include <vug/base/maths.h>
 #include <vug/base/rng.h>
 #include <vug/lsystem/program.h>
@@ -42,10 +43,10 @@ RandomStream stream_of(uint64_t key, uint32_t draw) {
 
 const std::vector<Function1>& functions1() {
   static const std::vector<Function1> all = {
-      {"abs", absolute},     {"floor", floor_of}, {"ceil", ceil_of},   {"round", round_of},
-      {"sqrt", square_root}, {"exp", maths::exp}, {"log", maths::log}, {"sin", maths::sin},
-      {"cos", maths::cos},   {"tan", maths::tan}, {"asin", arc_sine},  {"acos", maths::acos},
-      {"atan", arc_tangent}};
+      {"abs", absolute},     {"floor", floor_of},   {"ceil", ceil_of},      {"round", round_of},
+      {"sqrt", square_root}, {"exp", maths::exp},   {"log", maths::log},    {"sin", maths::sin},
+      {"cos", maths::cos},   {"tan", maths::tan},   {"asin", arc_sine},     {"acos", maths::acos},
+      {"atan", arc_tangent}, {"tanh", maths::tanh}, {"atanh", maths::atanh}};
   return all;
 }
 
