@@ -1,7 +1,9 @@
-// Every ```vug example of docs/language.md, tour.md, cells.md and groves.md is a scene that all of
-// the program understands: names of kinds and parameters too, which the parser alone does not know.
+// Every ```vug example of docs/language.md, tour.md, cells.md, groves.md and lsystems.md is a scene
+// that all of the program understands: names of kinds and parameters too, which the parser alone
+// does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
+#include <vug/lsystem/derive.h>
 #include <vug/session/cast.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/load.h>
@@ -36,6 +38,18 @@ TEST(Language, ExamplesMeanSomething) {
   for (const std::string& example : blocks("vug")) {
     const Loaded loaded = load_text(example, "language.md", options);
     EXPECT_EQ(loaded.report(), "") << example;
+  }
+}
+
+TEST(Language, LSystemsOfTheirPageGrow) {
+  const std::vector<std::string> examples = blocks("vug", "lsystems.md");
+  ASSERT_GE(examples.size(), 8u);
+  for (const std::string& example : examples) {
+    const Loaded loaded = load_text(example, "lsystems.md");
+    EXPECT_EQ(loaded.report(), "") << example;
+    ASSERT_FALSE(loaded.shot.lsystems.empty());
+    const lsystem::System& system = *loaded.shot.lsystems.back()->system;
+    EXPECT_GT(lsystem::interpreted(system, lsystem::derive(system)).size(), 1u) << example;
   }
 }
 
