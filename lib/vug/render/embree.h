@@ -7,12 +7,21 @@
 #include <embree3/rtcore.h>
 
 #include <map>
+#include <set>
 
 namespace vug::render {
 
-/// A search for the nearest hit; with it what the last level set that was met knows of its.
+/// What callbacks know of the ray that is on its way: all of it as it started, since Embree turns
+/// those of instances into their own space.
 struct World::Geometry::Search : RTCIntersectContext {
-  Crossing met;
+  Search(const Geometry& geometry, const Ray& world_ray, float when)
+      : of(geometry), ray(world_ray), time(when) {
+    rtcInitIntersectContext(this);
+  }
+  const Geometry& of;
+  const Ray& ray;
+  float time;
+  Crossing met;  ///< Of the last level set that was met.
 };
 
 struct World::Geometry::Embree {
@@ -25,12 +34,15 @@ struct World::Geometry::Embree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::map<const void*, Shape> shapes;  ///< By mesh or surface.
+  std::set<const mesh::Mesh*> cut;      ///< Meshes of objects that rays may pass through.
 
   ~Embree();
   void check(const char* doing) const;
   RTCScene new_scene() const;
   void attach(RTCScene to, RTCGeometry geometry, size_t number) const;
   void add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const;
+  /// Embree's question whether a triangle of something cut out is there for the ray.
+  static void pass_holes(const RTCFilterFunctionNArguments* args);
   void add_surface(RTCScene to, const volume::SurfaceBricks& surface, size_t number) const;
   void add_instance(const Shape& shape, const Placing& placing, size_t number) const;
   void build(RTCScene what) const;

@@ -75,6 +75,12 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
   for (size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
     const bool varies = object.material && object.material->shines();
+    if (object.material && object.material->cut_out() && (varies || !is_black(object.emission)))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("object '{}' shines and has holes by its material's opacity, which "
+                              "cannot be rendered",
+                              object.name),
+                  {}, "make it of two objects, or use emission_mask");
     if (object.surface && (varies || !is_black(object.emission)))
       throw Error(ErrorCode::bad_input,
                   fmt::format("object '{}' shines, but has no mesh whose triangles could be lamps",

@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/base/rng.h>
 #include <vug/render/embree.h>
 #include <vug/render/kinds.h>
 
@@ -6,6 +7,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -109,6 +111,10 @@ void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              mesh.triangles.data(), 0, sizeof(mesh::Triangle),
                              mesh.triangles.size());
+  if (cut.count(&mesh)) {
+    rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
+    rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
+  }
   attach(to, geometry, number);
   check("taking in a mesh");
 }
@@ -157,6 +163,8 @@ World::Geometry::Geometry(const std::vector<Object>& objects)
     throw Error(ErrorCode::internal, "the ray tracing library does not start on this machine");
   embree_->scene = embree_->new_scene();
   bounds.makeEmpty();
+  for (const Object& object : objects)
+    if (object.material && object.material->cut_out()) embree_->cut.insert(object.mesh.get());
   for (const Object& object : objects) add(object, static_cast<uint32_t>(&object - objects.data()));
   embree_->build(embree_->scene);
 }
@@ -171,6 +179,13 @@ void World::Geometry::add(const Object& object, uint32_t number) {
   part.solid = object.solid;
   part.placing = object.placing;
   part.looks_by_place = object.looks_by_place;
+  part.cut = part.material->cut_out();
+  if (part.cut && object.surface)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("object '{}' has holes by its material's opacity, but no mesh to cut "
+                            "them in",
+                            object.name),
+                {}, "leave out 'direct'");
   if (object.surface) {
     if (object.surface->bricks().empty()) return;
     part.surface = object.surface;
@@ -216,23 +231,16 @@ bool World::Geometry::intersect(const Ray& ray, float time, Hit& hit) const {
   query.ray.tnear = 0, query.ray.tfar = kFar, query.ray.time = time;
   query.ray.mask = ~0u, query.ray.id = 0, query.ray.flags = 0;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID, query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  Search search;
-  rtcInitIntersectContext(&search);
+  Search search(*this, ray, time);
   rtcIntersect1(embree_->scene, &search, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   const bool own = query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
   const Part& part = parts_[own ? query.hit.geomID : query.hit.instID[0]];
   if (part.surface)
     fill_surface(part, query.hit.primID, search, time, ray, hit);
-  else if (own)
-    fill(part, query.hit.primID, OwnSpace(), ray, hit);
   else
-    fill(part, query.hit.primID, PlacedSpace(*part.placing, time), ray, hit);
-  if (!own) {
-    hit.surface.placing = part.placing.get();
-    hit.surface.looks_by_place = part.looks_by_place;
-    hit.surface.time = time;
-  }
+    fill_mesh(part, query.hit.primID, ray, time, hit);
+  if (!own) set_place(part, time, hit);
   return true;
 }
 
@@ -242,10 +250,48 @@ bool World::Geometry::occluded(const Ray& ray, float distance, float time) const
   query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
   query.tnear = 0, query.tfar = distance, query.time = time;
   query.mask = ~0u, query.id = 0, query.flags = 0;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(embree_->scene, &context, &query);
+  Search search(*this, ray, time);
+  rtcOccluded1(embree_->scene, &search, &query);
   return query.tfar < 0;
+}
+
+void World::Geometry::fill_mesh(const Part& part, uint32_t triangle, const Ray& ray, float time,
+                                Hit& hit) const {
+  if (part.placing)
+    fill(part, triangle, PlacedSpace(*part.placing, time), ray, hit);
+  else
+    fill(part, triangle, OwnSpace(), ray, hit);
+}
+
+void World::Geometry::set_place(const Part& part, float time, Hit& hit) {
+  hit.surface.placing = part.placing.get();
+  hit.surface.looks_by_place = part.looks_by_place;
+  hit.surface.time = time;
+}
+
+bool World::Geometry::passes(uint32_t number, uint32_t triangle, const Search& search) const {
+  const Part& part = parts_[number];
+  if (!part.cut) return false;
+  Hit hit;
+  fill_mesh(part, triangle, search.ray, search.time, hit);
+  if (part.placing) set_place(part, search.time, hit);
+  const float opacity = part.material->opacity(hit.surface);
+  if (opacity <= 0 || opacity >= 1) return opacity <= 0;
+  const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x)}; };
+  const Vec3f &o = search.ray.origin, &d = search.ray.direction;
+  const RandomKey key = RandomKey(bits(o.x) << 32 | bits(o.y))
+                            .at(bits(o.z) << 32 | bits(d.x))
+                            .at(bits(d.y) << 32 | bits(d.z))
+                            .at(uint64_t{number} << 32 | triangle);
+  return static_cast<float>(RandomStream(key).bits() >> 8) * 0x1p-24f >= opacity;
+}
+
+void World::Geometry::Embree::pass_holes(const RTCFilterFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);  // rays come one at a time
+  const bool own = hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
+  const auto& search = *static_cast<const Search*>(args->context);
+  if (search.of.passes(own ? hit.geomID : hit.instID[0], hit.primID, search)) args->valid[0] = 0;
 }
 
 template <class Space>

@@ -47,14 +47,21 @@ struct World::Geometry {
     std::shared_ptr<const field::SampledGrid> solid;
     PlacingPtr placing;
     bool looks_by_place = false;
+    bool cut = false;                  ///< See Material::cut_out.
     volume::SurfaceBricksPtr surface;  ///< In place of the mesh; then also:
     paint::Paint color;
     bool flat = false;
   };
   void add(const Object& object, uint32_t number);
+  /// Whether the ray goes on through a triangle that has holes: by its opacity there, with a chance
+  /// that hangs on the ray and the triangle only.
+  bool passes(uint32_t part, uint32_t triangle, const Search& search) const;
   template <class Space>
   void fill(const Part& part, uint32_t triangle, const Space& space, const Ray& ray,
             Hit& hit) const;
+  void fill_mesh(const Part& part, uint32_t triangle, const Ray& ray, float time, Hit& hit) const;
+  /// What the hit of an instance knows besides.
+  static void set_place(const Part& part, float time, Hit& hit);
   static void fill_surface(const Part& part, uint32_t brick, const Search& search, float time,
                            const Ray& ray, Hit& hit);
 

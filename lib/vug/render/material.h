@@ -66,6 +66,11 @@ class Material {
   virtual bool shines() const { return false; }
   virtual Rgb emission(const Surface& surface) const { return (void)surface, Rgb(0.0f); }
 
+  /// It has holes, or is there only in part: rays pass through with the chance that `opacity`
+  /// leaves, as if nothing were there. The normal of that surface is not bent by bumps yet.
+  virtual bool cut_out() const { return false; }
+  virtual float opacity(const Surface& surface) const { return (void)surface, 1.0f; }
+
   /// Bends the shading normal over small forms, before `at`; false where it stays.
   virtual bool bump(Surface& surface) const { return (void)surface, false; }
   /// Light that was scattered beneath the surface (BsdfSample::beneath) and comes out here; the

@@ -85,6 +85,11 @@ class MixMaterial final : public Material {
     return (share_at(surface) < 0.5f ? p_.a : p_.b)->bump(surface);
   }
   bool thin() const override { return p_.a->thin(); }
+  bool cut_out() const override { return p_.a->cut_out() || p_.b->cut_out(); }
+  float opacity(const Surface& surface) const override {
+    const float share = share_at(surface);
+    return p_.a->opacity(surface) * (1 - share) + p_.b->opacity(surface) * share;
+  }
   bool shines() const override { return p_.a->shines() || p_.b->shines(); }
   Rgb emission(const Surface& surface) const override {
     const float share = share_at(surface);

@@ -42,6 +42,7 @@ struct SurfaceParams {
   bool thin = false;
   NumberInput through = 0.5;
   ColorInput through_color = Vec3d(1);
+  NumberInput opacity = 1;
   ColorInput emission = Vec3d(1);
   NumberInput emission_mask = 1;
   double emission_radiance = 0;
@@ -99,6 +100,9 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
              share("Of a thin sheet's subsurface share: the part that comes out behind."))
       .param("through_color", &P::through_color,
              share("What a thin sheet takes from light that goes through it."))
+      .param("opacity", &P::opacity,
+             share("Part that is there at all: 0 where the mesh has holes, which let light and "
+                   "shadow rays through."))
       .param("emission_radiance", &P::emission_radiance,
              {.doc = "Radiance (W/sr/m^2) that the outside sends out where its colour and mask are "
                      "1: such objects are lamps.",
@@ -262,6 +266,10 @@ class SurfaceMaterial final : public Material {
   size_t memory_bytes() const override { return BsdfMemory::bytes<SurfaceBsdf>(); }
   bool bump(Surface& surface) const override;
   bool thin() const override { return p_.thin; }
+  bool cut_out() const override { return p_.opacity.varying || p_.opacity.constant < 1; }
+  float opacity(const Surface& surface) const override {
+    return p_.opacity.at(SurfaceSpot(surface).spot());
+  }
   bool shines() const override {
     return p_.emission_radiance > 0 &&
            (p_.emission_mask.varying || p_.emission_mask.constant > 0) &&

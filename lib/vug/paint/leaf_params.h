@@ -1,0 +1,35 @@
+// Inside paint/ only: what masks of leaves have in common.
+#pragma once
+
+#include <vug/paint/kind.h>
+#include <vug/paint/leaf_pattern.h>
+
+#include <optional>
+
+namespace vug::paint {
+
+struct LeafParams {
+  double widest = LeafOutline().widest;
+  double tip = LeafOutline().tip;
+
+  LeafOutline outline() const { return {widest, tip}; }
+};
+
+/// The parameters that leaf(...) has, too, which are to be the same there.
+template <class P>
+void describe_outline(Schema<P>& s) {
+  s.param("widest", &LeafParams::widest,
+          {.doc = "share of the length where the leaf is widest", .min = 0.05, .max = 0.95})
+      .param("tip", &LeafParams::tip,
+             {.doc = "the larger, the longer and finer it tapers", .min = 0.1, .max = 10});
+}
+
+/// Nothing on meshes that are no leaves.
+inline std::optional<LeafPlace> leaf_place(const Spot& spot) {
+  if (!spot.attributes) return std::nullopt;
+  const auto across = spot.attributes->read(kLeafAcross), along = spot.attributes->read(kLeafAlong);
+  if (!across || !along) return std::nullopt;
+  return LeafPlace{across->x, along->x};
+}
+
+}  // namespace vug::paint

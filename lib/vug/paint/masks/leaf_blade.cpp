@@ -1,0 +1,25 @@
+#include <vug/paint/leaf_params.h>
+
+namespace vug::paint {
+namespace {
+
+struct LeafBlade : LeafParams {
+  static void describe(Schema<LeafBlade>& s) {
+    s.doc(
+        "1 within the outline of a leaf, 0 outside: the opacity of leaves on cards. Looks at the "
+        "numbers that meshes of leaf(...) carry; 1 on other meshes.");
+    describe_outline(s);
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(leaf_blade) {
+  return mask_kind<LeafBlade>("leaf_blade", [](const LeafBlade& p) {
+    return make_mask([outline = p.outline()](const Spot& spot) {
+      const auto place = leaf_place(spot);
+      return !place || outline.holds(*place) ? 1.0 : 0.0;
+    });
+  });
+}

@@ -1,0 +1,38 @@
+#include <vug/paint/leaf_params.h>
+
+namespace vug::paint {
+namespace {
+
+struct LeafVeinsMask : LeafParams {
+  int count = LeafVeins().count;
+  double midrib = LeafVeins().midrib;
+  double cross_veins = LeafVeins().cross_veins;
+
+  static void describe(Schema<LeafVeinsMask>& s) {
+    s.doc(
+         "1 on the midrib of a leaf, up to 0.5 on its veins, 0 between and on other meshes than "
+         "those of leaf(...).")
+        .param("count", &LeafVeinsMask::count,
+               {.doc = "veins of each half, which run along it", .min = 0, .max = 100})
+        .param("midrib", &LeafVeinsMask::midrib,
+               {.doc = "share of the width that the midrib takes", .min = 0, .max = 1})
+        .param("cross_veins", &LeafVeinsMask::cross_veins,
+               {.doc = "fine ones across, over its length: the chequers of bamboo",
+                .min = 0,
+                .max = 1000});
+    describe_outline(s);
+  }
+};
+
+}  // namespace
+}  // namespace vug::paint
+
+VUG_MASK_KIND(leaf_veins) {
+  return mask_kind<LeafVeinsMask>("leaf_veins", [](const LeafVeinsMask& p) {
+    const LeafVeins veins{p.count, p.midrib, p.cross_veins};
+    return make_mask([outline = p.outline(), veins](const Spot& spot) {
+      const auto place = leaf_place(spot);
+      return place ? vein_at(*place, outline, veins) : 0.0;
+    });
+  });
+}
