@@ -1,0 +1,159 @@
+// Rewriting parametric words: modules that come out per second, beside loops that are written by
+// hand for the one rule they know, and beside copying the bytes alone.
+#include <vug/base/parallel.h>
+#include <vug/lsystem/compile.h>
+#include <vug/lsystem/derive.h>
+#include <vug/scene/parser.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+
+namespace vug::lsystem {
+namespace {
+
+constexpr int kSteps = 12;  // a word of 3.7 million modules, 5.6 million in all steps
+
+/// One rule that guards, computes and branches, and one that only computes.
+const char* const kPlant = R"(grammar plant: lsystem {
+  axiom A(1, 0.1)
+  A(l, w) if l > 0.0001 -> F(l, w)[+(0.5rad)A(l*0.7, w*0.6)]A(l*0.9, w)
+  F(l, w) -> F(l*1.01, w + 0.001)
+})";
+const char* const kSteady = R"(grammar steady: lsystem {
+  axiom A(1, 2)
+  A(x, y) if x < 1000000000 -> A(x*0.5 + y, y)
+})";
+const char* const kChance = R"(grammar chance: lsystem {
+  axiom A(1, 2)
+  A(x, y) @1 -> A(x*0.5, y)
+  A(x, y) @2 -> A(x*0.5, 0.5..y)
+})";
+
+SystemPtr system_of(const char* text) {
+  Diagnostics diagnostics;
+  const scene::Document document = scene::parse(text, "bench", diagnostics);
+  scene::Resolver resolver;
+  scene::Evaluator evaluator(document, resolver, diagnostics);
+  return compile(document.grammars.at(0), evaluator,
+                 [](const auto&, const auto&) { return nullptr; });
+}
+
+void Plant(benchmark::State& state) {
+  const SystemPtr system = system_of(kPlant);
+  const ThreadLimit threads(static_cast<int>(state.range(0)));
+  int64_t made = 0;
+  for (auto _ : state) {
+    Rewriter rewriter(*system);
+    Derivation word;
+    rewriter.start(word);
+    for (int step = 0; step < kSteps * 3 / 2; ++step) {
+      rewriter.rewrite(system->books[0], word, Mode::step);
+      made += static_cast<int64_t>(word.word.size());
+    }
+    benchmark::DoNotOptimize(word.word.symbols().data());
+  }
+  state.SetItemsProcessed(made);
+}
+BENCHMARK(Plant)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// The same two rules written out: arrays as the engine has them, no programs, one pass.
+struct Rows {
+  Array<SymbolId> symbols;
+  Array<uint32_t> ends;
+  Array<double> values;
+};
+
+void grow(const Rows& in, Rows& out) {
+  enum : SymbolId { kA, kF, kOpen, kTurn, kClose };
+  const auto put = [&](SymbolId symbol) {
+    out.symbols.push_back(symbol);
+    out.ends.push_back(static_cast<uint32_t>(out.values.size()));
+  };
+  const auto pair = [&](double a, double b) {
+    out.values.push_back(a);
+    out.values.push_back(b);
+  };
+  out.symbols.clear(), out.ends.clear(), out.values.clear();
+  for (size_t i = 0; i < in.symbols.size(); ++i) {
+    const double* v = in.values.data() + (i == 0 ? 0 : in.ends[i - 1]);
+    if (in.symbols[i] == kA && v[0] > 0.0001) {
+      pair(v[0], v[1]), put(kF);
+      put(kOpen);
+      out.values.push_back(0.5), put(kTurn);
+      pair(v[0] * 0.7, v[1] * 0.6), put(kA);
+      put(kClose);
+      pair(v[0] * 0.9, v[1]), put(kA);
+    } else if (in.symbols[i] == kF) {
+      pair(v[0] * 1.01, v[1] + 0.001), put(kF);
+    } else {
+      for (size_t k = i == 0 ? 0 : in.ends[i - 1]; k < in.ends[i]; ++k)
+        out.values.push_back(in.values[k]);
+      put(in.symbols[i]);
+    }
+  }
+}
+
+void PlantByHand(benchmark::State& state) {
+  int64_t made = 0;
+  for (auto _ : state) {
+    Rows word{{0}, {2}, {1, 0.1}}, next;
+    for (int step = 0; step < kSteps * 3 / 2; ++step) {
+      grow(word, next);
+      std::swap(word, next);
+      made += static_cast<int64_t>(word.symbols.size());
+    }
+    benchmark::DoNotOptimize(word.symbols.data());
+  }
+  state.SetItemsProcessed(made);
+}
+BENCHMARK(PlantByHand)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+Word row_of(const System& system, size_t count) {
+  Word word;
+  const double values[] = {1, 2};
+  for (size_t i = 0; i < count; ++i) word.append(system.axiom.symbols[0], values);
+  return word;
+}
+
+constexpr size_t kRow = 1 << 20;
+
+/// A row of modules, each replaced by one, again and again.
+void Steady(benchmark::State& state, const char* text) {
+  const SystemPtr system = system_of(text);
+  const ThreadLimit threads(static_cast<int>(state.range(0)));
+  Rewriter rewriter(*system);
+  Derivation word{row_of(*system, kRow), {}};
+  if (system->random)
+    for (size_t i = 0; i < kRow; ++i) word.keys.push_back(i);
+  for (auto _ : state) rewriter.rewrite(system->books[0], word, Mode::step);
+  state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * kRow));
+}
+BENCHMARK_CAPTURE(Steady, guarded, kSteady)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Steady, chance, kChance)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// What copying such a row takes: the limit that memory sets.
+void CopyRow(benchmark::State& state) {
+  const SystemPtr system = system_of(kSteady);
+  const Word from = row_of(*system, kRow);
+  Word to = from;
+  for (auto _ : state) {
+    std::memcpy(to.symbols().data(), from.symbols().data(), from.symbols().size_bytes());
+    std::memcpy(to.starts().data(), from.starts().data(), from.starts().size_bytes());
+    std::memcpy(to.values().data(), from.values().data(), from.values().size_bytes());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(static_cast<int64_t>(state.iterations() * kRow));
+}
+BENCHMARK(CopyRow)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace vug::lsystem
