@@ -108,8 +108,11 @@ TEST_P(EveryScene, IsAsKnown) {
     overrides.push_back({name, value.get<std::string>()});
   const Loaded loaded = load_scene(GetParam(), overrides);
   ASSERT_TRUE(loaded.usable());
+  expect_words(loaded.shot, facts);
+  if (loaded.shot.lsystems.empty()) {
+    ASSERT_FALSE(meshes_of(loaded.shot).empty());
+  }
   Builder builder(loaded.shot);
-  ASSERT_FALSE(meshes_of(loaded.shot).empty());
   for (const MeshPtr& plan : meshes_of(loaded.shot)) {
     SCOPED_TRACE(plan->name);
     const auto mesh = builder.mesh(plan);
@@ -120,9 +123,9 @@ TEST_P(EveryScene, IsAsKnown) {
     expect_facts(metrics::measure(*mesh, {/*self_intersections=*/false}), known.at(plan->name));
     expect_attributes(*mesh, known.at(plan->name));
   }
-  for (const auto& entry : facts.at("meshes").items())
+  for (const auto& entry : facts.value("meshes", json::object()).items())
     EXPECT_TRUE(has_mesh(loaded.shot, entry.key())) << "the scene has no mesh " << entry.key();
-  expect_written(builder, GetParam());
+  if (!meshes_of(loaded.shot).empty()) expect_written(builder, GetParam());
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {

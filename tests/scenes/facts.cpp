@@ -1,6 +1,7 @@
 #include "facts.h"
 
 #include <vug/base/atomic_file.h>
+#include <vug/lsystem/derive.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -72,6 +73,26 @@ void expect_facts(const metrics::Report& report, const json& facts) {
       EXPECT_NEAR(measured.at("bounds").at(end).at(axis).get<double>(),
                   facts.at("bounds").at(end).at(axis).get<double>(), share * size)
           << measured;
+}
+
+void expect_words(const Shot& shot, const json& facts) {
+  const json wanted = facts.value("words", json::object());
+  EXPECT_EQ(shot.lsystems.size(), wanted.size()) << "each L-system has its facts";
+  for (const LSystemPtr& plan : shot.lsystems) {
+    SCOPED_TRACE(plan->name);
+    ASSERT_TRUE(wanted.contains(plan->name)) << "no facts about this L-system";
+    const json& known = wanted.at(plan->name);
+    const lsystem::System& system = *plan->system;
+    lsystem::Derivation derivation = lsystem::derive(system);
+    const lsystem::Word word = known.value("drawn", false)
+                                   ? lsystem::interpreted(system, std::move(derivation))
+                                   : std::move(derivation.word);
+    EXPECT_EQ(word.size(), known.at("modules").get<size_t>());
+    std::map<std::string, size_t> counts;
+    for (const lsystem::SymbolId symbol : word.symbols()) ++counts[system.alphabet.name(symbol)];
+    for (const auto& [name, count] : known.at("symbols").items())
+      EXPECT_EQ(counts[name], count.get<size_t>()) << name;
+  }
 }
 
 void expect_attributes(const mesh::Mesh& mesh, const json& facts) {

@@ -30,6 +30,10 @@ const nlohmann::json& scene_facts();
 /// Fails the test where the report is not what the facts say, and then tells what it is.
 void expect_facts(const metrics::Report& report, const nlohmann::json& facts);
 
+/// The same for the words of the scene's L-systems: "words" of a scene's facts are {GRAMMAR:
+/// {"modules": N, "symbols": {NAME: N}}}, as they are drawn where "drawn" is true.
+void expect_words(const Shot& shot, const nlohmann::json& facts);
+
 /// The same for what the mesh carries.
 void expect_attributes(const mesh::Mesh& mesh, const nlohmann::json& facts);
 

@@ -215,7 +215,8 @@ class Compiler {
       std::optional<int> count = 1;
       if (turn.count) count = evaluator_.count(*turn.count, evaluator_.root().at("schedule"));
       if (!count) throw Faulty{};
-      if (*count > 1'000'000) fail(turn.where, "a turn of more than a million steps");
+      if (system_.schedule.size() + static_cast<size_t>(*count) > 1'000'000)
+        fail(turn.where, "a schedule of more than a million steps");
       const auto table = std::find_if(text_.tables.begin(), text_.tables.end(),
                                       [&](const auto& one) { return one.name == turn.table; });
       system_.schedule.insert(system_.schedule.end(), static_cast<size_t>(*count),
@@ -278,7 +279,8 @@ class Compiler {
     for (size_t i = 0; i < own; ++i) {
       const auto id = static_cast<SymbolId>(i);
       const std::string name = system_.alphabet.name(id);
-      if (heads.count(id) || system_.alphabet.parameters(id) > 1) continue;
+      if (heads.count(id) || system_.alphabet.parameters(id) > 1 || scene::is_turtle_name(name))
+        continue;
       const SystemPtr inner = find_(name, grammar_.where);
       if (!inner) continue;
       SubSystem sub{inner, {}};

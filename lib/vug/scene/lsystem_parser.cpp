@@ -263,6 +263,8 @@ void LSystemParser::sides(Production& production) {
   for (const Pattern& one : production.right) {
     open += one.name == "[" ? 1 : one.name == "]" ? -1 : 0;
     if (open < 0) break;
+    if (open > cursor_.options().max_nesting)
+      cursor_.fail(first, fmt::format("more than {} levels of nesting", open - 1));
   }
   if (open != 0) cursor_.error(first, "unbalanced brackets in the right context");
 }

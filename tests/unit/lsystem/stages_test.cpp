@@ -98,6 +98,13 @@ TEST(SubSystems, AModuleStandsForAWord) {
   EXPECT_EQ(drawn(*compiled.system, 1), "FF[+F[+L][-L]][-F[+L][-L]]F[+L][-L]");
 }
 
+TEST(SubSystems, TheTurtlesNamesStandForThemselves) {
+  const Compiled compiled =
+      compile_text("grammar F: lsystem { axiom A }\ngrammar plant: lsystem { axiom F F }");
+  ASSERT_TRUE(compiled.system) << compiled.report;
+  EXPECT_EQ(drawn(*compiled.system, 0), "FF");
+}
+
 TEST(SubSystems, EachDrawsOnItsOwn) {
   const Compiled compiled = compile_text(R"(
     grammar Leaf: lsystem { axiom F(0..1) }
