@@ -1,5 +1,7 @@
 #include <vug/flora/polygon_mesh.h>
+#include <vug/mesh/normals.h>
 #include <vug/mesh/polygon.h>
+#include <vug/mesh/weld.h>
 
 namespace vug::flora {
 
@@ -20,12 +22,13 @@ mesh::Mesh polygon_mesh(const lsystem::Drawing& drawing) {
       mesh::add_polygon(mesh, corners);
     else
       mesh.positions.resize(mesh.positions.size() - corners.size());
-    const size_t more = mesh.positions.size() - mesh.normals.size();
-    mesh.normals.insert(mesh.normals.end(), more, Vec3f(area.normalized()));
+    const size_t more = mesh.positions.size() - order.values.size();
     order.values.insert(order.values.end(), more, static_cast<float>(polygon.order));
     colour.values.insert(colour.values.end(), more, static_cast<float>(polygon.colour));
   }
   mesh.attributes = {std::move(order), std::move(colour)};
+  mesh = mesh::welded(mesh);
+  mesh.normals = mesh::vertex_normals(mesh);
   return mesh;
 }
 

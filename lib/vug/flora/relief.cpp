@@ -70,21 +70,29 @@ double NodeRelief::groove_shape(const ReliefNode& node, double along) const {
   return smooth(std::min(1.0, x / kSink)) * smooth(std::min(1.0, (1 - x) / kFade));
 }
 
-double NodeRelief::grooves(double along, double angle) const {
-  if (deepest_ == 0) return 0;
+const ReliefNode* NodeRelief::below(double along) const {
   const auto above =
       std::upper_bound(nodes_.begin(), nodes_.end(), along,
                        [](double s, const ReliefNode& node) { return s < node.along; });
-  if (above == nodes_.begin()) return 0;
-  const ReliefNode& node = *(above - 1);
+  return above == nodes_.begin() ? nullptr : &*(above - 1);
+}
+
+double NodeRelief::beds(double along, double angle) const {
+  const ReliefNode* node = below(along);
+  if (!node || deepest_ == 0) return 0;
   double most = 0;
-  for (const double bed : node.angles) {
+  for (const double bed : node->angles) {
     double off = std::fabs(angle - bed);
     off -= 2 * kPi * std::floor(off / (2 * kPi));
     off = std::min(off, 2 * kPi - off);
     most = std::max(most, bump(off / relief_.groove_width));
   }
-  return most * relief_.groove * node.radius * groove_shape(node, along);
+  return most > 0 ? most * groove_shape(*node, along) : 0;
+}
+
+double NodeRelief::grooves(double along, double angle) const {
+  const double bed = beds(along, angle);
+  return bed > 0 ? bed * relief_.groove * below(along)->radius : 0;
 }
 
 std::vector<double> NodeRelief::rows() const {

@@ -47,6 +47,8 @@ class NodeRelief {
 
   /// Metres outwards of rings alone, the same all around.
   double rings(double along) const;
+  /// 1 in the bed of a groove, 0 outside of grooves.
+  double beds(double along, double angle) const;
   /// Metres inwards of the grooves.
   double grooves(double along, double angle) const;
 
@@ -61,6 +63,7 @@ class NodeRelief {
  private:
   double ring_of(const ReliefNode& node, double along) const;
   double groove_shape(const ReliefNode& node, double along) const;
+  const ReliefNode* below(double along) const;  ///< The node whose internode it is; null: none.
 
   Relief relief_;
   std::vector<ReliefNode> nodes_;

@@ -11,7 +11,8 @@
 namespace vug::flora {
 namespace {
 
-/// What the attributes of a row are, in the order of stem_attributes().
+/// What the attributes of a row are, in the order of stem_attributes(); the last one of those
+/// differs from vertex to vertex.
 using RowValues = std::array<double, 9>;
 
 RowValues values_of(const Tube& tube, const Row& row, double age) {
@@ -22,10 +23,11 @@ RowValues values_of(const Tube& tube, const Row& row, double age) {
   const double below = next == nodes.begin() ? tube.start() : (next - 1)->along;
   const double above = next == nodes.end() ? tube.end() : next->along;
   const double part = above > below ? (row.along - below) / (above - below) : 0;
+  constexpr double kNone = 1000;  // there is no such node
   return {row.along,
           row.along / tube.end(),
-          row.along - below,
-          above - row.along,
+          next == nodes.begin() ? kNone : row.along - below,
+          next == nodes.end() ? kNone : above - row.along,
           number + part,
           static_cast<double>(tube.order()),
           age,
@@ -80,6 +82,8 @@ class Weaver {
                                                 : tube_.displaced(row.along, a.angle));
       const Vec3d way = ring.frame.normal * a.cosine + ring.frame.binormal * a.sine;
       mesh_.positions.emplace_back(ring.centre + way * out);
+      const double bed = row.inner ? 0 : tube_.relief().beds(row.along, a.angle);
+      mesh_.attributes.back().values.push_back(static_cast<float>(bed));
     }
     describe(row, ring.age, around_.size());
     return first;
@@ -103,6 +107,7 @@ class Weaver {
     const auto pole = static_cast<uint32_t>(mesh_.positions.size());
     const Ring middle = tube_.at(row.along);
     mesh_.positions.emplace_back(middle.centre);
+    mesh_.attributes.back().values.push_back(0);
     describe(row, middle.age, 1);
     const auto n = static_cast<uint32_t>(sides_);
     for (uint32_t j = 0; j < n; ++j) {
@@ -127,13 +132,14 @@ const std::vector<AttributeInfo>& stem_attributes() {
   static const std::vector<AttributeInfo> all = {
       {"along", "metres along the stem from its start"},
       {"height", "the same as a share of the stem's length"},
-      {"above_node", "metres above the last node"},
-      {"below_node", "metres below the next node"},
+      {"above_node", "metres above the last node, 1000 where there is none"},
+      {"below_node", "metres below the next node, 1000 where there is none"},
       {"internode", "nodes below, and the share of the internode above the last of them"},
       {"order", "0 on culms, 1 on branches, ..."},
       {"age", "what the turtle's age was"},
       {"radius", "of the smooth stem there, metres"},
       {"inside", "1 where a cut or the hollow shows, else 0"},
+      {"groove", "1 in the bed of the groove above a branch, 0 outside of it"},
   };
   return all;
 }

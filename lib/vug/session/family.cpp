@@ -5,10 +5,12 @@
 #include <vug/flora/distribution.h>
 #include <vug/paint/kind.h>
 #include <vug/render/kinds.h>
+#include <vug/session/curves.h>
 #include <vug/session/family.h>
 #include <vug/session/family_kinds.h>
 #include <vug/session/objects.h>
 #include <vug/session/places.h>
+#include <vug/session/plants.h>
 #include <vug/session/stages.h>
 #include <vug/session/volume_kinds.h>
 
@@ -20,10 +22,11 @@
 namespace vug::session {
 namespace {
 
-template <class Product>
-Family family(const Kinds<Product>& kinds) {
+template <class Product, class... More>
+Family family(const Kinds<Product>& kinds, const More&... more) {
   Family out{ValueTraits<Product>::type(), {}};
-  for (const Kind<Product>* kind : kinds) out.kinds.push_back(as_family_kind(*kind));
+  for (const Kinds<Product>* each : {&kinds, &more...})
+    for (const Kind<Product>* kind : *each) out.kinds.push_back(as_family_kind(*kind));
   return out;
 }
 
@@ -46,12 +49,24 @@ namespace {
 
 std::vector<Family>& own_families() {
   static std::vector<Family> all = {
-      family(field::field_kinds()),   family(field::blends()),    family(field::noises()),
-      family(volume_kinds()),         family(paint::masks()),     family(paint::paints()),
-      family(render::materials()),    family(render::lights()),   family(render::media()),
-      family(render::cameras()),      family(render::samplers()), family(render::integrators()),
-      family(places_kinds()),         family(model_kinds()),      family(cells::grids()),
-      family(flora::distributions()), family(cell_stages()),
+      family(field::field_kinds(), plant_kinds()),
+      family(field::blends()),
+      family(field::noises()),
+      family(volume_kinds()),
+      family(paint::masks()),
+      family(paint::paints()),
+      family(render::materials()),
+      family(render::lights()),
+      family(render::media()),
+      family(render::cameras()),
+      family(render::samplers()),
+      family(render::integrators()),
+      family(places_kinds()),
+      family(model_kinds()),
+      family(cells::grids()),
+      family(flora::distributions()),
+      family(cell_stages()),
+      family(curve_kinds()),
   };
   return all;
 }

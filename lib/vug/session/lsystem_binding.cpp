@@ -1,5 +1,6 @@
 #include <vug/lsystem/compile.h>
 #include <vug/session/lsystem_binding.h>
+#include <vug/session/turtle_block.h>
 
 #include <fmt/format.h>
 
@@ -8,34 +9,12 @@
 namespace vug::session {
 namespace {
 
-/// Those of the turtle, whose defaults are lsystem::TurtleOptions'.
-struct TurtleOption {
-  const char* name;
-  const char* type;
-  Dimension dimension;
-  const char* doc;
-};
-constexpr TurtleOption kTurtleOptions[] = {
-    {"angle", "number", Dimension::angle, "what + - & ^ \\ / turn by where they do not say"},
-    {"step", "number", Dimension::length, "how far F, G and f go where they do not say"},
-    {"width", "number", Dimension::length, "diameter of stems until ! says otherwise"},
-    {"thinner", "number", Dimension::ratio, "what ! without a parameter multiplies the width by"},
-    {"tropism", "vector", Dimension::none, "what stems turn to, of any length"},
-    {"elasticity", "number", Dimension::none, "how much they do: e |H x T| radians at each F"},
-    {"guides", "list of curve", Dimension::none, "what guide(0), guide(1), ... follow"},
-    {"instances", "list of name", Dimension::none, "symbols that set a thing: leaf, flower"},
-    {"smooth", "number", Dimension::angle, "how far a guide may bend from station to station"},
-    {"field", "field", Dimension::none, "what the queries ?D measure the distance to"},
-};
-
-ParamInfo option(const char* name, const char* type, const char* fallback, const char* doc,
-                 Dimension dimension = Dimension::none) {
+ParamInfo option(const char* name, const char* type, const char* fallback, const char* doc) {
   ParamInfo info;
   info.name = name;
   info.type = type;
   info.fallback = fallback;
   info.doc = doc;
-  info.dimension = dimension;
   return info;
 }
 
@@ -52,7 +31,7 @@ Value entry_value(const scene::Entry& entry, const scene::Grammar& grammar, Read
   List values;
   for (const scene::ExprPtr& expr : entry.values) {
     const bool bare = is_names(entry.key) && expr->kind == scene::ExprKind::name;
-    values.push_back(bare ? Value(Value::Name{expr->text})
+    values.push_back(bare ? Value(expr->text)
                           : reading.evaluator.eval(*expr, key.at(entry.key).at(values.size())));
     if (values.back().empty()) return {};
   }
@@ -96,8 +75,8 @@ const KindInfo& lsystem_info() {
         option("limit", "whole number", "10000000", "modules of a word at most"),
         option("seed", "whole number", "", "in place of the scene's"),
     };
-    for (const TurtleOption& each : kTurtleOptions)
-      info.params.push_back(option(each.name, each.type, "", each.doc, each.dimension));
+    const std::vector<ParamInfo>& turtle = turtle_schema().info().params;
+    info.params.insert(info.params.end(), turtle.begin(), turtle.end());
     return info;
   }();
   return kind;
@@ -122,7 +101,10 @@ Value bind_lsystem(const scene::Grammar& grammar, Reading& reading) {
   };
   plan.system = lsystem::compile(grammar, reading.evaluator, find);
   if (!plan.system || !sound) return {};
-  auto made = std::make_shared<const LSystemPlan>(std::move(plan));
+  const std::optional<TurtleBlock> turtle =
+      turtle_schema().bind(plan.turtle, grammar.where, reading.diagnostics);
+  if (!turtle) return {};
+  const LSystemPtr made = std::make_shared<const DrawnSystem>(std::move(plan), *turtle);
   reading.shot.lsystems.push_back(made);
   return ValueTraits<LSystemPtr>::write(made);
 }

@@ -1,6 +1,6 @@
-// Every ```vug example of docs/language.md, tour.md, cells.md, groves.md and lsystems.md is a scene
-// that all of the program understands: names of kinds and parameters too, which the parser alone
-// does not know.
+// Every ```vug example of docs/language.md, tour.md, cells.md, groves.md, lsystems.md and bamboo.md
+// is a scene that all of the program understands: names of kinds and parameters too, which the
+// parser alone does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/lsystem/derive.h>
@@ -50,6 +50,19 @@ TEST(Language, LSystemsOfTheirPageGrow) {
     ASSERT_FALSE(loaded.shot.lsystems.empty());
     const lsystem::System& system = *loaded.shot.lsystems.back()->system;
     EXPECT_GT(lsystem::interpreted(system, lsystem::derive(system)).size(), 1u) << example;
+  }
+}
+
+TEST(Language, PlantsOfTheBambooPageShow) {
+  LoadOptions options;
+  options.include_folders = {fs::path(VUG_DATA)};
+  const std::vector<std::string> examples = blocks("vug", "bamboo.md");
+  ASSERT_GE(examples.size(), 3u);
+  for (const std::string& example : examples) {
+    const Loaded loaded = load_text(example, "bamboo.md", options);
+    ASSERT_EQ(loaded.report(), "") << example;
+    Builder builder(loaded.shot);
+    EXPECT_FALSE(cast_of(builder).objects.empty()) << example;
   }
 }
 

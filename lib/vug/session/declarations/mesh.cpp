@@ -2,6 +2,7 @@
 #include <vug/mesh/normals.h>
 #include <vug/mesh/weld.h>
 #include <vug/paint/kind.h>
+#include <vug/session/drawn.h>
 #include <vug/session/reader.h>
 
 #include <fmt/format.h>
@@ -19,14 +20,16 @@ std::vector<std::pair<std::string, std::string>> formats() {
 struct Block : MeshPlan {
   std::filesystem::path file;
   double scale = 1;
+  Drawn of;
+  double tolerance = 0.2e-3;
 };
 
 Schema<Block> schema() {
   Schema<Block> s("mesh", "declaration");
   s.doc(
        "A triangle mesh, written beside the .vdb: of a level set with mesh NAME on VOLUME { ... }, "
-       "or "
-       "from a file with mesh NAME { file \"rock.ply\" }.")
+       "or from a file with mesh NAME { file \"rock.ply\" }, or of stems themselves, without a "
+       "grid, with mesh NAME { of stems(of: PLANT) }.")
       .param("adaptivity", &MeshPlan::adaptivity,
              {.doc = "0 keeps every face, 1 merges faces that are nearly flat", .min = 0, .max = 1})
       .param("polish", &MeshPlan::polish,
@@ -42,7 +45,10 @@ Schema<Block> schema() {
       .param("scale", &Block::scale,
              {.doc = "metres in one unit of the file, e.g. 0.01 for centimetres",
               .min = 0,
-              .above_min = true});
+              .above_min = true})
+      .param("of", &Block::of, {.doc = "stems(...), or an L-system whose polygons it is"})
+      .param("tolerance", &Block::tolerance,
+             positive_length("that a straight edge around a stem may cut into it"));
   return s;
 }
 
@@ -63,20 +69,23 @@ mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
 
 /// What the block says of a file; null with a diagnostic at what is at fault.
 mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, Reading& reading) {
-  const scene::Entry& entry = *declaration.find_entry("file");
+  const bool drawn = declaration.find_entry("of") != nullptr;
+  const scene::Entry& entry = *declaration.find_entry(drawn ? "of" : "file");
+  const char* source = drawn ? "of stems" : "from a file";
   if (declaration.target) {
-    reading.diagnostics.error(entry.where, "a mesh from a file stands on no volume",
-                              "leave out 'on' or 'file'");
+    reading.diagnostics.error(entry.where, fmt::format("a mesh {} stands on no volume", source),
+                              fmt::format("leave out 'on' or '{}'", entry.key));
     return nullptr;
   }
-  for (const char* key : {"adaptivity", "polish"})
+  for (const char* key : {"adaptivity", "polish", drawn ? "file" : "tolerance"})
     if (const scene::Entry* other = declaration.find_entry(key)) {
       reading.diagnostics.error(
-          other->where, fmt::format("a mesh from a file has no use for '{}'", key), "leave it out");
+          other->where, fmt::format("a mesh {} has no use for '{}'", source, key), "leave it out");
       return nullptr;
     }
   try {
-    return std::make_shared<const mesh::Mesh>(read_file(block.file, block.scale));
+    return std::make_shared<const mesh::Mesh>(drawn ? mesh_of(block.of, block.tolerance)
+                                                    : read_file(block.file, block.scale));
   } catch (const Error& error) {
     const SourceLocation& there = error.where();
     const std::string what =
@@ -91,7 +100,7 @@ mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, R
 VolumePtr read_volume(const scene::Declaration& declaration, Reading& reading) {
   if (!declaration.value && !declaration.target) {
     reading.diagnostics.error(
-        declaration.where, "'mesh' needs 'on' and a volume, or a file",
+        declaration.where, "'mesh' needs 'on' and a volume, a file or 'of'",
         fmt::format("mesh {0} on NAME {{ ... }}, or mesh {0} {{ file \"NAME.ply\" }}",
                     declaration.name));
     return nullptr;
@@ -109,13 +118,13 @@ const DeclarationKind& mesh_declaration() {
       schema().info(),
       [](const scene::Declaration& declaration, Reading& reading) -> Value {
         std::optional<Block> block = read_block(schema(), declaration, reading);
-        const bool from_file = declaration.find_entry("file") != nullptr;
-        const VolumePtr volume = from_file ? nullptr : read_volume(declaration, reading);
+        const bool is_given = declaration.find_entry("file") || declaration.find_entry("of");
+        const VolumePtr volume = is_given ? nullptr : read_volume(declaration, reading);
         if (!block) return Value();
         MeshPlan plan = *block;
         plan.name = declaration.name;
         plan.volume = volume;
-        if (from_file) plan.given = given(*block, declaration, reading);
+        if (is_given) plan.given = given(*block, declaration, reading);
         if (!plan.volume && !plan.given) return Value();
         const MeshPtr made = std::make_shared<const MeshPlan>(std::move(plan));
         reading.shot.meshes.push_back(made);

@@ -1,0 +1,18 @@
+#include <vug/session/curves.h>
+
+namespace vug::session {
+
+#define VUG_KIND(name) const Kind<Bezier>& name##_curve();
+#include <vug/session/curves_kinds.inc>
+#undef VUG_KIND
+
+const Kinds<Bezier>& curve_kinds() {
+#define VUG_KIND(name) &name##_curve(),
+  static const Kinds<Bezier> kinds = {
+#include <vug/session/curves_kinds.inc>
+  };
+#undef VUG_KIND
+  return kinds;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,44 @@
+#include <vug/base/error.h>
+#include <vug/field/kind.h>
+#include <vug/flora/polygon_mesh.h>
+#include <vug/flora/sweep_field.h>
+#include <vug/flora/sweep_mesh.h>
+#include <vug/session/drawn.h>
+#include <vug/session/lsystem_binding.h>
+#include <vug/session/turtle_block.h>
+
+namespace vug::session {
+
+mesh::Mesh mesh_of(const Drawn& drawn, double tolerance) {
+  mesh::Mesh mesh;
+  if (drawn.polygons) {
+    mesh = flora::polygon_mesh(*drawing_of(*drawn.polygons).get());
+    if (mesh.triangles.empty())
+      throw Error(ErrorCode::bad_input, "the L-system draws no polygons", {},
+                  "for its stems: of stems(of: NAME)");
+    return mesh;
+  }
+  const std::vector<flora::Tube> tubes = flora::tubes_of(drawn.stems);
+  if (tubes.empty())
+    throw Error(ErrorCode::bad_input,
+                drawn.stems.bounds().isEmpty() ? "there are no stems"
+                                               : "this solid is not made of stems alone",
+                {}, "a mesh of any solid: volume NAME = level_set(...), mesh NAME on VOLUME");
+  flora::MeshOptions options;
+  options.tolerance = tolerance;
+  return flora::swept_mesh(tubes, options);
+}
+
+}  // namespace vug::session
+
+namespace vug {
+
+std::optional<session::Drawn> ValueTraits<session::Drawn>::read(const Value& value) {
+  if (const auto plant = ValueTraits<session::LSystemPtr>::read(value))
+    return session::Drawn{field::Field(), *plant};
+  if (const auto solid = ValueTraits<field::Field>::read(value))
+    return session::Drawn{*solid, nullptr};
+  return std::nullopt;
+}
+
+}  // namespace vug

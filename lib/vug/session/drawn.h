@@ -1,0 +1,31 @@
+// What a mesh can be swept from: stems, or the polygons of an L-system.
+#pragma once
+
+#include <vug/field/field.h>
+#include <vug/mesh/mesh.h>
+#include <vug/session/shot.h>
+
+namespace vug::session {
+
+struct Drawn {
+  field::Field stems;
+  LSystemPtr polygons;  ///< Null where it is of stems.
+};
+
+/// With unit normals. Stems are cut into edges no further than `tolerance` metres from round;
+/// polygons make sheets. Error(bad_input) for a field that is not of stems, and where there is
+/// nothing.
+mesh::Mesh mesh_of(const Drawn& drawn, double tolerance);
+
+}  // namespace vug::session
+
+namespace vug {
+
+template <>
+struct ValueTraits<session::Drawn> {
+  static std::string type() { return "stems or lsystem"; }
+  static std::optional<session::Drawn> read(const Value& value);
+  static Value write(const session::Drawn&) { return {}; }
+};
+
+}  // namespace vug

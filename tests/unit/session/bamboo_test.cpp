@@ -1,0 +1,172 @@
+// The species of data/bamboo against what is measured of them: many seeds of the text itself.
+#include <vug/flora/sweep_field.h>
+#include <vug/flora/sweep_mesh.h>
+#include <vug/mesh/topology.h>
+#include <vug/session/load.h>
+#include <vug/session/turtle_block.h>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vug::session {
+namespace {
+
+/// The plant that the species grows of a seed, without leaves unless asked for.
+lsystem::DrawingPtr grown(const std::string& species, uint64_t seed, bool leaves = false) {
+  LoadOptions options;
+  options.seed = seed;
+  options.include_folders = {std::filesystem::path(VUG_DATA)};
+  if (!leaves) options.overrides = {{"LEAVES", "0"}};
+  const Loaded loaded =
+      load_text(fmt::format("include \"bamboo/{}_growth.vug\"\n", species), "test.vug", options);
+  EXPECT_TRUE(loaded.usable()) << loaded.report();
+  EXPECT_EQ(loaded.shot.lsystems.size(), 1u);
+  return drawing_of(*loaded.shot.lsystems.at(0)).get();
+}
+
+/// Lengths of a culm's internodes, from node to node and to its end.
+std::vector<double> internodes(const lsystem::Axis& culm) {
+  std::vector<double> lengths;
+  for (size_t i = 0; i < culm.nodes.size(); ++i)
+    lengths.push_back((i + 1 < culm.nodes.size() ? culm.nodes[i + 1].along : culm.length()) -
+                      culm.nodes[i].along);
+  return lengths;
+}
+
+double middle(const lsystem::Axis& culm, size_t internode) {
+  return culm.nodes[internode].along + 0.5 * internodes(culm)[internode];
+}
+
+struct Line {
+  double slope = 0, share = 0;  ///< share: R^2, of the variance that the line explains
+};
+Line fitted(const std::vector<double>& x, const std::vector<double>& y) {
+  const double n = static_cast<double>(x.size());
+  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  const double my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double xx = 0, xy = 0, yy = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mx) * (x[i] - mx);
+    xy += (x[i] - mx) * (y[i] - my);
+    yy += (y[i] - my) * (y[i] - my);
+  }
+  return {xy / xx, xy * xy / (xx * yy)};
+}
+
+/// The angle about the culm at which a branch leaves a node, against the frame of the culm there.
+double azimuth(const lsystem::Axis& culm, const lsystem::Node& node, const Vec3d& way) {
+  const Frame frame = lsystem::station_at(culm, node.along).frame;
+  return std::atan2(way.dot(frame.binormal), way.dot(frame.normal));
+}
+
+double apart(double a, double b) { return std::fabs(std::remainder(a - b, 2 * kPi)); }
+
+constexpr double kDegree = kPi / 180;
+
+TEST(Moso, GrowsAsMeasuredOverTwoHundredSeeds) {
+  double nodes = 0;
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    const lsystem::DrawingPtr plant = grown("moso", seed);
+    const lsystem::Axis& culm = plant->axes.at(0);
+    const std::vector<double> lengths = internodes(culm);
+    ASSERT_GE(culm.nodes.size(), 53u);
+    ASSERT_LE(culm.nodes.size(), 67u);
+    nodes += static_cast<double>(culm.nodes.size()) / 200;
+    ASSERT_NEAR(std::accumulate(lengths.begin(), lengths.end(), 0.0), culm.length(), 1e-6);
+    const auto longest =
+        static_cast<size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+    ASSERT_GE(middle(culm, longest) / culm.length(), 0.47);
+    ASSERT_LE(middle(culm, longest) / culm.length(), 0.52);
+    std::vector<double> heights, diameters;
+    for (size_t i = 0; i < lengths.size(); ++i) {
+      const double at = middle(culm, i);
+      if (at < 0.1 * culm.length()) continue;  // the butt swells
+      heights.push_back(at / culm.length());
+      diameters.push_back(2 * lsystem::station_at(culm, at).radius);
+    }
+    ASSERT_GT(fitted(heights, diameters).share, 0.98);
+    std::vector<double> sides;
+    for (const lsystem::Node& node : culm.nodes) {
+      if (node.along < 0.4 * culm.length()) {
+        ASSERT_TRUE(node.branches.empty()) << seed;
+      }
+      if (node.branches.empty()) continue;
+      ASSERT_EQ(node.branches.size(), 2u);
+      const double a = azimuth(culm, node, node.branches[0]),
+                   b = azimuth(culm, node, node.branches[1]);
+      ASSERT_LT(apart(a, b), 10 * kDegree);
+      if (!sides.empty()) {
+        ASSERT_LT(apart(a, sides.back() + kPi), 10 * kDegree) << seed;
+        ASSERT_LT(apart(b, sides.back() + kPi), 10 * kDegree) << seed;
+      }
+      sides.push_back(a);
+    }
+    ASSERT_GT(sides.size(), 20u);
+  }
+  EXPECT_GT(nodes, 58.1);
+  EXPECT_LT(nodes, 60.4);
+}
+
+TEST(Moso, HeightGoesWithDiameter) {
+  std::vector<double> heights, diameters;
+  for (uint64_t seed = 1001; seed <= 1300; ++seed) {
+    const lsystem::DrawingPtr plant = grown("moso", seed);
+    const lsystem::Axis& culm = plant->axes.at(0);
+    heights.push_back(std::log(culm.length()));
+    diameters.push_back(std::log(2 * lsystem::station_at(culm, 1.3).radius));
+  }
+  EXPECT_NEAR(fitted(diameters, heights).slope, 0.629, 0.03);
+}
+
+TEST(Moso, InternodesFollowTheClosedForm) {
+  const lsystem::DrawingPtr plant = grown("moso", 7);
+  const lsystem::Axis& culm = plant->axes.at(0);
+  const double a = 0.56343, n = static_cast<double>(culm.nodes.size());
+  for (size_t i = 0; i < culm.nodes.size(); ++i) {
+    const double t =
+        0.5 + a * std::tanh((2 * static_cast<double>(i) / n - 1) * std::atanh(0.5 / a));
+    EXPECT_NEAR(culm.nodes[i].along, t * culm.length(), 1e-6);
+  }
+}
+
+TEST(Ci, HasItsInternodesWallsTipsAndBranches) {
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    const lsystem::DrawingPtr plant = grown("ci", seed);
+    const lsystem::Axis& culm = plant->axes.at(0);
+    for (const double length : internodes(culm)) {
+      ASSERT_GE(length, 0.15) << seed;
+      ASSERT_LE(length, 0.60) << seed;
+    }
+    ASSERT_GE(culm.length(), 5);
+    ASSERT_LE(culm.length(), 12);
+    EXPECT_LT(culm.stations.back().frame.tangent.y, 0) << "the tip hangs";
+    double highest = 0;
+    for (const lsystem::Station& s : culm.stations) highest = std::max(highest, s.position.y);
+    EXPECT_LT(culm.stations.back().position.y, highest - 0.1);
+    const auto last = culm.nodes.size() - 1;
+    for (size_t i = 0; i < last; ++i)
+      if (culm.nodes[i].along > 0.5 * culm.length()) {
+        ASSERT_GE(culm.nodes[i].branches.size(), 5u);
+      }
+  }
+}
+
+TEST(Bamboo, AMosoWithItsLeavesIsAPrototype) {
+  const lsystem::DrawingPtr plant = grown("moso", 3, true);
+  EXPECT_GE(plant->instances.size(), 5000u);
+  int orders = 0;
+  for (const lsystem::Axis& axis : plant->axes) orders = std::max(orders, axis.order);
+  EXPECT_GE(orders, 2);
+  const mesh::Mesh mesh = flora::swept_mesh(flora::tubes(*plant, {}));
+  const mesh::Topology topology = mesh::inspect(mesh);
+  EXPECT_TRUE(topology.closed());
+  EXPECT_EQ(topology.misoriented_edges, 0u);
+  EXPECT_EQ(topology.nonmanifold_vertices, 0u);
+}
+
+}  // namespace
+}  // namespace vug::session

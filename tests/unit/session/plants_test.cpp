@@ -1,0 +1,123 @@
+// The ways out of an L-system's drawing: a field, meshes, places.
+#include <gtest/gtest.h>
+#include <vug/mesh/topology.h>
+#include <vug/session/cast.h>
+#include <vug/session/load.h>
+#include <vug/session/turtle_block.h>
+
+#include <cmath>
+
+namespace vug::session {
+namespace {
+
+const std::string kTwig = R"(
+grammar twig: lsystem {
+  instances bud
+  guides    drooping(length: 60cm, lean: 20deg, tip: 110deg)
+  axiom guide(0) node F(20cm, 6mm) node [ &(50deg) F(15cm, 2mm) bud(3cm) ] F(40cm, 4mm) bud(2cm)
+}
+volume ball = level_set(sphere(radius: 0.5), voxel: 10cm)
+mesh ball_mesh on ball {}
+object thing on ball_mesh {}
+)";
+
+Loaded loaded(const std::string& text) { return load_text(text, "t.vug"); }
+
+TEST(Plants, StemsAreASolidAsAnyOther) {
+  const Loaded scene =
+      loaded(kTwig +
+             "field wood = stems(of: twig)\n"
+             "volume rock = level_set(wood + box(size: (0.3, 0.1, 0.3)), voxel: 4mm)\n"
+             "volume hole = level_set(box(size: (0.3, 0.3, 0.3)) - wood, voxel: 4mm)\n");
+  ASSERT_EQ(scene.report(), "");
+  const VolumePlan& rock = *scene.shot.volumes.at(1);
+  const lsystem::DrawingPtr drawing = drawing_of(*scene.shot.lsystems.at(0)).get();
+  for (const lsystem::Axis& axis : drawing->axes)
+    EXPECT_LT(rock.field.value(lsystem::station_at(axis, 0.5 * axis.length()).position), 0);
+  EXPECT_GT(scene.shot.volumes.at(2)->field.value({0, 0.01, 0}), 0);
+  Builder builder(scene.shot);
+  EXPECT_GT(builder.level_set(scene.shot.volumes.at(1)).statistics().active_voxels, 1000u);
+}
+
+TEST(Plants, AMeshOfStemsIsTheirSurface) {
+  const Loaded scene = loaded(kTwig + "mesh bark { of stems(of: twig, wall: 20%) }\n");
+  ASSERT_EQ(scene.report(), "");
+  Builder builder(scene.shot);
+  const mesh::MeshPtr mesh = builder.mesh(scene.shot.meshes.at(1));
+  const mesh::Topology topology = mesh::inspect(*mesh);
+  EXPECT_TRUE(topology.closed());
+  EXPECT_EQ(topology.components, 4u);  // stem, branch, two chambers
+  EXPECT_NE(mesh::find_attribute(*mesh, "below_node"), nullptr);
+}
+
+TEST(Plants, ThingsStandWhereTheTurtleSetThem) {
+  const Loaded scene =
+      loaded(kTwig + "place buds { of thing  at instances(of: twig, name: \"bud\", scale: 2) }\n");
+  ASSERT_EQ(scene.report(), "");
+  Builder builder(scene.shot);
+  const Cast cast = cast_of(builder);
+  ASSERT_EQ(cast.objects.size(), 2u);
+  const lsystem::DrawingPtr drawing = drawing_of(*scene.shot.lsystems.at(0)).get();
+  for (size_t i = 0; i < 2; ++i) {
+    const auto placing = cast.objects[i].placing->at(0);
+    EXPECT_LT((Vec3d(placing.origin) - drawing->instances[i].position).length(), 1e-6);
+  }
+}
+
+TEST(Plants, PolygonsMakeSheets) {
+  const Loaded scene = loaded(
+      "grammar square: lsystem { angle 90deg\n axiom { f(1) + f(1) + f(1) + f(1) } }\n"
+      "mesh sheet { of square }\n");
+  ASSERT_EQ(scene.report(), "");
+  Builder builder(scene.shot);
+  const mesh::MeshPtr mesh = builder.mesh(scene.shot.meshes.at(0));
+  EXPECT_EQ(mesh->triangles.size(), 2u);
+  EXPECT_NEAR(mesh->normals.at(0).z, 1, 1e-6);
+}
+
+TEST(Plants, QueriesTellWhereRockIs) {
+  // A climber that turns back before it comes into the ball.
+  const Loaded scene = loaded(R"(
+let ball = sphere(radius: 1m).translate((0, 3, 0))
+grammar climber: lsystem {
+  field ball
+  steps 12
+  axiom A ?D(9, 0, 0, 0)
+  A > ?D(d, x, y, z) if d > 0.5 -> F(0.4, 1cm) A
+  A > ?D(d, x, y, z) -> +(90deg) F(0.4, 1cm) Stop
+}
+mesh vine { of stems(of: climber) }
+)");
+  ASSERT_EQ(scene.report(), "");
+  const lsystem::DrawingPtr drawing = drawing_of(*scene.shot.lsystems.at(0)).get();
+  const auto& stations = drawing->axes.at(0).stations;
+  double highest = 0;
+  for (const lsystem::Station& s : stations) highest = std::max(highest, s.position.y);
+  EXPECT_NEAR(highest, 1.6, 1e-9);  // 0.4 m steps; at 1.6 m the ball is 0.4 m away
+  EXPECT_LT(stations.back().position.x, -0.3);
+}
+
+TEST(Plants, FaultsAreToldWhereTheyAre) {
+  const auto report = [](const std::string& text) { return loaded(text).report(); };
+  EXPECT_NE(report(kTwig + "mesh no { of sphere(1m) }\n").find("not made of stems"),
+            std::string::npos);
+  EXPECT_NE(report(kTwig + "mesh no { of twig }\n").find("draws no polygons"), std::string::npos);
+  EXPECT_NE(report(kTwig + "place no { of thing  at instances(of: twig, name: \"bug\") }\n")
+                .find("sets no instances 'bug'"),
+            std::string::npos);
+  EXPECT_NE(report("grammar g: lsystem { angel 3deg\n axiom F }\n").find("angle"),
+            std::string::npos);
+  EXPECT_NE(report("grammar g: lsystem { step -1m\n axiom F }\n"), "");
+  EXPECT_NE(report("grammar g: lsystem { guides 3\n axiom F }\n"), "");
+  EXPECT_NE(report("grammar g: lsystem { axiom F ] }\nfield s = stems(of: g)\n"), "");
+  EXPECT_NE(report("grammar g: lsystem { axiom guide(0) F }\nfield s = stems(of: g)\n")
+                .find("there is no guide"),
+            std::string::npos);
+  EXPECT_NE(report("grammar g: lsystem { axiom F(log(0 - 1)) }\nfield s = stems(of: g)\n"), "");
+  EXPECT_NE(report(kTwig + "field s = stems(of: twig, groove: 90%)\n"), "");
+  EXPECT_NE(report(kTwig + "field s = stems(of: twig, from: 30cm, to: 20cm)\n").find("'to'"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace vug::session
