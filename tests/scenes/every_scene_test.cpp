@@ -121,7 +121,8 @@ TEST_P(EveryScene, IsAsKnown) {
     expect_facts(metrics::measure(*mesh, {/*self_intersections=*/false}), known.at(plan->name));
     expect_attributes(*mesh, known.at(plan->name));
   }
-  for (const auto& entry : facts.value("meshes", json::object()).items())
+  const json meshes = facts.value("meshes", json::object());
+  for (const auto& entry : meshes.items())
     EXPECT_TRUE(has_mesh(loaded.shot, entry.key())) << "the scene has no mesh " << entry.key();
   if (!meshes_of(loaded.shot).empty()) expect_written(builder, GetParam());
 }

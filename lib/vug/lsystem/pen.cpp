@@ -12,7 +12,12 @@ Station station(const TurtleState& state, double radius, double along) {
 }  // namespace
 
 void Pen::begin(TurtleState& state, double radius) {
-  if (state.axis != Axis::kNone) return;
+  if (state.axis != Axis::kNone) {
+    // A node may stand where a stem begins, before anything says how thick that is.
+    Axis& begun = drawing_.axes[state.axis];
+    if (begun.stations.size() == 1) begun.stations[0].radius = radius;
+    return;
+  }
   Axis axis;
   axis.parent = state.parent;
   axis.parent_along = state.parent_along;

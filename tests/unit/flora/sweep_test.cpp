@@ -199,10 +199,11 @@ TEST(Sweep, AttributesTellWhereOnThePlant) {
   for (size_t i = 0; i < mesh.positions.size(); i += 7) {
     const double along = tube.place(Vec3d(mesh.positions[i]), 0).along;
     EXPECT_NEAR(value("along", i), along, 1e-5);
-    if (along < 2.69)
+    if (along < 2.69) {
       EXPECT_NEAR(value("above_node", i) + value("below_node", i), 0.3, 1e-5);
-    else if (along > 2.71)
+    } else if (along > 2.71) {
       EXPECT_EQ(value("below_node", i), 1000);
+    }
     EXPECT_NEAR(std::fabs(std::remainder(value("internode", i) - along / 0.3, 1)), 0, 1e-3);
     EXPECT_EQ(value("age", i), 3);
     EXPECT_EQ(value("order", i), 0);

@@ -107,6 +107,7 @@ TEST(Turtle, RadiiTaper) {
   EXPECT_EQ(d.axes[1].stations[0].radius, 0.1);   // a branch is as thick as it says
   EXPECT_EQ(d.axes[2].stations[0].radius, 0.15);  // ! is a diameter
   EXPECT_EQ(d.axes[2].stations[1].radius, 0.1);
+  EXPECT_EQ(drawn("node F(1,0.5)").axes[0].stations[0].radius, 0.5);
 }
 
 TEST(Turtle, PolygonsHaveTheCornersItComesTo) {

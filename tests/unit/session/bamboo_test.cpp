@@ -155,6 +155,34 @@ TEST(Ci, HasItsInternodesWallsTipsAndBranches) {
   }
 }
 
+TEST(Ci, WallsAreEightToTwelveMillimetresThick) {
+  LoadOptions options;
+  options.include_folders = {std::filesystem::path(VUG_DATA)};
+  options.overrides = {{"LEAVES", "0"}};
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    options.seed = seed;
+    const Loaded loaded = load_text("include \"bamboo/ci.vug\"\n", "test.vug", options);
+    ASSERT_TRUE(loaded.usable()) << loaded.report();
+    const lsystem::Axis& culm = drawing_of(*loaded.shot.lsystems.at(0)).get()->axes.at(0);
+    const mesh::MeshPtr& plan = loaded.shot.meshes.back()->given;
+    int met = 0;
+    for (size_t i = 0; i < plan->positions.size(); ++i) {
+      const auto number = [&](const char* name) {
+        return static_cast<double>(mesh::find_attribute(*plan, name)->values[i]);
+      };
+      const double along = number("along");
+      if (number("inside") < 1 || number("order") > 0 || along < 1 || along > 2) continue;
+      const Vec3d middle = lsystem::station_at(culm, along).position;
+      const double inner = (Vec3d(plan->positions[i]) - middle).length();
+      if (inner < 0.5 * number("radius")) continue;  // on a diaphragm
+      EXPECT_GT(number("radius") - inner, 0.008) << seed;
+      EXPECT_LT(number("radius") - inner, 0.012) << seed;
+      ++met;
+    }
+    EXPECT_GT(met, 20);
+  }
+}
+
 TEST(Bamboo, AMosoWithItsLeavesIsAPrototype) {
   const lsystem::DrawingPtr plant = grown("moso", 3, true);
   EXPECT_GE(plant->instances.size(), 5000u);
