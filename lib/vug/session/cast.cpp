@@ -2,6 +2,7 @@
 #include <vug/render/placed_light.h>
 #include <vug/session/blame.h>
 #include <vug/session/cast.h>
+#include <vug/session/merge_copies.h>
 #include <vug/session/places.h>
 
 #include <fmt/format.h>
@@ -13,6 +14,8 @@ namespace {
 
 /// Of an instance, in the renderer and here.
 constexpr double kInstanceBytes = 2000;
+/// More of them than that are fewer: see merge_copies.
+constexpr size_t kManyInstances = 50000;
 
 /// What mattes call an object's material: its name, or `otherwise` when it has none.
 std::string material_name(const Shot& shot, const render::MaterialPtr& of,
@@ -151,8 +154,16 @@ void put_all(Builder& builder, const PlacePlan& plan, const Moments& moments, Ca
   if (places.empty())
     builder.warn(plan.where, fmt::format("'{}' stands nowhere", plan.name),
                  "its places are all masked out, or its table is empty");
-  require_memory(kInstanceBytes * static_cast<double>(places.size()), builder.room(),
-                 fmt::format("{} instances", places.size()), "place fewer");
+  const auto instances = [&] {
+    size_t count = 0;
+    for (const Place& place : places)
+      count += models[static_cast<size_t>(chosen(place, plan))].objects.size();
+    return count;
+  };
+  if (places.size() > 1 && instances() > kManyInstances)
+    for (Cast& model : models) model.objects = merge_copies(model.objects);
+  require_memory(kInstanceBytes * static_cast<double>(instances()), builder.room(),
+                 fmt::format("{} instances", instances()), "place fewer");
   const std::vector<Way> ways = ways_of(builder, plan, places, moments);
   for (size_t i = 0; i < places.size(); ++i)
     put(models[static_cast<size_t>(chosen(places[i], plan))], places[i], ways[i], plan,

@@ -1,6 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/field/kind.h>
 #include <vug/flora/polygon_mesh.h>
+#include <vug/flora/shape.h>
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
 #include <vug/session/drawn.h>
@@ -10,6 +11,7 @@
 namespace vug::session {
 
 mesh::Mesh mesh_of(const Drawn& drawn, double tolerance) {
+  if (drawn.shape) return *drawn.shape;
   mesh::Mesh mesh;
   if (drawn.polygons) {
     mesh = flora::polygon_mesh(*drawing_of(*drawn.polygons).get());
@@ -35,9 +37,11 @@ namespace vug {
 
 std::optional<session::Drawn> ValueTraits<session::Drawn>::read(const Value& value) {
   if (const auto plant = ValueTraits<session::LSystemPtr>::read(value))
-    return session::Drawn{field::Field(), *plant};
+    return session::Drawn{field::Field(), *plant, nullptr};
   if (const auto solid = ValueTraits<field::Field>::read(value))
-    return session::Drawn{*solid, nullptr};
+    return session::Drawn{*solid, nullptr, nullptr};
+  if (const auto* shape = value.object<flora::Shape>())
+    return session::Drawn{field::Field(), nullptr, shape->mesh};
   return std::nullopt;
 }
 

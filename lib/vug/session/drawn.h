@@ -1,4 +1,4 @@
-// What a mesh can be swept from: stems, or the polygons of an L-system.
+// What a mesh can be made of without a grid: stems, the polygons of an L-system, a leaf.
 #pragma once
 
 #include <vug/field/field.h>
@@ -10,6 +10,7 @@ namespace vug::session {
 struct Drawn {
   field::Field stems;
   LSystemPtr polygons;  ///< Null where it is of stems.
+  mesh::MeshPtr shape;  ///< In place of both.
 };
 
 /// With unit normals. Stems are cut into edges no further than `tolerance` metres from round;
@@ -23,7 +24,7 @@ namespace vug {
 
 template <>
 struct ValueTraits<session::Drawn> {
-  static std::string type() { return "stems or lsystem"; }
+  static std::string type() { return "stems, lsystem or shape"; }
   static std::optional<session::Drawn> read(const Value& value);
   static Value write(const session::Drawn&) { return {}; }
 };

@@ -3,6 +3,7 @@
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
 #include <vug/flora/distribution.h>
+#include <vug/flora/shape.h>
 #include <vug/paint/kind.h>
 #include <vug/render/kinds.h>
 #include <vug/session/curves.h>
@@ -65,6 +66,7 @@ std::vector<Family>& own_families() {
       family(model_kinds()),
       family(cells::grids()),
       family(flora::distributions()),
+      family(flora::shapes()),
       family(cell_stages()),
       family(curve_kinds()),
   };

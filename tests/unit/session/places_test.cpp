@@ -158,6 +158,40 @@ TEST_F(Places, AWholeSceneWithItsLampsAndInstances) {
   EXPECT_NEAR(made.lights[1]->bounds().strength, 4 * strength, 1e-3 * strength);
 }
 
+// A grove of plants, each with its leaves: an instance for each leaf of each plant would be too
+// many.
+TEST_F(Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
+  file("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  file(
+      "plant.vug",
+      "mesh blade { file \"leaf.obj\" }\nmesh wood { file \"leaf.obj\" }\nobject stem on wood {}\n"
+      "object leaf on blade { material surface(thin: true) }\n"
+      "place crown { of leaf  at grove(polygon: [(0, 0), (9, 0), (9, 9), (0, 9)], count: 300) }\n");
+  const auto text = [](int count) {
+    return "place grove { of scene(\"plant.vug\")  at grove(polygon: [(0, 0), (99, 0), (99, 99)], "
+           "count: " +
+           std::to_string(count) + ") }\n";
+  };
+  const Cast few = cast(text(3)), many = cast(text(200));
+  EXPECT_EQ(few.objects.size(), 3u * 301);
+  ASSERT_EQ(many.objects.size(), 2u * 200);
+  EXPECT_EQ(many.objects[0].name, "grove/stem");
+  EXPECT_EQ(many.objects[1].name, "grove/crown");
+  EXPECT_EQ(many.objects[1].mesh, many.objects[3].mesh);
+  EXPECT_EQ(many.objects[1].mesh->triangles.size(), 300u);
+  ASSERT_TRUE(mesh::find_attribute(*many.objects[1].mesh, "copy"));
+  // The same points of the scene either way, for the first plant.
+  for (size_t leaf = 0; leaf < 300; ++leaf)
+    for (uint32_t corner = 0; corner < 3; ++corner) {
+      const render::Object& one = few.objects[1 + leaf];
+      const Vec3f alone = one.placing->at(0).point(one.mesh->positions[corner]);
+      const auto number = many.objects[1].mesh->triangles[leaf][corner];
+      const Vec3f merged =
+          many.objects[1].placing->at(0).point(many.objects[1].mesh->positions[number]);
+      ASSERT_LT((alone - merged).length(), 1e-4f);
+    }
+}
+
 TEST_F(Places, WhatCannotBePlacedIsTold) {
   const std::string stones = kStones;
   EXPECT_NE(faults(stones + "place a { of pebbel  at (0, 0, 0) }\n").find("pebbel"),

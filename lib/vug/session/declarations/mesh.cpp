@@ -46,7 +46,8 @@ Schema<Block> schema() {
              {.doc = "metres in one unit of the file, e.g. 0.01 for centimetres",
               .min = 0,
               .above_min = true})
-      .param("of", &Block::of, {.doc = "stems(...), or an L-system whose polygons it is"})
+      .param("of", &Block::of,
+             {.doc = "stems(...), an L-system whose polygons it is, leaf(...) or spray(...)"})
       .param("tolerance", &Block::tolerance,
              positive_length("that a straight edge around a stem may cut into it"));
   return s;

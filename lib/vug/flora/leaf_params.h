@@ -1,0 +1,44 @@
+// Inside flora/ only: what the kinds of leaves have in common.
+#pragma once
+
+#include <vug/flora/leaf.h>
+#include <vug/flora/shape.h>
+
+namespace vug::flora {
+
+struct LeafParams {
+  double length = LeafOptions().length;
+  double width = LeafOptions().width;
+  double widest = paint::LeafOutline().widest;
+  double tip = paint::LeafOutline().tip;
+  double bend = LeafOptions().bend;
+  double fold = LeafOptions().fold;
+  double twist = 0;
+  int rows = LeafOptions().rows;
+  bool card = false;
+
+  LeafOptions options() const {
+    return {length, width, {widest, tip}, bend, fold, twist, rows, card};
+  }
+};
+
+template <class P>
+void describe_leaf(Schema<P>& s) {
+  const auto angle = [](std::string doc) {
+    return ParamSpec{.doc = std::move(doc), .dimension = Dimension::angle, .min = -kPi, .max = kPi};
+  };
+  s.param("length", &LeafParams::length, positive_length("from its base to its tip"))
+      .param("width", &LeafParams::width, positive_length("where it is widest, laid flat"))
+      .param("widest", &LeafParams::widest,
+             {.doc = "share of the length where that is", .min = 0.05, .max = 0.95})
+      .param("tip", &LeafParams::tip,
+             {.doc = "the larger, the longer and finer it tapers", .min = 0.1, .max = 10})
+      .param("bend", &LeafParams::bend, angle("that the tip points further down than the base"))
+      .param("fold", &LeafParams::fold, angle("that each half stands up from the flat"))
+      .param("twist", &LeafParams::twist, angle("about the midrib, from base to tip"))
+      .param("rows", &LeafParams::rows, {.doc = "pieces along it", .min = 2, .max = 1000})
+      .param("card", &LeafParams::card,
+             {.doc = "a strip, whose outline the opacity leaf_blade() cuts out"});
+}
+
+}  // namespace vug::flora

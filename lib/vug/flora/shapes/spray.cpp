@@ -1,0 +1,37 @@
+#include <vug/flora/leaf_params.h>
+
+namespace vug::flora {
+namespace {
+
+struct Spray : LeafParams {
+  int leaves = SprayOptions().leaves;
+  double angle = SprayOptions().angle;
+  double spacing = SprayOptions().spacing;
+  double vary = SprayOptions().vary;
+  int seed = 0;
+
+  static void describe(Schema<Spray>& s) {
+    s.doc("Leaves in two rows at the end of a twig that goes from the origin along y.")
+        .param("leaves", &Spray::leaves, {.doc = "how many", .min = 1, .max = 1000})
+        .param("angle", &Spray::angle,
+               {.doc = "between the twig and those beside it",
+                .dimension = Dimension::angle,
+                .min = 0,
+                .max = kPi})
+        .param("spacing", &Spray::spacing, positive_length("along the twig from leaf to leaf"))
+        .param("vary", &Spray::vary,
+               {.doc = "share by which lengths, angles and bends differ", .min = 0, .max = 1})
+        .param("seed", &Spray::seed, {.doc = "another number, another spray", .min = 0});
+    describe_leaf(s);
+  }
+};
+
+mesh::Mesh made(const Spray& p) {
+  return spray({p.options(), p.leaves, p.angle, p.spacing, p.vary,
+                RandomKey(static_cast<uint64_t>(p.seed)).at("spray")});
+}
+
+}  // namespace
+}  // namespace vug::flora
+
+VUG_SHAPE_KIND(spray) { return shape_kind<Spray>("spray", made); }
