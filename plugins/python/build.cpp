@@ -13,7 +13,6 @@
 #include <vug/session/inputs.h>
 #include <vug/session/measure.h>
 #include <vug/session/write.h>
-#include <vug/volume/fog.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::python {
@@ -24,15 +23,13 @@ Build make_build(const std::shared_ptr<Scene>& scene, const Memory& max_memory, 
   return Build(scene, {memory_of(max_memory), threads_of(threads), progress});
 }
 
-volume::Grid named(const volume::Grid& grid, const session::VolumePlan& plan) {
-  return grid.named(plan.name).stored_as_half(plan.half);
-}
-
 LevelSet level_set(Build& build, const std::string& name) {
   const session::Shot& shot = build.scene()->shot();
   const session::VolumePtr plan = session::find_volume(shot, name);
   std::optional<volume::Grid> made;
-  build.work([&](session::Builder& builder) { made = named(builder.level_set(plan), *plan); });
+  build.work([&](session::Builder& builder) {
+    made = builder.level_set(plan).named(plan->name).stored_as_half(plan->half);
+  });
   return {{*made, session::write_options(shot)}};
 }
 
@@ -41,7 +38,7 @@ std::variant<LevelSet, Grid> volume_of(Build& build, const std::string& name) {
   if (!plan->fog) return level_set(build, name);
   std::optional<volume::Grid> made;
   build.work([&](session::Builder& builder) {
-    made = named(volume::fog(builder.level_set(plan)), *plan);
+    made = session::volume_grid(*plan, builder.level_set(plan));
   });
   return Grid{*made, session::write_options(build.scene()->shot())};
 }

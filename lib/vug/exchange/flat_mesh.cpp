@@ -16,15 +16,14 @@ mesh::Attribute& attribute_of(mesh::Mesh& all, const mesh::Attribute& like) {
 }
 
 void append(const Part& part, const Transform& place, mesh::Mesh& all) {
-  const mesh::Mesh& mesh = *part.mesh;
+  const mesh::Mesh mesh = placed(*part.mesh, place);
   const auto first = static_cast<uint32_t>(all.positions.size());
-  for (const Vec3f& p : mesh.positions) all.positions.emplace_back(place.point(Vec3d(p)));
-  const double side = place.determinant() < 0 ? -1 : 1;
-  for (const Vec3f& n : mesh.normals.empty() ? mesh::vertex_normals(mesh) : mesh.normals)
-    all.normals.emplace_back(Vec3f(place.normal(Vec3d(n)).normalized()));
+  all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  const std::vector<Vec3f>& normals =
+      mesh.normals.empty() ? mesh::vertex_normals(mesh) : mesh.normals;
+  all.normals.insert(all.normals.end(), normals.begin(), normals.end());
   for (const mesh::Triangle& t : mesh.triangles)
-    all.triangles.push_back(side > 0 ? mesh::Triangle{t[0] + first, t[1] + first, t[2] + first}
-                                     : mesh::Triangle{t[0] + first, t[2] + first, t[1] + first});
+    all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   for (const mesh::Attribute& own : mesh.attributes) {
     mesh::Attribute& there = attribute_of(all, own);
     there.values.resize(first * static_cast<size_t>(own.arity));
@@ -42,6 +41,24 @@ std::string unit_of(double metres) {
 
 }  // namespace
 
+mesh::Mesh placed(mesh::Mesh mesh, const Transform& place) {
+  for (Vec3f& p : mesh.positions) p = Vec3f(place.point(Vec3d(p)));
+  for (Vec3f& n : mesh.normals) n = Vec3f(place.normal(Vec3d(n)).normalized());
+  if (place.determinant() < 0)
+    for (mesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+mesh::Notes notes_of(const Provenance& from, const Space& space) {
+  mesh::Notes notes;
+  notes.space = fmt::format("{}, {} up", unit_of(space.metres_per_unit), to_string(space.up));
+  notes.texts = {{"vug:recipe", from.recipe},
+                 {"vug:seed", std::to_string(from.seed)},
+                 {"vug:frame", fmt::format("{}", from.frame)},
+                 {"vug:version", from.version}};
+  return notes;
+}
+
 mesh::Mesh flat_mesh(const Assembly& assembly) {
   mesh::Mesh all;
   for (const Group& group : assembly.groups)
@@ -54,15 +71,7 @@ mesh::Mesh flat_mesh(const Assembly& assembly) {
 Written write_flat_mesh(const Assembly& assembly, const std::filesystem::path& file,
                         const FormatOptions&, Progress& progress) {
   progress.check();
-  const Provenance& from = assembly.provenance;
-  mesh::Notes notes;
-  notes.space = fmt::format("{}, {} up", unit_of(assembly.space.metres_per_unit),
-                            to_string(assembly.space.up));
-  notes.texts = {{"vug:recipe", from.recipe},
-                 {"vug:seed", std::to_string(from.seed)},
-                 {"vug:frame", fmt::format("{}", from.frame)},
-                 {"vug:version", from.version}};
-  mesh::write_mesh(flat_mesh(assembly), file, notes);
+  mesh::write_mesh(flat_mesh(assembly), file, notes_of(assembly.provenance, assembly.space));
   Written written{{file}, {}};
   const auto leave_out = [&](const auto& things, const char* what) {
     for (const auto& each : things)

@@ -1,10 +1,17 @@
-// Inside exchange/ only: a scene as the one mesh that simple formats hold.
+// A scene as the one mesh that simple formats hold, and the parts of that.
 #pragma once
 
 #include <vug/exchange/format.h>
 #include <vug/mesh/notes.h>
 
 namespace vug::exchange {
+
+/// The mesh where `place` takes it: also mirrored, its outside stays outside; no other attributes
+/// turn with it.
+mesh::Mesh placed(mesh::Mesh mesh, const Transform& place);
+
+/// What a mesh file says of where it comes from and what its numbers mean.
+mesh::Notes notes_of(const Provenance& from, const Space& space);
 
 /// All parts where they stand, in one mesh. Every vertex has a colour, its own or its look's; other
 /// attributes are 0 where a part has none.

@@ -1,6 +1,5 @@
 #include <vug/base/atomic_file.h>
-#include <vug/base/diagnostics.h>
-#include <vug/base/error.h>
+#include <vug/base/find_kind.h>
 #include <vug/exchange/format.h>
 
 #include <fmt/format.h>
@@ -21,13 +20,7 @@ const std::vector<const Format*>& formats() {
 }
 
 const Format& format(const std::string& name) {
-  std::vector<std::string> known;
-  for (const Format* each : formats()) {
-    if (each->info.name == name) return *each;
-    known.push_back(each->info.name);
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("there is no exchange format '{}'", name), {},
-              suggestion(name, known));
+  return named_kind(formats(), name, fmt::format("there is no exchange format '{}'", name));
 }
 
 Written write(const Format& format, const Assembly& assembly, const Space& space,

@@ -1,6 +1,7 @@
 #include <vug/base/parallel.h>
 #include <vug/exchange/levels.h>
 #include <vug/mesh/distance.h>
+#include <vug/mesh/weld.h>
 
 #include <meshoptimizer.h>
 
@@ -8,34 +9,6 @@
 
 namespace vug::exchange {
 namespace {
-
-constexpr uint32_t kUnused = UINT32_MAX;
-
-/// Vertices that no triangle uses are left out.
-mesh::Mesh with_triangles(const mesh::Mesh& mesh, std::vector<mesh::Triangle> triangles) {
-  std::vector<uint32_t> now(mesh.positions.size(), kUnused), kept;
-  for (mesh::Triangle& t : triangles)
-    for (uint32_t& corner : t) {
-      if (now[corner] == kUnused) {
-        now[corner] = static_cast<uint32_t>(kept.size());
-        kept.push_back(corner);
-      }
-      corner = now[corner];
-    }
-  mesh::Mesh out;
-  out.triangles = std::move(triangles);
-  for (const uint32_t vertex : kept) {
-    out.positions.push_back(mesh.positions[vertex]);
-    if (!mesh.normals.empty()) out.normals.push_back(mesh.normals[vertex]);
-  }
-  for (const mesh::Attribute& each : mesh.attributes) {
-    const auto arity = static_cast<size_t>(each.arity);
-    mesh::Attribute& made = out.attributes.emplace_back(mesh::Attribute{each.name, each.arity, {}});
-    for (const uint32_t vertex : kept)
-      for (size_t k = 0; k < arity; ++k) made.values.push_back(each.values[vertex * arity + k]);
-  }
-  return out;
-}
 
 /// The farthest of a mesh's points from the other.
 double farthest(const mesh::Mesh& from, const mesh::MeshDistance& to) {
@@ -68,7 +41,9 @@ mesh::Mesh coarser(const mesh::Mesh& mesh, double share) {
       meshopt_simplify(triangles[0].data(), mesh.triangles[0].data(), indices, &mesh.positions[0].x,
                        mesh.positions.size(), sizeof(Vec3f), wanted, kAnyError, 0, nullptr);
   triangles.resize(left / 3);
-  return with_triangles(mesh, std::move(triangles));
+  mesh::Mesh out = mesh;
+  out.triangles = std::move(triangles);
+  return mesh::without_unused_vertices(out);
 }
 
 double hausdorff_distance(const mesh::Mesh& a, const mesh::Mesh& b) {

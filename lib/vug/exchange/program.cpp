@@ -1,4 +1,4 @@
-#include <vug/base/error.h>
+#include <vug/base/find_kind.h>
 #include <vug/exchange/program.h>
 
 #include <fmt/format.h>
@@ -19,13 +19,7 @@ const std::vector<const Program*>& programs() {
 }
 
 const Program& program(const std::string& name) {
-  std::vector<std::string> known;
-  for (const Program* each : programs()) {
-    if (each->info.name == name) return *each;
-    known.push_back(each->info.name);
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("nothing is known of a program '{}'", name), {},
-              suggestion(name, known));
+  return named_kind(programs(), name, fmt::format("nothing is known of a program '{}'", name));
 }
 
 }  // namespace vug::exchange

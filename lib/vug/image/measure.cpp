@@ -1,5 +1,4 @@
-#include <vug/base/diagnostics.h>
-#include <vug/base/error.h>
+#include <vug/base/find_kind.h>
 #include <vug/image/measure.h>
 
 #include <fmt/format.h>
@@ -24,13 +23,7 @@ const std::vector<const Measure*>& measures() {
 }
 
 const Measure& measure_of(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Measure* each : measures()) {
-    if (each->info.name == name) return *each;
-    names.push_back(each->info.name);
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("there is no measure '{}'", name), {},
-              suggestion(name, names));
+  return named_kind(measures(), name, fmt::format("there is no measure '{}'", name));
 }
 
 void require_comparable(const Image& reference, const Image& test) {

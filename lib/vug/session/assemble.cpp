@@ -101,11 +101,15 @@ Shot with_meshes(Shot shot) {
   return shot;
 }
 
+exchange::Provenance provenance_of(const Shot& shot) {
+  return {shot.recipe, shot.seed, shot.frame, VUG_VERSION};
+}
+
 Assembled assemble(Builder& builder) {
   const Shot& shot = builder.shot();
   Assembled out;
   out.assembly.name = shot.name;
-  out.assembly.provenance = {shot.recipe, shot.seed, shot.frame, VUG_VERSION};
+  out.assembly.provenance = provenance_of(shot);
   const Cast cast = cast_of(builder);
   Collector collector(out);
   for (const render::Object& object : cast.objects) collector.add(object);

@@ -13,6 +13,9 @@ namespace vug::session {
 /// it so. Must outlive the Builder that is made of it.
 Shot with_meshes(Shot shot);
 
+/// What rebuilds all of the shot.
+exchange::Provenance provenance_of(const Shot& shot);
+
 struct Assembled {
   exchange::Assembly assembly;        ///< In metres, y up; without volumes.
   std::vector<std::string> left_out;  ///< In sentences, what cannot be told.

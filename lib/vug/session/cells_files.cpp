@@ -53,11 +53,6 @@ volume::Grid grid_of(const mesh::Attribute& attribute, const volume::LevelSet& l
   return volume::band_grid(level_set, vectors);
 }
 
-Error without_points(const std::filesystem::path& file) {
-  return Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", file.string()), {},
-               "vug build writes them of cells whose files are not told to leave them out");
-}
-
 /// Names of columns of a table.
 void write_names(mesh::Output& out, const std::string& name, const std::vector<float>&) {
   out.text(",").text(name);
@@ -165,31 +160,17 @@ void read_cells(const volume::Grid& grid, cells::Simulation& simulation) {
                  exact ? cells::Keep::exact : cells::Keep::shown, apart);
 }
 
-void require_points(const CellsPlan& plan) {
-  if (plan.from.empty()) return;
+std::optional<volume::Grid> points_from(const CellsPlan& plan) {
+  if (plan.from.empty()) return std::nullopt;
   try {
-    const volume::FileInfo info = volume::info(plan.from);
-    if (std::none_of(info.grids.begin(), info.grids.end(),
-                     [](const volume::GridInfo& grid) { return grid.points.has_value(); }))
-      throw without_points(plan.from);
+    std::optional<volume::Grid> found;
+    for (const volume::Grid& grid : volume::read(plan.from))
+      if (volume::is_points(grid) && (!found || grid.name() == plan.name)) found = grid;
+    if (found) return found;
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", plan.from.string()), {},
+                "vug build writes them of cells whose files are not told to leave them out");
   } catch (const Error& error) {
     throw blamed_on(plan.where, error);
-  }
-}
-
-void read_cells(const std::filesystem::path& file, const CellsPlan& plan,
-                cells::Simulation& simulation) {
-  const volume::Grid* found = nullptr;
-  const std::vector<volume::Grid> grids = volume::read(file);
-  for (const volume::Grid& grid : grids)
-    if (volume::is_points(grid) && (!found || grid.name() == plan.name)) found = &grid;
-  if (!found) throw without_points(file);
-  try {
-    read_cells(*found, simulation);
-  } catch (const Error& error) {
-    throw Error(error.code(),
-                fmt::format("cannot go on from '{}': {}", file.string(), error.what()),
-                error.where(), error.hint());
   }
 }
 

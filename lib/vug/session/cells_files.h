@@ -6,6 +6,7 @@
 #include <vug/session/cells_plan.h>
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace vug::session {
@@ -27,14 +28,12 @@ std::vector<volume::Grid> cell_grids(Builder& builder, const CellsPtr& plan);
 /// them a line of their names: x, y and z, so that a scene can place things there.
 void write_table(const std::filesystem::path& file, const Skin& skin);
 
-/// Error at the plan's name where the file that it goes on from cannot be read or holds no points.
-void require_points(const CellsPlan& plan);
+/// Of the file that cells go on from the points of their name, or the first that there are; null
+/// where they go on from none. Their values stay on the disk until they are asked for. Error at the
+/// plan's name where the file cannot be read or holds no points.
+std::optional<volume::Grid> points_from(const CellsPlan& plan);
 
-/// Puts back what points of a file carry that cell_points has made of equal cells: the grid of the
-/// plan's name, or the first that holds points. Error(bad_input).
-void read_cells(const std::filesystem::path& file, const CellsPlan& plan,
-                cells::Simulation& simulation);
-/// The same of a grid.
-void read_cells(const volume::Grid& grid, cells::Simulation& simulation);
+/// Puts back what points carry that cell_points has made of equal cells. Error(bad_input).
+void read_cells(const volume::Grid& points, cells::Simulation& simulation);
 
 }  // namespace vug::session

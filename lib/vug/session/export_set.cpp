@@ -2,12 +2,13 @@
 #include <vug/base/memory.h>
 #include <vug/cells/as_points.h>
 #include <vug/exchange/channels.h>
+#include <vug/exchange/flat_mesh.h>
 #include <vug/exchange/levels.h>
 #include <vug/mesh/format.h>
 #include <vug/session/assemble.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/export_set.h>
-#include <vug/volume/fog.h>
+#include <vug/session/write.h>
 #include <vug/volume/io.h>
 #include <vug/volume/placed.h>
 
@@ -92,12 +93,10 @@ class Exporter {
         names_(builder.shot(), folder, options),
         space_(space_of(options)),
         way_(exchange::way({}, space_)) {
-    const Shot& shot = builder.shot();
-    vdb_.metadata = {{"vug:recipe", shot.recipe},
-                     {"vug:seed", static_cast<int64_t>(shot.seed)},
-                     {"vug:frame", shot.frame},
-                     {"vug:upAxis", exchange::to_string(space_.up)},
-                     {"vug:metersPerUnit", space_.metres_per_unit}};
+    vdb_ = write_options(builder.shot());
+    vdb_.metadata["vug:frame"] = builder.shot().frame;
+    vdb_.metadata["vug:upAxis"] = exchange::to_string(space_.up);
+    vdb_.metadata["vug:metersPerUnit"] = space_.metres_per_unit;
   }
 
   Exported all() {
@@ -138,11 +137,11 @@ class Exporter {
                         quantity_text(part.coarser[i].distance, Dimension::length)));
   }
   exchange::Volume write(const VolumePlan& plan, const volume::LevelSet& level_set) {
-    const volume::Grid grid = plan.fog ? volume::fog(level_set) : volume::Grid(level_set);
+    const volume::Grid grid = volume_grid(plan, level_set);
     const Box3d bounds = grid.statistics().bounds;
     const std::string name = grid_name(plan);
     const std::filesystem::path file = names_.volume(plan);
-    write(file, {grid.named(name).stored_as_half(plan.half)});
+    write(file, {grid.named(name)});
     return {plan.name,
             file.filename().string(),
             {{name, volume::to_string(grid.grid_class())}},
@@ -159,13 +158,8 @@ class Exporter {
     move(points);
     const std::filesystem::path file = names_.points(*plan);
     if (!options_.program->points_format.empty()) {
-      mesh::Notes notes;
-      notes.space = fmt::format("{}, {} up", space_.metres_per_unit == 1 ? "metres" : "centimetres",
-                                exchange::to_string(space_.up));
-      notes.texts = {{"vug:recipe", builder_.shot().recipe},
-                     {"vug:seed", std::to_string(builder_.shot().seed)},
-                     {"vug:version", VUG_VERSION}};
-      mesh::write_mesh(as_mesh(points), file, notes);
+      mesh::write_mesh(as_mesh(points), file,
+                       exchange::notes_of(provenance_of(builder_.shot()), space_));
     } else {
       if (plan->half)
         for (volume::PointAttribute& each : points.attributes) each.half = true;

@@ -1,5 +1,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
+#include <vug/base/xml.h>
 #include <vug/exchange/format.h>
 #include <vug/exchange/levels.h>
 #include <vug/grammar/tree_output.h>
@@ -13,32 +15,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace vug::session {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A folder for files on the way into the page; it goes when this does.
-class Scratch {
- public:
-  Scratch() : path_((std::filesystem::temp_directory_path() / "vug_preview_XXXXXX").string()) {
-    if (!mkdtemp(path_.data())) throw Error(ErrorCode::io, "cannot make a temporary folder");
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  std::filesystem::path file(const std::string& name) const {
-    return std::filesystem::path(path_) / name;
-  }
-
- private:
-  std::string path_;
-};
 
 std::string base64(std::string_view bytes) {
   constexpr const char* kDigits =
@@ -60,12 +41,6 @@ std::string script_text(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string out;
   for (const char c : text) c == '<' ? out += "\\u003c" : out += c;
-  return out;
-}
-std::string html_text(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    c == '<' ? out += "&lt;" : c == '>' ? out += "&gt;" : c == '&' ? out += "&amp;" : out += c;
   return out;
 }
 
@@ -137,7 +112,7 @@ Json picture(const std::filesystem::path& file, const std::string& note) {
 }
 
 /// Small and smoothed: a minute's work at most for most scenes.
-Json rendered_picture(Builder& builder, const Scratch& scratch) {
+Json rendered_picture(Builder& builder, const ScratchFolder& scratch) {
   constexpr int kWidth = 960, kSamples = 32;
   const RenderPlan plan = render_plan(builder.shot(), {});
   RenderOptions options;
@@ -188,7 +163,7 @@ std::string camera_name(const Shot& shot, const RenderPlan& plan) {
 Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& options) {
   const Shot& shot = builder.shot();
   const RenderPlan plan = render_plan(shot, {});
-  const Scratch scratch;
+  const ScratchFolder scratch("vug_preview");
   Json data = {{"name", shot.name},
                {"seed", std::to_string(shot.seed)},
                {"frame", shot.frame},
@@ -223,7 +198,7 @@ Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& op
   data["trees"] = trees(shot);
   data["parameters"] = parameters(loaded);
   data["recipe"] = recipe_in(shot.recipe).scene;
-  out.page = filled(options.page, {{"@VUG_TITLE@", html_text(shot.name)},
+  out.page = filled(options.page, {{"@VUG_TITLE@", xml_text(shot.name)},
                                    {"@VUG_DATA@", script_text(data)},
                                    {"@VUG_MODEL@", base64(read_text(glb))}});
   return out;

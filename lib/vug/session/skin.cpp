@@ -73,6 +73,16 @@ Skin fresh_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint6
   return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
 }
 
+void go_on_from(const volume::Grid& points, const CellsPlan& plan, cells::Simulation& cells) {
+  try {
+    read_cells(points, cells);
+  } catch (const Error& error) {
+    throw Error(error.code(),
+                fmt::format("cannot go on from '{}': {}", plan.from.string(), error.what()),
+                error.where(), error.hint());
+  }
+}
+
 /// What masks and rules ask of the rock under cells and around them.
 void look_around(const CellsPlan& plan, const std::vector<Ground>& grounds,
                  cells::Simulation& cells, Progress& progress) {
@@ -91,11 +101,11 @@ void look_around(const CellsPlan& plan, const std::vector<Ground>& grounds,
 
 Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
                Progress& progress, const SkinRun& how) {
-  if (!how.from) require_points(plan);
+  const std::optional<volume::Grid> before = how.from ? std::nullopt : points_from(plan);
   Skin skin = how.from ? *how.from : fresh_skin(plan, grounds, memory, progress);
   if (skin.network().size() == 0) return skin;
   try {
-    if (!how.from && !plan.from.empty()) read_cells(plan.from, plan, skin.simulation);
+    if (before) go_on_from(*before, plan, skin.simulation);
     if (how.checkpoint) how.checkpoint->put_back(plan, skin);
     if (skin.simulation.step() > plan.length() && !how.from)
       throw Error(ErrorCode::bad_input,

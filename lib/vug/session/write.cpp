@@ -14,11 +14,8 @@ namespace {
 /// Every volume, and beside them what the cells on them carry.
 std::vector<volume::Grid> grids_of(Builder& builder) {
   std::vector<volume::Grid> grids;
-  for (const VolumePtr& plan : builder.shot().volumes) {
-    const volume::LevelSet& level_set = builder.level_set(plan);
-    const volume::Grid grid = plan->fog ? volume::fog(level_set) : volume::Grid(level_set);
-    grids.push_back(grid.named(plan->name).stored_as_half(plan->half));
-  }
+  for (const VolumePtr& plan : builder.shot().volumes)
+    grids.push_back(volume_grid(*plan, builder.level_set(plan)));
   for (const CellsPtr& cells : declared_cells(builder.shot()))
     if (cells->writes("grids"))
       for (volume::Grid& grid : cell_grids(builder, cells)) grids.push_back(std::move(grid));
@@ -26,6 +23,11 @@ std::vector<volume::Grid> grids_of(Builder& builder) {
 }
 
 }  // namespace
+
+volume::Grid volume_grid(const VolumePlan& plan, const volume::LevelSet& level_set) {
+  const volume::Grid grid = plan.fog ? volume::fog(level_set) : volume::Grid(level_set);
+  return grid.named(plan.name).stored_as_half(plan.half);
+}
 
 volume::WriteOptions write_options(const Shot& shot) {
   volume::WriteOptions options;

@@ -27,6 +27,9 @@ std::vector<std::filesystem::path> write_products(Builder& builder,
 /// The first of these files under any name: all volumes, with what cells on them carry.
 void write_volumes(Builder& builder, const std::filesystem::path& vdb);
 
+/// What files hold of a volume, under its name: the level set, or the density of a fog.
+volume::Grid volume_grid(const VolumePlan& plan, const volume::LevelSet& level_set);
+
 /// What files of the shot's grids tell about where they come from.
 volume::WriteOptions write_options(const Shot& shot);
 /// The same of its meshes.

@@ -9,6 +9,7 @@ import bpy
 
 from . import geometry, lights, look, parameters
 from .glb import Glb
+from .whole import replacing
 
 NAME, DIGEST = "vug_name", "vug_digest"
 MAKERS = {"mesh": lambda name, kind: bpy.data.meshes.new(name),
@@ -142,13 +143,9 @@ def move_volumes(collection, files, folder):
     out = []
     for name in files:
         os.makedirs(target, exist_ok=True)
-        path, beside = os.path.join(target, name), os.path.join(target, f".{name}.{os.getpid()}")
-        try:
+        path = os.path.join(target, name)
+        with replacing(path) as beside:
             shutil.copyfile(os.path.join(folder, name), beside)
-            os.replace(beside, path)
-        finally:
-            if os.path.exists(beside):
-                os.remove(beside)
         out.append(path)
     return out
 

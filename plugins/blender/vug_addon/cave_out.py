@@ -3,6 +3,8 @@ import os
 
 import numpy
 
+from .whole import replacing
+
 
 def triangles_of(thing, depsgraph):
     """Vertices in metres with y up and triangles, of the object with its modifiers, where it stands."""
@@ -66,14 +68,8 @@ mesh wall on rock {{}}
 
 
 def replace(path, data):
-    beside = f"{path}.{os.getpid()}"
-    try:
-        with open(beside, "wb") as file:
-            file.write(data)
-        os.replace(beside, path)
-    finally:
-        if os.path.exists(beside):
-            os.remove(beside)
+    with replacing(path) as beside, open(beside, "wb") as file:
+        file.write(data)
 
 
 def write(thing, depsgraph, path, voxel):

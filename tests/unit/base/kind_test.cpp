@@ -1,3 +1,4 @@
+#include <vug/base/find_kind.h>
 #include <vug/base/kind.h>
 
 #include <gtest/gtest.h>
@@ -84,6 +85,23 @@ TEST(Kind, KnowsItsNeighbours) {
               "there is no rope 'rop' / did you mean 'rope'?");
   }
   EXPECT_EQ(find_kind(kRopes, "thread"), nullptr);
+}
+
+TEST(Kind, IsFoundByTheNameThatSomebodyTyped) {
+  struct Knot {
+    KindInfo info;
+  };
+  const Knot reef{{"reef", "knot", "Joins two ropes.", "", {}}};
+  const Knot bowline{{"bowline", "knot", "A loop that holds.", "", {}}};
+  const std::vector<const Knot*> knots = {&reef, &bowline};
+  EXPECT_EQ(&named_kind(knots, "bowline", "no"), &bowline);
+  try {
+    named_kind(knots, "bowlin", "there is no such knot");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()) + " / " + error.hint(),
+              "there is no such knot / did you mean 'bowline'?");
+  }
 }
 
 TEST(Kind, LeavesFailuresOfTheSystemAlone) {

@@ -34,7 +34,7 @@ session::Loaded examine(const Options& options) {
   session::Loaded loaded = session::load(options.scene.scene, options.scene.load_options());
   if (!loaded.usable()) return loaded;
   for (const session::CellsPtr& cells : session::declared_cells(loaded.shot)) try {
-      session::require_points(*cells);
+      session::points_from(*cells);
     } catch (const Error& error) {
       loaded.diagnostics.error(error.where(), error.what(), error.hint());
     }

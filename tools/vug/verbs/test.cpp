@@ -4,10 +4,10 @@
 #include "verb.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/base/scratch_folder.h>
 
 #include <algorithm>
 #include <chrono>
@@ -23,26 +23,6 @@ struct Options {
   CaseOptions cases;
   int jobs = 0;
   bool quiet = false;
-};
-
-/// A folder for the time of the run.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "vug_test_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error(ErrorCode::io, "cannot make a temporary folder");
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 void require_fitting(const Options& options) {
@@ -123,8 +103,8 @@ int run(Options options) {
   options.cases.jobs = options.jobs > 0 ? options.jobs : cores;
   options.cases.threads =
       std::max(1, cores / std::min(options.cases.jobs, static_cast<int>(folders.size())));
-  std::optional<Scratch> scratch;
-  if (options.output.empty()) scratch.emplace();
+  std::optional<ScratchFolder> scratch;
+  if (options.output.empty()) scratch.emplace("vug_test");
   options.cases.output = scratch ? scratch->path() : std::filesystem::path(options.output);
   if (!scratch) require_writable(options.cases.output / "index.html");
   if (!options.junit.empty()) require_writable(options.junit);

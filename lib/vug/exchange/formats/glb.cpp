@@ -1,7 +1,7 @@
 // glTF 2.0 in one binary file, by tinygltf.
 #include <vug/base/atomic_file.h>
 #include <vug/base/maths.h>
-#include <vug/exchange/format.h>
+#include <vug/exchange/flat_mesh.h>
 #include <vug/exchange/gltf_buffer.h>
 #include <vug/exchange/gltf_material.h>
 #include <vug/exchange/place.h>
@@ -104,13 +104,8 @@ class Writer {
   }
   /// The part where a map that shears takes it, which no node can say.
   int sheared_mesh(const Part& part, const Transform& place) {
-    mesh::Mesh mesh = *part.mesh;
-    for (Vec3f& p : mesh.positions) p = Vec3f(place.point(Vec3d(p)));
-    for (Vec3f& n : mesh.normals) n = Vec3f(place.normal(Vec3d(n)).normalized());
-    if (place.determinant() < 0)
-      for (mesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     Part moved = part;
-    moved.mesh = std::make_shared<const mesh::Mesh>(std::move(mesh));
+    moved.mesh = std::make_shared<const mesh::Mesh>(placed(*part.mesh, place));
     return add_mesh(moved);
   }
 
