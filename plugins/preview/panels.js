@@ -86,7 +86,7 @@ function metrics(data) {
   for (const [key, value] of Object.entries(left))
     if (value !== null) rows.push(row(key.replaceAll('_', ' '), typeof value === 'number' ? number(value) : JSON.stringify(value)));
   const table = (all) => make('table', {}, make('tbody', {}, ...all));
-  return [make('h2', { textContent: 'The whole mesh' }), table(rows), make('h2', { textContent: 'Faults' }), table(faults)];
+  return [make('h2', { textContent: data.mesh ? `The whole mesh ‘${data.mesh}’` : 'The whole mesh' }), table(rows), make('h2', { textContent: 'Faults' }), table(faults)];
 }
 
 function parameters(data) {

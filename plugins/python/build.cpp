@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/metrics/report.h>
+#include <vug/session/cells_checkpoint.h>
 #include <vug/session/describe_cells.h>
 #include <vug/session/find.h>
 #include <vug/session/inputs.h>
@@ -19,8 +20,11 @@ namespace vug::python {
 namespace {
 
 Build make_build(const std::shared_ptr<Scene>& scene, const Memory& max_memory, int threads,
-                 const Callback& progress) {
-  return Build(scene, {memory_of(max_memory), threads_of(threads), progress});
+                 const Callback& progress, const std::optional<std::filesystem::path>& checkpoint) {
+  if (checkpoint && extension_of(*checkpoint) != ".vdb")
+    throw py::value_error("a checkpoint holds points: its name must end in .vdb");
+  return Build(scene, {memory_of(max_memory), threads_of(threads), progress,
+                       checkpoint.value_or(std::filesystem::path())});
 }
 
 LevelSet level_set(Build& build, const std::string& name) {
@@ -90,6 +94,8 @@ std::vector<std::filesystem::path> save(Build& build, const std::filesystem::pat
       session::write_volumes(builder, to);
     else
       session::write_products(builder, to);
+    if (const auto& checkpoint = builder.options().checkpoint; checkpoint && !grids)
+      checkpoint->remove();
   });
   return paths;
 }
@@ -100,7 +106,8 @@ constexpr const char* kRender =
     "right, bottom), layers (names), noise (a share: stop sampling below it), seed (of samples),\n"
     "exposure (stops), denoise, deep, full_float, multi_part, tiled (truths), eye ('left', "
     "'right'),\n"
-    "working_space, view, display (names), ocio (a file).";
+    "working_space, view, display (names), ocio (a file), checkpoint (a file that keeps what is\n"
+    "rendered; where it is there rendering goes on from it, and Image.save to an EXR removes it).";
 
 void bind_products(py::class_<Build>& type) {
   type.def("level_set", &level_set, "name"_a = "",
@@ -149,15 +156,18 @@ void bind_build(py::module_& module) {
       });
   const py::object scene = module.attr("Scene");
   py::class_<Scene, std::shared_ptr<Scene>> scenes(scene);
-  scenes.def("build", &make_build, "max_memory"_a = py::none(), "threads"_a = 0,
-             "progress"_a = py::none(),
-             "A vug.Build. Refuses work that needs more than max_memory: bytes or '8G', else nine\n"
-             "tenths of what is free. threads: 0 takes all cores; results do not depend on it.");
+  scenes.def(
+      "build", &make_build, "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
+      "checkpoint"_a = py::none(),
+      "A vug.Build. Refuses work that needs more than max_memory: bytes or '8G', else nine\n"
+      "tenths of what is free. threads: 0 takes all cores; results do not depend on it.\n"
+      "checkpoint: a .vdb that keeps runs of cells while they go on; where it is there they\n"
+      "go on from it. Build.save of a folder removes it.");
   scenes.def(
       "measure",
       [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,
          int threads, const Callback& progress) {
-        Build build = make_build(self, memory, threads, progress);
+        Build build = make_build(self, memory, threads, progress, {});
         return measure(build, name);
       },
       "mesh"_a = "", "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
@@ -168,7 +178,7 @@ void bind_build(py::module_& module) {
          int threads, const Callback& progress, const py::kwargs& given) {
         session::RenderOptions options = render_options(*self, given);
         options.picture.render = name;
-        Build build = make_build(self, memory, threads, progress);
+        Build build = make_build(self, memory, threads, progress, {});
         return render(build, options);
       },
       "name"_a = "", "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),

@@ -22,6 +22,7 @@ struct BuildSettings {
   uint64_t max_memory = 0;  ///< Bytes.
   int threads = 0;          ///< 0: all cores.
   Callback progress;
+  std::filesystem::path checkpoint = {};  ///< Of runs of cells; empty: none is kept.
 };
 
 /// A Builder with its scene, that tells Python how it gets on.

@@ -12,11 +12,13 @@ namespace {
 
 session::ExportOptions export_options(const std::string& program,
                                       const std::optional<std::string>& up,
-                                      const std::optional<std::string>& unit) {
+                                      const std::optional<std::string>& unit, int lod) {
   session::ExportOptions options;
   options.program = &exchange::program(program);
   if (up && *up != "y" && *up != "z") throw py::value_error("up must be 'y' or 'z'");
   if (unit && *unit != "m" && *unit != "cm") throw py::value_error("unit must be 'm' or 'cm'");
+  if (lod < 0 || lod > 8) throw py::value_error("lod must be from 0 to 8");
+  options.levels = lod;
   if (up) options.up = *up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
   if (unit) options.metres_per_unit = *unit == "cm" ? 0.01 : 1;
   return options;
@@ -26,10 +28,10 @@ std::vector<std::filesystem::path> export_scene(const std::shared_ptr<Scene>& sc
                                                 const std::filesystem::path& folder,
                                                 const std::string& program,
                                                 const std::optional<std::string>& up,
-                                                const std::optional<std::string>& unit,
+                                                const std::optional<std::string>& unit, int lod,
                                                 const Memory& memory, int threads,
                                                 const Callback& progress) {
-  const session::ExportOptions options = export_options(program, up, unit);
+  const session::ExportOptions options = export_options(program, up, unit, lod);
   const auto shot = std::make_shared<const session::Shot>(session::with_meshes(scene->shot()));
   require_outputs(session::export_paths(*shot, folder, options),
                   session::files_named(scene->loaded()));
@@ -48,11 +50,12 @@ void bind_export(py::module_& module) {
   py::class_<Scene, std::shared_ptr<Scene>> scenes(module.attr("Scene"));
   scenes.def(
       "export", &export_scene, "folder"_a, "program"_a = "usd", "up"_a = py::none(),
-      "unit"_a = py::none(), "max_memory"_a = py::none(), "threads"_a = 0,
+      "unit"_a = py::none(), "lod"_a = 0, "max_memory"_a = py::none(), "threads"_a = 0,
       "progress"_a = py::none(),
       "Writes what another program reads best, as `vug export --for PROGRAM` does, and gives\n"
       "the paths; vug.catalogue.find('program') lists the programs. up: 'y' or 'z', unit: 'm'\n"
-      "or 'cm', instead of the program's own. Warns of what is left out.");
+      "or 'cm', instead of the program's own. lod: levels of detail beside the whole, each with a\n"
+      "quarter of the triangles. Warns of what is left out.");
 }
 
 }  // namespace vug::python

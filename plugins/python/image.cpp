@@ -4,6 +4,7 @@
 #include "arrays.h"
 
 #include <fmt/format.h>
+#include <vug/base/atomic_file.h>
 #include <vug/image/layers.h>
 
 namespace vug::python {
@@ -64,12 +65,16 @@ py::dict metadata(const Image& self) {
 
 py::dict views(const Image& self) {
   if (self.rendered->size() == 1) return py::dict();
-  return py::dict("left"_a = Image{self.rendered, 0}, "right"_a = Image{self.rendered, 1});
+  return py::dict("left"_a = Image{self.rendered, 0, self.checkpoint},
+                  "right"_a = Image{self.rendered, 1, self.checkpoint});
 }
 
 void save(const Image& self, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
   session::write_picture_file(file, session::views_of(*self.rendered));
+  std::error_code ignored;
+  if (extension_of(file) == ".exr" && !self.checkpoint.empty())
+    std::filesystem::remove(self.checkpoint, ignored);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace vug::python {
 struct Image {
   std::shared_ptr<const std::vector<session::Rendered>> rendered;
   size_t view = 0;
+  std::filesystem::path checkpoint = {};  ///< Of its rendering; needed until it is in a file.
 
   const session::Rendered& part() const { return (*rendered)[view]; }
   const image::Image& image() const { return *part().image; }

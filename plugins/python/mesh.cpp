@@ -4,6 +4,7 @@
 #include "arrays.h"
 
 #include <fmt/format.h>
+#include <vug/base/atomic_file.h>
 #include <vug/mesh/format.h>
 #include <vug/metrics/report.h>
 
@@ -131,9 +132,12 @@ void bind_mesh(py::module_& module) {
       "read_mesh",
       [](const std::filesystem::path& file) {
         const py::gil_scoped_release others;
-        return Mesh{std::make_shared<const mesh::Mesh>(mesh::read_mesh(file))};
+        Mesh out{std::make_shared<const mesh::Mesh>(mesh::read_mesh(file))};
+        out.notes.texts = mesh::read_texts(read_text(file));
+        return out;
       },
-      "file"_a, "The mesh of a .ply, .obj or .stl; its numbers are metres.");
+      "file"_a,
+      "The mesh of a .ply, .obj or .stl; its numbers are metres. Files of it keep the recipe.");
 }
 
 }  // namespace vug::python

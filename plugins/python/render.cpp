@@ -125,9 +125,14 @@ session::RenderOptions render_options(const Scene& scene, const py::kwargs& give
   options.picture.seed = scene.settings().load.seed;
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
+    if (name == "checkpoint" && !value.is_none()) {
+      options.checkpoint = read<std::filesystem::path>(name, value, "a file");
+      options.resume = true;
+      continue;
+    }
     const auto setter = setters().find(name);
     if (setter == setters().end()) {
-      std::vector<std::string> names;
+      std::vector<std::string> names = {"checkpoint"};
       for (const auto& each : setters()) names.push_back(each.first);
       throw py::type_error(
           fmt::format("render has no option '{}'; {}", name, suggestion(name, names)));
@@ -144,7 +149,7 @@ Image render(Build& build, const session::RenderOptions& options) {
     *rendered = session::render_views(builder, options);
     session::warn_of_exposure(builder, rendered->front());
   });
-  return {rendered};
+  return {rendered, 0, options.checkpoint};
 }
 
 }  // namespace vug::python

@@ -11,7 +11,6 @@
 #include <vug/session/recipe.h>
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 
 namespace vug::python {
@@ -119,13 +118,10 @@ py::dict params(const Scene& scene) {
   return out;
 }
 
-/// Each once, in order; without what was set from outside, which counts as a text of the scene,
-/// too.
 std::vector<std::filesystem::path> files(const Scene& scene) {
-  std::set<std::filesystem::path> out;
-  for (const std::filesystem::path& path : session::files_named(scene.loaded()))
-    if (std::filesystem::exists(path)) out.insert(path);
-  return {out.begin(), out.end()};
+  std::vector<std::filesystem::path> out = session::files_named(scene.loaded());
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 py::dict derivations(const SharedScene& scene) {

@@ -2,17 +2,22 @@
 #include "errors.h"
 
 #include <vug/base/memory.h>
+#include <vug/session/cells_checkpoint.h>
 
 namespace vug::python {
 
 struct Build::Shop {
-  Shop(const Scene& scene, const session::Shot& shot, uint64_t max_memory)
+  Shop(const Scene& scene, const session::Shot& shot, const BuildSettings& settings)
       : progress([this](const std::string& stage, double share) { post.report(stage, share); }),
-        builder(shot, options(scene, max_memory), progress) {}
+        builder(shot, options(scene, shot, settings), progress) {}
 
-  session::BuildOptions options(const Scene& scene, uint64_t max_memory) {
+  session::BuildOptions options(const Scene& scene, const session::Shot& shot,
+                                const BuildSettings& settings) {
     session::BuildOptions out;
-    out.max_memory = max_memory;
+    out.max_memory = settings.max_memory;
+    if (!settings.checkpoint.empty())
+      out.checkpoint = std::make_shared<session::CellsCheckpoint>(
+          session::CheckpointOptions{settings.checkpoint, std::nullopt, true}, shot);
     out.tell = [this, &scene](const Diagnostics& doubtful) {
       post.warn(warnings_of(scene.loaded(), doubtful));
     };
@@ -33,7 +38,7 @@ Build::Build(ScenePtr scene, std::shared_ptr<const session::Shot> shot, BuildSet
 }
 
 std::unique_ptr<Build::Shop> Build::open() {
-  return std::make_unique<Shop>(*scene_, *shot_, settings_.max_memory);
+  return std::make_unique<Shop>(*scene_, *shot_, settings_);
 }
 
 void Build::work(const std::function<void(session::Builder&)>& work) {

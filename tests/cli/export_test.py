@@ -2,6 +2,7 @@
 import json
 import os
 import struct
+import subprocess
 import unittest
 
 from vug import BALL, VugTest, digest
@@ -56,6 +57,30 @@ class Export(VugTest):
         about = json.loads(self.expect(0, "info", "o/cave_rock.vdb", "--json").out)
         self.assertEqual(about["metadata"]["vug:upAxis"], "z")
         self.assertAlmostEqual(about["grids"][0]["voxel_size"][0], 20)
+
+    def test_pyopenvdb_reads_clouds(self):
+        if subprocess.run(["/usr/bin/python3", "-c", "import pyopenvdb"], capture_output=True).returncode != 0:
+            self.skipTest("pyopenvdb is not installed")
+        self.write("mist.vug", "volume banks = fog(sphere(1m), voxel: 10cm)\n"
+                   "medium mist on banks { kind cloud  temperature 1800  temperature_mask height(from: -1m, to: 1m)\n"
+                   "  albedo layer(under: (0.9, 0.5, 0.1), over: (0.1, 0.5, 0.9), mask: height(from: -1m, to: 1m)) }\n"
+                   "volume rock = level_set(box(size: (4, 1, 4)).translate((0, -1.5, 0)), voxel: 20cm)\n")
+        self.expect(0, "export", "mist.vug", "-o", "o", "--for", "blender", "-q")
+        script = ("import json, pyopenvdb as v\n"
+                  "grids = {g.name: g for g in v.readAll('o/mist_banks.vdb')[0]}\n"
+                  "at = {n: [g.getConstAccessor().getValue((0, y, 0)) for y in (-5, 0, 5)] for n, g in grids.items()}\n"
+                  "print(json.dumps({n: [g.gridClass, at[n]] for n, g in grids.items()}))\n")
+        said = subprocess.run(["/usr/bin/python3", "-c", script], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        found = json.loads(said.stdout)
+        self.assertEqual(sorted(found), ["color", "density", "temperature"])
+        self.assertEqual({grid_class for grid_class, _ in found.values()}, {"fog volume"})
+        for i, y in enumerate((-0.5, 0, 0.5)):  # voxels keep their axes, the transform turns them
+            t = (y + 1) / 2
+            t = t * t * (3 - 2 * t)
+            self.assertAlmostEqual(found["temperature"][1][i], 1800 * t, delta=0.1)
+            for got, low, high in zip(found["color"][1][i], (0.9, 0.5, 0.1), (0.1, 0.5, 0.9)):
+                self.assertAlmostEqual(got, low + t * (high - low), delta=1e-5)
 
     def test_the_same_bytes_again(self):
         for folder, threads in (("a", 1), ("b", 7)):

@@ -1,5 +1,6 @@
 """vug preview writes one page that holds all it shows, and nothing of a scene becomes markup."""
 import base64
+import html
 import json
 import os
 import pathlib
@@ -48,7 +49,7 @@ class Preview(VugTest):
 
     def test_what_it_holds(self):
         title, data, model = self.data(self.page("o.html", "-D", "R=1.25m"))
-        self.assertEqual(title, NAME.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"))
+        self.assertEqual(title, html.escape(NAME).replace("&#x27;", "'"))
         self.assertEqual((data["name"], data["camera"], data["exposure"]), (NAME, "main", 2))
         [radius] = data["parameters"]
         self.assertEqual((radius["name"], radius["value"], radius["fallback"], radius["doc"], radius["share"]),
@@ -69,6 +70,15 @@ class Preview(VugTest):
         gltf = json.loads(model[20:20 + length])
         [primitive] = gltf["meshes"][0]["primitives"]
         self.assertEqual(gltf["accessors"][primitive["indices"]]["count"], 3 * data["triangles"])
+
+    def test_the_metrics_are_those_of_the_largest_mesh(self):
+        self.write("two.vug", "volume pool = level_set(box(size: (1, 1, 1)), voxel: 20cm)\nmesh water on pool {}\n"
+                   "volume rock = level_set(sphere(2m), voxel: 20cm)\nmesh wall on rock {}\n")
+        for options, name in ((), "wall"), (("--mesh", "water"), "water"):
+            self.expect(0, "preview", "two.vug", "-o", "two.html", *options, env=self.env())
+            _, data, _ = self.data((self.folder / "two.html").read_text())
+            measured = json.loads(self.expect(0, "measure", "two.vug", "--mesh", name, "--json").out)
+            self.assertEqual((data["mesh"], data["metrics"]["area"]), (name, measured["area"]))
 
     def test_the_same_bytes_again(self):
         first = digest(self.folder / "one.html") if self.page("one.html", "--threads", "1") else None

@@ -12,7 +12,7 @@ from others import HERE, VugTest, require_blender
 ZIP = pathlib.Path(os.environ.get("VUG_ADDON", ""))
 
 # A ball off the middle with colours and water that vary with height, stones in three places, fog, and
-# lights of each kind that a file can hold.
+# lights of each kind that a file can hold, with a sky, and a cloud with colours and heat.
 SCENE = """param R = 70cm  in 50cm..1m  "radius of the ball"
 param LEAN = 10deg  in 0deg..45deg  "how far stones lean"
 param WET = true  "water on it"
@@ -31,6 +31,9 @@ light ball = sphere(center: (0, 3, 0), radius: 10cm, power: 100)
 light window = rect(center: (0, 4, 0), width: 1m, height: 50cm, radiance: (3, 2, 1))
 light torch = spot(center: (1, 4, 0), angle: 60deg, edge: 0.2)
 light sun = sun(elevation: 30deg, irradiance: (3, 2, 1))
+light heaven = daylight(elevation: 30deg)
+medium air on mist { kind cloud  extinction 2/m  g 0.25  temperature 1500
+  albedo layer(under: (0.9, 0.5, 0.1), over: (0.1, 0.5, 0.9), mask: height(from: -1m, to: 1m)) }
 render main { size 320x160 spp 1 }
 """
 

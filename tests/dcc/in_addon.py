@@ -92,7 +92,7 @@ def adds():
     equal(len({each.data for each in cave().objects if each.type == "MESH"}), 2, "shared meshes")
     near(thing("heap.2").matrix_world.translation, (4, 0, 1), 1e-6)
     equal([grid.name for grid in thing("rock volume").data.grids], ["surface"])
-    equal([grid.name for grid in thing("mist volume").data.grids], ["density"])
+    equal(sorted(grid.name for grid in thing("mist volume").data.grids), ["color", "density", "temperature"])
     equal((thing("rock volume").hide_render, thing("mist volume").hide_render), (True, False))
 
 
@@ -158,6 +158,38 @@ def lights():
     near(thing("plan").data.ortho_scale, 8, 1e-5)
 
 
+def sky():
+    world = bpy.context.scene.world
+    equal((world.name, world["vug_sky"]), ("cave sky", "cave"))
+    picture = next(node.image for node in world.node_tree.nodes if node.type == "TEX_ENVIRONMENT")
+    equal(tuple(picture.size), (512, 256))
+    assert os.path.samefile(os.path.dirname(bpy.path.abspath(picture.filepath)),
+                            bpy.path.abspath(cave().vug.folder)), picture.filepath
+    # What somebody has made of the world stays; Blender's plain one gives way.
+    own = bpy.data.worlds.new("an artist's")
+    own.use_nodes = True
+    own.node_tree.nodes.new("ShaderNodeTexSky")
+    bpy.context.scene.world = own
+    cave()["R"] = 0.71
+    bpy.ops.vug.update()
+    equal(bpy.context.scene.world.name, "an artist's")
+    bpy.context.scene.world = bpy.data.worlds.new("plain")
+    cave()["R"] = 0.7
+    bpy.ops.vug.update()
+    equal(bpy.context.scene.world, world)
+    equal(sum("vug_sky" in each for each in bpy.data.worlds), 1)
+
+
+def cloud():
+    nodes = thing("mist volume").data.materials[0].node_tree.nodes
+    body = next(node for node in nodes if node.type == "PRINCIPLED_VOLUME")
+    near((body.inputs["Density"].default_value, body.inputs["Anisotropy"].default_value), (2, 0.25), 1e-6)
+    equal(body.inputs["Density Attribute"].default_value, "density")
+    named = sorted(node.attribute_name for node in nodes if node.type == "ATTRIBUTE")
+    equal(named, ["color", "density", "temperature"])
+    equal(sum(node.type == "EMISSION" for node in nodes), 1)
+
+
 def slider():
     before = print_of(cave())
     equal(bpy.ops.vug.update(), {"FINISHED"})
@@ -170,7 +202,7 @@ def slider():
     equal(thing("heap.1").data["vug_digest"], pebble, "a mesh that has not changed")
     near(thing("heap.1").location.x, 4, 1e-6, "what an artist has moved")
     equal([len(each) for each in (cave().objects, bpy.data.meshes, bpy.data.materials, bpy.data.volumes)],
-          [13, 2, 2, 3])
+          [13, 2, 3, 3])
     cave()["WET"] = 0
     cave()["SHARE"] = 0.25
     equal(bpy.ops.vug.update(), {"FINISHED"})
@@ -282,7 +314,7 @@ def reloads():
     assert not hasattr(bpy.types.Collection, "vug")
 
 
-CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, slider, nothing_is_built,
+CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, sky, cloud, slider, nothing_is_built,
                   cancel, faults, block_out, save, memory),
           "again": (reloads,)}
 for check in CHECKS[part]:

@@ -44,6 +44,9 @@ class Chain(Case):
 
     def test_what_a_scene_reads(self):
         self.assertEqual([path.name for path in self.scene.files], ["cave.vug"])
+        self.write("twice.vug", 'volume a = level_set(mesh("a.ply") + mesh("a.ply"), voxel: N)\nparam N = 1m')
+        vug.loads(BALL).build().mesh().save("a.ply")
+        self.assertEqual([path.name for path in vug.load("twice.vug", N="2m").files], ["a.ply", "twice.vug"])
         vug.loads(BALL).build().mesh().save("ball.ply")
         self.write("walls.vug", 'let walls = mesh("ball.ply")')
         self.write("all.vug", 'include "walls.vug"\nvolume rock = level_set(walls, voxel: 1m)')
@@ -78,6 +81,23 @@ class Chain(Case):
         del theirs["volume_cells"], theirs["productions"]
         self.assertEqual({k: v for k, v in mesh.measure().items() if k in theirs}, theirs)
 
+    def test_meshes_that_were_read_keep_their_recipe(self):
+        self.scene.build().mesh().save("first.ply")
+        vug.read_mesh("first.ply").save("second.obj")
+        again = vug.scene_of("second.obj")
+        self.assertEqual((again.seed, again.params["R"].value), (5, 1.25))
+
+    def test_levels_of_detail(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            paths = self.scene.export("ours", "gltf", lod=2)
+        self.assertLessEqual({"cave.glb", "cave_lod1.glb", "cave_lod2.glb"}, {path.name for path in paths})
+        self.vug("export", "cave.vug", "-o", "theirs", "--for", "gltf", "--lod", "2", *FLAGS)
+        for path in paths:
+            self.assert_same_files(path, f"theirs/{path.name}")
+        with self.assertRaisesRegex(ValueError, "lod must be from 0 to 8"):
+            self.scene.export("ours", "gltf", lod=9)
+
     def test_trees(self):
         tree = self.scene.derivations["hall"]
         self.assertEqual(str(tree), self.vug("tree", "cave.vug", *FLAGS))
@@ -86,7 +106,7 @@ class Chain(Case):
         self.assertEqual(tree.productions, 3)
 
     def test_pictures(self):
-        self.vug("render", "cave.vug", "-o", "theirs.exr", "--render", "main", *FLAGS)
+        self.vug("render", "cave.vug", "-o", "theirs.exr", *FLAGS)
         image = self.scene.render("main")
         self.assertEqual((image.width, image.height), (40, 24))
         image.save("ours.exr")

@@ -98,6 +98,43 @@ class Cancelling(Case):
             with self.assertRaises(vug.Cancelled, msg=stage):
                 build.save(f"stopped {stage}")
 
+    def test_a_picture_goes_on_from_its_checkpoint(self):
+        scene = vug.loads(BALL)
+        scene.render(spp=2048).save("whole.exr")
+        with self.assertRaises(vug.Cancelled):
+            scene.render(spp=2048, checkpoint="half.part",
+                         progress=lambda share, what: what != "rendering" or share < 0.4)
+        self.assertTrue((self.folder / "half.part").exists())
+        with self.assertRaisesRegex(vug.Error, "of another picture"):
+            scene.render(spp=1024, checkpoint="half.part")
+        shares = []
+        image = scene.render(spp=2048, checkpoint="half.part",
+                             progress=lambda share, what: shares.append(share) if what == "rendering" else None)
+        self.assertGreater(shares[0], 0.2)
+        image.save("again.png")
+        self.assertTrue((self.folder / "half.part").exists())
+        image.save("again.exr")
+        self.assertFalse((self.folder / "half.part").exists())
+        self.assert_same_files("again.exr", "whole.exr")
+
+    def test_cells_go_on_from_their_checkpoint(self):
+        scene = vug.loads(BALL + "cells skin on wall { spacing 10cm  run life(steps: 2000) }\n")
+        scene.build().save("whole")
+        with self.assertRaises(vug.Cancelled):
+            scene.build(checkpoint="run.vdb",
+                        progress=lambda share, what: "rewriting" not in what or share < 0.4).cells("skin")
+        self.assertTrue((self.folder / "run.vdb").exists())
+        shares = []
+        build = scene.build(checkpoint="run.vdb", progress=lambda share, what: shares.append(what))
+        build.save("again")
+        self.assertIn("rewriting", " ".join(shares))
+        self.assertNotIn("2000 steps", " ".join(shares))
+        self.assertFalse((self.folder / "run.vdb").exists())
+        for path in (self.folder / "whole").iterdir():
+            self.assert_same_files(f"again/{path.name}", f"whole/{path.name}")
+        with self.assertRaisesRegex(ValueError, "must end in .vdb"):
+            scene.build(checkpoint="run.part")
+
     def test_control_c(self):
         self.write("long.vug", LONG)
         for callback in ("", ", progress=lambda share, what: None"):

@@ -34,8 +34,8 @@ class Stubs(Case):
         self.assertEqual([a.arg for a in load.kwonlyargs], ["seed", "frame"])
         self.assertEqual(load.kwarg.arg, "kwargs")
         self.assertEqual(ast.unparse(load.args[0].annotation), "Union[str, os.PathLike]")
-        progress = [n for n in self.classes["Scene"].body
-                    if getattr(n, "name", "") == "build"][0].args.args[-1]
+        [build] = [n for n in self.classes["Scene"].body if getattr(n, "name", "") == "build"]
+        [progress] = [each for each in build.args.args if each.arg == "progress"]
         self.assertEqual(ast.unparse(progress.annotation), "Optional[Callable[[float, str], Any]]")
         for node in ast.walk(self.tree):  # nothing is left that only C++ understands
             if isinstance(node, ast.Name):

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <vug/exchange/camera.h>
+#include <vug/exchange/cloud.h>
 #include <vug/exchange/lamp.h>
 #include <vug/exchange/look.h>
 #include <vug/mesh/mesh.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,7 @@ struct Volume {
   std::string file;  ///< Beside the other files.
   std::vector<VolumeGrid> grids;
   Box3d bounds;
+  std::optional<Cloud> cloud = {};  ///< What they mean, where that is known.
 };
 
 struct Assembly {

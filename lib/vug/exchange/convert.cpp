@@ -2,6 +2,7 @@
 #include <vug/exchange/assembly.h>
 #include <vug/exchange/channels.h>
 
+#include <algorithm>
 #include <map>
 
 namespace vug::exchange {
@@ -83,7 +84,15 @@ Assembly converted(const Assembly& assembly, const Space& to) {
   }
   for (Group& group : out.groups)
     for (Transform& place : group.places) place = there * place * back;
-  for (Volume& volume : out.volumes) volume.bounds = there.box(volume.bounds);
+  for (Volume& volume : out.volumes) {
+    volume.bounds = there.box(volume.bounds);
+    if (!volume.cloud) continue;
+    volume.cloud->extinction /= scale;
+    // A flame counts for each unit of length; without one the extinction does.
+    if (std::any_of(volume.grids.begin(), volume.grids.end(),
+                    [](const VolumeGrid& grid) { return grid.name == "flame"; }))
+      volume.cloud->emission /= scale, volume.cloud->heat /= scale;
+  }
   // Their own axes keep their lengths: what they measure is told in numbers.
   const auto moved = [&](const Transform& place) {
     const Vec3d origin = there.point(place.origin());

@@ -1,10 +1,14 @@
 // The seam of media: what the air does to light between surfaces.
 #pragma once
 
+#include <vug/exchange/cloud.h>
 #include <vug/render/tracking.h>
 #include <vug/render/vectors.h>
+#include <vug/volume/grid.h>
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace vug::volume {
 class Density;
@@ -27,6 +31,12 @@ struct DistanceSample {
   bool scattered = false;
 };
 
+/// A cloud for other programs: grids with the names that exchange::Cloud has for them.
+struct CloudData {
+  exchange::Cloud cloud;
+  std::vector<volume::Grid> grids;  ///< The density first.
+};
+
 /// Fills a region of space; clear air outside it.
 class Medium {
  public:
@@ -39,6 +49,13 @@ class Medium {
       std::shared_ptr<const volume::Density> density) const {
     (void)density;
     return nullptr;
+  }
+  /// It is what grids tell, those of a volume or of a file.
+  virtual bool has_grids() const { return false; }
+  /// What other programs are told of it once it is not hollow; `density` is that of the volume it
+  /// stands on, null for one that has its own. Nothing of media that no grid can tell.
+  virtual std::optional<CloudData> as_data(const volume::Grid* density) const {
+    return (void)density, std::nullopt;
   }
   /// It has no density yet.
   virtual bool hollow() const { return false; }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace vug::session {
@@ -17,9 +18,28 @@ Transform place_of(const render::Object& object) {
   return {Vec3d(at.x), Vec3d(at.y), Vec3d(at.z), Vec3d(at.origin)};
 }
 
+/// Looks that depend on the place of an instance are told at each as long as all of it together
+/// has no more vertices than this.
+constexpr size_t kMostVertices = 4000000;
+/// How many places of more than that are looked at, to tell whether they differ.
+constexpr size_t kProbes = 4;
+
 class Collector {
  public:
-  explicit Collector(Assembled& out) : out_(out) {}
+  Collector(const std::vector<render::Object>& objects, Assembled& out) : out_(out) {
+    for (const render::Object& object : objects)
+      if (object.looks_by_place) ++counts_[key_of(object)];
+    for (const render::Object& object : objects) add(object);
+    name_apart();
+  }
+
+ private:
+  /// Objects that share a mesh and a look share a part.
+  using Key = std::tuple<const void*, const void*, float, float, float>;
+  static Key key_of(const render::Object& object) {
+    const Vec3f& light = object.emission;
+    return {object.mesh.get(), object.material.get(), light.x, light.y, light.z};
+  }
 
   void add(const render::Object& object) {
     const size_t part = part_of(object);
@@ -30,24 +50,68 @@ class Collector {
     all.groups[known->second].places.push_back(place_of(object));
   }
 
- private:
-  /// Objects that share a mesh and a look share a part.
   size_t part_of(const render::Object& object) {
-    const Vec3f& light = object.emission;
-    const auto [known, fresh] =
-        parts_.try_emplace({object.mesh.get(), object.material.get(), light.x, light.y, light.z},
-                           out_.assembly.parts.size());
-    if (!fresh) return known->second;
-    if (object.looks_by_place)
-      out_.left_out.push_back(
-          fmt::format("how the look of '{}' varies from place to place", object.name));
-    const Baked baked = bake(object);
-    out_.assembly.parts.push_back({object.name, baked.mesh, object.material_name, baked.look, {}});
+    const Key key = key_of(object);
+    if (!object.looks_by_place) return shared_part(key, object);
+    const size_t places = counts_.at(key);
+    if (places * object.mesh->positions.size() <= kMostVertices) return own_part(key, object);
+    if (size_t& probes = probes_[key]; probes < kProbes) {
+      ++probes;
+      if (!told_.count(key) && !same(bake(object), on_itself(object))) {
+        told_.insert(key);
+        out_.left_out.push_back(
+            fmt::format("how the look of '{}' varies over its {} places", object.name, places));
+      }
+    }
+    return shared_part(key, unplaced(object));
+  }
+
+  size_t shared_part(const Key& key, const render::Object& object) {
+    const auto [known, fresh] = parts_.try_emplace(key, out_.assembly.parts.size());
+    if (fresh) add_part(object, bake(object));
     return known->second;
+  }
+  /// Places at which it looks the same share a part, too.
+  size_t own_part(const Key& key, const render::Object& object) {
+    Baked baked = bake(object);
+    std::vector<size_t>& made = own_parts_[key];
+    const Digest digest = mesh::digest(*baked.mesh);
+    for (const size_t part : made)
+      if (digests_.at(part) == digest && out_.assembly.parts[part].look == baked.look) return part;
+    made.push_back(out_.assembly.parts.size());
+    digests_[made.back()] = digest;
+    add_part(object, std::move(baked));
+    return made.back();
+  }
+  void add_part(const render::Object& object, Baked baked) {
+    out_.assembly.parts.push_back(
+        {object.name, std::move(baked.mesh), object.material_name, baked.look, {}});
+  }
+
+  static render::Object unplaced(render::Object object) {
+    object.looks_by_place = false;
+    return object;
+  }
+  static Baked on_itself(const render::Object& object) { return bake(unplaced(object)); }
+  static bool same(const Baked& a, const Baked& b) {
+    return a.look == b.look && *a.mesh == *b.mesh;
+  }
+
+  /// Of several groups of a name the second gets another: programs tell things apart by names.
+  void name_apart() {
+    std::set<std::string> given;
+    for (exchange::Group& group : out_.assembly.groups) {
+      const std::string own = group.name;
+      for (int i = 2; !given.insert(group.name).second; ++i)
+        group.name = fmt::format("{}_{}", own, i);
+    }
   }
 
   Assembled& out_;
-  std::map<std::tuple<const void*, const void*, float, float, float>, size_t> parts_;
+  std::map<Key, size_t> parts_, counts_, probes_;
+  std::map<Key, std::vector<size_t>> own_parts_;
+  std::map<size_t, Digest> digests_;
+  std::set<Key> told_;
   std::map<std::tuple<std::string, size_t, bool>, size_t> groups_;
 };
 
@@ -82,9 +146,9 @@ void add_lamps(const Shot& shot, const std::vector<render::LightPtr>& lights, As
     const auto own = std::find_if(shot.lights.begin(), shot.lights.end(),
                                   [&](const auto& each) { return each.second == light; });
     exchange::Lamp lamp;
-    lamp.name = own != shot.lights.end()
-                    ? own->first
-                    : fmt::format("placed_light_{}", out.assembly.lamps.size() + 1);
+    lamp.name = own != shot.lights.end() ? own->first
+                : light->is_sky()        ? "sky"
+                                  : fmt::format("placed_light_{}", out.assembly.lamps.size() + 1);
     if (light->as_data(lamp)) out.assembly.lamps.push_back(lamp);
     if (!light->notes().only.empty() || !light->notes().except.empty())
       out.left_out.push_back(fmt::format("which objects the light '{}' is for", lamp.name));
@@ -110,13 +174,11 @@ Assembled assemble(Builder& builder) {
   Assembled out;
   out.assembly.name = shot.name;
   out.assembly.provenance = provenance_of(shot);
-  const Cast cast = cast_of(builder);
-  Collector collector(out);
-  for (const render::Object& object : cast.objects) collector.add(object);
+  Cast cast = cast_of(builder);
+  if (cast.lights.empty()) cast.lights.push_back(plain_sky());
+  Collector(cast.objects, out);
   add_cameras(shot, out);
   add_lamps(shot, cast.lights, out);
-  if (shot.medium)
-    out.left_out.push_back("the medium in the air: only its volume is written, where it has one");
   return out;
 }
 

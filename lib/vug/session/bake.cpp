@@ -1,6 +1,7 @@
 #include <vug/base/parallel.h>
 #include <vug/exchange/channels.h>
 #include <vug/mesh/normals.h>
+#include <vug/render/placing.h>
 #include <vug/session/bake.h>
 
 #include <fmt/format.h>
@@ -32,6 +33,7 @@ class Eye {
         corners_(corners_of(mesh_)),
         color_(mesh::find_attribute(mesh_, mesh::kColour, 3)) {
     if (mesh_.normals.empty()) normals_ = mesh::vertex_normals(mesh_);
+    if (object.looks_by_place && object.placing) placing_ = object.placing.get();
   }
 
   exchange::Look at(size_t vertex) const {
@@ -40,6 +42,13 @@ class Eye {
     surface.solid = object_.solid.get();
     surface.position = mesh_.positions[vertex];
     surface.shading_normal = mesh_.normals.empty() ? normals_[vertex] : mesh_.normals[vertex];
+    if (placing_) {
+      const render::Affine place = placing_->at(0);
+      surface.placing = placing_;
+      surface.looks_by_place = true;
+      surface.position = place.point(surface.position);
+      surface.shading_normal = render::normalized(place.normal(surface.shading_normal));
+    }
     surface.geometric_normal = surface.shading_normal;
     if (color_)
       surface.color = {color_->values[3 * vertex], color_->values[3 * vertex + 1],
@@ -57,7 +66,6 @@ class Eye {
     look.emission += Vec3d(object_.emission);
     return look;
   }
-  const render::Object& object() const { return object_; }
 
  private:
   const render::Object& object_;
@@ -65,6 +73,7 @@ class Eye {
   std::vector<uint32_t> corners_;
   std::vector<Vec3f> normals_;
   const mesh::Attribute* color_;
+  const render::Placing* placing_ = nullptr;  ///< That the look depends on.
 };
 
 double part_of(const exchange::Channel& channel, const exchange::Look& look, int part) {

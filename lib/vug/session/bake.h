@@ -11,8 +11,9 @@ struct Baked {
   exchange::Look look;  ///< Elsewhere the mean.
 };
 
-/// The object's material, seen from outside in the mesh's own space; its "Cd" becomes the body's
-/// colour. An attribute of the mesh that is called like a channel is kept under "raw_NAME".
+/// The object's material, seen from outside in the mesh's own space, or where the object stands if
+/// its look depends on that; its "Cd" becomes the body's colour. An attribute of the mesh that is
+/// called like a channel is kept under "raw_NAME".
 Baked bake(const render::Object& object);
 
 }  // namespace vug::session

@@ -1,4 +1,5 @@
 #include <vug/base/memory.h>
+#include <vug/render/kinds.h>
 #include <vug/render/placed_light.h>
 #include <vug/session/blame.h>
 #include <vug/session/cast.h>
@@ -171,6 +172,10 @@ void put_all(Builder& builder, const PlacePlan& plan, const Moments& moments, Ca
 }
 
 }  // namespace
+
+render::LightPtr plain_sky() {
+  return render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}});
+}
 
 std::vector<ObjectPlan> shown_objects(const Shot& shot) {
   const auto is_placed = [&](const std::string& name, const MeshPtr& mesh) {

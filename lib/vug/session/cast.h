@@ -23,6 +23,9 @@ using Moments = std::vector<std::shared_ptr<const Shot>>;
 /// be rendered.
 Cast cast_of(Builder& builder, const Moments& moments = {});
 
+/// What lights a shot that has no lights: a soft sky.
+render::LightPtr plain_sky();
+
 /// The objects that a shot shows where their meshes stand: not those that it places. Of a shot
 /// without objects they are its meshes, in grey.
 std::vector<ObjectPlan> shown_objects(const Shot& shot);

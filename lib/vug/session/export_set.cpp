@@ -8,6 +8,7 @@
 #include <vug/session/assemble.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/export_set.h>
+#include <vug/session/export_volume.h>
 #include <vug/session/write.h>
 #include <vug/volume/io.h>
 #include <vug/volume/placed.h>
@@ -38,6 +39,9 @@ class Names {
   }
   std::filesystem::path volume(const VolumePlan& plan) const {
     return folder_ / fmt::format("{}_{}.vdb", shot_.name, plan.name);
+  }
+  std::filesystem::path medium() const {
+    return folder_ / fmt::format("{}_{}_medium.vdb", shot_.name, shot_.medium_name);
   }
   std::filesystem::path points(const CellsPlan& plan) const {
     const std::string& format = options_.program->points_format;
@@ -79,12 +83,6 @@ mesh::Mesh as_mesh(const volume::Points& points) {
   return out;
 }
 
-/// As programs look for it; a level set of the air of a cave has another sign than its rock.
-std::string grid_name(const VolumePlan& plan) {
-  if (plan.fog) return "density";
-  return plan.name == "air" ? "air" : "surface";
-}
-
 class Exporter {
  public:
   Exporter(Builder& builder, const std::filesystem::path& folder, const ExportOptions& options)
@@ -103,9 +101,14 @@ class Exporter {
     Assembled made = assemble(builder_);
     exchange::add_levels(made.assembly, options_.levels, builder_.progress());
     tell_levels(made.assembly);
-    for (const VolumePtr& plan : builder_.shot().volumes)
-      made.assembly.volumes.push_back(write(*plan, builder_.level_set(plan)));
-    for (const CellsPtr& plan : declared_cells(builder_.shot())) write(plan);
+    const Shot& shot = builder_.shot();
+    for (const VolumePtr& plan : shot.volumes)
+      made.assembly.volumes.push_back(write(export_volume(builder_, plan), names_.volume(*plan)));
+    if (has_own_grids(shot))
+      made.assembly.volumes.push_back(write(export_medium(builder_), names_.medium()));
+    else if (shot.medium && !shot.medium->has_grids())
+      made.left_out.push_back(fmt::format("the medium '{}': it has no grids", shot.medium_name));
+    for (const CellsPtr& plan : declared_cells(shot)) write(plan);
     out_.left_out = std::move(made.left_out);
     for (const std::string& name : options_.program->formats) {
       const exchange::Format& format = exchange::format(name);
@@ -136,16 +139,15 @@ class Exporter {
                         part.coarser[i].mesh->triangles.size(), part.mesh->triangles.size(),
                         quantity_text(part.coarser[i].distance, Dimension::length)));
   }
-  exchange::Volume write(const VolumePlan& plan, const volume::LevelSet& level_set) {
-    const volume::Grid grid = volume_grid(plan, level_set);
-    const Box3d bounds = grid.statistics().bounds;
-    const std::string name = grid_name(plan);
-    const std::filesystem::path file = names_.volume(plan);
-    write(file, {grid.named(name)});
-    return {plan.name,
-            file.filename().string(),
-            {{name, volume::to_string(grid.grid_class())}},
-            bounds};
+  exchange::Volume write(const ExportVolume& volume, const std::filesystem::path& file) {
+    write(file, volume.grids);
+    exchange::Volume out{volume.name, file.filename().string(), {}, {}, volume.cloud};
+    for (const volume::Grid& grid : volume.grids) {
+      out.grids.push_back(
+          {grid.name(), volume::to_string(grid.grid_class()), exchange::is_color(grid.name())});
+      out.bounds.extendBy(grid.statistics().bounds);
+    }
+    return out;
   }
   void write(const CellsPtr& plan) {
     const SkinPtr skin = builder_.skin(plan);
@@ -207,6 +209,7 @@ std::vector<std::filesystem::path> export_paths(const Shot& shot,
   const Names names(shot, folder, options);
   std::vector<std::filesystem::path> paths;
   for (const VolumePtr& plan : shot.volumes) paths.push_back(names.volume(*plan));
+  if (has_own_grids(shot)) paths.push_back(names.medium());
   for (const CellsPtr& plan : declared_cells(shot)) {
     if (plan->writes("grids")) paths.push_back(names.grids(*plan));
     if (plan->writes("points")) paths.push_back(names.points(*plan));

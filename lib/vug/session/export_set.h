@@ -24,8 +24,8 @@ std::vector<std::filesystem::path> export_paths(const Shot& shot,
                                                 const ExportOptions& options);
 
 /// Writes into `folder`, each file whole or not at all, where NAME is the shot's: NAME.glb or what
-/// else the program reads; a file NAME_VOLUME.vdb for each volume, with the grid `surface`,
-/// `air` of a level set of that name, or `density`; of cells NAME_CELLS_points and, where the scene
+/// else the program reads; a file NAME_VOLUME.vdb for each volume, and NAME_MEDIUM_medium.vdb of a
+/// cloud that is in a file (see export_volume.h); of cells NAME_CELLS_points and, where the scene
 /// asks for them, the grids of what they carry in NAME_CELLS_grids.vdb; levels of detail in
 /// NAME_lod1.glb and so on, in variants (USD). The builder's shot is one of with_meshes.
 struct Exported : exchange::Written {

@@ -8,9 +8,10 @@
 
 namespace vug::session {
 
-/// The scene's texts, and every file that a text in quotes names, beside the text it stands in:
-/// meshes, grids, pictures. Read from the words, so it holds for scenes with faults, too, and for
-/// files that only another camera would need; a name that is no file does not count.
+/// The scene's texts as far as they are files (what -D sets is none), and every file that a text in
+/// quotes names, beside the text it stands in: meshes, grids, pictures; each once. Read from the
+/// words, so it holds for scenes with faults, too, and for files that only another camera would
+/// need; a name that is no file does not count.
 std::vector<std::filesystem::path> files_named(const Loaded& scene);
 
 }  // namespace vug::session

@@ -147,7 +147,7 @@ image::Metadata identifying_metadata(const Shot& shot, const PictureOptions& opt
   Hasher settings;
   settings.add_value(shot.texts);
   for (const std::string& text :
-       {options.render, options.camera, plan.view, plan.display, options.config.string(),
+       {plan.name, camera_name(shot, plan), plan.view, plan.display, options.config.string(),
         fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(plan.size, "x"), plan.noise,
                     plan.exposure, plan.openings, plan.half, plan.multi_part, plan.tiled,
                     options.denoise, options.deep, options.eye, fmt::join(plan.layers, ","),
@@ -194,6 +194,12 @@ RenderPlan render_plan(const Shot& shot, const PictureOptions& options) {
   return plan;
 }
 
+std::string camera_name(const Shot& shot, const RenderPlan& plan) {
+  for (const CameraPlan& each : shot.cameras)
+    if (plan.camera ? each.camera == plan.camera : each.name == plan.name) return each.name;
+  return shot.cameras.empty() ? "" : shot.cameras.front().name;
+}
+
 bool has_two_views(const Shot& shot, const PictureOptions& options) {
   const render::CameraPtr camera = render_plan(shot, options).camera;
   return camera && camera->eye_view(-1);
@@ -218,8 +224,7 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& 
   if (scene.objects.empty() && scene.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  if (scene.lights.empty())
-    scene.lights.push_back(render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}}));
+  if (scene.lights.empty()) scene.lights.push_back(plain_sky());
   scene.medium = shot.medium;
   if (shot.medium_volume)
     scene.medium = shot.medium->filled(std::make_shared<const volume::Density>(

@@ -39,6 +39,9 @@ struct PictureOptions {
 /// The plan with the options applied; Error(bad_input) with the nearest name for unknown ones.
 RenderPlan render_plan(const Shot& shot, const PictureOptions& options);
 
+/// The name of the camera that the plan's picture is taken with; empty without any.
+std::string camera_name(const Shot& shot, const RenderPlan& plan);
+
 /// What a picture's header says of where it comes from: the text, the seed, the samples, the
 /// version, the frame where the scene moves, and a hash of every other setting. Pictures that agree
 /// in all of it show the same.

@@ -6,6 +6,7 @@
 #include <vug/exchange/levels.h>
 #include <vug/grammar/tree_output.h>
 #include <vug/session/assemble.h>
+#include <vug/session/cast.h>
 #include <vug/session/measure.h>
 #include <vug/session/preview.h>
 #include <vug/session/recipe.h>
@@ -137,6 +138,16 @@ size_t triangles(const exchange::Assembly& assembly) {
   return sum;
 }
 
+/// Of the meshes that are shown the one with the most triangles; empty where none is.
+std::string largest_mesh(Builder& builder) {
+  std::string name;
+  size_t most = 0;
+  for (const ObjectPlan& object : shown_objects(builder.shot()))
+    if (const size_t size = builder.mesh(object.mesh)->triangles.size(); size > most)
+      most = size, name = object.mesh->name;
+  return name;
+}
+
 void thin_out(exchange::Assembly& assembly, size_t most, Progress& progress) {
   const size_t all = triangles(assembly);
   if (all <= most) return;
@@ -149,13 +160,6 @@ void thin_out(exchange::Assembly& assembly, size_t most, Progress& progress) {
     progress.advance();
   }
   progress.end();
-}
-
-/// The name of the camera that a picture would be taken with; empty without any.
-std::string camera_name(const Shot& shot, const RenderPlan& plan) {
-  for (const CameraPlan& each : shot.cameras)
-    if (plan.camera ? each.camera == plan.camera : each.name == plan.name) return each.name;
-  return shot.cameras.empty() ? "" : shot.cameras.front().name;
 }
 
 }  // namespace
@@ -184,10 +188,13 @@ Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& op
   exchange::Written written =
       exchange::write(format, made.assembly, *format.space, glb, {}, builder.progress());
   out.left_out = std::move(made.left_out);
+  if (shot.medium) out.left_out.push_back(fmt::format("the medium '{}'", shot.medium_name));
   out.left_out.insert(out.left_out.end(), written.left_out.begin(), written.left_out.end());
 
-  if (!shot.meshes.empty() || !options.mesh.empty()) {
-    metrics::Report report = measure(builder, options.mesh);
+  const std::string mesh = options.mesh.empty() ? largest_mesh(builder) : options.mesh;
+  if (!shot.meshes.empty() || !mesh.empty()) {
+    metrics::Report report = measure(builder, mesh);
+    data["mesh"] = mesh;
     report.build_seconds.reset();  // the page would differ each time
     data["metrics"] = Json::parse(metrics::to_json(report));
   }

@@ -17,7 +17,7 @@ struct PreviewOptions {
   std::filesystem::path picture;  ///< A PNG or JPEG to show; empty: none, or one that is rendered.
   bool render = false;            ///< Renders a small picture where there is none.
   size_t max_triangles = 300000;  ///< Of the model; see exchange::coarser.
-  std::string mesh;               ///< Whose metrics are told; empty: the first.
+  std::string mesh;               ///< Whose metrics are told; empty: the largest that is shown.
 };
 
 struct Preview {

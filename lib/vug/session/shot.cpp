@@ -18,6 +18,12 @@ void with_lists(A& a, B& b, const With& with) {
   with(a.lsystems, b.lsystems);
 }
 
+void copy_medium(const Shot& from, Shot& to) {
+  to.medium = from.medium;
+  to.medium_name = from.medium_name;
+  to.medium_volume = from.medium_volume;
+}
+
 }  // namespace
 
 MeshPtr plain_mesh(const VolumePtr& volume) {
@@ -41,14 +47,14 @@ Shot Shot::since(const Ends& ends) const {
   with_lists(*this, out, [&](const auto& from, auto& to) {
     to.assign(from.begin() + static_cast<std::ptrdiff_t>(ends.lists.at(i++)), from.end());
   });
-  if (!ends.medium) out.medium = medium, out.medium_volume = medium_volume;
+  if (!ends.medium) copy_medium(*this, out);
   return out;
 }
 
 void Shot::add(const Shot& more) {
   with_lists(more, *this,
              [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); });
-  if (more.medium) medium = more.medium, medium_volume = more.medium_volume;
+  if (more.medium) copy_medium(more, *this);
 }
 
 }  // namespace vug::session

@@ -169,6 +169,7 @@ struct Shot {
   std::vector<CameraPlan> cameras;
   std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
   render::MediumPtr medium;
+  std::string medium_name;
   std::vector<std::pair<std::string, render::MaterialPtr>> materials;  ///< Those with names.
   VolumePtr medium_volume;  ///< Whose density the medium has, if it needs one.
   std::vector<RenderPlan> renders;

@@ -7,7 +7,7 @@ import shutil
 
 import bpy
 
-from . import geometry, lights, look, parameters
+from . import geometry, lights, look, parameters, sky
 from .glb import Glb
 from .whole import replacing
 
@@ -111,7 +111,7 @@ class Arrival:
                     (lights.fill_light if kind == "light" else lights.fill_camera)(data, about)
             self.object(name, kind, data, place)
 
-    def volume(self, name, path):
+    def volume(self, name, path, about):
         data = self.data_of("volume", name)
         stored = bpy.path.relpath(path) if bpy.data.filepath and self.collection.vug.folder.startswith(
             "//") else path
@@ -120,9 +120,21 @@ class Arrival:
         data.filepath = stored
         data.grids.load()
         level_set = "surface" in data.grids or "air" in data.grids
+        if "extinction" in about:
+            self.dress_cloud(data, name, about)
         thing = self.object(name, "volume", data, ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)))
         if level_set:  # to work on; as a fog it would hide the mesh
             thing.hide_render, thing.display_type = True, "BOUNDS"
+
+    def dress_cloud(self, data, name, about):
+        material = self.materials.get(name)
+        if not material:
+            material = self.materials[name] = bpy.data.materials.new(name)
+            material[NAME] = name
+        if fresh(material, json.dumps(about, sort_keys=True)):
+            look.build_cloud(material, about)
+        if not data.materials:
+            data.materials.append(material)
 
     def sweep(self):
         """Takes away what the scene no longer has."""
@@ -137,11 +149,14 @@ class Arrival:
                 bpy.data.materials.remove(material)
 
 
-def move_volumes(collection, files, folder):
-    """Brings the .vdb files to the cave's folder, each whole or not at all; gives their paths."""
+def move_files(collection, files, folder):
+    """Brings what Blender reads as files, volumes and pictures of skies, to the cave's folder, each whole or
+    not at all; gives their paths."""
     target = bpy.path.abspath(collection.vug.folder)
     out = []
     for name in files:
+        if not name.endswith((".vdb", ".exr")):
+            continue
         os.makedirs(target, exist_ok=True)
         path = os.path.join(target, name)
         with replacing(path) as beside:
@@ -155,14 +170,18 @@ def bring(collection, scene, files, folder):
     glb = Glb(os.path.join(folder, scene["name"] + ".glb"))
     for index in range(len(glb.list("meshes"))):
         glb.surface(index)
-    volumes = move_volumes(collection, [name for name in files if name.endswith(".vdb")], folder)
+    paths = move_files(collection, files, folder)
     parameters.take(collection, scene["params"])
     arrival = Arrival(collection, glb)
     arrival.nodes()
     stem = scene["name"] + "_"
-    for path in volumes:
-        name = os.path.splitext(os.path.basename(path))[0]
-        arrival.volume((name[len(stem):] if name.startswith(stem) else name) + " volume", path)
+    clouds = {about["file"]: about for about in glb.extras("vug:volumes")}
+    for path in paths:
+        name, end = os.path.splitext(os.path.basename(path))
+        if end == ".vdb":
+            own = name[len(stem):] if name.startswith(stem) else name
+            arrival.volume(own + " volume", path, clouds.get(os.path.basename(path), {}))
+    sky.bring(collection, glb.extras("vug:skies"), bpy.path.abspath(collection.vug.folder), fresh)
     arrival.sweep()
     collection.vug.known = scene["key"]
     return arrival.changed

@@ -66,6 +66,10 @@ class Glb:
     def list(self, name):
         return self.about.get(name, [])
 
+    def extras(self, name):
+        """What glTF has no words for: a list that stands in the scene's extras."""
+        return self.list("scenes")[0].get("extras", {}).get(name, [])
+
     @property
     def lights(self):
         return self.about.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])

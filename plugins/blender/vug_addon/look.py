@@ -44,6 +44,74 @@ def extension(gltf, name, key, fallback):
     return gltf.get("extensions", {}).get(f"KHR_materials_{name}", {}).get(key, fallback)
 
 
+# Luminance of a black body in W/sr/m2, as Vug counts it: A exp(-B / kelvin), within 2 % from 1000 to 3000 K.
+BLACK_BODY = 5.63e8, 24580
+
+
+class Cloud(Tree):
+    """A volume's shaders, from what a cloud says of its grids."""
+
+    def __init__(self, material, about):
+        super().__init__(material)
+        self.about = about
+        flame = "flame" in about["grids"]
+        # Where it shines, per metre: its flame, or how much light the place stops.
+        self.place, self.per_metre = ("flame", 1) if flame else ("density", about["extinction"])
+
+    def math(self, operation, *inputs):
+        node = self.add("ShaderNodeMath", 1)
+        node.operation = operation
+        for socket_, value in zip(node.inputs, inputs):
+            if isinstance(value, (int, float)):
+                socket_.default_value = value
+            else:
+                self.links.new(value, socket_)
+        return node.outputs[0]
+
+    def body(self):
+        shader = self.add("ShaderNodeVolumePrincipled", 2)
+        shader.inputs["Density"].default_value = self.about["extinction"]
+        shader.inputs["Density Attribute"].default_value = "density"
+        shader.inputs["Temperature Attribute"].default_value = ""
+        shader.inputs["Anisotropy"].default_value = self.about["forward"]
+        self.feed(shader.inputs["Color"], self.about["grids"], "color", (*self.about["albedo"], 1), "Color")
+        return shader.outputs[0]
+
+    def glow(self, strength):
+        shader = self.add("ShaderNodeEmission", 2)
+        self.links.new(self.math("MULTIPLY", self.attribute(self.place, "Fac"), strength),
+                       shader.inputs["Strength"])
+        return shader
+
+    def emission(self):
+        most = max(self.about["emission"])
+        shader = self.glow(most * self.per_metre)
+        shader.inputs["Color"].default_value = (*(part / most for part in self.about["emission"]), 1)
+        return shader.outputs[0]
+
+    def heat(self):
+        kelvin = self.math("MAXIMUM", self.attribute("temperature", "Fac"), 100)
+        shine = self.math("EXPONENT", self.math("DIVIDE", -BLACK_BODY[1], kelvin))
+        shader = self.glow(self.math("MULTIPLY", shine, BLACK_BODY[0] * self.about["heat"] * self.per_metre))
+        color = self.add("ShaderNodeBlackbody", 1)
+        self.links.new(kelvin, color.inputs[0])
+        self.links.new(color.outputs[0], shader.inputs["Color"])
+        return shader.outputs[0]
+
+
+def build_cloud(material, about):
+    """Fills a material with what a cloud says. Blender's extinction is that of all colours, too, where
+    nothing is absorbed beyond the albedo."""
+    tree = Cloud(material, about)
+    out = tree.body()
+    for part in ([tree.emission()] if any(about["emission"]) else []) + ([tree.heat()] if about["heat"] else []):
+        both = tree.add("ShaderNodeAddShader", 3)
+        tree.links.new(out, both.inputs[0])
+        tree.links.new(part, both.inputs[1])
+        out = both.outputs[0]
+    tree.links.new(out, tree.add("ShaderNodeOutputMaterial", 4).inputs["Volume"])
+
+
 def build(material, gltf, channels):
     """Fills a material with what a glTF material says. What is only matte becomes a diffuse surface,
     as Vug's is; Blender's Principled BSDF is no Lambertian surface at any setting."""

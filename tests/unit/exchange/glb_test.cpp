@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "sample.h"
@@ -104,6 +105,38 @@ TEST_F(Glb, WhatItCannotHoldIsTold) {
   for (const std::string& each : written_.left_out) told += each + "\n";
   for (const char* what : {"lamp5", "lamp1", "volume 'fog'", "depth of field"})
     EXPECT_NE(told.find(what), std::string::npos) << what << " in\n" << told;
+}
+
+TEST_F(Glb, SkiesAndCloudsStandInTheExtras) {
+  Assembly all = sample();
+  image::Image picture(4, 2, {"R", "G", "B"});
+  picture.pixels.assign(picture.pixels.size(), 0.5F);
+  Lamp second = all.lamps.back();
+  second.name = "heaven";
+  second.place = Transform::rotation({0, 1, 0}, 0.5 * kPi);
+  second.picture = std::make_shared<const image::Image>(picture);
+  all.lamps.push_back(second);
+  all.volumes.push_back({"fog",
+                         "a_fog.vdb",
+                         {{"density", "fog volume"}, {"flame", "fog volume"}},
+                         Box3d(),
+                         Cloud{2, Vec3d(0.5), 0.25, Vec3d(1, 2, 3), 1}});
+  all.space.metres_per_unit = 0.01;
+  const tinygltf::Model model = round_trip(all);
+  const tinygltf::Value& skies = model.scenes[0].extras.Get("vug:skies");
+  ASSERT_EQ(skies.ArrayLen(), 2u);
+  EXPECT_EQ(skies.Get(0).Get("radiance").Get(0).GetNumberAsDouble(), 4);
+  EXPECT_FALSE(skies.Get(0).Has("file"));
+  EXPECT_EQ(skies.Get(1).Get("file").Get<std::string>(), "a_heaven.exr");
+  EXPECT_NEAR(skies.Get(1).Get("rotation").Get(1).GetNumberAsDouble(), std::sqrt(0.5), 1e-12);
+  ASSERT_EQ(written_.files.size(), 2u);
+  EXPECT_TRUE(std::filesystem::exists(written_.files[1]));
+  // The file's unit is the metre.
+  const tinygltf::Value& cloud = model.scenes[0].extras.Get("vug:volumes").Get(0);
+  EXPECT_NEAR(cloud.Get("extinction").GetNumberAsDouble(), 200, 1e-9);
+  EXPECT_NEAR(cloud.Get("emission").Get(2).GetNumberAsDouble(), 300, 1e-9);
+  EXPECT_NEAR(cloud.Get("heat").GetNumberAsDouble(), 100, 1e-9);
+  EXPECT_EQ(cloud.Get("grids").Get(1).Get<std::string>(), "flame");
 }
 
 TEST_F(Glb, ShearedAndMirroredPlacesStandWhereTheyShould) {

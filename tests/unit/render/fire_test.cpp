@@ -5,6 +5,7 @@
 
 #include <vug/paint/kind.h>
 #include <vug/render/blackbody.h>
+#include <vug/volume/density.h>
 
 #include <gtest/gtest.h>
 
@@ -138,6 +139,48 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
       paint::make_paint([](const paint::Spot& s) { return Vec3d(s.position.y < 9 ? 0.5 : 0); });
   const Mean painted = mean_of(picture({{"albedo", ValueTraits<paint::Paint>::write(paint)}}), "G");
   EXPECT_NEAR(painted.value, even.value, 4 * std::hypot(painted.error, even.error));
+}
+
+// Under the names that other programs look for, in kelvin, and where they vary.
+TEST(Fire, OtherProgramsAreToldByGrids) {
+  const auto told = [](const Named& more) { return fire(more)->as_data(nullptr).value(); };
+  const auto named = [](const CloudData& data, const std::string& name) {
+    for (const volume::Grid& grid : data.grids)
+      if (grid.name() == name) return volume::Density(grid);
+    throw std::runtime_error("no grid " + name);
+  };
+  const CloudData plain = told({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
+  ASSERT_EQ(plain.grids.size(), 1u);
+  EXPECT_EQ(plain.grids[0].name(), "density");
+  EXPECT_EQ(plain.cloud.extinction, kExtinction);
+  EXPECT_EQ(plain.cloud.albedo, Vec3d(0.5));
+  EXPECT_EQ(plain.cloud.forward, 0.25);
+  EXPECT_EQ(plain.cloud.emission, Vec3d(1, 2, 3));
+  EXPECT_EQ(plain.cloud.heat, 0);
+
+  const CloudData whole = told({{"albedo", Vec3d(0.5)},
+                                {"color_grid", "Cd"},
+                                {"emission_mask", 0.5},
+                                {"emission_grid", "flame"},
+                                {"temperature_grid", "temperature"},
+                                {"temperature", 2.0}});
+  std::vector<std::string> names;
+  for (const volume::Grid& grid : whole.grids) names.push_back(grid.name());
+  EXPECT_EQ(names, (std::vector<std::string>{"density", "color", "temperature", "flame"}));
+  EXPECT_EQ(whole.cloud.albedo, Vec3d(1));
+  EXPECT_EQ(whole.cloud.heat, 1);
+  const Vec3f middle(0, 0, 0.25f);  // a place of the lattice
+  const double z = 0.25;
+  EXPECT_NEAR(named(whole, "density").anywhere(middle), density(z), 1e-5);
+  EXPECT_NEAR(named(whole, "temperature").anywhere(middle), 2 * kelvin(z), 1e-2);
+  EXPECT_NEAR(named(whole, "flame").anywhere({0, 0, 1.75f}), 0.5 * flame(1.75), 1e-5);
+  for (const volume::Grid& grid : whole.grids)
+    if (grid.name() == "color") {
+      const float wanted[] = {0.5f, 0.25f, 0};  // the grid's times the albedo
+      for (int part = 0; part < 3; ++part)
+        EXPECT_NEAR(volume::Density(grid, part).anywhere(middle), wanted[part], 1e-5);
+    }
+  EXPECT_FALSE(make_medium("haze")->as_data(nullptr));
 }
 
 TEST(Fire, GridsThatAreNotThereAreNamed) {

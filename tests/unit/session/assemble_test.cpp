@@ -1,12 +1,15 @@
 // Scenes as plain data for other programs.
+#include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/session/assemble.h>
 #include <vug/session/export_set.h>
 #include <vug/session/load.h>
+#include <vug/volume/density.h>
 #include <vug/volume/io.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug::session {
@@ -104,6 +107,135 @@ TEST(ExportSet, AirIsCalledAir) {
   export_set(builder, folder, options);
   EXPECT_EQ(volume::info(folder / "t_air.vdb").grids.at(0).name, "air");
   EXPECT_EQ(volume::info(folder / "t_rock.vdb").grids.at(0).name, "surface");
+}
+
+TEST(Assemble, LooksThatDependOnThePlaceAreThoseOfThePlace) {
+  const std::string text = R"(
+volume stone = level_set(sphere(30cm), voxel: 10cm)
+mesh pebble on stone {}
+material grown = surface(color: layer(under: (0.5, 0.4, 0.3), over: (0.1, 0.2, 0.04), mask: height(from: 0m, to: 4m)))
+material plain = lambert(albedo: (0.3, 0.3, 0.3))
+place tower { of pebble at [(0, 0, 0), (5, 0, 0), pose(position: (0, 2, 0), scale: 2), (0, 9, 0)] material grown }
+place row { of pebble at [(0, 0, 3), (1, 0, 3)] material plain }
+)";
+  const Made made(text);
+  const exchange::Assembly& all = made.out.assembly;
+  EXPECT_TRUE(made.out.left_out.empty());
+  // Two stand on the same ground, and what looks the same everywhere is one part.
+  ASSERT_EQ(all.parts.size(), 4u);
+  std::vector<std::string> names;
+  for (const exchange::Group& group : all.groups) names.push_back(group.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"tower", "tower_2", "tower_3", "row"}));
+  EXPECT_EQ(all.groups[0].places.size(), 2u);
+  EXPECT_EQ(all.groups[3].places.size(), 2u);
+  const auto red = [&](size_t group, float height) {
+    const exchange::Part& part = all.parts[all.groups[group].part];
+    const mesh::Attribute* color = mesh::find_attribute(*part.mesh, "Cd", 3);
+    if (!color) return part.look.base_color.x;
+    for (size_t v = 0; v < part.mesh->positions.size(); ++v)
+      if (std::fabs(part.mesh->positions[v].y - height) < 0.011f)
+        return static_cast<double>(color->values[3 * v]);
+    return -1.0;
+  };
+  const auto wanted = [](double y) {
+    const double t = std::clamp(y / 4, 0.0, 1.0);
+    return 0.5 + t * t * (3 - 2 * t) * (0.1 - 0.5);
+  };
+  EXPECT_NEAR(red(0, 0.3f), wanted(0.3), 2e-2);
+  EXPECT_NEAR(red(1, 0.3f), wanted(2.6), 2e-2);  // twice as large, at 2 m
+  EXPECT_NEAR(red(1, -0.3f), wanted(1.4), 2e-2);
+  EXPECT_NEAR(red(2, 0), 0.1, 1e-6);  // above all of it
+}
+
+TEST(Assemble, ThingsOfOnePlaceHaveNamesOfTheirOwn) {
+  const Made made(R"(
+volume stone = level_set(sphere(30cm), voxel: 10cm)
+volume block = level_set(box(size: (1, 1, 1)), voxel: 10cm)
+mesh pebble on stone {}
+mesh slab on block {}
+object pebble on pebble {}
+object slab on slab {}
+place heap { of [pebble, slab] at [pose(position: (0, 0, 0), model: 0), pose(position: (3, 0, 0), model: 1)] }
+)");
+  std::vector<std::string> names;
+  for (const exchange::Group& group : made.out.assembly.groups) names.push_back(group.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"heap", "heap_2"}));
+}
+
+TEST(Assemble, WithoutLightsThereIsTheSkyOfThePicture) {
+  const Made made("volume rock = level_set(sphere(1m), voxel: 20cm)\n");
+  ASSERT_EQ(made.out.assembly.lamps.size(), 1u);
+  const exchange::Lamp& sky = made.out.assembly.lamps[0];
+  EXPECT_EQ(sky.name, "sky");
+  EXPECT_EQ(sky.shape, exchange::Lamp::Shape::dome);
+  EXPECT_LT((sky.radiance - Vec3d(0.9, 0.95, 1)).length(), 1e-6);
+}
+
+TEST(ExportSet, CloudsLeaveWithTheirGrids) {
+  const Loaded scene = load_text(R"(
+volume banks = fog(sphere(1m), voxel: 10cm)
+mesh ball on rock {}
+volume rock = level_set(sphere(20cm), voxel: 10cm)
+medium mist on banks { kind cloud extinction 2/m g 0.5 temperature 1800 temperature_mask height(from: -1m, to: 1m)
+  albedo layer(under: (0.9, 0.5, 0.1), over: (0.1, 0.5, 0.9), mask: height(from: -1m, to: 1m)) }
+)",
+                                 "t.vug", {});
+  ASSERT_TRUE(scene.usable()) << scene.report();
+  const std::filesystem::path folder = testing::TempDir() + "vug_export_cloud";
+  ExportOptions options;
+  options.program = &exchange::program("maya");
+  const Shot shot = with_meshes(scene.shot);
+  Builder builder(shot);
+  const Exported written = export_set(builder, folder, options);
+  EXPECT_TRUE(written.left_out.empty());
+  const std::vector<volume::Grid> grids = volume::read(folder / "t_banks.vdb");
+  std::vector<std::string> names;
+  for (const volume::Grid& grid : grids) names.push_back(grid.name());
+  EXPECT_EQ(names, (std::vector<std::string>{"density", "color", "temperature"}));
+  const volume::Density red(grids[1], 0), kelvin(grids[2]);
+  for (const double y : {-0.4, 0.0, 0.4}) {
+    const Vec3f centimetres(0, static_cast<float>(100 * y), 0);
+    const double t = (y + 1) / 2, smooth = t * t * (3 - 2 * t);
+    EXPECT_NEAR(red.anywhere(centimetres), 0.9 + smooth * (0.1 - 0.9), 1e-2);
+    EXPECT_NEAR(kelvin.anywhere(centimetres), 1800 * smooth, 20);
+  }
+  std::string text = read_text(folder / "t.usda");
+  EXPECT_NE(text.find("custom double vug:extinction = 0.02"), std::string::npos);
+  EXPECT_NE(text.find("token vectorDataRoleHint = \"Color\""), std::string::npos);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ExportSet, CloudsOfFilesAndHazeAreTold) {
+  const Loaded fire = load_text(
+      "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
+      "medium fire = cloud(file: \"" VUG_TEST_DATA
+      "/volumes/fire.vdb\", temperature: 1, "
+      "temperature_grid: \"temperature\", emission_grid: \"flame\", color_grid: \"Cd\")\n",
+      "t.vug", {});
+  ASSERT_TRUE(fire.usable()) << fire.report();
+  const std::filesystem::path folder = testing::TempDir() + "vug_export_fire";
+  ExportOptions options;
+  options.program = &exchange::program("gltf");
+  const Shot shot = with_meshes(fire.shot);
+  Builder builder(shot);
+  const Exported written = export_set(builder, folder, options);
+  const volume::FileInfo info = volume::info(folder / "t_fire_medium.vdb");
+  ASSERT_EQ(info.grids.size(), 4u);
+  EXPECT_EQ(info.grids[0].name, "density");
+  EXPECT_EQ(info.grids[3].name, "flame");
+  for (const auto& path : export_paths(shot, folder, options))
+    EXPECT_TRUE(std::filesystem::exists(path)) << path;
+  std::filesystem::remove_all(folder);
+  const Loaded haze = load_text(
+      "volume rock = level_set(sphere(1m), voxel: 20cm)\nlight l = sphere()\n"
+      "medium air = haze(extinction: 0.1/m)\n",
+      "t.vug", {});
+  ASSERT_TRUE(haze.usable()) << haze.report();
+  const Shot other = with_meshes(haze.shot);
+  Builder again(other);
+  const std::vector<std::string> told = export_set(again, folder, options).left_out;
+  EXPECT_NE(std::find(told.begin(), told.end(), "the medium 'air': it has no grids"), told.end());
+  std::filesystem::remove_all(folder);
 }
 
 TEST(ExportSet, VolumesStandInTheProgramsSpace) {

@@ -81,7 +81,7 @@ Verb preview_verb() {
         app.add_option("--max-triangles", options->max_triangles,
                        "thin the model out to about so many; else 300000")
             ->check(whole_number_in(100, 100000000));
-        app.add_option("--mesh", options->mesh, "whose metrics it tells; else the first mesh's");
+        app.add_option("--mesh", options->mesh, "whose metrics it tells; else the largest mesh's");
         options->work.add_to(app);
         return [options] { return run(*options); };
       }};

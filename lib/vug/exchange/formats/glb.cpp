@@ -3,8 +3,11 @@
 #include <vug/base/maths.h>
 #include <vug/exchange/flat_mesh.h>
 #include <vug/exchange/gltf_buffer.h>
+#include <vug/exchange/gltf_extras.h>
 #include <vug/exchange/gltf_material.h>
+#include <vug/exchange/names.h>
 #include <vug/exchange/place.h>
+#include <vug/exchange/sky.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,8 +25,8 @@ using tinygltf::Value;
 
 class Writer {
  public:
-  Writer(const Assembly& assembly, const FormatOptions& options)
-      : assembly_(assembly), options_(options), buffer_(model_) {
+  Writer(const Assembly& assembly, const std::filesystem::path& file, const FormatOptions& options)
+      : assembly_(assembly), file_(file), options_(options), buffer_(model_) {
     model_.scenes.resize(1);
     model_.scenes[0].name = assembly.name;
     model_.defaultScene = 0;
@@ -52,19 +55,29 @@ class Writer {
     for (const Lamp& lamp : assembly_.lamps) add_lamp(lamp);
   }
 
-  Written save(const std::filesystem::path& file) {
-    for (const Volume& volume : assembly_.volumes)
+  void add_volumes() {
+    for (const Volume& volume : assembly_.volumes) {
       left_out_.push_back(fmt::format("volume '{}': it is in {}", volume.name, volume.file));
+      volumes_.push_back(gltf_volume(volume));
+    }
+  }
+
+  Written save() {
+    Value::Object extras;
+    if (!skies_.empty()) extras.emplace("vug:skies", Value(skies_));
+    if (!volumes_.empty()) extras.emplace("vug:volumes", Value(volumes_));
+    if (!extras.empty()) model_.scenes[0].extras = Value(extras);
     if (model_.buffers[0].data.empty()) model_.buffers.clear();
-    AtomicFile target(file);
+    AtomicFile target(file_);
     std::ofstream out(target.path(), std::ios::binary);
     tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, out, false, true);
     out.close();
     if (!out)
       throw Error(ErrorCode::io,
-                  fmt::format("cannot write '{}': {}", file.string(), std::strerror(errno)));
+                  fmt::format("cannot write '{}': {}", file_.string(), std::strerror(errno)));
     target.commit();
-    return {{file}, left_out_};
+    files_.insert(files_.begin(), file_);
+    return {files_, left_out_};
   }
 
  private:
@@ -115,23 +128,20 @@ class Writer {
       left_out_.push_back(fmt::format("'{}': its mesh is empty", group.name));
       return;
     }
-    std::vector<Placement> places;
-    for (const Transform& place : group.places) {
-      if (const auto parts = placement(place)) {
-        places.push_back(*parts);
+    const bool many = group.places.size() > 1;
+    std::vector<Placement> together;
+    for (size_t i = 0; i < group.places.size(); ++i) {
+      const auto parts = placement(group.places[i]);
+      if (parts && many && options_.instancing) {
+        together.push_back(*parts);
         continue;
       }
-      tinygltf::Node alone = node(group.name, {});
-      alone.mesh = sheared_mesh(part, place);
-      stand(std::move(alone));
-    }
-    if (places.size() > 1 && options_.instancing) return add_instances(group, places);
-    for (size_t i = 0; i < places.size(); ++i) {
-      tinygltf::Node one = node(
-          places.size() == 1 ? group.name : fmt::format("{}.{}", group.name, i + 1), places[i]);
-      one.mesh = mesh_of(group.part);
+      tinygltf::Node one = node(many ? fmt::format("{}.{}", group.name, i + 1) : group.name,
+                                parts.value_or(Placement()));
+      one.mesh = parts ? mesh_of(group.part) : sheared_mesh(part, group.places[i]);
       stand(std::move(one));
     }
+    if (!together.empty()) add_instances(group, together);
   }
   void add_instances(const Group& group, const std::vector<Placement>& places) {
     std::vector<float> moves, turns, scales;
@@ -181,12 +191,17 @@ class Writer {
     stand(std::move(at));
   }
 
+  /// Skies share a file's stem, so a scene's second has another name.
+  void add_sky(const Lamp& dome) {
+    const auto picture = write_sky(dome, file_, names_.unique(dome.name));
+    if (picture) files_.push_back(*picture);
+    skies_.push_back(gltf_sky(dome, picture ? picture->filename().string() : ""));
+    left_out_.push_back(fmt::format("light '{}': glTF has no skies", dome.name));
+  }
+
   void add_lamp(const Lamp& lamp) {
     using Shape = Lamp::Shape;
-    if (lamp.shape == Shape::dome) {
-      left_out_.push_back(fmt::format("light '{}': glTF has no skies", lamp.name));
-      return;
-    }
+    if (lamp.shape == Shape::dome) return add_sky(lamp);
     tinygltf::Light made;
     made.name = lamp.name;
     const Vec3d watts = strength(lamp);
@@ -230,20 +245,25 @@ class Writer {
   }
 
   const Assembly& assembly_;
+  const std::filesystem::path file_;
   const FormatOptions& options_;
   tinygltf::Model model_;
   GltfBuffer buffer_;
   std::map<size_t, int> meshes_;
+  Names names_;  ///< Of pictures of skies.
+  Value::Array skies_, volumes_;
+  std::vector<std::filesystem::path> files_;  ///< Beside the scene's.
   std::vector<std::string> left_out_;
 };
 
 Written write_glb(const Assembly& assembly, const std::filesystem::path& file,
                   const FormatOptions& options, Progress& progress) {
-  Writer writer(assembly, options);
+  Writer writer(assembly, file, options);
   writer.add_groups(progress);
   writer.add_cameras();
   writer.add_lamps();
-  return writer.save(file);
+  writer.add_volumes();
+  return writer.save();
 }
 
 /// The text stands in the first chunk, behind five numbers of 32 bits.

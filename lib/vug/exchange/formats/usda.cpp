@@ -3,9 +3,9 @@
 #include <vug/exchange/format.h>
 #include <vug/exchange/names.h>
 #include <vug/exchange/place.h>
+#include <vug/exchange/sky.h>
 #include <vug/exchange/usd_lamp.h>
 #include <vug/exchange/usd_mesh.h>
-#include <vug/image/io.h>
 #include <vug/mesh/file.h>
 
 #include <fmt/format.h>
@@ -140,6 +140,13 @@ class Writer {
     if (!volume.bounds.isEmpty())
       out_.line("float3[] extent = [{}, {}]", usd_tuple(volume.bounds.min),
                 usd_tuple(volume.bounds.max));
+    if (volume.cloud) {
+      out_.line("custom double vug:extinction = {}", volume.cloud->extinction);
+      out_.line("custom color3f vug:albedo = {}", usd_tuple(volume.cloud->albedo));
+      out_.line("custom double vug:forward = {}", volume.cloud->forward);
+      out_.line("custom color3f vug:emission = {}", usd_tuple(volume.cloud->emission));
+      out_.line("custom double vug:heat = {}", volume.cloud->heat);
+    }
     for (const VolumeGrid& grid : volume.grids)
       out_.line("rel field:{} = </{}/{}/{}>", identifier(grid.name), root_, name,
                 identifier(grid.name));
@@ -150,7 +157,8 @@ class Writer {
       out_.line("token fieldClass = \"{}\"", grid.grid_class == "level set"    ? "levelSet"
                                              : grid.grid_class == "fog volume" ? "fogVolume"
                                                                                : "unknown");
-      out_.line("token fieldDataType = \"{}\"", grid.color ? "color3f" : "float");
+      out_.line("token fieldDataType = \"{}\"", grid.color ? "float3" : "float");
+      if (grid.color) out_.line("token vectorDataRoleHint = \"Color\"");
       out_.end();
     }
     out_.end();
@@ -159,12 +167,9 @@ class Writer {
   void add(const Lamp& lamp) {
     const std::string name = names_.unique(lamp.name);
     std::string picture;
-    if (lamp.picture) {
-      const std::filesystem::path beside =
-          file_.parent_path() / fmt::format("{}_{}.exr", file_.stem().string(), name);
-      image::write_exr(beside, *lamp.picture);
-      written_.files.push_back(beside);
-      picture = "./" + beside.filename().string();
+    if (const auto beside = write_sky(lamp, file_, name)) {
+      written_.files.push_back(*beside);
+      picture = "./" + beside->filename().string();
     }
     write_usd_lamp(out_, lamp, name, picture);
   }

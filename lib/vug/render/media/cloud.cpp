@@ -12,6 +12,7 @@
 #include <vug/render/kind.h>
 #include <vug/render/phase.h>
 #include <vug/volume/io.h>
+#include <vug/volume/sampled.h>
 
 #include <fmt/format.h>
 
@@ -97,6 +98,10 @@ paint::Spot spot_at(const Vec3f& point) {
   return spot;
 }
 
+float value_at(const NumberInput& input, const Vec3f& point) {
+  return input.varying ? input.at(spot_at(point)) : static_cast<float>(input.constant);
+}
+
 /// Grids of one file by name.
 class GridFile {
  public:
@@ -147,6 +152,35 @@ class CloudMedium final : public Medium {
     auto copy = std::make_shared<CloudMedium>(*this);
     copy->fill(std::move(density));
     return copy;
+  }
+  bool has_grids() const override { return true; }
+  std::optional<CloudData> as_data(const volume::Grid* density) const override {
+    std::optional<GridFile> file;
+    if (!p_.file.empty()) file.emplace(p_);
+    const volume::Grid body = file ? file->density(p_.grid) : *density;
+    CloudData data{{p_.extinction, p_.albedo.constant, p_.g, p_.emission, hot() ? 1.0 : 0.0},
+                   {body.named("density")}};
+    if (p_.albedo.varying || colour_[0]) {
+      data.cloud.albedo = Vec3d(1.0);
+      data.grids.push_back(
+          volume::sampled_vectors(body, [&](const Vec3f& p) { return albedo(p); }).named("color"));
+    }
+    if (hot()) {
+      const volume::Grid& where = heat_ ? file->find(p_.temperature_grid) : body;
+      data.grids.push_back(
+          volume::sampled(where, [&](const Vec3f& p) { return kelvin(p); }).named("temperature"));
+    }
+    if (flames_ || (p_.emission_mask.varying && shines())) {
+      const volume::Grid& where = flames_ ? file->find(p_.emission_grid) : body;
+      const auto burning = [&](const Vec3f& p) {
+        return share(p) * (flames_ ? flames_->anywhere(p) : extinction(p));
+      };
+      data.grids.push_back(volume::sampled(where, burning).named("flame"));
+    } else {
+      data.cloud.emission *= p_.emission_mask.constant;
+      data.cloud.heat *= p_.emission_mask.constant;
+    }
+    return data;
   }
   bool hollow() const override { return density_ == nullptr; }
 
@@ -260,21 +294,20 @@ class CloudMedium final : public Medium {
   }
   /// What is sent out, before extinction or flame.
   Rgb shine(const Vec3f& point) const {
-    const bool hot = p_.temperature > 0;
-    if (!hot && p_.emission == Vec3d(0)) return Rgb(0.0f);
-    const float part = p_.emission_mask.varying ? p_.emission_mask.at(spot_at(point))
-                                                : static_cast<float>(p_.emission_mask.constant);
+    if (!shines()) return Rgb(0.0f);
+    const float part = share(point);
     if (!(part > 0)) return Rgb(0.0f);
     Rgb sum(p_.emission);
-    if (hot) {
-      float kelvin =
-          static_cast<float>(p_.temperature) *
-          (p_.temperature_mask.varying ? p_.temperature_mask.at(spot_at(point))
-                                       : static_cast<float>(p_.temperature_mask.constant));
-      if (heat_) kelvin *= heat_->anywhere(point);
-      sum += thermal_radiance(kelvin);
-    }
+    if (hot()) sum += thermal_radiance(kelvin(point));
     return sum * part;
+  }
+  bool hot() const { return p_.temperature > 0; }
+  bool shines() const { return hot() || p_.emission != Vec3d(0); }
+  /// Part of all that a place sends out.
+  float share(const Vec3f& point) const { return value_at(p_.emission_mask, point); }
+  float kelvin(const Vec3f& point) const {
+    const float own = static_cast<float>(p_.temperature) * value_at(p_.temperature_mask, point);
+    return heat_ ? own * heat_->anywhere(point) : own;
   }
   void fill(DensityPtr density) {
     density_ = std::move(density);

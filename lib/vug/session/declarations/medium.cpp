@@ -36,6 +36,7 @@ const DeclarationKind& medium_declaration() {
             reading.diagnostics.error(declaration.target->where,
                                       "this medium has a density of its own", "leave out 'on'");
           reading.shot.medium = *medium;
+          reading.shot.medium_name = declaration.name;
           reading.shot.medium_volume = volume;
         }
         return value;

@@ -1,0 +1,17 @@
+#include <vug/exchange/sky.h>
+#include <vug/image/io.h>
+
+#include <fmt/format.h>
+
+namespace vug::exchange {
+
+std::optional<std::filesystem::path> write_sky(const Lamp& lamp, const std::filesystem::path& file,
+                                               const std::string& name) {
+  if (lamp.shape != Lamp::Shape::dome || !lamp.picture) return std::nullopt;
+  const std::filesystem::path beside =
+      file.parent_path() / fmt::format("{}_{}.exr", file.stem().string(), name);
+  image::write_exr(beside, *lamp.picture);
+  return beside;
+}
+
+}  // namespace vug::exchange

@@ -1,0 +1,17 @@
+// Inside exchange/ only: skies beside the files that name them.
+#pragma once
+
+#include <vug/exchange/lamp.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace vug::exchange {
+
+/// Writes a dome's picture beside `file`, as FILE_NAME.exr, and gives its path; nothing for domes
+/// of one colour and other lamps.
+std::optional<std::filesystem::path> write_sky(const Lamp& lamp, const std::filesystem::path& file,
+                                               const std::string& name);
+
+}  // namespace vug::exchange
