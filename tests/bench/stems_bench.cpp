@@ -17,6 +17,7 @@ const session::Loaded& moso() {
     session::LoadOptions options;
     options.include_folders = {std::filesystem::path(VUG_DATA)};
     options.seed = 3;
+    options.overrides = {{"LEAVES", "8"}};
     return session::load_text("include \"bamboo/moso_growth.vug\"\n", "bench.vug", options);
   }();
   return loaded;
@@ -33,6 +34,7 @@ void prototype_of_a_grove(benchmark::State& state) {
   const ThreadLimit threads(1);
   flora::MeshOptions mesh;
   mesh.tolerance = 1e-3;
+  mesh.least_sides = 3;
   size_t leaves = 0, triangles = 0;
   for (auto _ : state) {
     const lsystem::Drawing drawing = session::drawing_of(plan).make();

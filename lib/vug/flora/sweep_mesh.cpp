@@ -3,7 +3,6 @@
 #include <vug/base/parallel.h>
 #include <vug/flora/profile.h>
 #include <vug/flora/sweep_mesh.h>
-#include <vug/mesh/normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ class Weaver {
 
   mesh::Mesh weave() {
     for (const Profile& profile : profiles(tube_)) weave(profile);
-    mesh_.normals = mesh::vertex_normals(mesh_);
+    mesh_.normals = normals();
     return std::move(mesh_);
   }
 
@@ -93,6 +92,18 @@ class Weaver {
     for (size_t k = 0; k < values.size(); ++k)
       mesh_.attributes[k].values.insert(mesh_.attributes[k].values.end(), count,
                                         static_cast<float>(values[k]));
+  }
+  /// Weighed by area, so that at an edge's narrow ring each side keeps the normal of its face.
+  std::vector<Vec3f> normals() const {
+    std::vector<Vec3d> sums(mesh_.positions.size(), Vec3d(0));
+    for (size_t face = 0; face < mesh_.triangles.size(); ++face) {
+      const Vec3d area = mesh::double_area_vector(mesh_, face);
+      for (const uint32_t corner : mesh_.triangles[face]) sums[corner] += area;
+    }
+    std::vector<Vec3f> out;
+    out.reserve(sums.size());
+    for (const Vec3d& sum : sums) out.emplace_back(sum.normalized());
+    return out;
   }
   void join(uint32_t a, uint32_t b) {
     const auto n = static_cast<uint32_t>(sides_);
