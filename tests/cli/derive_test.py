@@ -114,7 +114,8 @@ class Words(VugTest):
         self.assertEqual(self.derive("signal", "acropetal", "-D", "STEPS=1"),
                          "Fb[+Fb]Fb[-Fa]Fa[+Fa]Fa\n")
         self.assertEqual(self.derive("signal", "acropetal"), "Fb[+Fb]Fb[-Fb]Fb[+Fa]Fa\n")
-        self.assertEqual(self.derive("signal", "basipetal", "--drawn"), "F[+F]F[-F]F[+F]F\n")
+        self.assertEqual(self.derive("signal", "basipetal", "--drawn"), 
+                         "age(0)F[+age(0)F]age(1)F[-age(0)F]age(1)F[+age(0)F]age(1)F\n")
         self.assertEqual(self.derive("signal", "basipetal"), "Fa[+Fa]Fb[-Fa]Fb[+Fa]Fb\n")
 
     def test_ages(self):
