@@ -110,7 +110,7 @@ class Cancelling(Case):
         shares = []
         image = scene.render(spp=2048, checkpoint="half.part",
                              progress=lambda share, what: shares.append(share) if what == "rendering" else None)
-        self.assertGreater(shares[0], 0.2)
+        self.assertGreater(min(share for share in shares if share), 0.2)
         image.save("again.png")
         self.assertTrue((self.folder / "half.part").exists())
         image.save("again.exr")
