@@ -167,7 +167,9 @@ class Recipe(VugTest):
         self.expect(2, "recipe", "a.glb")
         self.write("a.usda", "def Xform {}\n")
         self.expect(2, "recipe", "a.usda")
-        self.expect(2, "recipe", "missing.vdb")
+        for suffix in ("vdb", "glb", "usda", "ply", "exr"):
+            told = self.expect(2, "recipe", f"missing.{suffix}").err
+            self.assertIn(f"cannot read 'missing.{suffix}': no such file", told)
 
 
 if __name__ == "__main__":

@@ -91,10 +91,12 @@ Json texts_of(const std::vector<std::pair<std::string, std::string>>& texts) {
 
 /// glTF and USD: who made them, and of what; what is in them others tell.
 Json describe_scene(const std::filesystem::path& file) {
+  // First of all: it says what is wrong with a file that cannot be read.
+  Json metadata = texts_of(exchange::read_texts(file));
   return {{"file", file.string()},
           {"type", "scene of another program"},
           {"bytes", std::filesystem::file_size(file)},
-          {"metadata", texts_of(exchange::read_texts(file))}};
+          {"metadata", std::move(metadata)}};
 }
 
 Json describe_mesh(const std::filesystem::path& file) {

@@ -118,6 +118,15 @@ TEST_F(Usda, TheRecipeIsOneString) {
   EXPECT_EQ(count(text, R"("seed 7\n# a \"recipe\"\n")"), 1u);
 }
 
+TEST_F(Usda, AFileThatIsCutOffIsRefused) {
+  const std::string text = text_of(sample());
+  const Format& usda = format("usda");
+  EXPECT_FALSE(usda.read_texts(text, "a.usda").empty());
+  const size_t recipe = text.find("# a ");
+  for (const size_t left : {recipe, text.size() / 2, text.size() - 100, text.size() - 2})
+    EXPECT_THROW(usda.read_texts(text.substr(0, left), "a.usda"), Error) << left;
+}
+
 TEST_F(Usda, LevelsOfDetailAreVariants) {
   Assembly all = sample();
   all.parts[0].coarser.push_back({all.parts[0].mesh, 0.25});

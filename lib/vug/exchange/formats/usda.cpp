@@ -199,6 +199,7 @@ std::vector<std::pair<std::string, std::string>> read_usda(std::string_view byte
                                                            const std::string& file) {
   if (bytes.substr(0, 5) != "#usda")
     throw Error(ErrorCode::bad_input, "the file is no USD text", {file, 1, 1});
+  const bool whole = bytes.size() >= 3 && bytes.substr(bytes.size() - 3) == "\n}\n";
   bytes = bytes.substr(0, bytes.find("\ndef "));
   constexpr std::string_view kBegin = "string \"vug:", kEquals = "\" = \"";
   std::vector<std::pair<std::string, std::string>> texts;
@@ -215,6 +216,9 @@ std::vector<std::pair<std::string, std::string>> read_usda(std::string_view byte
     }
     texts.emplace_back(name, std::move(text));
   }
+  if (!texts.empty() && !whole)
+    throw Error(ErrorCode::bad_input, "the file is cut off: its last prim has no end",
+                {file, 0, 0});
   return texts;
 }
 
