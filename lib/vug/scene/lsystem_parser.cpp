@@ -68,11 +68,13 @@ void LSystemParser::entries(const std::string& what, Block& rules, Grammar* gram
       cursor_.error(open, fmt::format("the '{{' of {} is never closed", what));
       return;
     }
+    const size_t start = cursor_.position();
     try {
       entry(rules, grammar, depth);
       if (!cursor_.at_line_end()) cursor_.unexpected("the end of the line");
     } catch (const SyntaxFault&) {
       cursor_.recover_entry();
+      if (cursor_.position() == start) cursor_.take();  // a line that looks like a statement
     }
   }
 }

@@ -167,6 +167,12 @@ TEST(LSystemText, ABlockThatIsNeverClosed) {
   EXPECT_EQ(made.document.lets.size(), 1u);
 }
 
+TEST(LSystemText, ALineLikeAStatementIsNotReadForEver) {
+  const Read made =
+      read("grammar g: lsystem {\n  axiom F\ntable t {\n F interpret {\n  F - {\n }\n}\n");
+  EXPECT_TRUE(made.diagnostics.has_errors());
+}
+
 TEST(LSystemText, Formats) {
   const std::string ragged = R"(grammar  g :lsystem{
 steps   5   # how often
