@@ -167,7 +167,7 @@ class Recipe(VugTest):
         self.expect(2, "recipe", "a.glb")
         self.write("a.usda", "def Xform {}\n")
         self.expect(2, "recipe", "a.usda")
-        for suffix in ("vdb", "glb", "usda", "ply", "exr"):
+        for suffix in ("vdb", "glb", "usda", "ply"):
             told = self.expect(2, "recipe", f"missing.{suffix}").err
             self.assertIn(f"cannot read 'missing.{suffix}': no such file", told)
 
