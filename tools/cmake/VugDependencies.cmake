@@ -28,6 +28,7 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 vug_needs(embree 3 CONFIG)
 vug_needs(PkgConfig)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(log4cplus REQUIRED IMPORTED_TARGET log4cplus)
 # Debian's CMake package of it names folders that are not there.
 pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)
 # Debian ships OpenVDB's find module beside its libraries.

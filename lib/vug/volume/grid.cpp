@@ -1,6 +1,7 @@
 #include <vug/volume/grid.h>
 #include <vug/volume/grid_access.h>
 
+#include <log4cplus/logger.h>
 #include <openvdb/openvdb.h>
 
 #include <mutex>
@@ -45,7 +46,11 @@ void insert_meta(openvdb::MetaMap& map, const std::string& name, const MetaValue
 
 void initialise_openvdb() {
   static std::once_flag once;
-  std::call_once(once, [] { openvdb::initialize(); });
+  std::call_once(once, [] {
+    openvdb::initialize();
+    // Its warnings would stand among the results on the standard output.
+    log4cplus::Logger::getInstance(LOG4CPLUS_TEXT("openvdb")).setLogLevel(log4cplus::OFF_LOG_LEVEL);
+  });
 }
 
 Grid wrap(std::shared_ptr<const openvdb::GridBase> grid) {

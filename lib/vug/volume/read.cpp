@@ -6,16 +6,30 @@
 
 #include <fmt/format.h>
 #include <openvdb/openvdb.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace vug::volume {
 namespace {
 
+constexpr int kLooks = 10;  // at a file that is replaced again and again
+
+/// Tells a file from another that takes its name.
+using Identity = std::tuple<dev_t, ino_t, off_t, time_t, long>;
+
+std::optional<Identity> identity(const std::filesystem::path& source) {
+  struct stat about {};
+  if (::stat(source.c_str(), &about) != 0) return std::nullopt;
+  return Identity{about.st_dev, about.st_ino, about.st_size, about.st_mtim.tv_sec,
+                  about.st_mtim.tv_nsec};
+}
+
 /// Opens a file whose header has been checked; OpenVDB's own exceptions become ours.
 template <class Work>
-auto with_file(const std::filesystem::path& source, const ReadOptions& options, const Work& work) {
-  initialise_openvdb();
+auto with_one_file(const std::filesystem::path& source, const ReadOptions& options,
+                   const Work& work) {
   const VdbHeader header = read_vdb_header(source);
   const auto fail = [&](const std::string& why) {
     return Error(ErrorCode::bad_input, fmt::format("cannot read '{}': {}", source.string(), why));
@@ -32,6 +46,23 @@ auto with_file(const std::filesystem::path& source, const ReadOptions& options, 
   } catch (const std::exception& fault) {  // OpenVDB's, and what damaged lengths lead to
     throw fail(fault.what());
   }
+}
+
+/// A file is opened several times on the way; where another takes its place meanwhile, as a
+/// checkpoint's next one does, all begins anew.
+template <class Work>
+auto with_file(const std::filesystem::path& source, const ReadOptions& options, const Work& work) {
+  initialise_openvdb();
+  for (int looks_left = kLooks; looks_left > 1; --looks_left) {
+    const std::optional<Identity> before = identity(source);
+    try {
+      auto out = with_one_file(source, options, work);
+      if (identity(source) == before) return out;
+    } catch (const Error&) {
+      if (identity(source) == before) throw;
+    }
+  }
+  return with_one_file(source, options, work);
 }
 
 /// In the file's order; OpenVDB gives them by name.

@@ -11,7 +11,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <fstream>
+#include <thread>
 
 namespace vug::volume {
 namespace {
@@ -70,6 +74,34 @@ TEST_F(Files, SameBytesForAnyNumberOfThreadsAndEachRun) {
   EXPECT_TRUE(read_text(path("c.vdb")) == first);
   write(path("d.vdb"), {grids()[0]});
   EXPECT_NE(info(path("d.vdb")).identifier, info(path("a.vdb")).identifier);
+}
+
+TEST_F(Files, ReadersSeeOneFileWhileOthersTakeItsPlace) {
+  // As a checkpoint that is looked at while its run goes on.
+  write(path("kept.vdb"), {solid().named("a")});
+  std::atomic<bool> done = false;
+  std::thread writer([&] {
+    for (int i = 0; !done; ++i)
+      write(path("kept.vdb"), {solid().named(i % 2 == 0 ? "b" : "a")},
+            {.half = i % 2 == 0, .metadata = {}});
+  });
+  for (int i = 0; i < 100; ++i) {
+    const FileInfo file = info(path("kept.vdb"));
+    EXPECT_EQ(file.grids.at(0).half, file.grids.at(0).name == "b");
+    EXPECT_NO_THROW(LevelSet(read_grid(path("kept.vdb"), "")).content());
+  }
+  done = true;
+  writer.join();
+}
+
+TEST_F(Files, NothingIsSaidOfThemOnTheStandardOutput) {
+  write(path("a.vdb"), {solid().named("rock")});
+  const LevelSet rock(read_grid(path("a.vdb"), "rock"));
+  fs::last_write_time(path("a.vdb"), fs::last_write_time(path("a.vdb")) + std::chrono::minutes(1));
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(rock.content(), solid().content());  // OpenVDB's log tells of a newer file
+  std::fflush(stdout);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
 TEST_F(Files, HalfFloatsPassTheChecksToo) {
