@@ -2,6 +2,7 @@
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
 #include <vug/mesh/topology.h>
+#include <vug/session/cast.h>
 #include <vug/session/load.h>
 #include <vug/session/turtle_block.h>
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace vug::session {
@@ -194,6 +196,40 @@ TEST(Bamboo, AMosoWithItsLeavesIsAPrototype) {
   EXPECT_TRUE(topology.closed());
   EXPECT_EQ(topology.misoriented_edges, 0u);
   EXPECT_EQ(topology.nonmanifold_vertices, 0u);
+}
+
+TEST(Bamboo, LeavesAreCutByAPictureAndEachIsAnother) {
+  for (const char* species : {"moso", "ci", "spectabilis"}) {
+    LoadOptions options;
+    options.include_folders = {std::filesystem::path(VUG_DATA)};
+    options.seed = 3;
+    const Loaded loaded =
+        load_text(fmt::format("include \"bamboo/{}.vug\"\n", species), "test.vug", options);
+    ASSERT_TRUE(loaded.usable()) << loaded.report();
+    Builder builder(loaded.shot);
+    std::map<const render::Material*, size_t> forms;
+    for (const render::Object& object : cast_of(builder).objects)
+      if (object.material->thin()) {
+        EXPECT_TRUE(object.material->cut_out()) << species;
+        forms[object.material.get()] += 1;
+      }
+    EXPECT_EQ(forms.size(), 3u) << species;
+    for (const auto& [material, count] : forms) EXPECT_GT(count, 300u) << species;
+
+    const lsystem::DrawingPtr plant = grown(species, 3, true);
+    double least = 1, most = 0, up = 0, spread = 0;
+    for (const lsystem::Instance& leaf : plant->instances) {
+      least = std::min(least, leaf.size), most = std::max(most, leaf.size);
+      // Faces up rather than down, tips down rather than up, but no two alike.
+      up += leaf.frame.binormal.y / static_cast<double>(plant->instances.size());
+      spread +=
+          leaf.frame.tangent.y < -0.3 ? 1.0 / static_cast<double>(plant->instances.size()) : 0;
+    }
+    EXPECT_GT(most, 1.7 * least) << species;
+    EXPECT_GT(up, 0.1) << species;
+    EXPECT_GT(spread, 0.5) << species;
+    EXPECT_LT(spread, 1) << species;
+  }
 }
 
 }  // namespace
