@@ -85,7 +85,10 @@ def empty():
 
 
 def adds():
+    scene = bpy.context.scene
+    equal((scene.camera, scene.render.resolution_x), (None, 1920))
     equal(bpy.ops.vug.add(filepath=f"{folder}/cave.vug"), {"FINISHED"})
+    equal((scene.camera, scene.render.resolution_x, scene.render.resolution_y), (thing("main"), 320, 160))
     types = [each.type for each in cave().objects]
     equal({kind: types.count(kind) for kind in set(types)},
           {"MESH": 4, "CAMERA": 2, "LIGHT": 4, "VOLUME": 3})
@@ -215,6 +218,87 @@ def slider():
     equal(cave()["SHARE"], 0.5)
 
 
+def stale():
+    """What the scene refuses is told by name, and the way back is one step."""
+    bpy.ops.vug.update()
+    equal((cave().vug.stale, bpy.ops.vug.revert.poll()), ("", True))
+    cave()["R"], cave()["SHARE"], cave().vug.use_seed = 0.75, 2.0, True
+    refused(bpy.ops.vug.update, "param 'SHARE' is 2", "set since it was last built: R = 0.75, SHARE = 2")
+    assert "SHARE = 2" in cave().vug.stale, cave().vug.stale
+    equal(bpy.ops.vug.revert(), {"FINISHED"})
+    equal((cave()["R"], cave()["SHARE"], cave().vug.use_seed, cave().vug.stale), (0.7, 0.5, False, ""))
+    cave()["SHARE"] = 2.0
+    refused(bpy.ops.vug.update, "SHARE")
+    cave()["SHARE"] = 0.5
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    equal(cave().vug.stale, "")
+
+
+def deleted():
+    """What the cave owns comes back; what an artist has done to the rest stays."""
+    thing("heap.2").location.x = 7
+    pebble = thing("heap.2").data
+    bpy.data.objects.remove(thing("wall"))
+    bpy.data.objects.remove(thing("heap.1"))
+    bpy.data.lights.remove(thing("ball").data)
+    del cave()["R"]
+    pebble.materials.clear()
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.7**3, 0.01)
+    equal((cave()["R"], thing("ball").type), (0.7, "LIGHT"))
+    near(cave().id_properties_ui("R").as_dict()["max"], 1, 1e-12)
+    equal(thing("heap.1").data, pebble, "the mesh that the others share")
+    equal(("vug_name" in pebble.materials[0], thing("heap.2").location.x), (True, 7))
+    thing("wall").data.attributes.remove(thing("wall").data.attributes["Cd"])
+    bpy.data.worlds.remove(next(each for each in bpy.data.worlds if "vug_sky" in each))
+    os.remove(bpy.path.abspath(thing("mist volume").data.filepath))
+    lost = thing("plan")
+    del lost["vug_name"]
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    attributes()
+    equal(bpy.context.scene.world["vug_sky"], "cave")
+    assert os.path.exists(bpy.path.abspath(thing("mist volume").data.filepath))
+    equal((thing("plan"), len(cave().objects)), (lost, 13))
+    thing("heap.2").location.x = 4
+    nothing_is_built()
+
+
+def units():
+    """A scene of centimetres: everything is a hundred times as many units, and the cave the same metres."""
+    settings = bpy.context.scene.unit_settings
+    settings.scale_length = 0.01
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    points = values(thing("wall").data.vertices, "co", 3)
+    near((points.min(0), points.max(0)), ((30, -370, 130), (170, -230, 270)), 0.2)
+    near(thing("heap.3").matrix_world.translation, (500, 100, 0), 1e-3)
+    near(thing("heap.3").scale, (2, 2, 2), 1e-5)
+    near(thing("rock volume").matrix_world.to_scale(), (100, 100, 100), 1e-3)
+    near((thing("ball").data.energy, thing("ball").data.shadow_soft_size), (100 * 1e4, 10), 0.1)
+    window, sun = thing("window").data, thing("sun").data
+    near((window.size, window.size_y), (100, 50), 1e-3)
+    near(numpy.array(window.color) * window.energy / 1e4, 4 * 0.5 * numpy.array((3, 2, 1)), 1e-3)
+    near(numpy.array(sun.color) * sun.energy, (3, 2, 1), 1e-4)
+    near((thing("plan").data.ortho_scale, thing("main").data.clip_end), (800, 1e5), 0.1)
+    near(thing("main").location, (0, -600, 200), 1e-2)
+    equal(cave()["R"], 0.7)  # still metres, and shown as such
+    assert "subtype" not in cave().id_properties_ui("R").as_dict() or \
+        cave().id_properties_ui("R").as_dict()["subtype"] == "NONE"
+    assert "(metres)" in cave().id_properties_ui("R").as_dict()["description"]
+    nothing_is_built()
+    bpy.ops.mesh.primitive_cube_add(size=200, location=(0, 0, 100))
+    equal(bpy.ops.vug.export_field(filepath=f"{folder}/big.ply", voxel=0.1), {"FINISHED"})
+    import vug
+    mesh = vug.read_mesh("big.ply")
+    near(mesh.bounds, ((-1, 0, -1), (1, 2, 1)), 1e-5)
+    bpy.data.objects.remove(bpy.context.object)
+    settings.system = "NONE"  # a unit is a metre then
+    equal(bpy.ops.vug.update(), {"FINISHED"})
+    geometry()
+    settings.system, settings.scale_length = "METRIC", 1
+    lights()
+    nothing_is_built()
+
+
 def nothing_is_built():
     from vug_addon.making import Making
     bpy.ops.vug.update()
@@ -247,6 +331,8 @@ def faults():
     before = print_of(cave())
     refused(bpy.ops.vug.add, "bad.vug:7:", "unknown function 'spere'", "sphere", filepath=f"{folder}/bad.vug")
     refused(bpy.ops.vug.add, "nowhere.vug", filepath=f"{folder}/nowhere.vug")
+    refused(bpy.ops.vug.add, "choose a .vug file", filepath="")
+    refused(bpy.ops.vug.add, "choose a .vug file", filepath=folder)
     equal(print_of(cave()) == before and len(bpy.data.collections) == 1, True, "after faults")
     options = bpy.context.preferences.addons["vug_addon"].preferences
     options.python = "/no/such/python"
@@ -263,7 +349,20 @@ def block_out():
     import vug
     scene = vug.load("cube.vug")
     near(scene.build().level_set("rock").bounds, ((4, 0.5, -1.5), (6, 3.5, -0.5)), 0.5, "where it is")
-    bpy.ops.vug.add(filepath=f"{folder}/cube.vug")
+    equal(bpy.ops.vug.export_field(filepath=f"{folder}/no_end", voxel=0.1), {"FINISHED"})
+    assert os.path.exists("no_end.ply") and not os.path.exists("no_end")
+    for path, *words in (("", "choose a name"), (f"{folder}/", "choose a name"), ("/proc", "choose a name"),
+                         ("/proc/x.ply", "cannot write '/proc/x.ply'"), (f"{folder}/x.obj", "must end in .ply"),
+                         (f"{folder}/no/x.ply", "there is no folder")):
+        refused(bpy.ops.vug.export_field, *words, filepath=path)
+    cube.scale = (1, 0.5, 0)
+    bpy.context.view_layer.update()
+    refused(bpy.ops.vug.export_field, "'Cube' encloses no volume", filepath=f"{folder}/flat.ply")
+    assert not os.path.exists("flat.ply")
+    camera, bpy.context.scene.camera = bpy.context.scene.camera, None
+    bpy.ops.vug.add(filepath=f"{folder}/cube.vug", use_camera=False)
+    equal(bpy.context.scene.camera, None)
+    bpy.context.scene.camera = camera
     wall = bpy.data.collections["cube"].objects["wall.001"].data
     near(volume_of(wall), 6, 6 * 5e-3)
     points = values(wall.vertices, "co", 3)
@@ -315,7 +414,7 @@ def reloads():
 
 
 CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, sky, cloud, slider, nothing_is_built,
-                  cancel, faults, block_out, save, memory),
+                  stale, deleted, units, cancel, faults, block_out, save, memory),
           "again": (reloads,)}
 for check in CHECKS[part]:
     check()

@@ -19,6 +19,7 @@ struct Camera {
   double aspect = 16. / 9;  ///< Width over height.
   double aperture = 0;      ///< Diameter of the lens opening; 0: all is sharp.
   double focus = 1;         ///< Distance of the sharp plane.
+  Vec2i size{0, 0};         ///< Pixels of the picture it is asked for; 0: of none.
   double near = 0.01, far = 1000;
 };
 

@@ -115,26 +115,37 @@ class Collector {
   std::map<std::tuple<std::string, size_t, bool>, size_t> groups_;
 };
 
-/// Width over height of the pictures that a camera takes.
-double aspect_of(const Shot& shot, const CameraPlan& camera) {
+/// Pixels of the pictures that a camera takes.
+Vec2i size_of(const Shot& shot, const CameraPlan& camera) {
   const RenderPlan* plan = shot.renders.empty() ? nullptr : &shot.renders.front();
   for (const RenderPlan& each : shot.renders)
     if (each.camera == camera.camera || each.name == camera.name) plan = &each;
   const std::vector<int> size = plan ? plan->size : RenderPlan().size;
-  return static_cast<double>(size.at(0)) / size.at(1);
+  return {size.at(0), size.at(1)};
+}
+
+/// The cameras, that of the first picture before all others: many programs look through the first.
+std::vector<CameraPlan> in_order(const Shot& shot) {
+  std::vector<CameraPlan> cameras = shot.cameras;
+  const RenderPlan plan = shot.renders.empty() ? RenderPlan() : shot.renders.front();
+  std::stable_partition(cameras.begin(), cameras.end(), [&](const CameraPlan& each) {
+    return plan.camera ? each.camera == plan.camera : each.name == plan.name;
+  });
+  return cameras;
 }
 
 void add_cameras(const Shot& shot, Assembled& out) {
   const Box3d box = exchange::bounds(out.assembly);
   const double across = box.isEmpty() ? 0 : box.size().length();
-  for (const CameraPlan& plan : shot.cameras) {
+  for (const CameraPlan& plan : in_order(shot)) {
     exchange::Camera camera;
     if (!plan.camera->as_data(camera)) {
       out.left_out.push_back(fmt::format("camera '{}': it looks all round", plan.name));
       continue;
     }
     camera.name = plan.name;
-    camera.aspect = aspect_of(shot, plan);
+    camera.size = size_of(shot, plan);
+    camera.aspect = static_cast<double>(camera.size.x) / camera.size.y;
     // All of the scene lies before the far plane, wherever the camera stands in it.
     camera.far = std::max(1000.0, 4 * across);
     out.assembly.cameras.push_back(camera);

@@ -6,12 +6,14 @@ import os
 import shutil
 
 import bpy
+from mathutils import Matrix
 
-from . import geometry, lights, look, parameters, sky
+from . import geometry, lights, look, owned, parameters, sky, units
 from .glb import Glb
+from .owned import NAME
 from .whole import replacing
 
-NAME, DIGEST = "vug_name", "vug_digest"
+DIGEST = "vug_digest"
 MAKERS = {"mesh": lambda name, kind: bpy.data.meshes.new(name),
           "camera": lambda name, kind: bpy.data.cameras.new(name),
           "light": lambda name, kind: bpy.data.lights.new(name, kind),
@@ -37,10 +39,15 @@ def fresh(thing, *parts):
 class Arrival:
     def __init__(self, collection, glb):
         self.collection, self.glb = collection, glb
-        self.objects = {each[NAME]: each for each in collection.objects if NAME in each}
+        owned.adopt(collection)
+        self.objects = owned.objects(collection)
         self.before = set(self.objects)
-        self.materials = {slot.material[NAME]: slot.material for each in collection.objects
+        self.materials = {slot.material[NAME]: slot.material for each in self.objects.values()
                           for slot in each.material_slots if slot.material and NAME in slot.material}
+        self.sharing = {}  # names of the objects that have a mesh, by its number
+        for name, kind, index, _ in glb.nodes:
+            if kind == "mesh":
+                self.sharing.setdefault(index, []).append(name)
         self.data = {}
         self.changed = 0
 
@@ -60,24 +67,27 @@ class Arrival:
             thing.matrix_world = place
         return thing
 
-    def data_of(self, kind, name, sort=None):
-        """The object's own data where it has it, else new."""
-        thing = self.objects.get(name)
-        if thing and thing.type == kind.upper() and sort in (None, getattr(thing.data, "type", None)):
-            return thing.data
-        return MAKERS[kind](name, sort)
+    def data_of(self, kind, names, sort=None):
+        """What the first of these objects has that is there, else new."""
+        for name in names:
+            thing = self.objects.get(name)
+            if thing and thing.type == kind.upper() and sort in (None, getattr(thing.data, "type", None)):
+                return thing.data
+        return MAKERS[kind](names[0], sort)
 
-    def mesh(self, name, index):
+    def mesh(self, index):
         if index in self.data:
             return self.data[index]
         surface = self.glb.surface(index)
-        mesh = self.data[index] = self.data_of("mesh", name)
+        mesh = self.data[index] = self.data_of("mesh", self.sharing[index])
         arrays = [surface.positions, surface.triangles, *surface.attributes.values()]
         if surface.normals is not None:
             arrays.append(surface.normals)
         if fresh(mesh, *arrays, list(surface.attributes)):
             geometry.fill(mesh, surface)
             self.changed += 1
+        elif len(mesh.vertices) == len(surface.positions):
+            geometry.add_missing(mesh, surface)
         self.dress(mesh, surface)
         return mesh
 
@@ -93,7 +103,7 @@ class Arrival:
             material[NAME] = key
         if fresh(material, json.dumps(about, sort_keys=True), channels):
             look.build(material, about, channels)
-        ours = [i for i, each in enumerate(mesh.materials) if each and NAME in each]
+        ours = [i for i, each in enumerate(mesh.materials) if not each or NAME in each]
         if not mesh.materials:
             mesh.materials.append(material)
         elif ours and mesh.materials[ours[0]] != material:
@@ -102,17 +112,28 @@ class Arrival:
     def nodes(self):
         for name, kind, index, place in self.glb.nodes:
             if kind == "mesh":
-                data = self.mesh(name, index)
+                data = self.mesh(index)
             else:
                 about = (self.glb.lights if kind == "light" else self.glb.list("cameras"))[index]
                 sort = lights.kind_of(about) if kind == "light" else None
-                data = self.data_of(kind, name, sort)
-                if fresh(data, json.dumps(about, sort_keys=True)):
-                    (lights.fill_light if kind == "light" else lights.fill_camera)(data, about)
+                data = self.data_of(kind, [name], sort)
+                if fresh(data, json.dumps(about, sort_keys=True), self.glb.scale):
+                    (lights.fill_light if kind == "light" else lights.fill_camera)(data, about, self.glb.scale)
             self.object(name, kind, data, place)
 
+    def take_view(self, scene, resolution):
+        """The camera of the cave's first picture for a scene that has none; if asked with that one's size."""
+        first = next((each for each in self.glb.nodes if each[1] == "camera"), None)
+        if scene.camera or not first:
+            return
+        scene.camera = owned.objects(self.collection)[first[0]]
+        size = self.glb.list("cameras")[first[2]].get("extras", {}).get("vug:size")
+        if resolution and size:
+            scene.render.resolution_x, scene.render.resolution_y = size
+            scene.render.resolution_percentage = 100
+
     def volume(self, name, path, about):
-        data = self.data_of("volume", name)
+        data = self.data_of("volume", [name])
         stored = bpy.path.relpath(path) if bpy.data.filepath and self.collection.vug.folder.startswith(
             "//") else path
         if data.filepath == stored:
@@ -122,7 +143,8 @@ class Arrival:
         level_set = "surface" in data.grids or "air" in data.grids
         if "extinction" in about:
             self.dress_cloud(data, name, about)
-        thing = self.object(name, "volume", data, ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)))
+        # The file is in metres. A volume that grows keeps its opacity: that is Blender's own way.
+        thing = self.object(name, "volume", data, Matrix.Scale(self.glb.scale, 4))
         if level_set:  # to work on; as a fog it would hide the mesh
             thing.hide_render, thing.display_type = True, "BOUNDS"
 
@@ -166,12 +188,13 @@ def move_files(collection, files, folder):
 
 
 def bring(collection, scene, files, folder):
-    """How many meshes are new or have changed. What can fail does so before a thing is touched."""
-    glb = Glb(os.path.join(folder, scene["name"] + ".glb"))
+    """Gives the Arrival. What can fail does so before a thing is touched."""
+    metres = units.metres_per_unit()
+    glb = Glb(os.path.join(folder, scene["name"] + ".glb"), 1 / metres)
     for index in range(len(glb.list("meshes"))):
         glb.surface(index)
     paths = move_files(collection, files, folder)
-    parameters.take(collection, scene["params"])
+    parameters.take(collection, scene["params"], metres)
     arrival = Arrival(collection, glb)
     arrival.nodes()
     stem = scene["name"] + "_"
@@ -183,5 +206,6 @@ def bring(collection, scene, files, folder):
             arrival.volume(own + " volume", path, clouds.get(os.path.basename(path), {}))
     sky.bring(collection, glb.extras("vug:skies"), bpy.path.abspath(collection.vug.folder), fresh)
     arrival.sweep()
-    collection.vug.known = scene["key"]
-    return arrival.changed
+    owned.note(collection)
+    collection.vug.known, collection.vug.metres_per_unit = scene["key"], metres
+    return arrival

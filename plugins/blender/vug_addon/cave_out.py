@@ -1,8 +1,10 @@
 """Closed meshes of Blender as fields of a scene: what was blocked out by hand, for a grammar to dress."""
 import os
 
+import bpy
 import numpy
 
+from . import units
 from .whole import replacing
 
 
@@ -19,7 +21,7 @@ def triangles_of(thing, depsgraph):
     finally:
         evaluated.to_mesh_clear()
     place = numpy.array(thing.matrix_world, numpy.float64)
-    points = points.reshape(-1, 3) @ place[:3, :3].T + place[:3, 3]
+    points = (points.reshape(-1, 3) @ place[:3, :3].T + place[:3, 3]) * units.metres_per_unit()
     corners = corners.reshape(-1, 3)
     if numpy.linalg.det(place[:3, :3]) < 0:
         corners = corners[:, ::-1]
@@ -41,6 +43,24 @@ def require_closed(name, triangles):
         raise ValueError(f"'{name}' bounds no solid: {int((counts > 2).sum())} edges have more than two faces")
     if len(numpy.unique(a * size + b)) < len(a):
         raise ValueError(f"the faces of '{name}' look to different sides: recalculate its normals first")
+
+
+def require_solid(name, points, triangles):
+    """The volume that the triangles enclose, positive where they look outwards; ValueError where it is none.
+    Twice the volume over the area is about how thick a thing is: what is thinner than a millionth of its
+    length is flat, up to what 32 bits hold."""
+    volume, area = volume_of(points, triangles), area_of(points, triangles)
+    length = float(numpy.linalg.norm(points.max(0) - points.min(0)))
+    if not numpy.isfinite(volume) or not numpy.isfinite(length):
+        raise ValueError(f"'{name}' has vertices at infinity")
+    if 2 * abs(volume) <= 1e-6 * length * area:
+        raise ValueError(f"'{name}' encloses no volume: it is flat, or its parts cancel out; give it thickness first")
+    return volume
+
+
+def area_of(points, triangles):
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    return float(numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1).sum() / 2)
 
 
 def volume_of(points, triangles):
@@ -67,6 +87,20 @@ mesh wall on rock {{}}
 """
 
 
+def file_of(path):
+    """Where it is written; ValueError where that can be no file."""
+    path = bpy.path.abspath(path)
+    name, folder = os.path.basename(path), os.path.dirname(path)
+    if not name or os.path.isdir(path):
+        raise ValueError("choose a name for the file, such as block.ply")
+    end = os.path.splitext(name)[1]
+    if end.lower() not in ("", ".ply"):
+        raise ValueError(f"'{name}' must end in .ply: that is what the scene beside it reads")
+    if folder and not os.path.isdir(folder):
+        raise ValueError(f"there is no folder '{folder}'")
+    return path if end else path + ".ply"
+
+
 def replace(path, data):
     with replacing(path) as beside, open(beside, "wb") as file:
         file.write(data)
@@ -75,14 +109,17 @@ def replace(path, data):
 def write(thing, depsgraph, path, voxel):
     """Writes the mesh, and beside it a scene where none of that name is: what an artist has made of it
     stays. Gives a sentence."""
+    path = file_of(path)
     points, triangles = triangles_of(thing, depsgraph)
     require_closed(thing.name, triangles)
-    volume = volume_of(points, triangles)
+    volume = require_solid(thing.name, points, triangles)
     if volume < 0:
         triangles, volume = triangles[:, ::-1], -volume
     replace(path, ply(points, triangles))
     text = os.path.splitext(path)[0] + ".vug"
     told = f"{len(triangles)} triangles around {volume:.6g} m3"
+    if (points.max(0) - points.min(0)).min() < 2 * voxel:
+        told += f"; it is thinner than two voxels of {voxel:.6g} m, which may miss it"
     if os.path.exists(text):
         return f"{told}; {os.path.basename(text)} is there already and stays"
     replace(text, scene(thing.name, os.path.basename(path), voxel).encode())

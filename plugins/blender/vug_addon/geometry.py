@@ -18,6 +18,13 @@ def add_attribute(mesh, name, values):
     made.data.foreach_set(member, numpy.ascontiguousarray(values, numpy.float32).ravel())
 
 
+def add_missing(mesh, surface):
+    """Attributes that somebody has removed."""
+    for name, values in surface.attributes.items():
+        if name not in mesh.attributes:
+            add_attribute(mesh, name, values)
+
+
 def fill(mesh, surface):
     """Puts a surface in the place of what the mesh holds; its materials stay."""
     mesh.clear_geometry()

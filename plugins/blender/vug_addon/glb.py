@@ -1,5 +1,6 @@
 """Reads the binary glTF that vug export writes, whole: Blender's own importer leaves out the attributes
-of vertices that are not colours and rounds colours to 8 bits. Space is the file's: metres, y up."""
+of vertices that are not colours and rounds colours to 8 bits. What it gives is Blender's: z up, and in
+the units of a scene."""
 import json
 import struct
 
@@ -18,14 +19,14 @@ def turned(vectors):
 
 
 class Surface:
-    """A mesh: `positions`, `normals` or None and `triangles`; `attributes` by name. Turned to z up."""
+    """A mesh: `positions`, `normals` or None and `triangles`; `attributes` by name."""
 
     def __init__(self, glb, about):
         primitive = about["primitives"][0]
         arrays = {name: glb.array(index) for name, index in primitive["attributes"].items()}
         self.name = about["name"]
         self.material = primitive.get("material")
-        self.positions = turned(arrays.pop("POSITION"))
+        self.positions = turned(arrays.pop("POSITION")) * numpy.float32(glb.scale)
         normals = arrays.pop("NORMAL", None)
         self.normals = None if normals is None else turned(normals)
         self.triangles = glb.array(primitive["indices"]).reshape(-1, 3).astype(numpy.int32)
@@ -41,7 +42,9 @@ class Surface:
 
 
 class Glb:
-    def __init__(self, path):
+    def __init__(self, path, scale=1.0):
+        """`scale`: units of Blender in a metre."""
+        self.scale = scale
         with open(path, "rb") as file:
             data = file.read()
         magic, _, length, words, _ = struct.unpack_from("<4sIIII", data)
@@ -79,7 +82,7 @@ class Glb:
         """(name, kind, index, matrix in Blender's space); kind is "mesh", "camera" or "light"."""
         for node in self.list("nodes"):
             x, y, z, w = node.get("rotation", (0, 0, 0, 1))
-            place = TURN @ Matrix.LocRotScale(Vector(node.get("translation", (0, 0, 0))),
+            place = TURN @ Matrix.LocRotScale(Vector(node.get("translation", (0, 0, 0))) * self.scale,
                                               Quaternion((w, x, y, z)),
                                               Vector(node.get("scale", (1, 1, 1))))
             light = node.get("extensions", {}).get("KHR_lights_punctual", {}).get("light")

@@ -1,5 +1,8 @@
 """Lights and cameras that mean the same as Vug's. Blender counts the watts that a lamp would send out if it
-shone in all directions as it does along its axis. See docs/dcc.md for what a file says of lamps."""
+shone in all directions as it does along its axis. See docs/dcc.md for what a file says of lamps.
+
+`scale` is the number of Blender's units in a metre: watts grow with its square, so that what is lit from
+farther away in units is as bright, and Blender, which counts so itself, shows the same watts."""
 import math
 
 LUMEN_PER_WATT = 683  # of each colour; as the file is written
@@ -17,9 +20,10 @@ def kind_of(about):
     return "AREA" if "vug:width" in extras or (flat and "vug:radius" in extras) else "SPOT"
 
 
-def fill_light(light, about):
+def fill_light(light, about, scale):
     extras = about.get("extras", {})
     axis = about.get("intensity", 1) / LUMEN_PER_WATT  # W/sr along the axis; of a sun W/m2
+    watts = axis * scale**2
     light.color = about.get("color", (1, 1, 1))
     if hasattr(light, "use_soft_falloff"):
         light.use_soft_falloff = False
@@ -27,32 +31,32 @@ def fill_light(light, about):
         light.energy = axis
         light.angle = extras.get("vug:angle", 0)
     elif light.type == "AREA":
-        light.energy = 4 * axis  # an area lamp of Cycles has a radiance of energy / (4 area)
+        light.energy = 4 * watts  # an area lamp of Cycles has a radiance of energy / (4 area)
         light.shape = "RECTANGLE" if "vug:width" in extras else "DISK"
-        light.size = extras.get("vug:width", 2 * extras.get("vug:radius", 0.5))
-        light.size_y = extras.get("vug:height", light.size)
+        width = extras.get("vug:width", 2 * extras.get("vug:radius", 0.5))
+        light.size, light.size_y = scale * width, scale * extras.get("vug:height", width)
     else:
-        light.energy = 4 * math.pi * axis
-        light.shadow_soft_size = extras.get("vug:radius", 0)
+        light.energy = 4 * math.pi * watts
+        light.shadow_soft_size = scale * extras.get("vug:radius", 0)
         if light.type == "SPOT":
             outer = about["spot"].get("outerConeAngle", math.pi / 4)
             light.spot_size = 2 * outer
             light.spot_blend = 1 - about["spot"].get("innerConeAngle", 0) / outer
 
 
-def fill_camera(camera, about):
+def fill_camera(camera, about, scale):
     camera.sensor_fit, camera.sensor_width = "HORIZONTAL", FILM
     if about["type"] == "orthographic":
         camera.type = "ORTHO"
         view = about["orthographic"]
-        camera.ortho_scale = 2 * view["xmag"]
+        camera.ortho_scale = 2 * view["xmag"] * scale
     else:
         camera.type = "PERSP"
         view = about["perspective"]
         camera.angle_x = 2 * math.atan(math.tan(view["yfov"] / 2) * view["aspectRatio"])
-    camera.clip_start, camera.clip_end = view["znear"], view["zfar"]
+    camera.clip_start, camera.clip_end = scale * view["znear"], scale * view["zfar"]
     extras = about.get("extras", {})
     camera.dof.use_dof = "vug:aperture" in extras
     if camera.dof.use_dof:
-        camera.dof.focus_distance = extras["vug:focus"]
-        camera.dof.aperture_fstop = camera.lens / 1000 / extras["vug:aperture"]
+        camera.dof.focus_distance = scale * extras["vug:focus"]
+        camera.dof.aperture_fstop = camera.lens / 1000 / (scale * extras["vug:aperture"])

@@ -1,32 +1,57 @@
 """A cave in the making: a job, and where its result goes. Nothing in Blender's file changes before the
 job has ended well."""
+import json
 import os
 
 import bpy
 
-from . import arrive, parameters, properties
+from . import arrive, owned, parameters, properties, units
 from .job import Job
+
+
+def settings_of(collection):
+    """What a cave is built with, as JSON can hold it."""
+    cave = collection.vug
+    return {"params": parameters.values(collection), "seed": cave.seed if cave.use_seed else None}
+
+
+def set_to_built(collection):
+    """Parameters and seed as they were when the cave was last built."""
+    built = json.loads(collection.vug.built)
+    parameters.restore(collection, built["params"])
+    collection.vug.use_seed = built["seed"] is not None
+    if built["seed"] is not None:
+        collection.vug.seed = built["seed"]
+    collection.vug.stale = ""
 
 
 class Making:
     """Of a new cave from `source`, or of a cave's collection that is there. `step` now and then, until it
-    gives True; then `error` or `told` says how it went."""
+    gives True; then `error` or `told` says how it went. A new one may set the scene's `camera`, where it has
+    none, and with it its `resolution`."""
 
     current = None  # one at a time: a build takes all cores
 
-    def __init__(self, source="", collection=None):
+    def __init__(self, source="", collection=None, camera=True, resolution=True):
         cave = collection.vug if collection else None
         self.name = collection.name if collection else ""
         self.source = source or cave.source
+        self.camera, self.resolution = camera, resolution
         self.error, self.told, self.cancelled, self.changed = "", "", False, 0
+        self.tried = settings_of(collection) if collection else {}
         options = properties.preferences()
         order = {"source": os.path.abspath(bpy.path.abspath(self.source)),
                  "params": parameters.changed(collection) if collection else {},
-                 "seed": cave.seed if cave and cave.use_seed else None,
-                 "known": cave.known if cave else ""}
+                 "seed": self.tried.get("seed"),
+                 "known": cave.known if cave and self.is_whole(collection) else ""}
         self.job = Job(order, bpy.path.abspath(options.python) if options else "",
                        bpy.path.abspath(options.package) if options else "")
         Making.current = self
+
+    @staticmethod
+    def is_whole(collection):
+        return (collection.vug.metres_per_unit == units.metres_per_unit()
+                and not owned.missing(collection))
 
     @property
     def share(self):
@@ -45,8 +70,23 @@ class Making:
         except (OSError, ValueError, KeyError, RuntimeError) as error:
             self.error = str(error)
         finally:
+            if self.error:
+                self.mark_stale()
             self.end()
         return True
+
+    def mark_stale(self):
+        """The cave stays as it was built, and remembers that its parameters are others; the error names
+        those."""
+        collection = bpy.data.collections.get(self.name) if self.name else None
+        if not collection:
+            return
+        before = json.loads(collection.vug.built or "{}").get("params", {})
+        others = [f"{name} = {text_of(value)}" for name, value in self.tried["params"].items()
+                  if name in before and before[name] != value]
+        if others:
+            self.error += f"; set since it was last built: {', '.join(others)}"
+        collection.vug.stale = self.error
 
     def cancel(self):
         self.cancelled = True
@@ -64,6 +104,7 @@ class Making:
             return
         if job.same:
             self.told = "nothing has changed"
+            self.mark_built(bpy.data.collections.get(self.name))
             return
         collection = bpy.data.collections.get(self.name) if self.name else None
         if self.name and not collection:
@@ -74,7 +115,7 @@ class Making:
             made = collection = bpy.data.collections.new(job.scene["name"])
             collection.vug.folder = properties.folder_of_volumes(collection.name)
         try:
-            self.changed = arrive.bring(collection, job.scene, job.done["files"], job.folder + "/set")
+            arrival = arrive.bring(collection, job.scene, job.done["files"], job.folder + "/set")
         except BaseException:
             if made:
                 bpy.data.collections.remove(made)
@@ -82,9 +123,23 @@ class Making:
         if made:
             collection.vug.source = self.source
             bpy.context.scene.collection.children.link(collection)
-        self.name = collection.name
+            if self.camera:
+                arrival.take_view(bpy.context.scene, self.resolution)
+        self.name, self.changed = collection.name, arrival.changed
+        self.mark_built(collection)
         left_out = [each for each in job.done["left_out"] if not expected(each)]
         self.told = f"{self.name}: {self.changed} meshes made" + "".join(f"; {each}" for each in left_out)
+
+    def mark_built(self, collection):
+        """What an artist has set meanwhile is not built yet."""
+        if collection:
+            now = settings_of(collection)
+            collection.vug.built = json.dumps({**now, "params": {**now["params"], **self.tried.get("params", {})}})
+            collection.vug.stale = ""
+
+
+def text_of(value):
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def expected(left_out):

@@ -1,10 +1,12 @@
-"""What can be done: add, update, cancel, defaults, and a mesh out as a field."""
+"""What can be done: add, update, cancel, parameters back, and a mesh out as a field."""
+import os
+
 import bpy
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from . import cave_out, parameters, properties
-from .making import Making
+from .making import Making, set_to_built
 
 
 class Tells:
@@ -67,6 +69,10 @@ class VUG_OT_add(Tells, bpy.types.Operator, ImportHelper):
     bl_idname, bl_label, bl_options = "vug.add", "Vug Cave", {"UNDO"}
     filename_ext = ".vug"
     filter_glob: StringProperty(default="*.vug", options={"HIDDEN"})
+    use_camera: BoolProperty(name="Camera", default=True,
+                             description="The cave's first camera becomes the scene's, where it has none")
+    use_resolution: BoolProperty(name="Resolution", default=True,
+                                 description="With the camera, the scene takes the size of its picture")
     chosen: BoolProperty(default=False, options={"HIDDEN", "SKIP_SAVE"})
 
     def invoke(self, context, event):
@@ -78,7 +84,11 @@ class VUG_OT_add(Tells, bpy.types.Operator, ImportHelper):
         return Making.current is None
 
     def execute(self, context):
-        making = Making(source=self.filepath)
+        path = bpy.path.abspath(self.filepath)
+        if not os.path.basename(path) or os.path.isdir(path):
+            self.report({"ERROR"}, "choose a .vug file: it holds the scene of a cave")
+            return {"CANCELLED"}
+        making = Making(source=self.filepath, camera=self.use_camera, resolution=self.use_resolution)
         if bpy.app.background or not self.chosen:
             return self.run(making)
         return bpy.ops.vug.work("INVOKE_DEFAULT") and {"FINISHED"}
@@ -140,14 +150,29 @@ class VUG_OT_defaults(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class VUG_OT_revert(bpy.types.Operator):
+    """Set all parameters to what the cave that is here was built with"""
+
+    bl_idname, bl_label, bl_options = "vug.revert", "As Built", {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        collection = properties.active_cave(context)
+        return collection is not None and bool(collection.vug.built)
+
+    def execute(self, context):
+        set_to_built(properties.active_cave(context))
+        return {"FINISHED"}
+
+
 class VUG_OT_export_field(bpy.types.Operator, ExportHelper):
     """Write the active closed mesh as a solid for scenes: a .ply file and a .vug scene that reads it"""
 
     bl_idname, bl_label = "vug.export_field", "Vug Field"
     filename_ext = ".ply"
     filter_glob: StringProperty(default="*.ply", options={"HIDDEN"})
-    voxel: FloatProperty(name="Voxel", default=0.05, min=1e-4, subtype="DISTANCE",
-                         description="Edge of a voxel of the scene that is written beside the mesh")
+    voxel: FloatProperty(name="Voxel", default=0.05, min=1e-4,
+                         description="Edge of a voxel of the scene that is written beside the mesh, in metres")
 
     @classmethod
     def poll(cls, context):
@@ -156,14 +181,18 @@ class VUG_OT_export_field(bpy.types.Operator, ExportHelper):
     def execute(self, context):
         try:
             told = cave_out.write(context.object, context.evaluated_depsgraph_get(), self.filepath, self.voxel)
-        except (OSError, ValueError) as error:
+        except ValueError as error:
             self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        except OSError as error:
+            self.report({"ERROR"}, f"cannot write '{self.filepath}': {error.strerror}")
             return {"CANCELLED"}
         self.report({"INFO"}, told)
         return {"FINISHED"}
 
 
-OPERATORS = (VUG_OT_work, VUG_OT_add, VUG_OT_update, VUG_OT_cancel, VUG_OT_defaults, VUG_OT_export_field)
+OPERATORS = (VUG_OT_work, VUG_OT_add, VUG_OT_update, VUG_OT_cancel, VUG_OT_defaults, VUG_OT_revert,
+             VUG_OT_export_field)
 
 
 def draw_add(menu, context):

@@ -1,7 +1,9 @@
 """The sidebar of the 3D view: a cave's parameters."""
+import textwrap
+
 import bpy
 
-from . import parameters, properties
+from . import parameters, properties, units
 from .making import Making
 
 
@@ -24,6 +26,14 @@ class VUG_PT_cave(bpy.types.Panel):
         column = layout.column()
         for param, key in parameters.shown(collection):
             column.prop(collection, f'["{bpy.utils.escape_identifier(key)}"]', text=param["name"])
+        if collection.vug.stale:
+            box = layout.box()
+            box.alert = True
+            for line in textwrap.wrap(collection.vug.stale, 40):
+                box.label(text=line)
+            box.operator("vug.revert", icon="LOOP_BACK")
+        if collection.vug.metres_per_unit != units.metres_per_unit(context.scene):
+            layout.label(text="The unit scale has changed: Update", icon="ERROR")
         column.prop(collection.vug, "use_seed")
         if collection.vug.use_seed:
             column.prop(collection.vug, "seed")

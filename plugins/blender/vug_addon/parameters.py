@@ -1,5 +1,5 @@
 """Parameters of a scene as custom properties of a cave's collection: sliders that Blender saves, animates
-and shows by itself, with the scene's ranges and docs."""
+and shows by itself, with the scene's ranges and docs. Lengths are metres, whatever a unit of Blender is."""
 import json
 
 RESERVED = ("vug", "cycles")  # names that Blender uses in the same place
@@ -31,9 +31,11 @@ def same(a, b):
     return list(a) == list(b) if hasattr(a, "__len__") and not isinstance(a, str) else a == b
 
 
-def dress(collection, key, param):
+def dress(collection, key, param, metres_per_unit):
     ui = collection.id_properties_ui(key)
-    unit = UNITS.get(param["dimension"])
+    # Blender shows lengths by the scene's unit, which is ours only where that is a metre.
+    foreign = param["dimension"] == "length" and metres_per_unit != 1
+    unit = "metres" if foreign else UNITS.get(param["dimension"])
     doc = param["doc"] + (f" ({unit})" if unit else "")
     default = stored(param["default"], param["type"])
     wanted = {"description": doc, "default": default}
@@ -44,14 +46,14 @@ def dress(collection, key, param):
             limit = param["low" if side == "min" else "high"]
             if isinstance(limit, float):
                 wanted.update({side: limit, "soft_" + side: limit})
-        if param["dimension"] in SUBTYPES:
+        if param["dimension"] in SUBTYPES and not foreign:
             wanted["subtype"] = SUBTYPES[param["dimension"]]
         wanted["precision"] = 3
     ui.clear()
     ui.update(**wanted)
 
 
-def take(collection, params):
+def take(collection, params, metres_per_unit):
     """Makes the properties of these parameters. What an artist has set stays; what still has the old
     default gets the new one; parameters that are gone go."""
     before = {param["name"]: param for param in about(collection)}
@@ -65,7 +67,7 @@ def take(collection, params):
             collection[key], stored(old["default"], kind))
         if untouched:
             collection[key] = default
-        dress(collection, key, param)
+        dress(collection, key, param, metres_per_unit)
     names = {param["name"] for param in params}
     for name in before:
         if name not in names and key_of(name) in collection:
@@ -79,6 +81,27 @@ def shown(collection):
             if key_of(param["name"]) in collection]
 
 
+def missing(collection):
+    """Names of those that somebody has deleted."""
+    return [param["name"] for param in about(collection) if key_of(param["name"]) not in collection
+            and stored(param["default"], param["type"]) is not None]
+
+
+def values(collection):
+    """All that are set, by name, as JSON can hold them."""
+    return {param["name"]: plain(collection[key]) for param, key in shown(collection)}
+
+
+def restore(collection, values):
+    for param, key in shown(collection):
+        if param["name"] in values:
+            collection[key] = values[param["name"]]
+
+
+def plain(value):
+    return list(value) if hasattr(value, "to_list") else value
+
+
 def changed(collection):
     """Values by name of what differs from its default, as the worker takes them."""
     out = {}
@@ -86,7 +109,7 @@ def changed(collection):
         value = collection[key]
         if same(value, stored(param["default"], param["type"])):
             continue
-        out[param["name"]] = list(value) if hasattr(value, "to_list") else value
+        out[param["name"]] = plain(value)
     return out
 
 

@@ -2,7 +2,7 @@
 import os
 
 import bpy
-from bpy.props import BoolProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 
 class VugCave(bpy.types.PropertyGroup):
@@ -14,6 +14,10 @@ class VugCave(bpy.types.PropertyGroup):
     folder: StringProperty(name="Volumes", subtype="DIR_PATH",
                            description="Where the .vdb files of this cave are kept")
     parameters: StringProperty(options={"HIDDEN"})  # what the scene has said of them, in JSON
+    metres_per_unit: FloatProperty(default=1, options={"HIDDEN"})  # of the scene it was made for
+    owned: StringProperty(options={"HIDDEN"})  # what it has brought; see owned.py
+    built: StringProperty(options={"HIDDEN"})  # what it was last built with; see making.py
+    stale: StringProperty(options={"HIDDEN"})  # why the last update failed; empty: all is up to date
     known: StringProperty(options={"HIDDEN"})  # the key of what Blender has; see worker.py
 
 

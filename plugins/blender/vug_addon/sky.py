@@ -63,11 +63,16 @@ def fill(world, skies, folder):
     tree.links.new(sum_, tree.nodes.new("ShaderNodeOutputWorld").inputs["Surface"])
 
 
+def of(collection):
+    """The cave's world, or None."""
+    return next((each for each in bpy.data.worlds if each.get(NAME) == collection.name), None)
+
+
 def bring(collection, skies, folder, changed):
     """A world of the cave's name for the skies of its scene, none where it has none. The file's scene
     takes it where it has no other that somebody has made. `changed(world, what)` tells whether these are
     others than when it was asked last."""
-    world = next((each for each in bpy.data.worlds if each.get(NAME) == collection.name), None)
+    world = of(collection)
     if not skies:
         if world:
             bpy.data.worlds.remove(world)

@@ -87,6 +87,8 @@ def main():
         first = (faults or [error])[0]
         place = ":".join(str(part) for part in (getattr(first, "file", None), getattr(first, "line", None),
                                                 getattr(first, "column", None)) if part)
+        if place.startswith("-D "):  # what was set is in no file
+            place = ""
         sentence = getattr(first, "message", None) or str(error) or type(error).__name__
         hint = getattr(first, "hint", None)
         say(error=(f"{place}: " if place else "") + sentence + (f" ({hint})" if hint else ""))

@@ -60,6 +60,7 @@ TEST_F(Glb, EverythingIsThereOnce) {
   EXPECT_EQ(model.meshes.size(), 1u);
   EXPECT_EQ(model.materials.size(), 1u);
   EXPECT_EQ(model.cameras.size(), 2u);
+  EXPECT_EQ(model.cameras[0].extras.Get("vug:size").Get(0).GetNumberAsInt(), 640);
   EXPECT_EQ(model.lights.size(), 5u);
   EXPECT_EQ(model.nodes.size(), 2u + 2 + 5);
   const auto& instancing = node(model, "strewn").extensions.at("EXT_mesh_gpu_instancing");

@@ -38,6 +38,7 @@ inline Assembly sample() {
   view.place = Transform::translation({0, 1.5, 4});
   view.fov = 0.5 * kPi;
   view.aspect = 2;
+  view.size = {640, 320};
   view.aperture = 0.01;
   view.focus = 3;
   Camera plan = view;

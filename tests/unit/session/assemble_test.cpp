@@ -238,6 +238,14 @@ TEST(ExportSet, CloudsOfFilesAndHazeAreTold) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Assemble, TheCameraOfTheFirstPictureComesFirst) {
+  const Made made("camera a {}\ncamera b {}\ncamera c {}\nrender b { size 320x180 }\n");
+  std::vector<std::string> names;
+  for (const exchange::Camera& each : made.out.assembly.cameras) names.push_back(each.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"b", "a", "c"}));
+  EXPECT_EQ(made.out.assembly.cameras[0].size, Vec2i(320, 180));
+}
+
 TEST(ExportSet, VolumesStandInTheProgramsSpace) {
   const Made made;
   const std::filesystem::path folder = testing::TempDir() + "vug_export_set";

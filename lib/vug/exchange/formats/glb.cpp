@@ -179,12 +179,16 @@ class Writer {
       made.perspective.znear = camera.near;
       made.perspective.zfar = camera.far;
     }
+    Value::Object extras;
+    if (camera.size != Vec2i(0, 0))
+      extras.emplace("vug:size", Value(Value::Array{Value(camera.size.x), Value(camera.size.y)}));
     if (camera.aperture > 0) {
-      made.extras = Value(Value::Object{{"vug:aperture", Value(camera.aperture)},
-                                        {"vug:focus", Value(camera.focus)}});
+      extras.emplace("vug:aperture", Value(camera.aperture));
+      extras.emplace("vug:focus", Value(camera.focus));
       left_out_.push_back(
           fmt::format("depth of field of the camera '{}': only in its extras", camera.name));
     }
+    if (!extras.empty()) made.extras = Value(extras);
     model_.cameras.push_back(std::move(made));
     tinygltf::Node at = node(camera.name, placement(camera.place).value_or(Placement()));
     at.camera = static_cast<int>(model_.cameras.size()) - 1;

@@ -1,0 +1,55 @@
+"""What a cave has brought into Blender's file: things that an artist has deleted are missed and come back."""
+import json
+import os
+
+import bpy
+
+from . import parameters, sky
+
+NAME = "vug_name"  # of an object in its scene
+
+
+def objects(collection):
+    """Those that came from the scene by their names there, also in collections within the cave's."""
+    return {each[NAME]: each for each in collection.all_objects if NAME in each}
+
+
+def note(collection):
+    """Keeps in the cave what it has now."""
+    things = {name: {"object": thing.name, "type": thing.type,
+                     "attributes": [each.name for each in thing.data.attributes] if thing.type == "MESH" else []}
+              for name, thing in objects(collection).items()}
+    collection.vug.owned = json.dumps({"objects": things, "sky": sky.of(collection) is not None})
+
+
+def noted(collection):
+    return json.loads(collection.vug.owned or '{"objects": {}, "sky": false}')
+
+
+def adopt(collection):
+    """Objects that have lost the property that tells what they are get it back, by their names in Blender."""
+    there = objects(collection)
+    lost = {about["object"]: name for name, about in noted(collection)["objects"].items() if name not in there}
+    for thing in collection.all_objects:
+        if NAME not in thing and thing.name in lost:
+            thing[NAME] = lost[thing.name]
+
+
+def is_whole(thing, about):
+    if thing is None or thing.type != about["type"]:
+        return False
+    if thing.type == "VOLUME":
+        return os.path.isfile(bpy.path.abspath(thing.data.filepath))
+    if thing.type == "MESH":
+        return (all(name in thing.data.attributes for name in about["attributes"])
+                and all(thing.data.materials) and len(thing.data.materials) > 0)
+    return True
+
+
+def missing(collection):
+    """Names of what the cave has had and that is deleted now, or has lost a part."""
+    known, there = noted(collection), objects(collection)
+    out = [name for name, about in known["objects"].items() if not is_whole(there.get(name), about)]
+    if known["sky"] and sky.of(collection) is None:
+        out.append("sky")
+    return out + parameters.missing(collection)
