@@ -1,0 +1,113 @@
+// A reversible-jump Markov chain (cite green1995): Metropolis and Hastings' rule over states of any
+// size, as long as all of a state is whole numbers, which needs no Jacobian.
+#pragma once
+
+#include <vug/base/maths.h>
+#include <vug/inference/choices.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vug::inference {
+
+/// One kind of move over states S. `propose` changes the state in place, makes its choices with
+/// `forward`, and tells `back` those of the same move that lead from the new state to the old one.
+/// False where there is nothing to do, or the way leads out of the space of states; the state may
+/// then be anything.
+template <class S>
+struct Move {
+  std::string name;
+  double weight = 1;  ///< How often it is tried, as a share of all moves' weights.
+  std::function<bool(S&, Choices& forward, Choices& back)> propose;
+};
+template <class S>
+using Moves = std::vector<Move<S>>;
+
+struct MoveCount {
+  int64_t tried = 0;     ///< Proposals asked for,
+  int64_t possible = 0;  ///< those that led to a state,
+  int64_t accepted = 0;  ///< and those that were taken.
+};
+
+/// ln of what a proposal's probability is weighed with: q(new to old) / q(old to new).
+inline double ln_ratio(const Choices& forward, const Choices& back) {
+  return back.ln_probability() - forward.ln_probability();
+}
+
+/// Its states are drawn with probability 2^(-energy / temperature) in the long run. The energy is
+/// a code length in bits; `energy(S&)` may keep what it computed in the state.
+template <class S>
+class Chain {
+ public:
+  using Energy = std::function<double(S&)>;
+  struct Options {
+    double temperature = 1;
+    bool weigh_proposals = true;  ///< False is wrong: it is there to show that tests see it.
+  };
+
+  /// The moves must outlive the chain.
+  Chain(const Moves<S>& moves, Energy energy, S start, RandomKey key, Options options = {})
+      : moves_(moves),
+        of_(std::move(energy)),
+        state_(std::move(start)),
+        stream_(key),
+        options_(options),
+        counts_(moves.size()) {
+    for (const Move<S>& move : moves_) weights_.push_back(move.weight);
+    which_ = Profile(weights_);
+    energy_ = of_(state_);
+  }
+
+  void step() {
+    const auto which = static_cast<size_t>(which_.find(0, which_.size(), stream_.uniform()));
+    ++counts_[which].tried;
+    before_ = state_;
+    forward_.draw(stream_);
+    back_.tell();
+    if (!moves_[which].propose(state_, forward_, back_)) return reject();
+    ++counts_[which].possible;
+    const double energy = of_(state_);
+    constexpr double kLn2 = 0.69314718055994530942;
+    double ln = kLn2 * (energy_ - energy) / options_.temperature;
+    if (options_.weigh_proposals) ln += ln_ratio(forward_, back_);
+    if (!(ln >= 0) && !(stream_.uniform() < maths::exp(ln))) return reject();
+    ++counts_[which].accepted;
+    energy_ = energy;
+  }
+
+  const S& state() const { return state_; }
+  double energy() const { return energy_; }
+  double temperature() const { return options_.temperature; }
+  void set_temperature(double temperature) { options_.temperature = temperature; }
+  const std::vector<MoveCount>& counts() const { return counts_; }
+
+  /// Replaces the state, as polishing does; the chain forgets where it was.
+  void set_state(S state) {
+    state_ = std::move(state);
+    energy_ = of_(state_);
+  }
+  /// Exchanges states and energies; temperatures, streams and counts stay.
+  void swap_states(Chain& other) {
+    std::swap(state_, other.state_);
+    std::swap(energy_, other.energy_);
+  }
+
+ private:
+  void reject() { std::swap(state_, before_); }
+
+  const Moves<S>& moves_;
+  Energy of_;
+  S state_, before_{};
+  double energy_ = 0;
+  RandomStream stream_;
+  Options options_;
+  std::vector<double> weights_;
+  Profile which_;
+  Choices forward_, back_;
+  std::vector<MoveCount> counts_;
+};
+
+}  // namespace vug::inference

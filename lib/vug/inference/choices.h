@@ -1,0 +1,50 @@
+// The choices a move makes, with the probability of making them. One and the same code draws a
+// move's choices and tells those of the move back, so the two densities of a reversible jump are
+// written once.
+#pragma once
+
+#include <vug/base/rng.h>
+#include <vug/inference/profile.h>
+
+#include <vector>
+
+namespace vug::inference {
+
+/// Choices in the order in which they are made.
+using Tape = std::vector<int>;
+
+/// Each choice is drawn, or read from a tape, or the one that the caller tells; `ln_probability`
+/// sums up how likely they are to be drawn.
+class Choices {
+ public:
+  /// Begins anew: choices are drawn from the stream.
+  void draw(RandomStream& stream);
+  /// Begins anew: choices are those of the tape, which must outlive this.
+  void replay(const Tape& tape);
+  /// Begins anew: choices are those that the calls tell.
+  void tell();
+
+  /// One of 0..count-1, all alike.
+  int below(int count, int told = 0);
+  bool flip(bool told = false) { return below(2, told ? 1 : 0) != 0; }
+  /// One of low..high, both included, all alike.
+  int between(int low, int high, int told = 0) { return low + below(high - low + 1, told - low); }
+  /// A place in the profile's window [low, high).
+  int among(const Profile& profile, int low, int high, int told = 0);
+
+  /// -infinity when one that was told could not have been drawn, as for windows without a place.
+  double ln_probability() const { return ln_; }
+  bool possible() const;
+  const Tape& made() const { return made_; }
+
+ private:
+  int next();
+  void begin();
+
+  RandomStream* stream_ = nullptr;
+  const Tape* tape_ = nullptr;
+  Tape made_;
+  double ln_ = 0;
+};
+
+}  // namespace vug::inference

@@ -1,0 +1,69 @@
+#include <vug/inference/diagnosis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace vug::inference {
+namespace {
+
+double mean_of(const Trace& trace, size_t begin, size_t end) {
+  double sum = 0;
+  for (size_t i = begin; i < end; ++i) sum += trace[i];
+  return sum / static_cast<double>(end - begin);
+}
+
+/// The sum of products of deviations `lag` apart.
+double covariance(const Trace& trace, double mean, size_t lag) {
+  double sum = 0;
+  for (size_t i = 0; i + lag < trace.size(); ++i)
+    sum += (trace[i] - mean) * (trace[i + lag] - mean);
+  return sum;
+}
+
+}  // namespace
+
+double autocorrelation_time(const Trace& trace) {
+  if (trace.size() < 2) return 1;
+  const double mean = mean_of(trace, 0, trace.size());
+  const double variance = covariance(trace, mean, 0);
+  if (!(variance > 0)) return 1;
+  double time = 1;
+  for (size_t lag = 1; lag < trace.size() / 2; ++lag) {
+    time += 2 * covariance(trace, mean, lag) / variance;
+    if (static_cast<double>(lag) >= 5 * time) break;
+  }
+  return std::max(1.0, time);
+}
+
+double effective_size(const Trace& trace) {
+  return static_cast<double>(trace.size()) / autocorrelation_time(trace);
+}
+
+double scale_reduction(const std::vector<Trace>& traces) {
+  std::vector<double> means;
+  double within = 0;
+  size_t half = std::numeric_limits<size_t>::max();
+  for (const Trace& trace : traces) half = std::min(half, trace.size() / 2);
+  if (traces.empty() || half < 2) return std::numeric_limits<double>::infinity();
+  for (const Trace& trace : traces)
+    for (const size_t begin : {size_t{0}, trace.size() - half}) {
+      const double mean = mean_of(trace, begin, begin + half);
+      double sum = 0;
+      for (size_t i = begin; i < begin + half; ++i) sum += (trace[i] - mean) * (trace[i] - mean);
+      within += sum / static_cast<double>(half - 1);
+      means.push_back(mean);
+    }
+  const auto count = static_cast<double>(means.size());
+  within /= count;
+  const double middle = mean_of(means, 0, means.size());
+  double between = 0;
+  for (const double mean : means) between += (mean - middle) * (mean - middle);
+  between /= count - 1;  // of the halves' means
+  if (!(within > 0)) return between > 0 ? std::numeric_limits<double>::infinity() : 1;
+  const auto n = static_cast<double>(half);
+  return std::sqrt(((n - 1) / n * within + between) / within);
+}
+
+}  // namespace vug::inference

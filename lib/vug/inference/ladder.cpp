@@ -1,0 +1,59 @@
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/inference/ladder.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::inference {
+
+Ladder::Ladder(int chains, double coldest, double hottest) {
+  if (chains < 1 || !(coldest > 0) || !std::isfinite(hottest) || (chains > 1 && hottest <= coldest))
+    throw Error(ErrorCode::bad_input, "temperatures of chains rise from above 0");
+  for (int i = 0; i < chains; ++i)
+    temperatures_.push_back(
+        i == 0 ? coldest
+               : coldest * maths::pow(hottest / coldest, static_cast<double>(i) / (chains - 1)));
+  forget();
+  sums_.assign(swaps_.size(), 0);
+  terms_.assign(swaps_.size(), 0);
+}
+
+void Ladder::forget() { swaps_.assign(temperatures_.size() - 1, {}); }
+
+double Ladder::acceptance(int i, double energy, double next_energy) const {
+  const double colder = 1 / temperature(i) - 1 / temperature(i + 1);
+  return std::min(1.0, maths::exp(colder * (energy - next_energy) * 0.69314718055994530942));
+}
+
+void Ladder::count(int i, double acceptance, bool swapped) {
+  const auto at = static_cast<size_t>(i);
+  ++swaps_[at].tried;
+  if (swapped) ++swaps_[at].taken;
+  sums_[at] += acceptance;
+  ++terms_[at];
+}
+
+void Ladder::adapt() {
+  constexpr double kLag = 200;  // calls until the steps have halved
+  const double rate = 0.3 * kLag / (kLag + static_cast<double>(adapted_++));
+  const size_t pairs = swaps_.size();
+  std::vector<double> gaps(pairs), mean(pairs);
+  for (size_t i = 0; i < pairs; ++i) {
+    gaps[i] = temperatures_[i + 1] - temperatures_[i];
+    mean[i] = terms_[i] > 0 ? sums_[i] / terms_[i] : 0.5;
+  }
+  // The logarithm of a gap grows with how much more is exchanged across it than across the next.
+  for (size_t i = 0; i + 1 < pairs; ++i) {
+    gaps[i] *= maths::exp(rate * (mean[i] - mean[i + 1]));
+    temperatures_[i + 1] = temperatures_[i] + gaps[i];
+  }
+  // The hottest goes where the last pair exchanges as often as the others do.
+  if (pairs > 0)
+    temperatures_[pairs] =
+        temperatures_[pairs - 1] + gaps[pairs - 1] * maths::exp(rate * (mean[pairs - 1] - 0.35));
+  std::fill(sums_.begin(), sums_.end(), 0);
+  std::fill(terms_.begin(), terms_.end(), 0);
+}
+
+}  // namespace vug::inference

@@ -1,0 +1,120 @@
+// Chains at several temperatures that exchange their states (cite geyer1991): the hot ones cross
+// what the cold one cannot. While it warms up the temperatures move to where neighbours exchange
+// equally often (cite vousden2016).
+#pragma once
+
+#include <vug/base/parallel.h>
+#include <vug/base/progress.h>
+#include <vug/inference/chain.h>
+#include <vug/inference/ladder.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace vug::inference {
+
+struct TemperingOptions {
+  int chains = 8;
+  double hottest = 64;  ///< Where the ladder of temperatures ends at first; it begins at `coldest`.
+  double coldest = 1;
+  int64_t per_round = 500;  ///< Steps of each chain between two rounds of exchanges.
+};
+
+/// The same states for any number of threads: each chain has its stream, and exchanges are drawn
+/// in order from one of their own.
+template <class S>
+class Tempering {
+ public:
+  using Options = TemperingOptions;
+
+  /// `energy_for()` makes an energy for one chain, which no other calls at the same time.
+  Tempering(const Moves<S>& moves, const std::function<typename Chain<S>::Energy()>& energy_for,
+            const S& start, RandomKey key, Options options = {})
+      : options_(options),
+        ladder_(options.chains, options.coldest, options.hottest),
+        swaps_(key.at("swap")) {
+    for (int i = 0; i < options.chains; ++i)
+      chains_.emplace_back(moves, energy_for(), start, key.at("chain").at(static_cast<uint64_t>(i)),
+                           typename Chain<S>::Options{ladder_.temperature(i), true});
+    best_ = chains_[0].state();
+    best_energy_ = chains_[0].energy();
+  }
+
+  /// Rounds of steps and exchanges. `adapt` moves the temperatures, which is for warming up only;
+  /// `visit` sees the coldest chain's state after each round. Stops, whole, when told to.
+  void run(int64_t rounds, bool adapt, Progress& progress = Progress::none(),
+           const std::function<void(const S&, double energy)>& visit = {}) {
+    for (int64_t round = 0; round < rounds && !progress.cancelled(); ++round) {
+      parallel_for(chains_.size(), [&](size_t i) { steps(i); });
+      for (size_t i = 0; i < chains_.size(); ++i) keep_best(i);
+      exchange(adapt);
+      if (visit) visit(chains_[0].state(), chains_[0].energy());
+      progress.advance();
+    }
+  }
+
+  /// The state of least energy that any chain has been in.
+  const S& best() const { return best_; }
+  double best_energy() const { return best_energy_; }
+  const std::vector<Chain<S>>& chains() const { return chains_; }
+  Chain<S>& chain(int i) { return chains_[static_cast<size_t>(i)]; }
+  const Ladder& ladder() const { return ladder_; }
+  void forget_swaps() { ladder_.forget(); }
+
+ private:
+  struct Found {
+    S state;
+    double energy = 0;
+  };
+
+  void steps(size_t i) {
+    Chain<S>& chain = chains_[i];
+    std::optional<Found>& found = found_[i];
+    double least = found ? found->energy : best_energy_;
+    for (int64_t step = 0; step < options_.per_round; ++step) {
+      chain.step();
+      if (chain.energy() < least) {
+        least = chain.energy();
+        found = Found{chain.state(), least};
+      }
+    }
+  }
+
+  void keep_best(size_t i) {
+    std::optional<Found>& found = found_[i];
+    if (found && found->energy < best_energy_) {
+      best_ = std::move(found->state);
+      best_energy_ = found->energy;
+    }
+    found.reset();
+  }
+
+  /// Neighbours in turn: those of even place, then those of odd place.
+  void exchange(bool adapt) {
+    for (size_t i = odd_ ? 1 : 0; i + 1 < chains_.size(); i += 2) {
+      Chain<S>&cold = chains_[i], &hot = chains_[i + 1];
+      const double taken = ladder_.acceptance(static_cast<int>(i), cold.energy(), hot.energy());
+      const bool swap = swaps_.uniform() < taken;
+      ladder_.count(static_cast<int>(i), taken, swap);
+      if (swap) cold.swap_states(hot);
+    }
+    if (odd_ && adapt) {
+      ladder_.adapt();
+      for (size_t i = 0; i < chains_.size(); ++i)
+        chains_[i].set_temperature(ladder_.temperature(static_cast<int>(i)));
+    }
+    odd_ = !odd_;
+  }
+
+  Options options_;
+  Ladder ladder_;
+  std::vector<Chain<S>> chains_;
+  std::vector<std::optional<Found>> found_ =
+      std::vector<std::optional<Found>>(static_cast<size_t>(options_.chains));
+  RandomStream swaps_;
+  bool odd_ = false;
+  S best_{};
+  double best_energy_ = 0;
+};
+
+}  // namespace vug::inference
