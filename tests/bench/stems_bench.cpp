@@ -2,6 +2,8 @@
 // mesh of stems and a place for each leaf. The limit is 50 ms on one thread.
 #include <benchmark/benchmark.h>
 #include <vug/base/parallel.h>
+#include <vug/base/rng.h>
+#include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
 #include <vug/session/load.h>
 #include <vug/session/turtle_block.h>
@@ -54,5 +56,47 @@ void turtle(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(session::drawing_of(plan).make().instances.size());
 }
 BENCHMARK(turtle)->Unit(benchmark::kMillisecond);
+
+/// A culm without branches, as a solid that is joined with rock, and places near its bark.
+struct Solid {
+  field::Field field;
+  std::vector<Vec3d> near;
+};
+const Solid& solid() {
+  static const Solid made = [] {
+    lsystem::Drawing culm = *session::drawing_of(*moso().shot.lsystems.at(0)).get();
+    culm.axes.resize(1);
+    flora::SweepOptions options;
+    options.wall = 0.2;
+    const std::vector<flora::Tube> tubes = flora::tubes(culm, options);
+    Solid out{flora::swept(tubes), {}};
+    RandomStream random(RandomKey(1).at("near"));
+    for (int i = 0; i < 4000; ++i) {
+      const double along = random.uniform(tubes[0].start(), tubes[0].end());
+      out.near.push_back(tubes[0].point(along, random.uniform(-3, 3),
+                                        tubes[0].radius(along) * random.uniform(0.9, 1.2)));
+    }
+    return out;
+  }();
+  return made;
+}
+
+void value_of_a_culm(benchmark::State& state) {
+  double sum = 0;
+  for (auto _ : state)
+    for (const Vec3d& p : solid().near) sum += solid().field.value(p);
+  benchmark::DoNotOptimize(sum);
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(solid().near.size()));
+}
+BENCHMARK(value_of_a_culm)->Unit(benchmark::kMillisecond);
+
+void value_and_gradient_of_a_culm(benchmark::State& state) {
+  double sum = 0;
+  for (auto _ : state)
+    for (const Vec3d& p : solid().near) sum += solid().field.gradient(p).gradient.x;
+  benchmark::DoNotOptimize(sum);
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(solid().near.size()));
+}
+BENCHMARK(value_and_gradient_of_a_culm)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -37,37 +37,48 @@ NodeRelief::NodeRelief(const Relief& relief, std::vector<ReliefNode> nodes)
   }
 }
 
-double NodeRelief::ring_of(const ReliefNode& node, double along) const {
+Rise NodeRelief::ring_of(const ReliefNode& node, double along) const {
   const double x = (along - node.along) / node.radius;
-  return node.radius * (relief_.scar * bump(x / relief_.scar_width) +
-                        relief_.ridge * bump((x - relief_.ridge_above) / relief_.ridge_width));
+  const double scar = x / relief_.scar_width;
+  const double ridge = (x - relief_.ridge_above) / relief_.ridge_width;
+  return {node.radius * (relief_.scar * bump(scar) + relief_.ridge * bump(ridge)),
+          relief_.scar / relief_.scar_width * bump_slope(scar) +
+              relief_.ridge / relief_.ridge_width * bump_slope(ridge)};
 }
 
-double NodeRelief::rings(double along) const {
+Rise NodeRelief::rings(double along) const {
   // Rings of neighbours do not add up where internodes are short: the higher one shows.
-  double most = 0;
+  Rise most;
   const double reach = std::max(relief_.scar_width, relief_.ridge_above + relief_.ridge_width);
+  const auto take = [&](const ReliefNode& node) {
+    if (!(node.radius > 0)) return;
+    const Rise ring = ring_of(node, along);
+    if (ring.height > most.height) most = ring;
+  };
   const auto above =
       std::lower_bound(nodes_.begin(), nodes_.end(), along,
                        [](const ReliefNode& node, double s) { return node.along < s; });
   for (auto node = above; node != nodes_.end(); ++node) {
     if (node->along - along > reach * node->radius) break;
-    if (node->radius > 0) most = std::max(most, ring_of(*node, along));
+    take(*node);
   }
   for (auto node = above; node != nodes_.begin();) {
     --node;
     if (along - node->along > reach * node->radius) break;
-    if (node->radius > 0) most = std::max(most, ring_of(*node, along));
+    take(*node);
   }
   return most;
 }
 
-double NodeRelief::groove_shape(const ReliefNode& node, double along) const {
+Rise NodeRelief::groove_shape(const ReliefNode& node, double along) const {
   const double length = relief_.groove_length * (node.next - node.along);
   const double x = length > 0 ? (along - node.along) / length : -1;
-  if (x <= 0 || x >= 1) return 0;
+  if (x <= 0 || x >= 1) return {};
   const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
-  return smooth(std::min(1.0, x / kSink)) * smooth(std::min(1.0, (1 - x) / kFade));
+  const auto slope = [](double t) { return 6 * t * (1 - t); };
+  const double in = std::min(1.0, x / kSink), out = std::min(1.0, (1 - x) / kFade);
+  return {smooth(in) * smooth(out),
+          (slope(in) * smooth(out) / kSink - smooth(in) * slope(out) / kFade) / length};
 }
 
 const ReliefNode* NodeRelief::below(double along) const {
@@ -77,22 +88,26 @@ const ReliefNode* NodeRelief::below(double along) const {
   return above == nodes_.begin() ? nullptr : &*(above - 1);
 }
 
-double NodeRelief::beds(double along, double angle) const {
+Rise NodeRelief::beds(double along, double angle) const {
   const ReliefNode* node = below(along);
-  if (!node || deepest_ == 0) return 0;
-  double most = 0;
+  if (!node || deepest_ == 0) return {};
+  double most = 0, turn = 0;
   for (const double bed : node->angles) {
-    double off = std::fabs(angle - bed);
-    off -= 2 * kPi * std::floor(off / (2 * kPi));
-    off = std::min(off, 2 * kPi - off);
-    most = std::max(most, bump(off / relief_.groove_width));
+    double off = angle - bed;
+    off -= 2 * kPi * std::round(off / (2 * kPi));
+    const double x = off / relief_.groove_width, depth = bump(x);
+    if (depth > most) most = depth, turn = bump_slope(x) / relief_.groove_width;
   }
-  return most > 0 ? most * groove_shape(*node, along) : 0;
+  if (!(most > 0)) return {};
+  const Rise shape = groove_shape(*node, along);
+  return {most * shape.height, most * shape.along, turn * shape.height};
 }
 
-double NodeRelief::grooves(double along, double angle) const {
-  const double bed = beds(along, angle);
-  return bed > 0 ? bed * relief_.groove * below(along)->radius : 0;
+Rise NodeRelief::grooves(double along, double angle) const {
+  const Rise bed = beds(along, angle);
+  if (!(bed.height > 0)) return {};
+  const double deep = relief_.groove * below(along)->radius;
+  return {bed.height * deep, bed.along * deep, bed.around * deep};
 }
 
 std::vector<double> NodeRelief::rows() const {

@@ -28,7 +28,18 @@ inline double bump(double x) {
   const double rest = 1 - x * x;
   return rest > 0 ? rest * rest : 0;
 }
+inline double bump_slope(double x) {
+  const double rest = 1 - x * x;
+  return rest > 0 ? -4 * x * rest : 0;
+}
 inline constexpr double kBumpSlope = 1.5396007178390021;  ///< Its greatest slope, 16 / sqrt(108).
+
+/// A height and how it changes.
+struct Rise {
+  double height = 0;
+  double along = 0;   ///< For a metre along the stem.
+  double around = 0;  ///< For a radian around it.
+};
 
 /// A node as the relief needs it.
 struct ReliefNode {
@@ -46,11 +57,11 @@ class NodeRelief {
   NodeRelief(const Relief& relief, std::vector<ReliefNode> nodes);
 
   /// Metres outwards of rings alone, the same all around.
-  double rings(double along) const;
+  Rise rings(double along) const;
   /// 1 in the bed of a groove, 0 outside of grooves.
-  double beds(double along, double angle) const;
+  Rise beds(double along, double angle) const;
   /// Metres inwards of the grooves.
-  double grooves(double along, double angle) const;
+  Rise grooves(double along, double angle) const;
 
   double highest() const { return highest_; }  ///< No ring is higher, metres.
   double deepest() const { return deepest_; }  ///< No groove is deeper.
@@ -61,8 +72,8 @@ class NodeRelief {
   std::vector<double> rows() const;
 
  private:
-  double ring_of(const ReliefNode& node, double along) const;
-  double groove_shape(const ReliefNode& node, double along) const;
+  Rise ring_of(const ReliefNode& node, double along) const;
+  Rise groove_shape(const ReliefNode& node, double along) const;
   const ReliefNode* below(double along) const;  ///< The node whose internode it is; null: none.
 
   Relief relief_;

@@ -1,3 +1,4 @@
+#include <vug/base/frames.h>
 #include <vug/field/boolean.h>
 #include <vug/field/opaque.h>
 #include <vug/flora/sweep_field.h>
@@ -5,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace vug::flora {
 namespace {
@@ -34,6 +37,16 @@ struct Capsule {
     if (foot > length) return std::sqrt(x * x + (y - length) * (y - length)) - radius_b;
     return x * cosine + y * sine - radius_a;
   }
+  Vec3d gradient(const Vec3d& p) const {
+    const Vec3d from_a = p - a;
+    const double y = from_a.dot(axis);
+    const Vec3d aside = from_a - axis * y;
+    const double x = aside.length(), foot = y - x * sine / cosine;
+    const Vec3d out = x > 0 ? aside / x : level_frame(axis).normal;
+    if (foot < 0) return (out * x + axis * y).normalized();
+    if (foot > length) return (out * x + axis * (y - length)).normalized();
+    return out * cosine + axis * sine;
+  }
   Box3d bounds() const {
     return united(grown(Box3d(a), radius_a), grown(Box3d(a + axis * length), radius_b));
   }
@@ -57,24 +70,38 @@ class Stem {
   const Box3d& bounds() const { return bounds_; }
   const Tube& tube() const { return tube_; }
 
+  /// What the value at a point comes from.
+  struct Found {
+    double value = kInfinity;
+    size_t capsule = 0;
+    std::optional<Tube::Place> place;  ///< Nothing: the capsules are higher.
+  };
+
   /// The value at p, or any number above `limit` where it is no lower than that.
-  double value(const Vec3d& p, double limit) const {
+  Found find(const Vec3d& p, double limit) const {
     double outer = std::max(limit, 0.0);
     if (outer == 0) outer = 1e-300;  // boxes that hold p still count
-    size_t nearest = capsules_.size();
-    double least = kInfinity;
+    Found found{kInfinity, capsules_.size(), {}};
     tree_.visit_nearest(p, square(outer), [&](uint32_t i) {
       const double d = capsules_[i].distance(p);
-      if (d < least) least = d, nearest = i;
-      return square(std::max(0.0, std::min(outer, least)));
+      if (d < found.value) found.value = d, found.capsule = i;
+      return square(std::max(0.0, std::min(outer, found.value)));
     });
-    if (nearest == capsules_.size() || least >= limit) return kInfinity;
+    if (found.capsule == capsules_.size() || found.value >= limit) return {};
     // Beyond this the capsules are the greater value whatever the relief is, and cross-sections
     // may meet.
-    const double slope = tube_.slope(), a = tube_.reach(nearest), b = tube_.reach(nearest + 1);
+    const double slope = tube_.slope(), a = tube_.reach(found.capsule),
+                 b = tube_.reach(found.capsule + 1);
     const double most = std::fabs(a - b) + tube_.relief().highest() + tube_.relief().deepest();
-    if (least * (slope - 1) > most + 0.25 * std::max(a, b)) return least;
-    return std::max(least, tube_.value(tube_.place(p, nearest)) / slope);
+    if (found.value * (slope - 1) > most + 0.25 * std::max(a, b)) return found;
+    const Tube::Place place = tube_.place(p, found.capsule);
+    const double near = tube_.value(place) / slope;
+    if (near >= found.value) found.value = near, found.place = place;
+    return found;
+  }
+  Vec3d gradient(const Vec3d& p, const Found& found) const {
+    if (!found.place) return capsules_[found.capsule].gradient(p);
+    return tube_.gradient(p, *found.place).gradient / tube_.slope();
   }
 
  private:
@@ -103,17 +130,24 @@ class Stems {
     return all;
   }
 
-  double value(const Vec3d& p) const {
-    double least = kInfinity;
+  double value(const Vec3d& p) const { return find(p).second.value; }
+  field::Gradient sample(const Vec3d& p) const {
+    const auto [stem, found] = find(p);
+    return {found.value, stem->gradient(p, found)};
+  }
+
+ private:
+  std::pair<const Stem*, Stem::Found> find(const Vec3d& p) const {
+    std::pair<const Stem*, Stem::Found> least{nullptr, {}};
     tree_.visit_nearest(p, kInfinity, [&](uint32_t i) {
-      least = std::min(least, stems_[i].value(p, least));
-      const double reach = std::max(0.0, least);
+      const Stem::Found found = stems_[i].find(p, least.second.value);
+      if (found.value < least.second.value) least = {&stems_[i], found};
+      const double reach = std::max(0.0, least.second.value);
       return reach * reach;
     });
     return least;
   }
 
- private:
   std::vector<Stem> stems_;
   mesh::BoxTree tree_;
 };
@@ -122,18 +156,7 @@ struct SweepSource {
   std::shared_ptr<const Stems> stems;
 
   double value(const Vec3d& p) const { return stems->value(p); }
-  /// The gradient by central differences, which err by the square of the step.
-  field::Gradient sample(const Vec3d& p) const {
-    const double h = 1e-6 * (1 + 0.1 * p.length());
-    field::Gradient out{value(p), {}};
-    for (int axis = 0; axis < 3; ++axis) {
-      Vec3d before = p, after = p;
-      before[axis] -= h;
-      after[axis] += h;
-      out.gradient[axis] = (value(after) - value(before)) / (2 * h);
-    }
-    return out;
-  }
+  field::Gradient sample(const Vec3d& p) const { return stems->sample(p); }
 };
 
 }  // namespace

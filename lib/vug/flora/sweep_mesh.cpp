@@ -81,7 +81,7 @@ class Weaver {
                                                 : tube_.displaced(row.along, a.angle));
       const Vec3d way = ring.frame.normal * a.cosine + ring.frame.binormal * a.sine;
       mesh_.positions.emplace_back(ring.centre + way * out);
-      const double bed = row.inner ? 0 : tube_.relief().beds(row.along, a.angle);
+      const double bed = row.inner ? 0 : tube_.relief().beds(row.along, a.angle).height;
       mesh_.attributes.back().values.push_back(static_cast<float>(bed));
     }
     describe(row, ring.age, around_.size());

@@ -9,9 +9,6 @@
 namespace vug::flora {
 namespace {
 
-/// Grooves fade out towards the middle line, where the angle means nothing: between these shares
-/// of the radius.
-constexpr double kGrooveFrom = 0.3, kGrooveTo = 0.7;
 /// Of the parent's radius that a branch hides in its wood.
 constexpr double kHidden = 0.85;
 
@@ -84,9 +81,9 @@ void Tube::set_slope() {
   double thinnest = rings_.front().radius;
   for (const ReliefNode& node : relief_.nodes())
     if (!node.angles.empty()) thinnest = std::min(thinnest, radius(node.next));
-  const double out = rim > 0 ? 1 + rim / ((kGrooveTo - kGrooveFrom) * thinnest) : 1;
+  const double out = rim > 0 ? 1 + rim / ((kGroovesTo - kGroovesFrom) * thinnest) : 1;
   const double along = (taper + tilt + relief_.slope()) / squeeze;
-  const double around = rim > 0 ? relief_.turn() / (kGrooveTo * thinnest) : 0;
+  const double around = rim > 0 ? relief_.turn() / (kGroovesTo * thinnest) : 0;
   slope_ = 1.02 * std::sqrt(out * out + along * along + around * around);
 }
 
@@ -164,26 +161,14 @@ double Tube::radius(double along) const {
   return a.radius * (1 - u) + b.radius * u;
 }
 
-double Tube::displaced(double along, double angle) const {
-  return radius(along) + relief_.rings(along) - relief_.grooves(along, angle);
+double Tube::taper(double along) const {
+  if (along < start() || along > end()) return 0;
+  const size_t i = segment_at(along);
+  return (rings_[i + 1].radius - rings_[i].radius) / (rings_[i + 1].along - rings_[i].along);
 }
 
-double Tube::value(const Place& place) const {
-  const double smooth = radius(place.along), full = smooth + relief_.rings(place.along);
-  const double in =
-      std::clamp((place.out / smooth - kGrooveFrom) / (kGrooveTo - kGrooveFrom), 0.0, 1.0);
-  const double groove = in > 0 ? in * relief_.grooves(place.along, place.angle) : 0;
-  double value = std::max({place.out - full + groove, start() - place.along, place.along - end()});
-  if (chambers_.empty()) return value;
-  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
-                                     [](double s, const Chamber& c) { return s < c.from; });
-  const double inner = place.out - smooth * (1 - wall_);
-  const auto carve = [&](const Chamber& c) {
-    value = std::max(value, -std::max({inner, c.from - place.along, place.along - c.to}));
-  };
-  if (next != chambers_.end()) carve(*next);
-  if (next != chambers_.begin()) carve(*(next - 1));
-  return value;
+double Tube::displaced(double along, double angle) const {
+  return radius(along) + relief_.rings(along).height - relief_.grooves(along, angle).height;
 }
 
 Box3d Tube::bounds() const {

@@ -3,6 +3,7 @@
 // field (sweep_field.h) and the mesh (sweep_mesh.h), so that both show the same surface.
 #pragma once
 
+#include <vug/field/field.h>
 #include <vug/flora/relief.h>
 #include <vug/lsystem/drawing.h>
 
@@ -37,6 +38,10 @@ struct Chamber {
   double from = 0, to = 0;
 };
 
+/// Grooves fade out towards the middle line, where an angle means nothing: between these shares of
+/// the radius.
+inline constexpr double kGroovesFrom = 0.3, kGroovesTo = 0.7;
+
 class Tube {
  public:
   /// Of an axis with two stations or more; `parent_radius` is that of the stem where it leaves, and
@@ -63,11 +68,15 @@ class Tube {
   }
   double radius(double along) const;  ///< Without relief.
   double displaced(double along, double angle) const;
+  double taper(double along) const;  ///< Change of radius() for a metre along.
   double inner_radius(double along) const { return radius(along) * (1 - wall_); }
 
   /// Metres, negative inside the solid; true near the surface up to the factor slope() and
   /// Lipschitz with that, where the place is valid. The solid ends flat at both ends.
   double value(const Place& place) const;
+  /// The same with its gradient in space, at the point p whose place it is; where the value has a
+  /// crease, that of one side.
+  field::Gradient gradient(const Vec3d& p, const Place& place) const;
   double slope() const { return slope_; }
 
   double start() const { return rings_.front().along; }  ///< Metres along the axis.
@@ -83,6 +92,12 @@ class Tube {
   double reach(size_t ring) const { return rings_[ring].radius + relief_.highest(); }
 
  private:
+  /// How a place changes with the point: metres and radians for a metre.
+  struct Slopes {
+    Vec3d along, out, angle;
+  };
+  Slopes slopes(const Vec3d& p, const Place& place) const;
+  field::Gradient skin(const Place& place, const Slopes& slopes) const;
   void set_chambers(double diaphragm, bool open);
   void set_slope();
   size_t segment_at(double along) const;

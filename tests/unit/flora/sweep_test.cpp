@@ -128,6 +128,40 @@ TEST(Sweep, FieldChangesNoFasterThanPromised) {
   }
 }
 
+TEST(Sweep, GradientIsThatOfTheValue) {
+  for (const Case& c : cases()) {
+    const field::Field field = swept(c.tubes);
+    RandomStream random(RandomKey(7).at(c.name));
+    const mesh::Mesh mesh = swept_mesh(c.tubes);
+    int creases = 0;
+    constexpr int kPoints = 6000;
+    for (int i = 0; i < kPoints; ++i) {
+      const auto v = random.below(static_cast<uint32_t>(mesh.positions.size()));
+      const double reach = i % 3 == 0 ? 0.3 : i % 3 == 1 ? 0.03 : 0.004;
+      const Vec3d p = Vec3d(mesh.positions[v]) + random_in({Vec3d(-reach), Vec3d(reach)}, random);
+      const field::Gradient told = field.gradient(p);
+      ASSERT_EQ(told.value, field.value(p)) << c.name << " at " << p;
+      // Differences to both sides; where these are not alike there is a crease between.
+      constexpr double kStep = 1e-7;
+      double off = 0, bend = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        Vec3d step(0);
+        step[axis] = kStep;
+        const double up = (field.value(p + step) - told.value) / kStep;
+        const double down = (told.value - field.value(p - step)) / kStep;
+        off = std::max(off, std::fabs(told.gradient[axis] - 0.5 * (up + down)));
+        bend = std::max(bend, std::fabs(up - down));
+      }
+      if (bend > 1e-3)
+        ++creases;
+      else
+        ASSERT_LT(off, 1e-3) << c.name << " at " << p;
+      ASSERT_LE(told.gradient.length(), 1.0001) << c.name << " at " << p;
+    }
+    EXPECT_LT(creases, kPoints / 50) << c.name;
+  }
+}
+
 TEST(Sweep, GrowsBeyondItsBox) {
   for (const Case& c : cases()) {
     const field::Field field = swept(c.tubes);

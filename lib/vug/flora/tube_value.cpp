@@ -1,0 +1,123 @@
+// The value of a tube at a place, and its gradient: the chain rule through place().
+#include <vug/flora/tube.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::flora {
+namespace {
+
+/// How a frame between two cross-sections changes with the share u of the way: Frame::squared of
+/// what lies between, differentiated.
+struct FrameSlope {
+  Vec3d normal, binormal;
+};
+FrameSlope frame_slope(const Frame& a, const Frame& b, double u, const Frame& at) {
+  const Vec3d tangent = a.tangent * (1 - u) + b.tangent * u, ahead = b.tangent - a.tangent;
+  const Vec3d normal = a.normal * (1 - u) + b.normal * u, turned = b.normal - a.normal;
+  const Vec3d &t = at.tangent, &n = at.normal;
+  const Vec3d dt = (ahead - t * t.dot(ahead)) / tangent.length();
+  const double lean = t.dot(normal);
+  const Vec3d flat = normal - t * lean;
+  const Vec3d dflat = turned - dt * lean - t * (dt.dot(normal) + t.dot(turned));
+  const Vec3d dn = (dflat - n * n.dot(dflat)) / flat.length();
+  return {dn, dt.cross(n) + t.cross(dn)};
+}
+
+}  // namespace
+
+double Tube::value(const Place& place) const {
+  const double smooth = radius(place.along), full = smooth + relief_.rings(place.along).height;
+  const double in =
+      std::clamp((place.out / smooth - kGroovesFrom) / (kGroovesTo - kGroovesFrom), 0.0, 1.0);
+  const double groove = in > 0 ? in * relief_.grooves(place.along, place.angle).height : 0;
+  double value = std::max({place.out - full + groove, start() - place.along, place.along - end()});
+  if (chambers_.empty()) return value;
+  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
+                                     [](double s, const Chamber& c) { return s < c.from; });
+  const double inner = place.out - smooth * (1 - wall_);
+  const auto carve = [&](const Chamber& c) {
+    value = std::max(value, -std::max({inner, c.from - place.along, place.along - c.to}));
+  };
+  if (next != chambers_.end()) carve(*next);
+  if (next != chambers_.begin()) carve(*(next - 1));
+  return value;
+}
+
+Tube::Slopes Tube::slopes(const Vec3d& p, const Place& place) const {
+  const Ring &a = rings_[place.segment], &b = rings_[place.segment + 1];
+  const double before = (p - a.centre).dot(a.frame.tangent);
+  const double after = (b.centre - p).dot(b.frame.tangent);
+  const Ring ring = at(place.along);
+  const Frame& f = ring.frame;
+  Slopes out;
+  Vec3d x = f.normal, y = f.binormal, off = p - ring.centre;
+  if (place.along < start() || place.along > end() || !(before + after > 0)) {
+    off -= f.tangent * off.dot(f.tangent);
+    out.along = f.tangent;
+  } else {
+    // u, the share of the way between both planes; the middle line moves with it.
+    const double u = before / (before + after), whole = b.along - a.along;
+    const Vec3d way = b.centre - a.centre, ahead = way.normalized();
+    const double from = ahead.dot(a.frame.tangent), to = ahead.dot(b.frame.tangent);
+    const double mixed = (1 - u) * from + u * to;
+    const Vec3d centre = way * (from * to / (mixed * mixed));
+    const FrameSlope turn = frame_slope(a.frame, b.frame, u, f);
+    const Vec3d du = before < 0 || after < 0  // kept between the planes: it does not move along
+                         ? Vec3d(0)
+                         : (a.frame.tangent * after + b.frame.tangent * before) /
+                               ((before + after) * (before + after));
+    out.along = du * whole;
+    x += du * (off.dot(turn.normal) - centre.dot(f.normal));
+    y += du * (off.dot(turn.binormal) - centre.dot(f.binormal));
+  }
+  const double cosine = off.dot(f.normal), sine = off.dot(f.binormal);
+  if (!(place.out > 0)) {
+    out.out = x, out.angle = Vec3d(0);
+    return out;
+  }
+  out.out = (x * cosine + y * sine) / place.out;
+  out.angle = (y * cosine - x * sine) / (place.out * place.out);
+  return out;
+}
+
+field::Gradient Tube::skin(const Place& place, const Slopes& d) const {
+  const double smooth = radius(place.along), slim = taper(place.along);
+  const Rise rings = relief_.rings(place.along);
+  field::Gradient out{place.out - (smooth + rings.height), d.out - d.along * (slim + rings.along)};
+  const double share = place.out / smooth, span = kGroovesTo - kGroovesFrom;
+  const double in = std::clamp((share - kGroovesFrom) / span, 0.0, 1.0);
+  if (!(in > 0)) return out;
+  const Rise groove = relief_.grooves(place.along, place.angle);
+  out.value += in * groove.height;
+  out.gradient += (d.along * groove.along + d.angle * groove.around) * in;
+  if (in < 1)
+    out.gradient += (d.out - d.along * (share * slim)) * (groove.height / (smooth * span));
+  return out;
+}
+
+field::Gradient Tube::gradient(const Vec3d& p, const Place& place) const {
+  const Slopes d = slopes(p, place);
+  const auto higher = [](const field::Gradient& a, double value, const Vec3d& gradient) {
+    return value > a.value ? field::Gradient{value, gradient} : a;
+  };
+  field::Gradient out = skin(place, d);
+  out = higher(out, start() - place.along, -d.along);
+  out = higher(out, place.along - end(), d.along);
+  if (chambers_.empty()) return out;
+  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
+                                     [](double s, const Chamber& c) { return s < c.from; });
+  const auto carve = [&](const Chamber& c) {
+    const double share = 1 - wall_;
+    field::Gradient hollow{place.out - radius(place.along) * share,
+                           d.out - d.along * (taper(place.along) * share)};
+    hollow = higher(hollow, c.from - place.along, -d.along);
+    hollow = higher(hollow, place.along - c.to, d.along);
+    out = higher(out, -hollow.value, -hollow.gradient);
+  };
+  if (next != chambers_.end()) carve(*next);
+  if (next != chambers_.begin()) carve(*(next - 1));
+  return out;
+}
+
+}  // namespace vug::flora
