@@ -22,10 +22,12 @@ class Distribution {
  public:
   virtual ~Distribution() = default;
   /// `density`: points for each square metre that are to be expected, above 0; only a process that
-  /// knows when a plot is full takes 0 as that (else Error(bad_input)). Points of processes without
+  /// fills() takes 0 (else Error(bad_input)). Points of processes without
   /// interaction stay where they are when others come in with a higher density.
   virtual std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                                     Progress& progress) const = 0;
+  /// Whether density 0 is as many as fit.
+  virtual bool fills() const { return false; }
 };
 using DistributionPtr = std::shared_ptr<const Distribution>;
 

@@ -11,12 +11,15 @@ namespace {
 
 /// Of the parent's radius that a branch hides in its wood.
 constexpr double kHidden = 0.85;
+/// A chamber is at least so long, of the radius.
+constexpr double kLeastChamber = 0.01;
 
 }  // namespace
 
 std::string SweepOptions::fault() const {
   if (const char* told = relief.fault(); *told) return told;
   if (!(wall >= 0 && wall < 1)) return "a wall is 0 to 100% of the radius";
+  if (!(wall_least >= 0)) return "a wall's least thickness is not below 0";
   if (!(diaphragm > 0)) return "a diaphragm has a thickness above 0";
   if (!(smooth > 0)) return "the bend between two cross-sections is above 0";
   return "";
@@ -44,7 +47,8 @@ std::optional<Tube> Tube::make(const lsystem::Axis& axis, double parent_radius,
   if (axis.order >= options.relief_orders) relief.scar = relief.ridge = relief.groove = 0;
   tube.relief_ = NodeRelief(relief, std::move(nodes));
   tube.wall_ = axis.order == 0 ? options.wall : 0;
-  if (tube.wall_ > 0) tube.set_chambers(options.diaphragm, options.open);
+  tube.wall_least_ = axis.order == 0 ? options.wall_least : 0;
+  if (tube.wall_ > 0 || tube.wall_least_ > 0) tube.set_chambers(options.diaphragm, options.open);
   tube.set_slope();
   return tube;
 }
@@ -54,7 +58,9 @@ void Tube::set_chambers(double diaphragm, bool open) {
   Chamber chamber{open ? start() - beyond : start() + diaphragm * radius(start()), 0};
   const auto add = [&](double to) {
     chamber.to = to;
-    if (chamber.to > chamber.from) chambers_.push_back(chamber);
+    // What a cut next to a node would open is no chamber.
+    const double within = std::min(chamber.to, end()) - std::max(chamber.from, start());
+    if (within > kLeastChamber * radius(chamber.from)) chambers_.push_back(chamber);
   };
   for (const ReliefNode& node : relief_.nodes()) {
     const double half = 0.5 * diaphragm * radius(node.along);
@@ -165,6 +171,13 @@ double Tube::taper(double along) const {
   if (along < start() || along > end()) return 0;
   const size_t i = segment_at(along);
   return (rings_[i + 1].radius - rings_[i].radius) / (rings_[i + 1].along - rings_[i].along);
+}
+
+Rise Tube::hollow_of(double radius) const {
+  const double share = 1 - wall_, least = std::min(0.1, share);
+  if (radius - wall_least_ >= share * radius) return {share * radius, share};
+  if (radius - wall_least_ >= least * radius) return {radius - wall_least_, 1};
+  return {least * radius, least};
 }
 
 double Tube::displaced(double along, double angle) const {

@@ -13,12 +13,13 @@ namespace vug::flora {
 
 struct SweepOptions {
   Relief relief;
-  int relief_orders = 2;   ///< Stems of this order and above have no relief.
-  int fold_order = 1;      ///< Stems below this order are smooth where they bend, others folded.
-  double smooth = 0.05;    ///< Radians that a smooth stem may bend between two cross-sections.
-  double wall = 0;         ///< Of a hollow stem of order 0, a share of its radius; 0: massive.
-  double diaphragm = 0.2;  ///< Thickness of the walls across at nodes, a share of the radius.
-  bool open = false;       ///< The ends of a hollow stem are cuts, where its chambers show.
+  int relief_orders = 2;  ///< Stems of this order and above have no relief.
+  int fold_order = 1;     ///< Stems below this order are smooth where they bend, others folded.
+  double smooth = 0.05;   ///< Radians that a smooth stem may bend between two cross-sections.
+  double wall = 0;        ///< Of a hollow stem of order 0, a share of its radius; 0: massive.
+  double wall_least = 0;  ///< Metres; and at least so thick, while a tenth of the radius is hollow.
+  double diaphragm = 0.2;      ///< Thickness of the walls across at nodes, a share of the radius.
+  bool open = false;           ///< The ends of a hollow stem are cuts, where its chambers show.
   double least_radius = 1e-4;  ///< Metres; stems thinner than that are this thick.
 
   std::string fault() const;  ///< A sentence on what does not fit; else empty.
@@ -69,7 +70,7 @@ class Tube {
   double radius(double along) const;  ///< Without relief.
   double displaced(double along, double angle) const;
   double taper(double along) const;  ///< Change of radius() for a metre along.
-  double inner_radius(double along) const { return radius(along) * (1 - wall_); }
+  double inner_radius(double along) const { return hollow_of(radius(along)).height; }
 
   /// Metres, negative inside the solid; true near the surface up to the factor slope() and
   /// Lipschitz with that, where the place is valid. The solid ends flat at both ends.
@@ -96,6 +97,8 @@ class Tube {
   struct Slopes {
     Vec3d along, out, angle;
   };
+  /// Radius of the hollow in a stem of that radius, and its change (along) for a metre of that.
+  Rise hollow_of(double radius) const;
   Slopes slopes(const Vec3d& p, const Place& place) const;
   field::Gradient skin(const Place& place, const Slopes& slopes) const;
   void set_chambers(double diaphragm, bool open);
@@ -105,7 +108,7 @@ class Tube {
   std::vector<Ring> rings_;
   NodeRelief relief_;
   std::vector<Chamber> chambers_;
-  double wall_ = 0;
+  double wall_ = 0, wall_least_ = 0;
   double slope_ = 1;
   int order_ = 0;
 };

@@ -35,7 +35,7 @@ double Tube::value(const Place& place) const {
   if (chambers_.empty()) return value;
   const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
                                      [](double s, const Chamber& c) { return s < c.from; });
-  const double inner = place.out - smooth * (1 - wall_);
+  const double inner = place.out - hollow_of(smooth).height;
   const auto carve = [&](const Chamber& c) {
     value = std::max(value, -std::max({inner, c.from - place.along, place.along - c.to}));
   };
@@ -108,9 +108,9 @@ field::Gradient Tube::gradient(const Vec3d& p, const Place& place) const {
   const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
                                      [](double s, const Chamber& c) { return s < c.from; });
   const auto carve = [&](const Chamber& c) {
-    const double share = 1 - wall_;
-    field::Gradient hollow{place.out - radius(place.along) * share,
-                           d.out - d.along * (taper(place.along) * share)};
+    const Rise inner = hollow_of(radius(place.along));
+    field::Gradient hollow{place.out - inner.height,
+                           d.out - d.along * (taper(place.along) * inner.along)};
     hollow = higher(hollow, c.from - place.along, -d.along);
     hollow = higher(hollow, place.along - c.to, d.along);
     out = higher(out, -hollow.value, -hollow.gradient);

@@ -62,4 +62,10 @@ inline SweepOptions hollow_sweep() {
   return options;
 }
 
+inline SweepOptions thick_sweep() {
+  SweepOptions options = open_sweep();
+  options.wall_least = 0.011;
+  return options;
+}
+
 }  // namespace vug::flora

@@ -28,11 +28,16 @@ std::vector<Case> cases() {
   lsystem::Drawing cut;
   cut.axes = {bent_culm(0.9, 0.05, 3, 0.2)};
   cut.axes[0].nodes.erase(cut.axes[0].nodes.begin());  // cut between nodes at both ends
+  lsystem::Drawing ends;                               // nothing of the chambers beyond shows
+  ends.axes = {bent_culm(0.9, 0.05, 3, 0.2)};
+  ends.axes[0].nodes[2].along = 0.898;
   lsystem::Drawing pipe = cut;
   pipe.axes[0].nodes.clear();
   return {{"culm and branch", tubes(both, plain_sweep()), 2e-3, 2},
           {"hollow culm", tubes(cut, hollow_sweep()), 2e-3, 4},
           {"cut culm", tubes(cut, open_sweep()), 2e-3, 2},
+          {"wall that keeps its thickness", tubes(cut, thick_sweep()), 2e-3, 2},
+          {"cut at its nodes", tubes(ends, open_sweep()), 2e-3, 3},
           {"pipe", tubes(pipe, open_sweep()), 2e-3, 1}};
 }
 
@@ -219,6 +224,54 @@ TEST(Sweep, RidgesAreAsHighAsTheReliefSays) {
     const double bed = tube.radius(above) - tube.displaced(above, node.angles[0]);
     EXPECT_NEAR(bed, options.relief.groove * node.radius, 1e-12);
     EXPECT_EQ(tube.displaced(above, node.angles[0] + 1), tube.radius(above));
+  }
+}
+
+TEST(Sweep, WallsAreAShareOfTheRadiusAndAtLeastSoThick) {
+  lsystem::Drawing drawing;
+  drawing.axes = {bent_culm()};  // from 4 cm to 4 mm
+  SweepOptions options;
+  options.wall = 0.25;
+  options.wall_least = 0.009;
+  const Tube tube = tubes(drawing, options).front();
+  for (double along = 0.01; along < 3; along += 0.01) {
+    const double r = tube.radius(along), wall = r - tube.inner_radius(along);
+    EXPECT_NEAR(wall, std::min(std::max(0.25 * r, 0.009), 0.9 * r), 1e-12);
+  }
+  options.wall_least = -1;
+  EXPECT_NE(options.fault(), "");
+}
+
+// Wang et al.: on a planar curve the plane's normal is carried to itself; also where it bends back.
+TEST(Sweep, FramesOfACulmWithInflectionsDoNotTwist) {
+  for (const double sway : {0.3, -0.8}) {
+    // Three bends, each back again, in the plane of x and y, turned somehow in space.
+    const Vec3d axis = Vec3d(0.3, 0.8, -0.5).normalized();
+    const auto put = [&](const Vec3d& v) { return turned(v, axis, 1.1); };
+    lsystem::Axis culm;
+    constexpr int kStations = 90;
+    Frame frame = Frame{put({0, 1, 0}), put({0, 0, 1}), Vec3d(0)}.squared();
+    double along = 0;
+    Vec3d before(0);
+    for (int i = 0; i <= kStations; ++i) {
+      const double t = 3.0 * i / kStations, bend = sway * std::sin(2.5 * t);
+      const Vec3d at = put({sway / 2.5 * (1 - std::cos(2.5 * t)), t, 0});
+      if (i > 0) along += (at - before).length();
+      frame = transported(frame, before, at,
+                          put({std::sin(std::atan(bend)), std::cos(std::atan(bend)), 0}));
+      before = at;
+      culm.stations.push_back({at, frame, 0.03 * (1 - 0.5 * i / kStations), along, 1});
+    }
+    const auto tube = Tube::make(culm, 0, {});
+    ASSERT_TRUE(tube);
+    const Vec3d normal = put({0, 0, 1});
+    for (const Ring& ring : tube->rings()) {
+      EXPECT_LT(ring.frame.normal.cross(normal).length(), 1e-6);
+      EXPECT_GT(ring.frame.normal.dot(normal), 0);
+    }
+    // And between rings.
+    for (double s = 0; s < along; s += 0.013)
+      EXPECT_LT(tube->at(s).frame.normal.cross(normal).length(), 1e-6);
   }
 }
 

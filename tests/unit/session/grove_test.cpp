@@ -119,8 +119,12 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
   EXPECT_NE(
       faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("thing number"),
       std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, diameter_spread: 1cm").find("not said"),
+            std::string::npos);
   // Only as many as fit is a number of its own.
-  EXPECT_THROW(cast("place p { of thin  at grove(" + square + ") }\n"), Error);
+  EXPECT_NE(faults(square + ", distribution: thomas").find("'density' on a hectare, or a 'count'"),
+            std::string::npos);
+  EXPECT_NE(faults(square).find("'density' on a hectare, or a 'count'"), std::string::npos);
   EXPECT_GT(cast("place p { of thin  at grove(" + square +
                  ", distribution: poisson_disk(distance: 1m)) }\n")
                 .objects.size(),

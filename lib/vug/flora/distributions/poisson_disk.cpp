@@ -120,6 +120,7 @@ class DiskPoints final : public Distribution {
  public:
   explicit DiskPoints(const PoissonDisk& p) : p_(p) {}
 
+  bool fills() const override { return true; }
   std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                             Progress& progress) const override {
     if (density != 0) require_density(density, plot.area());

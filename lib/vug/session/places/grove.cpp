@@ -85,10 +85,15 @@ struct Grove {
   static void describe(Schema<Grove>& s);
   std::string fault() const {
     if (density > 0 && count > 0) return "a grove has a 'density' or a 'count', not both";
+    if (density == 0 && count == 0 && !(distribution && distribution->fills()))
+      return "a grove has a 'density' on a hectare, or a 'count'; only poisson_disk fills a "
+             "polygon";
     if (scale.empty() || scale.size() > 2 || scale.front() > scale.back())
       return "'scale' is one number, or the smallest and the largest";
     if ((diameter > 0) == diameters.empty())
       return "'diameter' needs 'diameters', those of the things that are placed, and they need it";
+    if (diameter_spread > 0 && diameters.empty())
+      return "'diameter_spread' is that of the 'diameter', which is not said";
     return "";
   }
 };

@@ -31,6 +31,10 @@ struct Stems : flora::SweepOptions, flora::Relief {
         .param("thickness", &Stems::thickness,
                positive_length("least diameter, also of stems that are only lines"))
         .param("wall", &Stems::wall, share("of a hollow culm, of its radius; 0: massive", 0.99))
+        .param("wall_least", &Stems::wall_least,
+               {.doc = "and at least so thick, while a tenth of the radius is hollow",
+                .dimension = Dimension::length,
+                .min = 0})
         .param("diaphragm", &Stems::diaphragm, share("thickness of the walls across at nodes", 10))
         .param("open", &Stems::open, {.doc = "the ends are cuts, where the hollow shows"})
         .param("smooth", &Stems::smooth,
