@@ -20,6 +20,13 @@ const char* const kPlant = R"(grammar plant: lsystem {
   A(l, w) if l > 0.0001 -> F(l, w)[+(0.5rad)A(l*0.7, w*0.6)]A(l*0.9, w)
   F(l, w) -> F(l*1.01, w + 0.001)
 })";
+/// The same with a choice between two rules and up to three draws in each.
+const char* const kChancePlant = R"(grammar plant: lsystem {
+  axiom A(1, 0.1)
+  A(l, w) @3 -> F(l, w)[+(0.3rad..0.7rad)A(l*(0.6..0.8), w*0.6)]A(l*(0.8..1), w)
+  A(l, w) @1 -> F(l, w)/(0rad..3rad)A(l*0.9, w)
+  F(l, w) -> F(l*1.01, w + 0.001)
+})";
 const char* const kSteady = R"(grammar steady: lsystem {
   axiom A(1, 2)
   A(x, y) if x < 1000000000 -> A(x*0.5 + y, y)
@@ -39,8 +46,8 @@ SystemPtr system_of(const char* text) {
                  [](const auto&, const auto&) { return nullptr; });
 }
 
-void Plant(benchmark::State& state) {
-  const SystemPtr system = system_of(kPlant);
+void Plant(benchmark::State& state, const char* text) {
+  const SystemPtr system = system_of(text);
   const ThreadLimit threads(static_cast<int>(state.range(0)));
   int64_t made = 0;
   for (auto _ : state) {
@@ -55,7 +62,16 @@ void Plant(benchmark::State& state) {
   }
   state.SetItemsProcessed(made);
 }
-BENCHMARK(Plant)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Plant, certain, kPlant)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Plant, chance, kChancePlant)
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 /// The same two rules written out: arrays as the engine has them, no programs, one pass.
 struct Rows {

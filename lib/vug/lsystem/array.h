@@ -1,6 +1,8 @@
 // Vectors that do not fill what they are about to be overwritten with.
 #pragma once
 
+#include <vug/lsystem/pages.h>
+
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -16,6 +18,8 @@ struct UnsetAllocator : std::allocator<T> {
   struct rebind {  // NOLINT(readability-identifier-naming): the standard's name
     using other = UnsetAllocator<U>;
   };
+  T* allocate(size_t count) { return static_cast<T*>(pages_for(count * sizeof(T))); }
+  void deallocate(T* place, size_t count) { return_pages(place, count * sizeof(T)); }
   template <class U, class... Args>
   void construct(U* place, Args&&... args) {
     if constexpr (sizeof...(args) == 0)

@@ -1,6 +1,7 @@
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/endless.h>
 #include <vug/lsystem/expressions.h>
+#include <vug/lsystem/rule_book.h>
 
 #include <fmt/format.h>
 
@@ -98,6 +99,7 @@ class Compiler {
       const uint32_t before = out.ends.empty() ? 0 : out.ends.back();
       out.ends.push_back(before + static_cast<uint32_t>(module.arguments.size()));
     }
+    out.in_place = static_cast<size_t>(out.values.depth) <= out.value_count();
     out.simple = out.values.code.size() == out.value_count() &&
                  std::all_of(out.values.code.begin(), out.values.code.end(), [](const auto& one) {
                    return one.op == Op::constant || one.op == Op::formal ||
@@ -301,28 +303,16 @@ class Compiler {
   }
 
   RuleBook book(const std::vector<uint16_t>& indices) {
-    RuleBook out;
-    std::vector<std::vector<uint16_t>> by_symbol(system_.alphabet.size());
-    for (const uint16_t rule : indices) by_symbol[system_.productions[rule].head].push_back(rule);
-    out.first.push_back(0);
-    for (std::vector<uint16_t>& rules : by_symbol) {
-      // Those that look around go first (prusinkiewicz1990, section 1.8).
-      std::stable_partition(rules.begin(), rules.end(),
-                            [&](uint16_t rule) { return system_.productions[rule].has_context(); });
-      warn_of_unreached(rules);
-      out.rules.insert(out.rules.end(), rules.begin(), rules.end());
-      out.first.push_back(static_cast<uint32_t>(out.rules.size()));
-    }
-    out.contexts = std::any_of(indices.begin(), indices.end(), [&](uint16_t rule) {
-      return system_.productions[rule].has_context();
-    });
+    RuleBook out = rule_book(system_, indices);
+    for (const Choosing& symbol : out.symbols) warn_of_unreached(out, symbol);
     return out;
   }
 
   /// A rule behind one that always fits.
-  void warn_of_unreached(const std::vector<uint16_t>& rules) {
+  void warn_of_unreached(const RuleBook& book, const Choosing& symbol) {
     const Production* always = nullptr;
-    for (const uint16_t rule : rules) {
+    for (uint32_t r = symbol.first; r < symbol.end; ++r) {
+      const uint16_t rule = book.rules[r];
       const Production& p = system_.productions[rule];
       if (always && warned_.insert(rule).second)
         evaluator_.diagnostics().warning(
@@ -335,6 +325,7 @@ class Compiler {
   }
 
   void finish_books() {
+    number_draws(system_);
     for (const std::vector<uint16_t>& indices : pending_) system_.books.push_back(book(indices));
     system_.decompose.book = book(decompose_);
     system_.interpret.book = book(interpret_);

@@ -14,7 +14,7 @@ namespace {
 /// Rounds after which rules without an end are given up.
 constexpr int kMostRounds = 10000;
 
-constexpr uint64_t kDecomposing = 1, kInterpreting = 2;
+constexpr uint32_t kDecomposing = 1, kInterpreting = 2;
 
 [[noreturn]] void endless(const System& system, const RuleBook& book, const Derivation& word,
                           const std::string& what, const std::string& hint) {
@@ -22,7 +22,7 @@ constexpr uint64_t kDecomposing = 1, kInterpreting = 2;
   const auto symbols = word.word.symbols();
   const auto one = std::find_if(symbols.begin(), symbols.end(), fits);
   const Production* rule = nullptr;
-  if (one != symbols.end()) rule = &system.productions[book.rules[book.first[*one]]];
+  if (one != symbols.end()) rule = &system.productions[book.rules[book.symbols[*one].first]];
   throw Error(ErrorCode::too_large,
               fmt::format("{} of grammar '{}' does not end after {} rounds{}", what, system.name,
                           kMostRounds,
@@ -31,7 +31,7 @@ constexpr uint64_t kDecomposing = 1, kInterpreting = 2;
 }
 
 void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivation& word,
-          uint64_t salt, Progress& progress) {
+          uint32_t salt, Progress& progress) {
   if (stage.book.empty()) return;
   for (int round = 0; !stage.depth || round < *stage.depth; ++round) {
     progress.check();

@@ -13,14 +13,15 @@ namespace {
 std::vector<SymbolId> surely_made(const System& system, const RuleBook& book, SymbolId symbol) {
   std::vector<SymbolId> made;
   bool certain = false;
-  for (uint32_t r = book.first[symbol]; r < book.first[symbol + 1u]; ++r) {
+  const Choosing& rules = book.symbols[symbol];
+  for (uint32_t r = rules.first; r < rules.end; ++r) {
     const Production& p = system.productions[book.rules[r]];
     std::vector<SymbolId> own(p.symbols), both;
     std::sort(own.begin(), own.end());
     own.erase(std::unique(own.begin(), own.end()), own.end());
     std::set_intersection(made.begin(), made.end(), own.begin(), own.end(),
                           std::back_inserter(both));
-    made = r == book.first[symbol] ? own : both;
+    made = r == rules.first ? own : both;
     certain = certain || p.guard.empty();
     if (p.guard.empty() && p.weight.empty()) break;  // the next ones are never taken
   }
@@ -69,7 +70,8 @@ bool check_ends(const System& system, Diagnostics& diagnostics) {
     std::string names;
     for (const SymbolId symbol : way)
       names += (names.empty() ? "" : " -> ") + system.alphabet.name(symbol);
-    const Production& rule = system.productions[stage->book.rules[stage->book.first[way[0]]]];
+    const Production& rule =
+        system.productions[stage->book.rules[stage->book.symbols[way[0]].first]];
     diagnostics.error(rule.where,
                       fmt::format("the {} of '{}' never ends: {}", name, rule.text, names),
                       "let a guard end it, or give the block a 'depth'");

@@ -118,7 +118,8 @@ Expressions::Type Expressions::compile(const Expr& expr, Program& program) {
                                                      : binary(expr, program);
     case ExprKind::range:
       for (const scene::Operand& side : expr.operands) number(*side.value, program);
-      put(program, Op::draw, draws_++);
+      put(program, Op::draw);
+      draws_ = true;
       return Type::number;
     case ExprKind::call:
       return call(expr, program);
@@ -223,7 +224,8 @@ Expressions::Type Expressions::pick(const Expr& expr, Program& program) {
   if (from.empty()) fail(expr, "'pick' needs something to choose from");
   std::vector<size_t> ends;
   for (size_t i = 0; i + 1 < from.size(); ++i) {
-    put(program, Op::choose, draws_++, static_cast<double>(from.size() - i));
+    put(program, Op::choose, 0, static_cast<double>(from.size() - i));
+    draws_ = true;
     put(program, Op::opposite);
     const size_t next = jump(program, Op::jump_if_zero);
     number(*from[i], program);

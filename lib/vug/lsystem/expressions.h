@@ -28,7 +28,7 @@ class Expressions {
   /// The value where it is the same for every module: nothing for others.
   std::optional<Value> constant(const scene::Expr& expr);
 
-  bool draws() const { return draws_ > 0; }  ///< Something so far.
+  bool draws() const { return draws_; }  ///< Something so far.
 
  private:
   enum class Type { number, truth };
@@ -52,7 +52,7 @@ class Expressions {
 
   scene::Evaluator& evaluator_;
   std::vector<std::string> formals_;
-  uint32_t draws_ = 0;
+  bool draws_ = false;
   int height_ = 0;  ///< Of the stack, in the program that is being compiled.
 };
 

@@ -1,6 +1,5 @@
 #include <vug/base/hyperbolic.h>
 #include <vug/base/maths.h>
-#include <vug/base/rng.h>
 #include <vug/lsystem/program.h>
 
 #include <algorithm>
@@ -34,11 +33,6 @@ double power(double base, double exponent) {
   return base == 0 ? 0 : maths::pow(base, exponent);
 }
 
-/// The stream of one draw: choices of productions use the key's own stream.
-RandomStream stream_of(uint64_t key, uint32_t draw) {
-  return RandomStream(RandomKey(key).at(draw));
-}
-
 }  // namespace
 
 const std::vector<Function1>& functions1() {
@@ -61,7 +55,7 @@ const std::vector<Function3>& functions3() {
   return all;
 }
 
-double* run(const Program& program, const double* formals, double* top, uint64_t key) {
+double* run(const Program& program, const double* formals, double* top, const double* numbers) {
   const Instruction* const begin = program.code.data();
   const Instruction* const end = begin + program.code.size();
   // `top` is one past the topmost number.
@@ -148,10 +142,10 @@ double* run(const Program& program, const double* formals, double* top, uint64_t
         break;
       case Op::draw:
         --top;
-        top[-1] = stream_of(key, at->index).uniform(top[-1], *top);
+        top[-1] += (*top - top[-1]) * numbers[at->index];
         break;
       case Op::choose:
-        *top++ = stream_of(key, at->index).below(static_cast<uint32_t>(at->value));
+        *top++ = std::floor(at->value * numbers[at->index]);
         break;
     }
   }

@@ -29,8 +29,8 @@ enum class Op : uint8_t {
   call1,         ///< Function `index` of one number.
   call2,
   call3,
-  draw,          ///< Between the two topmost, evenly; draw number `index` of its production.
-  choose,        ///< Pushes a whole number in 0..value-1, evenly; draw number `index`.
+  draw,          ///< Between the two topmost, evenly, by random number `index`.
+  choose,        ///< Pushes a whole number in 0..value-1, evenly, by random number `index`.
   times_formal,  ///< Pushes formal `index` * `value`.
   plus_formal,   ///< Pushes formal `index` + `value`.
 };
@@ -66,7 +66,8 @@ struct Program {
 };
 
 /// Runs the program; what it leaves on the stack begins at `stack`, and the end of it is returned.
-/// `stack` has room for Program::depth numbers. `key` is where draws come from; see RandomKey.
-double* run(const Program& program, const double* formals, double* stack, uint64_t key);
+/// `stack` has room for Program::depth numbers. `numbers` are the module's random ones, in [0, 1);
+/// see Draws.
+double* run(const Program& program, const double* formals, double* stack, const double* numbers);
 
 }  // namespace vug::lsystem

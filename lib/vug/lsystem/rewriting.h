@@ -5,7 +5,7 @@
 // make, the second writes everything where it belongs.
 //
 // Random numbers are keyed by the way from the axiom: a module's key is its parent's key and its
-// place in the successor. So a branch keeps its numbers whatever happens in other branches.
+// place in the successor (draws.h). So a branch keeps its numbers whatever happens in others.
 #pragma once
 
 #include <vug/lsystem/system.h>
@@ -37,13 +37,13 @@ class Rewriter {
   /// where there is a "%". `salt` tells the draws of stages apart. Error(too_large) beyond the
   /// system's limit, Error(bad_input) where a parameter, a weight or an age is no finite number,
   /// both naming the production.
-  bool rewrite(const RuleBook& book, Derivation& word, Mode mode, uint64_t salt = 0);
+  bool rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32_t salt = 0);
 
  private:
   struct Chunk;
-  void choose(const RuleBook& book, const class Surroundings& around, Chunk& chunk, uint64_t salt);
+  void choose(const RuleBook& book, const class Surroundings& around, Chunk& chunk, uint32_t salt);
   void write(const RuleBook& book, const class Surroundings& around, const Chunk& chunk, Mode mode,
-             uint64_t salt);
+             uint32_t salt);
   [[noreturn]] void refuse(size_t modules) const;
 
   const System& system_;

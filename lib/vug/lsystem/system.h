@@ -34,20 +34,36 @@ struct Production {
   std::vector<uint32_t> ends;     ///< Where each one's values end.
   Program values;                 ///< Leaves all values of the successor on the stack.
   bool simple = false;            ///< Each instruction of `values` makes one value.
+  bool in_place = false;          ///< `values` needs no more room than its results.
   std::vector<uint32_t> ages;     ///< Which values are ages.
+  uint32_t blocks = 0;            ///< Of random numbers for `values` and `after`; see Draws.
 
   bool has_context() const { return !left.empty() || !right.empty(); }
   size_t value_count() const { return ends.empty() ? 0 : ends.back(); }
 };
 
+/// How a symbol's production is found among `first` up to, not including, `end` of a book's rules.
+struct Choosing {
+  enum class How : uint8_t {
+    never,    ///< There is none.
+    always,   ///< The first one.
+    lottery,  ///< Weights that are constants and nothing else: RuleBook::upto.
+    tries,    ///< Each in turn.
+  };
+  uint32_t first = 0, end = 0;
+  uint32_t blocks = 0;  ///< Of random numbers that it takes; see Draws.
+  How how = How::never;
+};
+
 /// The productions of each symbol, as indices, in the order in which they are tried.
 struct RuleBook {
-  std::vector<uint32_t> first;  ///< By symbol; one more than there are symbols.
+  std::vector<Choosing> symbols;  ///< By symbol.
   std::vector<uint16_t> rules;
-  bool contexts = false;  ///< Some of them look around.
+  std::vector<double> upto;  ///< By rule: the sum of the weights of its symbol's rules up to it.
+  bool contexts = false;     ///< Some of them look around.
 
   bool empty() const { return rules.empty(); }
-  bool has(SymbolId symbol) const { return first[symbol] != first[symbol + 1u]; }
+  bool has(SymbolId symbol) const { return symbols[symbol].how != Choosing::How::never; }
 };
 
 /// Decomposition or interpretation: rules that are applied until none fits.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 
@@ -13,6 +14,17 @@ namespace {
 void check_room(size_t values) {
   if (values > std::numeric_limits<uint32_t>::max())
     throw Error(ErrorCode::too_large, "a word of more than 2^32 parameters");
+}
+
+/// Does not carry the old content along. Asks for room in which the next words may grow as well:
+/// the system gives large memory page by page, as it is written to (pages.h), and what a word
+/// before has been given need not be cleared again.
+template <class T>
+void resize_unset(Array<T>& array, size_t size) {
+  constexpr size_t kMostAhead = (size_t{256} << 20) / sizeof(T);
+  array.clear();
+  if (size > array.capacity()) array.reserve(size + std::min(2 * size, kMostAhead));
+  array.resize(size);
 }
 
 }  // namespace
@@ -41,9 +53,9 @@ void Word::clear() {
 
 void Word::resize(size_t modules, size_t values) {
   check_room(values);
-  symbols_.resize(modules);
-  starts_.resize(modules + 1);
-  values_.resize(values);
+  resize_unset(symbols_, modules);
+  resize_unset(starts_, modules + 1);
+  resize_unset(values_, values);
 }
 
 std::string to_string(const Word& word, const Alphabet& alphabet, size_t begin, size_t end) {

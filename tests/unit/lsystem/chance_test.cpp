@@ -1,7 +1,9 @@
 #include "samples.h"
 
 #include <vug/base/rng.h>
+#include <vug/lsystem/draws.h>
 
+#include <algorithm>
 #include <array>
 
 namespace vug::lsystem {
@@ -62,6 +64,66 @@ TEST(Chance, DrawsAreEven) {
   EXPECT_LT(chi_picks, 16.3);
   EXPECT_NEAR(sum / 1e5, 0.5, 0.003);
   EXPECT_NEAR(product / 1e5, 0, 4 / 12.0 / std::sqrt(1e5));  // neighbours are independent
+}
+
+TEST(Chance, GuardsDrawOnTheirOwn) {
+  // The second rule does not look at the number that the first one has refused.
+  const Word word = choices(
+      "A if (0..1) < 0.2 -> B(0, 0..1)\n A if (0..1) < 0.5 -> B(1, 0..1)\n"
+      " A -> B(2, 0..1)");
+  std::array<double, 3> seen{};
+  double sum = 0;
+  for (size_t i = 0; i < word.size(); ++i) {
+    ++seen.at(static_cast<size_t>(word.parameters(i)[0]));
+    sum += word.parameters(i)[1];
+  }
+  double chi = 0;
+  const std::array<double, 3> expected{20000, 40000, 40000};
+  for (size_t k = 0; k < 3; ++k)
+    chi += (seen.at(k) - expected.at(k)) * (seen.at(k) - expected.at(k)) / expected.at(k);
+  EXPECT_LT(chi, 13.8);  // two degrees of freedom, 0.1 %
+  EXPECT_NEAR(sum / 1e5, 0.5, 0.003);
+}
+
+TEST(Chance, ChoicesAndDrawsAreIndependent) {
+  const Word word = choices("A @1 -> B(0, 0..1, 0..1, 0..1)\n A @1 -> B(1, 0..1, 0..1, 0..1)");
+  ASSERT_EQ(word.size(), 100000u);
+  std::array<double, 16> cells{};  // each of the four numbers in its lower or upper half
+  for (size_t i = 0; i < word.size(); ++i) {
+    size_t cell = 0;
+    for (const double value : word.parameters(i)) cell = 2 * cell + (value < 0.5 ? 0 : 1);
+    ++cells.at(cell);
+  }
+  double chi = 0;
+  for (const double n : cells) chi += (n - 6250) * (n - 6250) / 6250;
+  EXPECT_LT(chi, 37.7);  // 15 degrees of freedom, 0.1 %
+}
+
+TEST(Chance, KeysDiffer) {
+  const SystemPtr system = system_of("axiom A\n A @1 -> F[+A][-A]A");
+  ASSERT_TRUE(system);
+  Derivation word = derive(*system, {.steps = 11, .time = {}, .environment = nullptr});
+  ASSERT_GT(word.keys.size(), 600000u);
+  std::sort(word.keys.begin(), word.keys.end());
+  EXPECT_TRUE(std::adjacent_find(word.keys.begin(), word.keys.end()) == word.keys.end());
+}
+
+TEST(Chance, NumbersAreThoseOfPhilox) {
+  const uint64_t key = 0x0123456789abcdef;
+  Draws draws(key, 2);
+  const std::array<uint64_t, 3> modules{0, 0xfedcba9876543210, ~uint64_t{0}};
+  for (const uint64_t module : modules) draws.ask(module, 3);
+  const double* numbers = draws.make();
+  for (const uint64_t module : modules)
+    for (uint32_t block = 0; block < 3; ++block) {
+      const auto bits =
+          philox4x32({static_cast<uint32_t>(module), static_cast<uint32_t>(module >> 32), block, 2},
+                     {static_cast<uint32_t>(key), static_cast<uint32_t>(key >> 32)});
+      for (size_t half = 0; half < 2; ++half) {
+        const uint64_t wide = uint64_t{bits.at(2 * half)} << 32 | bits.at(2 * half + 1);
+        EXPECT_EQ(*numbers++, static_cast<double>(wide >> 12) * 0x1p-52);
+      }
+    }
 }
 
 TEST(Chance, EachStepDrawsAgain) {

@@ -1,0 +1,113 @@
+#include <vug/base/error.h>
+#include <vug/lsystem/chooser.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::lsystem {
+
+Scratch::Scratch(const System& system) {
+  size_t formals = 0, values = 0;
+  const auto add = [&](const Production& p) {
+    size_t own = system.alphabet.size() > 0 ? Alphabet::kMostParameters : 0;
+    for (const auto* side : {&p.left, &p.right})
+      for (const ContextModule& module : *side)
+        if (module.kind == ContextModule::Kind::module)
+          own += system.alphabet.parameters(module.symbol);
+    formals = std::max(formals, own);
+    for (const Program* program : {&p.guard, &p.weight, &p.after, &p.values})
+      values = std::max(values, static_cast<size_t>(program->depth));
+  };
+  add(system.axiom);
+  for (const Production& p : system.productions) add(p);
+  formals_.resize(formals);
+  values_.resize(values + 1);
+}
+
+double single(const Program& program, const double* formals, Scratch& scratch,
+              const double* numbers) {
+  run(program, formals, scratch.values(), numbers);
+  return scratch.values()[0];
+}
+
+const double* formals_at(const Production& p, const Word& word, size_t i,
+                         const Surroundings& around, Scratch& scratch) {
+  if (!p.has_context()) return word.values().data() + word.starts()[i];
+  around.match(p, i, scratch.formals());
+  return scratch.formals();
+}
+
+void no_number(const Production& production, const std::string& what, double value) {
+  throw Error(ErrorCode::bad_input,
+              fmt::format("{} of the rule of '{}' is {}", what, production.text, value),
+              production.where, "numbers in words are finite");
+}
+
+uint16_t Chooser::choose(size_t i, const double* numbers) {
+  const Choosing& symbol = book_.symbols[word_.symbol(i)];
+  switch (symbol.how) {
+    case Choosing::How::never:
+      return 0;
+    case Choosing::How::always:
+      return static_cast<uint16_t>(book_.rules[symbol.first] + 1);
+    case Choosing::How::lottery:
+      return drawn(symbol, numbers[0]);
+    default:
+      return tried(symbol, i, numbers);
+  }
+}
+
+uint16_t Chooser::drawn(const Choosing& symbol, double number) const {
+  const double dart = number * book_.upto[symbol.end - 1];
+  uint32_t rule = symbol.first;
+  while (!(dart < book_.upto[rule]) && rule + 1 < symbol.end) ++rule;
+  return static_cast<uint16_t>(book_.rules[rule] + 1);
+}
+
+bool Chooser::fits(const Production& p, size_t i, const double* numbers) {
+  const double* formals = word_.values().data() + word_.starts()[i];
+  if (p.has_context()) {
+    if (!around_.match(p, i, scratch_.formals())) return false;
+    formals = scratch_.formals();
+  }
+  if (!p.after.empty()) {
+    const double age = single(p.after, formals, scratch_, numbers);
+    if (std::isnan(age)) no_number(p, "the age", age);
+    if (!(formals[0] >= age)) return false;
+  }
+  return p.guard.empty() || single(p.guard, formals, scratch_, numbers) != 0;
+}
+
+double Chooser::weight(const Production& p, size_t i, const double* numbers) {
+  const double* formals = formals_at(p, word_, i, around_, scratch_);
+  const double weight = single(p.weight, formals, scratch_, numbers);
+  if (!(weight >= 0) || std::isinf(weight)) no_number(p, "the weight", weight);
+  return weight;
+}
+
+uint16_t Chooser::tried(const Choosing& symbol, size_t i, const double* numbers) {
+  for (uint32_t r = symbol.first; r < symbol.end; ++r) {
+    const Production& p = system_.productions[book_.rules[r]];
+    if (!fits(p, i, numbers)) continue;
+    if (p.weight.empty()) return static_cast<uint16_t>(book_.rules[r] + 1);
+    lots_.clear();
+    double total = 0;
+    for (uint32_t s = r; s < symbol.end; ++s) {
+      const Production& other = system_.productions[book_.rules[s]];
+      if (other.weight.empty() || other.has_context() != p.has_context()) continue;
+      if (s != r && !fits(other, i, numbers)) continue;
+      total += weight(other, i, numbers);
+      lots_.emplace_back(static_cast<uint16_t>(book_.rules[s] + 1), total);
+    }
+    if (total == 0) return 0;
+    const double dart = numbers[0] * total;
+    for (const auto& [choice, upto] : lots_)
+      if (dart < upto) return choice;
+    return lots_.back().first;
+  }
+  return 0;
+}
+
+}  // namespace vug::lsystem

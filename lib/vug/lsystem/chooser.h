@@ -1,0 +1,58 @@
+// Inside of rewriting only: which production a module takes.
+#pragma once
+
+#include <vug/lsystem/context.h>
+
+#include <utility>
+#include <vector>
+
+namespace vug::lsystem {
+
+/// Room for what a production's programs need at once.
+class Scratch {
+ public:
+  explicit Scratch(const System& system);
+
+  double* formals() { return formals_.data(); }
+  double* values() { return values_.data(); }
+
+ private:
+  std::vector<double> formals_, values_;
+};
+
+/// The one number that a program leaves.
+double single(const Program& program, const double* formals, Scratch& scratch,
+              const double* numbers);
+
+/// The formals of production `p` at module `i`: without a context they lie in the word.
+const double* formals_at(const Production& p, const Word& word, size_t i,
+                         const Surroundings& around, Scratch& scratch);
+
+/// Error(bad_input) that names the production.
+[[noreturn]] void no_number(const Production& production, const std::string& what, double value);
+
+/// Of one task; all must outlive it.
+class Chooser {
+ public:
+  Chooser(const System& system, const RuleBook& book, const Word& word, const Surroundings& around)
+      : system_(system), book_(book), word_(word), around_(around), scratch_(system) {}
+
+  /// The production that module `i` takes and 1, or 0 for none. `numbers` are its random ones, as
+  /// many blocks as Choosing::blocks.
+  uint16_t choose(size_t i, const double* numbers);
+
+ private:
+  uint16_t drawn(const Choosing& symbol, double number) const;
+  uint16_t tried(const Choosing& symbol, size_t i, const double* numbers);
+  bool fits(const Production& p, size_t i, const double* numbers);
+  double weight(const Production& p, size_t i, const double* numbers);
+
+  const System& system_;
+  const RuleBook& book_;
+  const Word& word_;
+  const Surroundings& around_;
+  Scratch scratch_;
+  std::vector<std::pair<uint16_t, double>> lots_;
+};
+
+}  // namespace vug::lsystem
