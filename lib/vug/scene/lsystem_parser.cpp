@@ -40,7 +40,7 @@ std::vector<std::string_view> split_names(std::string_view letters) {
   for (size_t begin = 0, end; begin < letters.size(); begin = end) {
     for (end = begin + 1; end < letters.size() && !is_capital(letters[end]);) ++end;
     const std::string_view piece = letters.substr(begin, end - begin);
-    const bool moves = piece.size() > 1 && piece[0] == 'F' &&
+    const bool moves = piece.size() > 1 && (piece[0] == 'F' || piece[0] == 'f') &&
                        piece.find_first_not_of('f', 1) == std::string_view::npos;
     for (size_t i = 0; moves && i < piece.size(); ++i) out.push_back(piece.substr(i, 1));
     if (!moves) out.push_back(piece);
@@ -105,7 +105,7 @@ bool LSystemParser::at_part() const {
   const Token& first = cursor_.peek();
   const Token& second = cursor_.peek(1);
   if (first.is_name("table"))
-    return second.kind == TokenKind::name && cursor_.peek(beyond_newlines(2)).is("{");
+    return second.kind == TokenKind::name && cursor_.peek(lookahead_.beyond_newlines(2)).is("{");
   if (first.is_name("decompose") || first.is_name("interpret"))
     return second.is("{") || (second.kind == TokenKind::newline && !at_rule());
   const bool list = first.is_name("axiom") || first.is_name("ignore") ||
@@ -185,24 +185,9 @@ void LSystemParser::names(std::vector<Pattern>& out) {
                  fmt::format("{} + - F", word.text));
 }
 
-size_t LSystemParser::beyond_newlines(size_t ahead) const {
-  while (cursor_.peek(ahead).kind == TokenKind::newline && cursor_.peek(ahead).text != ";") ++ahead;
-  return ahead;
-}
-
 /// True when the line holds an arrow outside brackets, or the next line starts with one.
 bool LSystemParser::at_rule(size_t from) const {
-  if (!starts_module(cursor_.peek(from))) return false;
-  int depth = 0;
-  for (size_t ahead = from;; ++ahead) {
-    const Token& token = cursor_.peek(ahead);
-    if (token.is("->")) return true;
-    if (token.kind == TokenKind::end || token.is("}")) return false;
-    if (token.is("(")) ++depth;
-    if (token.is(")")) --depth;
-    if (token.kind == TokenKind::newline && depth <= 0)
-      return cursor_.peek(beyond_newlines(ahead)).is("->");
-  }
+  return starts_module(cursor_.peek(from)) && lookahead_.arrow_ahead(from);
 }
 
 /// At what can only be a statement of the scene. A line of modules may look like one, `A B {`, but
@@ -227,7 +212,7 @@ Production LSystemParser::production() {
   }
   if (!cursor_.accept_beyond_newlines("->"))
     cursor_.unexpected("'->', '@ weight', 'if condition' or 'after age'");
-  if (!at_rule(beyond_newlines(0))) cursor_.skip_newlines();
+  if (!at_rule(lookahead_.beyond_newlines(0))) cursor_.skip_newlines();
   if (cursor_.peek().is_name("nothing"))
     cursor_.take();
   else
@@ -298,7 +283,7 @@ bool LSystemParser::goes_on(bool open) const {
   const Token& here = cursor_.peek();
   if (here.kind != TokenKind::newline) return here.is("}") ? open : !cursor_.at_line_end();
   if (here.text == ";") return false;
-  const size_t next = beyond_newlines(0);
+  const size_t next = lookahead_.beyond_newlines(0);
   const Token& first = cursor_.peek(next);
   if (first.is("}")) return false;  // first on its line it is the block's
   if (!starts_module(first) || at_rule(next)) return false;

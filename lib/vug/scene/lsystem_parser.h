@@ -3,12 +3,13 @@
 
 #include <vug/scene/expr_parser.h>
 #include <vug/scene/lsystem_document.h>
+#include <vug/scene/rule_lookahead.h>
 
 namespace vug::scene {
 
 class LSystemParser {
  public:
-  explicit LSystemParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor) {}
+  explicit LSystemParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor), lookahead_(cursor) {}
 
   /// Everything behind the block's '{' up to its '}'; broken parts are reported and left out.
   void parse(Grammar& grammar);
@@ -36,15 +37,15 @@ class LSystemParser {
   bool at_rule(size_t from = 0) const;
   bool at_part() const;
   bool at_lost_brace() const;
-  size_t beyond_newlines(size_t ahead) const;
 
   Cursor& cursor_;
   ExprParser exprs_;
+  mutable RuleLookahead lookahead_;  ///< Remembers what it has looked at.
   LSystem* system_ = nullptr;
 };
 
 /// The names that letters in a row are: each capital begins one, so FFA is F F A and FlFr is Fl Fr;
-/// and Ff is F f, the turtle's line and its move. The pieces view the text.
+/// and Ff is F f, the turtle's line and its move, as ff is f f. The pieces view the text.
 std::vector<std::string_view> split_names(std::string_view letters);
 
 }  // namespace vug::scene

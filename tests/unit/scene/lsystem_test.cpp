@@ -41,6 +41,8 @@ TEST(LSystemText, SplitsNamesAtCapitals) {
   EXPECT_EQ(split("LeafBud2"), "Leaf Bud2 ");
   EXPECT_EQ(split("Fff"), "F f f ");
   EXPECT_EQ(split("f"), "f ");
+  EXPECT_EQ(split("ffffff"), "f f f f f f ");
+  EXPECT_EQ(split("ffl"), "ffl ");
   EXPECT_EQ(split("leaf"), "leaf ");
   EXPECT_EQ(split("fF"), "f F ");
   EXPECT_EQ(split("Leaff"), "Leaff ");
@@ -107,6 +109,25 @@ TEST(LSystemText, ReadsHeads) {
   EXPECT_EQ(system.ignore.size(), 3u);
 }
 
+TEST(LSystemText, KnowsRulesByTheirArrows) {
+  const Read read_rules = read(R"(grammar g: lsystem {
+  axiom A(1)
+  A(x) if max(x,
+              2) > 1
+    -> B(x,
+         2)
+    [+C]
+  B(x, y) -> C
+  + -> F(
+    1)
+})");
+  EXPECT_EQ(read_rules.report, "");
+  const LSystem& system = *read_rules.document.grammars.at(0).lsystem;
+  ASSERT_EQ(system.productions.size(), 3u);
+  EXPECT_EQ(names(system.productions[0].word), "B2 [ + C ]");
+  EXPECT_EQ(names(system.productions[2].word), "F1");
+}
+
 struct Fault {
   const char* rules;
   const char* expected;  ///< Part of the report.
@@ -128,6 +149,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"axiom F[+F", "t.vug:2:8: error: the '[' in the axiom is never closed"},
         Fault{"axiom F\nF -> F]F", "t.vug:3:7: error: ']' without its '[' in the rule of 'F'"},
         Fault{"axiom F\nF -> {F", "t.vug:3:6: error: the '{' in the rule of 'F' is never closed"},
+        Fault{"axiom F\nF(x -> F(x)", "t.vug:3:5: error: expected ')'"},
+        Fault{"axiom F\nF -> F(1\nA -> B",
+              "t.vug:4:1: error: expected ')' to close 'F(' of line 3"},
         Fault{"axiom F\nF ->", "the rule of 'F' has no modules"},
         Fault{"axiom F\nF -> G H -> F", "a second rule on one line"},
         Fault{"axiom F\nF(1) -> G", "the parameters of 'F' in a rule's head are names"},
