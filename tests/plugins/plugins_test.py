@@ -91,17 +91,28 @@ class Plugins(unittest.TestCase):
                          (self.room / "out/warm_skin.csv").read_bytes())
 
     def test_what_is_refused(self):
-        stale = self.room / "stale.so"
+        broken = self.room / "broken"
+        broken.mkdir()
+        stale = broken / "stale.so"
         (self.room / "stale.cpp").write_text(STALE)
         need(COMPILER, "-shared", "-fPIC", self.room / "stale.cpp", "-o", stale)
         error = self.vug(2, "list", "--plugin", stale)
         self.assertIn(f"error: the plugin '{stale}' is for interface 0 of vug 0.0.9, and this is "
                       "interface 1 of vug ", error)
         self.assertIn("hint: build it again with the headers of this version", error)
-        empty = self.room / "empty.so"
+        empty = broken / "empty.so"
         (self.room / "empty.cpp").write_text("")
         need(COMPILER, "-shared", "-fPIC", self.room / "empty.cpp", "-o", empty)
         self.assertIn("is none: it lacks VUG_PLUGIN", self.vug(2, "list", "--plugin", empty))
+        done = run(PROGRAM, "check", "lens.vug", cwd=self.room, env={
+            **os.environ, "VUG_PLUGIN_PATH": f"{broken}:{self.lens.parent}"})
+        self.assertEqual(done.returncode, 0, done.stderr)  # those of the path are done without
+        self.assertIn(f"warning: the plugin '{stale}' is for interface 0 of vug 0.0.9", done.stderr)
+        self.assertIn(f"warning: the plugin '{empty}' is none", done.stderr)
+        done = run(PROGRAM, "check", "lens.vug", cwd=self.room, env={
+            **os.environ, "VUG_PLUGIN_PATH": str(broken)})
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("unknown function 'lens'", done.stderr)
         self.assertIn("no such file", self.vug(2, "list", "--plugin", "nowhere.so"))
         self.assertIn("cannot be loaded", self.vug(2, "list", "--plugin", "lens.vug"))
         self.assertIn("it is a folder", self.vug(2, "list", "--plugin", "."))

@@ -51,6 +51,15 @@ void require_verb(const std::optional<std::string>& first) {
                 suggestion(word, names));
 }
 
+/// One that does not fit says so and is done without: a scene that needs its words fails by itself.
+void load_plugins_in_path() {
+  for (const auto& plugin : session::plugins_in_path()) try {
+      session::load_plugin(plugin);
+    } catch (const Error& error) {
+      warn(error, "it is done without, as it was only found in $VUG_PLUGIN_PATH");
+    }
+}
+
 int run(int argc, char** argv) {
   require_verb(argc > 1 ? std::optional<std::string>(argv[1]) : std::nullopt);
   CLI::App app("Grows film-grade caves out of grammars: text to VDB, mesh and picture.", "vug");
@@ -79,7 +88,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
-  for (const auto& plugin : session::plugins_in_path()) session::load_plugin(plugin);
+  load_plugins_in_path();
   for (const std::string& plugin : plugins) session::load_plugin(plugin);
   return runs.at(app.get_subcommands().at(0))();
 }

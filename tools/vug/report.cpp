@@ -30,4 +30,9 @@ int report(const Error& error) {
   return kFailed;
 }
 
+void warn(const Error& error, const std::string& what) {
+  fmt::print(stderr, "warning: {}; {}\n", scene::printable(error.what()), what);
+  if (!error.hint().empty()) fmt::print(stderr, "hint: {}\n", scene::printable(error.hint()));
+}
+
 }  // namespace vug::cli
