@@ -80,6 +80,11 @@ class Farm(VugTest):
                         f"{radiance - 89}/2")
         self.assertIn("different scenes", self.expect(2, "merge", "p90", "p91", "-o", "m.exr").err)
 
+    def test_names_that_say_what_is_chosen_anyhow(self):
+        self.part("a", "--tile", "1/2")
+        self.part("b", "--tile", "2/2", "--render", "main", "--camera", "main")
+        self.expect(0, "merge", "a", "b", "-o", "m.exr")
+
     def test_what_cannot_be_a_part(self):
         for args in [("--tile", "0/2"), ("--tile", "3/2"), ("--tile", "2"), ("--tile", "1/41"),
                      ("--samples", "0..49"), ("--samples", "7..7"), ("--samples", "7-9"),

@@ -62,8 +62,10 @@ void warn_of_rock(Builder& builder, const RenderPlan& plan, const std::vector<Ob
                "move its eye into the open");
 }
 
-/// Tells pictures of different scenes, or with different names of cameras and renders, apart.
+/// Tells pictures of different scenes, cameras and renders apart; whether options name those or the
+/// scene chooses the same does not count.
 std::string identity(const render::Scene& scene, const Shot& shot, const PictureOptions& options) {
+  const RenderPlan plan = render_plan(shot, options);
   Hasher hash;
   const auto add_all = [&](const auto& values) {
     hash.add_value(values.size());
@@ -71,7 +73,7 @@ std::string identity(const render::Scene& scene, const Shot& shot, const Picture
   };
   hash.add_value(shot.texts).add_value(options.eye);
   for (const std::string& text :
-       {shot.recipe, options.render, options.camera, std::string(VUG_VERSION)})
+       {shot.recipe, plan.name, camera_name(shot, plan), std::string(VUG_VERSION)})
     add_all(text);
   std::set<const void*> known;
   for (const render::Object& object : scene.objects) {
