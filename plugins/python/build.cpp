@@ -109,19 +109,31 @@ constexpr const char* kRender =
     "working_space, view, display (names), ocio (a file), checkpoint (a file that keeps what is\n"
     "rendered; where it is there rendering goes on from it, and Image.save to an EXR removes it).";
 
+/// The same with a callback of its own, by name.
+template <class Result, class What>
+auto heard(Result (*call)(Build&, const What&)) {
+  return [call](Build& build, const What& what, const Callback& progress) {
+    const Build::Heard listening(build, progress);
+    return call(build, what);
+  };
+}
+
 void bind_products(py::class_<Build>& type) {
-  type.def("level_set", &level_set, "name"_a = "",
+  const auto progress = "progress"_a = py::none();
+  const py::kw_only by_name;
+  type.def("level_set", heard(&level_set), "name"_a = "", by_name, progress,
            "The level set of a volume, also of a fog; without a name the first.")
-      .def("volume", &volume_of, "name"_a = "",
+      .def("volume", heard(&volume_of), "name"_a = "", by_name, progress,
            "What the .vdb holds of a volume: a level set, or the density of a fog.")
-      .def("mesh", &mesh, "name"_a = "",
+      .def("mesh", heard(&mesh), "name"_a = "", by_name, progress,
            "A mesh, also that which cells have weathered, by their name; without a name the first.")
-      .def("cells", &cells_of, "name"_a = "", "Cells on a mesh, after their rules have run.")
-      .def("measure", &measure, "mesh"_a = "",
+      .def("cells", heard(&cells_of), "name"_a = "", by_name, progress,
+           "Cells on a mesh, after their rules have run.")
+      .def("measure", heard(&measure), "mesh"_a = "", by_name, progress,
            "Area, volume, genus and all that `vug measure --json` tells, as a dict.")
-      .def("measure_cells", &measure_cells, "name"_a = "",
+      .def("measure_cells", heard(&measure_cells), "name"_a = "", by_name, progress,
            "How even cells are and how they are linked, as `vug measure --cells` tells it.")
-      .def("save", &save, "to"_a,
+      .def("save", heard(&save), "to"_a, by_name, progress,
            "Writes what `vug build` writes into a folder, or all grids to a file that ends in "
            ".vdb;\n"
            "gives the paths.");
@@ -135,16 +147,19 @@ void bind_build(py::module_& module) {
                          "`progress(share, what)` is called on the thread that asks: share goes\n"
                          "from 0 to 1 in each stage `what`. Where it returns False the work stops\n"
                          "with vug.Cancelled; what it raises is raised. Ctrl-C stops work, too.\n"
+                         "Every method that works takes another `progress` for that call.\n"
                          "What was made before is kept, and the rest can be asked for again.");
   bind_products(type);
   type.def(
           "render",
-          [](Build& build, const std::string& name, const py::kwargs& given) {
+          [](Build& build, const std::string& name, const Callback& progress,
+             const py::kwargs& given) {
+            const Build::Heard listening(build, progress);
             session::RenderOptions options = render_options(*build.scene(), given);
             options.picture.render = name;
             return render(build, options);
           },
-          "name"_a = "", kRender)
+          "name"_a = "", "progress"_a = py::none(), kRender)
       .def_property_readonly(
           "scene", [](const Build& b) { return std::const_pointer_cast<Scene>(b.scene()); })
       .def_property(

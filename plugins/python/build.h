@@ -36,6 +36,21 @@ class Build {
   /// does: a builder is not for several at once. What was cancelled can be asked for again.
   void work(const std::function<void(session::Builder&)>& work);
 
+  /// While it lives another callback is told how the build gets on; none leaves it as it is.
+  class Heard {
+   public:
+    Heard(Build& build, const Callback& progress) : build_(build), own_(build.settings_.progress) {
+      if (progress && !build.busy_) build.settings_.progress = progress;
+    }
+    ~Heard() { build_.settings_.progress = own_; }
+    Heard(const Heard&) = delete;
+    Heard& operator=(const Heard&) = delete;
+
+   private:
+    Build& build_;
+    Callback own_;
+  };
+
   const ScenePtr& scene() const { return scene_; }
   BuildSettings& settings() { return settings_; }
 

@@ -23,6 +23,22 @@ class Installed(Case):
                               env={**os.environ, "PYTHONPATH": str(package.parent)})
         self.assertEqual(done.stdout.split(), [str(package / "__init__.py"), "0"], done.stderr)
         self.assertEqual(pathlib.Path(done.stdout.split()[0]).parent, package)
+        self.what_is_missing_is_told(package)
+
+    def what_is_missing_is_told(self, package):
+        """Of a Python without numpy, and of one for which the package is not built."""
+        blind = self.write("blind/numpy.py", "raise ImportError('none here')").parent
+
+        def said(path):
+            done = subprocess.run([sys.executable, "-c", "import vug"], capture_output=True, text=True,
+                                  env={**os.environ, "PYTHONPATH": f"{path}:{package.parent}"})
+            self.assertNotEqual(done.returncode, 0)
+            return done.stderr.strip().splitlines()[-1]
+
+        self.assertIn("ImportError: vug needs numpy", said(blind))
+        [built] = package.glob("_vug.*.so")
+        built.rename(package / "_vug.cpython-27-nowhere.so")
+        self.assertIn("is built for cpython-27-nowhere, and this is Python 3.", said(self.folder))
 
 
 if __name__ == "__main__":

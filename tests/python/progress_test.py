@@ -26,6 +26,26 @@ class Callbacks(Case):
             self.assertEqual(shares, sorted(shares), stage)
             self.assertTrue(0 <= shares[0] and shares[-1] <= 1, stage)
 
+    def test_a_call_may_have_its_own(self):
+        of_build, of_call = [], []
+        build = vug.loads(BALL).build(progress=lambda share, what: of_build.append(what))
+        hear = {"progress": lambda share, what: of_call.append(what)}
+        build.mesh(**hear)
+        self.assertTrue(of_call)
+        self.assertEqual(of_build, [])
+        for work in (lambda: build.level_set(**hear), lambda: build.volume(**hear), lambda: build.measure(**hear),
+                     lambda: build.save("out", **hear)):
+            work()
+        self.assertEqual(of_build, [])
+        with self.assertRaises(vug.Cancelled):
+            vug.loads(LONG).build().render(progress=lambda share, what: what != "rendering")
+        build.render(**hear)
+        self.assertIn("rendering", of_call)
+        heard = len(of_call)
+        build.render(spp=5)
+        self.assertEqual((len(of_call), "rendering" in of_build), (heard, True))
+        self.assertRaises(TypeError, build.mesh, progress=3)
+
     def test_they_run_on_the_thread_that_asked(self):
         threads = set()
         scene = vug.loads(BALL)
