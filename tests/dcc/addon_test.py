@@ -36,6 +36,12 @@ medium air on mist { kind cloud  extinction 2/m  g 0.25  temperature 1500
   albedo layer(under: (0.9, 0.5, 0.1), over: (0.1, 0.5, 0.9), mask: height(from: -1m, to: 1m)) }
 render main { size 320x160 spp 1 }
 """
+# A card cut to a leaf, and one that is there to a quarter.
+LEAF = """mesh blade { of leaf(length: 1m, width: 20cm, rows: 4, card: true) }
+object cut on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), opacity: leaf_blade()) }
+object pane on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), specular: 0, opacity: 0.25) }
+object veil on blade { material surface(thin: true, specular: 0, opacity: attribute(name: "leaf_along")) }
+"""
 
 
 class Addon(VugTest):
@@ -45,6 +51,7 @@ class Addon(VugTest):
         self.write("slow.vug", SCENE.replace("voxel: 5cm", "voxel: 4mm"))
         self.write("bad.vug", SCENE.replace("fog(sphere", "fog(spere"))
         self.write("stones.vug", SCENE)
+        self.write("leaf.vug", LEAF)
 
     def blender(self, part):
         program = require_blender()

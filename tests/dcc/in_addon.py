@@ -4,7 +4,9 @@ blender --background --factory-startup --python in_addon.py -- use|again FOLDER 
 """
 import gc
 import os
+import shutil
 import sys
+import time
 
 import bpy
 import numpy
@@ -301,7 +303,7 @@ def units():
 
 def nothing_is_built():
     from vug_addon.making import Making
-    bpy.ops.vug.update()
+    bpy.ops.vug.update(cave="cave")
     making = Making(collection=cave())
     while not making.step(wait=0.1):
         pass
@@ -373,10 +375,61 @@ def block_out():
     bpy.data.objects.remove(bpy.context.object)
 
 
+def opacity():
+    """Holes are cut; what is there in part lets the rest of the light through."""
+    bpy.ops.vug.add(filepath=f"{folder}/leaf.vug", use_camera=False)
+    leaf = bpy.data.collections["leaf"]
+    cut, pane, veil = ([each for each in leaf.objects if each["vug_name"] == name][0] for name in ("cut", "pane", "veil"))
+    assert len(cut.data.polygons) > 500 and len(pane.data.polygons) == 16
+
+    def mix(thing):
+        nodes = thing.data.materials[0].node_tree.nodes
+        return next((node for node in nodes if node.type == "MIX_SHADER"), None)
+
+    equal(mix(cut), None)
+    near(mix(pane).inputs[0].default_value, 0.25, 1e-6)
+    equal([mix(pane).inputs[k].links[0].from_node.type for k in (1, 2)], ["BSDF_TRANSPARENT", "BSDF_DIFFUSE"])
+    equal(mix(veil).inputs[0].links[0].from_node.attribute_name, "opacity")
+    for thing_ in list(leaf.objects):
+        bpy.data.objects.remove(thing_)
+    bpy.data.collections.remove(leaf)
+
+
 def save():
+    from vug_addon import folders
     cave()["R"] = 0.8
     bpy.ops.vug.update(cave="cave")
+    # Volumes of a file that was never saved come along, and leave nothing behind.
+    old = cave().vug.folder
+    assert folders.is_stored(old) and os.path.exists(f"{old}/cave_rock.vdb"), old
     bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/saved.blend")
+    equal(cave().vug.folder, "//vug/cave/")
+    equal(thing("rock volume").data.filepath, "//vug/cave/cave_rock.vdb")
+    picture = next(node.image for node in bpy.context.scene.world.node_tree.nodes if node.type == "TEX_ENVIRONMENT")
+    equal(picture.filepath, "//vug/cave/cave_heaven.exr")
+    assert os.path.exists(f"{folder}/vug/cave/cave_rock.vdb")
+    assert os.path.exists(old), "the file on the disk still names it"
+    nothing_is_built()
+    shutil.copy(f"{folder}/saved.blend", f"{folder}/first.blend")
+    bpy.ops.wm.save_mainfile()
+    assert not os.path.exists(old), "nobody names it any more"
+
+
+def sweeps():
+    """Folders of files that are gone or were never saved go, the latter only when they are old."""
+    from vug_addon import folders
+    kept = ("young", "of_this", "of_another")
+    for name in (*kept, "old", "of_none"):
+        os.makedirs(os.path.join(folders.store(), name))
+    for name, owner in (("of_this", bpy.data.filepath), ("of_another", f"{folder}/first.blend"), ("of_none", "/no.blend")):
+        with open(os.path.join(folders.store(), name, folders.NOTE), "w") as note:
+            note.write(owner)
+    then = time.time() - 40 * 86400
+    os.utime(os.path.join(folders.store(), "old"), (then, then))
+    folders.sweep()
+    equal(sorted(set(os.listdir(folders.store()))), sorted(kept))
+    for name in kept:
+        shutil.rmtree(os.path.join(folders.store(), name))
 
 
 def memory():
@@ -401,6 +454,11 @@ def reloads():
     near(cave().id_properties_ui("R").as_dict()["max"], 1, 1e-12)
     near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.8**3, 0.02)
     assert "Cd" in thing("wall").data.attributes
+    # The first that was saved names what was swept, in its place: it has moved, too.
+    bpy.ops.wm.open_mainfile(filepath=f"{folder}/first.blend")
+    equal(cave().vug.folder, "//vug/cave/")
+    assert thing("rock volume").data.grids.load()
+    bpy.ops.wm.open_mainfile(filepath=f"{folder}/saved.blend")
     rock = thing("rock volume").data
     assert rock.grids.load(), rock.grids.error_message
     before = print_of(cave())
@@ -414,7 +472,7 @@ def reloads():
 
 
 CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, sky, cloud, slider, nothing_is_built,
-                  stale, deleted, units, cancel, faults, block_out, save, memory),
+                  stale, deleted, units, cancel, faults, block_out, opacity, save, sweeps, memory),
           "again": (reloads,)}
 for check in CHECKS[part]:
     check()

@@ -9,9 +9,9 @@ bl_info = {
     "category": "Add Mesh",
 }
 
-from . import operators, panel, properties  # noqa: E402  Blender reads bl_info first
+from . import folders, operators, panel, properties  # noqa: E402  Blender reads bl_info first
 
-PARTS = (properties, operators, panel)
+PARTS = (properties, operators, panel, folders)
 
 
 def register():

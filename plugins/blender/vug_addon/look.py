@@ -1,5 +1,5 @@
 """Materials for Cycles and Eevee: what varies over a mesh comes from its attributes, the rest is numbers."""
-CHANNELS = ("Cd", "roughness", "wetness", "metallic", "transmission", "emission")
+CHANNELS = ("Cd", "roughness", "wetness", "metallic", "transmission", "opacity", "emission")
 
 
 def channels_of(surface):
@@ -156,4 +156,12 @@ def build(material, gltf, channels):
         tree.links.new(out, both.inputs[0])
         tree.links.new(emission.outputs[0], both.inputs[1])
         out = both.outputs[0]
-    tree.links.new(out, tree.add("ShaderNodeOutputMaterial", 3).inputs["Surface"])
+    if "opacity" in channels or color[3] < 1:  # what is not there is looked through
+        air, both = tree.add("ShaderNodeBsdfTransparent", 2), tree.add("ShaderNodeMixShader", 3)
+        tree.feed(both.inputs[0], channels, "opacity", color[3])
+        tree.links.new(air.outputs[0], both.inputs[1])
+        tree.links.new(out, both.inputs[2])
+        out = both.outputs[0]
+        if hasattr(material, "blend_method"):  # of Eevee
+            material.blend_method = "HASHED"
+    tree.links.new(out, tree.add("ShaderNodeOutputMaterial", 4).inputs["Surface"])

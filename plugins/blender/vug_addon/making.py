@@ -5,7 +5,7 @@ import os
 
 import bpy
 
-from . import arrive, owned, parameters, properties, units
+from . import arrive, folders, owned, parameters, properties, units
 from .job import Job
 
 
@@ -113,7 +113,7 @@ class Making:
         made = None
         if not collection:
             made = collection = bpy.data.collections.new(job.scene["name"])
-            collection.vug.folder = properties.folder_of_volumes(collection.name)
+            collection.vug.folder = folders.fresh(collection.name)
         try:
             arrival = arrive.bring(collection, job.scene, job.done["files"], job.folder + "/set")
         except BaseException:
@@ -127,8 +127,8 @@ class Making:
                 arrival.take_view(bpy.context.scene, self.resolution)
         self.name, self.changed = collection.name, arrival.changed
         self.mark_built(collection)
-        left_out = [each for each in job.done["left_out"] if not expected(each)]
-        self.told = f"{self.name}: {self.changed} meshes made" + "".join(f"; {each}" for each in left_out)
+        self.told = f"{self.name}: {self.changed} meshes made" + "".join(
+            f"; {each}" for each in job.done["left_out"])
 
     def mark_built(self, collection):
         """What an artist has set meanwhile is not built yet."""
@@ -140,9 +140,3 @@ class Making:
 
 def text_of(value):
     return f"{value:.6g}" if isinstance(value, float) else str(value)
-
-
-def expected(left_out):
-    """What the file leaves out and the add-on brings nevertheless."""
-    return any(part in left_out for part in (": it is in ", "depth of field of", "the size of the light",
-                                             ": glTF has no skies"))

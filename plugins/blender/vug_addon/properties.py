@@ -1,6 +1,4 @@
 """What a cave keeps in the .blend, and where the add-on finds Vug."""
-import os
-
 import bpy
 from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
@@ -55,18 +53,6 @@ def active_cave(context):
     if not candidates and len(all_caves) == 1:
         candidates = all_caves
     return candidates[0] if candidates else None
-
-
-def folder_of_volumes(name):
-    """Beside the .blend where that is saved, else among the user's data."""
-    if bpy.data.filepath:
-        return f"//vug/{name}/"
-    stem = bpy.utils.user_resource("DATAFILES", path=os.path.join("vug", name))
-    folder, number = stem, 1
-    while os.path.exists(folder):
-        number += 1
-        folder = f"{stem}_{number}"
-    return os.path.join(folder, "")
 
 
 def register():
