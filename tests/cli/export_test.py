@@ -91,10 +91,41 @@ class Export(VugTest):
             self.assertEqual(digest(path), digest(self.folder / "b" / path.name), path.name)
 
     def test_what_is_left_out_is_told(self):
-        self.write("sky.vug", BALL + "light heaven = sky(radiance: (1, 1, 1))\n")
-        said = self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender")
-        self.assertIn("left out: light 'heaven': glTF has no skies in .glb\n", said.err)
-        self.assertEqual(self.expect(0, "export", "sky.vug", "-o", "o", "-q").err, "")
+        self.write("sky.vug", BALL + "light heaven = daylight(elevation: 30deg)\ncamera round { kind panoramic }\n")
+        said = self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "--lod", "2")
+        round_ = "left out: the camera 'round', which looks all round: no program is told how\n"
+        self.assertIn("note: the sky 'heaven': glTF has no words for it, only Vug's add-on for Blender reads it "
+                      "(sky.glb)\n", said.err)
+        self.assertIn(round_, said.err)
+        self.assertNotIn("volume", said.err)  # it lies beside
+        # What is lost is told however quiet it is to be; what is only elsewhere is not.
+        self.assertEqual(self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "-q").err, round_)
+        self.assertEqual([path.name for path in sorted((self.folder / "o").glob("*.exr"))], ["sky_heaven.exr"])
+        self.assertIn(b'"file":"sky_heaven.exr"', (self.folder / "o/sky_lod2.glb").read_bytes())
+
+    def test_levels_end_where_nothing_is_left(self):
+        said = self.expect(0, "export", "cave.vug", "-o", "o", "--for", "blender", "--lod", "8")
+        there = sorted(path.name for path in (self.folder / "o").glob("cave_lod*.glb"))
+        last = len(there)
+        self.assertEqual(there, [f"cave_lod{n}.glb" for n in range(1, last + 1)])
+        self.assertTrue(2 <= last < 8, last)
+        self.assertIn(f"level {last} is the last: nothing coarser is left of any mesh\n", said.err)
+
+    def test_points_and_meshes_of_cells(self):
+        self.write("skin.vug", "volume rock = level_set(sphere(1m), voxel: 10cm)\nmesh wall on rock {}\n"
+                   'cells skin on wall { spacing 15cm  run life(steps: 2)  files ["points"] }\n')
+        self.expect(0, "export", "skin.vug", "-o", "o", "--for", "blender", "-q")
+        data = (self.folder / "o/skin_skin_points.ply").read_bytes()
+        head, body = data.split(b"end_header\n", 1)
+        names = [line.split()[1:] for line in head.decode().splitlines() if line.startswith("property ")]
+        self.assertIn(["int", "id"], names)
+        count = int(head.split(b"element vertex ")[1].split()[0])
+        size = 4 * sum(kind in ("int", "float") for kind, *_ in names)
+        self.assertEqual(len(body), count * size)
+        at = 4 * names.index(["int", "id"])
+        ids = [struct.unpack_from("<i", body, size * i + at)[0] for i in range(count)]
+        self.assertEqual(ids, list(range(count)))
+        self.assertIn(b'"name":"wall"', (self.folder / "o/skin.glb").read_bytes())
 
     def test_refusals(self):
         self.assertIn("did you mean 'blender'?",

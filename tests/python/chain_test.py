@@ -155,6 +155,10 @@ class Chain(Case):
                              sorted(p.name for p in (self.folder / f"theirs {program}").iterdir()))
             for path in paths:
                 self.assert_same_files(path, f"theirs {program}/{path.name}")
+        plain = vug.loads(BALL)
+        plain.export("plain", "blender")  # a volume, a sky: nothing is lost, so nothing is warned of
+        with self.assertWarnsRegex(vug.SceneWarning, r"left out: the camera 'main': the file holds a mesh alone \(scene.ply\)"):
+            plain.export("plain", "meshes")
         for wrong in ({"up": "x"}, {"unit": "mm"}):
             with self.assertRaises(ValueError):
                 self.scene.export("out", **wrong)

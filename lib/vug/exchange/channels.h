@@ -17,7 +17,8 @@ struct Channel {
   int arity() const { return color ? 3 : 1; }
 };
 
-/// "Cd" (the body's colour), "roughness", "wetness", "metallic", "transmission", "emission".
+/// "Cd" (the body's colour), "roughness", "wetness", "metallic", "transmission", "opacity",
+/// "emission".
 const std::vector<Channel>& channels();
 
 /// Whether vectors of that attribute are colours, which do not turn with the axes.

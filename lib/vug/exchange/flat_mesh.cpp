@@ -75,7 +75,8 @@ Written write_flat_mesh(const Assembly& assembly, const std::filesystem::path& f
   Written written{{file}, {}};
   const auto leave_out = [&](const auto& things, const char* what) {
     for (const auto& each : things)
-      written.left_out.push_back(fmt::format("{} '{}'", what, each.name));
+      written.left_out.push_back(
+          fmt::format("the {} '{}': the file holds a mesh alone", what, each.name));
   };
   leave_out(assembly.cameras, "camera");
   leave_out(assembly.lamps, "light");

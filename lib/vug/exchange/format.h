@@ -17,12 +17,15 @@ struct FormatOptions {
   bool instancing = true;
   /// Numbers for the radiance of shining surfaces over W/sr/m^2; none: as the format defines them.
   std::optional<double> emission_scale;
+  /// Beside this file pictures of skies lie already; empty: they are written beside the own.
+  std::filesystem::path pictures_of = {};
 };
 
-/// What was written, and in sentences what the format cannot hold.
+/// What was written, and in sentences what is told of it.
 struct Written {
   std::vector<std::filesystem::path> files;
-  std::vector<std::string> left_out;
+  std::vector<std::string> left_out;    ///< What the format cannot hold.
+  std::vector<std::string> notes = {};  ///< What it holds so that not every reader understands it.
 };
 
 struct Format {

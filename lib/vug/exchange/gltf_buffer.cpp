@@ -94,19 +94,33 @@ int GltfBuffer::indices(const std::vector<mesh::Triangle>& triangles, size_t ver
                   TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, count);
 }
 
-int GltfBuffer::colors(const std::vector<float>& rgb) {
+int GltfBuffer::colors(const std::vector<float>& rgb, const std::vector<float>* opacity) {
   const size_t count = rgb.size() / 3;
+  const auto whole = [](float share) {
+    return static_cast<uint16_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * 65535));
+  };
   std::vector<uint16_t> values(4 * count, 0xffff);
-  for (size_t i = 0; i < count; ++i)
-    for (size_t c = 0; c < 3; ++c)
-      values[4 * i + c] =
-          static_cast<uint16_t>(std::lround(std::clamp(rgb[3 * i + c], 0.0f, 1.0f) * 65535));
+  for (size_t i = 0; i < count; ++i) {
+    for (size_t c = 0; c < 3; ++c) values[4 * i + c] = whole(rgb[3 * i + c]);
+    if (opacity) values[4 * i + 3] = whole((*opacity)[i]);
+  }
   const int made =
       accessor(view(values.data(), values.size() * sizeof(uint16_t), TINYGLTF_TARGET_ARRAY_BUFFER),
                TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4, count);
   model_.accessors.back().normalized = true;
   return made;
 }
+
+namespace {
+
+std::vector<float> even_color(const Part& part) {
+  std::vector<float> out;
+  for (size_t i = 0; i < part.mesh->positions.size(); ++i)
+    for (int c = 0; c < 3; ++c) out.push_back(static_cast<float>(part.look.base_color[c]));
+  return out;
+}
+
+}  // namespace
 
 tinygltf::Mesh gltf_mesh(const Part& part, int material, GltfBuffer& buffer,
                          std::vector<std::string>& left_out) {
@@ -124,16 +138,21 @@ tinygltf::Mesh gltf_mesh(const Part& part, int material, GltfBuffer& buffer,
     for (const Vec3f& normal : mesh.normals) normals.push_back(unit(normal));
     primitive.attributes["NORMAL"] = buffer.floats(&normals[0].x, vertices, 3, false, kTarget);
   }
+  const mesh::Attribute* color = mesh::find_attribute(mesh, mesh::kColour, 3);
+  const mesh::Attribute* opacity = mesh::find_attribute(mesh, "opacity", 1);
+  if (color || opacity)
+    primitive.attributes["COLOR_0"] = buffer.colors(color ? color->values : even_color(part),
+                                                    opacity ? &opacity->values : nullptr);
   Names names;
   for (const mesh::Attribute& each : mesh.attributes) {
-    if (each.name == mesh::kColour && each.arity == 3)
-      primitive.attributes["COLOR_0"] = buffer.colors(each.values);
+    if (&each == color)
+      continue;
     else if (each.arity <= 4)
       primitive.attributes[fmt::format("_{}", names.unique(upper(each.name)))] =
           buffer.floats(each.values.data(), vertices, each.arity, false, kTarget);
     else
-      left_out.push_back(
-          fmt::format("'{}' of '{}': {} numbers a vertex", each.name, part.name, each.arity));
+      left_out.push_back(fmt::format("the attribute '{}' of '{}', which has {} numbers a vertex",
+                                     each.name, part.name, each.arity));
   }
   primitive.indices = buffer.indices(mesh.triangles, vertices);
   tinygltf::Mesh out;

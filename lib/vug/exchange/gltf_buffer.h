@@ -18,8 +18,9 @@ class GltfBuffer {
   /// The accessor of so many tuples of `arity` numbers. Bounds are those of positions.
   int floats(const float* values, size_t count, int arity, bool bounds, int target);
   int indices(const std::vector<mesh::Triangle>& triangles, size_t vertices);
-  /// Red, green, blue within 0..1 in 16 bits each, and full opacity: a step of 1/65535.
-  int colors(const std::vector<float>& rgb);
+  /// Red, green, blue and opacity of so many vertices, within 0..1 in 16 bits each: a step of
+  /// 1/65535. Without opacities all is there.
+  int colors(const std::vector<float>& rgb, const std::vector<float>* opacity);
 
   /// Error(too_large) where the file's lengths of 32 bits do not suffice.
   void require_room(size_t bytes) const;

@@ -24,12 +24,16 @@ tinygltf::Material gltf_material(const Part& part, double emission_scale) {
   tinygltf::Material out;
   out.name = part.material;
   out.doubleSided = look.thin;
-  const bool colored = mesh::find_attribute(*part.mesh, mesh::kColour, 3) != nullptr;
+  // What varies in opacity has it beside its colour in COLOR_0.
+  const bool veiled = mesh::find_attribute(*part.mesh, "opacity", 1) != nullptr;
+  const bool colored = veiled || mesh::find_attribute(*part.mesh, mesh::kColour, 3) != nullptr;
   out.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, 1};
   if (!colored)
     for (int c = 0; c < 3; ++c)
       out.pbrMetallicRoughness.baseColorFactor[static_cast<size_t>(c)] =
           std::clamp(look.base_color[c], 0.0, 1.0);
+  if (!veiled) out.pbrMetallicRoughness.baseColorFactor[3] = std::clamp(look.opacity, 0.0, 1.0);
+  if (veiled || look.opacity < 1) out.alphaMode = "BLEND";
   out.pbrMetallicRoughness.metallicFactor = look.metallic;
   out.pbrMetallicRoughness.roughnessFactor = look.roughness;
   if (look.specular != 1)

@@ -10,6 +10,11 @@
 namespace vug::exchange {
 namespace {
 
+/// A level is of use while it still is a solid's surface, and clearly fewer triangles than the one
+/// before: of these at most so many.
+constexpr size_t kFewest = 4;
+constexpr double kAtMost = 0.75;
+
 /// The farthest of a mesh's points from the other.
 double farthest(const mesh::Mesh& from, const mesh::MeshDistance& to) {
   const auto most = [](double a, double b) { return std::max(a, b); };
@@ -59,7 +64,9 @@ void add_levels(Assembly& assembly, int count, Progress& progress) {
     for (int i = 0; i < count; ++i) {
       progress.check();
       mesh::Mesh made = coarser(*finer);
-      if (made.triangles.empty() || made.triangles.size() == finer->triangles.size()) break;
+      const auto most = kAtMost * static_cast<double>(finer->triangles.size());
+      if (made.triangles.size() < kFewest || static_cast<double>(made.triangles.size()) > most)
+        break;
       const double distance = hausdorff_distance(*part.mesh, made);
       finer = std::make_shared<const mesh::Mesh>(std::move(made));
       part.coarser.push_back({finer, distance});

@@ -18,7 +18,8 @@ mesh::Mesh coarser(const mesh::Mesh& mesh, double share = 0.25);
 double hausdorff_distance(const mesh::Mesh& a, const mesh::Mesh& b);
 
 /// Adds `count` levels to every part, each a quarter of the one before; fewer where a mesh will not
-/// go further down.
+/// go further down: a level has at least four triangles, the fewest of a solid, and at most three
+/// quarters of those before.
 void add_levels(Assembly& assembly, int count, Progress& progress = Progress::none());
 
 /// The assembly with level `number` (from 1) in place of its meshes, or the coarsest that there is.

@@ -16,6 +16,7 @@ Look blend(const Look& a, const Look& b, double share) {
   out.subsurface = mix(a.subsurface, b.subsurface);
   out.wetness = mix(a.wetness, b.wetness);
   out.coat_roughness = mix(a.coat_roughness, b.coat_roughness);
+  out.opacity = mix(a.opacity, b.opacity);
   out.emission = mix(a.emission, b.emission);
   out.thin = (share < 0.5 ? a : b).thin;
   return out;
@@ -28,6 +29,7 @@ const std::vector<Channel>& channels() {
       {"wetness", &Look::wetness},
       {"metallic", &Look::metallic},
       {"transmission", &Look::transmission},
+      {"opacity", &Look::opacity},
       {"emission", nullptr, &Look::emission},
   };
   return all;

@@ -16,6 +16,7 @@ struct Look {
   double subsurface = 0;    ///< Share in whose body light wanders.
   double wetness = 0;       ///< Share that a film of water covers.
   double coat_roughness = 0.1;
+  double opacity = 1;  ///< Share that is there at all; through the rest one looks as if into air.
   Vec3d emission{0, 0, 0};  ///< Radiance that the outside sends out, W/sr/m^2.
   bool thin = false;        ///< A sheet without a body.
 

@@ -5,12 +5,16 @@
 
 namespace vug::exchange {
 
+std::optional<std::filesystem::path> sky_file(const Lamp& lamp, const std::filesystem::path& file,
+                                              const std::string& name) {
+  if (lamp.shape != Lamp::Shape::dome || !lamp.picture) return std::nullopt;
+  return file.parent_path() / fmt::format("{}_{}.exr", file.stem().string(), name);
+}
+
 std::optional<std::filesystem::path> write_sky(const Lamp& lamp, const std::filesystem::path& file,
                                                const std::string& name) {
-  if (lamp.shape != Lamp::Shape::dome || !lamp.picture) return std::nullopt;
-  const std::filesystem::path beside =
-      file.parent_path() / fmt::format("{}_{}.exr", file.stem().string(), name);
-  image::write_exr(beside, *lamp.picture);
+  const auto beside = sky_file(lamp, file, name);
+  if (beside) image::write_exr(*beside, *lamp.picture);
   return beside;
 }
 

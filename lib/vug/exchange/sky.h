@@ -9,8 +9,12 @@
 
 namespace vug::exchange {
 
-/// Writes a dome's picture beside `file`, as FILE_NAME.exr, and gives its path; nothing for domes
-/// of one colour and other lamps.
+/// Where a dome's picture lies: beside `file`, as FILE_NAME.exr; nothing for domes of one colour
+/// and other lamps.
+std::optional<std::filesystem::path> sky_file(const Lamp& lamp, const std::filesystem::path& file,
+                                              const std::string& name);
+
+/// Writes it there.
 std::optional<std::filesystem::path> write_sky(const Lamp& lamp, const std::filesystem::path& file,
                                                const std::string& name);
 

@@ -120,16 +120,21 @@ void write_usd_material(UsdText& out, const Part& part, const std::string& path,
   out.line("token outputs:surface.connect = <{}/surface.outputs:surface>", path);
   out.def("Shader", "surface");
   out.line("uniform token info:id = \"UsdPreviewSurface\"");
+  bool veiled = false;  // what varies in opacity is not clear besides
   for (const Channel& channel : channels()) {
     if (channel.color == &Look::base_color) write_input(out, part, path, channel, "diffuseColor");
     if (channel.color == &Look::emission) write_input(out, part, path, channel, "emissiveColor");
     if (channel.number == &Look::roughness) write_input(out, part, path, channel, "roughness");
     if (channel.number == &Look::metallic) write_input(out, part, path, channel, "metallic");
     if (channel.number == &Look::wetness) write_input(out, part, path, channel, "clearcoat");
+    if (channel.number == &Look::opacity && varies(part, channel)) {
+      write_input(out, part, path, channel, "opacity");
+      veiled = true;
+    }
   }
   out.line("float inputs:clearcoatRoughness = {}", look.coat_roughness);
   out.line("float inputs:ior = {}", weakened(look.ior, look.specular));
-  out.line("float inputs:opacity = {}", 1 - look.transmission);
+  if (!veiled) out.line("float inputs:opacity = {}", (1 - look.transmission) * look.opacity);
   out.line("int inputs:useSpecularWorkflow = 0");
   out.line("token outputs:surface");
   out.end();

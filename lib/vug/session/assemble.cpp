@@ -1,6 +1,8 @@
 #include <vug/session/assemble.h>
 #include <vug/session/bake.h>
 #include <vug/session/cast.h>
+#include <vug/session/cells_plan.h>
+#include <vug/session/picture.h>
 
 #include <fmt/format.h>
 
@@ -60,7 +62,9 @@ class Collector {
       if (!told_.count(key) && !same(bake(object), on_itself(object))) {
         told_.insert(key);
         out_.left_out.push_back(
-            fmt::format("how the look of '{}' varies over its {} places", object.name, places));
+            fmt::format("how the look of '{}' varies over its {} places, which are too many to "
+                        "have a mesh each",
+                        object.name, places));
       }
     }
     return shared_part(key, unplaced(object));
@@ -127,10 +131,9 @@ Vec2i size_of(const Shot& shot, const CameraPlan& camera) {
 /// The cameras, that of the first picture before all others: many programs look through the first.
 std::vector<CameraPlan> in_order(const Shot& shot) {
   std::vector<CameraPlan> cameras = shot.cameras;
-  const RenderPlan plan = shot.renders.empty() ? RenderPlan() : shot.renders.front();
-  std::stable_partition(cameras.begin(), cameras.end(), [&](const CameraPlan& each) {
-    return plan.camera ? each.camera == plan.camera : each.name == plan.name;
-  });
+  const std::string first = camera_name(shot, render_plan(shot, {}));
+  std::stable_partition(cameras.begin(), cameras.end(),
+                        [&](const CameraPlan& each) { return each.name == first; });
   return cameras;
 }
 
@@ -140,7 +143,8 @@ void add_cameras(const Shot& shot, Assembled& out) {
   for (const CameraPlan& plan : in_order(shot)) {
     exchange::Camera camera;
     if (!plan.camera->as_data(camera)) {
-      out.left_out.push_back(fmt::format("camera '{}': it looks all round", plan.name));
+      out.left_out.push_back(
+          fmt::format("the camera '{}', which looks all round: no program is told how", plan.name));
       continue;
     }
     camera.name = plan.name;
@@ -162,8 +166,19 @@ void add_lamps(const Shot& shot, const std::vector<render::LightPtr>& lights, As
                                   : fmt::format("placed_light_{}", out.assembly.lamps.size() + 1);
     if (light->as_data(lamp)) out.assembly.lamps.push_back(lamp);
     if (!light->notes().only.empty() || !light->notes().except.empty())
-      out.left_out.push_back(fmt::format("which objects the light '{}' is for", lamp.name));
+      out.left_out.push_back(
+          fmt::format("for which objects the light '{}' is: it shines on all", lamp.name));
   }
+}
+
+/// A mesh that nobody has made an object of has the name of the cells that it wears; where they
+/// stand on one alone, others know it by its own.
+std::string shown_name(const Shot& shot, const std::string& name) {
+  const auto worn = std::find_if(shot.meshes.begin(), shot.meshes.end(), [&](const MeshPtr& mesh) {
+    return mesh->name == name && mesh->cells && mesh->parts.empty();
+  });
+  const bool own = shot.objects.empty() && worn != shot.meshes.end();
+  return own ? (*worn)->cells->on.at((*worn)->ground)->name : name;
 }
 
 }  // namespace
@@ -187,6 +202,7 @@ Assembled assemble(Builder& builder) {
   out.assembly.provenance = provenance_of(shot);
   Cast cast = cast_of(builder);
   if (cast.lights.empty()) cast.lights.push_back(plain_sky());
+  for (render::Object& object : cast.objects) object.name = shown_name(shot, object.name);
   Collector(cast.objects, out);
   add_cameras(shot, out);
   add_lamps(shot, cast.lights, out);

@@ -1,8 +1,8 @@
 #include <vug/base/parallel.h>
 #include <vug/exchange/channels.h>
-#include <vug/mesh/normals.h>
-#include <vug/render/placing.h>
 #include <vug/session/bake.h>
+#include <vug/session/cut_out.h>
+#include <vug/session/eye.h>
 
 #include <fmt/format.h>
 
@@ -13,68 +13,6 @@ namespace {
 
 /// What varies by less looks the same.
 constexpr double kSame = 1.0 / 1024;
-
-/// A triangle of each vertex, as triangle * 3 + corner.
-std::vector<uint32_t> corners_of(const mesh::Mesh& mesh) {
-  std::vector<uint32_t> out(mesh.positions.size(), UINT32_MAX);
-  for (size_t face = 0; face < mesh.triangles.size(); ++face)
-    for (size_t k = 0; k < 3; ++k) {
-      uint32_t& known = out[mesh.triangles[face][k]];
-      if (known == UINT32_MAX) known = static_cast<uint32_t>(3 * face + k);
-    }
-  return out;
-}
-
-class Eye {
- public:
-  explicit Eye(const render::Object& object)
-      : object_(object),
-        mesh_(*object.mesh),
-        corners_(corners_of(mesh_)),
-        color_(mesh::find_attribute(mesh_, mesh::kColour, 3)) {
-    if (mesh_.normals.empty()) normals_ = mesh::vertex_normals(mesh_);
-    if (object.looks_by_place && object.placing) placing_ = object.placing.get();
-  }
-
-  exchange::Look at(size_t vertex) const {
-    render::Surface surface;
-    surface.mesh = &mesh_;
-    surface.solid = object_.solid.get();
-    surface.position = mesh_.positions[vertex];
-    surface.shading_normal = mesh_.normals.empty() ? normals_[vertex] : mesh_.normals[vertex];
-    if (placing_) {
-      const render::Affine place = placing_->at(0);
-      surface.placing = placing_;
-      surface.looks_by_place = true;
-      surface.position = place.point(surface.position);
-      surface.shading_normal = render::normalized(place.normal(surface.shading_normal));
-    }
-    surface.geometric_normal = surface.shading_normal;
-    if (color_)
-      surface.color = {color_->values[3 * vertex], color_->values[3 * vertex + 1],
-                       color_->values[3 * vertex + 2]};
-    exchange::Look look;
-    if (const uint32_t corner = corners_[vertex]; corner != UINT32_MAX) {
-      surface.triangle = corner / 3;
-      surface.u = corner % 3 == 1 ? 1 : 0;
-      surface.v = corner % 3 == 2 ? 1 : 0;
-      if (object_.material) look = object_.material->look(surface);
-      if (object_.material && object_.material->shines())
-        look.emission = Vec3d(object_.material->emission(surface));
-    }
-    if (!object_.material) look.base_color = Vec3d(surface.color) * 0.5;
-    look.emission += Vec3d(object_.emission);
-    return look;
-  }
-
- private:
-  const render::Object& object_;
-  const mesh::Mesh& mesh_;
-  std::vector<uint32_t> corners_;
-  std::vector<Vec3f> normals_;
-  const mesh::Attribute* color_;
-  const render::Placing* placing_ = nullptr;  ///< That the look depends on.
-};
 
 double part_of(const exchange::Channel& channel, const exchange::Look& look, int part) {
   return channel.color ? (look.*channel.color)[part] : look.*channel.number;
@@ -90,15 +28,19 @@ struct Spread {
   }
 };
 
-}  // namespace
-
-Baked bake(const render::Object& object) {
+/// `solid`: what there is of the mesh is all there.
+Baked bake_as_it_is(const render::Object& object, bool solid) {
   const Eye eye(object);
   mesh::Mesh out = *object.mesh;
   const size_t vertices = out.positions.size();
   Baked baked;
   if (vertices == 0) return {object.mesh, {}};
-  baked.look = eye.at(0);
+  const auto look_at = [&](size_t vertex) {
+    exchange::Look look = eye.at(vertex);
+    if (solid) look.opacity = 1;
+    return look;
+  };
+  baked.look = look_at(0);
   std::vector<mesh::Attribute> found;
   for (const exchange::Channel& channel : exchange::channels())
     found.push_back({std::string(channel.attribute), channel.arity(),
@@ -106,7 +48,7 @@ Baked bake(const render::Object& object) {
   parallel_for(
       vertices,
       [&](size_t v) {
-        const exchange::Look look = eye.at(v);
+        const exchange::Look look = look_at(v);
         for (size_t c = 0; c < found.size(); ++c)
           for (int k = 0; k < found[c].arity; ++k)
             found[c].values[v * static_cast<size_t>(found[c].arity) + static_cast<size_t>(k)] =
@@ -145,6 +87,16 @@ Baked bake(const render::Object& object) {
   }
   baked.mesh = std::make_shared<const mesh::Mesh>(std::move(out));
   return baked;
+}
+
+}  // namespace
+
+Baked bake(const render::Object& object) {
+  std::optional<mesh::Mesh> kept = cut_out(object);
+  if (!kept) return bake_as_it_is(object, false);
+  render::Object cut = object;
+  cut.mesh = std::make_shared<const mesh::Mesh>(std::move(*kept));
+  return bake_as_it_is(cut, true);
 }
 
 }  // namespace vug::session

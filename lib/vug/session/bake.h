@@ -12,7 +12,8 @@ struct Baked {
 };
 
 /// The object's material, seen from outside in the mesh's own space, or where the object stands if
-/// its look depends on that; its "Cd" becomes the body's colour. An attribute of the mesh that is
+/// its look depends on that; its "Cd" becomes the body's colour. Of a mesh with holes that part is
+/// left which is there (see cut_out.h). An attribute of the mesh that is
 /// called like a channel is kept under "raw_NAME".
 Baked bake(const render::Object& object);
 

@@ -4,11 +4,11 @@
 #include <vug/exchange/channels.h>
 #include <vug/exchange/flat_mesh.h>
 #include <vug/exchange/levels.h>
-#include <vug/mesh/format.h>
 #include <vug/session/assemble.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/export_set.h>
 #include <vug/session/export_volume.h>
+#include <vug/session/point_file.h>
 #include <vug/session/write.h>
 #include <vug/volume/io.h>
 #include <vug/volume/placed.h>
@@ -58,29 +58,11 @@ class Names {
   const ExportOptions& options_;
 };
 
-mesh::Mesh as_mesh(const volume::Points& points) {
-  mesh::Mesh out;
-  out.positions = points.position;
-  for (const volume::PointAttribute& each : points.attributes) {
-    mesh::Attribute made{each.name, 1, {}};
-    if (const auto* vectors = std::get_if<std::vector<Vec3f>>(&each.values)) {
-      if (each.name == "N") {
-        out.normals = *vectors;
-        continue;
-      }
-      made.arity = 3;
-      for (const Vec3f& v : *vectors) made.values.insert(made.values.end(), {v.x, v.y, v.z});
-    } else {
-      std::visit(
-          [&](const auto& values) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(values)>, std::vector<Vec3f>>)
-              for (const auto value : values) made.values.push_back(static_cast<float>(value));
-          },
-          each.values);
-    }
-    out.attributes.push_back(std::move(made));
-  }
-  return out;
+/// How many levels of detail there are: not every one that was asked for.
+int levels_of(const exchange::Assembly& assembly) {
+  size_t most = 0;
+  for (const exchange::Part& part : assembly.parts) most = std::max(most, part.coarser.size());
+  return static_cast<int>(most);
 }
 
 class Exporter {
@@ -100,44 +82,60 @@ class Exporter {
   Exported all() {
     Assembled made = assemble(builder_);
     exchange::add_levels(made.assembly, options_.levels, builder_.progress());
-    tell_levels(made.assembly);
+    const int levels = levels_of(made.assembly);
+    tell_levels(made.assembly, levels);
     const Shot& shot = builder_.shot();
     for (const VolumePtr& plan : shot.volumes)
       made.assembly.volumes.push_back(write(export_volume(builder_, plan), names_.volume(*plan)));
     if (has_own_grids(shot))
       made.assembly.volumes.push_back(write(export_medium(builder_), names_.medium()));
     else if (shot.medium && !shot.medium->has_grids())
-      made.left_out.push_back(fmt::format("the medium '{}': it has no grids", shot.medium_name));
+      made.left_out.push_back(
+          fmt::format("the haze '{}', which fills all space and has no grid", shot.medium_name));
     for (const CellsPtr& plan : declared_cells(shot)) write(plan);
     out_.left_out = std::move(made.left_out);
     for (const std::string& name : options_.program->formats) {
       const exchange::Format& format = exchange::format(name);
-      write(format, made.assembly, names_.scene(name));
-      for (int level = 1; level <= options_.levels && !format.levels; ++level)
-        write(format, exchange::at_level(made.assembly, level), names_.scene(name, level));
+      const std::filesystem::path whole = names_.scene(name);
+      tell(write(format, made.assembly, whole), whole);
+      // Coarser files differ in meshes alone: what else there is to tell is told already.
+      for (int level = 1; level <= levels && !format.levels; ++level)
+        write(format, exchange::at_level(made.assembly, level), names_.scene(name, level), whole);
     }
     return std::move(out_);
   }
 
  private:
-  void write(const exchange::Format& format, const exchange::Assembly& assembly,
-             const std::filesystem::path& file) {
-    exchange::Written more = exchange::write(format, assembly, space_, file,
-                                             options_.program->options, builder_.progress());
+  /// `pictures_of`: the file beside which pictures of skies lie already; empty: this one.
+  exchange::Written write(const exchange::Format& format, const exchange::Assembly& assembly,
+                          const std::filesystem::path& file,
+                          const std::filesystem::path& pictures_of = {}) {
+    exchange::FormatOptions options = options_.program->options;
+    options.pictures_of = pictures_of;
+    exchange::Written more =
+        exchange::write(format, assembly, space_, file, options, builder_.progress());
     out_.files.insert(out_.files.end(), more.files.begin(), more.files.end());
-    for (const std::string& what : more.left_out) {
-      const std::string sentence = fmt::format("{} in .{}", what, format.info.name);
-      if (std::find(out_.left_out.begin(), out_.left_out.end(), sentence) == out_.left_out.end())
-        out_.left_out.push_back(sentence);
-    }
+    return more;
   }
-  void tell_levels(const exchange::Assembly& assembly) {
+  void tell(const exchange::Written& written, const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    for (const std::string& what : written.left_out)
+      out_.left_out.push_back(fmt::format("{} ({})", what, name));
+    for (const std::string& what : written.notes)
+      out_.notes.push_back(fmt::format("{} ({})", what, name));
+  }
+  void tell_levels(const exchange::Assembly& assembly, int levels) {
     for (const exchange::Part& part : assembly.parts)
       for (size_t i = 0; i < part.coarser.size(); ++i)
         out_.levels.push_back(
             fmt::format("level {} of '{}': {} of {} triangles, {} off", i + 1, part.name,
                         part.coarser[i].mesh->triangles.size(), part.mesh->triangles.size(),
                         quantity_text(part.coarser[i].distance, Dimension::length)));
+    if (levels == 0 && options_.levels > 0)
+      out_.levels.push_back("no level of detail: the meshes are as coarse as they can be");
+    else if (levels < options_.levels)
+      out_.levels.push_back(
+          fmt::format("level {} is the last: nothing coarser is left of any mesh", levels));
   }
   exchange::Volume write(const ExportVolume& volume, const std::filesystem::path& file) {
     write(file, volume.grids);
@@ -160,8 +158,7 @@ class Exporter {
     move(points);
     const std::filesystem::path file = names_.points(*plan);
     if (!options_.program->points_format.empty()) {
-      mesh::write_mesh(as_mesh(points), file,
-                       exchange::notes_of(provenance_of(builder_.shot()), space_));
+      write_points(points, file, exchange::notes_of(provenance_of(builder_.shot()), space_));
     } else {
       if (plan->half)
         for (volume::PointAttribute& each : points.attributes) each.half = true;

@@ -18,7 +18,7 @@ struct ExportOptions {
   int levels = 0;  ///< Of detail beside the whole: each a quarter as many triangles.
 };
 
-/// The files that export_set is sure to write.
+/// The files that export_set writes, with all levels of detail that are asked for.
 std::vector<std::filesystem::path> export_paths(const Shot& shot,
                                                 const std::filesystem::path& folder,
                                                 const ExportOptions& options);
@@ -27,9 +27,11 @@ std::vector<std::filesystem::path> export_paths(const Shot& shot,
 /// else the program reads; a file NAME_VOLUME.vdb for each volume, and NAME_MEDIUM_medium.vdb of a
 /// cloud that is in a file (see export_volume.h); of cells NAME_CELLS_points and, where the scene
 /// asks for them, the grids of what they carry in NAME_CELLS_grids.vdb; levels of detail in
-/// NAME_lod1.glb and so on, in variants (USD). The builder's shot is one of with_meshes.
+/// NAME_lod1.glb and so on, in variants (USD), as many as are of use. The builder's shot is one of
+/// with_meshes.
 struct Exported : exchange::Written {
-  std::vector<std::string> levels;  ///< In sentences, how far each level is off.
+  std::vector<std::string>
+      levels;  ///< In sentences, how far each level is off, and which is the last.
 };
 Exported export_set(Builder& builder, const std::filesystem::path& folder,
                     const ExportOptions& options);

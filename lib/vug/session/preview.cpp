@@ -188,8 +188,11 @@ Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& op
   exchange::Written written =
       exchange::write(format, made.assembly, *format.space, glb, {}, builder.progress());
   out.left_out = std::move(made.left_out);
-  if (shot.medium) out.left_out.push_back(fmt::format("the medium '{}'", shot.medium_name));
-  out.left_out.insert(out.left_out.end(), written.left_out.begin(), written.left_out.end());
+  if (shot.medium)
+    out.left_out.push_back(
+        fmt::format("the medium '{}': the page shows surfaces", shot.medium_name));
+  for (const auto& more : {written.left_out, written.notes})  // no add-on reads the page
+    out.left_out.insert(out.left_out.end(), more.begin(), more.end());
 
   const std::string mesh = options.mesh.empty() ? largest_mesh(builder) : options.mesh;
   if (!shot.meshes.empty() || !mesh.empty()) {

@@ -6,6 +6,7 @@
 #include <tiny_gltf.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 #include "sample.h"
@@ -55,6 +56,33 @@ TEST_F(Glb, ACubeOfAMetreIsOneMetreWhateverSpaceIsAskedFor) {
   }
 }
 
+TEST_F(Glb, WhatIsThereInPart) {
+  Assembly all = sample();
+  all.parts[0].look.opacity = 0.25;
+  tinygltf::Model model = round_trip(all);
+  EXPECT_EQ(model.materials.at(0).alphaMode, "BLEND");
+  EXPECT_EQ(model.materials[0].pbrMetallicRoughness.baseColorFactor.at(3), 0.25);
+  mesh::Mesh veiled = *all.parts[0].mesh;
+  std::vector<float> opacity(veiled.positions.size(), 1);
+  opacity[2] = 0.5f;
+  veiled.attributes.push_back({"opacity", 1, opacity});
+  all.parts[0].mesh = std::make_shared<const mesh::Mesh>(veiled);
+  model = round_trip(all);
+  EXPECT_EQ(model.materials.at(0).alphaMode, "BLEND");
+  EXPECT_EQ(model.materials[0].pbrMetallicRoughness.baseColorFactor.at(3), 1);
+  const tinygltf::Accessor& colors = model.accessors.at(
+      static_cast<size_t>(model.meshes.at(0).primitives.at(0).attributes.at("COLOR_0")));
+  ASSERT_EQ(colors.type, TINYGLTF_TYPE_VEC4);
+  const tinygltf::BufferView& view = model.bufferViews.at(static_cast<size_t>(colors.bufferView));
+  const auto alpha = [&](size_t vertex) {
+    uint16_t value = 0;
+    std::memcpy(&value, &model.buffers.at(0).data.at(view.byteOffset + 8 * vertex + 6), 2);
+    return value;
+  };
+  EXPECT_EQ(alpha(1), 65535);
+  EXPECT_EQ(alpha(2), 32768);
+}
+
 TEST_F(Glb, EverythingIsThereOnce) {
   const tinygltf::Model model = round_trip(sample());
   EXPECT_EQ(model.meshes.size(), 1u);
@@ -101,10 +129,13 @@ TEST_F(Glb, WattsAreCandelaOver683) {
 TEST_F(Glb, WhatItCannotHoldIsTold) {
   Assembly all = sample();
   all.volumes.push_back({"fog", "sample_fog.vdb", {{"density", "fog volume"}}, Box3d()});
+  all.lamps[3].profile = "lamp.ies";
   round_trip(all);
+  ASSERT_EQ(written_.left_out.size(), 1u);  // a volume lies beside, and is not lost
+  EXPECT_NE(written_.left_out[0].find("profile of the light 'lamp3'"), std::string::npos);
   std::string told;
-  for (const std::string& each : written_.left_out) told += each + "\n";
-  for (const char* what : {"lamp5", "lamp1", "volume 'fog'", "depth of field"})
+  for (const std::string& each : written_.notes) told += each + "\n";
+  for (const char* what : {"sky 'lamp5'", "size of the light 'lamp1'", "depth of field"})
     EXPECT_NE(told.find(what), std::string::npos) << what << " in\n" << told;
 }
 

@@ -65,6 +65,21 @@ TEST(Levels, GoDownAndTellHowFarTheyAreOff) {
   EXPECT_EQ(at_level(sample(), 1).parts[0].mesh->triangles.size(), 12u);
 }
 
+TEST(Levels, StopWhereNothingIsLeft) {
+  Assembly all = sample();
+  all.parts[0].mesh = std::make_shared<const mesh::Mesh>(ball(3));
+  add_levels(all, 8);
+  const std::vector<Level>& levels = all.parts[0].coarser;
+  ASSERT_GE(levels.size(), 2u);
+  EXPECT_LT(levels.size(), 5u);  // of 512 triangles
+  size_t before = all.parts[0].mesh->triangles.size();
+  for (const Level& level : levels) {
+    EXPECT_GE(level.mesh->triangles.size(), 4u);
+    EXPECT_LE(4 * level.mesh->triangles.size(), 3 * before);
+    before = level.mesh->triangles.size();
+  }
+}
+
 TEST(Levels, WhatWillNotGoDownStays) {
   Assembly all = sample();
   all.parts[0].mesh = std::make_shared<const mesh::Mesh>();

@@ -104,6 +104,19 @@ TEST_F(Usda, EverythingIsThereOnce) {
   EXPECT_EQ(count(text, "{"), count(text, "}"));
 }
 
+TEST_F(Usda, WhatIsThereInPart) {
+  Assembly all = sample();
+  all.parts[0].look.opacity = 0.25;
+  EXPECT_EQ(numbers(text_of(all), "inputs:opacity"), std::vector<double>{0.25});
+  mesh::Mesh veiled = *all.parts[0].mesh;
+  veiled.attributes.push_back({"opacity", 1, std::vector<float>(veiled.positions.size(), 0.5f)});
+  all.parts[0].mesh = std::make_shared<const mesh::Mesh>(veiled);
+  const std::string text = text_of(all);
+  EXPECT_EQ(count(text, "float inputs:opacity.connect = <"), 1u);
+  EXPECT_EQ(count(text, "inputs:opacity = "), 0u);
+  EXPECT_EQ(count(text, "string inputs:varname = \"opacity\""), 1u);
+}
+
 TEST_F(Usda, LampsHaveTheirRadianceAndTheSunItsIrradiance) {
   const std::string text = text_of(sample());
   EXPECT_EQ(numbers(text, "inputs:intensity", "SphereLight"), std::vector<double>{4});

@@ -1,6 +1,7 @@
 // Scenes as plain data for other programs.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/paint/leaf_pattern.h>
 #include <vug/session/assemble.h>
 #include <vug/session/export_set.h>
 #include <vug/session/load.h>
@@ -234,8 +235,60 @@ TEST(ExportSet, CloudsOfFilesAndHazeAreTold) {
   const Shot other = with_meshes(haze.shot);
   Builder again(other);
   const std::vector<std::string> told = export_set(again, folder, options).left_out;
-  EXPECT_NE(std::find(told.begin(), told.end(), "the medium 'air': it has no grids"), told.end());
+  EXPECT_NE(
+      std::find(told.begin(), told.end(), "the haze 'air', which fills all space and has no grid"),
+      told.end());
   std::filesystem::remove_all(folder);
+}
+
+constexpr const char* kCard = R"(
+mesh blade { of leaf(length: 1m, width: 20cm, rows: 4, card: true) }
+mesh plain { of leaf(length: 1m, width: 20cm, rows: 60) }
+object cut on blade { material surface(thin: true, opacity: leaf_blade()) }
+object veil on blade { material surface(thin: true, opacity: attribute(name: "leaf_along")) }
+object pane on blade { material surface(thin: true, opacity: 0.25) }
+object whole on plain { material surface(thin: true) }
+)";
+
+double area_of(const mesh::Mesh& mesh) {
+  double area = 0;
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto p = mesh::corners(mesh, i);
+    area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).length();
+  }
+  return area;
+}
+
+TEST(Assemble, OpacityIsCutOutOrKept) {
+  const Made made(kCard);
+  const std::vector<exchange::Part>& parts = made.out.assembly.parts;
+  ASSERT_EQ(parts.size(), 4u);
+  const auto opacity = [](const exchange::Part& part) {
+    return mesh::find_attribute(*part.mesh, "opacity", 1);
+  };
+  // The card is cut to the leaf that the mesh of its outline is; the stalk is a little wider there.
+  const exchange::Part& cut = parts[0];
+  EXPECT_EQ(cut.look.opacity, 1);
+  EXPECT_EQ(opacity(cut), nullptr);
+  EXPECT_NEAR(area_of(*cut.mesh) / area_of(*parts[3].mesh), 1, 0.02);
+  EXPECT_LT(cut.mesh->triangles.size(), 20000u);
+  const auto* across = mesh::find_attribute(*cut.mesh, "leaf_across", 1);
+  const auto* along = mesh::find_attribute(*cut.mesh, "leaf_along", 1);
+  ASSERT_TRUE(across && along);
+  const paint::LeafOutline outline;
+  for (size_t v = 0; v < cut.mesh->positions.size(); ++v)
+    EXPECT_LE(std::fabs(static_cast<double>(across->values[v])),
+              outline.half_width(static_cast<double>(along->values[v])) + 0.01);
+  // What is there in part stays so.
+  ASSERT_NE(opacity(parts[1]), nullptr);
+  EXPECT_EQ(parts[1].mesh->triangles.size(), 16u);
+  const auto* far = mesh::find_attribute(*parts[1].mesh, "leaf_along", 1);
+  for (size_t v = 0; v < far->values.size(); ++v) {
+    const float t = far->values[v];
+    EXPECT_NEAR(opacity(parts[1])->values[v], t * t * (3 - 2 * t), 1e-6f);
+  }
+  EXPECT_EQ(parts[2].look.opacity, 0.25);
+  EXPECT_EQ(opacity(parts[2]), nullptr);
 }
 
 TEST(Assemble, TheCameraOfTheFirstPictureComesFirst) {

@@ -36,10 +36,11 @@ int run(const Options& options) {
                            terminal_progress(options.work.bar()));
   const session::Exported written = session::export_set(builder, options.folder, what);
   for (const auto& path : written.files) fmt::print("{}\n", path.string());
-  if (options.work.quiet) return kDone;
   clear_bar();
-  for (const std::string& each : written.levels) fmt::print(stderr, "{}\n", each);
   for (const std::string& each : written.left_out) fmt::print(stderr, "left out: {}\n", each);
+  if (options.work.quiet) return kDone;
+  for (const std::string& each : written.notes) fmt::print(stderr, "note: {}\n", each);
+  for (const std::string& each : written.levels) fmt::print(stderr, "{}\n", each);
   options.work.summarise(builder);
   return kDone;
 }

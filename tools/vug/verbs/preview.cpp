@@ -55,11 +55,11 @@ int run(Options options) {
   const session::Preview made = session::preview(builder, loaded, what);
   write_text(options.output, made.page);
   fmt::print("{}\n", options.output);
-  if (options.work.quiet) return kDone;
   clear_bar();
+  for (const std::string& each : made.left_out) fmt::print(stderr, "left out: {}\n", each);
+  if (options.work.quiet) return kDone;
   if (made.triangles < made.whole)
     fmt::print(stderr, "thinned out to {} of {} triangles\n", made.triangles, made.whole);
-  for (const std::string& each : made.left_out) fmt::print(stderr, "left out: {}\n", each);
   options.work.summarise(builder);
   return kDone;
 }

@@ -56,10 +56,7 @@ class Writer {
   }
 
   void add_volumes() {
-    for (const Volume& volume : assembly_.volumes) {
-      left_out_.push_back(fmt::format("volume '{}': it is in {}", volume.name, volume.file));
-      volumes_.push_back(gltf_volume(volume));
-    }
+    for (const Volume& volume : assembly_.volumes) volumes_.push_back(gltf_volume(volume));
   }
 
   Written save() {
@@ -77,13 +74,17 @@ class Writer {
                   fmt::format("cannot write '{}': {}", file_.string(), std::strerror(errno)));
     target.commit();
     files_.insert(files_.begin(), file_);
-    return {files_, left_out_};
+    return {files_, left_out_, notes_};
   }
 
  private:
   void use(const std::string& extension) {
     auto& used = model_.extensionsUsed;
     if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+  }
+  /// What glTF has no words for and this add-on of ours reads.
+  void in_extras(const std::string& what) {
+    notes_.push_back(what + ": glTF has no words for it, only Vug's add-on for Blender reads it");
   }
   void stand(tinygltf::Node node) {
     model_.nodes.push_back(std::move(node));
@@ -125,7 +126,7 @@ class Writer {
   void add_group(const Group& group) {
     const Part& part = assembly_.parts.at(group.part);
     if (part.mesh->triangles.empty()) {
-      left_out_.push_back(fmt::format("'{}': its mesh is empty", group.name));
+      left_out_.push_back(fmt::format("'{}', whose mesh is empty", group.name));
       return;
     }
     const bool many = group.places.size() > 1;
@@ -185,8 +186,7 @@ class Writer {
     if (camera.aperture > 0) {
       extras.emplace("vug:aperture", Value(camera.aperture));
       extras.emplace("vug:focus", Value(camera.focus));
-      left_out_.push_back(
-          fmt::format("depth of field of the camera '{}': only in its extras", camera.name));
+      in_extras(fmt::format("the depth of field of the camera '{}'", camera.name));
     }
     if (!extras.empty()) made.extras = Value(extras);
     model_.cameras.push_back(std::move(made));
@@ -197,10 +197,13 @@ class Writer {
 
   /// Skies share a file's stem, so a scene's second has another name.
   void add_sky(const Lamp& dome) {
-    const auto picture = write_sky(dome, file_, names_.unique(dome.name));
-    if (picture) files_.push_back(*picture);
+    const std::string name = names_.unique(dome.name);
+    const bool there = !options_.pictures_of.empty();
+    const auto picture =
+        there ? sky_file(dome, options_.pictures_of, name) : write_sky(dome, file_, name);
+    if (picture && !there) files_.push_back(*picture);
     skies_.push_back(gltf_sky(dome, picture ? picture->filename().string() : ""));
-    left_out_.push_back(fmt::format("light '{}': glTF has no skies", dome.name));
+    in_extras(fmt::format("the sky '{}'", dome.name));
   }
 
   void add_lamp(const Lamp& lamp) {
@@ -222,12 +225,13 @@ class Writer {
       made.spot.outerConeAngle = outer;
       made.spot.innerConeAngle = std::min(outer * (1 - lamp.edge), outer * (1 - 1e-6));
       if (lamp.angle > kPi)
-        left_out_.push_back(fmt::format("light '{}': its cone ends at 180 degrees", lamp.name));
+        left_out_.push_back(fmt::format(
+            "what the light '{}' sends out behind it: a cone ends at 180 degrees", lamp.name));
     }
     if (lamp.shape == Shape::rectangle || lamp.shape == Shape::disk) {
       made.spot.outerConeAngle = 0.5 * kPi;
       made.spot.innerConeAngle = 0;
-      left_out_.push_back(fmt::format("the size of the light '{}': it is a spot there", lamp.name));
+      in_extras(fmt::format("the size of the light '{}', which is a spot to others", lamp.name));
     }
     if (lamp.shape == Shape::rectangle) {
       shape.emplace("vug:width", Value(lamp.width));
@@ -238,7 +242,8 @@ class Writer {
       shape.emplace("vug:radius", Value(lamp.radius));
     }
     if (!lamp.profile.empty())
-      left_out_.push_back(fmt::format("the profile of the light '{}'", lamp.name));
+      left_out_.push_back(
+          fmt::format("the measured profile of the light '{}', which shines evenly", lamp.name));
     made.extras = Value(shape);
     model_.lights.push_back(std::move(made));
     use("KHR_lights_punctual");
@@ -257,7 +262,7 @@ class Writer {
   Names names_;  ///< Of pictures of skies.
   Value::Array skies_, volumes_;
   std::vector<std::filesystem::path> files_;  ///< Beside the scene's.
-  std::vector<std::string> left_out_;
+  std::vector<std::string> left_out_, notes_;
 };
 
 Written write_glb(const Assembly& assembly, const std::filesystem::path& file,
