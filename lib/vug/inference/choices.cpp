@@ -72,4 +72,9 @@ int Choices::among(const Profile& profile, int low, int high, int told) {
   return made;
 }
 
+void Choices::append(const Choices& others) {
+  made_.insert(made_.end(), others.made_.begin(), others.made_.end());
+  ln_ += others.ln_;
+}
+
 }  // namespace vug::inference

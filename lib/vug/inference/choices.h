@@ -32,6 +32,9 @@ class Choices {
   /// A place in the profile's window [low, high).
   int among(const Profile& profile, int low, int high, int told = 0);
 
+  /// Appends choices that were told elsewhere, as they are.
+  void append(const Choices& others);
+
   /// -infinity when one that was told could not have been drawn, as for windows without a place.
   double ln_probability() const { return ln_; }
   bool possible() const;

@@ -1,0 +1,44 @@
+// Columns and rows of a grid's cells as lines come and go.
+#pragma once
+
+#include <vug/fit/move.h>
+
+namespace vug::fit {
+
+/// A grid seen along x, where its lines are columns, or along y.
+class GridAxis {
+ public:
+  GridAxis(const Workshop& shop, State& state, int i, bool along_x);
+
+  Node& grid;
+  Lines& lines;
+  int16_t& count;
+  int room;    ///< Of the area, in pixels.
+  int origin;  ///< Of the area in the picture.
+  const inference::Profile& profile;
+  bool regular;
+  /// Whether cells have kinds: the grid's windows may differ and it has some.
+  bool differing;
+  int kinds = 0;  ///< Of windows.
+
+  int at(int line) const { return lines[static_cast<size_t>(line)]; }
+  int pitch() const { return count > 1 ? at(1) - at(0) : 0; }
+
+  /// Makes room for a line there, its cells empty; and takes one out.
+  void open(int line, int place);
+  void close(int line);
+  /// Chooses, or tells as they are, the kinds of a line's cells: alike, as they mostly are, or
+  /// each by itself. False where the latter came out alike, which has a way of its own.
+  bool choose_cells(int line, Choices& choices);
+  bool same_cells(int line, int other) const;
+  void copy_cells(int from, int to);
+
+ private:
+  int across() const;
+  bool alike(int line) const;
+  int kind(int line, int other) const;
+  void set_kind(int line, int other, int kind);
+  bool along_x_;
+};
+
+}  // namespace vug::fit

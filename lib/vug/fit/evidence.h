@@ -1,0 +1,60 @@
+// What is known of a picture's pixels, summed up over rectangles in no time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vug::fit {
+
+constexpr int kMostLanes = 8;
+/// Sums over pixels, one a lane: pixels of each cluster, or code lengths under each look.
+struct alignas(32) Sums {
+  std::array<uint32_t, kMostLanes> lane{};
+
+  Sums& operator+=(const Sums& other) {
+    for (size_t i = 0; i < lane.size(); ++i) lane[i] += other.lane[i];
+    return *this;
+  }
+  Sums& operator-=(const Sums& other) {
+    for (size_t i = 0; i < lane.size(); ++i) lane[i] -= other.lane[i];
+    return *this;
+  }
+  bool operator==(const Sums&) const = default;
+};
+
+/// Summed area tables (cite crow1984). Sums are modulo 2^32, so differences are right as long as
+/// the whole picture's fit.
+class Evidence {
+ public:
+  /// `lanes` numbers for each pixel, row after row from the top. Error(bad_input) for sizes that
+  /// are not positive or do not fit, Error(too_large) where a lane's sum exceeds 32 bits.
+  Evidence(int width, int height, int lanes, const std::vector<uint32_t>& values);
+  /// One lane for each cluster 0..lanes-1, from the clusters of the pixels.
+  static Evidence of_clusters(int width, int height, int lanes,
+                              const std::vector<uint8_t>& clusters);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int lanes() const { return lanes_; }
+
+  /// Over the pixels with x0 <= x < x1 and y0 <= y < y1, y downwards.
+  Sums sums(int x0, int y0, int x1, int y1) const {
+    Sums out = at(x1, y1);
+    out -= at(x0, y1);
+    out -= at(x1, y0);
+    out += at(x0, y0);
+    return out;
+  }
+
+ private:
+  const Sums& at(int x, int y) const {
+    return table_[static_cast<size_t>(y) * static_cast<size_t>(width_ + 1) +
+                  static_cast<size_t>(x)];
+  }
+
+  int width_, height_, lanes_;
+  std::vector<Sums> table_;
+};
+
+}  // namespace vug::fit

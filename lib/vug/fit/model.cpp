@@ -1,0 +1,232 @@
+// Bits of a tree: c(T) = nodes * log2(symbols) + bits of all parameters (cite ripperda2009), and
+// those of the pixels. Counts take 4 bits, places and sizes as many as the picture's width or
+// height needs.
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/fit/model.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace vug::fit {
+namespace {
+
+constexpr int kCountBits = 4;
+static_assert(kMostLines == 1 << kCountBits);
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+Rect rect_of(const Node& node) {
+  return {node.x, node.y, node.x + node.width, node.y + node.height};
+}
+
+/// Calls visit(part, rect) for each window of a grid, in the grid's area; none where its door is.
+template <class Visit>
+void each_window(const Rules& rules, const Tree& tree, int i, const Visit& visit) {
+  const Node& grid = tree[i];
+  const Node& last = tree[tree.end(i) - 1];
+  const bool has_door = rules.symbol(last.symbol).look != Look::window;
+  const Rect door = has_door ? rect_of(last) : Rect{};
+  const bool identical = rules.symbol(grid.symbol).identical;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const int kind = identical ? 1 : grid.kind(column, row);
+      if (kind == 0) continue;
+      const int part = i + kind;
+      const int x = grid.left[static_cast<size_t>(column)], y = grid.top[static_cast<size_t>(row)];
+      const Rect rect{x, y, x + tree[part].width, y + tree[part].height};
+      if (!has_door || !overlap(rect, door)) visit(part, rect);
+    }
+}
+
+}  // namespace
+
+int bits_for(int range) {
+  int bits = 0;
+  while (bits < 31 && (1 << bits) < range) ++bits;
+  return bits;
+}
+
+Rules indexed(Rules rules) {
+  rules.of.assign(rules.symbols.size(), {});
+  for (size_t i = 0; i < rules.productions.size(); ++i)
+    rules.of[static_cast<size_t>(rules.productions[i].head)].push_back(static_cast<int>(i));
+  return rules;
+}
+
+Model::Model(const Rules& rules, const Limits& limits, int width, int height,
+             const Evidence* evidence, LikelihoodPtr likelihood)
+    : rules_(&rules),
+      limits_(limits),
+      width_(width),
+      height_(height),
+      evidence_(evidence),
+      likelihood_(std::move(likelihood)),
+      symbol_bits_(maths::log(static_cast<double>(rules.symbols.size())) / 0.69314718055994530942),
+      x_bits_(bits_for(width)),
+      y_bits_(bits_for(height)) {
+  constexpr int kMost = std::numeric_limits<int16_t>::max();
+  if (width < 1 || height < 1 || width > kMost || height > kMost)
+    throw Error(ErrorCode::bad_input, "a facade has between 1 and 32767 pixels in each direction");
+  if (limits.least < 1 || limits.most_lines > kMostLines || limits.most_kinds > kMostKinds)
+    throw Error(ErrorCode::bad_input, "the limits of facade trees are out of range");
+  if (evidence && (evidence->width() != width || evidence->height() != height))
+    throw Error(ErrorCode::bad_input, "the evidence has another size than the facade");
+}
+
+State Model::state_of(Tree tree) const {
+  State state;
+  state.tree = std::move(tree);
+  const size_t count = state.tree.nodes.size();
+  state.areas.resize(count);
+  state.bits.resize(count);
+  state.known.assign(count, 0);
+  return state;
+}
+
+double Model::complexity(const Tree& tree, int i) const {
+  const Node& node = tree[i];
+  if (i == 0) return symbol_bits_;
+  const SymbolInfo& symbol = rules_->symbol(node.symbol);
+  int bits = 0;
+  switch (static_cast<Op>(node.made_by)) {
+    case Op::rows:
+      bits = node.extent > 0 ? y_bits_ : 0;
+      break;
+    case Op::repeat:
+      bits = kCountBits;
+      break;
+    case Op::mirror:
+    case Op::elements:
+      bits = node.extent > 0 ? x_bits_ : 0;
+      break;
+    case Op::grid:
+      bits = 2 * kCountBits + x_bits_ + y_bits_;
+      bits += symbol.regular ? x_bits_ + y_bits_
+                             : (node.columns - 1) * x_bits_ + (node.rows - 1) * y_bits_;
+      if (node.production >= 0 && !symbol.identical) {
+        const Node& last = tree[tree.end(i) - 1];
+        const bool has_door = rules_->symbol(last.symbol).look != Look::window;
+        const int kinds = node.size - 1 - (has_door ? 1 : 0);
+        bits += node.columns * node.rows * bits_for(kinds + 1);
+      }
+      break;
+    case Op::windows:
+      bits = x_bits_ + y_bits_;
+      if (symbol.look != Look::window) bits *= 2;
+      break;
+    case Op::terminal:
+      bits = 2 * (x_bits_ + y_bits_);
+      break;
+  }
+  return symbol_bits_ + bits;
+}
+
+double Model::complexity(const Tree& tree) const {
+  double bits = 0;
+  for (int i = 0; i < tree.size(); ++i) bits += complexity(tree, i);
+  return bits;
+}
+
+Sums Model::sum(const State& state, const Area& area, int x, int y, int width, int height) const {
+  Sums out;
+  for (int place = 0; place < area.count; ++place) {
+    const Rect rect = in_picture(area, state.frame(area, place), x, y, width, height);
+    out += evidence_->sums(rect.x0, rect.y0, rect.x1, rect.y1);
+  }
+  return out;
+}
+
+double Model::pixels(const State& state, int i) const {
+  if (!likelihood_) return 0;
+  const Tree& tree = state.tree;
+  const Node& node = tree[i];
+  if (rules_->symbol(node.symbol).terminal) return 0;
+  const Area& area = state.area(i);
+  const auto whole = [&] { return sum(state, area, 0, 0, area.width, area.height); };
+  if (node.production < 0) return likelihood_->bits(Look::wall, whole());
+  switch (rules_->production(node.production).op) {
+    case Op::rows:
+    case Op::grid:
+    case Op::elements:
+      return 0;
+    case Op::repeat:
+    case Op::mirror: {
+      // Pixels that are left over where the width is no multiple of the part's.
+      const Area& part = state.area(i + 1);
+      if (tree.end(i + 1) < tree.end(i)) return 0;
+      if (area.width * area.count == part.width * part.count) return 0;
+      Sums rest = whole();
+      rest -= sum(state, part, 0, 0, part.width, part.height);
+      return likelihood_->bits(Look::wall, rest);
+    }
+    case Op::windows: {
+      std::array<Sums, kMostKinds> kinds{};
+      Sums wall = whole();
+      each_window(*rules_, tree, i, [&](int part, const Rect& r) {
+        kinds[static_cast<size_t>(part - i - 1)] +=
+            sum(state, area, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
+      });
+      double bits = 0;
+      for (int part = i + 1; part < tree.end(i); ++part) {
+        const Node& seen = tree[part];
+        const Look look = rules_->symbol(seen.symbol).look;
+        const Sums sums = look == Look::window
+                              ? kinds[static_cast<size_t>(part - i - 1)]
+                              : sum(state, area, seen.x, seen.y, seen.width, seen.height);
+        bits += likelihood_->bits(look, sums);
+        wall -= sums;
+      }
+      return bits + likelihood_->bits(Look::wall, wall);
+    }
+    case Op::terminal: {
+      const Node& seen = tree[i + 1];
+      const Sums sums = sum(state, area, seen.x, seen.y, seen.width, seen.height);
+      Sums wall = whole();
+      wall -= sums;
+      return likelihood_->bits(rules_->symbol(seen.symbol).look, sums) +
+             likelihood_->bits(Look::wall, wall);
+    }
+  }
+  return 0;
+}
+
+double Model::energy(State& state) const {
+  if (!state.placed && !place(state)) return std::numeric_limits<double>::infinity();
+  double all = 0;
+  for (int i = 0; i < state.tree.size(); ++i) {
+    const auto at = static_cast<size_t>(i);
+    if (!state.known[at]) {
+      state.bits[at] = complexity(state.tree, i) + pixels(state, i);
+      state.known[at] = 1;
+    }
+    all += state.bits[at];
+  }
+  return all;
+}
+
+void Model::each_terminal(const State& state,
+                          const std::function<void(Look, int, const Rect&)>& visit) const {
+  const Tree& tree = state.tree;
+  const auto everywhere = [&](int i, int part, const Rect& r) {
+    const Area& area = state.area(i);
+    for (int place = 0; place < area.count; ++place)
+      visit(rules_->symbol(tree[part].symbol).look, part,
+            in_picture(area, state.frame(area, place), r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0));
+  };
+  for (int i = 0; i < tree.size(); ++i) {
+    if (tree[i].production < 0) continue;
+    const Op op = rules_->production(tree[i].production).op;
+    if (op == Op::windows)
+      each_window(*rules_, tree, i, [&](int part, const Rect& r) { everywhere(i, part, r); });
+    if (op != Op::windows && op != Op::terminal) continue;
+    for (int part = i + 1; part < tree.end(i); ++part)
+      if (op == Op::terminal || rules_->symbol(tree[part].symbol).look != Look::window)
+        everywhere(i, part, rect_of(tree[part]));
+  }
+}
+
+}  // namespace vug::fit

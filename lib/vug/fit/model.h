@@ -1,0 +1,76 @@
+// What is asked of a tree: whether it is one, where its areas lie, and how many bits it costs.
+#pragma once
+
+#include <vug/fit/likelihood.h>
+#include <vug/fit/state.h>
+
+#include <functional>
+
+namespace vug::fit {
+
+/// A rectangle of a picture in pixels, its top row being 0: x0 <= x < x1, y0 <= y < y1.
+struct Rect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool operator==(const Rect&) const = default;
+};
+
+/// Rules, limits and evidence; all the same for all chains.
+class Model {
+ public:
+  /// What is referred to must outlive the model. `evidence` and `likelihood` may be null: then
+  /// pixels cost nothing, which leaves the prior.
+  Model(const Rules& rules, const Limits& limits, int width, int height,
+        const Evidence* evidence = nullptr, LikelihoodPtr likelihood = nullptr);
+
+  const Rules& rules() const { return *rules_; }
+  const Limits& limits() const { return limits_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// The axiom alone.
+  State start() const { return state_of({{Node{.symbol = static_cast<int16_t>(rules_->axiom)}}}); }
+  State state_of(Tree tree) const;
+
+  /// Places the areas. False where the tree is none: something does not fit into its area, is
+  /// smaller than the least, overlaps, or is more than the limits allow.
+  bool place(State& state) const;
+  /// Whether the parameters of node i and its terminal parts fit into its area.
+  bool fits(const State& state, int i) const;
+
+  /// Bits of the tree and its pixels; computes what is not known.
+  double energy(State& state) const;
+  /// c(T): bits of the nodes' symbols and parameters alone.
+  double complexity(const Tree& tree) const;
+  double complexity(const Tree& tree, int i) const;
+  /// Bits of the pixels that node i answers for.
+  double pixels(const State& state, int i) const;
+
+  /// Calls visit(look, node, rect) for everything that is seen, in the picture: windows, doors.
+  /// The node is the terminal.
+  void each_terminal(const State& state,
+                     const std::function<void(Look, int, const Rect&)>& visit) const;
+
+  /// In the picture, of a rectangle of an area in one of its places.
+  static Rect in_picture(const Area& area, const Frame& frame, int x, int y, int width,
+                         int height) {
+    const int left = frame.mirrored ? frame.x + area.width - x - width : frame.x + x;
+    return {left, area.y + y, left + width, area.y + y + height};
+  }
+
+ private:
+  bool place_parts(State& state, int i) const;
+  Sums sum(const State& state, const Area& area, int x, int y, int width, int height) const;
+
+  const Rules* rules_;
+  Limits limits_;
+  int width_, height_;
+  const Evidence* evidence_;
+  LikelihoodPtr likelihood_;
+  double symbol_bits_;
+  int x_bits_, y_bits_;
+};
+
+/// Bits that count `range` values.
+int bits_for(int range);
+
+}  // namespace vug::fit

@@ -1,0 +1,67 @@
+// What a file of a move needs. Moves change a tree and tell how they would be taken back; see
+// inference/choices.h.
+#pragma once
+
+#include <vug/base/kind.h>
+#include <vug/fit/parts.h>
+#include <vug/inference/chain.h>
+
+namespace vug::fit {
+
+using inference::Choices;
+
+struct MoveKind {
+  KindInfo info;
+  double weight = 1;  ///< How often it is tried, beside the others.
+  bool (*propose)(const Workshop&, State&, Choices& forward, Choices& back) = nullptr;
+};
+
+/// One file a kind in moves/.
+const std::vector<const MoveKind*>& move_kinds();
+
+/// All moves, or those of the names, for chains; the workshop must outlive them.
+inference::Moves<State> moves(const Workshop& shop, const std::vector<std::string>& names = {});
+
+/// One of the nodes for which `fits(node index)` holds, all alike; -1 where there is none.
+template <class Fits>
+int pick(const State& state, Choices& forward, const Fits& fits) {
+  int count = 0;
+  for (int i = 0; i < state.tree.size(); ++i) count += fits(i) ? 1 : 0;
+  if (count == 0) return -1;
+  int left = forward.below(count);
+  for (int i = 0; i < state.tree.size(); ++i)
+    if (fits(i) && left-- == 0) return i;
+  return -1;
+}
+
+/// Tells that node `which` would be picked.
+template <class Fits>
+void tell_pick(const State& state, Choices& back, int which, const Fits& fits) {
+  int count = 0, place = -1;
+  for (int i = 0; i < state.tree.size(); ++i) {
+    if (!fits(i)) continue;
+    if (i == which) place = count;
+    ++count;
+  }
+  back.below(count, place);
+}
+
+/// A step of 1 to 16 pixels to either side, short ones more often; told back with its sign turned.
+inline int step(Choices& forward, Choices& back) {
+  const int scale = forward.below(3);
+  const bool down = forward.flip();
+  const int size = forward.between(1, 1 << (2 * scale));
+  back.below(3, scale);
+  back.flip(!down);
+  back.between(1, 1 << (2 * scale), size);
+  return down ? -size : size;
+}
+
+inline bool is_grid(const Workshop& shop, const State& state, int i) {
+  return shop.model.rules().symbol(state.tree[i].symbol).grid;
+}
+
+}  // namespace vug::fit
+
+/// Opens the one definition that a move's file exports, from outside of any namespace.
+#define VUG_MOVE(name) VUG_EXPORT_KIND(vug::fit, MoveKind, name##_move)

@@ -1,0 +1,42 @@
+// Changes what stands in one cell, or in a whole column or row of cells, of a grid whose windows
+// differ.
+#include <vug/fit/cells.h>
+
+namespace vug::fit {
+namespace {
+
+bool cell(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const Rules& rules = shop.model.rules();
+  const auto fits = [&](int i) {
+    return is_grid(shop, state, i) && state.tree[i].production >= 0 &&
+           !rules.symbol(state.tree[i].symbol).identical;
+  };
+  const int i = pick(state, forward, fits);
+  if (i < 0) return false;
+  tell_pick(state, back, i, fits);
+  state.changed(i);
+  const bool whole_line = forward.flip(), along_x = forward.flip();
+  back.flip(whole_line), back.flip(along_x);
+  GridAxis axis(shop, state, i, along_x);
+  const int line = forward.below(axis.count);
+  back.below(axis.count, line);
+  if (whole_line) {
+    axis.choose_cells(line, back);
+    return axis.choose_cells(line, forward);
+  }
+  Node& grid = axis.grid;
+  const int across = along_x ? grid.rows : grid.columns;
+  const int other = forward.below(across);
+  back.below(across, other);
+  const int column = along_x ? line : other, row = along_x ? other : line;
+  back.below(axis.kinds + 1, grid.kind(column, row));
+  grid.set_kind(column, row, forward.below(axis.kinds + 1));
+  return true;
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(cell) {
+  return {{"cell", "move", "Changes what stands in cells of a grid.", "", {}}, 2, cell};
+}

@@ -1,0 +1,46 @@
+// Moves the line between two parts: the ground floor and what is above it, two elements, or the
+// sides and the middle of a symmetric part.
+#include <vug/fit/move.h>
+
+namespace vug::fit {
+namespace {
+
+bool divide(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  Tree& tree = state.tree;
+  const auto fits = [&](int i) {
+    return tree[i].extent > 0 && static_cast<Op>(tree[i].made_by) != Op::repeat;
+  };
+  const int i = pick(state, forward, fits);
+  if (i < 0) return false;
+  tell_pick(state, back, i, fits);
+  const Op op = static_cast<Op>(tree[i].made_by);
+  const bool far = op == Op::rows && forward.flip();
+  if (op == Op::rows) back.flip(far);
+  int by = 0;
+  if (far) {  // to a place that the picture hints at
+    const Area& above = state.area(tree.parent(i));
+    const int bottom = above.y + above.height, least = shop.model.limits().least;
+    const int low = above.y + least, high = bottom - least + 1;
+    back.among(shop.hints.floor, low, high, bottom - tree[i].extent);
+    by = bottom - forward.among(shop.hints.floor, low, high) - tree[i].extent;
+  } else {
+    by = step(forward, back) * (op == Op::mirror ? 2 : 1);
+  }
+  tree[i].extent = static_cast<int16_t>(tree[i].extent + by);
+  const int next = tree.end(i);  // of elements the one behind takes up what this one leaves
+  if (op == Op::elements && tree[next].extent > 0) {
+    tree[next].extent = static_cast<int16_t>(tree[next].extent - by);
+    state.changed(next);
+    if (tree[next].extent <= 0) return false;
+  }
+  state.changed(i);
+  state.moved();
+  return tree[i].extent > 0 && shop.model.place(state);
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(divide) {
+  return {{"divide", "move", "Moves the line between two parts of an area.", "", {}}, 2, divide};
+}

@@ -1,0 +1,50 @@
+// Puts a door into a grid, or takes it out.
+#include <vug/fit/move.h>
+
+namespace vug::fit {
+namespace {
+
+/// The production of a symbol to windows of the same kind with, or without, something else; -1.
+int other_way(const Rules& rules, int symbol, int way, bool with_door) {
+  for (const int other : rules.productions_of(symbol)) {
+    const Production& production = rules.production(other);
+    if (production.op == Op::windows && (production.parts.size() > 1) == with_door &&
+        production.parts[0] == rules.production(way).parts[0])
+      return other;
+  }
+  return -1;
+}
+
+bool door(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const Rules& rules = shop.model.rules();
+  Tree& tree = state.tree;
+  const auto fits = [&](int i) {
+    return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::windows;
+  };
+  const int i = pick(state, forward, fits);
+  if (i < 0) return false;
+  tell_pick(state, back, i, fits);
+  const bool has_door = rules.production(tree[i].production).parts.size() > 1;
+  const int way = other_way(rules, tree[i].symbol, tree[i].production, !has_door);
+  if (way < 0) return false;
+  Node node;
+  if (has_door) {
+    choose_rect(shop, state, i, back, tree[tree.end(i) - 1], node);
+    state.erase(i, tree.end(i) - 1);
+  } else {
+    choose_rect(shop, state, i, forward, {}, node);
+    node.symbol = static_cast<int16_t>(rules.production(way).parts[1]);
+    node.made_by = static_cast<int8_t>(Op::windows);
+    state.insert(i, tree.end(i), node);
+  }
+  tree[i].production = static_cast<int16_t>(way);
+  state.changed(i);
+  return true;
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(door) {
+  return {{"door", "move", "Puts a door into a grid, or takes it out.", "", {}}, 1, door};
+}

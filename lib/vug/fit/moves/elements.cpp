@@ -1,0 +1,53 @@
+// Splits an element that is not rewritten yet in two, or merges two such neighbours.
+#include <vug/fit/move.h>
+
+namespace vug::fit {
+namespace {
+
+bool elements(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const Limits& limits = shop.model.limits();
+  Tree& tree = state.tree;
+  const auto plain = [&](int i) {
+    return static_cast<Op>(tree[i].made_by) == Op::elements && tree[i].production < 0;
+  };
+  const auto pair = [&](int i) {  // with the element behind it
+    if (!plain(i)) return false;
+    const int above = tree.parent(i), next = tree.end(i);
+    return next < tree.end(above) && plain(next);
+  };
+  const bool split = forward.flip();
+  back.flip(!split);
+  const int i = split ? pick(state, forward, plain) : pick(state, forward, pair);
+  if (i < 0) return false;
+  const int above = tree.parent(i);
+  const int width = state.area(i).width, least = limits.least;
+  if (split) {
+    const bool last = tree.end(i) == tree.end(above);
+    const int first = forward.between(least, width - least);
+    if (!forward.possible()) return false;
+    Node node = tree[i];
+    node.extent = static_cast<int16_t>(last ? 0 : width - first);
+    tree[i].extent = static_cast<int16_t>(first);
+    state.changed(i);
+    state.insert(above, i + 1, node);
+    tell_pick(state, back, i, pair);
+    return shop.model.place(state);
+  }
+  const int next = tree.end(i);
+  const int both = width + state.area(next).width;
+  const bool last = tree.end(next) == tree.end(above);
+  state.erase(above, next);
+  tree[i].extent = static_cast<int16_t>(last ? 0 : both);
+  state.changed(i);
+  tell_pick(state, back, i, plain);
+  back.between(least, both - least, width);
+  return shop.model.place(state);
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(elements) {
+  return {
+      {"elements", "move", "Splits an empty element in two, or merges two.", "", {}}, 1, elements};
+}

@@ -1,0 +1,110 @@
+// Turns a grid into one of another type. Lines of a regular grid move a little when it becomes
+// irregular; back again they must be near to those of some distance.
+#include <vug/fit/move.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace vug::fit {
+namespace {
+
+constexpr int kMostJitter = 2;  // pixels
+
+/// Distances for which the lines of a regular grid, beginning at the first, are near to all.
+std::vector<int> pitches(const Lines& lines, int count) {
+  std::vector<int> out;
+  const int first = lines[0], middle = lines[1] - first;
+  for (int pitch = std::max(1, middle - kMostJitter); pitch <= middle + kMostJitter; ++pitch) {
+    bool near = true;
+    for (int i = 1; i < count; ++i)
+      near = near && std::abs(lines[static_cast<size_t>(i)] - first - i * pitch) <= kMostJitter;
+    if (near) out.push_back(pitch);
+  }
+  return out;
+}
+
+void loosen(Lines& lines, int count, Choices& forward, Choices& back) {
+  if (count < 2) return;
+  const int pitch = lines[1] - lines[0];
+  for (int i = 1; i < count; ++i)
+    lines[static_cast<size_t>(i)] = static_cast<int16_t>(
+        lines[static_cast<size_t>(i)] + forward.between(-kMostJitter, kMostJitter));
+  const std::vector<int> near = pitches(lines, count);
+  back.below(static_cast<int>(near.size()),
+             static_cast<int>(std::find(near.begin(), near.end(), pitch) - near.begin()));
+}
+
+bool straighten(Lines& lines, int count, Choices& forward, Choices& back) {
+  if (count < 2) return true;
+  const std::vector<int> near = pitches(lines, count);
+  if (near.empty()) return false;
+  const int pitch = near[static_cast<size_t>(forward.below(static_cast<int>(near.size())))];
+  for (int i = 1; i < count; ++i) {
+    int16_t& line = lines[static_cast<size_t>(i)];
+    const int straight = lines[0] + i * pitch;
+    back.between(-kMostJitter, kMostJitter, line - straight);
+    line = static_cast<int16_t>(straight);
+  }
+  return true;
+}
+
+bool grid_type(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const Rules& rules = shop.model.rules();
+  Tree& tree = state.tree;
+  const auto fits = [&](int i) {
+    return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::grid;
+  };
+  const int above = pick(state, forward, fits);
+  if (above < 0) return false;
+  tell_pick(state, back, above, fits);
+  std::vector<int> types;  // productions to grids
+  for (const int way : rules.productions_of(tree[above].symbol))
+    if (rules.production(way).op == Op::grid) types.push_back(way);
+  const auto count = static_cast<int>(types.size());
+  const int type = types[static_cast<size_t>(forward.below(count))];
+  back.below(count, static_cast<int>(std::find(types.begin(), types.end(), tree[above].production) -
+                                     types.begin()));
+  if (type == tree[above].production) return false;
+
+  const int i = above + 1;
+  Node& grid = tree[i];
+  const SymbolInfo& from = rules.symbol(grid.symbol);
+  const int symbol = rules.production(type).parts[0];
+  const SymbolInfo& to = rules.symbol(symbol);
+  if (grid.production >= 0) {
+    const std::vector<int>& parts = rules.production(grid.production).parts;
+    const std::vector<int>& ways = rules.productions_of(symbol);
+    const auto same = std::find_if(ways.begin(), ways.end(),
+                                   [&](int way) { return rules.production(way).parts == parts; });
+    if (same == ways.end()) return false;
+    Node full;
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) full.set_kind(column, row, 1);
+    if (from.identical && !to.identical) grid.cells = full.cells;
+    if (!from.identical && to.identical) {
+      const int kinds = grid.size - static_cast<int>(parts.size());  // all parts but the door
+      if (kinds != 1 || grid.cells != full.cells) return false;
+      grid.cells = {};
+    }
+    grid.production = static_cast<int16_t>(*same);
+  }
+  if (from.regular && !to.regular) {
+    loosen(grid.left, grid.columns, forward, back);
+    loosen(grid.top, grid.rows, forward, back);
+  }
+  if (!from.regular && to.regular &&
+      !(straighten(grid.left, grid.columns, forward, back) &&
+        straighten(grid.top, grid.rows, forward, back)))
+    return false;
+  tree[above].production = static_cast<int16_t>(type);
+  grid.symbol = static_cast<int16_t>(symbol);
+  state.changed(i);
+  return shop.model.fits(state, i);
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(grid_type) {
+  return {{"grid_type", "move", "Turns a grid into one of another type.", "", {}}, 1, grid_type};
+}

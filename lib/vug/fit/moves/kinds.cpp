@@ -1,0 +1,57 @@
+// Adds a kind of window to a grid whose windows may differ, or takes the last one away when no
+// cell holds it.
+#include <vug/fit/cells.h>
+
+namespace vug::fit {
+namespace {
+
+/// The size of a window of the last kind, chosen or told.
+void choose_size(const Workshop& shop, const State& state, int i, Choices& choices, Node& window) {
+  const Area& area = state.area(i);
+  const int least = shop.model.limits().least;
+  window.width = static_cast<int16_t>(choices.between(least, area.width, window.width));
+  window.height = static_cast<int16_t>(choices.between(least, area.height, window.height));
+}
+
+bool holds(const Node& grid, int kind) {
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (grid.kind(column, row) == kind) return true;
+  return false;
+}
+
+bool kinds(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const Rules& rules = shop.model.rules();
+  const auto fits = [&](int i) {
+    return is_grid(shop, state, i) && state.tree[i].production >= 0 &&
+           !rules.symbol(state.tree[i].symbol).identical;
+  };
+  const int i = pick(state, forward, fits);
+  if (i < 0) return false;
+  tell_pick(state, back, i, fits);
+  const bool add = forward.flip();
+  back.flip(!add);
+  const int count = GridAxis(shop, state, i, true).kinds;
+  if (add) {
+    if (count >= shop.model.limits().most_kinds) return false;
+    Node window;
+    window.symbol = state.tree[i + 1].symbol;
+    window.made_by = state.tree[i + 1].made_by;
+    choose_size(shop, state, i, forward, window);
+    state.insert(i, i + 1 + count, window);
+    return shop.model.fits(state, i);
+  }
+  if (count < 2 || holds(state.tree[i], count)) return false;
+  Node window = state.tree[i + count];
+  choose_size(shop, state, i, back, window);
+  state.erase(i, i + count);
+  return true;
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(kinds) {
+  return {
+      {"kinds", "move", "Adds a kind of window to a grid, or takes one away.", "", {}}, 1, kinds};
+}

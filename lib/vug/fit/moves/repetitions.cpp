@@ -1,0 +1,26 @@
+// Changes how often a part is repeated.
+#include <vug/fit/move.h>
+
+namespace vug::fit {
+namespace {
+
+bool repetitions(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  Tree& tree = state.tree;
+  const auto fits = [&](int i) { return static_cast<Op>(tree[i].made_by) == Op::repeat; };
+  const int i = pick(state, forward, fits);
+  if (i < 0) return false;
+  tell_pick(state, back, i, fits);
+  const bool more = forward.flip();
+  back.flip(!more);
+  tree[i].extent = static_cast<int16_t>(tree[i].extent + (more ? 1 : -1));
+  state.changed(i);
+  state.moved();
+  return tree[i].extent >= 2 && shop.model.place(state);
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(repetitions) {
+  return {{"repetitions", "move", "Changes how often a part is repeated.", "", {}}, 1, repetitions};
+}

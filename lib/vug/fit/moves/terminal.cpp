@@ -1,0 +1,36 @@
+// Changes what is in an element: a window becomes a door, or a shop.
+#include <vug/fit/move.h>
+
+#include <algorithm>
+
+namespace vug::fit {
+namespace {
+
+bool terminal(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const Rules& rules = shop.model.rules();
+  Tree& tree = state.tree;
+  const auto fits = [&](int i) {
+    return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::terminal;
+  };
+  const int i = pick(state, forward, fits);
+  if (i < 0) return false;
+  tell_pick(state, back, i, fits);
+  std::vector<int> ways;
+  for (const int way : rules.productions_of(tree[i].symbol))
+    if (rules.production(way).op == Op::terminal) ways.push_back(way);
+  const auto count = static_cast<int>(ways.size());
+  back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), tree[i].production) -
+                                     ways.begin()));
+  const int way = ways[static_cast<size_t>(forward.below(count))];
+  tree[i].production = static_cast<int16_t>(way);
+  tree[i + 1].symbol = static_cast<int16_t>(rules.production(way).parts[0]);
+  state.changed(i), state.changed(i + 1);
+  return true;
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(terminal) {
+  return {{"terminal", "move", "Changes what is in an element.", "", {}}, 1, terminal};
+}

@@ -1,0 +1,79 @@
+// Applies two productions at once, an area to a grid and the grid to its windows, or takes both
+// back: what lies between them is seldom worth its bits.
+#include <vug/fit/move.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace vug::fit {
+namespace {
+
+using Way = std::pair<int, int>;  ///< A production to a grid, and one of that grid to windows.
+
+std::vector<Way> ways_of(const Rules& rules, int symbol) {
+  std::vector<Way> out;
+  for (const int first : rules.productions_of(symbol)) {
+    if (rules.production(first).op != Op::grid) continue;
+    for (const int second : rules.productions_of(rules.production(first).parts[0]))
+      out.emplace_back(first, second);
+  }
+  return out;
+}
+
+bool whole_grid(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const Rules& rules = shop.model.rules();
+  const Tree& tree = state.tree;
+  const auto open = [&](int i) {
+    return tree[i].production < 0 && !ways_of(rules, tree[i].symbol).empty();
+  };
+  const auto closed = [&](int i) {
+    return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::grid &&
+           tree[i + 1].production >= 0;
+  };
+  const bool grow = forward.flip();
+  back.flip(!grow);
+  const int i = grow ? pick(state, forward, open) : pick(state, forward, closed);
+  if (i < 0) return false;
+  const std::vector<Way> ways = ways_of(rules, tree[i].symbol);
+  const auto count = static_cast<int>(ways.size());
+  // The grid's area is that of the node above, which windows are chosen in.
+  const auto inherit = [&] {
+    state.areas[static_cast<size_t>(i + 1)] = state.areas[static_cast<size_t>(i)];
+  };
+  Parts grid, windows;
+  if (grow) {
+    const Way way = ways[static_cast<size_t>(forward.below(count))];
+    if (!choose_parts(shop, state, i, way.first, forward, {}, grid)) return false;
+    put_parts(state, i, way.first, grid);
+    inherit();
+    if (!choose_parts(shop, state, i + 1, way.second, forward, {}, windows)) return false;
+    put_parts(state, i + 1, way.second, windows);
+    tell_pick(state, back, i, closed);
+    return true;
+  }
+  const Way way = {tree[i].production, tree[i + 1].production};
+  const Parts old_windows = parts_of(state, i + 1);
+  take_parts(state, i + 1);
+  const Parts old_grid = parts_of(state, i);
+  take_parts(state, i);
+  tell_pick(state, back, i, open);
+  back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), way) - ways.begin()));
+  if (!choose_parts(shop, state, i, way.first, back, old_grid, grid)) return false;
+  State grown = state;
+  put_parts(grown, i, way.first, old_grid);
+  grown.areas[static_cast<size_t>(i + 1)] = grown.areas[static_cast<size_t>(i)];
+  return choose_parts(shop, grown, i + 1, way.second, back, old_windows, windows);
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(whole_grid) {
+  return {{"whole_grid",
+           "move",
+           "Puts a grid with its windows into an area, or takes it away.",
+           "",
+           {}},
+          2,
+          whole_grid};
+}

@@ -1,0 +1,163 @@
+// Where the areas of a tree lie, and whether everything fits into them.
+#include <vug/fit/model.h>
+
+#include <algorithm>
+
+namespace vug::fit {
+namespace {
+
+/// A part of an area: from x on, in the area's own places and, if `again`, in those of its mirror
+/// image or repetitions too.
+struct Slice {
+  int x = 0, width = 0, y = 0, height = 0;
+};
+
+/// Gives node `part` the area of the slices of `above`: each in all places of `above`. Those of odd
+/// number are mirrored where `mirror` says so.
+void cut(State& state, int part, const Area& above, const std::vector<Slice>& slices, bool mirror) {
+  const Slice& first = slices.front();
+  Area area;
+  area.width = static_cast<int16_t>(first.width);
+  area.height = static_cast<int16_t>(first.height);
+  area.y = static_cast<int16_t>(above.y + first.y);
+  area.first = static_cast<int32_t>(state.frames.size());
+  area.count = static_cast<int16_t>(above.count * static_cast<int>(slices.size()));
+  for (int place = 0; place < above.count; ++place) {
+    const Frame frame = state.frame(above, place);
+    for (size_t i = 0; i < slices.size(); ++i) {
+      const int x = frame.mirrored ? above.width - slices[i].x - slices[i].width : slices[i].x;
+      state.frames.push_back({static_cast<int16_t>(frame.x + x),
+                              static_cast<bool>(frame.mirrored != (mirror && i % 2 == 1))});
+    }
+  }
+  state.areas[static_cast<size_t>(part)] = area;
+}
+
+/// The same area for a part.
+void inherit(State& state, int part, const Area& above) {
+  state.areas[static_cast<size_t>(part)] = above;
+}
+
+bool same_places(const Area& a, const std::vector<Frame>& frames_a, const Area& b,
+                 const std::vector<Frame>& frames_b) {
+  return a.width == b.width && a.height == b.height && a.y == b.y && a.count == b.count &&
+         std::equal(frames_a.begin() + a.first, frames_a.begin() + a.first + a.count,
+                    frames_b.begin() + b.first);
+}
+
+/// Lines that begin at or after 0, are `size` or more apart, end in time, and have equal distances
+/// where they must; unused ones are 0.
+bool lines_fit(const Lines& lines, int count, int size, int room, bool regular) {
+  for (int i = 0; i < count; ++i) {
+    const int at = lines[static_cast<size_t>(i)];
+    const int end = i + 1 < count ? lines[static_cast<size_t>(i + 1)] - 1 : room;
+    if (at < 0 || at + size > end) return false;
+    if (regular && i > 1 && at - lines[static_cast<size_t>(i - 1)] != lines[1] - lines[0])
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Model::place(State& state) const {
+  if (state.tree.size() > limits_.most_nodes) return false;
+  thread_local std::vector<Frame> old_frames;
+  thread_local std::vector<Area> old_areas;
+  old_frames.swap(state.frames);
+  old_areas = state.areas;
+  state.frames.assign(1, Frame{});
+  state.areas[0] = {static_cast<int16_t>(width_), static_cast<int16_t>(height_), 0, 1, 0};
+  for (int i = 0; i < state.tree.size(); ++i) {
+    const Area& area = state.area(i);
+    if (area.width < limits_.least || area.height < limits_.least) return false;
+    auto& known = state.known[static_cast<size_t>(i)];
+    if (known && !same_places(old_areas[static_cast<size_t>(i)], old_frames, area, state.frames))
+      known = 0;
+    if (!known && !fits(state, i)) return false;
+    if (!place_parts(state, i)) return false;
+  }
+  state.placed = true;
+  return true;
+}
+
+bool Model::place_parts(State& state, int i) const {
+  const Node& node = state.tree[i];
+  if (node.production < 0) return true;
+  const Area area = state.area(i);
+  const int first = i + 1, w = area.width, h = area.height;
+  switch (rules_->production(node.production).op) {
+    case Op::rows: {
+      const int row = state.tree[first].extent;
+      cut(state, first, area, {{0, w, h - row, row}}, false);
+      cut(state, state.tree.end(first), area, {{0, w, 0, h - row}}, false);
+      return row < h;
+    }
+    case Op::repeat: {
+      const int count = state.tree[first].extent, width = w / count;
+      if (count < 2 || count > limits_.most_repeats || width < limits_.least) return false;
+      std::vector<Slice> slices;
+      for (int k = 0; k < count; ++k)
+        slices.push_back({(w - count * width) / 2 + k * width, width, 0, h});
+      cut(state, first, area, slices, false);
+      return true;
+    }
+    case Op::mirror: {
+      const bool has_middle = state.tree.end(first) < state.tree.end(i);
+      const int middle = has_middle ? state.tree[state.tree.end(first)].extent : 0;
+      const int side = (w - middle) / 2;
+      if (side < limits_.least || (has_middle && (w - middle) % 2 != 0)) return false;
+      cut(state, first, area, {{0, side, 0, h}, {w - side, side, 0, h}}, true);
+      if (has_middle) cut(state, state.tree.end(first), area, {{side, middle, 0, h}}, false);
+      return true;
+    }
+    case Op::elements: {
+      int x = 0, count = 0;
+      for (int part = first; part < state.tree.end(i); part = state.tree.end(part), ++count) {
+        const bool last = state.tree.end(part) == state.tree.end(i);
+        const int width = last ? w - x : state.tree[part].extent;
+        if (width < limits_.least) return false;
+        cut(state, part, area, {{x, width, 0, h}}, false);
+        x += width;
+      }
+      return count <= limits_.most_elements;
+    }
+    case Op::grid:
+    case Op::windows:
+    case Op::terminal:
+      for (int part = first; part < state.tree.end(i); part = state.tree.end(part))
+        inherit(state, part, area);
+      return true;
+  }
+  return false;
+}
+
+bool Model::fits(const State& state, int i) const {
+  const Node& node = state.tree[i];
+  const Area& area = state.area(i);
+  const SymbolInfo& symbol = rules_->symbol(node.symbol);
+  if (symbol.terminal) {
+    if (node.width < limits_.least || node.height < limits_.least) return false;
+    const bool in_grid = static_cast<Op>(node.made_by) == Op::windows;
+    if (in_grid && symbol.look == Look::window) return true;  // the grid asks for its lines
+    return node.x >= 0 && node.y >= 0 && node.x + node.width <= area.width &&
+           node.y + node.height <= area.height;
+  }
+  if (!symbol.grid) return true;
+  if (node.columns < 1 || node.rows < 1 || node.columns > limits_.most_lines ||
+      node.rows > limits_.most_lines)
+    return false;
+  int width = limits_.least, height = limits_.least, kinds = 0;
+  for (int part = i + 1; part < state.tree.end(i); ++part) {
+    const Node& window = state.tree[part];
+    if (rules_->symbol(window.symbol).look != Look::window) continue;
+    width = std::max<int>(width, window.width);
+    height = std::max<int>(height, window.height);
+    ++kinds;
+  }
+  if (kinds > (symbol.identical ? 1 : limits_.most_kinds)) return false;
+  return lines_fit(node.left, node.columns, width, area.width, symbol.regular) &&
+         lines_fit(node.top, node.rows, height, area.height, symbol.regular);
+}
+
+}  // namespace vug::fit

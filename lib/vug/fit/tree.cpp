@@ -1,0 +1,62 @@
+#include <vug/fit/tree.h>
+
+namespace vug::fit {
+
+int Tree::parent(int i) const {
+  for (int above = i - 1; above >= 0; --above)
+    if (end(above) > i) return above;
+  return -1;
+}
+
+int Tree::part_count(int i) const {
+  int count = 0;
+  for (int at = i + 1; at < end(i); at = end(at)) ++count;
+  return count;
+}
+
+int Tree::part(int i, int number) const {
+  int at = i + 1;
+  for (; number > 0; --number) at = end(at);
+  return at;
+}
+
+void Tree::resize_above(int i, int by) {
+  for (int above = 0; above <= i; ++above)
+    if (end(above) > i) (*this)[above].size = static_cast<int16_t>((*this)[above].size + by);
+}
+
+void Tree::grow(int i, int production, const std::vector<Node>& parts) {
+  resize_above(i, static_cast<int>(parts.size()));
+  (*this)[i].production = static_cast<int16_t>(production);
+  nodes.insert(nodes.begin() + i + 1, parts.begin(), parts.end());
+}
+
+void Tree::prune(int i) {
+  const int below = (*this)[i].size - 1;
+  nodes.erase(nodes.begin() + i + 1, nodes.begin() + i + 1 + below);
+  resize_above(i, -below);
+  (*this)[i].production = -1;
+}
+
+void Tree::insert(int i, int at, const Node& node) {
+  resize_above(i, 1);
+  nodes.insert(nodes.begin() + at, node);
+}
+
+void Tree::erase(int i, int at) {
+  const int size = (*this)[at].size;
+  nodes.erase(nodes.begin() + at, nodes.begin() + at + size);
+  resize_above(i, -size);
+}
+
+void Tree::replace(int i, const std::vector<Node>& subtree) {
+  const int size = (*this)[i].size;
+  for (int above = 0; above < i; ++above)
+    if (end(above) > i)
+      (*this)[above].size =
+          static_cast<int16_t>((*this)[above].size + static_cast<int>(subtree.size()) - size);
+  nodes.erase(nodes.begin() + i, nodes.begin() + i + size);
+  nodes.insert(nodes.begin() + i, subtree.begin(), subtree.end());
+}
+
+}  // namespace vug::fit

@@ -1,0 +1,244 @@
+// The sampler's states come as often as they should: over all trees of small grammars, for all
+// moves together and each alone.
+#include "toys.h"
+
+#include <vug/fit/move.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::fit {
+namespace {
+
+using inference::Chain;
+
+struct Toy {
+  std::string name;
+  std::vector<std::string> rules;
+  int width, height;
+  Limits limits;
+  std::vector<std::string> moves;  ///< Those that have something to do.
+};
+
+Limits tiny(int lines, int elements = 2) {
+  Limits limits;
+  limits.least = 1;
+  limits.most_lines = lines;
+  limits.most_elements = elements;
+  limits.most_repeats = 3;
+  limits.most_kinds = 2;
+  return limits;
+}
+
+std::vector<Toy> toys() {
+  return {
+      {"grids",
+       {"Facade grid RegularIdenticalGrid", "RegularIdenticalGrid windows Window"},
+       4,
+       2,
+       tiny(2),
+       {"rewrite", "whole_grid", "shift", "resize", "pitch", "lines", "redraw"}},
+      {"types",
+       {"Facade grid RegularIdenticalGrid", "Facade grid IdenticalGrid",
+        "RegularIdenticalGrid windows Window", "IdenticalGrid windows Window"},
+       5,
+       1,
+       tiny(3),
+       {"rewrite", "whole_grid", "grid_type", "shift", "resize", "pitch", "line", "lines",
+        "split_lines", "redraw"}},
+      {"kinds",
+       {"Facade grid RegularGrid", "Facade grid RegularIdenticalGrid",
+        "RegularIdenticalGrid windows Window", "RegularGrid windows Window"},
+       3,
+       1,
+       tiny(2),
+       {"rewrite", "grid_type", "cell", "kinds", "shift", "resize", "lines", "redraw"}},
+      {"elements",
+       {"Facade elements Element", "Element terminal Window", "Element terminal Door"},
+       3,
+       1,
+       tiny(2),
+       {"rewrite", "elements", "terminal", "divide", "shift", "resize", "redraw"}},
+      {"rows",
+       {"Facade rows Row Part", "Part grid RegularIdenticalGrid", "Row elements Element"},
+       3,
+       3,
+       tiny(2),
+       {"rewrite", "elements", "divide", "shift", "lines"}},
+      {"symmetry",
+       {"Facade mirror Side", "Facade mirror Side Middle", "Facade grid IdenticalGrid",
+        "Side grid IdenticalGrid", "IdenticalGrid windows Window"},
+       6,
+       1,
+       tiny(2),
+       {"rewrite", "whole_grid", "symmetry", "divide", "line", "lines", "shift", "resize",
+        "redraw"}},
+      {"repetition",
+       {"Facade repeat Part", "Facade grid IdenticalGrid", "Part grid IdenticalGrid",
+        "IdenticalGrid windows Window"},
+       7,
+       1,
+       tiny(4),
+       {"rewrite", "whole_grid", "repetition", "repetitions", "line", "lines", "shift", "resize",
+        "redraw"}},
+      {"door",
+       {"Facade grid RegularIdenticalGrid", "RegularIdenticalGrid windows Window",
+        "RegularIdenticalGrid windows Window Door"},
+       3,
+       1,
+       tiny(1),
+       {"rewrite", "whole_grid", "door", "shift", "resize", "redraw"}},
+  };
+}
+
+/// Every tree's probability, from its energy.
+std::map<std::string, double> exact(const Model& model, double temperature) {
+  std::map<std::string, double> out;
+  double sum = 0;
+  Enumeration(model, [&](const Tree& tree) {
+    State state = model.state_of(tree);
+    const double p = std::exp2(-model.energy(state) / temperature);
+    const auto [at, fresh] = out.emplace(name_of(tree), p);
+    EXPECT_TRUE(fresh) << "the enumeration has a tree twice";
+    sum += p;
+  }).run();
+  for (auto& [name, p] : out) p /= sum;
+  return out;
+}
+
+double total_variation(const std::map<std::string, double>& probabilities,
+                       const std::map<std::string, int64_t>& counts, int64_t all) {
+  double sum = 0;
+  for (const auto& [name, p] : probabilities) {
+    const auto found = counts.find(name);
+    const double share = found == counts.end() ? 0 : static_cast<double>(found->second);
+    sum += std::fabs(share / static_cast<double>(all) - p);
+  }
+  for (const auto& [name, count] : counts)
+    if (!probabilities.count(name)) sum += static_cast<double>(count) / static_cast<double>(all);
+  return sum / 2;
+}
+
+/// Names are made once for each stay in a state.
+std::map<std::string, int64_t> visits(Chain<State>& chain, int64_t steps) {
+  std::map<std::string, int64_t> counts;
+  Tree last = chain.state().tree;
+  int64_t stay = 0;
+  for (int64_t i = 0; i < steps; ++i) {
+    chain.step();
+    if (!(chain.state().tree == last)) {
+      counts[name_of(last)] += stay;
+      last = chain.state().tree;
+      stay = 0;
+    }
+    ++stay;
+  }
+  counts[name_of(last)] += stay;
+  return counts;
+}
+
+std::vector<uint8_t> picture(int width, int height) {
+  std::vector<uint8_t> out;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) out.push_back(static_cast<uint8_t>((x + y / 2) % 2));
+  return out;
+}
+
+// Hot enough that all trees come now and then.
+constexpr double kTemperature = 12;
+
+/// A toy with all that its chain refers to.
+struct Bench {
+  explicit Bench(const Toy& toy)
+      : rules(rules_of(toy.rules)),
+        evidence(Evidence::of_clusters(toy.width, toy.height, 2, picture(toy.width, toy.height))),
+        model(rules, toy.limits, toy.width, toy.height, &evidence, make_likelihood("kt", evidence)),
+        prior(rules, toy.limits, toy.width, toy.height),
+        hints(Hints::none(toy.width, toy.height)) {}
+  Chain<State>::Energy energy(const Model& of) const {
+    return [&of](State& state) { return of.energy(state); };
+  }
+  const Rules rules;
+  const Evidence evidence;
+  const Model model, prior;
+  const Hints hints;
+  const Workshop shop{model, hints};
+};
+
+double distance(const Toy& toy, int64_t steps, Chain<State>::Options options) {
+  const Bench bench(toy);
+  const inference::Moves<State> some = moves(bench.shop, toy.moves);
+  EXPECT_EQ(some.size(), toy.moves.size());
+  options.temperature = kTemperature;
+  Chain<State> chain(some, bench.energy(bench.model), bench.model.start(), RandomKey(3), options);
+  return total_variation(exact(bench.model, kTemperature), visits(chain, steps), steps);
+}
+
+TEST(FacadeChain, TreesComeAsOftenAsTheyShould) {
+  for (const Toy& toy : toys()) EXPECT_LT(distance(toy, 1'000'000, {}), 0.03) << toy.name;
+}
+
+TEST(FacadeChain, TheMoreStepsTheNearer) {
+  EXPECT_LT(distance(toys().front(), 10'000'000, {}), 0.006);
+}
+
+TEST(FacadeChain, WithoutTheRatioOfProposalsTheyDoNot) {
+  for (const Toy& toy : toys())
+    EXPECT_GT(distance(toy, 100'000, {.weigh_proposals = false}), 0.3) << toy.name;
+}
+
+/// One of the trees that the move can be made from.
+State start_for(const Bench& bench, const inference::Move<State>& move,
+                const std::vector<Tree>& trees, RandomStream& stream) {
+  Choices forward, back;
+  for (int tries = 0; tries < 100'000; ++tries) {
+    State state = bench.prior.state_of(trees[stream.below(static_cast<uint32_t>(trees.size()))]);
+    bench.prior.energy(state);
+    State next = state;
+    forward.draw(stream);
+    back.tell();
+    if (move.propose(next, forward, back) && std::isfinite(bench.prior.energy(next)) &&
+        !(next.tree == state.tree))
+      return state;
+  }
+  ADD_FAILURE() << move.name << " can be made from no tree";
+  return bench.prior.start();
+}
+
+/// From each tree that a move can be made from, that move alone keeps the prior of what it reaches.
+TEST(FacadeChain, EachMoveAloneKeepsThePrior) {
+  std::map<std::string, int> reached;
+  for (const Toy& toy : toys()) {
+    const Bench bench(toy);
+    std::vector<Tree> trees;
+    Enumeration(bench.prior, [&](const Tree& tree) { trees.push_back(tree); }).run();
+    const auto truth = exact(bench.prior, kTemperature);
+    RandomStream stream{RandomKey(8)};
+    for (const std::string& name : toy.moves) {
+      const inference::Moves<State> one = moves(bench.shop, {name});
+      size_t most = 0;
+      for (int start = 0; start < 2; ++start) {
+        State state = start_for(bench, one.front(), trees, stream);
+        Chain<State> chain(one, bench.energy(bench.prior), state,
+                           RandomKey(static_cast<uint64_t>(start)), {.temperature = kTemperature});
+        constexpr int64_t kSteps = 200'000;
+        const auto counts = visits(chain, kSteps);
+        std::map<std::string, double> among;
+        double sum = 0;
+        for (const auto& [visited, count] : counts) sum += among[visited] = truth.at(visited);
+        for (auto& [visited, p] : among) p /= sum;
+        most = std::max(most, among.size());
+        EXPECT_LT(total_variation(among, counts, kSteps), 0.1)
+            << toy.name << ": " << name << " among " << among.size();
+      }
+      reached[name] = std::max(reached[name], static_cast<int>(most));
+    }
+  }
+  for (const MoveKind* kind : move_kinds())
+    EXPECT_GT(reached[kind->info.name], 1) << kind->info.name << " was never made";
+}
+
+}  // namespace
+}  // namespace vug::fit

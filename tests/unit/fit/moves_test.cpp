@@ -1,0 +1,137 @@
+// Every move leads back by the choices it tells, with the probabilities it tells, bit for bit.
+#include "toys.h"
+
+#include <vug/fit/move.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug::fit {
+namespace {
+
+using inference::Chain;
+
+/// All operations, in few productions.
+Rules all_rules() {
+  return rules_of({"Facade rows Row Part",
+                   "Facade mirror Side",
+                   "Facade mirror Side Middle",
+                   "Facade repeat Part",
+                   "Facade grid IdenticalGrid",
+                   "Facade grid RegularIdenticalGrid",
+                   "Part repeat Side",
+                   "Part grid Grid",
+                   "Part grid RegularGrid",
+                   "Part grid IdenticalGrid",
+                   "Part grid RegularIdenticalGrid",
+                   "Part mirror Side",
+                   "Side grid Grid",
+                   "Side grid RegularGrid",
+                   "Side grid RegularIdenticalGrid",
+                   "Side grid IdenticalGrid",
+                   "Middle grid RegularGrid",
+                   "Row elements Element",
+                   "Row grid RegularIdenticalGrid",
+                   "Element terminal Window",
+                   "Element terminal Door",
+                   "Element terminal Shop",
+                   "Grid windows Window",
+                   "Grid windows Window Door",
+                   "RegularGrid windows Window",
+                   "RegularGrid windows Window Door",
+                   "IdenticalGrid windows Window",
+                   "IdenticalGrid windows Window Door",
+                   "RegularIdenticalGrid windows Window",
+                   "RegularIdenticalGrid windows Window Door"});
+}
+
+inference::Profile lumpy(int size, uint64_t seed) {
+  RandomStream stream{RandomKey(seed)};
+  std::vector<double> weights;
+  for (int i = 0; i < size; ++i) weights.push_back(0.1 + stream.uniform());
+  return inference::Profile(weights);
+}
+
+Hints lumpy_hints(int width, int height) {
+  return {lumpy(width + 1, 1), lumpy(width + 1, 2), lumpy(height + 1, 3), lumpy(height + 1, 4),
+          lumpy(height + 1, 5)};
+}
+
+std::vector<uint8_t> noise(int count, int clusters) {
+  RandomStream stream{RandomKey(9)};
+  std::vector<uint8_t> out;
+  for (int i = 0; i < count; ++i)
+    out.push_back(static_cast<uint8_t>(stream.below(static_cast<uint32_t>(clusters))));
+  return out;
+}
+
+TEST(Moves, LeadBackByTheChoicesTheyTell) {
+  constexpr int kWidth = 61, kHeight = 47;
+  const Rules rules = all_rules();
+  Limits limits;
+  limits.least = 2;
+  const Model model(rules, limits, kWidth, kHeight);
+  const Hints hints = lumpy_hints(kWidth, kHeight);
+  const Workshop shop{model, hints};
+  const inference::Moves<State> all = moves(shop);
+  ASSERT_EQ(all.size(), move_kinds().size());
+  RandomStream stream{RandomKey(2)};
+  Choices forward, back, again, returned;
+  std::map<std::string, int> done;
+  State here = model.start();
+  model.energy(here);
+  for (int count = 0, tries = 0; count < 100'000; ++tries) {
+    ASSERT_LT(tries, 1'000'000);
+    const inference::Move<State>& move = all[stream.below(static_cast<uint32_t>(all.size()))];
+    State state = here;
+    forward.draw(stream);
+    back.tell();
+    if (!move.propose(state, forward, back) || !std::isfinite(model.energy(state))) continue;
+    ++count, ++done[move.name];
+    ASSERT_TRUE(forward.possible()) << move.name;
+    ASSERT_TRUE(back.possible()) << move.name;
+    State there = state;
+    again.replay(back.made());
+    returned.tell();
+    ASSERT_TRUE(move.propose(there, again, returned)) << move.name;
+    ASSERT_EQ(again.made().size(), back.made().size()) << move.name;
+    ASSERT_TRUE(there.tree == here.tree) << move.name;
+    ASSERT_NEAR(again.ln_probability(), back.ln_probability(), 1e-12) << move.name;
+    ASSERT_NEAR(returned.ln_probability(), forward.ln_probability(), 1e-12) << move.name;
+    ASSERT_NEAR(inference::ln_ratio(forward, back) + inference::ln_ratio(again, returned), 0,
+                1e-12);
+    // A walk that would rather grow, so that large trees come too.
+    if (state.tree.size() >= here.tree.size() || stream.uniform() < 0.3) here = state;
+    if (here.tree.size() > 30) {
+      here = model.start();
+      model.energy(here);
+    }
+  }
+  for (const MoveKind* kind : move_kinds())
+    EXPECT_GT(done[kind->info.name], 20) << kind->info.name << " was hardly tried";
+}
+
+TEST(Moves, WhatIsKeptOfAStateHoldsAlways) {
+  constexpr int kWidth = 64, kHeight = 48;
+  const Rules rules = all_rules();
+  Limits limits;
+  limits.least = 2;
+  const Evidence evidence = Evidence::of_clusters(kWidth, kHeight, 3, noise(kWidth * kHeight, 3));
+  const Model model(rules, limits, kWidth, kHeight, &evidence, make_likelihood("kt", evidence));
+  const Hints hints = lumpy_hints(kWidth, kHeight);
+  const Workshop shop{model, hints};
+  const inference::Moves<State> all = moves(shop);
+  Chain<State> chain(all, [&](State& state) { return model.energy(state); }, model.start(),
+                     RandomKey(4), {.temperature = 200});
+  for (int i = 0; i < 100'000; ++i) {
+    chain.step();
+    if (i % 10 != 0) continue;
+    State fresh = model.state_of(chain.state().tree);
+    ASSERT_NEAR(model.energy(fresh), chain.energy(), 1e-9);
+    ASSERT_TRUE(fresh.areas.size() == chain.state().areas.size());
+  }
+}
+
+}  // namespace
+}  // namespace vug::fit
