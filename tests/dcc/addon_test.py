@@ -38,7 +38,7 @@ render main { size 320x160 spp 1 }
 """
 # A card cut to a leaf, and one that is there to a quarter.
 LEAF = """mesh blade { of leaf(length: 1m, width: 20cm, rows: 4, card: true) }
-object cut on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), opacity: leaf_blade()) }
+object cut on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), subsurface: 1, through: 0.5, opacity: leaf_blade()) }
 object pane on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), specular: 0, opacity: 0.25) }
 object veil on blade { material surface(thin: true, specular: 0, opacity: attribute(name: "leaf_along")) }
 """

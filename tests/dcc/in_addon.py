@@ -2,78 +2,19 @@
 
 blender --background --factory-startup --python in_addon.py -- use|again FOLDER ZIP
 """
-import gc
 import os
-import shutil
 import sys
-import time
 
 import bpy
 import numpy
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 part, folder, zipped = sys.argv[sys.argv.index("--") + 1:]
 os.chdir(folder)
-
-
-def equal(got, wanted, what=""):
-    assert got == wanted, f"{what}: {got!r} in place of {wanted!r}"
-
-
-def near(got, wanted, most, what=""):
-    assert numpy.abs(numpy.asarray(got) - numpy.asarray(wanted)).max() <= most, (
-        f"{what}: {got} in place of {wanted}")
-
-
-def refused(operator, *words, **arguments):
-    try:
-        operator(**arguments)
-    except RuntimeError as error:
-        for word in words:
-            assert word in str(error), f"'{word}' is not in: {error}"
-        return
-    raise AssertionError(f"{operator} {arguments} was not refused")
-
-
-def values(items, member, width):
-    out = numpy.empty(len(items) * width, numpy.float32)
-    items.foreach_get(member, out)
-    return out.reshape(-1, width)
-
-
-def corners(mesh):
-    out = numpy.empty(len(mesh.loops), numpy.int32)
-    mesh.loops.foreach_get("vertex_index", out)
-    return out.reshape(-1, 3)
-
-
-def volume_of(mesh):
-    points, (a, b, c) = values(mesh.vertices, "co", 3), corners(mesh).T
-    return float((points[a] * numpy.cross(points[b], points[c])).sum() / 6)
-
-
-def print_of(collection):
-    """All that could change in a cave, and how many things there are at all."""
-    out = [len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.materials), len(bpy.data.volumes),
-           collection.vug.known, sorted(collection.keys())]
-    for thing in collection.objects:
-        out.append((thing.name, [tuple(row) for row in thing.matrix_world]))
-        if thing.type == "MESH":
-            out.append((values(thing.data.vertices, "co", 3).tobytes(), corners(thing.data).tobytes()))
-    return out
-
-
-def resident():
-    """Megabytes of memory that are in use."""
-    with open("/proc/self/statm") as file:
-        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
-
-
-def cave():
-    return bpy.data.collections["cave"]
-
-
-def thing(name):
-    return next(each for each in cave().objects if each["vug_name"] == name)
+from addon_files import memory, reloads, save, sweeps  # noqa: E402  it looks where it is
+from addon_helpers import (cave, corners, equal, near, nothing_is_built, print_of, refused, thing,  # noqa: E402
+                           values, volume_of)
 
 
 def install():
@@ -301,15 +242,6 @@ def units():
     nothing_is_built()
 
 
-def nothing_is_built():
-    from vug_addon.making import Making
-    bpy.ops.vug.update(cave="cave")
-    making = Making(collection=cave())
-    while not making.step(wait=0.1):
-        pass
-    equal((making.told, making.changed, making.share), ("nothing has changed", 0, 0))
-
-
 def cancel():
     from vug_addon.making import Making
     before = print_of(cave())
@@ -387,88 +319,15 @@ def opacity():
         return next((node for node in nodes if node.type == "MIX_SHADER"), None)
 
     equal(mix(cut), None)
+    nodes = {node.type: node for node in cut.data.materials[0].node_tree.nodes}
+    near(nodes["BSDF_TRANSLUCENT"].inputs["Color"].default_value[:3], (0.05, 0.15, 0.025), 1e-5)
+    near(nodes["BSDF_PRINCIPLED"].inputs["Base Color"].default_value[:3], (0.05, 0.15, 0.025), 1e-5)
     near(mix(pane).inputs[0].default_value, 0.25, 1e-6)
     equal([mix(pane).inputs[k].links[0].from_node.type for k in (1, 2)], ["BSDF_TRANSPARENT", "BSDF_DIFFUSE"])
     equal(mix(veil).inputs[0].links[0].from_node.attribute_name, "opacity")
     for thing_ in list(leaf.objects):
         bpy.data.objects.remove(thing_)
     bpy.data.collections.remove(leaf)
-
-
-def save():
-    from vug_addon import folders
-    cave()["R"] = 0.8
-    bpy.ops.vug.update(cave="cave")
-    # Volumes of a file that was never saved come along, and leave nothing behind.
-    old = cave().vug.folder
-    assert folders.is_stored(old) and os.path.exists(f"{old}/cave_rock.vdb"), old
-    bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/saved.blend")
-    equal(cave().vug.folder, "//vug/cave/")
-    equal(thing("rock volume").data.filepath, "//vug/cave/cave_rock.vdb")
-    picture = next(node.image for node in bpy.context.scene.world.node_tree.nodes if node.type == "TEX_ENVIRONMENT")
-    equal(picture.filepath, "//vug/cave/cave_heaven.exr")
-    assert os.path.exists(f"{folder}/vug/cave/cave_rock.vdb")
-    assert os.path.exists(old), "the file on the disk still names it"
-    nothing_is_built()
-    shutil.copy(f"{folder}/saved.blend", f"{folder}/first.blend")
-    bpy.ops.wm.save_mainfile()
-    assert not os.path.exists(old), "nobody names it any more"
-
-
-def sweeps():
-    """Folders of files that are gone or were never saved go, the latter only when they are old."""
-    from vug_addon import folders
-    kept = ("young", "of_this", "of_another")
-    for name in (*kept, "old", "of_none"):
-        os.makedirs(os.path.join(folders.store(), name))
-    for name, owner in (("of_this", bpy.data.filepath), ("of_another", f"{folder}/first.blend"), ("of_none", "/no.blend")):
-        with open(os.path.join(folders.store(), name, folders.NOTE), "w") as note:
-            note.write(owner)
-    then = time.time() - 40 * 86400
-    os.utime(os.path.join(folders.store(), "old"), (then, then))
-    folders.sweep()
-    equal(sorted(set(os.listdir(folders.store()))), sorted(kept))
-    for name in kept:
-        shutil.rmtree(os.path.join(folders.store(), name))
-
-
-def memory():
-    """Twenty runs that each make all meshes anew, after five that warm up. A mesh of 5300 vertices takes
-    about 1 MB in Blender and its arrays half of it, so a leak of either would show 10 or 20 MB."""
-    sizes, meshes = [], len(bpy.data.meshes)
-    for i in range(25):
-        cave()["R"] = 0.6 + 0.01 * i
-        cave()["LEAN"] = 0.1 + 0.01 * i
-        equal(bpy.ops.vug.update(cave="cave"), {"FINISHED"})
-        gc.collect()
-        sizes.append(resident())
-    print(f"# MB after 5 and 25 updates: {sizes[4]:.1f} {sizes[-1]:.1f}; {len(thing('wall').data.vertices)} vertices")
-    assert sizes[-1] - sizes[4] < 8, sizes
-    equal(len(bpy.data.meshes), meshes)
-
-
-def reloads():
-    bpy.ops.preferences.addon_enable(module="vug_addon")
-    bpy.ops.wm.open_mainfile(filepath=f"{folder}/saved.blend")
-    equal(cave()["R"], 0.8)
-    near(cave().id_properties_ui("R").as_dict()["max"], 1, 1e-12)
-    near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.8**3, 0.02)
-    assert "Cd" in thing("wall").data.attributes
-    # The first that was saved names what was swept, in its place: it has moved, too.
-    bpy.ops.wm.open_mainfile(filepath=f"{folder}/first.blend")
-    equal(cave().vug.folder, "//vug/cave/")
-    assert thing("rock volume").data.grids.load()
-    bpy.ops.wm.open_mainfile(filepath=f"{folder}/saved.blend")
-    rock = thing("rock volume").data
-    assert rock.grids.load(), rock.grids.error_message
-    before = print_of(cave())
-    equal(bpy.ops.vug.update(cave="cave"), {"FINISHED"})
-    equal(print_of(cave()) == before, True, "nothing has changed since it was saved")
-    cave()["R"] = 0.6
-    bpy.ops.vug.update(cave="cave")
-    near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.6**3, 0.01)
-    bpy.ops.preferences.addon_disable(module="vug_addon")
-    assert not hasattr(bpy.types.Collection, "vug")
 
 
 CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, sky, cloud, slider, nothing_is_built,

@@ -18,7 +18,7 @@ struct Channel {
 };
 
 /// "Cd" (the body's colour), "roughness", "wetness", "metallic", "transmission", "opacity",
-/// "emission".
+/// "through", "emission".
 const std::vector<Channel>& channels();
 
 /// Whether vectors of that attribute are colours, which do not turn with the axes.

@@ -45,6 +45,8 @@ tinygltf::Material gltf_material(const Part& part, double emission_scale) {
   if (look.transmission > 0)
     out.extensions["KHR_materials_transmission"] =
         object({{"transmissionFactor", look.transmission}});
+  if (look.through != Vec3d(0.0))
+    out.extras = Value(Value::Object{{"vug:through", gltf_value(look.through)}});
   const Vec3d light = look.emission * emission_scale;
   if (const double most = std::max({light.x, light.y, light.z}); most > 0) {
     out.emissiveFactor = list(light / most);

@@ -13,6 +13,7 @@ Look blend(const Look& a, const Look& b, double share) {
   out.ior = mix(a.ior, b.ior);
   out.metallic = mix(a.metallic, b.metallic);
   out.transmission = mix(a.transmission, b.transmission);
+  out.through = mix(a.through, b.through);
   out.subsurface = mix(a.subsurface, b.subsurface);
   out.wetness = mix(a.wetness, b.wetness);
   out.coat_roughness = mix(a.coat_roughness, b.coat_roughness);
@@ -30,6 +31,7 @@ const std::vector<Channel>& channels() {
       {"metallic", &Look::metallic},
       {"transmission", &Look::transmission},
       {"opacity", &Look::opacity},
+      {"through", nullptr, &Look::through},
       {"emission", nullptr, &Look::emission},
   };
   return all;
@@ -39,7 +41,7 @@ bool is_color(std::string_view attribute) {
   const auto ends_with = [&](std::string_view end) {
     return attribute.size() >= end.size() && attribute.substr(attribute.size() - end.size()) == end;
   };
-  return ends_with("Cd") || ends_with("color") || attribute == "emission";
+  return ends_with("Cd") || ends_with("color") || attribute == "emission" || attribute == "through";
 }
 
 }  // namespace vug::exchange

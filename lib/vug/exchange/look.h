@@ -13,8 +13,9 @@ struct Look {
   double ior = 1.5;                 ///< Of that face, and of what is clear.
   double metallic = 0;
   double transmission = 0;  ///< Share that is clear.
-  double subsurface = 0;    ///< Share in whose body light wanders.
-  double wetness = 0;       ///< Share that a film of water covers.
+  Vec3d through{0, 0, 0};  ///< Share of the light that a thin body lets out at its back, scattered.
+  double subsurface = 0;   ///< Share in whose body light wanders.
+  double wetness = 0;      ///< Share that a film of water covers.
   double coat_roughness = 0.1;
   double opacity = 1;  ///< Share that is there at all; through the rest one looks as if into air.
   Vec3d emission{0, 0, 0};  ///< Radiance that the outside sends out, W/sr/m^2.

@@ -7,7 +7,7 @@ KINDS = {0: ("FLOAT", "value"), 3: ("FLOAT_VECTOR", "vector"), 4: ("FLOAT_COLOR"
 
 def add_attribute(mesh, name, values):
     width = 0 if values.ndim == 1 else values.shape[1]
-    if width == 3 and (name == "Cd" or name == "emission" or name.endswith("color")):
+    if width == 3 and (name in ("Cd", "emission", "through") or name.endswith("color")):
         values = numpy.concatenate([values, numpy.ones((len(values), 1), values.dtype)], 1)
         width = 4
     if width == 2:

@@ -35,7 +35,7 @@ class Surface:
         self.attributes = {}
         for name, values in arrays.items():
             own = "Cd" if name == "COLOR_0" else name.lstrip("_").lower()
-            color = name == "COLOR_0" or own.endswith("color") or own.endswith("cd") or own == "emission"
+            color = name == "COLOR_0" or own.endswith("color") or own.endswith("cd") or own in ("emission", "through")
             if values.ndim == 2 and values.shape[1] == 3 and not color:
                 values = turned(values)
             self.attributes[own] = values

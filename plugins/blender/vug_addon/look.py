@@ -1,5 +1,5 @@
 """Materials for Cycles and Eevee: what varies over a mesh comes from its attributes, the rest is numbers."""
-CHANNELS = ("Cd", "roughness", "wetness", "metallic", "transmission", "opacity", "emission")
+CHANNELS = ("Cd", "roughness", "wetness", "metallic", "transmission", "opacity", "through", "emission")
 
 
 def channels_of(surface):
@@ -31,6 +31,12 @@ class Tree:
         node = self.add("ShaderNodeAttribute", 0)
         node.attribute_type, node.attribute_name, node.label = "GEOMETRY", name, name
         return node.outputs[output]
+
+    def sum(self, a, b):
+        both = self.add("ShaderNodeAddShader", 2)
+        self.links.new(a, both.inputs[0])
+        self.links.new(b, both.inputs[1])
+        return both.outputs[0]
 
     def feed(self, target, channels, name, value, output="Fac"):
         """The attribute where the mesh has it, else the number."""
@@ -105,10 +111,7 @@ def build_cloud(material, about):
     tree = Cloud(material, about)
     out = tree.body()
     for part in ([tree.emission()] if any(about["emission"]) else []) + ([tree.heat()] if about["heat"] else []):
-        both = tree.add("ShaderNodeAddShader", 3)
-        tree.links.new(out, both.inputs[0])
-        tree.links.new(part, both.inputs[1])
-        out = both.outputs[0]
+        out = tree.sum(out, part)
     tree.links.new(out, tree.add("ShaderNodeOutputMaterial", 4).inputs["Volume"])
 
 
@@ -142,6 +145,11 @@ def build(material, gltf, channels):
         socket(shader, "Specular", "Specular IOR Level").default_value = specular * (
             facing / 0.08 if "Specular" in shader.inputs else 0.5)
     out = shader.outputs[0]
+    through = gltf.get("extras", {}).get("vug:through")
+    if through:  # a thin sheet's back shines with what comes from its front
+        sheet = tree.add("ShaderNodeBsdfTranslucent", 1)
+        tree.feed(sheet.inputs["Color"], channels, "through", (*through, 1), "Color")
+        out = tree.sum(out, sheet.outputs[0])
     shine = gltf.get("emissiveFactor", (0, 0, 0))
     if any(shine):
         emission = tree.add("ShaderNodeEmission", 1)
@@ -152,10 +160,7 @@ def build(material, gltf, channels):
         else:
             emission.inputs["Color"].default_value = (*shine, 1)
         emission.inputs["Strength"].default_value = strength
-        both = tree.add("ShaderNodeAddShader", 2)
-        tree.links.new(out, both.inputs[0])
-        tree.links.new(emission.outputs[0], both.inputs[1])
-        out = both.outputs[0]
+        out = tree.sum(out, emission.outputs[0])
     if "opacity" in channels or color[3] < 1:  # what is not there is looked through
         air, both = tree.add("ShaderNodeBsdfTransparent", 2), tree.add("ShaderNodeMixShader", 3)
         tree.feed(both.inputs[0], channels, "opacity", color[3])

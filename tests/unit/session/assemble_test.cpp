@@ -247,7 +247,7 @@ mesh plain { of leaf(length: 1m, width: 20cm, rows: 60) }
 object cut on blade { material surface(thin: true, opacity: leaf_blade()) }
 object veil on blade { material surface(thin: true, opacity: attribute(name: "leaf_along")) }
 object pane on blade { material surface(thin: true, opacity: 0.25) }
-object whole on plain { material surface(thin: true) }
+object whole on plain { material surface(thin: true, color: (0.2, 0.4, 0.1), subsurface: 0.8, through: 0.25, through_color: (0.5, 1, 1)) }
 )";
 
 double area_of(const mesh::Mesh& mesh) {
@@ -288,6 +288,11 @@ TEST(Assemble, OpacityIsCutOutOrKept) {
     EXPECT_NEAR(opacity(parts[1])->values[v], t * t * (3 - 2 * t), 1e-6f);
   }
   EXPECT_EQ(parts[2].look.opacity, 0.25);
+  // A thin sheet shares its light between both sides.
+  const exchange::Look& leaf = parts[3].look;
+  EXPECT_NEAR(leaf.base_color.y, 0.4 * (1 - 0.8 * 0.25), 1e-6);
+  EXPECT_NEAR(leaf.through.y, 0.4 * 0.8 * 0.25, 1e-6);
+  EXPECT_NEAR(leaf.through.x, 0.5 * 0.2 * 0.8 * 0.25, 1e-6);
   EXPECT_EQ(opacity(parts[2]), nullptr);
 }
 

@@ -102,6 +102,8 @@ class Writer {
   int material_of(const Part& part) {
     tinygltf::Material made = gltf_material(part, options_.emission_scale.value_or(kLumenPerWatt));
     for (const auto& [name, value] : made.extensions) use(name);
+    if (part.look.through != Vec3d(0.0))
+      in_extras(fmt::format("the light that comes through '{}'", part.name));
     const auto same = std::find(model_.materials.begin(), model_.materials.end(), made);
     if (same != model_.materials.end()) return static_cast<int>(same - model_.materials.begin());
     model_.materials.push_back(std::move(made));

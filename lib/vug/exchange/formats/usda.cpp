@@ -65,6 +65,8 @@ class Writer {
     Names names;
     for (size_t i = 0; i < assembly_.parts.size(); ++i) {
       const Part& part = assembly_.parts[i];
+      if (part.look.through != Vec3d(0.0))
+        written_.left_out.push_back(fmt::format("the light that comes through '{}'", part.name));
       std::string& path = material_[i];
       for (size_t j = 0; j < i && path.empty(); ++j)
         if (same_usd_material(assembly_.parts[j], part)) path = material_[j];

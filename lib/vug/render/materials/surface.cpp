@@ -326,6 +326,11 @@ exchange::Look SurfaceMaterial::look(const Surface& surface) const {
   look.wetness = number(p_.coat);
   look.coat_roughness = number(p_.coat_roughness);
   look.thin = p_.thin;
+  if (p_.thin) {  // what comes out behind is not reflected
+    const double behind = number(p_.subsurface) * number(p_.through);
+    look.through = look.base_color * Vec3d(p_.through_color.at(spot)) * behind;
+    look.base_color *= 1 - behind;
+  }
   return look;
 }
 
