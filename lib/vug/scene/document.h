@@ -69,7 +69,8 @@ struct Declaration {
 };
 
 /// One part of a right-hand side or of the axiom: `op amount shape * count clauses`.
-/// Without `op` it uses a symbol of the grammar: `shape` is then a name or a call of one.
+/// Without `op` it uses a symbol of the grammar: `shape` is then a name or a call of one. In a
+/// facade it has a shape alone, which may also be a split or an element.
 struct Item {
   std::string op;  ///< "+" union, "-" difference, "&" intersection, "~" morph, "" symbol.
   SourceLocation where;
@@ -99,8 +100,8 @@ struct Rule {
 
 struct LSystem;  ///< See lsystem_document.h.
 
-/// `grammar name : kind { ... }`. The kind picks the dialect: "shape", or "lsystem", whose axiom
-/// and rules are in `lsystem`.
+/// `grammar name : kind { ... }`. The kind picks the dialect: "shape", "facade", or "lsystem",
+/// whose axiom and rules are in `lsystem`.
 struct Grammar {
   std::string name;
   SourceLocation where;

@@ -33,12 +33,14 @@ void GrammarParser::parse(Grammar& grammar) {
   if (cursor_.accept(":")) {
     const Token& kind = cursor_.expect_name("the kind of grammar after ':'");
     grammar.kind = std::string(kind.text);
-    if (grammar.kind != "shape" && grammar.kind != "lsystem")
+    const std::vector<std::string> kinds = {"shape", "lsystem", "facade"};
+    if (std::find(kinds.begin(), kinds.end(), grammar.kind) == kinds.end())
       cursor_.fail(kind, fmt::format("unknown kind of grammar '{}'", kind.text),
-                   suggestion(grammar.kind, {"shape", "lsystem"}));
+                   suggestion(grammar.kind, kinds));
   }
   if (!cursor_.accept_beyond_newlines("{")) cursor_.unexpected("'{' before the grammar's rules");
   if (grammar.kind == "lsystem") return LSystemParser(cursor_).parse(grammar);
+  places_ = grammar.kind == "facade";
   const Token& open = cursor_.last();
   find_heads();
   for (;;) {
@@ -180,6 +182,11 @@ Item GrammarParser::item() {
   Item item;
   const Token& first = cursor_.peek();
   item.where = cursor_.where(first);
+  if (places_) {
+    if (first.kind != TokenKind::name) cursor_.unexpected("a symbol, a split or an element");
+    item.shape = exprs_.shape();
+    return item;
+  }
   if (is_item_sign(first)) {
     item.op = std::string(cursor_.take().text);
     if (!at_rule(beyond_newlines(0))) cursor_.skip_newlines();

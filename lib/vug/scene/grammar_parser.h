@@ -31,6 +31,7 @@ class GrammarParser {
   Cursor& cursor_;
   ExprParser exprs_;
   std::set<std::string> heads_;  ///< Symbols that have a rule in this block.
+  bool places_ = false;          ///< Items are symbols and calls, nothing else: a facade's.
 };
 
 /// `key value, value ...` where the cursor stands at the key.

@@ -1,6 +1,8 @@
 #include <vug/exchange/program.h>
+#include <vug/facade/split.h>
 #include <vug/image/measure.h>
 #include <vug/session/catalogue.h>
+#include <vug/session/facade_binding.h>
 #include <vug/session/grammar_binding.h>
 #include <vug/session/lsystem_binding.h>
 #include <vug/session/reader.h>
@@ -20,6 +22,8 @@ std::vector<const KindInfo*> all_kinds() {
   for (const DeclarationKind* kind : declaration_kinds()) kinds.push_back(&kind->info);
   kinds.push_back(&grammar_info());
   kinds.push_back(&lsystem_info());
+  kinds.push_back(&facade_info());
+  for (const facade::SplitKind* split : facade::splits()) kinds.push_back(&split->info);
   for (const Family& family : families())
     for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
   for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);

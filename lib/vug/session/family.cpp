@@ -1,4 +1,5 @@
 #include <vug/cells/kind.h>
+#include <vug/facade/element.h>
 #include <vug/field/blend_kind.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
@@ -69,6 +70,7 @@ std::vector<Family>& own_families() {
       family(flora::shapes()),
       family(cell_stages()),
       family(curve_kinds()),
+      family(facade::elements()),
   };
   return all;
 }

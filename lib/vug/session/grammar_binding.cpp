@@ -1,6 +1,7 @@
 // Scene rules become productions whose callables evaluate the scene's expressions; the leaves
 // carry SG+M steps, which sgm::interpret performs.
 #include <vug/field/kind.h>
+#include <vug/session/facade_binding.h>
 #include <vug/session/grammar_binding.h>
 #include <vug/session/lsystem_binding.h>
 #include <vug/sgm/derive.h>
@@ -316,6 +317,7 @@ sgm::Options Binder::options() {
 
 Value bind_grammar(const scene::Grammar& source, Reading& reading) {
   if (source.kind == "lsystem") return bind_lsystem(source, reading);
+  if (source.kind == "facade") return bind_facade(source, reading);
   Binder binder(source, reading);
   try {
     if (source.broken) {

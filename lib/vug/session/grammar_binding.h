@@ -11,8 +11,8 @@ const KindInfo& grammar_info();
 
 constexpr int64_t kMostProductions = 100'000, kMostSymbols = 1'000'000;  ///< Unless a block says.
 
-/// Derives the grammar and gives its field; the derivation is added to the shot. An L-system is
-/// bound by bind_lsystem.
+/// Derives the grammar and gives its field; the derivation is added to the shot. L-systems
+/// and facades are bound by bind_lsystem and bind_facade.
 Value bind_grammar(const scene::Grammar& grammar, Reading& reading);
 
 }  // namespace vug::session

@@ -23,6 +23,10 @@
 #include <string>
 #include <vector>
 
+namespace vug::facade {
+struct Tree;
+}
+
 namespace vug::session {
 
 struct MeshPlan;
@@ -144,6 +148,7 @@ struct Derivation {
   std::string name;
   grammar::Tree tree;
   int64_t productions = 0;
+  std::shared_ptr<const facade::Tree> facade = nullptr;  ///< Of a grammar of kind facade.
 };
 
 /// `grammar NAME: lsystem { ... }`, to be derived and drawn: see lsystem/derive.h.

@@ -1,8 +1,9 @@
-// Every ```vug example of docs/language.md, tour.md, cells.md, groves.md, lsystems.md and bamboo.md
-// is a scene that all of the program understands: names of kinds and parameters too, which the
-// parser alone does not know.
+// Every ```vug example of docs/language.md, tour.md, cells.md, groves.md, lsystems.md, facades.md
+// and bamboo.md is a scene that all of the program understands: names of kinds and parameters too,
+// which the parser alone does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
+#include <vug/facade/tree.h>
 #include <vug/lsystem/derive.h>
 #include <vug/session/cast.h>
 #include <vug/session/cells_plan.h>
@@ -38,6 +39,17 @@ TEST(Language, ExamplesMeanSomething) {
   for (const std::string& example : blocks("vug")) {
     const Loaded loaded = load_text(example, "language.md", options);
     EXPECT_EQ(loaded.report(), "") << example;
+  }
+}
+
+TEST(Language, FacadesOfTheirPageDivide) {
+  const std::vector<std::string> examples = blocks("vug", "facades.md");
+  ASSERT_GE(examples.size(), 2u);
+  for (const std::string& example : examples) {
+    const Loaded loaded = load_text(example, "facades.md");
+    EXPECT_EQ(loaded.report(), "") << example;
+    ASSERT_FALSE(loaded.shot.derivations.empty());
+    EXPECT_GT(facade::standing(*loaded.shot.derivations[0].facade).size(), 4u) << example;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <vug/facade/tree_output.h>
 #include <vug/grammar/tree_output.h>
 #include <nlohmann/json.hpp>
 
@@ -11,38 +12,53 @@ namespace {
 struct Options {
   SceneOptions scene;
   std::string grammar;
-  bool json = false;
-  bool svg = false;
+  bool json = false, svg = false, theta = false, elements = false, elevation = false;
+  std::string picture;
+
+  /// One document is printed: of one grammar, then.
+  bool single() const { return json || svg || elements || elevation || !picture.empty(); }
+  /// What only facades have.
+  bool facade() const { return theta || elements || elevation || !picture.empty(); }
 };
 
-/// The trees that are asked for: at least one, and only one where one document is printed.
-std::vector<const grammar::Tree*> chosen(const session::Shot& shot, const Options& options) {
-  std::vector<const grammar::Tree*> trees;
+/// The derivations that are asked for: at least one, and only one where one document is printed.
+std::vector<const session::Derivation*> chosen(const session::Shot& shot, const Options& options) {
+  std::vector<const session::Derivation*> found;
   std::vector<std::string> names;
   for (const session::Derivation& derivation : shot.derivations) {
+    if (options.facade() && !derivation.facade) continue;
     names.push_back(derivation.name);
-    if (options.grammar.empty() || derivation.name == options.grammar)
-      trees.push_back(&derivation.tree);
+    if (options.grammar.empty() || derivation.name == options.grammar) found.push_back(&derivation);
   }
-  if (trees.empty())
+  const std::string what = options.facade() ? "grammar of kind facade" : "grammar";
+  if (found.empty())
     throw Error(ErrorCode::bad_input,
                 options.grammar.empty()
-                    ? "the scene has no grammar"
-                    : fmt::format("the scene has no grammar '{}'", options.grammar),
+                    ? fmt::format("the scene has no {}", what)
+                    : fmt::format("the scene has no {} '{}'", what, options.grammar),
                 {}, suggestion(options.grammar, names));
-  if (trees.size() > 1 && (options.json || options.svg))
+  if (found.size() > 1 && options.single())
     throw Error(ErrorCode::bad_input,
                 fmt::format("the scene has several grammars: {}", fmt::join(names, ", ")), {},
                 "name one with --grammar");
-  return trees;
+  return found;
+}
+
+std::string text_of(const session::Derivation& derivation, const Options& options) {
+  if (options.theta) return facade::theta(*derivation.facade) + "\n";
+  if (options.elements) return facade::elements_csv(*derivation.facade);
+  if (options.elevation || !options.picture.empty())
+    return facade::elevation_svg(*derivation.facade, {.picture = options.picture});
+  if (options.svg) return grammar::tree_svg(derivation.tree);
+  if (!options.json) return grammar::tree_text(derivation.tree);
+  return derivation.facade ? facade::tree_json(*derivation.facade)
+                           : grammar::tree_json(derivation.tree);
 }
 
 int run(const Options& options) {
   const session::Loaded loaded = options.scene.load();
-  for (const grammar::Tree* tree : chosen(loaded.shot, options))
-    fmt::print("{}", options.json  ? grammar::tree_json(*tree)
-                     : options.svg ? grammar::tree_svg(*tree)
-                                   : grammar::tree_text(*tree));
+  for (const session::Derivation* derivation : chosen(loaded.shot, options))
+    fmt::print("{}", text_of(*derivation, options));
   return kDone;
 }
 
@@ -53,8 +69,18 @@ Verb tree_verb() {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
             app.add_option("--grammar", options->grammar, "only this one");
-            auto* json = app.add_flag("--json", options->json, "as JSON");
-            app.add_flag("--svg", options->svg, "as a drawing")->excludes(json);
+            auto* form = app.add_option_group("form", "What is printed; without any: text");
+            form->add_flag("--json", options->json, "as JSON");
+            form->add_flag("--svg", options->svg, "as a drawing of the tree");
+            form->add_flag("--theta", options->theta,
+                           "of a facade: in the notation of Ripperda and Brenner");
+            form->add_flag("--elements", options->elements,
+                           "of a facade: its elements as a table, in metres");
+            form->add_flag("--elevation", options->elevation,
+                           "of a facade: its rectangles as a drawing");
+            form->add_option("--overlay", options->picture,
+                             "of a facade: its rectangles drawn over this picture");
+            form->require_option(0, 1);
             return [options] { return run(*options); };
           }};
 }

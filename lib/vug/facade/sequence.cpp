@@ -1,0 +1,115 @@
+#include <vug/facade/sequence.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace vug::facade {
+
+namespace {
+
+/// What rounding may add up to, of an extent.
+constexpr double kTiny = 1e-9;
+
+std::string length_text(double metres) { return quantity_text(metres, Dimension::length); }
+
+/// "'Base' 4m, 'Cornice' 60cm"
+std::string listed(const std::vector<Sized>& parts, const std::vector<double>& sizes) {
+  std::string out;
+  for (size_t i = 0; i < parts.size(); ++i)
+    if (sizes[i] > 0)
+      out += fmt::format("{}'{}' {}", out.empty() ? "" : ", ", parts[i].part.name,
+                         length_text(sizes[i]));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Sized> pairs(const std::vector<Step>& steps, std::string& fault) {
+  std::vector<Sized> out;
+  std::optional<Number> size;
+  for (const Step& step : steps) {
+    if (!step.is_part) {
+      if (size) fault = "two sizes follow one another; each stands before its part";
+      if (!(step.size.value > 0)) fault = "a size is above 0";
+      size = step.size;
+      continue;
+    }
+    out.push_back({size, step.part});
+    size.reset();
+  }
+  if (size) fault = "the last size has no part behind it";
+  if (out.empty() && fault.empty()) fault = "there is no part";
+  return out;
+}
+
+std::string fault_of(const std::vector<Step>& steps) {
+  std::string fault;
+  pairs(steps, fault);
+  return fault;
+}
+
+bool all_free(const std::vector<Sized>& parts) {
+  return std::none_of(parts.begin(), parts.end(),
+                      [](const Sized& part) { return part.size.has_value(); });
+}
+
+double measured(const Number& size, double extent) {
+  if (size.dimension == Dimension::length) return size.value;
+  if (size.dimension == Dimension::ratio) return size.value * extent;
+  throw Error(ErrorCode::bad_input, fmt::format("the size {} has no unit", size.value), {},
+              "give it in metres, or in per cent of the whole");
+}
+
+std::vector<double> free_shares(size_t count, double extent, RandomKey key) {
+  RandomStream random(key);
+  std::vector<double> sizes(count);
+  for (double& size : sizes) size = random.uniform(0.5, 1.5);
+  const double total = std::accumulate(sizes.begin(), sizes.end(), 0.0);
+  for (double& size : sizes) size *= extent / total;
+  return sizes;
+}
+
+std::vector<double> divide(const std::vector<Sized>& parts, double extent, RandomKey key) {
+  if (all_free(parts) && parts.size() > 1) return free_shares(parts.size(), extent, key);
+  std::vector<double> sizes(parts.size(), 0.0), shares(parts.size(), 0.0);
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const Number size = parts[i].size.value_or(Number{1, Dimension::none});
+    if (size.dimension == Dimension::length || size.dimension == Dimension::ratio)
+      sizes[i] = measured(size, extent);
+    else if (size.dimension == Dimension::none)
+      shares[i] = size.value;
+    else
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format("the size of '{}' is {}", parts[i].part.name, to_string(size.dimension)), {},
+          "a size is a length, a share in per cent, or a number");
+  }
+  const double fixed = std::accumulate(sizes.begin(), sizes.end(), 0.0);
+  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  const double rest = extent - fixed;
+  if (rest < -kTiny * extent)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the parts do not fit: they need {} of {} ({})", length_text(fixed),
+                            length_text(extent), listed(parts, sizes)),
+                {}, "make one of them a share of the rest: a number without a unit");
+  if (total > 0 && rest <= kTiny * extent) {
+    const size_t first = static_cast<size_t>(
+        std::find_if(shares.begin(), shares.end(), [](double s) { return s > 0; }) -
+        shares.begin());
+    throw Error(ErrorCode::bad_input,
+                fmt::format("nothing of {} is left for '{}' ({})", length_text(extent),
+                            parts[first].part.name, listed(parts, sizes)));
+  }
+  if (total == 0 && rest > 1e-6 * extent)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("{} of {} is left over ({})", length_text(rest), length_text(extent),
+                            listed(parts, sizes)),
+                {}, "make one of them a share of the rest: a number without a unit");
+  for (size_t i = 0; i < parts.size(); ++i)
+    if (shares[i] > 0) sizes[i] = rest * shares[i] / total;
+  return sizes;
+}
+
+}  // namespace vug::facade

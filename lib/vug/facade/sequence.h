@@ -1,0 +1,36 @@
+// Sizes in a row: lengths, shares of the whole, shares of what is left.
+#pragma once
+
+#include <vug/facade/split.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::facade {
+
+struct Sized {
+  std::optional<Number> size;  ///< None: an even share of what is left.
+  PartRef part;
+};
+
+/// `4m, Base, 1, Upper` as pairs. `fault` is a sentence where sizes and parts do not alternate.
+std::vector<Sized> pairs(const std::vector<Step>& steps, std::string& fault);
+/// The same sentence alone; empty where they do.
+std::string fault_of(const std::vector<Step>& steps);
+
+/// Whether no part has a size: the sizes are then free.
+bool all_free(const std::vector<Sized>& parts);
+
+/// A size on its own, of a scope's extent: a length, or a share of the whole. Error(bad_input) for
+/// plain numbers, which only mean something beside others.
+double measured(const Number& size, double extent);
+
+/// Sizes in metres that add up to `extent`; free ones are drawn from the key. Error(bad_input)
+/// where parts do not fit, where a part would be empty, or where some of the extent is left over.
+std::vector<double> divide(const std::vector<Sized>& parts, double extent, RandomKey key);
+
+/// Sizes that nobody gives: shares between 1/2 and 3/2 of an even one, drawn from the key.
+std::vector<double> free_shares(size_t count, double extent, RandomKey key);
+
+}  // namespace vug::facade

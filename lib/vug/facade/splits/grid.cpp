@@ -1,0 +1,176 @@
+// Cells in columns and rows, with margins around and gaps between. Of the four grids of
+// ripperda2009 a regular one has one distance from cell to cell, an identical one has cells that
+// are all alike.
+#include <vug/facade/sequence.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::facade {
+namespace {
+
+/// Cells along one axis.
+struct Line {
+  std::vector<double> at;  ///< Where they begin.
+  double size = 0;         ///< Of each.
+};
+
+struct Grid {
+  PartRef cell;
+  std::optional<PartRef> door;
+  std::optional<int> columns, rows, at;
+  std::vector<Size> size, spacing, margin, gap;
+  bool regular = true;
+  bool identical = true;
+
+  static void describe(Schema<Grid>& s) {
+    s.doc(
+         "Cells in columns and rows: grid(Bay, columns: 5, rows: 3, gap: 60cm). Counts that "
+         "neither "
+         "'columns', 'rows' nor 'spacing' give are free, and so are then sizes and margins.")
+        .cite("ripperda2009")
+        .param("cell", &Grid::cell, {.doc = "what stands in the cells", .required = true})
+        .param("door", &Grid::door,
+               {.doc = "what stands in one cell of the lowest row, down to the ground"})
+        .param("columns", &Grid::columns, {.doc = "how many", .min = 1, .max = 1000})
+        .param("rows", &Grid::rows, {.doc = "how many", .min = 1, .max = 1000})
+        .param("at", &Grid::at, {.doc = "the door's column, from 0; else it is free", .min = 0})
+        .param("size", &Grid::size, {.doc = "width and height of a cell, or one for both"})
+        .param("spacing", &Grid::spacing,
+               {.doc = "from cell to cell in x and y, or one for both: as many as fit, stretched"})
+        .param(
+            "margin", &Grid::margin,
+            {.doc = "on the left, right, below and above; two: at the sides, below and above; or "
+                    "one for all"})
+        .param("gap", &Grid::gap, {.doc = "between cells in x and y, or one for both"})
+        .param("regular", &Grid::regular,
+               {.doc = "one distance from cell to cell; else these are free"})
+        .param("identical", &Grid::identical, {.doc = "all cells are alike, derived once"});
+  }
+  std::string fault() const {
+    const auto pair = [](const std::vector<Size>& list) { return list.size() <= 2; };
+    if (!pair(size) || !pair(spacing) || !pair(gap))
+      return "'size', 'spacing' and 'gap' are one number or two";
+    if (margin.size() == 3 || margin.size() > 4) return "'margin' is one number, two or four";
+    if (!size.empty() && !gap.empty()) return "give a size or gaps, not both";
+    for (const auto* list : {&size, &spacing})
+      for (const Size& one : *list)
+        if (!(one.number.value > 0)) return "sizes and spacings are above 0";
+    for (const auto* list : {&margin, &gap})
+      for (const Size& one : *list)
+        if (!(one.number.value >= 0)) return "margins and gaps are 0 or more";
+    if (at && !door) return "'at' is the door's column, and there is no door";
+    return "";
+  }
+
+  /// The number for one axis (0 or 1) of a list; nothing without one.
+  static std::optional<double> given(const std::vector<Size>& list, size_t axis, double extent) {
+    if (list.empty()) return std::nullopt;
+    return measured(list[std::min(axis, list.size() - 1)].number, extent);
+  }
+  double margin_of(size_t side, double extent) const {
+    if (margin.empty()) return 0;
+    return measured(margin[margin.size() == 4   ? side
+                           : margin.size() == 2 ? side / 2
+                                                : 0]
+                        .number,
+                    extent);
+  }
+
+  Line line(size_t axis, double extent, RandomKey key) const {
+    const std::optional<int>& asked = axis == 0 ? columns : rows;
+    double before = margin_of(2 * axis, extent), behind = margin_of(2 * axis + 1, extent);
+    const std::optional<double> pitch = given(spacing, axis, extent);
+    std::optional<double> cell_size = given(size, axis, extent);
+    const double between = given(gap, axis, extent).value_or(0);
+    RandomStream random(key);
+    int n = asked.value_or(1);
+    const bool open = !asked && !pitch;
+    if (open) {
+      const int most = std::clamp(static_cast<int>(extent / 2), 1, 20);
+      n = 1 + static_cast<int>(random.below(static_cast<uint32_t>(most)));
+      if (margin.empty()) before = behind = random.uniform(0.05, 0.5) * extent / n;
+    }
+    const double inner = extent - before - behind;
+    if (!asked && pitch) n = std::clamp(static_cast<int>(inner / *pitch + 1e-9), 1, 1000);
+    if (open && !cell_size && gap.empty()) cell_size = random.uniform(0.3, 0.8) * inner / n;
+    const double width = cell_size ? *cell_size : (inner - (n - 1) * between) / n;
+    if (!(width > 0) || n * width > inner * (1 + 1e-9))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("{} {} do not fit into {}", n, axis == 0 ? "columns" : "rows",
+                              quantity_text(inner, Dimension::length)));
+    // With a size of their own, cells stand in the middle of even strips when they have a spacing
+    // or a count, from margin to margin when they have margins or are free.
+    const double left_over = inner - n * width;
+    const bool justified = !cell_size || open || !margin.empty();
+    const double gaps = justified ? n - 1 : n;
+    Line out;
+    out.size = width;
+    std::vector<double> spaces(static_cast<size_t>(std::max(1, n - 1)),
+                               gaps > 0 ? left_over / gaps : 0);
+    if (!regular && n > 1) {
+      const double total = justified ? left_over : left_over * (n - 1) / n;
+      spaces = free_shares(spaces.size(), total, key.at("spaces"));
+    }
+    double start = before + (justified ? (n == 1 ? left_over / 2 : 0) : left_over / n / 2);
+    for (int i = 0; i < n; ++i) {
+      out.at.push_back(start);
+      if (i + 1 < n) start += width + spaces[static_cast<size_t>(i)];
+    }
+    return out;
+  }
+
+  /// What the model stores: counts, the first cell's place, and the distances, of which a regular
+  /// grid has one for each axis.
+  Numbers numbers(const Line& x, const Line& y) const {
+    Numbers out = {{"columns", static_cast<double>(x.at.size())},
+                   {"rows", static_cast<double>(y.at.size())},
+                   {"x", x.at[0]},
+                   {"y", y.at[0]}};
+    for (const auto& [name, line] : {std::pair("dx", &x), std::pair("dy", &y)}) {
+      if (line->at.size() == 1) out.emplace_back(name, 0);
+      for (size_t i = 1; i < (regular ? std::min<size_t>(2, line->at.size()) : line->at.size());
+           ++i)
+        out.emplace_back(name, line->at[i] - line->at[i - 1]);
+    }
+    return out;
+  }
+
+  Layout layout(double width, double height, RandomKey key) const {
+    const Line x = line(0, width, key.at("columns")), y = line(1, height, key.at("rows"));
+    const auto across = static_cast<uint32_t>(x.at.size());
+    const uint32_t entrance =
+        at ? static_cast<uint32_t>(*at) : RandomStream(key.at("door")).below(across);
+    if (door && entrance >= across)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the door's column is {} of {}", entrance, across), {},
+                  "the first column is 0");
+    Layout out;
+    out.numbers = numbers(x, y);
+    const Rect way{x.at[entrance], 0, x.size, y.at[0] + y.size};
+    const auto total = static_cast<int64_t>(x.at.size() * y.at.size());
+    for (size_t row = 0; row < y.at.size(); ++row)
+      for (size_t column = 0; column < x.at.size(); ++column) {
+        if (door && row == 0 && column == entrance) continue;
+        const Rect rect{x.at[column], y.at[row], x.size, y.size};
+        const bool first = out.cells.empty();
+        if (first || !identical)
+          out.cells.push_back({.part = cell.part,
+                               .rect = rect,
+                               .index = static_cast<int64_t>(row * x.at.size() + column),
+                               .total = total});
+        else
+          out.cells[0].copies.push_back(
+              Placement::shift(rect.x - out.cells[0].rect.x, rect.y - out.cells[0].rect.y));
+      }
+    if (door) out.cells.push_back({.part = door->part, .rect = way});
+    return out;
+  }
+};
+
+}  // namespace
+}  // namespace vug::facade
+
+VUG_SPLIT_KIND(grid) { return split_kind<Grid>("grid"); }

@@ -1,0 +1,57 @@
+#include <vug/facade/sequence.h>
+
+namespace vug::facade {
+namespace {
+
+struct Mirror {
+  std::vector<Step> parts;
+
+  static void describe(Schema<Mirror>& s) {
+    s.doc(
+         "A side and its mirror image, which is modelled once; between both perhaps a middle: "
+         "mirror(Side), mirror(Side, 3m, Middle), mirror(2m, Side, Middle). Without any size the "
+         "middle's is free.")
+        .cite("ripperda2009")
+        .param("parts", &Mirror::parts,
+               {.doc = "the side and the middle, each with its size before it", .required = true});
+  }
+  std::string fault() const {
+    std::string fault;
+    const size_t count = pairs(parts, fault).size();
+    if (fault.empty() && count > 2) fault = "'mirror' has a side and at most a middle";
+    return fault;
+  }
+
+  Layout layout(double width, double height, RandomKey key) const {
+    std::string none;
+    const std::vector<Sized> all = pairs(parts, none);
+    Layout out;
+    if (all.size() == 1) {
+      const std::vector<double> halves = divide({all[0], all[0]}, width, key);
+      const double half = all[0].size ? halves[0] : width / 2;
+      out.cells.push_back({.part = all[0].part.part,
+                           .rect = {0, 0, half, height},
+                           .copies = {Placement::mirror(width / 2)}});
+      return out;
+    }
+    std::vector<double> sizes(3);
+    if (all_free(all)) {
+      const double middle = RandomStream(key).uniform(0.15, 0.5) * width;
+      sizes = {(width - middle) / 2, middle, (width - middle) / 2};
+    } else {
+      sizes = divide({all[0], all[1], all[0]}, width, key);
+    }
+    out.cells.push_back({.part = all[0].part.part,
+                         .rect = {0, 0, sizes[0], height},
+                         .copies = {Placement::mirror(width / 2)}});
+    out.cells.push_back({.part = all[1].part.part,
+                         .rect = {sizes[0], 0, sizes[1], height},
+                         .given = {{"width", sizes[1]}}});
+    return out;
+  }
+};
+
+}  // namespace
+}  // namespace vug::facade
+
+VUG_SPLIT_KIND(mirror) { return split_kind<Mirror>("mirror"); }

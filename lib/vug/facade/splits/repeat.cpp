@@ -1,0 +1,96 @@
+#include <vug/facade/sequence.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::facade {
+namespace {
+
+enum class Axis { x, y };
+
+struct Repeat {
+  Axis axis = Axis::x;
+  std::vector<Step> parts;
+  std::optional<int> count;
+  double gap = 0;
+  bool alike = true;
+  bool even = true;
+
+  static void describe(Schema<Repeat>& s) {
+    s.doc(
+         "One part again and again: repeat(x, 2.4m, Bay) as often as it fits, stretched to fill, "
+         "or repeat(x, Bay, count: 5). Without both the count is free.")
+        .cite("ripperda2009")
+        .choice("axis", &Repeat::axis, {{"x", Axis::x}, {"y", Axis::y}},
+                "x: side by side, y: one above the other")
+        .param("parts", &Repeat::parts,
+               {.doc = "the part, before it perhaps its size", .required = true})
+        .param("count", &Repeat::count, {.doc = "how many", .min = 1, .max = 10000})
+        .param("gap", &Repeat::gap,
+               {.doc = "between two of them", .dimension = Dimension::length, .min = 0})
+        .param("alike", &Repeat::alike, {.doc = "all are one and the same, derived once"})
+        .param("even", &Repeat::even, {.doc = "all have one size; else these are free"});
+  }
+  std::string fault() const {
+    std::string fault;
+    const std::vector<Sized> all = pairs(parts, fault);
+    if (!fault.empty()) return fault;
+    if (all.size() > 1) return "'repeat' has one part";
+    if (all[0].size && count) return "give a size or a count, not both";
+    if (!even && alike && count.value_or(2) > 1) return "what is alike has one size: even is false";
+    return "";
+  }
+
+  int counted(double extent, RandomKey key) const {
+    std::string none;
+    const std::vector<Sized> all = pairs(parts, none);
+    if (count) return *count;
+    if (all[0].size) {
+      const double fits = (extent + gap) / (measured(*all[0].size, extent) + gap);
+      if (fits > 10000)
+        throw Error(ErrorCode::too_large,
+                    fmt::format("'{}' would be repeated {:.3g} times", all[0].part.name, fits));
+      return std::max(1, static_cast<int>(std::floor(fits + 1e-9)));
+    }
+    const int most = std::clamp(static_cast<int>(extent), 2, 12);
+    return 2 +
+           static_cast<int>(RandomStream(key.at("count")).below(static_cast<uint32_t>(most - 1)));
+  }
+
+  Layout layout(double width, double height, RandomKey key) const {
+    const double extent = axis == Axis::x ? width : height;
+    const int n = counted(extent, key);
+    const double filled = extent - (n - 1) * gap;
+    if (!(filled > 0))
+      throw Error(ErrorCode::bad_input, fmt::format("the gaps of {} parts need {} of {}", n,
+                                                    quantity_text((n - 1) * gap, Dimension::length),
+                                                    quantity_text(extent, Dimension::length)));
+    std::vector<double> sizes(static_cast<size_t>(n), filled / n);
+    if (!even) sizes = free_shares(sizes.size(), filled, key.at("sizes"));
+    Layout out;
+    double at = 0;
+    for (int i = 0; i < n; ++i) {
+      const double size = sizes[static_cast<size_t>(i)];
+      const Rect rect = axis == Axis::x ? Rect{at, 0, size, height} : Rect{0, at, width, size};
+      if (i == 0 || !alike)
+        out.cells.push_back({.part = 0, .rect = rect, .index = i, .total = n});
+      else
+        out.cells[0].copies.push_back(Placement::shift(rect.x, rect.y));
+      const bool uneven = !even;
+      if (uneven) out.cells.back().given = {{axis == Axis::x ? "width" : "height", size}};
+      at += size + gap;
+    }
+    if (alike) {
+      out.cells[0].given = {{"count", n}};
+      out.cells[0].total = 1;
+    }
+    return out;
+  }
+};
+
+}  // namespace
+}  // namespace vug::facade
+
+VUG_SPLIT_KIND(repeat) { return split_kind<Repeat>("repeat"); }
