@@ -33,11 +33,12 @@ class GridAxis {
   bool same_cells(int line, int other) const;
   void copy_cells(int from, int to);
 
- private:
-  int across() const;
-  bool alike(int line) const;
+  int across() const;  ///< Lines of the other axis.
   int kind(int line, int other) const;
   void set_kind(int line, int other, int kind);
+
+ private:
+  bool alike(int line) const;
   bool along_x_;
 };
 

@@ -1,6 +1,7 @@
 // Where the picture says that edges may be, so that proposals need not try every place.
 #pragma once
 
+#include <vug/fit/evidence.h>
 #include <vug/inference/profile.h>
 
 namespace vug::fit {
@@ -14,6 +15,11 @@ struct Hints {
 
   /// Every place is as likely as any other.
   static Hints none(int width, int height);
+  /// Where whole columns and rows of clusters change.
+  static Hints of_clusters(const Evidence& evidence);
+  /// Where whole columns and rows begin, or cease, to look like windows rather than wall; `looks`
+  /// are code lengths under each Look.
+  static Hints of_looks(const Evidence& looks);
 };
 
 }  // namespace vug::fit

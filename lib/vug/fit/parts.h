@@ -16,7 +16,7 @@ struct Workshop {
 /// A node's parts, and the cells where the node is a grid whose windows differ.
 struct Parts {
   std::vector<Node> nodes;
-  std::array<uint32_t, kMostLines> cells{};
+  Cells cells{};
 };
 
 /// Those of node i, which has been rewritten.

@@ -45,15 +45,17 @@ bool same_places(const Area& a, const std::vector<Frame>& frames_a, const Area& 
                     frames_b.begin() + b.first);
 }
 
-/// Lines that begin at or after 0, are `size` or more apart, end in time, and have equal distances
-/// where they must; unused ones are 0.
-bool lines_fit(const Lines& lines, int count, int size, int room, bool regular) {
+/// How wide the widest window of each line is.
+using Sizes = std::array<int, kMostLines>;
+
+/// Lines that begin at or after 0, are apart, end in time, and have equal distances where they
+/// must; unused ones are 0.
+bool lines_fit(const Lines& lines, int count, const Sizes& sizes, int room, bool regular) {
   for (int i = 0; i < count; ++i) {
-    const int at = lines[static_cast<size_t>(i)];
-    const int end = i + 1 < count ? lines[static_cast<size_t>(i + 1)] - 1 : room;
-    if (at < 0 || at + size > end) return false;
-    if (regular && i > 1 && at - lines[static_cast<size_t>(i - 1)] != lines[1] - lines[0])
-      return false;
+    const auto at = static_cast<size_t>(i);
+    const int end = i + 1 < count ? lines[at + 1] - 1 : room;
+    if (lines[at] < 0 || lines[at] + sizes[at] > end) return false;
+    if (regular && i > 1 && lines[at] - lines[at - 1] != lines[1] - lines[0]) return false;
   }
   return true;
 }
@@ -139,7 +141,9 @@ bool Model::fits(const State& state, int i) const {
   if (symbol.terminal) {
     if (node.width < limits_.least || node.height < limits_.least) return false;
     const bool in_grid = static_cast<Op>(node.made_by) == Op::windows;
-    if (in_grid && symbol.look == Look::window) return true;  // the grid asks for its lines
+    // Where a grid's windows stand its lines say; a kind may stand nowhere.
+    if (in_grid && symbol.look == Look::window)
+      return node.width <= area.width && node.height <= area.height;
     return node.x >= 0 && node.y >= 0 && node.x + node.width <= area.width &&
            node.y + node.height <= area.height;
   }
@@ -147,17 +151,24 @@ bool Model::fits(const State& state, int i) const {
   if (node.columns < 1 || node.rows < 1 || node.columns > limits_.most_lines ||
       node.rows > limits_.most_lines)
     return false;
-  int width = limits_.least, height = limits_.least, kinds = 0;
-  for (int part = i + 1; part < state.tree.end(i); ++part) {
-    const Node& window = state.tree[part];
-    if (rules_->symbol(window.symbol).look != Look::window) continue;
-    width = std::max<int>(width, window.width);
-    height = std::max<int>(height, window.height);
-    ++kinds;
-  }
+  Sizes widths, heights;
+  widths.fill(limits_.least), heights.fill(limits_.least);
+  const auto stands = [&](int column, int row, const Node& window) {
+    int& width = widths[static_cast<size_t>(column)];
+    int& height = heights[static_cast<size_t>(row)];
+    width = std::max<int>(width, window.width), height = std::max<int>(height, window.height);
+  };
+  int kinds = 0;
+  for (int part = i + 1; part < state.tree.end(i); ++part)
+    kinds += rules_->symbol(state.tree[part].symbol).look == Look::window ? 1 : 0;
   if (kinds > (symbol.identical ? 1 : limits_.most_kinds)) return false;
-  return lines_fit(node.left, node.columns, width, area.width, symbol.regular) &&
-         lines_fit(node.top, node.rows, height, area.height, symbol.regular);
+  for (int row = 0; kinds > 0 && row < node.rows; ++row)
+    for (int column = 0; column < node.columns; ++column) {
+      const int kind = symbol.identical ? 1 : node.kind(column, row);
+      if (kind > 0) stands(column, row, state.tree[i + kind]);
+    }
+  return lines_fit(node.left, node.columns, widths, area.width, symbol.regular) &&
+         lines_fit(node.top, node.rows, heights, area.height, symbol.regular);
 }
 
 }  // namespace vug::fit

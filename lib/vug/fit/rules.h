@@ -56,7 +56,7 @@ struct Limits {
   int most_lines = 16;  ///< Columns of a grid, and rows, at most kMostLines.
   int most_elements = 16;
   int most_repeats = 16;
-  int most_kinds = 3;   ///< Kinds of windows in a grid, at most kMostKinds.
+  int most_kinds = 15;  ///< Kinds of windows in a grid, at most kMostKinds.
   int most_nodes = 64;  ///< Of a tree.
 };
 

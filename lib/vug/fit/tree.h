@@ -8,10 +8,12 @@
 
 namespace vug::fit {
 
-constexpr int kMostLines = 16, kMostKinds = 3;
+constexpr int kMostLines = 16, kMostKinds = 15;
 
 /// Where columns, or rows, of a grid begin, from the left, or top, of its area; unused ones are 0.
 using Lines = std::array<int16_t, kMostLines>;
+/// A grid's cells, a number for each row.
+using Cells = std::array<uint64_t, kMostLines>;
 
 /// A node's parameters are those that the production above it gives it; the others are 0, so that
 /// equal trees have equal bytes.
@@ -25,16 +27,16 @@ struct Node {
   int16_t width = 0, height = 0;  ///< and its size; of a grid's windows only the size.
   int16_t columns = 0, rows = 0;
   Lines left{}, top{};
-  /// What stands in the cells of a grid whose windows differ, two bits a column: 0 nothing, else
+  /// What stands in the cells of a grid whose windows differ, four bits a column: 0 nothing, else
   /// one more than the place of the window among the grid's parts.
-  std::array<uint32_t, kMostLines> cells{};
+  Cells cells{};
 
   int kind(int column, int row) const {
-    return static_cast<int>(cells[static_cast<size_t>(row)] >> (2 * column) & 3u);
+    return static_cast<int>(cells[static_cast<size_t>(row)] >> (4 * column) & 15u);
   }
   void set_kind(int column, int row, int kind) {
-    uint32_t& bits = cells[static_cast<size_t>(row)];
-    bits = (bits & ~(3u << (2 * column))) | static_cast<uint32_t>(kind) << (2 * column);
+    uint64_t& bits = cells[static_cast<size_t>(row)];
+    bits = (bits & ~(uint64_t{15} << (4 * column))) | static_cast<uint64_t>(kind) << (4 * column);
   }
   bool operator==(const Node&) const = default;
 };

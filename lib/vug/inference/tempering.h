@@ -40,6 +40,13 @@ class Tempering {
     best_energy_ = chains_[0].energy();
   }
 
+  /// Multiplies all temperatures, as annealing does; exchanges go by the products.
+  void set_scale(double scale) {
+    scale_ = scale;
+    for (size_t i = 0; i < chains_.size(); ++i)
+      chains_[i].set_temperature(scale_ * ladder_.temperature(static_cast<int>(i)));
+  }
+
   /// Rounds of steps and exchanges. `adapt` moves the temperatures, which is for warming up only;
   /// `visit` sees the coldest chain's state after each round. Stops, whole, when told to.
   void run(int64_t rounds, bool adapt, Progress& progress = Progress::none(),
@@ -93,20 +100,21 @@ class Tempering {
   void exchange(bool adapt) {
     for (size_t i = odd_ ? 1 : 0; i + 1 < chains_.size(); i += 2) {
       Chain<S>&cold = chains_[i], &hot = chains_[i + 1];
-      const double taken = ladder_.acceptance(static_cast<int>(i), cold.energy(), hot.energy());
+      const double taken =
+          ladder_.acceptance(static_cast<int>(i), cold.energy() / scale_, hot.energy() / scale_);
       const bool swap = swaps_.uniform() < taken;
       ladder_.count(static_cast<int>(i), taken, swap);
       if (swap) cold.swap_states(hot);
     }
     if (odd_ && adapt) {
       ladder_.adapt();
-      for (size_t i = 0; i < chains_.size(); ++i)
-        chains_[i].set_temperature(ladder_.temperature(static_cast<int>(i)));
+      set_scale(scale_);
     }
     odd_ = !odd_;
   }
 
   Options options_;
+  double scale_ = 1;
   Ladder ladder_;
   std::vector<Chain<S>> chains_;
   std::vector<std::optional<Found>> found_ =

@@ -54,7 +54,7 @@ std::vector<Toy> toys() {
        3,
        1,
        tiny(2),
-       {"rewrite", "grid_type", "cell", "kinds", "shift", "resize", "lines", "redraw"}},
+       {"rewrite", "grid_type", "differ", "cell", "kinds", "shift", "resize", "lines", "redraw"}},
       {"elements",
        {"Facade elements Element", "Element terminal Window", "Element terminal Door"},
        3,

@@ -66,11 +66,39 @@ std::vector<uint8_t> noise(int count, int clusters) {
   return out;
 }
 
+/// A grid of windows that is said once of several parts of the facade.
+State folded(const Model& model, Op op) {
+  const Rules& rules = model.rules();
+  State state = model.start();
+  const auto way = [&](int i, Op wanted, const std::string& part) {
+    for (const int at : rules.productions_of(state.tree[i].symbol))
+      if (rules.production(at).op == wanted && rules.production(at).parts.size() == 1 &&
+          rules.symbol(rules.production(at).parts[0]).name == part)
+        return at;
+    return -1;
+  };
+  const auto grow = [&](int i, int production, Node node) {
+    node.symbol = static_cast<int16_t>(rules.production(production).parts[0]);
+    node.made_by = static_cast<int8_t>(rules.production(production).op);
+    state.grow(i, production, {node});
+  };
+  Node part, grid, window;
+  part.extent = op == Op::repeat ? 3 : 0;
+  grid.columns = 2, grid.rows = 1, grid.left = {3, 11}, grid.top = {5};
+  window.width = 6, window.height = 9;
+  grow(0, way(0, op, op == Op::repeat ? "Part" : "Side"), part);
+  grow(1, way(1, Op::grid, "IdenticalGrid"), grid);
+  grow(2, way(2, Op::windows, "Window"), window);
+  EXPECT_TRUE(std::isfinite(model.energy(state)));
+  return state;
+}
+
 TEST(Moves, LeadBackByTheChoicesTheyTell) {
   constexpr int kWidth = 61, kHeight = 47;
   const Rules rules = all_rules();
   Limits limits;
   limits.least = 2;
+  limits.most_kinds = 3;
   const Model model(rules, limits, kWidth, kHeight);
   const Hints hints = lumpy_hints(kWidth, kHeight);
   const Workshop shop{model, hints};
@@ -103,8 +131,10 @@ TEST(Moves, LeadBackByTheChoicesTheyTell) {
                 1e-12);
     // A walk that would rather grow, so that large trees come too.
     if (state.tree.size() >= here.tree.size() || stream.uniform() < 0.3) here = state;
-    if (here.tree.size() > 30) {
-      here = model.start();
+    if (here.tree.size() > 30 || tries % 500 == 0) {
+      here = tries % 1500 == 0   ? folded(model, Op::mirror)
+             : tries % 1000 == 0 ? folded(model, Op::repeat)
+                                 : model.start();
       model.energy(here);
     }
   }

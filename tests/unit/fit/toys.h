@@ -235,7 +235,7 @@ inline std::string name_of(const Tree& tree) {
       add(number);
     for (const int16_t at : n.left) add(at);
     for (const int16_t at : n.top) add(at);
-    for (const uint32_t row : n.cells) add(row);
+    for (const uint64_t row : n.cells) add(row);
   }
   return out;
 }

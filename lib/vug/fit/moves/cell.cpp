@@ -22,7 +22,7 @@ bool cell(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   back.below(axis.count, line);
   if (whole_line) {
     axis.choose_cells(line, back);
-    return axis.choose_cells(line, forward);
+    return axis.choose_cells(line, forward) && shop.model.fits(state, i);
   }
   Node& grid = axis.grid;
   const int across = along_x ? grid.rows : grid.columns;
@@ -31,7 +31,7 @@ bool cell(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   const int column = along_x ? line : other, row = along_x ? other : line;
   back.below(axis.kinds + 1, grid.kind(column, row));
   grid.set_kind(column, row, forward.below(axis.kinds + 1));
-  return true;
+  return shop.model.fits(state, i);
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ bool redraw(const Workshop& shop, State& state, Choices& forward, Choices& back)
                   in_grid ? lines[0] : at,
                   size,
                   low_edge};
+  if (edge.low + edge.size > edge.room) return false;  // a kind that stands in no cell
   const int begin = edge.window_begin(least), end = edge.window_end(least);
   back.among(profile, begin, end, edge.place());
   const int by = forward.among(profile, begin, end) - edge.place();

@@ -1,0 +1,83 @@
+// Gives the windows of one kind in a column or row a kind of their own, or joins the last kind with
+// another one.
+#include <vug/fit/cells.h>
+
+namespace vug::fit {
+namespace {
+
+constexpr int kMostStep = 12;  // pixels by which sizes differ
+
+/// Whether the kind stands in cells of that line, and in no others.
+bool only_there(const GridAxis& axis, int line, int kind) {
+  bool there = false;
+  for (int at = 0; at < axis.count; ++at)
+    for (int other = 0; other < axis.across(); ++other) {
+      if (axis.kind(at, other) != kind) continue;
+      if (at != line) return false;
+      there = true;
+    }
+  return there;
+}
+
+bool is_there(const GridAxis& axis, int line, int kind) {
+  for (int other = 0; other < axis.across(); ++other)
+    if (axis.kind(line, other) == kind) return true;
+  return false;
+}
+
+void replace(GridAxis& axis, int line, int kind, int by) {
+  for (int other = 0; other < axis.across(); ++other)
+    if (axis.kind(line, other) == kind) axis.set_kind(line, other, by);
+}
+
+bool differ(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) {
+    return is_grid(shop, state, i) && state.tree[i].production >= 0 &&
+           !shop.model.rules().symbol(state.tree[i].symbol).identical;
+  };
+  const int i = pick(state, forward, fits);
+  if (i < 0) return false;
+  tell_pick(state, back, i, fits);
+  const bool split = forward.flip(), along_x = forward.flip();
+  back.flip(!split), back.flip(along_x);
+  GridAxis axis(shop, state, i, along_x);
+  const int line = forward.below(axis.count);
+  back.below(axis.count, line);
+  state.changed(i);
+  if (split) {
+    if (axis.kinds >= shop.model.limits().most_kinds) return false;
+    const int kind = 1 + forward.below(axis.kinds), fresh = axis.kinds + 1;
+    back.below(axis.kinds, kind - 1);
+    if (!is_there(axis, line, kind)) return false;
+    replace(axis, line, kind, fresh);
+    Node window = state.tree[i + kind];
+    const int wider = forward.between(-kMostStep, kMostStep);
+    const int higher = forward.between(-kMostStep, kMostStep);
+    window.width = static_cast<int16_t>(window.width + wider);
+    window.height = static_cast<int16_t>(window.height + higher);
+    state.insert(i, i + fresh, window);
+    return shop.model.fits(state, i);
+  }
+  if (axis.kinds < 2) return false;
+  const int last = axis.kinds, kind = 1 + forward.below(axis.kinds - 1);
+  if (!only_there(axis, line, last) || is_there(axis, line, kind)) return false;
+  replace(axis, line, last, kind);
+  back.below(axis.kinds - 1, kind - 1);
+  back.between(-kMostStep, kMostStep, state.tree[i + last].width - state.tree[i + kind].width);
+  back.between(-kMostStep, kMostStep, state.tree[i + last].height - state.tree[i + kind].height);
+  state.erase(i, i + last);
+  return true;
+}
+
+}  // namespace
+}  // namespace vug::fit
+
+VUG_MOVE(differ) {
+  return {{"differ",
+           "move",
+           "Gives windows of a column or row a kind of their own, or joins kinds.",
+           "",
+           {}},
+          2,
+          differ};
+}

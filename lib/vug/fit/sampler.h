@@ -1,0 +1,47 @@
+// Facades out of pictures: chains that look for the trees a picture is likely to be of.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/fit/move.h>
+#include <vug/inference/tempering.h>
+
+#include <map>
+
+namespace vug::fit {
+
+struct SamplerOptions {
+  int chains = 8;
+  double coldest = 1;      ///< Pixels are no independent witnesses: above 1 trusts them less.
+  double spread = 10;      ///< Temperature of the hottest chain by that of the coldest, at first.
+  double annealing = 300;  ///< How much hotter all chains begin than they end.
+  int64_t steps = 1'000'000;  ///< Of each chain.
+  double warm_up = 0.7;       ///< Share of the steps in which they cool, and nothing is told of.
+  int64_t per_round = 500;    ///< Steps between two exchanges.
+};
+
+/// How often chains were in trees that differ in numbers only.
+struct Structure {
+  std::string text;  ///< "Facade(RegularGrid(Window Window))"
+  int64_t rounds = 0;
+};
+
+struct Sampled {
+  State best;                         ///< Of least energy.
+  double bits = 0;                    ///< Its energy.
+  std::vector<Structure> structures;  ///< Of the coldest chain, the most frequent first.
+  std::vector<double> trace;          ///< Energies of the coldest chain after each round.
+  std::vector<inference::Ladder::Swaps> swaps;
+  std::vector<double> temperatures;
+  std::vector<inference::MoveCount> moves;  ///< Of the coldest chain, in the order of move_kinds.
+  bool stopped = false;                     ///< Told to stop: the best so far.
+};
+
+/// Samples trees by parallel tempering from the axiom, or from `start`. The same result for any
+/// number of threads. When told to stop it returns what it has.
+Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey key,
+               Progress& progress = Progress::none(), const State* start = nullptr);
+
+/// A tree's symbols, without its numbers.
+std::string structure_of(const Rules& rules, const Tree& tree);
+
+}  // namespace vug::fit
