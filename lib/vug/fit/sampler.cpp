@@ -39,7 +39,7 @@ Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey ke
       start ? *start : model.start(), key, tempering);
   const int64_t rounds = std::max<int64_t>(1, options.steps / options.per_round);
   const auto warm = static_cast<int64_t>(options.warm_up * static_cast<double>(rounds));
-  progress.begin("sampling", static_cast<uint64_t>(rounds));
+  if (!progress.cancelled()) progress.begin("sampling", static_cast<uint64_t>(rounds));
   for (int64_t round = 0; round < warm && !progress.cancelled(); ++round) {
     const double left = 1 - static_cast<double>(round) / static_cast<double>(warm);
     chains.set_scale(maths::pow(options.annealing, left));

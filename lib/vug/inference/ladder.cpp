@@ -14,6 +14,7 @@ Ladder::Ladder(int chains, double coldest, double hottest) {
     temperatures_.push_back(
         i == 0 ? coldest
                : coldest * maths::pow(hottest / coldest, static_cast<double>(i) / (chains - 1)));
+  hottest_ = temperatures_.back();
   forget();
   sums_.assign(swaps_.size(), 0);
   terms_.assign(swaps_.size(), 0);
@@ -49,9 +50,11 @@ void Ladder::adapt() {
     temperatures_[i + 1] = temperatures_[i] + gaps[i];
   }
   // The hottest goes where the last pair exchanges as often as the others do.
+  // Where hot states are all alike nothing holds it back.
   if (pairs > 0)
     temperatures_[pairs] =
-        temperatures_[pairs - 1] + gaps[pairs - 1] * maths::exp(rate * (mean[pairs - 1] - 0.35));
+        std::min(4 * hottest_, temperatures_[pairs - 1] +
+                                   gaps[pairs - 1] * maths::exp(rate * (mean[pairs - 1] - 0.35)));
   std::fill(sums_.begin(), sums_.end(), 0);
   std::fill(terms_.begin(), terms_.end(), 0);
 }

@@ -33,6 +33,7 @@ class Ladder {
 
  private:
   std::vector<double> temperatures_;
+  double hottest_ = 0;  ///< As it was at first.
   std::vector<Swaps> swaps_;
   std::vector<double> sums_;  ///< Acceptances since the last adapt,
   std::vector<int> terms_;    ///< and how many.

@@ -1,0 +1,169 @@
+// What chains begin with, and what they find, on pictures whose windows are known.
+#include "toys.h"
+
+#include <vug/base/parallel.h>
+#include <vug/fit/sampler.h>
+#include <vug/fit/seeds.h>
+#include <vug/fit/segments.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug::fit {
+namespace {
+
+/// The most that segments from place `from` on gain, by trying all of them.
+double brute_force(const std::vector<double>& before, const SegmentLimits& limits, int from,
+                   int left) {
+  double best = 0;
+  const auto places = static_cast<int>(before.size()) - 1;
+  for (int start = from; left > 0 && start < places; ++start)
+    for (int size = limits.least; size <= limits.most_size && start + size <= places; ++size)
+      best = std::max(best, before[static_cast<size_t>(start + size)] -
+                                before[static_cast<size_t>(start)] - limits.cost +
+                                brute_force(before, limits, start + size + 1, left - 1));
+  return best;
+}
+
+TEST(Segments, AreTheBestOfAll) {
+  RandomStream stream{RandomKey(3)};
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<double> before = {0};
+    for (int i = 0; i < 12; ++i) before.push_back(before.back() + stream.uniform(-2, 2));
+    const SegmentLimits limits{1 + trial % 2, 4, 1 + trial % 3, 0.3};
+    double gain = 0;
+    int free = 0;
+    for (const Segment& segment : best_segments(before, limits)) {
+      EXPECT_GE(segment.start, free);
+      EXPECT_GE(segment.size(), limits.least);
+      EXPECT_LE(segment.size(), limits.most_size);
+      free = segment.end + 1;
+      gain += before[static_cast<size_t>(segment.end)] -
+              before[static_cast<size_t>(segment.start)] - limits.cost;
+    }
+    EXPECT_NEAR(gain, brute_force(before, limits, 0, limits.most), 1e-12) << trial;
+  }
+}
+
+TEST(Segments, NoneWhereNothingGains) {
+  EXPECT_TRUE(best_segments({0, -1, -2, -3}, {1, 3, 4, 0}).empty());
+  EXPECT_TRUE(best_segments({0}, {1, 3, 4, 0}).empty());
+}
+
+constexpr int kWidth = 90, kHeight = 80;
+
+/// Windows of two widths in four columns and three rows above a wall, one of them walled up.
+bool is_window(int x, int y) {
+  const int lefts[] = {8, 28, 50, 70}, widths[] = {10, 14, 10, 14}, tops[] = {6, 28, 50};
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row)
+      if (x >= lefts[column] && x < lefts[column] + widths[column] && y >= tops[row] &&
+          y < tops[row] + 15)
+        return column != 2 || row != 1;
+  return false;
+}
+
+std::vector<uint8_t> picture(double noise) {
+  RandomStream stream{RandomKey(6)};
+  std::vector<uint8_t> out;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool odd = stream.uniform() < noise;
+      out.push_back(static_cast<uint8_t>(odd ? stream.below(3) : is_window(x, y) ? 1 : 0));
+    }
+  return out;
+}
+
+Rules some_rules() {
+  return rules_of({"Facade rows Row Part", "Facade grid Grid", "Facade grid IdenticalGrid",
+                   "Part grid Grid", "Part grid IdenticalGrid", "Facade mirror Side",
+                   "Side grid IdenticalGrid", "Row elements Element", "Element terminal Door",
+                   "Grid windows Window", "Grid windows Window Door",
+                   "IdenticalGrid windows Window"});
+}
+
+/// Pixels that are seen as windows and are, by those that are either.
+double overlap(const Model& model, const State& state) {
+  std::vector<bool> seen(kWidth * kHeight, false);
+  model.each_terminal(state, [&](Look look, int, const Rect& r) {
+    for (int y = r.y0; look == Look::window && y < r.y1; ++y)
+      for (int x = r.x0; x < r.x1; ++x) seen[static_cast<size_t>(y * kWidth + x)] = true;
+  });
+  double both = 0, either = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool a = seen[static_cast<size_t>(y * kWidth + x)], b = is_window(x, y);
+      both += a && b ? 1 : 0, either += a || b ? 1 : 0;
+    }
+  return both / either;
+}
+
+/// Clusters that tell windows from wall but for noise, and what chains need of them.
+struct Site {
+  explicit Site(double noise)
+      : evidence(Evidence::of_clusters(kWidth, kHeight, 3, picture(noise))) {}
+  const Evidence evidence;
+  const Rules rules = some_rules();
+  const Model model{rules, {}, kWidth, kHeight, &evidence, make_likelihood("kt", evidence)};
+  const Hints hints = Hints::of_clusters(evidence);
+  const Workshop shop{model, hints};
+};
+
+TEST(Seeds, ColumnsAndRowsOfTheirOwnSizesAreFound) {
+  const Site site(0.2);
+  const std::vector<State> found = seeds(site.shop, site.evidence, false);
+  ASSERT_FALSE(found.empty());
+  EXPECT_GT(overlap(site.model, found.front()), 0.95);
+  double last = 0;
+  for (State state : found) {
+    const double bits = site.model.energy(state);
+    EXPECT_TRUE(std::isfinite(bits));
+    EXPECT_GE(bits, last) << "the best come first";
+    last = bits;
+  }
+}
+
+TEST(Sampler, FindsShorterCodesThanTheSeed) {
+  const Site site(0.2);
+  State seed = seeds(site.shop, site.evidence, false).front();
+  SamplerOptions options;
+  options.steps = 60'000;
+  options.annealing = 3;
+  const Sampled found = sample(site.shop, options, RandomKey(1), Progress::none(), &seed);
+  EXPECT_LT(found.bits, site.model.energy(seed) - 1);
+  EXPECT_GT(overlap(site.model, found.best), 0.95);
+  EXPECT_EQ(found.swaps.size(), static_cast<size_t>(options.chains) - 1);
+  ASSERT_FALSE(found.structures.empty());
+  EXPECT_EQ(found.structures.front().text.substr(0, 7), "Facade(");
+}
+
+TEST(Sampler, AnyNumberOfThreadsFindsTheSame) {
+  const Site site(0.3);
+  SamplerOptions options;
+  options.steps = 3'000;
+  std::vector<double> bits;
+  Tree first;
+  for (const int threads : {1, 2, 7}) {
+    const ThreadLimit limit(threads);
+    const Sampled found = sample(site.shop, options, RandomKey(1));
+    bits.push_back(found.bits);
+    if (threads == 1) first = found.best.tree;
+    EXPECT_TRUE(found.best.tree == first);
+  }
+  EXPECT_EQ(bits[0], bits[1]);
+  EXPECT_EQ(bits[0], bits[2]);
+}
+
+TEST(Sampler, ToldToStopItGivesTheBestSoFar) {
+  const Site site(0.2);
+  Progress progress;
+  progress.cancel();
+  const State seed = seeds(site.shop, site.evidence, false).front();
+  const Sampled found = sample(site.shop, {}, RandomKey(1), progress, &seed);
+  EXPECT_TRUE(found.stopped);
+  EXPECT_TRUE(found.best.tree == seed.tree);
+}
+
+}  // namespace
+}  // namespace vug::fit
