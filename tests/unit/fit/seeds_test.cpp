@@ -124,14 +124,19 @@ TEST(Seeds, ColumnsAndRowsOfTheirOwnSizesAreFound) {
   }
 }
 
-TEST(Sampler, FindsShorterCodesThanTheSeed) {
+TEST(Sampler, FindsItsWayBackFromASeedThatWasSpoilt) {
   const Site site(0.2);
-  State seed = seeds(site.shop, site.evidence, false).front();
+  State best = seeds(site.shop, site.evidence, false).front(), seed = best;
+  for (int column = 0; column < 4; ++column)  // windows are off by some pixels
+    seed.tree[1].left[static_cast<size_t>(column)] = static_cast<int16_t>(
+        seed.tree[1].left[static_cast<size_t>(column)] + (column % 2 ? 3 : -2));
+  seed.changed(1);
+  ASSERT_GT(site.model.energy(seed), site.model.energy(best) + 100);
   SamplerOptions options;
-  options.steps = 60'000;
+  options.steps = 30'000;
   options.annealing = 3;
   const Sampled found = sample(site.shop, options, RandomKey(1), Progress::none(), &seed);
-  EXPECT_LT(found.bits, site.model.energy(seed) - 1);
+  EXPECT_LE(found.bits, site.model.energy(best) + 1e-6);
   EXPECT_GT(overlap(site.model, found.best), 0.95);
   EXPECT_EQ(found.swaps.size(), static_cast<size_t>(options.chains) - 1);
   ASSERT_FALSE(found.structures.empty());
