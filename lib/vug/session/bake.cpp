@@ -28,6 +28,15 @@ struct Spread {
   }
 };
 
+/// What most surfaces have nowhere takes no room.
+bool may_vary(const render::Object& object, const exchange::Channel& channel, bool solid) {
+  const render::Material* material = object.material.get();
+  if (channel.number == &exchange::Look::opacity) return material && material->cut_out() && !solid;
+  if (channel.color == &exchange::Look::through) return material && material->thin();
+  if (channel.color == &exchange::Look::emission) return material && material->shines();
+  return true;
+}
+
 /// `solid`: what there is of the mesh is all there.
 Baked bake_as_it_is(const render::Object& object, bool solid) {
   const Eye eye(object);
@@ -42,15 +51,18 @@ Baked bake_as_it_is(const render::Object& object, bool solid) {
   };
   baked.look = look_at(0);
   std::vector<mesh::Attribute> found;
-  for (const exchange::Channel& channel : exchange::channels())
-    found.push_back({std::string(channel.attribute), channel.arity(),
-                     std::vector<float>(vertices * static_cast<size_t>(channel.arity()))});
+  for (const exchange::Channel& channel : exchange::channels()) {
+    const bool asked = may_vary(object, channel, solid);
+    found.push_back(
+        {std::string(channel.attribute), channel.arity(),
+         std::vector<float>(asked ? vertices * static_cast<size_t>(channel.arity()) : 0)});
+  }
   parallel_for(
       vertices,
       [&](size_t v) {
         const exchange::Look look = look_at(v);
         for (size_t c = 0; c < found.size(); ++c)
-          for (int k = 0; k < found[c].arity; ++k)
+          for (int k = 0; k < found[c].arity && !found[c].values.empty(); ++k)
             found[c].values[v * static_cast<size_t>(found[c].arity) + static_cast<size_t>(k)] =
                 static_cast<float>(part_of(exchange::channels()[c], look, k));
       },
@@ -69,10 +81,9 @@ Baked bake_as_it_is(const render::Object& object, bool solid) {
     }
     for (int k = static_cast<int>(arity); k < 3; ++k) spread.low[k] = spread.high[k] = 0;
     sum /= static_cast<double>(vertices);
-    if (channel.color)
-      baked.look.*channel.color = sum;
-    else
-      baked.look.*channel.number = sum.x;
+    const bool asked = !found[c].values.empty();
+    if (asked && channel.color) baked.look.*channel.color = sum;
+    if (asked && channel.number) baked.look.*channel.number = sum.x;
     for (mesh::Attribute& own : out.attributes)
       if (own.name == found[c].name && own.name != mesh::kColour)
         own.name = fmt::format("raw_{}", own.name);
@@ -80,7 +91,7 @@ Baked bake_as_it_is(const render::Object& object, bool solid) {
         std::remove_if(out.attributes.begin(), out.attributes.end(),
                        [&](const mesh::Attribute& own) { return own.name == found[c].name; });
     out.attributes.erase(colors, out.attributes.end());
-    if (spread.varies())
+    if (asked && spread.varies())
       out.attributes.insert(
           channel.attribute == mesh::kColour ? out.attributes.begin() : out.attributes.end(),
           std::move(found[c]));
