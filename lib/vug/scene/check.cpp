@@ -39,7 +39,10 @@ class NameChecker {
       if (!declared("grammar", made.name, made.where)) document.lost.doubtful.insert(made.name);
       const size_t before = diagnostics_.all().size();
       grammar(made);
-      if (diagnostics_.all().size() > before) made.broken = true;
+      const auto told = diagnostics_.all().begin() + static_cast<std::ptrdiff_t>(before);
+      made.broken = made.broken || std::any_of(told, diagnostics_.all().end(), [](const auto& one) {
+                      return one.severity == Severity::error;
+                    });
     }
   }
 

@@ -42,6 +42,26 @@ void check_arities(const ModuleString& word, const Arities& arities, Diagnostics
   }
 }
 
+/// `a -> ab` makes a module of the name ab; who copies words of small letters out of a book means
+/// two.
+void warn_of_joined_names(const ModuleString& word, const Arities& arities,
+                          Diagnostics& diagnostics) {
+  for (const Module& module : word) {
+    const std::string& name = module.name;
+    const bool joined =
+        name.size() > 1 && !arities.count(name) &&
+        std::all_of(name.begin(), name.end(), [&](char letter) {
+          return letter >= 'a' && letter <= 'z' && arities.count(std::string(1, letter));
+        });
+    if (!joined) continue;
+    std::string apart(1, name[0]);
+    for (size_t i = 1; i < name.size(); ++i) apart += fmt::format(" {}", name[i]);
+    diagnostics.warning(module.where,
+                        fmt::format("'{}' is one module, for which there is no rule", name),
+                        fmt::format("put blanks between small letters: {}", apart));
+  }
+}
+
 }  // namespace
 
 void check_lsystem(const LSystem& system, const NameAllowed& allowed, Diagnostics& diagnostics) {
@@ -50,10 +70,12 @@ void check_lsystem(const LSystem& system, const NameAllowed& allowed, Diagnostic
     check_formals(production, allowed, diagnostics);
     arities[production.head.name].insert(production.head.formals.size());
   });
-  check_arities(system.axiom, arities, diagnostics);
-  for_each_production(system, [&](const Production& production) {
-    check_arities(production.word, arities, diagnostics);
-  });
+  const auto check_word = [&](const ModuleString& word) {
+    check_arities(word, arities, diagnostics);
+    warn_of_joined_names(word, arities, diagnostics);
+  };
+  check_word(system.axiom);
+  for_each_production(system, [&](const Production& one) { check_word(one.word); });
   std::vector<std::string> tables;
   for (const ProductionTable& table : system.tables) tables.push_back(table.name);
   for (const ScheduleTurn& turn : system.schedule)

@@ -128,6 +128,16 @@ TEST(LSystemText, KnowsRulesByTheirArrows) {
   EXPECT_EQ(names(system.productions[2].word), "F1");
 }
 
+TEST(LSystemText, WarnsOfSmallLettersInARow) {
+  const Read algae = read("grammar g: lsystem {\n  axiom b\n  a -> ab\n  b -> a\n}\n");
+  EXPECT_EQ(algae.report,
+            "t.vug:3:8: warning: 'ab' is one module, for which there is no rule\n  a -> ab\n"
+            "       ^\nhint: put blanks between small letters: a b\n");
+  EXPECT_FALSE(algae.document.grammars.at(0).broken);
+  EXPECT_EQ(read("grammar g: lsystem {\n  axiom b\n  a -> a b ab\n  b -> a\n  ab -> c\n}\n").report,
+            "");
+}
+
 struct Fault {
   const char* rules;
   const char* expected;  ///< Part of the report.
