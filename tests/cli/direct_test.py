@@ -70,6 +70,21 @@ class Direct(VugTest):
             self.assertIn("'lamp' shines, for which it needs a mesh", error)
             self.assertIn("lamp.vug:3:", error)
 
+    def test_what_has_holes_needs_a_mesh(self):
+        """Rays cut holes into meshes; the tracer of level sets does not ask for opacity."""
+        self.write("holes.vug", "volume v = level_set(sphere(1m), voxel: 20cm)\nmesh skin on v {}\n"
+                                "object sieve on skin { direct true  material surface(opacity: 0.5) }\n"
+                                "camera main { eye (0, 0, 4) }\nrender main { size 8x6  spp 1 }\n")
+        error = self.expect(2, "render", "holes.vug", "-o", "holes.exr").err
+        self.assertIn("'sieve' has holes by its material's opacity, but no mesh to cut them in", error)
+        self.assertNotIn("holes.exr", self.files())
+
+    def test_what_is_no_level_set_is_not_traced(self):
+        self.write("twig.vug", "grammar twig: lsystem { axiom F(1, 1cm) }\n"
+                               "mesh bark { of stems(of: twig) }\nobject rod on bark { direct true }\n")
+        self.assertIn("twig.vug:3:8: error: 'rod' is to be traced, but 'bark' is a mesh of no level set",
+                      self.expect(2, "check", "twig.vug").err)
+
 
 if __name__ == "__main__":
     unittest.main()

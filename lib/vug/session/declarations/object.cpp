@@ -32,7 +32,8 @@ std::string fault(const ObjectPlan& plan, const std::string& name) {
   const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->shines());
   const char* what = !plan.direct ? "" : shines ? "shines" : plan.mesh->cells ? "wears cells" : "";
   if (plan.direct && plan.mesh->given)
-    return fmt::format("'{}' comes from a file, which is no level set to trace", name);
+    return fmt::format("'{}' is to be traced, but '{}' is a mesh of no level set", name,
+                       plan.mesh->name);
   return *what ? fmt::format("'{}' {}, for which it needs a mesh", name, what) : "";
 }
 
