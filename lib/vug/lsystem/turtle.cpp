@@ -8,6 +8,12 @@
 
 namespace vug::lsystem {
 
+namespace {
+
+constexpr double kLargestNode = 100;
+
+}  // namespace
+
 Walker::Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& options, Pen* pen)
     : word_(word),
       alphabet_(alphabet),
@@ -81,8 +87,7 @@ void Walker::obey(const Meaning& meaning, Parameters p) {
       break;
     case Turn::width:
       if (!p.empty() && p[0] < 0) fail("a width is below 0");
-      state_.radius = p.empty() ? state_.radius * options_.thinner : 0.5 * p[0];
-      state_.radius_set = true;
+      set_radius(p.empty() ? state_.radius * options_.thinner : 0.5 * p[0]);
       break;
     case Turn::colour:
       state_.colour = p.empty() ? state_.colour + 1 : static_cast<int>(std::clamp(p[0], -1e9, 1e9));
@@ -99,6 +104,8 @@ void Walker::obey(const Meaning& meaning, Parameters p) {
       brace(meaning.turn);
       break;
     case Turn::node:
+      if (!p.empty() && !(p[0] >= 0 && p[0] <= kLargestNode))
+        fail(fmt::format("a node's size is 0 to {}", kLargestNode));
       if (pen_) pen_->node(state_, p.empty() ? 1 : p[0]);
       break;
     case Turn::age:
@@ -111,11 +118,26 @@ void Walker::obey(const Meaning& meaning, Parameters p) {
       state_.elasticity = p[0];
       break;
     case Turn::instance:
+      if (!p.empty() && std::fabs(p[0]) > kFarthest)
+        fail(fmt::format("a size of more than {} m", kFarthest));
       if (pen_) pen_->instance(state_, meaning.name, p);
       break;
     case Turn::nothing:
       break;
   }
+}
+
+void Walker::turn(const Vec3d& axis, double angle) {
+  constexpr double kExact = 1e5;  // of the sine: see base/maths.h
+  if (!std::isfinite(angle)) fail("a turn is no finite angle");
+  if (std::fabs(angle) > kExact) angle = std::remainder(angle, 2 * kPi);
+  state_.pose.frame = state_.pose.frame.turned(axis, angle);
+}
+
+void Walker::set_radius(double radius) {
+  if (!(radius <= kFarthest)) fail(fmt::format("a stem of more than {} m radius", kFarthest));
+  state_.radius = radius;
+  state_.radius_set = true;
 }
 
 void Walker::level() {

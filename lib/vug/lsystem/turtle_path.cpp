@@ -33,12 +33,11 @@ void Walker::forward(Parameters p, bool drawn) {
   const bool tapers = drawn && p.size() > 1;
   if (tapers && p[1] < 0) fail("a stem's radius is below 0");
   const double begun = tapers && !state_.radius_set ? p[1] : state_.radius;
-  if (tapers) {
-    state_.radius = p[1];
-    state_.radius_set = true;
-  }
+  if (tapers) set_radius(p[1]);
   if (drawn && pen_) pen_->begin(state_, begun);
   advance(length, begun, state_.radius, drawn);
+  if (!(state_.pose.position.length() <= kFarthest))
+    fail(fmt::format("the turtle is more than {} m from where it began", kFarthest));
   if (state_.elasticity != 0) bend();
 }
 
@@ -90,6 +89,7 @@ void Walker::follow(double length, double begun, double radius, bool drawn) {
 void Walker::bend() {
   const Vec3d axis = state_.pose.frame.tangent.cross(options_.tropism);
   const double torque = axis.length();
+  if (!std::isfinite(torque)) fail("a tropism beyond all bounds");
   if (torque > 1e-12) turn(axis / torque, state_.elasticity * torque);
 }
 
@@ -103,7 +103,8 @@ void Walker::begin_guide(Parameters p) {
     fail(guides_.empty() ? "there is no guide"
                          : fmt::format("there is no guide {} (the last is {})", p[0], last));
   state_.guide_scale = p.size() > 1 ? p[1] : 1;
-  if (!(state_.guide_scale > 0)) fail("a guide's scale is not above 0");
+  if (!(state_.guide_scale >= 1e-6 && state_.guide_scale <= 1e6))
+    fail("a guide's scale is not between 1e-06 and 1e+06");
   state_.guide = static_cast<int>(p[0]);
   state_.guide_along = 0;
   Frame& frame = state_.pose.frame;

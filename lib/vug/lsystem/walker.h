@@ -8,6 +8,9 @@ namespace vug::lsystem {
 
 class Walker {
  public:
+  /// Metres from the start, beyond which a turtle is lost, and of any radius and size.
+  static constexpr double kFarthest = 1e9;
+
   /// Without a pen it only walks. All must outlive it.
   Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& options, Pen* pen);
 
@@ -19,9 +22,8 @@ class Walker {
   /// Error(bad_input) that names the module.
   [[noreturn]] void fail(const std::string& what) const;
   void obey(const Meaning& meaning, Parameters p);
-  void turn(const Vec3d& axis, double angle) {
-    state_.pose.frame = state_.pose.frame.turned(axis, angle);
-  }
+  void turn(const Vec3d& axis, double angle);
+  void set_radius(double radius);
   void level();
   void push();
   void pop();

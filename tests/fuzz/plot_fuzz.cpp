@@ -1,0 +1,64 @@
+// Whatever corners: a polygon that is not simple is refused as bad input, one that is has an area
+// with points in it, and its sides are where they were given.
+#include <vug/base/error.h>
+#include <vug/flora/plot.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+using namespace vug;
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %s\n", what);
+  std::abort();
+}
+
+/// A small grid, on which corners coincide and sides touch, or whatever eight bytes are.
+double coordinate(const uint8_t*& at, const uint8_t* end) {
+  const uint8_t which = at == end ? uint8_t{0} : *at++;
+  if (which < 240) return (which % 16) * 0.25;
+  uint64_t bits = 0;
+  for (int i = 0; i < 8; ++i) bits = bits << 8 | (at == end ? uint8_t{0} : *at++);
+  double value = 0;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  if (size > 400) return 0;
+  const uint8_t* const end = data + size;
+  flora::Corners corners;
+  while (data != end) {
+    const double x = coordinate(data, end);
+    corners.emplace_back(x, coordinate(data, end));
+  }
+  try {
+    const flora::Plot plot(corners);
+    require(plot.area() > 0 && std::isfinite(plot.area()), "a plot has an area");
+    require(plot.dent() < static_cast<int>(corners.size()), "a dent is a corner");
+    double turned = 0;  // twice the area, from the first corner
+    for (size_t i = 0; i < corners.size(); ++i)
+      turned += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
+    const double extent = (plot.high() - plot.low()).length2();
+    require(std::fabs(std::fabs(turned) / 2 - plot.area()) <= 1e-6 * extent, "triangles fill it");
+    RandomStream random(RandomKey(1));
+    for (int i = 0; i < 8; ++i) {
+      const Vec2d p = plot.point(random);
+      const double reach = 1e-6 * std::sqrt(extent);
+      require(p.x >= plot.low().x - reach && p.x <= plot.high().x + reach &&
+                  p.y >= plot.low().y - reach && p.y <= plot.high().y + reach,
+              "points lie in the box");
+      require(plot.contains(p) || plot.to_border(p) <= reach, "points lie inside");
+    }
+  } catch (const Error& error) {
+    require(error.code() == ErrorCode::bad_input, "errors blame the corners");
+  }
+  return 0;
+}
