@@ -6,7 +6,7 @@
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
 #include <vug/session/load.h>
-#include <vug/session/turtle_block.h>
+#include <vug/session/lsystem_plan.h>
 
 #include <filesystem>
 
@@ -39,7 +39,7 @@ void prototype_of_a_grove(benchmark::State& state) {
   mesh.least_sides = 3;
   size_t leaves = 0, triangles = 0;
   for (auto _ : state) {
-    const lsystem::Drawing drawing = session::drawing_of(plan).make();
+    const lsystem::Drawing drawing = plan.draw();
     const mesh::Mesh stems = flora::swept_mesh(flora::tubes(drawing, prototype()), mesh);
     leaves = drawing.instances.size();
     triangles = stems.triangles.size();
@@ -53,7 +53,7 @@ BENCHMARK(prototype_of_a_grove)->Unit(benchmark::kMillisecond);
 void turtle(benchmark::State& state) {
   const session::LSystemPlan& plan = *moso().shot.lsystems.at(0);
   const ThreadLimit threads(1);
-  for (auto _ : state) benchmark::DoNotOptimize(session::drawing_of(plan).make().instances.size());
+  for (auto _ : state) benchmark::DoNotOptimize(plan.draw().instances.size());
 }
 BENCHMARK(turtle)->Unit(benchmark::kMillisecond);
 
@@ -64,7 +64,7 @@ struct Solid {
 };
 const Solid& solid() {
   static const Solid made = [] {
-    lsystem::Drawing culm = *session::drawing_of(*moso().shot.lsystems.at(0)).get();
+    lsystem::Drawing culm = *moso().shot.lsystems.at(0)->drawing();
     culm.axes.resize(1);
     flora::SweepOptions options;
     options.wall = 0.2;

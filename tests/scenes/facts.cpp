@@ -1,7 +1,7 @@
 #include "facts.h"
 
 #include <vug/base/atomic_file.h>
-#include <vug/lsystem/derive.h>
+#include <vug/session/lsystem_plan.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -87,7 +87,7 @@ void expect_words(const Shot& shot, const json& facts) {
                                    [&](const LSystemPtr& each) { return each->name == name; });
     ASSERT_NE(plan, shot.lsystems.end()) << "the scene has no such L-system";
     const lsystem::System& system = *(*plan)->system;
-    lsystem::Derivation derivation = lsystem::derive(system);
+    lsystem::Derivation derivation = (*plan)->derived();
     const lsystem::Word word = known.value("drawn", false)
                                    ? lsystem::interpreted(system, std::move(derivation))
                                    : std::move(derivation.word);

@@ -41,7 +41,8 @@ const double* formals_at(const Production& p, const Word& word, size_t i,
 
 void no_number(const Production& production, const std::string& what, double value) {
   throw Error(ErrorCode::bad_input,
-              fmt::format("{} of the rule of '{}' is {}", what, production.text, value),
+              fmt::format("{} of the rule of '{}' is {}", what, production.text,
+                          std::isnan(value) ? "not a number" : fmt::format("{}", value)),
               production.where, "numbers in words are finite");
 }
 

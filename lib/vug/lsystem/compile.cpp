@@ -17,14 +17,19 @@ constexpr const char* kTurns = "+-&^\\/";
 
 class Compiler {
  public:
-  Compiler(const scene::Grammar& grammar, scene::Evaluator& evaluator, const FindSystem& find)
-      : grammar_(grammar), text_(*grammar.lsystem), evaluator_(evaluator), find_(find) {}
+  Compiler(const scene::Grammar& grammar, const SystemOptions& options, scene::Evaluator& evaluator,
+           const FindSystem& find)
+      : grammar_(grammar),
+        text_(*grammar.lsystem),
+        options_(options),
+        evaluator_(evaluator),
+        find_(find) {}
 
   SystemPtr run() {
     system_.name = grammar_.name;
     system_.where = grammar_.where;
     system_.key = evaluator_.root().at("grammar").at(grammar_.name).state();
-    guarded([&] { options(); });
+    options();
     guarded([&] { axiom(); });
     books();
     if (faults_) return nullptr;
@@ -50,33 +55,20 @@ class Compiler {
     throw Faulty{};
   }
 
-  double number(const scene::Entry& entry, double least, double most, bool whole) {
-    const Value value = evaluator_.eval(*entry.values.at(0), evaluator_.root().at(entry.key));
-    if (value.empty()) throw Faulty{};
-    const Number* n = value.get<Number>();
-    const bool fits =
-        n && n->value >= least && n->value <= most && (!whole || n->value == std::floor(n->value));
-    if (!fits)
-      fail(entry.where,
-           fmt::format("'{}' is a {}number from {} to {}, not {}", entry.key, whole ? "whole " : "",
-                       least, most, n ? to_string(value) : value.type_name()));
-    return n->value;
+  void options() {
+    system_.steps = options_.steps;
+    system_.time = options_.time;
+    system_.limit = static_cast<int64_t>(options_.limit);
+    if (options_.seed)
+      system_.key =
+          RandomKey(static_cast<uint64_t>(*options_.seed)).at("grammar").at(grammar_.name).state();
   }
 
-  void options() {
-    for (const scene::Entry& entry : grammar_.options) {
-      if (entry.key == "steps") system_.steps = static_cast<int>(number(entry, 0, 1e6, true));
-      if (entry.key == "time") {
-        system_.time = number(entry, 0, 1e9, false);
-        time_where_ = entry.where;
-      }
-      if (entry.key == "steps") steps_where_ = entry.where;
-      if (entry.key == "limit") system_.limit = static_cast<int64_t>(number(entry, 1, 4e9, true));
-      if (entry.key == "seed") {
-        const auto seed = static_cast<uint64_t>(number(entry, 0, 0x1p53, true));
-        system_.key = RandomKey(seed).at("grammar").at(grammar_.name).state();
-      }
-    }
+  /// Where the block sets the option; an unknown place where it does not.
+  SourceLocation where_set(const char* option) const {
+    for (const scene::Entry& entry : grammar_.options)
+      if (entry.key == option) return entry.where;
+    return {};
   }
 
   void axiom() {
@@ -254,10 +246,10 @@ class Compiler {
       for (size_t k = 0; k < p.symbols.size(); ++k)
         if (system_.ages[p.symbols[k]]) p.ages.push_back(k == 0 ? 0 : p.ends[k - 1]);
     guarded([&] {
-      if (system_.timed && steps_where_.known())
-        fail(steps_where_, "modules that age have a 'time', not 'steps'");
-      if (!system_.timed && time_where_.known())
-        fail(time_where_, "'time' is for modules that age",
+      if (const SourceLocation steps = where_set("steps"); system_.timed && steps.known())
+        fail(steps, "modules that age have a 'time', not 'steps'");
+      if (const SourceLocation time = where_set("time"); !system_.timed && time.known())
+        fail(time, "'time' is for modules that age",
              "give their rules an 'after', or name them in 'ages'");
       if (!system_.timed) return;
       for (const Production& p : system_.productions)
@@ -333,6 +325,7 @@ class Compiler {
 
   const scene::Grammar& grammar_;
   const scene::LSystem& text_;
+  const SystemOptions& options_;
   scene::Evaluator& evaluator_;
   const FindSystem& find_;
   System system_;
@@ -340,20 +333,21 @@ class Compiler {
   std::vector<uint16_t> decompose_, interpret_;
   std::set<SymbolId> aged_;
   std::set<uint16_t> warned_;
-  SourceLocation steps_where_, time_where_;
   bool faults_ = false;
 };
 
 }  // namespace
 
-const std::vector<std::string>& system_options() {
-  static const std::vector<std::string> names{"steps", "time", "limit", "seed"};
-  return names;
+SystemPtr compile(const scene::Grammar& grammar, const SystemOptions& options,
+                  scene::Evaluator& evaluator, const FindSystem& find) {
+  return Compiler(grammar, options, evaluator, find).run();
 }
 
 SystemPtr compile(const scene::Grammar& grammar, scene::Evaluator& evaluator,
                   const FindSystem& find) {
-  return Compiler(grammar, evaluator, find).run();
+  const std::optional<SystemOptions> options = system_options(grammar, evaluator);
+  const SystemPtr made = compile(grammar, options.value_or(SystemOptions()), evaluator, find);
+  return options ? made : nullptr;
 }
 
 }  // namespace vug::lsystem

@@ -9,6 +9,7 @@ void cut_branches(const System& system, Derivation& derivation) {
   const std::span<const SymbolId> symbols = word.symbols();
   if (std::find(symbols.begin(), symbols.end(), *system.cut) == symbols.end()) return;
   Derivation kept;
+  kept.key = derivation.key;
   for (size_t i = 0; i < word.size(); ++i) {
     if (word.symbol(i) == system.cut) {
       // To the bracket that closes this branch, which stays.

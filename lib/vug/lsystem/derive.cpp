@@ -11,34 +11,45 @@ namespace vug::lsystem {
 
 namespace {
 
-/// Rounds after which rules without an end are given up.
+/// Rounds after which rules without an end are given up, and all modules that they look at: with
+/// large words that many rounds would take minutes.
 constexpr int kMostRounds = 10000;
+constexpr size_t kMostLookedAt = 2'000'000'000;
+
+/// Counts what rules without an end take.
+class Patience {
+ public:
+  bool lasts(const Derivation& word) {
+    looked_at_ += word.word.size();
+    return rounds_++ < kMostRounds && looked_at_ < kMostLookedAt;
+  }
+
+ private:
+  int rounds_ = 0;
+  size_t looked_at_ = 0;
+};
 
 constexpr uint32_t kDecomposing = 1, kInterpreting = 2;
 
-[[noreturn]] void endless(const System& system, const RuleBook& book, const Derivation& word,
-                          const std::string& what, const std::string& hint) {
-  const auto fits = [&](SymbolId symbol) { return book.has(symbol); };
-  const auto symbols = word.word.symbols();
-  const auto one = std::find_if(symbols.begin(), symbols.end(), fits);
-  const Production* rule = nullptr;
-  if (one != symbols.end()) rule = &system.productions[book.rules[book.symbols[*one].first]];
-  throw Error(ErrorCode::too_large,
-              fmt::format("{} of grammar '{}' does not end after {} rounds{}", what, system.name,
-                          kMostRounds,
-                          rule ? fmt::format(", for instance the rule of '{}'", rule->text) : ""),
-              rule ? rule->where : system.where, hint);
+[[noreturn]] void endless(const System& system, const Rewriter& rewriter, const std::string& what,
+                          int rounds, const std::string& hint) {
+  const Production* rule = rewriter.applied();
+  throw Error(
+      ErrorCode::too_large,
+      fmt::format("{} of grammar '{}' does not end after {} rounds{}", what, system.name, rounds,
+                  rule ? fmt::format(", for instance the rule of '{}'", rule->text) : ""),
+      rule ? rule->where : system.where, hint);
 }
 
 void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivation& word,
           uint32_t salt, Progress& progress) {
   if (stage.book.empty()) return;
+  Patience patience;
   for (int round = 0; !stage.depth || round < *stage.depth; ++round) {
     progress.check();
-    if (round >= kMostRounds)
-      endless(system, stage.book, word,
-              salt == kDecomposing ? "the decomposition" : "the interpretation",
-              "let a guard end it, or give it a 'depth'");
+    if (!patience.lasts(word))
+      endless(system, rewriter, salt == kDecomposing ? "the decomposition" : "the interpretation",
+              round, "let a guard end it, or give it a 'depth'");
     if (!rewriter.rewrite(stage.book, word, Mode::passing, salt)) return;
   }
 }
@@ -51,10 +62,11 @@ void age(const System& system, Rewriter& rewriter, Derivation& word, double time
                 system.where, "time begins at 0");
   for (size_t i = 0; i < word.word.size(); ++i)
     if (system.ages[word.word.symbol(i)]) word.word.parameters(i)[0] += time;
+  Patience patience;
   for (int round = 0; rewriter.rewrite(system.books[0], word, Mode::passing); ++round) {
     progress.check();
-    if (round >= kMostRounds)
-      endless(system, system.books[0], word, "the growth",
+    if (!patience.lasts(word))
+      endless(system, rewriter, "the growth", round,
               "successors have to be younger than the age at which they are replaced");
   }
 }
@@ -84,15 +96,23 @@ void ask(const System& system, const Environment& environment, Derivation& deriv
   }
 }
 
+/// Steps that a module may ask for.
+constexpr double kMostSteps = 1e6;
+
 /// The words of the systems that modules stand for, made once each where chance has no part.
 class SubWords {
  public:
-  explicit SubWords(Progress& progress) : progress_(progress) {}
+  SubWords(const System& outer, Progress& progress) : outer_(outer), progress_(progress) {}
 
   const Word& of(const SubSystem& sub, std::span<const double> parameters, uint64_t key) {
     DeriveOptions options;
     if (!parameters.empty()) {
-      const double count = std::min(std::max(parameters[0], 0.0), 1e9);
+      const double count = std::max(parameters[0], 0.0);
+      if (count > kMostSteps)
+        throw Error(ErrorCode::too_large,
+                    fmt::format("grammar '{}' asks for {} steps of '{}'; {} are the most",
+                                outer_.name, count, sub.system->name, kMostSteps),
+                    outer_.where);
       if (sub.system->timed)
         options.time = count;
       else
@@ -104,9 +124,8 @@ class SubWords {
           words_.find({sub.system.get(), options.steps.value_or(-1), options.time.value_or(-1)});
       if (known != words_.end()) return known->second;
     }
-    System own = *sub.system;
-    if (varies) own.key = RandomKey(key).at(own.name).state();
-    Word inner = interpreted(own, derive(own, options, progress_), progress_);
+    if (varies) options.key = RandomKey(key).at(sub.system->name).state();
+    Word inner = interpreted(*sub.system, derive(*sub.system, options, progress_), progress_);
     for (SymbolId& symbol : inner.symbols()) symbol = sub.symbols[symbol];
     if (varies) return last_ = std::move(inner);
     return words_[{sub.system.get(), options.steps.value_or(-1), options.time.value_or(-1)}] =
@@ -114,13 +133,14 @@ class SubWords {
   }
 
  private:
+  const System& outer_;
   Progress& progress_;
   std::map<std::tuple<const System*, int, double>, Word> words_;
   Word last_;
 };
 
 Word with_subsystems(const System& system, const Derivation& derivation, Progress& progress) {
-  SubWords words(progress);
+  SubWords words(system, progress);
   Word out;
   const Word& word = derivation.word;
   for (size_t i = 0; i < word.size(); ++i) {
@@ -143,9 +163,9 @@ Word with_subsystems(const System& system, const Derivation& derivation, Progres
 }  // namespace
 
 Derivation derive(const System& system, const DeriveOptions& options, Progress& progress) {
-  Rewriter rewriter(system);
+  Rewriter rewriter(system, options.memory);
   Derivation word;
-  rewriter.start(word);
+  rewriter.start(word, options.key);
   if (system.timed) {
     age(system, rewriter, word, options.time.value_or(system.time), progress);
     pass(system, system.decompose, rewriter, word, kDecomposing, progress);

@@ -21,8 +21,10 @@ class Environment {
 };
 
 struct DeriveOptions {
-  std::optional<int> steps;                  ///< Instead of the system's.
-  std::optional<double> time;                ///< Likewise, of a system whose modules age.
+  std::optional<int> steps = {};             ///< Instead of the system's.
+  std::optional<double> time = {};           ///< Likewise, of a system whose modules age.
+  std::optional<uint64_t> key = {};          ///< Of its random numbers, instead of the system's.
+  std::optional<uint64_t> memory = {};       ///< Bytes of a word, else what the machine can give.
   const Environment* environment = nullptr;  ///< Null: queries keep what they were written with.
 };
 

@@ -1,3 +1,4 @@
+#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/lsystem/chooser.h>
 #include <vug/lsystem/cut.h>
@@ -62,7 +63,7 @@ void Rewriter::choose(const RuleBook& book, const Surroundings& around, Chunk& c
                       uint32_t salt) {
   const Word& word = from_->word;
   Chooser chooser(system_, book, word, around);
-  Draws draws(system_.key, salt);
+  Draws draws(from_->key, salt);
   const double* numbers = nullptr;
   for (size_t i = chunk.begin; i < chunk.end; ++i) {
     if (system_.random && (i - chunk.begin) % kBatch == 0) {
@@ -90,7 +91,7 @@ void Rewriter::write(const RuleBook& book, const Surroundings& around, const Chu
                      Mode mode, uint32_t salt) {
   const Word& word = from_->word;
   Scratch scratch(system_);
-  Draws draws(system_.key, salt);
+  Draws draws(from_->key, salt);
   const double* numbers = nullptr;
   const SymbolId* symbols = word.symbols().data();
   const uint32_t* starts = word.starts().data();
@@ -145,35 +146,59 @@ void Rewriter::write(const RuleBook& book, const Surroundings& around, const Chu
   }
 }
 
-/// Names the production that makes most of a word that is too large.
-void Rewriter::refuse(size_t modules) const {
+/// Names the production that makes most of a word that is too large, by modules or by their values.
+void Rewriter::refuse(const std::string& what, bool by_values) const {
+  const auto size_of = [&](const Production& p) {
+    return by_values ? p.value_count() : p.symbols.size();
+  };
   std::vector<size_t> made(system_.productions.size() + 1, 0);
   for (const uint16_t choice : choice_)
-    made[choice] += choice == 0 ? 0 : system_.productions[choice - 1u].symbols.size();
+    made[choice] += choice == 0 ? 0 : size_of(system_.productions[choice - 1u]);
   const auto most = static_cast<size_t>(std::max_element(made.begin(), made.end()) - made.begin());
   const Production& p = most == 0 ? system_.axiom : system_.productions[most - 1];
-  throw Error(
-      ErrorCode::too_large,
-      fmt::format("grammar '{}' exceeds its limit of {} modules: the next step makes {}, {} "
-                  "of them by the rule of '{}'",
-                  system_.name, system_.limit, modules, made[most], p.text),
-      p.where, "take fewer steps, let a guard end the growth, or raise 'limit'");
+  throw Error(ErrorCode::too_large,
+              fmt::format("grammar '{}' exceeds {}, {} of {} by the rule of '{}'", system_.name,
+                          what, made[most], by_values ? "their parameters" : "them", p.text),
+              p.where, "take fewer steps, let a guard end the growth, or raise 'limit'");
 }
 
-void Rewriter::start(Derivation& out) const {
+void Rewriter::require_room(size_t modules, size_t values) const {
+  if (static_cast<int64_t>(modules) > system_.limit)
+    refuse(fmt::format("its limit of {} modules: the next step makes {}", system_.limit, modules),
+           false);
+  constexpr uint64_t kLittle = uint64_t{256} << 20;  // not worth asking the machine
+  const uint64_t each = sizeof(SymbolId) + sizeof(uint32_t) + sizeof(uint16_t) +
+                        (system_.random ? sizeof(uint64_t) : 0);
+  const uint64_t bytes = modules * each + values * sizeof(double);
+  if (!memory_ && bytes <= kLittle) return;
+  const uint64_t most = memory_ ? *memory_ : available_memory();
+  if (bytes > most)
+    refuse(fmt::format("the memory of {}: the next step makes {} modules in {}",
+                       bytes_text(static_cast<double>(most)), modules,
+                       bytes_text(static_cast<double>(bytes))),
+           true);
+}
+
+const Production* Rewriter::applied() const {
+  const auto one = std::find_if(choice_.begin(), choice_.end(), [](auto each) { return each > 0; });
+  return one == choice_.end() ? nullptr : &system_.productions[*one - 1u];
+}
+
+void Rewriter::start(Derivation& out, std::optional<uint64_t> key) const {
   const Production& axiom = system_.axiom;
   Scratch scratch(system_);
   out.word.clear();
   out.keys.clear();
-  Draws draws(system_.key, 0);
-  draws.ask(system_.key, axiom.blocks);
+  out.key = key.value_or(system_.key);
+  Draws draws(out.key, 0);
+  draws.ask(out.key, axiom.blocks);
   run(axiom.values, nullptr, scratch.values(), draws.make());
   check_finite(axiom, scratch.values(), axiom.value_count());
   size_t value = 0;
   for (size_t k = 0; k < axiom.symbols.size(); ++k) {
     out.word.append(axiom.symbols[k], {scratch.values() + value, axiom.ends[k] - value});
     value = axiom.ends[k];
-    if (system_.random) out.keys.push_back(child_key(system_.key, k + 1, 0));
+    if (system_.random) out.keys.push_back(child_key(out.key, k + 1, 0));
   }
 }
 
@@ -199,10 +224,12 @@ bool Rewriter::rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32
     applied = applied || chunk.applied;
   }
   if (mode == Mode::passing && !applied) return false;
-  if (static_cast<int64_t>(modules) > system_.limit) refuse(modules);
+  require_room(modules, values);
   to_.word.resize(modules, values);
   to_.word.starts()[0] = 0;
+  to_.keys.clear();
   to_.keys.resize(system_.random ? modules : 0);
+  to_.key = word.key;
   parallel_for(chunks.size(), [&](size_t c) { write(book, around, chunks[c], mode, salt); });
   std::swap(word, to_);
   return applied;

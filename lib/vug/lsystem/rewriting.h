@@ -16,6 +16,7 @@ namespace vug::lsystem {
 struct Derivation {
   Word word;
   Array<uint64_t> keys;  ///< Of each module; empty in systems without chance.
+  uint64_t key = 0;      ///< Of all its random numbers.
 
   bool operator==(const Derivation&) const = default;
 };
@@ -28,25 +29,32 @@ enum class Mode {
 /// Where a word was made by one call of `rewrite` after the other, its buffers are used again.
 class Rewriter {
  public:
-  explicit Rewriter(const System& system) : system_(system) {}
+  /// `memory`: bytes that a word may take; without it, what the machine can give then.
+  explicit Rewriter(const System& system, std::optional<uint64_t> memory = {})
+      : system_(system), memory_(memory) {}
 
-  /// The axiom's word.
-  void start(Derivation& out) const;
+  /// The axiom's word, with the system's key or another.
+  void start(Derivation& out, std::optional<uint64_t> key = {}) const;
 
   /// Replaces the modules of `word` by the book; false when no production fits anywhere. Cuts first
   /// where there is a "%". `salt` tells the draws of stages apart. Error(too_large) beyond the
-  /// system's limit, Error(bad_input) where a parameter, a weight or an age is no finite number,
-  /// both naming the production.
+  /// system's limit or what memory there is, Error(bad_input) where a parameter, a weight or an age
+  /// is no finite number, both naming the production.
   bool rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32_t salt = 0);
+
+  /// A production that the last call has applied; null where it was none.
+  const Production* applied() const;
 
  private:
   struct Chunk;
   void choose(const RuleBook& book, const class Surroundings& around, Chunk& chunk, uint32_t salt);
   void write(const RuleBook& book, const class Surroundings& around, const Chunk& chunk, Mode mode,
              uint32_t salt);
-  [[noreturn]] void refuse(size_t modules) const;
+  void require_room(size_t modules, size_t values) const;
+  [[noreturn]] void refuse(const std::string& what, bool by_values) const;
 
   const System& system_;
+  std::optional<uint64_t> memory_;
   const Derivation* from_ = nullptr;
   Derivation to_;
   Array<uint16_t> choice_;  ///< By module: production and 1, or 0 for none.

@@ -4,7 +4,7 @@
 #include <vug/session/catalogue.h>
 #include <vug/session/facade_binding.h>
 #include <vug/session/grammar_binding.h>
-#include <vug/session/lsystem_binding.h>
+#include <vug/session/lsystem_plan.h>
 #include <vug/session/reader.h>
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ std::vector<const KindInfo*> all_kinds() {
   std::vector<const KindInfo*> kinds;
   for (const DeclarationKind* kind : declaration_kinds()) kinds.push_back(&kind->info);
   kinds.push_back(&grammar_info());
-  kinds.push_back(&lsystem_info());
+  kinds.push_back(&lsystem_schema().info());
   kinds.push_back(&facade_info());
   for (const facade::SplitKind* split : facade::splits()) kinds.push_back(&split->info);
   for (const Family& family : families())

@@ -6,7 +6,7 @@
 #include <vug/flora/sweep_mesh.h>
 #include <vug/session/drawn.h>
 #include <vug/session/lsystem_binding.h>
-#include <vug/session/turtle_block.h>
+#include <vug/session/lsystem_plan.h>
 
 namespace vug::session {
 
@@ -14,7 +14,7 @@ mesh::Mesh mesh_of(const Drawn& drawn, double tolerance) {
   if (drawn.shape) return *drawn.shape;
   mesh::Mesh mesh;
   if (drawn.polygons) {
-    mesh = flora::polygon_mesh(*drawing_of(*drawn.polygons).get());
+    mesh = flora::polygon_mesh(*drawn.polygons->drawing());
     if (mesh.triangles.empty())
       throw Error(ErrorCode::bad_input, "the L-system draws no polygons", {},
                   "for its stems: of stems(of: NAME)");

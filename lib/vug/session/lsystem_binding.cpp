@@ -1,6 +1,6 @@
 #include <vug/lsystem/compile.h>
 #include <vug/session/lsystem_binding.h>
-#include <vug/session/turtle_block.h>
+#include <vug/session/lsystem_plan.h>
 
 #include <fmt/format.h>
 
@@ -8,20 +8,6 @@
 
 namespace vug::session {
 namespace {
-
-ParamInfo option(const char* name, const char* type, const char* fallback, const char* doc) {
-  ParamInfo info;
-  info.name = name;
-  info.type = type;
-  info.fallback = fallback;
-  info.doc = doc;
-  return info;
-}
-
-bool is_systems(const std::string& key) {
-  const std::vector<std::string>& own = lsystem::system_options();
-  return std::find(own.begin(), own.end(), key) != own.end();
-}
 
 /// A list of bare names, `instances leaf, flower`, whatever is declared under them.
 bool is_names(const std::string& key) { return key == "instances"; }
@@ -38,55 +24,23 @@ Value entry_value(const scene::Entry& entry, const scene::Grammar& grammar, Read
   return values.size() == 1 ? values[0] : Value(std::move(values));
 }
 
-/// The turtle's options; false, with diagnostics, where one is nothing.
-bool read_turtle(const scene::Grammar& grammar, Reading& reading, Arguments& out) {
-  std::vector<std::string> known;
-  for (const ParamInfo& info : lsystem_info().params) known.push_back(info.name);
+/// Nothing, with diagnostics, where an entry is at fault.
+std::optional<LSystemBlock> block_of(const scene::Grammar& grammar, Reading& reading) {
+  Arguments entries;
   bool sound = true;
   for (const scene::Entry& entry : grammar.options) {
-    if (is_systems(entry.key)) continue;
-    if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      reading.diagnostics.error(entry.where,
-                                fmt::format("an L-system has no option '{}'", entry.key),
-                                suggestion(entry.key, known));
-      sound = false;
-      continue;
-    }
     Value value = entry_value(entry, grammar, reading);
     sound = sound && !value.empty();
-    out.push_back({entry.key, std::move(value), entry.where});
+    entries.push_back({entry.key, std::move(value), entry.where});
   }
-  return sound;
+  if (!sound) return std::nullopt;
+  return lsystem_schema().bind(entries, grammar.where, reading.diagnostics);
 }
 
 }  // namespace
 
-const KindInfo& lsystem_info() {
-  static const KindInfo kind = [] {
-    KindInfo info{"lsystem",
-                  "declaration",
-                  "Words that rules rewrite and a turtle draws: grammar NAME: lsystem { axiom ...  "
-                  "MODULE -> MODULES ... }.",
-                  "prusinkiewicz1990",
-                  {}};
-    info.params = {
-        option("steps", "whole number", "1", "how often all modules are replaced"),
-        option("time", "number", "0", "instead of steps, where modules age"),
-        option("limit", "whole number", "10000000", "modules of a word at most"),
-        option("seed", "whole number", "", "in place of the scene's"),
-    };
-    const std::vector<ParamInfo>& turtle = turtle_schema().info().params;
-    info.params.insert(info.params.end(), turtle.begin(), turtle.end());
-    return info;
-  }();
-  return kind;
-}
-
 Value bind_lsystem(const scene::Grammar& grammar, Reading& reading) {
-  LSystemPlan plan;
-  plan.name = grammar.name;
-  plan.where = grammar.where;
-  const bool sound = read_turtle(grammar, reading, plan.turtle);
+  std::optional<LSystemBlock> block = block_of(grammar, reading);
   if (grammar.broken || !grammar.lsystem) return {};
   const lsystem::FindSystem find = [&](const std::string& name,
                                        const SourceLocation& where) -> lsystem::SystemPtr {
@@ -99,14 +53,12 @@ Value bind_lsystem(const scene::Grammar& grammar, Reading& reading) {
     const auto* other = value ? value->object<LSystemPtr>() : nullptr;
     return other ? (*other)->system : nullptr;
   };
-  plan.system = lsystem::compile(grammar, reading.evaluator, find);
-  if (!plan.system || !sound) return {};
-  const std::optional<TurtleBlock> turtle =
-      turtle_schema().bind(plan.turtle, grammar.where, reading.diagnostics);
-  if (!turtle) return {};
-  const LSystemPtr made = std::make_shared<const DrawnSystem>(std::move(plan), *turtle);
+  const lsystem::SystemPtr system =
+      lsystem::compile(grammar, block.value_or(LSystemBlock()), reading.evaluator, find);
+  if (!system || !block) return {};
+  const auto made = std::make_shared<const LSystemPlan>(grammar.name, system, std::move(*block));
   reading.shot.lsystems.push_back(made);
-  return ValueTraits<LSystemPtr>::write(made);
+  return ValueTraits<LSystemPtr>::write(LSystemPtr(made));
 }
 
 }  // namespace vug::session

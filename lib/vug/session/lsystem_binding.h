@@ -1,16 +1,12 @@
 // `grammar NAME: lsystem { ... }` of a scene: a system that other declarations derive and draw.
 #pragma once
 
-#include <vug/lsystem/system.h>
 #include <vug/session/reader.h>
 
 namespace vug::session {
 
-/// What an L-system's block may set beside its axiom and rules.
-const KindInfo& lsystem_info();
-
-/// The system, and the options of the block that are the turtle's; nothing where the text has
-/// faults. The plan joins the shot, where `vug derive` finds it.
+/// An LSystemPtr; nothing where the text has faults. The plan joins the shot, where `vug derive`
+/// finds it.
 Value bind_lsystem(const scene::Grammar& grammar, Reading& reading);
 
 }  // namespace vug::session

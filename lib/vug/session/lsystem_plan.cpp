@@ -1,18 +1,22 @@
 #include <vug/field/kind.h>
-#include <vug/lsystem/derive.h>
 #include <vug/lsystem/turtle_environment.h>
 #include <vug/session/curves.h>
-#include <vug/session/turtle_block.h>
+#include <vug/session/lsystem_plan.h>
 
 namespace vug::session {
-const Schema<TurtleBlock>& turtle_schema() {
-  static const Schema<TurtleBlock> schema = [] {
+
+const Schema<LSystemBlock>& lsystem_schema() {
+  static const Schema<LSystemBlock> schema = [] {
     using Options = lsystem::TurtleOptions;
-    Schema<TurtleBlock> s("lsystem", "grammar");
-    s.doc("What a turtle draws of a word: grammar NAME: lsystem { axiom ...  SYMBOL -> WORD ... }.")
-        .cite("prusinkiewicz1990")
-        .param("angle", &Options::angle,
-               {.doc = "of + - & ^ / \\ without a parameter", .dimension = Dimension::angle})
+    Schema<LSystemBlock> s("lsystem", "declaration");
+    s.doc(
+         "Words that rules rewrite and a turtle draws: grammar NAME: lsystem { axiom ...  MODULE "
+         "-> "
+         "MODULES ... }.")
+        .cite("prusinkiewicz1990");
+    lsystem::describe_system(s);
+    s.param("angle", &Options::angle,
+            {.doc = "of + - & ^ / \\ without a parameter", .dimension = Dimension::angle})
         .param("step", &Options::step, positive_length("of F, G and f without a parameter"))
         .param("width", &Options::width,
                {.doc = "diameter of stems until ! or F says otherwise",
@@ -31,24 +35,26 @@ const Schema<TurtleBlock>& turtle_schema() {
                 .dimension = Dimension::angle,
                 .min = 0.001,
                 .max = 1})
-        .param("field", &TurtleBlock::field,
+        .param("field", &LSystemBlock::field,
                {.doc = "the solid whose distance and gradient ?D(d, x, y, z) asks for"});
     return s;
   }();
   return schema;
 }
 
-lsystem::DrawingPtr LazyDrawing::get() const {
-  std::call_once(once_, [&] { drawing_ = std::make_shared<const lsystem::Drawing>(make()); });
-  return drawing_;
+lsystem::Derivation LSystemPlan::derived(std::optional<int> steps,
+                                         std::optional<double> time) const {
+  const lsystem::TurtleEnvironment environment(block, block.field);
+  return lsystem::derive(*system, {.steps = steps, .time = time, .environment = &environment});
 }
 
-lsystem::Drawing LazyDrawing::make() const {
-  const lsystem::TurtleEnvironment environment(turtle_, turtle_.field);
-  lsystem::DeriveOptions options;
-  options.environment = &environment;
-  return lsystem::draw(lsystem::interpreted(*system_, lsystem::derive(*system_, options)),
-                       system_->alphabet, turtle_);
+lsystem::Drawing LSystemPlan::draw() const {
+  return lsystem::draw(lsystem::interpreted(*system, derived()), system->alphabet, block);
+}
+
+lsystem::DrawingPtr LSystemPlan::drawing() const {
+  std::call_once(once_, [&] { drawing_ = std::make_shared<const lsystem::Drawing>(draw()); });
+  return drawing_;
 }
 
 }  // namespace vug::session

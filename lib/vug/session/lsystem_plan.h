@@ -1,8 +1,9 @@
-// What the turtle of an L-system's block makes of its word.
+// `grammar NAME: lsystem { ... }` of a scene: the system, its turtle, and what that draws.
 #pragma once
 
 #include <vug/field/field.h>
-#include <vug/lsystem/system.h>
+#include <vug/lsystem/derive.h>
+#include <vug/lsystem/options.h>
 #include <vug/lsystem/turtle.h>
 #include <vug/session/shot.h>
 
@@ -10,40 +11,32 @@
 
 namespace vug::session {
 
-struct TurtleBlock : lsystem::TurtleOptions {
+/// The entries of an L-system's block, beside its axiom and rules.
+struct LSystemBlock : lsystem::SystemOptions, lsystem::TurtleOptions {
   std::optional<field::Field> field;  ///< What ?D asks for.
 };
+const Schema<LSystemBlock>& lsystem_schema();
 
-/// The entries of an L-system's block that are its turtle's.
-const Schema<TurtleBlock>& turtle_schema();
-
-/// What is drawn, made when it is first asked for.
-class LazyDrawing {
+/// Immutable; Shot::lsystems are of these. Errors are those of lsystem::derive and lsystem::draw.
+class LSystemPlan {
  public:
-  LazyDrawing(lsystem::SystemPtr system, TurtleBlock turtle)
-      : system_(std::move(system)), turtle_(std::move(turtle)) {}
+  LSystemPlan(std::string plan_name, lsystem::SystemPtr of, LSystemBlock with)
+      : name(std::move(plan_name)), system(std::move(of)), block(std::move(with)) {}
 
-  const TurtleBlock& turtle() const { return turtle_; }
-  /// Errors are those of lsystem::derive and lsystem::draw.
-  lsystem::DrawingPtr get() const;
+  const std::string name;
+  const lsystem::SystemPtr system;
+  const LSystemBlock block;
+
+  /// The word after the block's steps or at its time, or those given: its turtle answers queries.
+  lsystem::Derivation derived(std::optional<int> steps = {}, std::optional<double> time = {}) const;
+  /// What is drawn of that, made when it is first asked for.
+  lsystem::DrawingPtr drawing() const;
   /// The same, made anew.
-  lsystem::Drawing make() const;
+  lsystem::Drawing draw() const;
 
  private:
-  lsystem::SystemPtr system_;
-  TurtleBlock turtle_;
   mutable std::once_flag once_;
   mutable lsystem::DrawingPtr drawing_;
 };
-
-/// What each L-system of a scene is: bind_lsystem makes no others.
-struct DrawnSystem : LSystemPlan {
-  DrawnSystem(LSystemPlan plan, TurtleBlock block)
-      : LSystemPlan(std::move(plan)), drawing(system, std::move(block)) {}
-  LazyDrawing drawing;
-};
-inline const LazyDrawing& drawing_of(const LSystemPlan& plan) {
-  return static_cast<const DrawnSystem&>(plan).drawing;
-}
 
 }  // namespace vug::session

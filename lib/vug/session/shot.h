@@ -151,13 +151,7 @@ struct Derivation {
   std::shared_ptr<const facade::Tree> facade = nullptr;  ///< Of a grammar of kind facade.
 };
 
-/// `grammar NAME: lsystem { ... }`, to be derived and drawn: see lsystem/derive.h.
-struct LSystemPlan {
-  std::string name;
-  lsystem::SystemPtr system;
-  Arguments turtle;      ///< Options of its block for whoever draws it, as given.
-  SourceLocation where;  ///< Its name in the text.
-};
+class LSystemPlan;  ///< See lsystem_plan.h.
 using LSystemPtr = std::shared_ptr<const LSystemPlan>;
 
 struct Shot {

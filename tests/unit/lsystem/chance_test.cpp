@@ -102,7 +102,7 @@ TEST(Chance, ChoicesAndDrawsAreIndependent) {
 TEST(Chance, KeysDiffer) {
   const SystemPtr system = system_of("axiom A\n A @1 -> F[+A][-A]A");
   ASSERT_TRUE(system);
-  Derivation word = derive(*system, {.steps = 11, .time = {}, .environment = nullptr});
+  Derivation word = derive(*system, {.steps = 11});
   ASSERT_GT(word.keys.size(), 600000u);
   std::sort(word.keys.begin(), word.keys.end());
   EXPECT_TRUE(std::adjacent_find(word.keys.begin(), word.keys.end()) == word.keys.end());

@@ -46,7 +46,7 @@ TEST(Derive, NamesThatBeginWithCapitals) {
       system_of("axiom Fl\n Fl -> Fl+Fr++Fr-Fl--FlFl-Fr+\n Fr -> -Fl+FrFr++Fr+Fl--Fl-Fr");
   ASSERT_TRUE(gosper);
   EXPECT_EQ(after(*gosper, 1), "Fl+Fr++Fr-Fl--FlFl-Fr+");
-  EXPECT_EQ(derive(*gosper, {.steps = 4, .time = {}, .environment = nullptr}).word.size(),
+  EXPECT_EQ(derive(*gosper, {.steps = 4}).word.size(),
             after(*gosper, 4).size() -
                 static_cast<size_t>(std::pow(7, 4)));  // each F has a second letter
 }
@@ -72,7 +72,7 @@ TEST(Derive, IsTheSameForAnyNumberOfThreads) {
   std::optional<Derivation> first;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
-    const Derivation word = derive(*system, {.steps = 22, .time = {}, .environment = nullptr});
+    const Derivation word = derive(*system, {.steps = 22});
     if (!first) {
       EXPECT_GT(word.word.size(), 50000u);  // several chunks
       first = word;
@@ -84,15 +84,32 @@ TEST(Derive, IsTheSameForAnyNumberOfThreads) {
 TEST(Derive, StopsWhatGrowsTooLarge) {
   const SystemPtr bomb = system_of("axiom A\n limit 5000\n A -> B A A\n B -> B");
   ASSERT_TRUE(bomb);
-  EXPECT_EQ(derive(*bomb, {.steps = 11, .time = {}, .environment = nullptr}).word.size(), 4095u);
+  EXPECT_EQ(derive(*bomb, {.steps = 11}).word.size(), 4095u);
   try {
-    derive(*bomb, {.steps = 12, .time = {}, .environment = nullptr});
+    derive(*bomb, {.steps = 12});
     FAIL() << "no limit";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::too_large);
     EXPECT_STREQ(error.what(),
                  "grammar 'g' exceeds its limit of 5000 modules: the next step makes 8191, 6144 of "
                  "them by the rule of 'A'");
+    EXPECT_EQ(error.where().line, 4);
+  }
+}
+
+TEST(Derive, StopsWhatMemoryCannotHold) {
+  const SystemPtr bomb =
+      system_of("axiom A(1)\n A(x) -> B A(x)A(x)\n B -> C(1, 2, 3, 4, 5, 6, 7, 8)");
+  ASSERT_TRUE(bomb);
+  EXPECT_EQ(derive(*bomb, {.steps = 9, .memory = 100000}).word.size(), 1023u);
+  try {
+    derive(*bomb, {.steps = 20, .memory = 100000});
+    FAIL() << "no bound";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::too_large);
+    EXPECT_STREQ(error.what(),
+                 "grammar 'g' exceeds the memory of 97.7 KiB: the next step makes 4095 modules in "
+                 "112 KiB, 4096 of their parameters by the rule of 'B'");
     EXPECT_EQ(error.where().line, 4);
   }
 }

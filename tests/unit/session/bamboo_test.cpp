@@ -4,7 +4,7 @@
 #include <vug/mesh/topology.h>
 #include <vug/session/cast.h>
 #include <vug/session/load.h>
-#include <vug/session/turtle_block.h>
+#include <vug/session/lsystem_plan.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ lsystem::DrawingPtr grown(const std::string& species, uint64_t seed, bool leaves
       load_text(fmt::format("include \"bamboo/{}_growth.vug\"\n", species), "test.vug", options);
   EXPECT_TRUE(loaded.usable()) << loaded.report();
   EXPECT_EQ(loaded.shot.lsystems.size(), 1u);
-  return drawing_of(*loaded.shot.lsystems.at(0)).get();
+  return loaded.shot.lsystems.at(0)->drawing();
 }
 
 /// Lengths of a culm's internodes, from node to node and to its end.
@@ -168,7 +168,7 @@ TEST(Ci, WallsAreEightToTwelveMillimetresThick) {
     options.seed = seed;
     const Loaded loaded = load_text("include \"bamboo/ci.vug\"\n", "test.vug", options);
     ASSERT_TRUE(loaded.usable()) << loaded.report();
-    const lsystem::Axis& culm = drawing_of(*loaded.shot.lsystems.at(0)).get()->axes.at(0);
+    const lsystem::Axis& culm = loaded.shot.lsystems.at(0)->drawing()->axes.at(0);
     const mesh::MeshPtr& plan = loaded.shot.meshes.back()->given;
     int met = 0;
     for (size_t i = 0; i < plan->positions.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <vug/session/cast.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/load.h>
+#include <vug/session/lsystem_plan.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include <vug/mesh/topology.h>
 #include <vug/session/cast.h>
 #include <vug/session/load.h>
-#include <vug/session/turtle_block.h>
+#include <vug/session/lsystem_plan.h>
 
 #include <cmath>
 
@@ -31,7 +31,7 @@ TEST(Plants, StemsAreASolidAsAnyOther) {
              "volume hole = level_set(box(size: (0.3, 0.3, 0.3)) - wood, voxel: 4mm)\n");
   ASSERT_EQ(scene.report(), "");
   const VolumePlan& rock = *scene.shot.volumes.at(1);
-  const lsystem::DrawingPtr drawing = drawing_of(*scene.shot.lsystems.at(0)).get();
+  const lsystem::DrawingPtr drawing = scene.shot.lsystems.at(0)->drawing();
   for (const lsystem::Axis& axis : drawing->axes)
     EXPECT_LT(rock.field.value(lsystem::station_at(axis, 0.5 * axis.length()).position), 0);
   EXPECT_GT(scene.shot.volumes.at(2)->field.value({0, 0.01, 0}), 0);
@@ -57,7 +57,7 @@ TEST(Plants, ThingsStandWhereTheTurtleSetThem) {
   Builder builder(scene.shot);
   const Cast cast = cast_of(builder);
   ASSERT_EQ(cast.objects.size(), 2u);
-  const lsystem::DrawingPtr drawing = drawing_of(*scene.shot.lsystems.at(0)).get();
+  const lsystem::DrawingPtr drawing = scene.shot.lsystems.at(0)->drawing();
   for (size_t i = 0; i < 2; ++i) {
     const auto placing = cast.objects[i].placing->at(0);
     EXPECT_LT((Vec3d(placing.origin) - drawing->instances[i].position).length(), 1e-6);
@@ -89,12 +89,69 @@ grammar climber: lsystem {
 mesh vine { of stems(of: climber) }
 )");
   ASSERT_EQ(scene.report(), "");
-  const lsystem::DrawingPtr drawing = drawing_of(*scene.shot.lsystems.at(0)).get();
+  const lsystem::DrawingPtr drawing = scene.shot.lsystems.at(0)->drawing();
   const auto& stations = drawing->axes.at(0).stations;
   double highest = 0;
   for (const lsystem::Station& s : stations) highest = std::max(highest, s.position.y);
   EXPECT_NEAR(highest, 1.6, 1e-9);  // 0.4 m steps; at 1.6 m the ball is 0.4 m away
   EXPECT_LT(stations.back().position.x, -0.3);
+}
+
+Loaded teaching_scene(const std::string& name, std::vector<scene::Override> overrides = {}) {
+  LoadOptions options;
+  options.overrides = std::move(overrides);
+  options.include_folders = {VUG_DATA};
+  return load(std::filesystem::path(VUG_DATA) / "scenes/lsystems" / name, options);
+}
+
+/// How far all shoots stay from rock, and how far their tips turn to the light.
+struct Climbed {
+  double nearest = 1e9;
+  double turned = 0;  ///< Mean of the cosine.
+  size_t shoots = 0;
+};
+
+Climbed climbed(const std::string& light, const std::string& avoid) {
+  const Loaded scene = teaching_scene("climbers.vug", {{"LIGHT", light}, {"AVOID", avoid}});
+  EXPECT_TRUE(scene.usable()) << scene.report();
+  const LSystemPlan& shoots = *scene.shot.lsystems.at(0);
+  Climbed out;
+  for (const lsystem::Axis& axis : shoots.drawing()->axes) {
+    for (const lsystem::Station& s : axis.stations)
+      out.nearest = std::min(out.nearest, shoots.block.field->value(s.position));
+    out.turned += axis.stations.back().frame.tangent.dot(Vec3d(0.48, 0.83, 0.28));
+    ++out.shoots;
+  }
+  out.turned /= static_cast<double>(out.shoots);
+  return out;
+}
+
+TEST(Plants, ClimbersKeepAwayFromRockAndReachForLight) {
+  const Climbed both = climbed("1", "6"), blind = climbed("1", "0"), dark = climbed("0", "6");
+  EXPECT_EQ(both.shoots, 9u);
+  EXPECT_GT(both.nearest, 0.02);
+  EXPECT_LT(blind.nearest, 0);  // without feeling the rock they grow into it
+  EXPECT_GT(both.turned, 0.9);
+  EXPECT_LT(dark.turned, 0.7);
+}
+
+TEST(Plants, FilamentsGrowWithoutPopping) {
+  // From frame to frame: cells get longer by the law of their rules, and none jumps when it
+  // divides.
+  constexpr double kStep = 1.0 / 32;
+  double before = 0;
+  for (double time = 0; time <= 6; time += kStep) {
+    const Loaded scene = teaching_scene("anabaena.vug", {{"TIME", std::to_string(time)}});
+    ASSERT_TRUE(scene.usable()) << scene.report();
+    double length = 0;
+    for (const lsystem::Axis& axis : scene.shot.lsystems.at(0)->drawing()->axes)
+      length += axis.length();
+    if (before > 0) {
+      EXPECT_GT(length, before);
+      EXPECT_LT(length, before * std::pow(1.618, kStep) * (1 + 1e-3)) << time;
+    }
+    before = length;
+  }
 }
 
 TEST(Plants, FaultsAreToldWhereTheyAre) {

@@ -2,7 +2,7 @@
 #include "sha256.h"
 
 #include <vug/base/parallel.h>
-#include <vug/lsystem/derive.h>
+#include <vug/session/lsystem_plan.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 struct Options {
   SceneOptions scene;
   std::string grammar;
-  lsystem::DeriveOptions how;
+  std::optional<int> steps;
+  std::optional<double> time;
   int threads = 0;
   bool drawn = false;
   bool count = false;
@@ -73,9 +74,9 @@ std::string hash_of(const lsystem::Word& word, const lsystem::Alphabet& alphabet
 void print_json(const Options& options, const lsystem::System& system, const lsystem::Word& word) {
   Json out{{"grammar", system.name}};
   if (system.timed)
-    out["time"] = options.how.time.value_or(system.time);
+    out["time"] = options.time.value_or(system.time);
   else
-    out["steps"] = options.how.steps.value_or(system.steps);
+    out["steps"] = options.steps.value_or(system.steps);
   out["modules"] = word.size();
   out["symbols"] = counts(word, system.alphabet);
   out["sha256"] = hash_of(word, system.alphabet);
@@ -85,14 +86,15 @@ void print_json(const Options& options, const lsystem::System& system, const lsy
 
 int run(const Options& options) {
   const session::Loaded loaded = options.scene.load();
-  const lsystem::System& system = *chosen(loaded.shot, options.grammar)->system;
-  if (system.timed ? options.how.steps.has_value() : options.how.time.has_value())
+  const session::LSystemPtr plan = chosen(loaded.shot, options.grammar);
+  const lsystem::System& system = *plan->system;
+  if (system.timed ? options.steps.has_value() : options.time.has_value())
     throw Error(ErrorCode::bad_input,
                 fmt::format("the L-system '{}' has {}", system.name,
                             system.timed ? "a time, not steps" : "steps, not a time"),
                 {}, system.timed ? "--time T" : "--steps N");
   const ThreadLimit limit(options.threads);
-  lsystem::Derivation derivation = lsystem::derive(system, options.how);
+  lsystem::Derivation derivation = plan->derived(options.steps, options.time);
   const lsystem::Word word = options.drawn ? lsystem::interpreted(system, std::move(derivation))
                                            : std::move(derivation.word);
   const lsystem::Alphabet& alphabet = system.alphabet;
@@ -117,9 +119,9 @@ Verb derive_verb() {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
             app.add_option("grammar", options->grammar, "which L-system, if there are several");
-            auto* steps = app.add_option("--steps", options->how.steps, "instead of the scene's")
+            auto* steps = app.add_option("--steps", options->steps, "instead of the scene's")
                               ->check(CLI::Range(0, 1000000));
-            app.add_option("--time", options->how.time, "likewise, where modules age")
+            app.add_option("--time", options->time, "likewise, where modules age")
                 ->check(CLI::Range(0.0, 1e9))
                 ->excludes(steps);
             app.add_flag("--drawn", options->drawn,

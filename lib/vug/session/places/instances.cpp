@@ -1,7 +1,7 @@
 // Where an L-system's turtle has set things: leaves on twigs.
 #include <vug/session/lsystem_binding.h>
+#include <vug/session/lsystem_plan.h>
 #include <vug/session/places.h>
-#include <vug/session/turtle_block.h>
 
 #include <fmt/format.h>
 
@@ -27,14 +27,14 @@ struct Instances {
   }
   std::string fault() const {
     if (!of) return "";
-    const std::vector<std::string>& names = drawing_of(*of).turtle().instances;
+    const std::vector<std::string>& names = of->block.instances;
     if (std::find(names.begin(), names.end(), name) != names.end()) return "";
     return fmt::format("the L-system sets no instances '{}'", name);
   }
 };
 
 std::vector<Place> places_of(const Instances& wanted, RandomKey key) {
-  const lsystem::DrawingPtr drawing = drawing_of(*wanted.of).get();
+  const lsystem::DrawingPtr drawing = wanted.of->drawing();
   std::vector<Place> places;
   for (size_t i = 0; i < drawing->instances.size(); ++i) {
     const lsystem::Instance& each = drawing->instances[i];

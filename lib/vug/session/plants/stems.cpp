@@ -2,8 +2,8 @@
 #include <vug/flora/cut.h>
 #include <vug/flora/sweep_field.h>
 #include <vug/session/lsystem_binding.h>
+#include <vug/session/lsystem_plan.h>
 #include <vug/session/plants.h>
-#include <vug/session/turtle_block.h>
 
 namespace vug::session {
 namespace {
@@ -77,7 +77,7 @@ field::Field solid(const Stems& stems) {
   if (stems.from) cut.from = *stems.from;
   if (stems.to) cut.to = *stems.to;
   cut.orders = stems.orders;
-  return flora::swept(flora::tubes(flora::cut(*drawing_of(*stems.of).get(), cut), stems.options()));
+  return flora::swept(flora::tubes(flora::cut(*stems.of->drawing(), cut), stems.options()));
 }
 
 }  // namespace

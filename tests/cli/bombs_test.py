@@ -1,0 +1,99 @@
+"""L-systems that never end, grow beyond all bounds or compute what is no number: each stops soon, in
+little memory, with a sentence that names the rule and its place."""
+import resource
+import subprocess
+import unittest
+
+from vug import PROGRAM, SLOW, VugTest
+
+LIMIT = "exceeds its limit of 10000000 modules: the next step makes"
+ENDS = "does not end after 10000 rounds, for instance the rule of"
+# What happens: lines of the block (the first is the text's second), place and part of the message.
+BOMBS = {
+    "one module becomes eight": (
+        ["axiom A", "steps 1000", "A -> AAAAAAAA"], "4:1", f"{LIMIT} 16777216, 16777216 of them by the rule of 'A'"),
+    "with numbers": (
+        ["axiom A(1)", "steps 1000", "A(x) -> A(x+1)B A(x+1)", "B -> BB"], "5:1", LIMIT),
+    "with contexts": (
+        ["axiom AAAA", "steps 1000", "A < A -> AA", "A -> A"], "4:5", LIMIT),
+    "with chance": (["axiom A", "steps 1000", "A @1 -> AA", "A @1 -> AAA"], "5:1", LIMIT),
+    "while growing older": (
+        ["axiom A(0)", "time 1000000", "A(t) after 1 -> A(0)A(0)"], "4:1", LIMIT),
+    "within one moment": (["axiom A(0)", "time 2", "A(t) after 1 -> A(1)"], "4:1", f"the growth of grammar 'g' {ENDS} 'A(t)'"),
+    "decomposition": (
+        ["axiom A", "decompose {", "A -> A[B]", "}"], "4:1", "the decomposition of 'A' never ends: A -> A"),
+    "decomposition in a circle": (
+        ["axiom A", "decompose {", "A -> B", "B -> [C]", "C -> A", "}"], "4:1", "never ends: A -> B -> C -> A"),
+    "decomposition that no guard ends": (
+        ["axiom B(1)A(1)", "decompose {", "B(x) if x < 0 -> A(x)", "A(x) if x > 0 -> A(x+1)", "}"], "5:1",
+        f"the decomposition of grammar 'g' {ENDS} 'A(x)'"),
+    "decomposition that doubles": (
+        ["axiom A(1)", "decompose {", "A(x) if x > 0 -> A(x+1)A(x)", "}"], "4:1", LIMIT),
+    "interpretation by itself": (
+        ["axiom F", "interpret {", "F -> F+F", "}"], "4:1", "the interpretation of 'F' never ends: F -> F"),
+    "interpretation that no guard ends": (
+        ["axiom A(1)", "interpret {", "A(x) if x > 0 -> F A(x/2+1)", "}"], "4:1",
+        f"the interpretation of grammar 'g' {ENDS} 'A(x)'"),
+    "a number that is none": (["axiom B A(1)", "A(x) -> B[A(sqrt(0 - x))]"], "3:1",
+                              "parameter 1 of module 3 of the rule of 'A(x)' is not a number"),
+    "a number beyond all": (["axiom A(1)", "steps 99", "A(x) -> A(x*1e200)"], "4:1",
+                            "parameter 1 of module 1 of the rule of 'A(x)' is inf"),
+    "a weight that is none": (["axiom A(1)", "A(x) @(x - 2) -> B"], "3:1", "the weight of the rule of 'A(x)' is -1"),
+}
+TEXTS = {
+    "a block without an axiom": (["A -> B"], "1:9", "grammar 'g' has no axiom"),
+    "a rule without a word": (["axiom A", "A ->"], "3:3", "the rule of 'A' has no modules"),
+    "an unknown option": (["stepz 3", "axiom A"], "2:1", "did you mean 'steps'?"),
+    "half a step": (["steps 2.5", "axiom A"], "2:1", "'steps'"),
+    "steps below none": (["steps -1", "axiom A"], "2:1", "'steps'"),
+    "half a seed": (["seed 1.5", "axiom A"], "1:9", "a seed is a whole number"),
+    "a wrong number of parameters": (["axiom A(1, 2)", "A(x) -> B"], "2:7", "its rules take 1"),
+    "an unknown name": (["axiom A(1)", "A(x) -> B(y)"], "3:11", "unknown name 'y'"),
+    "a turn without a unit": (["axiom +(60)F"], "2:9", "write 60deg or 60rad"),
+    "an open branch": (["axiom A", "A -> F[B"], "3:7", "the '[' in the rule of 'A' is never closed"),
+    "a branch that is not open": (["axiom A", "A -> B]"], "3:7", "']' without its '['"),
+    "two left contexts": (["axiom A", "A < B < C -> D"], "3:7", "a second '<' in the head of a rule"),
+    "a lost table": (["axiom A", "schedule summer", "table winter {", "A -> B", "}"], "3:10",
+                     "there is no table 'summer'"),
+    "ages and steps": (["axiom A(0)", "steps 3", "A(t) after 1 -> A(0)"], "3:1", "have a 'time', not 'steps'"),
+    "ages and contexts": (["axiom A(0)", "A(t) after 1 -> A(0)", "B < C -> D"], "4:", "rules have no context"),
+}
+
+
+class Bombs(VugTest):
+    def stopped(self, lines, place, message):
+        self.write("g.vug", "grammar g: lsystem {\n" + "\n".join(lines) + "\n}\n")
+        error = self.expect(2, "derive", "g.vug", "--drawn", "--count").err
+        self.assertIn(f"g.vug:{place}", error)
+        self.assertIn(message, error)
+
+    def test_what_grows_too_large_or_never_ends(self):
+        for name, bomb in BOMBS.items():
+            with self.subTest(name):
+                self.stopped(*bomb)
+
+    def test_faults_of_texts(self):
+        for name, text in TEXTS.items():
+            with self.subTest(name):
+                self.stopped(*text)
+
+    @unittest.skipIf(SLOW, "sanitizers take memory of their own")
+    def test_they_stop_in_little_memory(self):
+        self.write("g.vug", "grammar g: lsystem {\naxiom A(1)\nsteps 1000\nA(x) -> A(x+1)A(x+1)\n}\n")
+        subprocess.run([PROGRAM, "derive", "g.vug"], cwd=self.folder, stderr=subprocess.DEVNULL)
+        most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB, of the largest so far
+        self.assertLess(most, 1 << 20)
+
+    def test_a_module_asks_for_too_many_steps_of_another_system(self):
+        self.write("g.vug", "grammar Leaf: lsystem {\n axiom L\n L -> L\n}\n"
+                            "grammar g: lsystem {\n axiom Leaf(1000000000)\n}\n")
+        self.assertIn("g.vug:5:9: error: grammar 'g' asks for 1000000000 steps of 'Leaf'; 1000000 are the most",
+                      self.expect(2, "derive", "g.vug", "g", "--drawn").err)
+
+    def test_systems_made_of_each_other(self):
+        self.write("g.vug", "grammar A: lsystem {\n axiom B\n}\ngrammar B: lsystem {\n axiom A\n}\n")
+        self.assertIn("'A' is made of itself", self.expect(2, "derive", "g.vug", "A", "--drawn").err)
+
+
+if __name__ == "__main__":
+    unittest.main()
