@@ -87,10 +87,13 @@ class Divider {
 
   /// Names that expressions of a rule see: its formals, then those of the scope.
   scene::Scope names(const Formals& formals, const grammar::Symbol& symbol) const {
+    return names(formals, symbol, scope_of(symbol));
+  }
+  static scene::Scope names(const Formals& formals, const grammar::Symbol& symbol,
+                            const Scope& scope) {
     scene::Scope names;
     for (size_t i = 0; i < formals.size(); ++i)
       names.names.emplace_back(formals[i], symbol.content.params.at(i));
-    const Scope& scope = scope_of(symbol);
     names.names.emplace_back("width", Number{scope.rect.width, Dimension::length});
     names.names.emplace_back("height", Number{scope.rect.height, Dimension::length});
     names.names.emplace_back("index", scope.index);
@@ -211,7 +214,8 @@ class Divider {
       scope.split = split->name;
       value = all.values[item.position];
     }
-    const scene::Scope known = names(formals, site.symbol);
+    // Arguments see the place that the part has been given.
+    const scene::Scope known = names(formals, site.symbol, scope);
     grammar::Content out;
     if (item.kind == ItemKind::symbol) {
       for (Argument& argument : evaluator_.arguments(*item.expr, site.key, &known)) {
@@ -244,6 +248,7 @@ class Divider {
         scope.copies.push_back(copy);
       }
       scope.given = cell.given;
+      scope.depth += cell.depth;
       scope.index = static_cast<double>(cell.index);
       scope.total = static_cast<double>(cell.total);
       return;

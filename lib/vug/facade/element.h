@@ -2,11 +2,23 @@
 #pragma once
 
 #include <vug/base/kind.h>
+#include <vug/field/field.h>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vug::facade {
+
+/// What an element is made of, in its own frame: x to the right from 0 to its width, y up from 0 to
+/// its height, z out of the wall, whose face is at z = 0. Metres.
+struct Solids {
+  std::vector<field::Field> cut;   ///< Taken out of the wall, before anything is added.
+  std::vector<field::Field> add;   ///< Of the wall's own matter.
+  std::vector<field::Field> fill;  ///< Of other matter: panes of glass, leaves of doors.
+
+  void take(Solids more);
+};
 
 /// A window, a door, ... of a kind, with its measures. Shared and immutable.
 class Element {
@@ -15,6 +27,8 @@ class Element {
   virtual ~Element() = default;
   /// The kind's name: "window".
   const std::string& kind() const { return kind_; }
+  /// In a rectangle of that size in metres. Error(bad_input) where the measures leave nothing.
+  virtual Solids solids(double width, double height) const = 0;
 
  private:
   std::string kind_;
@@ -25,10 +39,17 @@ using ElementKind = Kind<ElementPtr>;
 /// Made from the list in CMakeLists.txt.
 const Kinds<ElementPtr>& elements();
 
-/// A kind for an element class that is constructed from its kind's name and its parameter struct P,
-/// which has `static void describe(Schema<P>&)`.
-template <class P, class Made>
+/// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
+/// `Solids solids(double width, double height) const`.
+template <class P>
 ElementKind element_kind(const std::string& name) {
+  struct Made final : Element {
+    Made(const std::string& kind, const P& p) : Element(kind), params(p) {}
+    Solids solids(double width, double height) const override {
+      return params.solids(width, height);
+    }
+    P params;
+  };
   return make_kind<ElementPtr, P>(name, "element", [name](const P& params) -> ElementPtr {
     return std::make_shared<const Made>(name, params);
   });

@@ -1,3 +1,4 @@
+#include <vug/facade/carve.h>
 #include <vug/facade/element.h>
 #include <vug/facade/split.h>
 
@@ -8,6 +9,9 @@ namespace vug::facade {
 #undef VUG_KIND
 #define VUG_KIND(name) const ElementKind& name##_element();
 #include <vug/facade/elements_kinds.inc>
+#undef VUG_KIND
+#define VUG_KIND(name) const SolidKind& name##_solid();
+#include <vug/facade/solids_kinds.inc>
 #undef VUG_KIND
 
 const Kinds<SplitPtr>& splits() {
@@ -23,6 +27,15 @@ const Kinds<ElementPtr>& elements() {
 #define VUG_KIND(name) &name##_element(),
   static const Kinds<ElementPtr> kinds = {
 #include <vug/facade/elements_kinds.inc>
+  };
+#undef VUG_KIND
+  return kinds;
+}
+
+const Kinds<field::Field>& solids() {
+#define VUG_KIND(name) &name##_solid(),
+  static const Kinds<field::Field> kinds = {
+#include <vug/facade/solids_kinds.inc>
   };
 #undef VUG_KIND
   return kinds;

@@ -12,6 +12,7 @@ struct Scope {
   Rect rect;                      ///< On the facade's plane.
   std::vector<Placement> copies;  ///< On the facade's plane.
   Numbers given;
+  double depth = 0;  ///< As in Node.
   double index = 0, total = 1;
   RandomKey key{0};                      ///< Of this occurrence.
   ElementPtr element;                    ///< Null for symbols.

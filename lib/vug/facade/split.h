@@ -22,6 +22,7 @@ struct Cell {
   /// Where it is stamped again; the part is derived once for all of them.
   std::vector<Placement> copies = {};
   Numbers given = {};  ///< What the model stores of the place itself, such as a row's height.
+  double depth = 0;    ///< How far its plane lies before that of the scope; below 0: behind.
   int64_t index = 0;   ///< Which of `total` places of one part, from 0.
   int64_t total = 1;
 };

@@ -17,6 +17,7 @@ struct Node {
   Rect rect;  ///< On the facade's plane, of the occurrence that is derived.
   /// Further occurrences within the parent, as motions of the facade's plane.
   std::vector<Placement> copies;
+  double depth = 0;    ///< How far its plane lies before the facade's; below 0: behind.
   std::string split;   ///< The kind of split that divides it; empty: none, or several.
   Numbers given;       ///< Of its place in the parent, such as a row's height.
   Numbers numbers;     ///< Of its own split, such as a grid's counts.

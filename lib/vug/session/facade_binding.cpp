@@ -1,4 +1,6 @@
+#include <vug/facade/carve.h>
 #include <vug/facade/derive.h>
+#include <vug/field/registry.h>
 #include <vug/session/facade_binding.h>
 
 #include <fmt/format.h>
@@ -11,6 +13,9 @@ namespace {
 struct FacadeBlock {
   double width = facade::DeriveOptions().width;
   double height = facade::DeriveOptions().height;
+  double thickness = 0.6;
+  Vec3d at{0, 0, 0};
+  double yaw = 0;
   int steps = static_cast<int>(facade::DeriveOptions().limits.productions);
   int limit = static_cast<int>(facade::DeriveOptions().limits.symbols);
   std::optional<int> seed;
@@ -20,6 +25,12 @@ struct FacadeBlock {
         .cite("ripperda2009")
         .param("width", &FacadeBlock::width, positive_length("of the whole facade"))
         .param("height", &FacadeBlock::height, positive_length("of the whole facade"))
+        .param("thickness", &FacadeBlock::thickness,
+               positive_length("of the wall that it is carved into when it stands alone"))
+        .param("at", &FacadeBlock::at, any_length("the middle of its foot"))
+        .param("yaw", &FacadeBlock::yaw,
+               {.doc = "its turn about the upright axis; it looks along +z at 0",
+                .dimension = Dimension::angle})
         .param("steps", &FacadeBlock::steps, {.doc = "rules applied at most", .min = 1})
         .param("limit", &FacadeBlock::limit, {.doc = "symbols at most", .min = 1})
         .param("seed", &FacadeBlock::seed, {.doc = "in place of the scene's", .min = 0});
@@ -77,7 +88,7 @@ Value bind_facade(const scene::Grammar& grammar, Reading& reading) {
     const auto tree = std::make_shared<const facade::Tree>(derived->tree);
     reading.shot.derivations.push_back(
         {grammar.name, derived->derivation, derived->derivation.applied, tree});
-    return ValueTraits<std::shared_ptr<const facade::Tree>>::write(tree);
+    return field::as_value(facade::wall(tree, {block->at, block->yaw}, block->thickness));
   } catch (const Error& error) {
     reading.diagnostics.error(error.where().known() ? error.where() : grammar.where, error.what(),
                               error.hint());

@@ -1,5 +1,5 @@
 #include <vug/cells/kind.h>
-#include <vug/facade/element.h>
+#include <vug/facade/carve.h>
 #include <vug/field/blend_kind.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
@@ -51,7 +51,7 @@ namespace {
 
 std::vector<Family>& own_families() {
   static std::vector<Family> all = {
-      family(field::field_kinds(), plant_kinds()),
+      family(field::field_kinds(), plant_kinds(), facade::solids()),
       family(field::blends()),
       family(field::noises()),
       family(volume_kinds()),

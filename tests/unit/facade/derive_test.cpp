@@ -33,6 +33,19 @@ TEST(Derive, ParametersElementsAmongThem) {
   EXPECT_EQ(s.tree.nodes[1].text, "Bays(2)");
 }
 
+TEST(Derive, ArgumentsSeeThePlaceOfTheirPart) {
+  const Sample s = facade_of(
+      "axiom A\n A -> repeat(x, P, Bay(index, width), alike: false)\n"
+      "Bay(i, w) if i == 1 -> columns(w / 4, door, 1, wall)\n Bay(i, w) if i != 1 -> wall");
+  EXPECT_NE(s.said.find("'P' is no symbol"), std::string::npos);
+  const Sample t = Sample(
+      "let P = 4m\ngrammar f: facade {\naxiom A\n A -> repeat(x, P, Bay(index, width), alike: "
+      "false)\nBay(i, w) if i == 1 -> columns(w / 4, door, 1, wall)\n Bay(i, w) if i != 1 -> "
+      "wall\n}");
+  EXPECT_EQ(t.said, "");
+  expect_rect(t.rects("door")[0], 4, 0, 1, 9);
+}
+
 TEST(Derive, SeveralItemsShareTheScope) {
   const Sample s = facade_of("axiom A\n A -> wall columns(1m, window, 1, wall) door");
   EXPECT_EQ(s.rects("wall").size(), 2u);

@@ -1,20 +1,23 @@
-#include <vug/facade/element.h>
+#include <vug/facade/blocks.h>
 
 namespace vug::facade {
 namespace {
 
-struct Doorway {
-  static void describe(Schema<Doorway>& s) {
-    s.doc("A way in without a leaf.").cite("ripperda2009");
-  }
-};
+struct Doorway : Opening {
+  double depth = 1.5;
 
-class DoorwayElement final : public Element {
- public:
-  DoorwayElement(const std::string& kind, const Doorway&) : Element(kind) {}
+  static void describe(Schema<Doorway>& s) {
+    s.doc("A way in without a leaf: a passage into the dark, of any depth.")
+        .cite("ripperda2009")
+        .param("depth", &Doorway::depth, positive_length("of the passage"));
+    describe_opening(s);
+  }
+  std::string fault() const { return opening_fault(); }
+
+  Solids solids(double width, double height) const { return around(width, height, depth); }
 };
 
 }  // namespace
 }  // namespace vug::facade
 
-VUG_ELEMENT_KIND(doorway) { return element_kind<Doorway, DoorwayElement>("doorway"); }
+VUG_ELEMENT_KIND(doorway) { return element_kind<Doorway>("doorway"); }

@@ -1,18 +1,62 @@
-#include <vug/facade/element.h>
+#include <vug/facade/blocks.h>
+#include <vug/field/boolean.h>
+
+#include <algorithm>
 
 namespace vug::facade {
 namespace {
 
-struct Window {
-  static void describe(Schema<Window>& s) { s.doc("A window.").cite("ripperda2009"); }
-};
+struct Window : Opening {
+  double sash = 0.07;
+  std::vector<int> panes = {2, 3};
+  double bar = 0.035;
 
-class WindowElement final : public Element {
- public:
-  WindowElement(const std::string& kind, const Window&) : Element(kind) {}
+  static void describe(Schema<Window>& s) {
+    s.doc(
+         "A window: a hole with a sash, its bars and a sheet of glass; sill, lintel and moulding "
+         "where they have a measure.")
+        .cite("ripperda2009")
+        .param("sash", &Window::sash,
+               {.doc = "width of the frame of the sash; 0: an empty hole",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("panes", &Window::panes, {.doc = "columns and rows of panes", .min = 1, .max = 50})
+        .param("bar", &Window::bar, positive_length("width of the bars between panes"));
+    describe_opening(s);
+  }
+  std::string fault() const {
+    if (panes.size() != 2) return "'panes' are two numbers: columns and rows";
+    return opening_fault();
+  }
+
+  Solids solids(double width, double height) const {
+    Solids out = around(width, height, reveal + 0.12);
+    if (!(sash > 0)) return out;
+    const double front = reveal, back = reveal + 0.06,
+                 edge = std::min({sash, width / 4, height / 4});
+    std::vector<field::Field> holes;
+    const int across = panes[0], up = panes[1];
+    // Bars stand in the whole height of the hole; its head cuts them.
+    const double pane_width = (width - 2 * edge - (across - 1) * bar) / across;
+    const double pane_height = (height - 2 * edge - (up - 1) * bar) / up;
+    if (!(pane_width > 0 && pane_height > 0))
+      throw Error(ErrorCode::bad_input, "the bars leave nothing of the window's panes");
+    for (int i = 0; i < across; ++i)
+      for (int j = 0; j < up; ++j) {
+        const Rect pane{edge + i * (pane_width + bar), edge + j * (pane_height + bar), pane_width,
+                        pane_height};
+        // Panes under the head end as it does, an edge further in.
+        holes.push_back(j + 1 == up && up == 1 && across == 1
+                            ? headed(pane, head, rise, -back - 1, -front + 1)
+                            : block(pane, -back - 1, -front + 1));
+      }
+    out.add.push_back(field::subtract(sheet(width, height, back, front), std::move(holes)));
+    out.fill.push_back(sheet(width, height, back - 0.02, back - 0.032));
+    return out;
+  }
 };
 
 }  // namespace
 }  // namespace vug::facade
 
-VUG_ELEMENT_KIND(window) { return element_kind<Window, WindowElement>("window"); }
+VUG_ELEMENT_KIND(window) { return element_kind<Window>("window"); }

@@ -60,6 +60,8 @@ struct Repeat {
   }
 
   Layout layout(double width, double height, RandomKey key) const {
+    std::string none;
+    const int part = pairs(parts, none)[0].part.part;
     const double extent = axis == Axis::x ? width : height;
     const int n = counted(extent, key);
     const double filled = extent - (n - 1) * gap;
@@ -75,7 +77,7 @@ struct Repeat {
       const double size = sizes[static_cast<size_t>(i)];
       const Rect rect = axis == Axis::x ? Rect{at, 0, size, height} : Rect{0, at, width, size};
       if (i == 0 || !alike)
-        out.cells.push_back({.part = 0, .rect = rect, .index = i, .total = n});
+        out.cells.push_back({.part = part, .rect = rect, .index = i, .total = n});
       else
         out.cells[0].copies.push_back(Placement::shift(rect.x, rect.y));
       const bool uneven = !even;

@@ -1,0 +1,36 @@
+#include <vug/facade/blocks.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::facade {
+namespace {
+
+struct Stairs {
+  double going = 0.32;
+  double riser = 0.16;
+
+  static void describe(Schema<Stairs>& s) {
+    s.doc("Steps before the wall that rise to it, as wide and high as their rectangle.")
+        .param("going", &Stairs::going, positive_length("depth of a step"))
+        .param("riser", &Stairs::riser, positive_length("height of a step, about"));
+  }
+
+  Solids solids(double width, double height) const {
+    const double steps = std::max(1.0, std::round(height / riser));
+    if (steps > 2000) throw Error(ErrorCode::too_large, fmt::format("{:.3g} steps", steps));
+    Solids out;
+    for (int i = 0; i < static_cast<int>(steps); ++i) {
+      const double front = (steps - i) * going, top = (i + 1) * height / steps;
+      out.add.push_back(block({0, 0, width, top}, -0.1, front, 0.015));
+    }
+    return out;
+  }
+};
+
+}  // namespace
+}  // namespace vug::facade
+
+VUG_ELEMENT_KIND(stairs) { return element_kind<Stairs>("stairs"); }

@@ -1,0 +1,50 @@
+#include <vug/facade/blocks.h>
+#include <vug/facade/carve.h>
+#include <vug/field/affine.h>
+#include <vug/field/boolean.h>
+
+namespace vug::facade {
+namespace {
+
+struct Carve : FacadeParams {
+  field::Field field;
+  double clear = 0;
+  double margin = 0;
+
+  static void describe(Schema<Carve>& s) {
+    s.doc("A solid with a facade cut into it and what stands out added to it: a temple in a cliff.")
+        .param("field", &Carve::field, {.doc = "what is carved", .required = true});
+    describe_facade(s);
+    s.param("clear", &Carve::clear,
+            {.doc = "how far before the facade's plane the solid is cut away first",
+             .dimension = Dimension::length,
+             .min = 0})
+        .param("margin", &Carve::margin,
+               {.doc = "how far that goes past its sides and above it",
+                .dimension = Dimension::length,
+                .min = 0});
+    describe_frame(s);
+  }
+  std::string fault() const { return facade_fault(); }
+};
+
+field::Field made(const Carve& c) {
+  const Placed placed = c.placed();
+  const Tree& tree = *placed.tree;
+  const Transform frame = placed.frame.transform(tree.width);
+  field::Field out = c.field;
+  if (c.clear > 0)
+    out = field::subtract(
+        out,
+        {field::transformed(
+            block({-c.margin, 0, tree.width + 2 * c.margin, tree.height + c.margin}, 0, c.clear),
+            frame)});
+  Carving carving = carve(tree);
+  for (Carving::Layer& layer : carving.layers) layer.solid = field::transformed(layer.solid, frame);
+  return carving.applied(out);
+}
+
+}  // namespace
+}  // namespace vug::facade
+
+VUG_FACADE_SOLID(carve) { return field::field_kind<Carve>("carve", "operator", made); }

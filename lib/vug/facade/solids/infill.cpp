@@ -1,0 +1,26 @@
+#include <vug/facade/carve.h>
+#include <vug/field/affine.h>
+
+namespace vug::facade {
+namespace {
+
+struct Infill : FacadeParams {
+  static void describe(Schema<Infill>& s) {
+    s.doc(
+        "What fills a facade's openings and is of other matter than its wall: panes, leaves of "
+        "doors, railings.");
+    describe_facade(s);
+    describe_frame(s);
+  }
+  std::string fault() const { return facade_fault(); }
+};
+
+field::Field made(const Infill& i) {
+  const Placed placed = i.placed();
+  return field::transformed(carve(*placed.tree).fill, placed.frame.transform(placed.tree->width));
+}
+
+}  // namespace
+}  // namespace vug::facade
+
+VUG_FACADE_SOLID(infill) { return field::field_kind<Infill>("infill", "operator", made); }
