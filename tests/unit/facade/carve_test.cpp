@@ -128,6 +128,14 @@ TEST(Carve, ElementsSaySoWhereTheirMeasuresLeaveNothing) {
   }
 }
 
+TEST(Carve, ElementsOfThePapersGrammarMayBeTiny) {
+  for (const char* kind : {"window", "door", "shop", "doorway"})
+    for (const double size : {1e-3, 0.03, 0.2}) {
+      const Sample s = facade_of(std::string("axiom A\n A -> ") + kind, 0, size, 2 * size);
+      EXPECT_NO_THROW(carve(s.tree)) << kind << ' ' << size;
+    }
+}
+
 TEST(Carve, ZonesAndInfill) {
   const Sample s = facade_of("axiom A\n A -> columns(1, inset(1m, window), 1, inset(1m, door))");
   const field::Field windows = zones(s.tree, {"window"}, 0.5, 0.5);

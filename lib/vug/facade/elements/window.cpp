@@ -35,12 +35,15 @@ struct Window : Opening {
     const double front = reveal, back = reveal + 0.06,
                  edge = std::min({sash, width / 4, height / 4});
     std::vector<field::Field> holes;
-    const int across = panes[0], up = panes[1];
+    // Where bars would leave nothing of the panes there are fewer.
+    const auto fitting = [&](int count, double room) {
+      return std::clamp(static_cast<int>((room + bar) / (2 * bar)), 1, count);
+    };
+    const int across = fitting(panes[0], width - 2 * edge);
+    const int up = fitting(panes[1], height - 2 * edge);
     // Bars stand in the whole height of the hole; its head cuts them.
     const double pane_width = (width - 2 * edge - (across - 1) * bar) / across;
     const double pane_height = (height - 2 * edge - (up - 1) * bar) / up;
-    if (!(pane_width > 0 && pane_height > 0))
-      throw Error(ErrorCode::bad_input, "the bars leave nothing of the window's panes");
     for (int i = 0; i < across; ++i)
       for (int j = 0; j < up; ++j) {
         const Rect pane{edge + i * (pane_width + bar), edge + j * (pane_height + bar), pane_width,
