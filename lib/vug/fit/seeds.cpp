@@ -55,7 +55,7 @@ Layout lay_out(const Workshop& shop, const Evidence& evidence, const Rect& area,
   const auto find = [&](bool along_x, const std::vector<Segment>& across) {
     const int room = along_x ? area.x1 - area.x0 : area.y1 - area.y0;
     return best_segments(before(evidence, gains, area, along_x, across),
-                         {limits.least, room / 3, limits.most_lines, cost});
+                         {limits.least, room / 4, limits.most_lines, cost});
   };
   out.columns = find(true, {});
   out.rows = find(false, {});
@@ -194,7 +194,8 @@ std::vector<Gains> first_gains(const Evidence& evidence, bool supervised) {
   std::vector<Gains> out;
   const Sums all = evidence.sums(0, 0, evidence.width(), evidence.height());
   const double pixels = static_cast<double>(evidence.width()) * evidence.height();
-  for (int cluster = 0; cluster < evidence.lanes(); ++cluster) {
+  // By day windows are among what is darker.
+  for (int cluster = 0; 2 * cluster < evidence.lanes(); ++cluster) {
     Sums windows = all;
     // As if a quarter of the picture were windows, and six in ten of their pixels were of it.
     for (uint32_t& n : windows.lane) n = static_cast<uint32_t>(0.1 * n);
