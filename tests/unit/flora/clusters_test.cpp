@@ -13,15 +13,25 @@ constexpr double kClumps = kDensity / kPerClump;
 constexpr int kRuns = 200;
 const std::vector<double> kRadii = {0.25, 0.5, 1, 1.5, 2};
 
-/// Ripley's K by the known density, of all runs together: how many others lie within r of a point,
-/// for those that are so far within the plot that all of them are there.
-std::vector<double> k_function(const std::string& name, const Named& parameters) {
-  const double border = kRadii.back();
+/// A plot, and a part of it that is as far from its border as the largest radius.
+struct Window {
+  Corners plot;
+  Vec2d from, to;  ///< Corners of that part.
+};
+const Window kSquare{square(kSide), {2, 2}, {kSide - 2, kSide - 2}};
+/// With a dent at (12, 12).
+const Window kBent{{{0, 0}, {24, 0}, {24, 12}, {12, 12}, {12, 24}, {0, 24}}, {2, 2}, {10, 22}};
+
+/// Ripley's K by the known density, of all runs together: how many others lie within r of a point
+/// of the window, so that all of them are there.
+std::vector<double> k_function(const std::string& name, const Named& parameters,
+                               const Window& window = kSquare) {
   std::vector<double> pairs(kRadii.size());
   for (uint64_t run = 0; run < kRuns; ++run) {
-    const std::vector<Vec2d> points = draw(name, parameters, square(kSide), kDensity, run);
+    const std::vector<Vec2d> points = draw(name, parameters, window.plot, kDensity, run);
     for (const Vec2d& p : points) {
-      if (std::min(std::min(p.x, p.y), std::min(kSide - p.x, kSide - p.y)) < border) continue;
+      if (p.x < window.from.x || p.y < window.from.y || p.x > window.to.x || p.y > window.to.y)
+        continue;
       for (const Vec2d& other : points) {
         if (&other == &p) continue;
         const double apart = (other - p).length();
@@ -29,8 +39,8 @@ std::vector<double> k_function(const std::string& name, const Named& parameters)
       }
     }
   }
-  const double inner = (kSide - 2 * border) * (kSide - 2 * border);
-  for (double& k : pairs) k /= kRuns * inner * kDensity * kDensity;
+  const Vec2d inner = window.to - window.from;
+  for (double& k : pairs) k /= kRuns * inner.x * inner.y * kDensity * kDensity;
   return pairs;
 }
 
@@ -40,6 +50,16 @@ TEST(Clusters, ThomasHasTheKFunctionOfTheory) {
   for (size_t i = 0; i < kRadii.size(); ++i) {
     const double r = kRadii[i];
     const double theory = kPi * r * r + (1 - std::exp(-r * r / (4 * spread * spread))) / kClumps;
+    EXPECT_NEAR(found[i] / theory, 1, 0.05) << "within " << r << " m";
+  }
+}
+
+TEST(Clusters, KeepTheirKFunctionInAPlotWithADent) {
+  const double spread = 0.35, per_clump = 4, clumps = kDensity / per_clump;
+  const auto found = k_function("thomas", {{"per_clump", per_clump}, {"spread", spread}}, kBent);
+  for (size_t i = 0; i < kRadii.size(); ++i) {
+    const double r = kRadii[i];
+    const double theory = kPi * r * r + (1 - std::exp(-r * r / (4 * spread * spread))) / clumps;
     EXPECT_NEAR(found[i] / theory, 1, 0.05) << "within " << r << " m";
   }
 }

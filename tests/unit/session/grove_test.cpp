@@ -1,10 +1,12 @@
 // grove(...) of a scene's text: where its plants stand, and what is told of faults.
+#include <vug/image/io.h>
 #include <vug/session/cast.h>
 #include <vug/session/load.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace vug::session {
 namespace {
@@ -73,6 +75,34 @@ TEST(GrovePlaces, StandOnAMeshAlike) {
   ASSERT_EQ(by_mesh.objects.size(), by_field.objects.size());
   for (size_t i = 0; i < by_mesh.objects.size(); ++i)
     EXPECT_LT((origin(by_mesh.objects[i]) - origin(by_field.objects[i])).length(), 0.01);
+}
+
+TEST(GrovePlaces, StandOnAPictureWhereItIsNotTooSteep) {
+  // A roof: a slope of 1 in 2 up from the left edge to the middle, then one of 3 in 2 down to a
+  // third before the right one, then level.
+  image::Image heights(241, 3, {"Y"});
+  const auto height = [](double x) {  // metres, x from -12 to 12
+    return x < 0 ? 6 + x / 2 : std::max(0.0, 6 - 1.5 * x);
+  };
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 241; ++x) heights.at(x, y) = static_cast<float>(height(0.1 * x - 12) / 8);
+  const auto path = std::filesystem::temp_directory_path() / "vug_grove_heights.exr";
+  image::write_exr(path, heights, {});
+  const Cast made = cast(
+      "let land = heightfield(file: \"" + path.string() +
+      "\", size: (24m, 8m, 24m), sampling: bilinear)\n"
+      "place p { of thin  at grove(polygon: [(-11, -9), (11, -9), (11, 9), (-11, 9)], count: 600, "
+      "on: land, steepest: 40deg) }\n");
+  std::filesystem::remove(path);
+  int left = 0, right = 0;
+  for (const render::Object& object : made.objects) {
+    const Vec3d at = origin(object);
+    EXPECT_NEAR(at.y, height(at.x), 0.06) << at;
+    (at.x < 0 ? left : right) += 1;
+    EXPECT_FALSE(at.x > 0.2 && at.x < 3.8) << "that is 56 degrees steep: " << at;
+  }
+  EXPECT_NEAR(left, 300, 60);
+  EXPECT_NEAR(right, 600 * 7.0 / 22, 60);
 }
 
 TEST(GrovePlaces, DiametersChooseTheThingAndItsSize) {
