@@ -12,6 +12,20 @@ namespace {
 
 constexpr double kLargestNode = 100;
 
+void require_sound(const TurtleOptions& options) {
+  const Vec3d& t = options.tropism;
+  for (const double value : {options.angle, options.step, options.width, options.thinner, t.x, t.y,
+                             t.z, options.elasticity, options.smooth})
+    if (!std::isfinite(value))
+      throw Error(ErrorCode::bad_input, "an option of the turtle is not a finite number");
+  if (!(options.width >= 0 && options.width <= Walker::kFarthest))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the turtle's width is {} m; 0 to {} can be drawn", options.width,
+                            Walker::kFarthest));
+  if (!(options.thinner >= 0 && options.smooth > 0))
+    throw Error(ErrorCode::bad_input, "the turtle's 'thinner' or 'smooth' is below 0");
+}
+
 }  // namespace
 
 Walker::Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& options, Pen* pen)
@@ -20,6 +34,7 @@ Walker::Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& 
       options_(options),
       pen_(pen),
       meanings_(meanings(alphabet, options)) {
+  require_sound(options);
   for (const Bezier& guide : options.guides) guides_.emplace_back(guide);
   state_.radius = 0.5 * options.width;
   state_.elasticity = options.elasticity;

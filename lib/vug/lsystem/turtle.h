@@ -44,9 +44,9 @@ struct TurtlePose {
 /// Called with the index of each module whose symbol is asked for, and the turtle there.
 using PoseVisitor = std::function<void(size_t module, const TurtlePose& pose)>;
 
-/// Error(bad_input) for parameters that are not finite, a negative length or width, brackets or
-/// braces that do not pair, a guide that there is none of; it names the module and its number in
-/// the word.
+/// Error(bad_input) for parameters that are not finite, a negative length or width, a way, width or
+/// size beyond 1e9 m, brackets or braces that do not pair, a guide that there is none of; it names
+/// the module and its number in the word. Likewise for options that are not finite.
 Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleOptions& options = {});
 
 /// Walks without drawing and visits the modules of these symbols: what queries are answered with.

@@ -35,7 +35,7 @@ double share_in_half(const Corners& corners, const std::vector<Vec2d>& points) {
 
 TEST(Distributions, ChiSquareAcceptsUniformAndRejectsThePaper) {
   constexpr double kOneInAThousand = 37.70;  // of chi-square with 15 degrees of freedom
-  for (const uint64_t seed : {1, 2, 3})
+  for (const uint64_t seed : {1U, 2U, 3U})
     EXPECT_LT(chi_square(draw("uniform", {}, square(1), 10000, seed)), kOneInAThousand);
   EXPECT_GT(chi_square(draw("paper", {}, square(1), 10000)), 1000);
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace vug::lsystem {
@@ -204,6 +205,31 @@ TEST(Turtle, TellsWhatIsWrongAndWhere) {
   EXPECT_NE(message("guide(0)"), "");
   EXPECT_NE(message("age"), "");
   EXPECT_EQ(message("Q(nan) F"), "");  // what it passes over may be anything
+  EXPECT_EQ(
+      message("F(9e8) F(2e8)"),
+      "the turtle is more than 1000000000 m from where it began, at 'F(200000000)', module 2 of "
+      "the word");
+  EXPECT_NE(message("f(1e308) f(1e308)"), "");
+  EXPECT_NE(message("!(1e30) F"), "");
+  EXPECT_NE(message("node(-1)"), "");
+  EXPECT_NE(message("node(1e9)"), "");
+}
+
+TEST(Turtle, TurnsByAnyAngle) {
+  for (const char* angle : {"1e5", "1e6", "-1e17", "1e300"}) {
+    const Frame frame = drawn("+(" + std::string(angle) + ") F").axes.at(0).stations.at(1).frame;
+    EXPECT_NEAR(frame.tangent.length(), 1, 1e-12) << angle;
+    EXPECT_NEAR(frame.tangent.dot(frame.normal), 0, 1e-12) << angle;
+  }
+}
+
+TEST(Turtle, RefusesOptionsThatAreNoNumbers) {
+  TurtleOptions options;
+  options.width = -1;
+  EXPECT_THROW(drawn("F", options), Error);
+  options = TurtleOptions();
+  options.step = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(drawn("F", options), Error);
 }
 
 TEST(Turtle, VisitsTheModulesAskedFor) {
