@@ -92,6 +92,11 @@ class Bombs(VugTest):
 
     def test_systems_made_of_each_other(self):
         self.write("g.vug", "grammar A: lsystem {\n axiom B\n}\ngrammar B: lsystem {\n axiom A\n}\n")
+        chain = "".join(f"grammar L{i}: lsystem {{\n axiom F L{i + 1}\n}}\n" for i in range(2500))
+        self.write("chain.vug", chain + "grammar L2500: lsystem {\n axiom F\n}\n")
+        for verb in (("check",), ("derive", "L0")):
+            error = self.expect(2, verb[0], "chain.vug", *verb[1:]).err
+            self.assertRegex(error, r"chain\.vug:\d+:\d+: error: more than 200 names depend on each other in a row")
         self.assertIn("'A' is made of itself", self.expect(2, "derive", "g.vug", "A", "--drawn").err)
 
 

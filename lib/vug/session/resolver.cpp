@@ -5,6 +5,12 @@
 #include <fmt/format.h>
 
 namespace vug::session {
+namespace {
+
+/// As many as lets may wait for one another.
+constexpr int kMostPending = 200;
+
+}  // namespace
 
 SoundArguments::SoundArguments(const Arguments& given) {
   bool placed = true;  // behind one that is lost nobody knows the others' places
@@ -40,12 +46,19 @@ Value Resolver::value(Entry& entry, const std::string& name, const SourceLocatio
     diagnostics.error(where, fmt::format("'{}' is made of itself", name));
     return Value();
   }
+  if (!entry.made && pending_ >= kMostPending) {
+    diagnostics.error(
+        where, fmt::format("more than {} names depend on each other in a row", kMostPending));
+    return Value();
+  }
   if (!entry.made) {
     entry.pending = true;
+    ++pending_;
     const uint64_t uses = frame_uses();
     for (const Maker& maker : entry.makers) entry.value = maker();
     if (entry.makers.size() > 1) entry.value = Value();
     entry.pending = false;
+    --pending_;
     entry.made = true;
     entry.moves = frame_uses() > uses;
   } else if (entry.moves) {

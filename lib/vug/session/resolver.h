@@ -70,6 +70,7 @@ class Resolver final : public scene::Resolver {
               Diagnostics& diagnostics);
 
   std::map<std::string, std::vector<Entry>> entries_;  ///< In the order of the text.
+  int pending_ = 0;  ///< Entries that are being made: each is made for the one before.
 };
 
 }  // namespace vug::session

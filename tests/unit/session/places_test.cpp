@@ -200,6 +200,8 @@ TEST_F(Places, WhatCannotBePlacedIsTold) {
             std::string::npos);
   EXPECT_NE(faults(stones + "place a { of pebble  at pose(stretch: (1, 0, 1)) }\n").find("flat"),
             std::string::npos);
+  EXPECT_NE(faults(stones + "place a { of []  at (0, 0, 0) }\n").find("nothing to place"),
+            std::string::npos);
   file("loop.vug", "place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n");
   EXPECT_NE(faults("place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n").find("inside of itself"),
             std::string::npos);

@@ -107,6 +107,7 @@ std::optional<Error> misfit(const PlacePlan& plan, const scene::Declaration& dec
   const auto refuse = [&](const char* key, const std::string& what) {
     return Error(ErrorCode::bad_input, what, where_of(key, declaration));
   };
+  if (plan.of.empty()) return refuse("of", "there is nothing to place: the list is empty");
   if (!plan.shares.empty() && plan.shares.size() != plan.of.size())
     return refuse("shares", fmt::format("{} shares do not fit {} things", plan.shares.size(),
                                         plan.of.size()));

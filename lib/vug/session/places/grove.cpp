@@ -118,8 +118,12 @@ void Grove::describe(Schema<Grove>& s) {
              {.doc = "plants on a hectare (10,000 m^2) of the plan; 0: as many as fit, for "
                      "poisson_disk",
               .min = 0})
-      .param("count", &Grove::count,
-             {.doc = "plants in the polygon, instead of a density", .min = 0})
+      .param(
+          "count", &Grove::count,
+          {.doc =
+               "plants in the polygon, instead of a density; where clumps are drawn, how many are "
+               "to be expected",
+           .min = 0})
       .param("on", &Grove::on, {.doc = "the ground below them; none: level ground at y = 0"})
       .param("from", &Grove::from,
              any_length("height that ground is looked for from, downwards: beneath a roof"))
