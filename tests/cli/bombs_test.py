@@ -55,6 +55,8 @@ TEXTS = {
     "two left contexts": (["axiom A", "A < B < C -> D"], "3:7", "a second '<' in the head of a rule"),
     "a lost table": (["axiom A", "schedule summer", "table winter {", "A -> B", "}"], "3:10",
                      "there is no table 'summer'"),
+    "a schedule of no steps": (["axiom A", "schedule winter*0", "table winter {", "A -> B", "}"], "3:10",
+                               "the schedule has no step at all"),
     "ages and steps": (["axiom A(0)", "steps 3", "A(t) after 1 -> A(0)"], "3:1", "have a 'time', not 'steps'"),
     "ages and contexts": (["axiom A(0)", "A(t) after 1 -> A(0)", "B < C -> D"], "4:", "rules have no context"),
 }

@@ -216,6 +216,9 @@ class Compiler {
       system_.schedule.insert(system_.schedule.end(), static_cast<size_t>(*count),
                               static_cast<uint16_t>(table - text_.tables.begin()));
     }
+    if (system_.schedule.empty() && !text_.schedule.empty())
+      fail(text_.schedule[0].where, "the schedule has no step at all",
+           "at least one of its tables takes a turn");
     if (system_.schedule.empty()) system_.schedule.push_back(0);
   }
 
