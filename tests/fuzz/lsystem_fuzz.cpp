@@ -1,5 +1,7 @@
 // Whatever stands in the block of an L-system: it is refused with its faults, or it grows for a few
 // steps; its brackets pair, and formatting keeps its meaning and settles.
+#include "require.h"
+
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/derive.h>
 #include <vug/scene/format.h>
@@ -8,18 +10,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 
 namespace {
 
 using namespace vug;
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken promise: %s\n", what);
-  std::abort();
-}
 
 scene::Document parse(const std::string& text, Diagnostics& diagnostics) {
   scene::ParseOptions options;

@@ -1,22 +1,16 @@
 // Whatever corners: a polygon that is not simple is refused as bad input, one that is has an area
 // with points in it, and its sides are where they were given.
+#include "require.h"
+
 #include <vug/base/error.h>
 #include <vug/flora/plot.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
 namespace {
 
 using namespace vug;
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken promise: %s\n", what);
-  std::abort();
-}
 
 /// A small grid, on which corners coincide and sides touch, or whatever eight bytes are.
 double coordinate(const uint8_t*& at, const uint8_t* end) {

@@ -1,5 +1,7 @@
 // Any bytes: parse, report, evaluate what needs no objects; a text without faults must keep its
 // meaning and settle when it is formatted.
+#include "require.h"
+
 #include <vug/scene/check.h>
 #include <vug/scene/evaluator.h>
 #include <vug/scene/format.h>
@@ -7,19 +9,11 @@
 #include <vug/scene/report.h>
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 
 namespace {
 
 using namespace vug;
 using namespace vug::scene;
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken promise: %s\n", what);
-  std::abort();
-}
 
 std::string formatted_dump(const std::string& text, const ParseOptions& options) {
   Diagnostics diagnostics;

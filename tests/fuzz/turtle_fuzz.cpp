@@ -1,24 +1,18 @@
 // Whatever word a turtle reads, brackets that do not pair and numbers of any size or none among
 // them: it is refused as bad input, or draws finite axes with square frames, and their stems have a
 // finite surface.
+#include "require.h"
+
 #include <vug/base/error.h>
 #include <vug/flora/sweep_mesh.h>
 #include <vug/lsystem/turtle.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
 namespace {
 
 using namespace vug;
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken promise: %s\n", what);
-  std::abort();
-}
 
 /// Numbers of the bytes, one after the other: many plain ones, and whatever eight bytes are.
 class Numbers {

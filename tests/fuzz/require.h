@@ -1,0 +1,15 @@
+// What fuzz targets hold their promises with.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace vug {
+
+inline void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %s\n", what);
+  std::abort();
+}
+
+}  // namespace vug
