@@ -62,6 +62,25 @@ double measured(const Number& size, double extent) {
               "give it in metres, or in per cent of the whole");
 }
 
+Layout in_a_row(const std::vector<Step>& steps, bool along_x, double width, double height,
+                RandomKey key) {
+  std::string none;
+  const std::vector<Sized> all = pairs(steps, none);
+  const std::vector<double> sizes = divide(all, along_x ? width : height, key);
+  Layout out;
+  double at = 0;
+  for (size_t i = 0; i < all.size(); ++i) {
+    out.cells.push_back(
+        {.part = all[i].part.part,
+         .rect = along_x ? Rect{at, 0, sizes[i], height} : Rect{0, at, width, sizes[i]},
+         .given = {{along_x ? "width" : "height", sizes[i]}},
+         .index = static_cast<int64_t>(i),
+         .total = static_cast<int64_t>(all.size())});
+    at += sizes[i];
+  }
+  return out;
+}
+
 std::vector<double> free_shares(size_t count, double extent, RandomKey key) {
   RandomStream random(key);
   std::vector<double> sizes(count);

@@ -30,6 +30,15 @@ double measured(const Number& size, double extent);
 /// where parts do not fit, where a part would be empty, or where some of the extent is left over.
 std::vector<double> divide(const std::vector<Sized>& parts, double extent, RandomKey key);
 
+/// The parts one behind the other along x, from the left, or along y, from the bottom.
+Layout in_a_row(const std::vector<Step>& steps, bool along_x, double width, double height,
+                RandomKey key);
+
+/// What sizes before parts mean, for the documentation of splits.
+constexpr const char* kSizesDoc =
+    "A size stands before its part: a length, a share of the whole in per cent, or a number, a "
+    "share of what is left. Without any size all are free.";
+
 /// Sizes that nobody gives: shares between 1/2 and 3/2 of an even one, drawn from the key.
 std::vector<double> free_shares(size_t count, double extent, RandomKey key);
 

@@ -7,30 +7,14 @@ struct Rows {
   std::vector<Step> parts;
 
   static void describe(Schema<Rows>& s) {
-    s.doc(
-         "One part above the other, the first at the bottom. A size stands before its part: a "
-         "length, a share of the whole in per cent, or a "
-         "number, a share of what is left. Without any size all are free.")
+    s.doc(std::string("One part above the other, the first at the bottom. ") + kSizesDoc)
         .cite("ripperda2009")
         .param("parts", &Rows::parts, {.doc = "sizes and parts by turns", .required = true});
   }
   std::string fault() const { return fault_of(parts); }
 
   Layout layout(double width, double height, RandomKey key) const {
-    std::string none;
-    const std::vector<Sized> all = pairs(parts, none);
-    const std::vector<double> sizes = divide(all, height, key);
-    Layout out;
-    double at = 0;
-    for (size_t i = 0; i < all.size(); ++i) {
-      out.cells.push_back({.part = all[i].part.part,
-                           .rect = {0, at, width, sizes[i]},
-                           .given = {{"height", sizes[i]}},
-                           .index = static_cast<int64_t>(i),
-                           .total = static_cast<int64_t>(all.size())});
-      at += sizes[i];
-    }
-    return out;
+    return in_a_row(parts, false, width, height, key);
   }
 };
 
