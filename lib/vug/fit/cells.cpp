@@ -2,6 +2,11 @@
 
 namespace vug::fit {
 
+bool has_cells(const Workshop& shop, const State& state, int i) {
+  return is_grid(shop, state, i) && state.tree[i].production >= 0 &&
+         !shop.model.rules().symbol(state.tree[i].symbol).identical;
+}
+
 GridAxis::GridAxis(const Workshop& shop, State& state, int i, bool along_x)
     : grid(state.tree[i]),
       lines(along_x ? grid.left : grid.top),
@@ -14,7 +19,7 @@ GridAxis::GridAxis(const Workshop& shop, State& state, int i, bool along_x)
   regular = rules.symbol(grid.symbol).regular;
   for (int part = i + 1; part < state.tree.end(i); ++part)
     kinds += rules.symbol(state.tree[part].symbol).look == Look::window ? 1 : 0;
-  differing = grid.production >= 0 && !rules.symbol(grid.symbol).identical;
+  differing = has_cells(shop, state, i);
 }
 
 int GridAxis::across() const { return along_x_ ? grid.rows : grid.columns; }

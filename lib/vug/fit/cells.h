@@ -5,6 +5,9 @@
 
 namespace vug::fit {
 
+/// Whether node i is a grid that has windows, which may differ from cell to cell.
+bool has_cells(const Workshop& shop, const State& state, int i);
+
 /// A grid seen along x, where its lines are columns, or along y.
 class GridAxis {
  public:
@@ -17,9 +20,8 @@ class GridAxis {
   int origin;  ///< Of the area in the picture.
   const inference::Profile& profile;
   bool regular;
-  /// Whether cells have kinds: the grid's windows may differ and it has some.
-  bool differing;
-  int kinds = 0;  ///< Of windows.
+  bool differing;  ///< Whether it has cells.
+  int kinds = 0;   ///< Of windows.
 
   int at(int line) const { return lines[static_cast<size_t>(line)]; }
   int pitch() const { return count > 1 ? at(1) - at(0) : 0; }

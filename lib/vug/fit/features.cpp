@@ -33,43 +33,59 @@ class Picture {
     return out;
   }
 
-  /// Mean over the part of the box of that half size which is in the picture.
-  Plane mean(const Plane& plane, int half_x, int half_y) const {
-    std::vector<double> table(
-        (static_cast<size_t>(width_) + 1) * (static_cast<size_t>(height_) + 1), 0);
-    const auto at = [&](int x, int y) -> double& {
-      return table[static_cast<size_t>(y) * (static_cast<size_t>(width_) + 1) +
-                   static_cast<size_t>(x)];
-    };
-    for (int y = 0; y < height_; ++y) {
-      double row = 0;
-      for (int x = 0; x < width_; ++x) {
-        row += plane[index(x, y)];
-        at(x + 1, y + 1) = at(x + 1, y) + row;
+  /// Means over boxes of a plane: over the part of each box that is in the picture.
+  class Means {
+   public:
+    Means(const Picture& picture, const Plane& plane)
+        : picture_(picture),
+          table_((static_cast<size_t>(picture.width_) + 1) *
+                     (static_cast<size_t>(picture.height_) + 1),
+                 0) {
+      for (int y = 0; y < picture_.height_; ++y) {
+        double row = 0;
+        for (int x = 0; x < picture_.width_; ++x) {
+          row += plane[picture_.index(x, y)];
+          at(x + 1, y + 1) = at(x + 1, y) + row;
+        }
       }
     }
-    return make([&](int x, int y) {
-      const int x0 = std::max(0, x - half_x), x1 = std::min(width_, x + half_x + 1);
-      const int y0 = std::max(0, y - half_y), y1 = std::min(height_, y + half_y + 1);
-      return (at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0)) /
-             (static_cast<double>(x1 - x0) * (y1 - y0));
-    });
-  }
-  Plane mean(const Plane& plane, int half) const { return mean(plane, half, half); }
-  Plane row_mean(const Plane& plane) const { return mean(plane, width_, unit_); }
-  Plane column_mean(const Plane& plane) const { return mean(plane, unit_, height_); }
+    Plane box(int half_x, int half_y) const {
+      return picture_.make([&](int x, int y) {
+        const int x0 = std::max(0, x - half_x), x1 = std::min(picture_.width_, x + half_x + 1);
+        const int y0 = std::max(0, y - half_y), y1 = std::min(picture_.height_, y + half_y + 1);
+        return (at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0)) /
+               (static_cast<double>(x1 - x0) * (y1 - y0));
+      });
+    }
+    Plane box(int half) const { return box(half, half); }
+    Plane rows() const { return box(picture_.width_, picture_.unit_); }
+    Plane columns() const { return box(picture_.unit_, picture_.height_); }
+    Plane whole() const { return box(picture_.width_, picture_.height_); }
 
-  Plane deviation(const Plane& plane, int half) const {
-    const Plane m = mean(plane, half);
-    const Plane squares = mean(make([&](int x, int y) {
-                                 const float v = plane[index(x, y)];
-                                 return v * v;
-                               }),
-                               half);
-    return make([&](int x, int y) {
-      const size_t i = index(x, y);
-      return std::sqrt(std::max(0.0f, squares[i] - m[i] * m[i]));
-    });
+   private:
+    size_t place(int x, int y) const {
+      return static_cast<size_t>(y) * (static_cast<size_t>(picture_.width_) + 1) +
+             static_cast<size_t>(x);
+    }
+    double& at(int x, int y) { return table_[place(x, y)]; }
+    double at(int x, int y) const { return table_[place(x, y)]; }
+
+    const Picture& picture_;
+    std::vector<double> table_;
+  };
+  Means means(const Plane& plane) const { return Means(*this, plane); }
+
+  Plane squared(const Plane& plane) const {
+    Plane out(plane);
+    for (float& v : out) v *= v;
+    return out;
+  }
+  /// Of values whose means and whose squares' means are given.
+  Plane deviation(const Plane& mean, const Plane& mean_square) const {
+    Plane out(mean_square);
+    for (size_t i = 0; i < out.size(); ++i)
+      out[i] = std::sqrt(std::max(0.0f, out[i] - mean[i] * mean[i]));
+    return out;
   }
 
   Plane edges(const Plane& plane, bool along_x) const {
@@ -135,7 +151,7 @@ Planes flattened(const Planes& planes) {
   const Picture picture(planes.width, planes.height);
   Planes out = planes;
   for (Plane& plane : out.planes)
-    plane = picture.difference(plane, picture.mean(plane, std::max(1, planes.height / 10)));
+    plane = picture.difference(plane, picture.means(plane).box(std::max(1, planes.height / 10)));
   return out;
 }
 
@@ -143,27 +159,32 @@ Planes features(const image::Image& linear) {
   Planes out = to_lab(linear);
   const Picture picture(out.width, out.height);
   const int unit = picture.unit();
-  std::vector<Plane> lab = out.planes;
+  const std::vector<Plane> lab = out.planes;
   std::vector<Plane>& all = out.planes;
   const Plane& lightness = lab[0];
+  const Picture::Means light = picture.means(lightness);
   for (const Plane& plane : lab) {
-    for (const int half : {unit, 3 * unit, 8 * unit}) all.push_back(picture.mean(plane, half));
-    const Plane whole = picture.mean(plane, out.width, out.height);
+    const Picture::Means means = picture.means(plane);
+    const Plane near = means.box(3 * unit), whole = means.whole(), rows = means.rows();
+    all.push_back(means.box(unit));
+    all.push_back(near);
+    all.push_back(means.box(8 * unit));
     all.push_back(whole);
-    all.push_back(picture.difference(picture.row_mean(plane), whole));
-    all.push_back(picture.difference(picture.column_mean(plane), whole));
-    all.push_back(picture.difference(picture.mean(plane, 3 * unit), picture.row_mean(plane)));
+    all.push_back(picture.difference(rows, whole));
+    all.push_back(picture.difference(means.columns(), whole));
+    all.push_back(picture.difference(near, rows));
   }
+  const Picture::Means squares = picture.means(picture.squared(lightness));
   for (const int half : {unit, 3 * unit, 8 * unit})
-    all.push_back(picture.deviation(lightness, half));
+    all.push_back(picture.deviation(light.box(half), squares.box(half)));
   for (const bool along_x : {true, false}) {
-    const Plane edges = picture.edges(lightness, along_x);
-    all.push_back(picture.mean(edges, unit));
-    all.push_back(picture.mean(edges, 4 * unit));
-    all.push_back(picture.row_mean(edges));
-    all.push_back(picture.column_mean(edges));
+    const Picture::Means edges = picture.means(picture.edges(lightness, along_x));
+    all.push_back(edges.box(unit));
+    all.push_back(edges.box(4 * unit));
+    all.push_back(edges.rows());
+    all.push_back(edges.columns());
   }
-  const Plane soft = picture.mean(lightness, 2 * unit);
+  const Plane soft = light.box(2 * unit);
   for (const int distance : {6 * unit, 14 * unit}) picture.add_surroundings(soft, distance, all);
   all.push_back(picture.make([&](int x, int) { return std::fabs((x + 0.5) / out.width - 0.5); }));
   all.push_back(picture.make([&](int, int y) { return (y + 0.5) / out.height; }));
@@ -176,15 +197,16 @@ Planes context_features(const Planes& maps) {
   Planes out{maps.width, maps.height, {}};
   for (const Plane& map : maps.planes) {
     std::vector<Plane>& all = out.planes;
+    const Picture::Means means = picture.means(map);
+    const Plane soft = means.box(2 * unit);
     all.push_back(map);
-    all.push_back(picture.mean(map, 2 * unit));
-    all.push_back(picture.mean(map, 8 * unit));
-    all.push_back(picture.row_mean(map));
-    all.push_back(picture.column_mean(map));
-    all.push_back(picture.mean(map, out.width, 8 * unit));
-    all.push_back(picture.mean(map, 1, 12 * unit));
-    all.push_back(picture.mean(map, 12 * unit, 1));
-    const Plane soft = picture.mean(map, 2 * unit);
+    all.push_back(soft);
+    all.push_back(means.box(8 * unit));
+    all.push_back(means.rows());
+    all.push_back(means.columns());
+    all.push_back(means.box(out.width, 8 * unit));
+    all.push_back(means.box(1, 12 * unit));
+    all.push_back(means.box(12 * unit, 1));
     picture.add_surroundings(soft, 8 * unit, all);
     picture.add_surroundings(soft, 20 * unit, all);
   }

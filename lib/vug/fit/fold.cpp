@@ -7,6 +7,19 @@ namespace {
 
 constexpr int kMostJitter = 2;  // pixels
 
+/// How the columns of a part come again in the whole area.
+struct Fold {
+  Op op = Op::mirror;
+  int times = 2;  ///< How often the part is there.
+
+  int part_width(int room) const { return room / times; }
+  /// Where a window, in a part's column that begins at x and of that width, begins when the part
+  /// comes again for the time `again` > 0.
+  int place(int room, int again, int x, int width) const {
+    return op == Op::mirror ? room - x - width : again * part_width(room) + x;
+  }
+};
+
 /// The production of a symbol to that grid; -1 where there is none.
 int way_to_grid(const Rules& rules, int symbol, int grid) {
   for (const int way : rules.productions_of(symbol))
@@ -25,13 +38,8 @@ int column_of(const Fold& fold, int columns, int again, int column) {
   return again * columns + (turned ? columns - 1 - column : column);
 }
 
-}  // namespace
-
-int Fold::place(int room, int again, int x, int width) const {
-  if (op == Op::mirror) return room - x - width;
-  return again * part_width(room) + x;
-}
-
+/// The production of node i to one part by that operation, if that part can be a grid like the
+/// one below node i; -1 otherwise.
 int folded_way(const Workshop& shop, const State& state, int i, Op op) {
   const Rules& rules = shop.model.rules();
   for (const int way : rules.productions_of(state.tree[i].symbol)) {
@@ -43,6 +51,7 @@ int folded_way(const Workshop& shop, const State& state, int i, Op op) {
   return -1;
 }
 
+/// Whether node i has been rewritten to a grid with windows of one kind and no door.
 bool can_fold(const Workshop& shop, const State& state, int i) {
   const Rules& rules = shop.model.rules();
   const Tree& tree = state.tree;
@@ -51,6 +60,7 @@ bool can_fold(const Workshop& shop, const State& state, int i) {
          rules.production(tree[i + 1].production).parts.size() == 1;
 }
 
+/// Whether node i has been rewritten to one part by that operation, and that can be unfolded.
 bool can_unfold(const Workshop& shop, const State& state, int i, Op op) {
   const Rules& rules = shop.model.rules();
   const Tree& tree = state.tree;
@@ -60,7 +70,7 @@ bool can_unfold(const Workshop& shop, const State& state, int i, Op op) {
          way_to_grid(rules, tree[i].symbol, tree[i + 2].symbol) >= 0;
 }
 
-bool fold(const Workshop& shop, State& state, int i, int production, const Fold& fold, Choices&,
+bool fold(const Workshop& shop, State& state, int i, int production, const Fold& fold,
           Choices& back) {
   const Rules& rules = shop.model.rules();
   const Tree& tree = state.tree;
@@ -104,8 +114,7 @@ bool fold(const Workshop& shop, State& state, int i, int production, const Fold&
   return back.possible();
 }
 
-bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices& forward,
-            Choices&) {
+bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices& forward) {
   const Rules& rules = shop.model.rules();
   const Tree& tree = state.tree;
   const int room = state.area(i).width, part_width = fold.part_width(room);
@@ -133,6 +142,39 @@ bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices
   const Area area = state.area(i);
   state.replace(i, {above, grid, window});
   state.areas[static_cast<size_t>(i)] = area;
+  return true;
+}
+
+}  // namespace
+
+bool fold_or_unfold(const Workshop& shop, State& state, Op op, Choices& forward, Choices& back) {
+  const int most = shop.model.limits().most_repeats;
+  const auto plain = [&](int i) {
+    return can_fold(shop, state, i) && folded_way(shop, state, i, op) >= 0;
+  };
+  const auto folded = [&](int i) { return can_unfold(shop, state, i, op); };
+  // How often the part is there, which only repetitions choose.
+  const auto times = [&](Choices& choices, int told) {
+    return op == Op::repeat ? choices.between(2, most, told) : 2;
+  };
+  const bool once = forward.flip();
+  back.flip(!once);
+  const int i = once ? pick(state, forward, plain) : pick(state, forward, folded);
+  if (i < 0) return false;
+  if (!once) {
+    const Fold way{op, op == Op::repeat ? state.tree[i + 1].extent : 2};
+    if (!unfold(shop, state, i, way, forward)) return false;
+    tell_pick(state, back, i, plain);
+    times(back, way.times);
+    return true;
+  }
+  const Fold way{op, times(forward, 0)};
+  // What was folded has to be unfolded by the same choices: the node first, the places then.
+  Choices places;
+  places.tell();
+  if (!fold(shop, state, i, folded_way(shop, state, i, op), way, places)) return false;
+  tell_pick(state, back, i, folded);
+  back.append(places);
   return true;
 }
 

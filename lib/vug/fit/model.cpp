@@ -2,8 +2,8 @@
 // those of the pixels. Counts take 4 bits, places and sizes as many as the picture's width or
 // height needs.
 #include <vug/base/error.h>
-#include <vug/base/maths.h>
 #include <vug/fit/model.h>
+#include <vug/inference/bits.h>
 
 #include <algorithm>
 #include <limits>
@@ -50,13 +50,6 @@ int bits_for(int range) {
   return bits;
 }
 
-Rules indexed(Rules rules) {
-  rules.of.assign(rules.symbols.size(), {});
-  for (size_t i = 0; i < rules.productions.size(); ++i)
-    rules.of[static_cast<size_t>(rules.productions[i].head)].push_back(static_cast<int>(i));
-  return rules;
-}
-
 Model::Model(const Rules& rules, const Limits& limits, int width, int height,
              const Evidence* evidence, LikelihoodPtr likelihood)
     : rules_(&rules),
@@ -65,7 +58,7 @@ Model::Model(const Rules& rules, const Limits& limits, int width, int height,
       height_(height),
       evidence_(evidence),
       likelihood_(std::move(likelihood)),
-      symbol_bits_(maths::log(static_cast<double>(rules.symbols.size())) / 0.69314718055994530942),
+      symbol_bits_(inference::log2(static_cast<double>(rules.symbols.size()))),
       x_bits_(bits_for(width)),
       y_bits_(bits_for(height)) {
   constexpr int kMost = std::numeric_limits<int16_t>::max();

@@ -45,6 +45,12 @@ class Model {
   /// Bits of the pixels that node i answers for.
   double pixels(const State& state, int i) const;
 
+  /// Whether the node is a window of a grid, whose lines say where it stands.
+  bool in_grid(const Node& node) const {
+    return static_cast<Op>(node.made_by) == Op::windows &&
+           rules_->symbol(node.symbol).look == Look::window;
+  }
+
   /// Calls visit(look, node, rect) for everything that is seen, in the picture: windows, doors.
   /// The node is the terminal.
   void each_terminal(const State& state,

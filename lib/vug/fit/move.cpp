@@ -32,4 +32,15 @@ inference::Moves<State> moves(const Workshop& shop, const std::vector<std::strin
   return out;
 }
 
+bool move_edge(const Workshop& shop, State& state, int i, bool along_x, bool low, int by) {
+  const int above = state.tree.parent(i);
+  Node& node = state.tree[i];
+  const bool in_grid = shop.model.in_grid(node);
+  add(along_x ? node.width : node.height, low ? -by : by);
+  if (low && in_grid) shift_lines(state.tree[above], along_x, by);
+  if (low && !in_grid) add(along_x ? node.x : node.y, by);
+  state.changed(i), state.changed(above);
+  return shop.model.fits(state, i) && (!in_grid || shop.model.fits(state, above));
+}
+
 }  // namespace vug::fit

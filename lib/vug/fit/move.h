@@ -46,6 +46,14 @@ void tell_pick(const State& state, Choices& back, int which, const Fits& fits) {
   back.below(count, place);
 }
 
+/// Picks one of the nodes that a move leaves as they are, so that the way back picks it again.
+template <class Fits>
+int pick_same(const State& state, Choices& forward, Choices& back, const Fits& fits) {
+  const int i = pick(state, forward, fits);
+  if (i >= 0) tell_pick(state, back, i, fits);
+  return i;
+}
+
 /// A step of 1 to 16 pixels to either side, short ones more often; told back with its sign turned.
 inline int step(Choices& forward, Choices& back) {
   const int scale = forward.below(3);
@@ -57,6 +65,23 @@ inline int step(Choices& forward, Choices& back) {
   return down ? -size : size;
 }
 
+/// Adds to a parameter.
+inline void add(int16_t& value, int by) { value = static_cast<int16_t>(value + by); }
+
+/// Moves all columns, or all rows, of a grid.
+inline void shift_lines(Node& grid, bool along_x, int by) {
+  Lines& lines = along_x ? grid.left : grid.top;
+  const int count = along_x ? grid.columns : grid.rows;
+  for (int line = 0; line < count; ++line) add(lines[static_cast<size_t>(line)], by);
+}
+
+/// Moves the lower or upper edge, along x or y, of a terminal; of a grid's window that of all of
+/// its kind, with the grid where it is the lower one. False where it does not fit.
+bool move_edge(const Workshop& shop, State& state, int i, bool along_x, bool low, int by);
+
+inline bool is_terminal(const Workshop& shop, const State& state, int i) {
+  return shop.model.rules().symbol(state.tree[i].symbol).terminal;
+}
 inline bool is_grid(const Workshop& shop, const State& state, int i) {
   return shop.model.rules().symbol(state.tree[i].symbol).grid;
 }

@@ -192,19 +192,18 @@ class Chooser {
 
   /// All of the first kind, as most grids are, or each cell by itself.
   bool cells(int kinds) {
-    Node full, chosen, old;
-    old.cells = told_.cells;
-    for (int row = 0; row < grid_.rows; ++row)
-      for (int column = 0; column < grid_.columns; ++column) full.set_kind(column, row, 1);
-    if (choices_.flip(old.cells == full.cells)) {
-      out_.cells = full.cells;
+    const Cells full = grid_.full_cells();
+    if (choices_.flip(told_.cells == full)) {
+      out_.cells = full;
       return true;
     }
+    Node chosen, old;
+    old.cells = told_.cells;
     for (int row = 0; row < grid_.rows; ++row)
       for (int column = 0; column < grid_.columns; ++column)
         chosen.set_kind(column, row, choices_.below(kinds + 1, old.kind(column, row)));
     out_.cells = chosen.cells;
-    return out_.cells != full.cells;  // which has a way of its own
+    return out_.cells != full;  // which has a way of its own
   }
 
   const Rules& rules_;

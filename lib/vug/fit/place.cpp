@@ -33,11 +33,6 @@ void cut(State& state, int part, const Area& above, const std::vector<Slice>& sl
   state.areas[static_cast<size_t>(part)] = area;
 }
 
-/// The same area for a part.
-void inherit(State& state, int part, const Area& above) {
-  state.areas[static_cast<size_t>(part)] = above;
-}
-
 bool same_places(const Area& a, const std::vector<Frame>& frames_a, const Area& b,
                  const std::vector<Frame>& frames_b) {
   return a.width == b.width && a.height == b.height && a.y == b.y && a.count == b.count &&
@@ -128,7 +123,7 @@ bool Model::place_parts(State& state, int i) const {
     case Op::windows:
     case Op::terminal:
       for (int part = first; part < state.tree.end(i); part = state.tree.end(part))
-        inherit(state, part, area);
+        state.areas[static_cast<size_t>(part)] = area;
       return true;
   }
   return false;
@@ -140,10 +135,8 @@ bool Model::fits(const State& state, int i) const {
   const SymbolInfo& symbol = rules_->symbol(node.symbol);
   if (symbol.terminal) {
     if (node.width < limits_.least || node.height < limits_.least) return false;
-    const bool in_grid = static_cast<Op>(node.made_by) == Op::windows;
     // Where a grid's windows stand its lines say; a kind may stand nowhere.
-    if (in_grid && symbol.look == Look::window)
-      return node.width <= area.width && node.height <= area.height;
+    if (in_grid(node)) return node.width <= area.width && node.height <= area.height;
     return node.x >= 0 && node.y >= 0 && node.x + node.width <= area.width &&
            node.y + node.height <= area.height;
   }

@@ -1,6 +1,6 @@
-#include <vug/base/maths.h>
 #include <vug/fit/seeds.h>
 #include <vug/fit/segments.h>
+#include <vug/inference/bits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -222,8 +222,8 @@ Gains gains_of_regions(const Sums& windows, const Sums& wall, int lanes) {
     all_wall += wall.lane[i] + 0.5;
   }
   for (size_t i = 0; i < static_cast<size_t>(lanes); ++i)
-    out[i] = maths::log((windows.lane[i] + 0.5) / all_windows * all_wall / (wall.lane[i] + 0.5)) /
-             0.69314718055994530942;
+    out[i] =
+        inference::log2((windows.lane[i] + 0.5) / all_windows * all_wall / (wall.lane[i] + 0.5));
   return out;
 }
 

@@ -2,6 +2,13 @@
 
 namespace vug::fit {
 
+Cells Node::full_cells() const {
+  Node full;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) full.set_kind(column, row, 1);
+  return full.cells;
+}
+
 int Tree::parent(int i) const {
   for (int above = i - 1; above >= 0; --above)
     if (end(above) > i) return above;

@@ -38,6 +38,8 @@ struct Node {
     uint64_t& bits = cells[static_cast<size_t>(row)];
     bits = (bits & ~(uint64_t{15} << (4 * column))) | static_cast<uint64_t>(kind) << (4 * column);
   }
+  /// Its cells if the first kind stood in all of them.
+  Cells full_cells() const;
   bool operator==(const Node&) const = default;
 };
 

@@ -2,7 +2,7 @@
 // size, as long as all of a state is whole numbers, which needs no Jacobian.
 #pragma once
 
-#include <vug/base/maths.h>
+#include <vug/inference/bits.h>
 #include <vug/inference/choices.h>
 
 #include <cstdint>
@@ -70,7 +70,6 @@ class Chain {
     if (!moves_[which].propose(state_, forward_, back_)) return reject();
     ++counts_[which].possible;
     const double energy = of_(state_);
-    constexpr double kLn2 = 0.69314718055994530942;
     double ln = kLn2 * (energy_ - energy) / options_.temperature;
     if (options_.weigh_proposals) ln += ln_ratio(forward_, back_);
     if (!(ln >= 0) && !(stream_.uniform() < maths::exp(ln))) return reject();
@@ -84,11 +83,6 @@ class Chain {
   void set_temperature(double temperature) { options_.temperature = temperature; }
   const std::vector<MoveCount>& counts() const { return counts_; }
 
-  /// Replaces the state, as polishing does; the chain forgets where it was.
-  void set_state(S state) {
-    state_ = std::move(state);
-    energy_ = of_(state_);
-  }
   /// Exchanges states and energies; temperatures, streams and counts stay.
   void swap_states(Chain& other) {
     std::swap(state_, other.state_);

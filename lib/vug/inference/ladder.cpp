@@ -1,5 +1,5 @@
 #include <vug/base/error.h>
-#include <vug/base/maths.h>
+#include <vug/inference/bits.h>
 #include <vug/inference/ladder.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void Ladder::forget() { swaps_.assign(temperatures_.size() - 1, {}); }
 
 double Ladder::acceptance(int i, double energy, double next_energy) const {
   const double colder = 1 / temperature(i) - 1 / temperature(i + 1);
-  return std::min(1.0, maths::exp(colder * (energy - next_energy) * 0.69314718055994530942));
+  return std::min(1.0, maths::exp(colder * (energy - next_energy) * kLn2));
 }
 
 void Ladder::count(int i, double acceptance, bool swapped) {

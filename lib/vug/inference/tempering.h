@@ -64,7 +64,6 @@ class Tempering {
   const S& best() const { return best_; }
   double best_energy() const { return best_energy_; }
   const std::vector<Chain<S>>& chains() const { return chains_; }
-  Chain<S>& chain(int i) { return chains_[static_cast<size_t>(i)]; }
   const Ladder& ladder() const { return ladder_; }
   void forget_swaps() { ladder_.forget(); }
 

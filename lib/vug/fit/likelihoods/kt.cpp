@@ -2,8 +2,8 @@
 //   -log2 [ G(k/2) / G(n + k/2) * prod G(n_i + 1/2) / G(1/2) ]
 // bits, for instance log2(128 / 5) for (3, 1).
 #include <vug/base/kind.h>
-#include <vug/base/maths.h>
 #include <vug/fit/likelihood.h>
+#include <vug/inference/bits.h>
 
 namespace vug::fit {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 std::vector<double> rising(double start, size_t most) {
   std::vector<double> out(most + 1, 0);
   for (size_t n = 0; n < most; ++n)
-    out[n + 1] = out[n] + maths::log(static_cast<double>(n) + start) / 0.69314718055994530942;
+    out[n + 1] = out[n] + inference::log2(static_cast<double>(n) + start);
   return out;
 }
 

@@ -1,8 +1,8 @@
 // The published data term: pixels that are not of the region's main cluster, log2(clusters) bits
 // each. On colour alone it hardly tells windows from walls (docs/theory/facades.md).
 #include <vug/base/kind.h>
-#include <vug/base/maths.h>
 #include <vug/fit/likelihood.h>
+#include <vug/inference/bits.h>
 
 #include <algorithm>
 
@@ -12,8 +12,7 @@ namespace {
 class Paper : public Likelihood {
  public:
   explicit Paper(const Evidence& evidence)
-      : lanes_(static_cast<size_t>(evidence.lanes())),
-        bits_(maths::log(evidence.lanes()) / 0.69314718055994530942) {}
+      : lanes_(static_cast<size_t>(evidence.lanes())), bits_(inference::log2(evidence.lanes())) {}
 
   double bits(Look, const Sums& sums) const override {
     uint32_t all = 0, main = 0;

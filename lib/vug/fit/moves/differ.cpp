@@ -31,13 +31,9 @@ void replace(GridAxis& axis, int line, int kind, int by) {
 }
 
 bool differ(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) {
-    return is_grid(shop, state, i) && state.tree[i].production >= 0 &&
-           !shop.model.rules().symbol(state.tree[i].symbol).identical;
-  };
-  const int i = pick(state, forward, fits);
+  const auto fits = [&](int i) { return has_cells(shop, state, i); };
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool split = forward.flip(), along_x = forward.flip();
   back.flip(!split), back.flip(along_x);
   GridAxis axis(shop, state, i, along_x);

@@ -10,9 +10,8 @@ bool divide(const Workshop& shop, State& state, Choices& forward, Choices& back)
   const auto fits = [&](int i) {
     return tree[i].extent > 0 && static_cast<Op>(tree[i].made_by) != Op::repeat;
   };
-  const int i = pick(state, forward, fits);
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const Op op = static_cast<Op>(tree[i].made_by);
   const bool far = op == Op::rows && forward.flip();
   if (op == Op::rows) back.flip(far);

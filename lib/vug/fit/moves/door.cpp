@@ -21,9 +21,8 @@ bool door(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   const auto fits = [&](int i) {
     return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::windows;
   };
-  const int i = pick(state, forward, fits);
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool has_door = rules.production(tree[i].production).parts.size() > 1;
   const int way = other_way(rules, tree[i].symbol, tree[i].production, !has_door);
   if (way < 0) return false;

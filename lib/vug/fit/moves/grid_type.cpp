@@ -54,9 +54,8 @@ bool grid_type(const Workshop& shop, State& state, Choices& forward, Choices& ba
   const auto fits = [&](int i) {
     return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::grid;
   };
-  const int above = pick(state, forward, fits);
+  const int above = pick_same(state, forward, back, fits);
   if (above < 0) return false;
-  tell_pick(state, back, above, fits);
   std::vector<int> types;  // productions to grids
   for (const int way : rules.productions_of(tree[above].symbol))
     if (rules.production(way).op == Op::grid) types.push_back(way);
@@ -77,13 +76,11 @@ bool grid_type(const Workshop& shop, State& state, Choices& forward, Choices& ba
     const auto same = std::find_if(ways.begin(), ways.end(),
                                    [&](int way) { return rules.production(way).parts == parts; });
     if (same == ways.end()) return false;
-    Node full;
-    for (int row = 0; row < grid.rows; ++row)
-      for (int column = 0; column < grid.columns; ++column) full.set_kind(column, row, 1);
-    if (from.identical && !to.identical) grid.cells = full.cells;
+    const Cells full = grid.full_cells();
+    if (from.identical && !to.identical) grid.cells = full;
     if (!from.identical && to.identical) {
       const int kinds = grid.size - static_cast<int>(parts.size());  // all parts but the door
-      if (kinds != 1 || grid.cells != full.cells) return false;
+      if (kinds != 1 || grid.cells != full) return false;
       grid.cells = {};
     }
     grid.production = static_cast<int16_t>(*same);

@@ -21,14 +21,9 @@ bool holds(const Node& grid, int kind) {
 }
 
 bool kinds(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
-  const auto fits = [&](int i) {
-    return is_grid(shop, state, i) && state.tree[i].production >= 0 &&
-           !rules.symbol(state.tree[i].symbol).identical;
-  };
-  const int i = pick(state, forward, fits);
+  const auto fits = [&](int i) { return has_cells(shop, state, i); };
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool add = forward.flip();
   back.flip(!add);
   const int count = GridAxis(shop, state, i, true).kinds;

@@ -10,9 +10,8 @@ bool line(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   const auto fits = [&](int i) {
     return is_grid(shop, state, i) && !rules.symbol(tree[i].symbol).regular;
   };
-  const int i = pick(state, forward, fits);
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool along_x = forward.flip();
   back.flip(along_x);
   Node& grid = tree[i];

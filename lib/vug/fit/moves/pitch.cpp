@@ -13,9 +13,8 @@ bool pitch(const Workshop& shop, State& state, Choices& forward, Choices& back) 
   const auto fits = [&](int i) {
     return rules.symbol(tree[i].symbol).regular && count_of(tree[i]) > 1;
   };
-  const int i = pick(state, forward, fits);
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool last_stays = forward.flip();
   back.flip(last_stays);
   const int by = step(forward, back);

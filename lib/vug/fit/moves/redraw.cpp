@@ -6,7 +6,6 @@ namespace {
 
 /// One of the four edges of a rectangle that begins at `low` and is `size` long.
 struct Edge {
-  const inference::Profile& profile;
   int origin, room, low, size;
   bool is_low;
 
@@ -16,44 +15,27 @@ struct Edge {
 };
 
 bool redraw(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
-  Tree& tree = state.tree;
-  const auto fits = [&](int i) { return rules.symbol(tree[i].symbol).terminal; };
-  const int i = pick(state, forward, fits);
+  const auto fits = [&](int i) { return is_terminal(shop, state, i); };
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool along_x = forward.flip(), low_edge = forward.flip();
   back.flip(along_x), back.flip(low_edge);
-  const int above = tree.parent(i), least = shop.model.limits().least;
-  Node& node = tree[i];
-  Node& grid = tree[above];
-  const bool in_grid = static_cast<Op>(node.made_by) == Op::windows &&
-                       rules.symbol(node.symbol).look == Look::window;
-  Lines& lines = along_x ? grid.left : grid.top;
-  const int count = !in_grid ? 0 : along_x ? grid.columns : grid.rows;
-  int16_t& at = along_x ? node.x : node.y;
-  int16_t& size = along_x ? node.width : node.height;
+  const int least = shop.model.limits().least;
+  const Node& node = state.tree[i];
+  const Node& above = state.tree[state.tree.parent(i)];
+  const int stands = along_x ? node.x : node.y;
+  const int first_line = along_x ? above.left[0] : above.top[0];
   const Area& area = state.area(i);
   const inference::Profile& profile = along_x ? (low_edge ? shop.hints.left : shop.hints.right)
                                               : (low_edge ? shop.hints.top : shop.hints.bottom);
-  const Edge edge{profile,
-                  along_x ? state.frame(area, 0).x : area.y,
-                  along_x ? area.width : area.height,
-                  in_grid ? lines[0] : at,
-                  size,
-                  low_edge};
+  const Edge edge{along_x ? state.frame(area, 0).x : area.y, along_x ? area.width : area.height,
+                  shop.model.in_grid(node) ? first_line : stands,
+                  along_x ? node.width : node.height, low_edge};
   if (edge.low + edge.size > edge.room) return false;  // a kind that stands in no cell
   const int begin = edge.window_begin(least), end = edge.window_end(least);
   back.among(profile, begin, end, edge.place());
   const int by = forward.among(profile, begin, end) - edge.place();
-  size = static_cast<int16_t>(size + (low_edge ? -by : by));
-  if (low_edge && !in_grid) at = static_cast<int16_t>(at + by);
-  if (low_edge)
-    for (int line = 0; line < count; ++line)
-      lines[static_cast<size_t>(line)] =
-          static_cast<int16_t>(lines[static_cast<size_t>(line)] + by);
-  state.changed(i), state.changed(above);
-  return forward.possible() && shop.model.fits(state, i) && shop.model.fits(state, above);
+  return forward.possible() && move_edge(shop, state, i, along_x, low_edge, by);
 }
 
 }  // namespace

@@ -7,9 +7,8 @@ namespace {
 bool repetitions(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   Tree& tree = state.tree;
   const auto fits = [&](int i) { return static_cast<Op>(tree[i].made_by) == Op::repeat; };
-  const int i = pick(state, forward, fits);
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool more = forward.flip();
   back.flip(!more);
   tree[i].extent = static_cast<int16_t>(tree[i].extent + (more ? 1 : -1));

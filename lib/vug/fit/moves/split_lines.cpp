@@ -66,9 +66,8 @@ bool merge_two(GridAxis& axis, int, Choices& forward, Choices& back) {
 
 bool split_lines(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   const auto fits = [&](int i) { return is_grid(shop, state, i); };
-  const int i = pick(state, forward, fits);
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   const bool along_x = forward.flip(), split = forward.flip();
   back.flip(along_x), back.flip(!split);
   GridAxis axis(shop, state, i, along_x);

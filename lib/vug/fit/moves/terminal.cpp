@@ -12,9 +12,8 @@ bool terminal(const Workshop& shop, State& state, Choices& forward, Choices& bac
   const auto fits = [&](int i) {
     return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::terminal;
   };
-  const int i = pick(state, forward, fits);
+  const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  tell_pick(state, back, i, fits);
   std::vector<int> ways;
   for (const int way : rules.productions_of(tree[i].symbol))
     if (rules.production(way).op == Op::terminal) ways.push_back(way);

@@ -36,33 +36,32 @@ bool whole_grid(const Workshop& shop, State& state, Choices& forward, Choices& b
   if (i < 0) return false;
   const std::vector<Way> ways = ways_of(rules, tree[i].symbol);
   const auto count = static_cast<int>(ways.size());
-  // The grid's area is that of the node above, which windows are chosen in.
-  const auto inherit = [&] {
-    state.areas[static_cast<size_t>(i + 1)] = state.areas[static_cast<size_t>(i)];
-  };
   Parts grid, windows;
   if (grow) {
     const Way way = ways[static_cast<size_t>(forward.below(count))];
     if (!choose_parts(shop, state, i, way.first, forward, {}, grid)) return false;
     put_parts(state, i, way.first, grid);
-    inherit();
+    // Windows are chosen in the grid's area, which is that of the node above.
+    state.areas[static_cast<size_t>(i + 1)] = state.areas[static_cast<size_t>(i)];
     if (!choose_parts(shop, state, i + 1, way.second, forward, {}, windows)) return false;
     put_parts(state, i + 1, way.second, windows);
     tell_pick(state, back, i, closed);
     return true;
   }
   const Way way = {tree[i].production, tree[i + 1].production};
+  // The way back chooses the grid before its windows, which can only be told while it is there.
   const Parts old_windows = parts_of(state, i + 1);
   take_parts(state, i + 1);
+  Choices told;
+  told.tell();
+  if (!choose_parts(shop, state, i + 1, way.second, told, old_windows, windows)) return false;
   const Parts old_grid = parts_of(state, i);
   take_parts(state, i);
   tell_pick(state, back, i, open);
   back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), way) - ways.begin()));
   if (!choose_parts(shop, state, i, way.first, back, old_grid, grid)) return false;
-  State grown = state;
-  put_parts(grown, i, way.first, old_grid);
-  grown.areas[static_cast<size_t>(i + 1)] = grown.areas[static_cast<size_t>(i)];
-  return choose_parts(shop, grown, i + 1, way.second, back, old_windows, windows);
+  back.append(told);
+  return true;
 }
 
 }  // namespace
