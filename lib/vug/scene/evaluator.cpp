@@ -11,8 +11,6 @@ namespace vug::scene {
 
 namespace {
 
-/// Parameters and lets that wait for one another; more is a text made by a program gone wrong.
-constexpr size_t kMaxPending = 200;
 constexpr double kMaxSeed = 0x1p53;
 
 }  // namespace
@@ -130,9 +128,9 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
         fmt::format("'{}' depends on itself", name),
         fmt::format("{} -> {}", fmt::join(circle, " -> "), name));
   }
-  if (pending_.size() >= kMaxPending)
+  if (pending_.size() >= Resolver::kMostPending)
     return Site{where, diagnostics_}.fault(
-        fmt::format("more than {} names depend on each other in a row", kMaxPending));
+        fmt::format("more than {} names depend on each other in a row", Resolver::kMostPending));
   pending_.push_back(name);
   const uint64_t uses = resolver_.frame_uses();
   Value value = global.param ? param(*global.param, root().at("param").at(name))

@@ -5,13 +5,6 @@
 #include <fmt/format.h>
 
 namespace vug::session {
-namespace {
-
-/// As many as lets may wait for one another.
-constexpr int kMostPending = 200;
-
-}  // namespace
-
 SoundArguments::SoundArguments(const Arguments& given) {
   bool placed = true;  // behind one that is lost nobody knows the others' places
   for (const Argument& each : given) {
