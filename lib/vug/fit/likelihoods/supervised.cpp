@@ -22,6 +22,7 @@ VUG_LIKELIHOOD(supervised) {
            "Sums up how unlikely each pixel is under its region's look, by maps of looks.",
            "",
            {}},
+          true,
           [](const Evidence& evidence) {
             if (evidence.lanes() != kLooks)
               throw Error(ErrorCode::bad_input,

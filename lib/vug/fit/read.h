@@ -1,0 +1,41 @@
+// A facade out of a picture, from evidence to tree: the whole chain with good defaults.
+#pragma once
+
+#include <vug/fit/sampler.h>
+#include <vug/fit/seeds.h>
+
+namespace vug::fit {
+
+struct ReadOptions {
+  std::string likelihood = "kt";  ///< `supervised` where the evidence is of looks.
+  Limits limits;
+  SeedOptions seeds;
+  SamplerOptions sampler;
+};
+
+/// What is seen somewhere in the picture.
+struct Seen {
+  Look look = Look::window;
+  int node = 0;  ///< The terminal of the tree.
+  Rect rect;     ///< In pixels, the top row being 0.
+  bool operator==(const Seen&) const = default;
+};
+
+struct Reading {
+  Tree tree;
+  std::vector<Seen> seen;  ///< Everywhere, in the order of nodes.
+  double bits = 0;         ///< Of the tree and the pixels under it.
+  double complexity = 0;   ///< c(T): those of the tree alone.
+  double wall_bits = 0;    ///< Of the picture as nothing but wall,
+  double seed_bits = 0;    ///< of the tree that chains began with,
+  double chain_bits = 0;   ///< and of the best they found, before it was polished.
+  Sampled sampled;         ///< What chains tell.
+};
+
+/// Reads the tree of rules that the evidence is likely to be of: seeds, chains, and a polish.
+/// When told to stop it returns the best so far. The same for any number of threads.
+/// Error(bad_input) for unknown likelihoods and evidence that does not suit them.
+Reading read(const Evidence& evidence, const Rules& rules, const ReadOptions& options,
+             RandomKey key, Progress& progress = Progress::none());
+
+}  // namespace vug::fit

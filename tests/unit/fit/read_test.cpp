@@ -1,0 +1,91 @@
+// The whole chain from evidence to tree.
+#include "toys.h"
+
+#include <vug/base/error.h>
+#include <vug/fit/compile.h>
+#include <vug/fit/read.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::fit {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 80;
+
+/// Four columns and three rows of windows of 12 x 14 pixels.
+bool is_window(int x, int y) {
+  return x % 24 >= 6 && x % 24 < 18 && y < 72 && y % 24 >= 5 && y % 24 < 19;
+}
+
+Evidence pixels(double noise, bool of_looks) {
+  RandomStream stream{RandomKey(4)};
+  std::vector<uint32_t> values;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool odd = stream.uniform() < noise;
+      const uint32_t seen = odd ? stream.below(4) : is_window(x, y) ? 1 : 0;
+      for (uint32_t lane = 0; lane < kLooks; ++lane)
+        values.push_back(of_looks ? (lane == seen ? 10 : 300) : (lane == seen ? 1 : 0));
+    }
+  return Evidence(kWidth, kHeight, kLooks, values);
+}
+
+const Rules& rules() {
+  static const Rules all = compile(facade::load_rules(VUG_DATA "/facades/ripperda.vug"));
+  return all;
+}
+
+ReadOptions quick(const std::string& likelihood) {
+  ReadOptions options;
+  options.likelihood = likelihood;
+  options.sampler.steps = 20'000;
+  options.sampler.annealing = 3;
+  return options;
+}
+
+TEST(Read, WindowsWithEachLikelihood) {
+  for (const LikelihoodKind* kind : likelihood_kinds()) {
+    const Reading found =
+        read(pixels(0.2, kind->of_looks), rules(), quick(kind->info.name), RandomKey(1));
+    EXPECT_EQ(found.seen.size(), 12u) << kind->info.name;
+    for (const Seen& one : found.seen) {
+      EXPECT_EQ(one.look, Look::window);
+      EXPECT_NEAR(one.rect.x0 % 24, 6, 1);
+      EXPECT_NEAR(one.rect.x1 % 24, 18, 1);
+      EXPECT_NEAR(one.rect.y0 % 24, 5, 1);
+      EXPECT_NEAR(one.rect.y1 % 24, 19, 1);
+    }
+    EXPECT_LE(found.bits, found.chain_bits);
+    EXPECT_LE(found.chain_bits, found.seed_bits);
+    EXPECT_LT(found.seed_bits, found.wall_bits);
+    EXPECT_GT(found.complexity, 0);
+  }
+}
+
+TEST(Read, ToldToStopItGivesTheBestSoFar) {
+  Progress progress;
+  progress.cancel();
+  const Reading found = read(pixels(0.2, false), rules(), quick("kt"), RandomKey(1), progress);
+  EXPECT_TRUE(found.sampled.stopped);
+  EXPECT_EQ(found.seen.size(), 12u) << "the seed";
+}
+
+TEST(Read, EvidenceThatDoesNotSuitIsRefused) {
+  EXPECT_THROW(read(pixels(0, false), rules(), quick("kl"), RandomKey(1)), Error);
+  const Evidence two = Evidence::of_clusters(2, 1, 2, {0, 1});
+  EXPECT_THROW(read(two, rules(), quick("supervised"), RandomKey(1)), Error);
+}
+
+/// Pictures without anything to read are walls.
+TEST(Read, OnePixelAndOneColour) {
+  for (const int side : {1, 40}) {
+    const Evidence plain = Evidence::of_clusters(
+        side, side, 2, std::vector<uint8_t>(static_cast<size_t>(side * side), 1));
+    const Reading found = read(plain, rules(), quick("kt"), RandomKey(1));
+    EXPECT_TRUE(found.seen.empty()) << side;
+    EXPECT_EQ(found.tree.size(), 1) << side;
+  }
+}
+
+}  // namespace
+}  // namespace vug::fit
