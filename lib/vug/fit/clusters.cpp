@@ -60,32 +60,36 @@ std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey
   return out;
 }
 
-}  // namespace
+struct Found {
+  std::vector<Point> centres;
+  double error = 0;  ///< Sum of the squares of what pixels are away from their centres.
+};
 
-std::vector<uint8_t> cluster(const Planes& planes, const ClusterOptions& options, RandomKey key) {
-  if (options.clusters < 1 || options.clusters > kMostLanes || planes.pixels() == 0)
-    throw Error(ErrorCode::bad_input, "a picture has between 1 and 8 clusters");
-  const std::vector<Point> points = points_of(planes, options.depth_scale);
-  std::vector<Point> centres = starts(points, options.clusters, key);
+/// From one choice of starts; a row at a time, so that sums do not depend on threads.
+Found refined(const std::vector<Point>& points, size_t width, int rounds,
+              std::vector<Point> centres) {
   struct Sum {
     std::array<std::array<double, 5>, kMostLanes> of{};  ///< Four coordinates and a count.
+    double error = 0;
   };
-  for (int round = 0; round < options.rounds; ++round) {
-    const auto add = [](Sum a, const Sum& b) {
-      for (size_t k = 0; k < a.of.size(); ++k)
-        for (size_t c = 0; c < 5; ++c) a.of[k][c] += b.of[k][c];
-      return a;
-    };
-    // A row at a time, so that sums do not depend on threads.
-    const auto width = static_cast<size_t>(planes.width);
+  const auto add = [](Sum a, const Sum& b) {
+    for (size_t k = 0; k < a.of.size(); ++k)
+      for (size_t c = 0; c < 5; ++c) a.of[k][c] += b.of[k][c];
+    a.error += b.error;
+    return a;
+  };
+  Found out;
+  for (int round = 0; round < rounds; ++round) {
     const Sum sum = ordered_reduce(
-        static_cast<size_t>(planes.height), Sum{},
+        points.size() / width, Sum{},
         [&](size_t y) {
           Sum row;
           for (size_t i = y * width; i < (y + 1) * width; ++i) {
-            auto& of = row.of[nearest(centres, points[i])];
+            const size_t at = nearest(centres, points[i]);
+            auto& of = row.of[at];
             for (size_t c = 0; c < 4; ++c) of[c] += points[i][c];
             ++of[4];
+            row.error += distance(centres[at], points[i]);
           }
           return row;
         },
@@ -93,7 +97,25 @@ std::vector<uint8_t> cluster(const Planes& planes, const ClusterOptions& options
     for (size_t k = 0; k < centres.size(); ++k)
       for (size_t c = 0; c < 4 && sum.of[k][4] > 0; ++c)
         centres[k][c] = static_cast<float>(sum.of[k][c] / sum.of[k][4]);
+    out.error = sum.error;
   }
+  out.centres = std::move(centres);
+  return out;
+}
+
+}  // namespace
+
+std::vector<uint8_t> cluster(const Planes& planes, const ClusterOptions& options, RandomKey key) {
+  if (options.clusters < 1 || options.clusters > kMostLanes || planes.pixels() == 0)
+    throw Error(ErrorCode::bad_input, "a picture has between 1 and 8 clusters");
+  const std::vector<Point> points = points_of(planes, options.depth_scale);
+  Found best;
+  for (int attempt = 0; attempt < std::max(1, options.attempts); ++attempt) {
+    Found found = refined(points, static_cast<size_t>(planes.width), options.rounds,
+                          starts(points, options.clusters, key.at(static_cast<uint64_t>(attempt))));
+    if (attempt == 0 || found.error < best.error) best = std::move(found);
+  }
+  std::vector<Point>& centres = best.centres;
   std::stable_sort(centres.begin(), centres.end(),
                    [](const Point& a, const Point& b) { return a[0] < b[0]; });
   std::vector<uint8_t> out(points.size());

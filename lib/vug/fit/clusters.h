@@ -10,6 +10,7 @@ namespace vug::fit {
 struct ClusterOptions {
   int clusters = 6;  ///< At most kMostLanes.
   int rounds = 20;
+  int attempts = 4;  ///< From other starts; the one of least error is taken.
   /// How many units of L*a*b* one metre of depth is worth.
   double depth_scale = 60;
 };

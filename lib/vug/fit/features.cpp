@@ -1,123 +1,46 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
+#include <vug/fit/boxes.h>
 #include <vug/fit/features.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 namespace vug::fit {
 namespace {
 
-using Plane = std::vector<float>;
+/// Of values whose means and whose squares' means are given.
+Plane deviation(const Plane& mean, const Plane& mean_square) {
+  Plane out(mean_square);
+  for (size_t i = 0; i < out.size(); ++i)
+    out[i] = std::sqrt(std::max(0.0f, out[i] - mean[i] * mean[i]));
+  return out;
+}
 
-/// Works on planes of one size.
-class Picture {
- public:
-  Picture(int width, int height)
-      : width_(width), height_(height), unit_(std::max(1, height / 160)) {}
+template <class Value>
+Plane each_place(const Planes& planes, const Value& value) {
+  Plane out;
+  out.reserve(planes.pixels());
+  for (int y = 0; y < planes.height; ++y)
+    for (int x = 0; x < planes.width; ++x) out.push_back(static_cast<float>(value(x, y)));
+  return out;
+}
 
-  int unit() const { return unit_; }
-  size_t pixels() const { return static_cast<size_t>(width_) * static_cast<size_t>(height_); }
-  size_t index(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
-  }
+Plane shifted(const Planes& like, const Plane& plane, int dx, int dy) {
+  return each_place(like, [&](int x, int y) {
+    const auto from_x = static_cast<size_t>(std::clamp(x + dx, 0, like.width - 1));
+    const auto from_y = static_cast<size_t>(std::clamp(y + dy, 0, like.height - 1));
+    return plane[from_y * static_cast<size_t>(like.width) + from_x];
+  });
+}
 
-  template <class Value>
-  Plane make(const Value& value) const {
-    Plane out(pixels());
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) out[index(x, y)] = static_cast<float>(value(x, y));
-    return out;
-  }
-
-  /// Means over boxes of a plane: over the part of each box that is in the picture.
-  class Means {
-   public:
-    Means(const Picture& picture, const Plane& plane)
-        : picture_(picture),
-          table_((static_cast<size_t>(picture.width_) + 1) *
-                     (static_cast<size_t>(picture.height_) + 1),
-                 0) {
-      for (int y = 0; y < picture_.height_; ++y) {
-        double row = 0;
-        for (int x = 0; x < picture_.width_; ++x) {
-          row += plane[picture_.index(x, y)];
-          at(x + 1, y + 1) = at(x + 1, y) + row;
-        }
-      }
-    }
-    Plane box(int half_x, int half_y) const {
-      return picture_.make([&](int x, int y) {
-        const int x0 = std::max(0, x - half_x), x1 = std::min(picture_.width_, x + half_x + 1);
-        const int y0 = std::max(0, y - half_y), y1 = std::min(picture_.height_, y + half_y + 1);
-        return (at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0)) /
-               (static_cast<double>(x1 - x0) * (y1 - y0));
-      });
-    }
-    Plane box(int half) const { return box(half, half); }
-    Plane rows() const { return box(picture_.width_, picture_.unit_); }
-    Plane columns() const { return box(picture_.unit_, picture_.height_); }
-    Plane whole() const { return box(picture_.width_, picture_.height_); }
-
-   private:
-    size_t place(int x, int y) const {
-      return static_cast<size_t>(y) * (static_cast<size_t>(picture_.width_) + 1) +
-             static_cast<size_t>(x);
-    }
-    double& at(int x, int y) { return table_[place(x, y)]; }
-    double at(int x, int y) const { return table_[place(x, y)]; }
-
-    const Picture& picture_;
-    std::vector<double> table_;
-  };
-  Means means(const Plane& plane) const { return Means(*this, plane); }
-
-  Plane squared(const Plane& plane) const {
-    Plane out(plane);
-    for (float& v : out) v *= v;
-    return out;
-  }
-  /// Of values whose means and whose squares' means are given.
-  Plane deviation(const Plane& mean, const Plane& mean_square) const {
-    Plane out(mean_square);
-    for (size_t i = 0; i < out.size(); ++i)
-      out[i] = std::sqrt(std::max(0.0f, out[i] - mean[i] * mean[i]));
-    return out;
-  }
-
-  Plane edges(const Plane& plane, bool along_x) const {
-    return make([&](int x, int y) {
-      const int x0 = along_x ? std::max(0, x - 1) : x, y0 = along_x ? y : std::max(0, y - 1);
-      const int x1 = along_x ? std::min(width_ - 1, x + 1) : x;
-      const int y1 = along_x ? y : std::min(height_ - 1, y + 1);
-      return std::fabs(plane[index(x1, y1)] - plane[index(x0, y0)]);
-    });
-  }
-
-  Plane shifted(const Plane& plane, int dx, int dy) const {
-    return make([&](int x, int y) {
-      return plane[index(std::clamp(x + dx, 0, width_ - 1), std::clamp(y + dy, 0, height_ - 1))];
-    });
-  }
-
-  Plane difference(const Plane& a, const Plane& b) const {
-    Plane out(a);
-    for (size_t i = 0; i < out.size(); ++i) out[i] -= b[i];
-    return out;
-  }
-
-  /// Of a plane that is blurred already: what is to the left and right, above and below.
-  void add_surroundings(const Plane& plane, int distance, std::vector<Plane>& out) const {
-    for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
-      out.push_back(shifted(plane, dx * distance, dy * distance));
-  }
-
- private:
-  int width_, height_, unit_;
-};
+/// Of a plane that is blurred already: what is to the left and right, above and below.
+void add_surroundings(Planes& out, const Plane& plane, int distance) {
+  for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+    out.planes.push_back(shifted(out, plane, dx * distance, dy * distance));
+}
 
 /// f of the definition of L*a*b*.
 double cube_root(double t) {
@@ -134,7 +57,12 @@ Planes to_lab(const image::Image& linear) {
   parallel_for(
       rgb.pixel_count(),
       [&](size_t i) {
-        const double r = rgb.pixels[3 * i], g = rgb.pixels[3 * i + 1], b = rgb.pixels[3 * i + 2];
+        // What is no colour is black.
+        const auto light = [&](size_t c) {
+          const float v = rgb.pixels[3 * i + c];
+          return std::isfinite(v) ? static_cast<double>(v) : 0.0;
+        };
+        const double r = light(0), g = light(1), b = light(2);
         // IEC 61966-2-1; white is (0.9505, 1, 1.089).
         const double x = cube_root((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505);
         const double y = cube_root(0.2126 * r + 0.7152 * g + 0.0722 * b);
@@ -148,67 +76,67 @@ Planes to_lab(const image::Image& linear) {
 }
 
 Planes flattened(const Planes& planes) {
-  const Picture picture(planes.width, planes.height);
   Planes out = planes;
   for (Plane& plane : out.planes)
-    plane = picture.difference(plane, picture.means(plane).box(std::max(1, planes.height / 10)));
+    plane = difference(
+        plane, Boxes(planes.width, planes.height, plane).mean(std::max(1, planes.height / 10)));
   return out;
 }
 
 Planes features(const image::Image& linear) {
   Planes out = to_lab(linear);
-  const Picture picture(out.width, out.height);
-  const int unit = picture.unit();
+  const int unit = box_unit(out.height);
   const std::vector<Plane> lab = out.planes;
   std::vector<Plane>& all = out.planes;
+  const auto boxes = [&](const Plane& plane) { return Boxes(out.width, out.height, plane); };
   const Plane& lightness = lab[0];
-  const Picture::Means light = picture.means(lightness);
+  const Boxes light = boxes(lightness);
   for (const Plane& plane : lab) {
-    const Picture::Means means = picture.means(plane);
-    const Plane near = means.box(3 * unit), whole = means.whole(), rows = means.rows();
-    all.push_back(means.box(unit));
+    const Boxes means = boxes(plane);
+    const Plane near = means.mean(3 * unit), whole = means.whole(), rows = means.rows(unit);
+    all.push_back(means.mean(unit));
     all.push_back(near);
-    all.push_back(means.box(8 * unit));
+    all.push_back(means.mean(8 * unit));
     all.push_back(whole);
-    all.push_back(picture.difference(rows, whole));
-    all.push_back(picture.difference(means.columns(), whole));
-    all.push_back(picture.difference(near, rows));
+    all.push_back(difference(rows, whole));
+    all.push_back(difference(means.columns(unit), whole));
+    all.push_back(difference(near, rows));
   }
-  const Picture::Means squares = picture.means(picture.squared(lightness));
+  const Boxes squares = boxes(squared(lightness));
   for (const int half : {unit, 3 * unit, 8 * unit})
-    all.push_back(picture.deviation(light.box(half), squares.box(half)));
+    all.push_back(deviation(light.mean(half), squares.mean(half)));
   for (const bool along_x : {true, false}) {
-    const Picture::Means edges = picture.means(picture.edges(lightness, along_x));
-    all.push_back(edges.box(unit));
-    all.push_back(edges.box(4 * unit));
-    all.push_back(edges.rows());
-    all.push_back(edges.columns());
+    const Boxes found = boxes(edges(out.width, out.height, lightness, along_x));
+    all.push_back(found.mean(unit));
+    all.push_back(found.mean(4 * unit));
+    all.push_back(found.rows(unit));
+    all.push_back(found.columns(unit));
   }
-  const Plane soft = light.box(2 * unit);
-  for (const int distance : {6 * unit, 14 * unit}) picture.add_surroundings(soft, distance, all);
-  all.push_back(picture.make([&](int x, int) { return std::fabs((x + 0.5) / out.width - 0.5); }));
-  all.push_back(picture.make([&](int, int y) { return (y + 0.5) / out.height; }));
+  const Plane soft = light.mean(2 * unit);
+  for (const int distance : {6 * unit, 14 * unit}) add_surroundings(out, soft, distance);
+  all.push_back(
+      each_place(out, [&](int x, int) { return std::fabs((x + 0.5) / out.width - 0.5); }));
+  all.push_back(each_place(out, [&](int, int y) { return (y + 0.5) / out.height; }));
   return out;
 }
 
 Planes context_features(const Planes& maps) {
-  const Picture picture(maps.width, maps.height);
-  const int unit = picture.unit();
+  const int unit = box_unit(maps.height);
   Planes out{maps.width, maps.height, {}};
   for (const Plane& map : maps.planes) {
     std::vector<Plane>& all = out.planes;
-    const Picture::Means means = picture.means(map);
-    const Plane soft = means.box(2 * unit);
+    const Boxes means(maps.width, maps.height, map);
+    const Plane soft = means.mean(2 * unit);
     all.push_back(map);
     all.push_back(soft);
-    all.push_back(means.box(8 * unit));
-    all.push_back(means.rows());
-    all.push_back(means.columns());
-    all.push_back(means.box(out.width, 8 * unit));
-    all.push_back(means.box(1, 12 * unit));
-    all.push_back(means.box(12 * unit, 1));
-    picture.add_surroundings(soft, 8 * unit, all);
-    picture.add_surroundings(soft, 20 * unit, all);
+    all.push_back(means.mean(8 * unit));
+    all.push_back(means.rows(unit));
+    all.push_back(means.columns(unit));
+    all.push_back(means.mean(out.width, 8 * unit));
+    all.push_back(means.mean(1, 12 * unit));
+    all.push_back(means.mean(12 * unit, 1));
+    add_surroundings(out, soft, 8 * unit);
+    add_surroundings(out, soft, 20 * unit);
   }
   return out;
 }

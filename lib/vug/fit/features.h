@@ -1,6 +1,7 @@
 // What a pixel and its surroundings look like, as numbers that a classifier can be trained on.
 #pragma once
 
+#include <vug/fit/boxes.h>
 #include <vug/image/image.h>
 
 #include <cstddef>
@@ -11,7 +12,7 @@ namespace vug::fit {
 /// Planes of one number a pixel, row after row from the top.
 struct Planes {
   int width = 0, height = 0;
-  std::vector<std::vector<float>> planes;
+  std::vector<Plane> planes;
 
   size_t count() const { return planes.size(); }
   size_t pixels() const { return static_cast<size_t>(width) * static_cast<size_t>(height); }

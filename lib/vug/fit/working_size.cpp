@@ -1,0 +1,121 @@
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+#include <vug/base/parallel.h>
+#include <vug/fit/working_size.h>
+#include <vug/image/io.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vug::fit {
+namespace {
+
+/// The pixels of one axis that fall into one of the smaller picture's, and their shares of it.
+struct Span {
+  int begin = 0;
+  std::vector<double> shares;
+};
+
+std::vector<Span> spans(int from, int to) {
+  std::vector<Span> out(static_cast<size_t>(to));
+  const double step = static_cast<double>(from) / to;
+  for (int i = 0; i < to; ++i) {
+    const double low = i * step, high = (i + 1) * step;
+    Span& span = out[static_cast<size_t>(i)];
+    span.begin = static_cast<int>(low);
+    for (int at = span.begin; at < from && at < high; ++at)
+      span.shares.push_back(std::min(high, at + 1.0) - std::max(low, static_cast<double>(at)));
+  }
+  return out;
+}
+
+void require_smaller(int width, int height, WorkingSize size) {
+  if (size.width < 1 || size.height < 1 || size.width > width || size.height > height)
+    throw Error(ErrorCode::bad_input, fmt::format("{} x {} pixels cannot be reduced to {} x {}",
+                                                  width, height, size.width, size.height));
+}
+
+}  // namespace
+
+WorkingSize working_size(int width, int height, const WorkingLimits& limits) {
+  const double scale =
+      std::min({1.0, static_cast<double>(limits.height) / height,
+                std::sqrt(static_cast<double>(limits.pixels) / (1.0 * width * height))});
+  const auto scaled = [&](int size) {
+    return std::max(1, std::min(size, static_cast<int>(std::floor(scale * size + 0.5))));
+  };
+  return {scaled(width), scaled(height)};
+}
+
+image::Image reduced(const image::Image& picture, WorkingSize size) {
+  require_smaller(picture.width, picture.height, size);
+  if (size == WorkingSize{picture.width, picture.height}) return picture;
+  image::Image out(size.width, size.height, picture.channels);
+  const std::vector<Span> across = spans(picture.width, size.width);
+  const std::vector<Span> down = spans(picture.height, size.height);
+  parallel_for(static_cast<size_t>(size.height), [&](size_t row) {
+    for (int x = 0; x < size.width; ++x)
+      for (size_t c = 0; c < picture.channels.size(); ++c) {
+        const Span &h = across[static_cast<size_t>(x)], &v = down[row];
+        double sum = 0, known = 0, all = 0;
+        for (size_t j = 0; j < v.shares.size(); ++j)
+          for (size_t i = 0; i < h.shares.size(); ++i) {
+            const double share = v.shares[j] * h.shares[i];
+            const float value =
+                picture.at(h.begin + static_cast<int>(i), v.begin + static_cast<int>(j), c);
+            all += share;
+            if (!std::isfinite(value)) continue;
+            sum += share * value;
+            known += share;
+          }
+        out.at(x, static_cast<int>(row), c) = 2 * known >= all
+                                                  ? static_cast<float>(sum / known)
+                                                  : std::numeric_limits<float>::quiet_NaN();
+      }
+  });
+  return out;
+}
+
+std::vector<uint8_t> reduced(const std::vector<uint8_t>& marks, int width, int height,
+                             WorkingSize size) {
+  require_smaller(width, height, size);
+  std::vector<uint8_t> out;
+  out.reserve(static_cast<size_t>(size.width) * static_cast<size_t>(size.height));
+  const auto middle = [](int i, int from, int to) {
+    return static_cast<size_t>((2 * static_cast<int64_t>(i) + 1) * from / (2 * to));
+  };
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x)
+      out.push_back(marks[middle(y, height, size.height) * static_cast<size_t>(width) +
+                          middle(x, width, size.width)]);
+  return out;
+}
+
+double reading_bytes(int width, int height, size_t channels) {
+  // As floats, once as they are in the file and once of R, G and B.
+  return 1.0 * width * height * (static_cast<double>(channels) + 3) * sizeof(float);
+}
+
+image::Image read_photo(const std::filesystem::path& path, uint64_t max_memory) {
+  const image::FileInfo info = image::read_info(path);
+  require_memory(reading_bytes(info.width, info.height, info.channels.size()),
+                 max_memory ? max_memory : available_memory(),
+                 fmt::format("reading {} x {} pixels of {}", info.width, info.height,
+                             path.filename().string()),
+                 "make the picture smaller");
+  image::Image picture = image::read(path, {.linear = true});
+  if (picture.find_channel("R") >= 0 || picture.channels.size() != 1)
+    return picture.select({"R", "G", "B"});
+  const bool encoded = info.formats[0].rfind("uint", 0) == 0;
+  image::Image out(picture.width, picture.height, {"R", "G", "B"});
+  for (size_t i = 0; i < out.pixels.size(); ++i) {
+    const float value = picture.pixels[i / 3];
+    out.pixels[i] = encoded ? static_cast<float>(image::srgb_decode(value)) : value;
+  }
+  return out;
+}
+
+}  // namespace vug::fit

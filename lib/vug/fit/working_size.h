@@ -1,0 +1,44 @@
+// Pictures made smaller before they are looked at: what tells windows from walls needs no more
+// than a few pixels of each, and a scan of 100 megapixels shall cost no more than a snapshot.
+#pragma once
+
+#include <vug/image/image.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace vug::fit {
+
+struct WorkingSize {
+  int width = 0, height = 0;
+  bool operator==(const WorkingSize&) const = default;
+};
+
+struct WorkingLimits {
+  int height = 360;      ///< At most, in pixels,
+  int pixels = 250'000;  ///< and this many of them in all.
+};
+
+/// The size, in the same proportions, that a picture of width x height pixels is looked at; its
+/// own if it is within the limits. At least a pixel to each side.
+WorkingSize working_size(int width, int height, const WorkingLimits& limits = {});
+
+/// Means over the pixels that fall into each, weighted with their share of it. What is not finite
+/// is left out; where it is more than half of the pixel, NaN.
+/// Error(bad_input) for a size that is not positive or above the picture's.
+image::Image reduced(const image::Image& picture, WorkingSize size);
+
+/// Classes, or other marks, of the pixel in the middle of each.
+std::vector<uint8_t> reduced(const std::vector<uint8_t>& marks, int width, int height,
+                             WorkingSize size);
+
+/// Bytes that reading a picture of that many pixels and channels takes, and making it smaller.
+double reading_bytes(int width, int height, size_t channels);
+
+/// A picture's R, G and B as linear light, a grey one's thrice the same. Error(too_large), before
+/// the pixels are read, where that takes more than `max_memory` bytes (0: what is available);
+/// otherwise as image::read.
+image::Image read_photo(const std::filesystem::path& path, uint64_t max_memory = 0);
+
+}  // namespace vug::fit
