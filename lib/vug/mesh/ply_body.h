@@ -6,18 +6,32 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstring>
 
 namespace vug::mesh {
 
+/// What becomes of NaN and infinities: meshes have no use for them, scanners write them.
+enum class NotFinite { refused, kept };
+
 /// Numbers as words of a text.
 class PlyTextBody {
  public:
-  PlyTextBody(std::string_view bytes, const std::string& file, const PlyHeader& header)
-      : scan_(bytes, file, header.body, header.body_line) {}
+  PlyTextBody(std::string_view bytes, const std::string& file, const PlyHeader& header,
+              NotFinite not_finite = NotFinite::refused)
+      : scan_(bytes, file, header.body, header.body_line), not_finite_(not_finite) {}
 
-  double number(PlyType) { return scan_.number(scan_.word()); }
+  double number(PlyType) {
+    const std::string_view word = scan_.word();
+    double value = 0;
+    if (not_finite_ == NotFinite::kept &&
+        std::from_chars(word.data(), word.data() + word.size(), value).ptr ==
+            word.data() + word.size() &&
+        !std::isfinite(value))
+      return value;
+    return scan_.number(word);
+  }
   /// Throws unless `count` more numbers of the type can follow.
   void require(uint64_t count, PlyType) const {
     if (count > (scan_.left() + 1) / 2) fail("the file ends inside a list");
@@ -28,16 +42,19 @@ class PlyTextBody {
 
  private:
   TextScanner scan_;
+  NotFinite not_finite_;
 };
 
 /// Numbers as bytes, in either order.
 class PlyBinaryBody {
  public:
-  PlyBinaryBody(std::string_view bytes, std::string file, const PlyHeader& header)
+  PlyBinaryBody(std::string_view bytes, std::string file, const PlyHeader& header,
+                NotFinite not_finite = NotFinite::refused)
       : bytes_(bytes),
         file_(std::move(file)),
         at_(header.body),
-        swapped_(header.encoding == PlyHeader::Encoding::big_endian) {}
+        swapped_(header.encoding == PlyHeader::Encoding::big_endian),
+        not_finite_(not_finite) {}
 
   double number(PlyType type) {
     switch (type) {
@@ -82,7 +99,7 @@ class PlyBinaryBody {
     return value;
   }
   double finite(double value) const {
-    if (!std::isfinite(value)) fail("a number is not finite");
+    if (not_finite_ == NotFinite::refused && !std::isfinite(value)) fail("a number is not finite");
     return value;
   }
 
@@ -90,6 +107,7 @@ class PlyBinaryBody {
   std::string file_;
   size_t at_;
   bool swapped_;
+  NotFinite not_finite_;
 };
 
 }  // namespace vug::mesh

@@ -1,0 +1,140 @@
+#include <vug/mesh/ply_body.h>
+#include <vug/mesh/ply_header.h>
+#include <vug/scan/read.h>
+
+#include <array>
+#include <cmath>
+
+namespace vug::scan {
+namespace {
+
+using mesh::PlyElement;
+using mesh::PlyProperty;
+using mesh::PlyType;
+
+/// What one vertex says, as far as clouds have a place for it.
+enum Slot : size_t { kX, kY, kZ, kRed, kGreen, kBlue, kIntensity, kNx, kNy, kNz, kSlots, kNone };
+
+Slot slot_of(const PlyProperty& property) {
+  constexpr std::pair<std::string_view, Slot> kNames[] = {{"x", kX},
+                                                          {"y", kY},
+                                                          {"z", kZ},
+                                                          {"red", kRed},
+                                                          {"green", kGreen},
+                                                          {"blue", kBlue},
+                                                          {"diffuse_red", kRed},
+                                                          {"diffuse_green", kGreen},
+                                                          {"diffuse_blue", kBlue},
+                                                          {"intensity", kIntensity},
+                                                          {"scalar_intensity", kIntensity},
+                                                          {"scalar_Intensity", kIntensity},
+                                                          {"reflectance", kIntensity},
+                                                          {"nx", kNx},
+                                                          {"ny", kNy},
+                                                          {"nz", kNz}};
+  if (!property.is_list)
+    for (const auto& [name, slot] : kNames)
+      if (name == property.name) return slot;
+  return kNone;
+}
+
+/// What a number of the type is divided by where it stands for a ratio.
+double full_scale(PlyType type) {
+  return type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1;
+}
+
+struct Plan {
+  std::vector<Slot> slots;  ///< One for each property.
+  std::array<bool, kSlots> given{};
+
+  bool all(std::initializer_list<Slot> slots_of_one) const {
+    for (const Slot slot : slots_of_one)
+      if (!given[slot]) return false;
+    return true;
+  }
+};
+
+Plan plan_of(const PlyElement& element, const std::string& file) {
+  Plan plan;
+  for (const PlyProperty& property : element.properties) {
+    plan.slots.push_back(slot_of(property));
+    if (plan.slots.back() != kNone) plan.given[plan.slots.back()] = true;
+  }
+  if (!plan.all({kX, kY, kZ}))
+    throw Error(ErrorCode::bad_input, "vertices lack x, y or z", {file, element.line, 1});
+  return plan;
+}
+
+template <class Body>
+void pass_over(Body& body, const PlyProperty& property) {
+  double count = 1;
+  if (property.is_list) {
+    count = body.number(property.count_type);
+    if (!(count >= 0 && count <= UINT32_MAX && count == std::floor(count)))
+      body.fail("the length of a list is no count");
+    body.require(static_cast<uint64_t>(count), property.type);
+  }
+  for (; count > 0; --count) body.number(property.type);
+}
+
+template <class Body>
+void read_vertices(Body& body, const PlyElement& element, const Plan& plan, Cloud& cloud) {
+  const bool coloured = plan.all({kRed, kGreen, kBlue});
+  const bool normals = plan.all({kNx, kNy, kNz});
+  std::array<double, kSlots> value{};
+  const auto triple = [&](Slot first) {
+    return Vec3f(static_cast<float>(value[first]), static_cast<float>(value[first + 1]),
+                 static_cast<float>(value[first + 2]));
+  };
+  for (uint64_t v = 0; v < element.count; ++v) {
+    for (size_t i = 0; i < plan.slots.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      const Slot slot = plan.slots[i];
+      if (slot == kNone)
+        pass_over(body, property);
+      else
+        value[slot] = body.number(property.type) /
+                      (slot >= kRed && slot <= kBlue ? full_scale(property.type) : 1);
+    }
+    if (!(std::isfinite(value[kX]) && std::isfinite(value[kY]) && std::isfinite(value[kZ]))) {
+      ++cloud.dropped;
+      continue;
+    }
+    cloud.positions.emplace_back(value[kX], value[kY], value[kZ]);
+    if (coloured) cloud.colours.push_back(triple(kRed));
+    if (normals) cloud.normals.push_back(triple(kNx));
+    if (plan.given[kIntensity]) cloud.intensities.push_back(static_cast<float>(value[kIntensity]));
+  }
+}
+
+template <class Body>
+Cloud read_elements(Body body, const mesh::PlyHeader& header, const std::string& file,
+                    const ReadOptions& options) {
+  Cloud cloud;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") {
+      const Plan plan = plan_of(element, file);
+      require_memory(static_cast<double>(element.count) * (sizeof(Vec3d) + 2 * sizeof(Vec3f) + 4),
+                     options.memory, "the cloud of " + file, "thin the cloud out");
+      read_vertices(body, element, plan, cloud);
+      return cloud;  // what follows is no concern of clouds
+    }
+    if (!element.properties.empty())
+      for (uint64_t i = 0; i < element.count; ++i)
+        for (const PlyProperty& property : element.properties) pass_over(body, property);
+  }
+  throw Error(ErrorCode::bad_input, "the file holds no vertices", {file, 1, 1});
+}
+
+}  // namespace
+
+Cloud parse_ply(std::string_view bytes, const std::string& file, const ReadOptions& options) {
+  const mesh::PlyHeader header = mesh::read_ply_header(bytes, file);
+  if (header.encoding == mesh::PlyHeader::Encoding::ascii)
+    return read_elements(mesh::PlyTextBody(bytes, file, header, mesh::NotFinite::kept), header,
+                         file, options);
+  return read_elements(mesh::PlyBinaryBody(bytes, file, header, mesh::NotFinite::kept), header,
+                       file, options);
+}
+
+}  // namespace vug::scan

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+#include <vug/base/error.h>
+#include <vug/image/io.h>
+#include <vug/scan/range_image.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vug::scan {
+namespace {
+
+constexpr const char* kPixel = "vug:pixel";  ///< Metres.
+constexpr const char* kFrame = "vug:frame";  ///< Origin, x, y and z: twelve numbers.
+
+std::string frame_text(const PlaneFrame& frame) {
+  std::string out;
+  for (const Vec3d& v : {frame.origin, frame.x, frame.y, frame.z})
+    out += fmt::format("{}{} {} {}", out.empty() ? "" : " ", v.x, v.y, v.z);
+  return out;
+}
+
+std::optional<PlaneFrame> parse_frame(const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  PlaneFrame frame;
+  for (Vec3d* v : {&frame.origin, &frame.x, &frame.y, &frame.z}) in >> v->x >> v->y >> v->z;
+  return in ? std::optional(frame) : std::nullopt;
+}
+
+}  // namespace
+
+image::Image as_image(const RangeImage& range) {
+  image::Image out(range.width, range.height, {"depth", "count"});
+  for (size_t p = 0; p < range.pixel_count(); ++p) {
+    out.pixels[2 * p] = range.depth[p];
+    out.pixels[2 * p + 1] = range.count[p];
+  }
+  return out;
+}
+
+void write_range(const std::filesystem::path& exr, const RangeImage& range) {
+  image::ExrOptions options;
+  options.metadata = {{kPixel, fmt::format("{}", range.pixel)}, {kFrame, frame_text(range.frame)}};
+  image::write_exr(exr, as_image(range), options);
+}
+
+RangeImage read_range(const std::filesystem::path& exr, double pixel) {
+  const image::Image picture = image::read(exr);
+  const int named = picture.find_channel("depth");
+  const int depth = named >= 0 ? named : picture.find_channel("Z");
+  if (depth < 0)
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' has no depth", exr.string()), {},
+                "a range image has a channel 'depth' or 'Z', in metres");
+  RangeImage out;
+  out.width = picture.width, out.height = picture.height;
+  out.pixel = pixel > 0 ? pixel : 0.01;
+  for (const auto& [name, text] : image::read_info(exr).metadata) {
+    if (name == kFrame) out.frame = parse_frame(text).value_or(PlaneFrame{});
+    if (name == kPixel && pixel <= 0) out.pixel = std::strtod(text.c_str(), nullptr);
+  }
+  if (!(out.pixel > 0 && std::isfinite(out.pixel)))
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' tells no size of pixels", exr.string()));
+  const int count = picture.find_channel("count");
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      const float d = picture.at(x, y, static_cast<size_t>(depth));
+      const float n = count < 0 ? 0 : picture.at(x, y, static_cast<size_t>(count));
+      out.depth.push_back(std::isfinite(d) ? d : std::numeric_limits<float>::quiet_NaN());
+      const bool known = count >= 0 && n >= 0 && n <= UINT16_MAX;
+      out.count.push_back(known ? static_cast<uint16_t>(n) : std::isfinite(d) ? 1 : 0);
+    }
+  return out;
+}
+
+}  // namespace vug::scan

@@ -1,0 +1,152 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/mesh/disjoint_sets.h>
+#include <vug/scan/cells.h>
+#include <vug/scan/fill.h>
+#include <vug/scan/range_image.h>
+
+#include <limits>
+
+namespace vug::scan {
+namespace {
+
+constexpr double kGap = 1.0;  ///< Metres on a side of cells that hang together when they touch.
+
+/// Points within the two distances from the plane, on it.
+std::vector<Vec2d> on_plane(const Cloud& cloud, const PlaneFrame& frame, double before,
+                            double behind) {
+  std::vector<Vec2d> out;
+  for (const Vec3d& position : cloud.positions) {
+    const Vec3d p = frame.local(position);
+    if (p.z <= before && p.z >= -behind) out.emplace_back(p.x, p.y);
+  }
+  return out;
+}
+
+/// Around the points that hang together, of the group that has the most.
+Imath::Box2d extent(const std::vector<Vec2d>& points) {
+  const Cells cells = cells_of(points, kGap);
+  mesh::DisjointSets groups(cells.keys.size());
+  for (size_t i = 0; i < cells.keys.size(); ++i)
+    for (const CellKey& step : {CellKey{0, 1}, {1, -1}, {1, 0}, {1, 1}}) {
+      const int64_t other =
+          cells.find({cells.keys[i].first + step.first, cells.keys[i].second + step.second});
+      if (other >= 0) groups.join(static_cast<uint32_t>(i), static_cast<uint32_t>(other));
+    }
+  std::vector<size_t> sizes(cells.keys.size(), 0);
+  for (size_t i = 0; i < sizes.size(); ++i)
+    sizes[groups.root(static_cast<uint32_t>(i))] += cells.counts[i];
+  const auto largest =
+      static_cast<uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  Imath::Box2d box;
+  for (size_t i = 0; i < points.size(); ++i)
+    if (groups.root(cells.cell_of_point[i]) == largest) box.extendBy(points[i]);
+  return box;
+}
+
+void require_sound(const RangeOptions& options) {
+  const auto refuse = [](const char* message) { throw Error(ErrorCode::bad_input, message); };
+  if (!(options.pixel > 0 && std::isfinite(options.pixel)))
+    refuse("a pixel of a range image must be larger than 0");
+  if (!(options.before >= 0 && options.behind >= 0))
+    refuse("the band of points before and behind a plane needs positive depths");
+  if (!std::isfinite(options.fill)) refuse("the distance that is filled up must be finite");
+}
+
+/// The pixel of `size` in which a place lies, counted in pixels, or -1. The points that the raster
+/// just reaches may lie beyond it by rounding.
+int place(double at, int size) {
+  constexpr double kSlack = 1e-3;
+  if (!(at >= -kSlack && at <= size + kSlack)) return -1;
+  return static_cast<int>(std::clamp(std::floor(at), 0.0, size - 1.0));
+}
+
+/// Pixel by pixel the depths of the points in it: those of pixel p from begin[p] to begin[p + 1].
+struct Buckets {
+  std::vector<uint32_t> begin;
+  std::vector<float> depths;
+};
+
+Buckets buckets_of(const Cloud& cloud, const RangeImage& image, const RangeOptions& options) {
+  Buckets out;
+  const auto visit = [&](const auto& take) {
+    for (const Vec3d& position : cloud.positions) {
+      const Vec3d p = image.frame.local(position);
+      const int x = place(p.x / image.pixel, image.width);
+      const int y = place(p.y / image.pixel, image.height);
+      if (x >= 0 && y >= 0 && p.z <= options.before && p.z >= -options.behind)
+        take(image.index(x, image.height - 1 - y), static_cast<float>(p.z));
+    }
+  };
+  out.begin.assign(image.pixel_count() + 1, 0);
+  visit([&](size_t pixel, float) { ++out.begin[pixel + 1]; });
+  for (size_t p = 0; p < image.pixel_count(); ++p) out.begin[p + 1] += out.begin[p];
+  out.depths.resize(out.begin.back());
+  // Filling moves each beginning to its end, which is the next one's beginning.
+  visit([&](size_t pixel, float depth) { out.depths[out.begin[pixel]++] = depth; });
+  for (size_t p = image.pixel_count(); p > 0; --p) out.begin[p] = out.begin[p - 1];
+  out.begin[0] = 0;
+  return out;
+}
+
+void take_depths(RangeImage& image, Buckets buckets, DepthOf which) {
+  parallel_for(
+      image.pixel_count(),
+      [&](size_t p) {
+        const auto from = buckets.depths.begin() + buckets.begin[p];
+        const auto to = buckets.depths.begin() + buckets.begin[p + 1];
+        image.count[p] = static_cast<uint16_t>(std::min<std::ptrdiff_t>(to - from, UINT16_MAX));
+        if (from == to) return;
+        const auto at = which == DepthOf::nearest ? to - 1 : from + (to - from) / 2;
+        std::nth_element(from, at, to);
+        image.depth[p] = *at;
+      },
+      4096);
+}
+
+}  // namespace
+
+double spacing(const Cloud& cloud, const PlaneFrame& frame, const RangeOptions& options) {
+  const std::vector<Vec2d> points = on_plane(cloud, frame, options.before, options.behind);
+  if (points.empty())
+    throw Error(ErrorCode::bad_input, "no point of the cloud lies near the plane");
+  constexpr uint32_t kEnough = 8;  // points in a cell, for their number to tell a density
+  for (double side = 0.05;; side *= 2) {
+    std::vector<uint32_t> counts = cells_of(points, side).counts;
+    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
+    std::nth_element(counts.begin(), middle, counts.end());
+    if (*middle >= kEnough || counts.size() <= 4) return side / std::sqrt(*middle);
+  }
+}
+
+RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOptions& options) {
+  require_sound(options);
+  const std::vector<Vec2d> near = on_plane(cloud, plane.frame, plane.tolerance, plane.tolerance);
+  if (near.empty()) throw Error(ErrorCode::bad_input, "no point of the cloud lies near the plane");
+  const Imath::Box2d box = extent(near);
+  // The last pixel is the one in which the last point lies.
+  const double wide = std::floor(box.size().x / options.pixel) + 1;
+  const double high = std::floor(box.size().y / options.pixel) + 1;
+  constexpr double kPixelBytes = 2 * sizeof(uint32_t) + 2 * sizeof(float) + sizeof(uint16_t);
+  require_memory(wide * high * kPixelBytes + static_cast<double>(cloud.size()) * sizeof(float),
+                 options.memory, "the range image", "use larger pixels");
+  if (std::max(wide, high) > std::numeric_limits<int>::max() / 2)
+    throw Error(ErrorCode::too_large, "the range image has too many pixels on a side", {},
+                "use larger pixels");
+  RangeImage image;
+  image.width = static_cast<int>(wide), image.height = static_cast<int>(high);
+  image.pixel = options.pixel;
+  image.frame = plane.frame;
+  image.frame.origin = plane.frame.world({box.min.x, box.min.y, 0});
+  const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+  image.depth.assign(pixels, std::numeric_limits<float>::quiet_NaN());
+  image.count.assign(pixels, 0);
+  take_depths(image, buckets_of(cloud, image, options), options.depth);
+  // Points of a regular grid are within 0.71 of its spacing from any place; scanners are not so
+  // regular.
+  const double reach = options.fill < 0 ? 1.2 * spacing(cloud, plane.frame, options) : options.fill;
+  fill(image, std::min(reach / options.pixel, wide + high));
+  return image;
+}
+
+}  // namespace vug::scan

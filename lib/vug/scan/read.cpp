@@ -1,0 +1,33 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/scan/read.h>
+
+namespace vug::scan {
+
+Cloud parse_cloud(std::string_view bytes, const std::string& file, const ReadOptions& options) {
+  const bool ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+  Cloud cloud = ply ? parse_ply(bytes, file, options) : parse_xyz(bytes, file, options);
+  if (cloud.size() == 0)
+    throw Error(
+        ErrorCode::bad_input,
+        cloud.dropped > 0 ? "none of the points has a finite position" : "the cloud is empty",
+        {file, 1, 1}, "a cloud is a PLY file with vertices, or lines of x y z");
+  return cloud;
+}
+
+Cloud read_clouds(const std::vector<std::filesystem::path>& files, const ReadOptions& options) {
+  if (files.empty()) throw Error(ErrorCode::bad_input, "there is no file to read a cloud from");
+  Cloud all;
+  for (const auto& file : files) {
+    std::error_code unreadable;
+    const uintmax_t bytes = std::filesystem::file_size(file, unreadable);
+    // read_text tells better why a file cannot be read.
+    if (!unreadable)
+      require_memory(static_cast<double>(bytes), options.memory, "the file " + file.string(),
+                     "thin the cloud out");
+    all = joined(std::move(all), parse_cloud(read_text(file), file.string(), options));
+  }
+  return all;
+}
+
+}  // namespace vug::scan
