@@ -40,6 +40,7 @@ Tree tree_of(const grammar::Tree& derivation) {
     to.rect = scope.rect;
     to.copies = scope.copies;
     to.given = scope.given;
+    to.mirrored = scope.mirrored;
     to.depth = scope.depth;
     to.element = scope.element;
     to.stuck = from.stuck;

@@ -69,8 +69,8 @@ class Carver {
       if (parts.empty()) return;
       const field::Field whole = parts.size() == 1 ? parts[0] : field::unite(std::move(parts));
       for (const Placement& place : placements(tree_, index))
-        to.push_back(
-            field::transformed(whole, frame_of(place(node.rect), place.mirrored, node.depth)));
+        to.push_back(field::transformed(
+            whole, frame_of(place(node.rect), place.mirrored != node.mirrored, node.depth)));
     };
     put(one.cut, cuts_);
     put(one.add, adds_);

@@ -2,7 +2,7 @@
 // its count the number of places that the split gives it. A split inside a split is a symbol of its
 // own with one production.
 #include <vug/facade/derive.h>
-#include <vug/facade/scope.h>
+#include <vug/facade/placing.h>
 
 #include <fmt/format.h>
 
@@ -14,33 +14,25 @@
 namespace vug::facade {
 namespace {
 
-/// Thrown out of a derivation whose text is at fault; the diagnostics already say why.
-struct Faulty {};
-
-std::string metres(double value) { return fmt::format("{:.4g}", value); }
-
-std::string size_text(const Rect& r) {
-  return fmt::format("{} x {} m", metres(r.width), metres(r.height));
-}
-
-/// What a split comes to in one scope: its places, and its arguments by operand.
-struct Placed {
-  std::shared_ptr<const Layout> layout;
-  std::vector<Value> values;
-};
-
 class Divider {
  public:
-  Divider(const Rules& rules, scene::Evaluator& evaluator, const DeriveOptions& options)
-      : rules_(rules), evaluator_(evaluator), options_(options) {
+  Divider(const Rules& rules, scene::Evaluator& evaluator, const DeriveOptions& options,
+          const Planning* planning = nullptr)
+      : rules_(rules),
+        evaluator_(evaluator),
+        placer_(evaluator),
+        options_(options),
+        planning_(planning) {
     grammar_.name = rules.name;
     grammar_.where = rules.where;
     root_.rect = {0, 0, options.width, options.height};
     root_.key = options.key;
     static const std::vector<std::string> none;
-    for (const Item& item : rules.axiom) add(item, none, "axiom", grammar_.axiom);
+    if (planning) root_.plan = std::make_shared<const Plan>(planning->plan);
+    add(rules.axiom, none, "axiom", grammar_.axiom);
     std::map<std::string, int> seen;
-    for (const Rule& rule : rules.rules) add(rule, seen[rule.head]++);
+    for (size_t i = 0; i < rules.rules.size(); ++i)
+      add(rules.rules[i], seen[rules.rules[i].head]++, static_cast<int>(i));
   }
 
   std::optional<Derived> run() {
@@ -54,11 +46,24 @@ class Divider {
       out.tree = tree_of(out.derivation);
       out.tree.width = options_.width;
       out.tree.height = options_.height;
-      warn_of_stuck(out);
+      if (planning_)
+        check_followed(out);
+      else
+        warn_of_stuck(out);
       return out;
     } catch (const Faulty&) {
       return std::nullopt;
     }
+  }
+
+  /// What the splits of a symbol asked for, after run().
+  PlannedNode planned(const grammar::Symbol& symbol) const {
+    const Scope& scope = scope_of(symbol);
+    PlannedNode out{scope.place, scope.plan, {}, scope.mirrored};
+    const auto begin = asked_.lower_bound({scope.key.state(), 0});
+    for (auto at = begin; at != asked_.end() && at->first.first == scope.key.state(); ++at)
+      out.free.insert(out.free.end(), at->second.begin(), at->second.end());
+    return out;
   }
 
  private:
@@ -67,6 +72,20 @@ class Divider {
   const Scope& scope_of(const grammar::Symbol& symbol) const {
     const auto* scope = std::any_cast<Scope>(&symbol.content.payload);
     return scope ? *scope : root_;
+  }
+
+  /// Every rule of the plan has been applied.
+  void check_followed(const Derived& made) const {
+    for (const grammar::Node& node : made.derivation.nodes) {
+      const Scope& scope = scope_of(node.symbol);
+      if (!node.stuck || !scope.plan || scope.plan->rule < 0) continue;
+      const Rule& rule = rules_.rules.at(static_cast<size_t>(scope.plan->rule));
+      const bool other = rule.head != node.symbol.name;
+      throw Unfit(other ? Reason::wrong_symbol : Reason::wrong_arguments, "",
+                  fmt::format("'{}' does not divide {}", to_string(rule), to_string(node.symbol)),
+                  other ? "" : fmt::format("it takes {} arguments", rule.formals.size()),
+                  rule.where);
+    }
   }
 
   /// One warning for each symbol that was left over.
@@ -112,48 +131,71 @@ class Divider {
     };
     try {
       return work();
+    } catch (const Unfit& unfit) {
+      throw Unfit(unfit.reason(), unfit.number(), unfit.what() + context(), unfit.hint(), where);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
+      if (planning_)
+        throw Unfit(Reason::does_not_fit, "", error.what() + context(), error.hint(), where);
       diagnostics.error(error.where().known() ? error.where() : where, error.what() + context(),
                         error.hint());
       throw Faulty{};
     }
   }
 
-  Value eval(const scene::Expr& expr, RandomKey key, const scene::Scope& scope) {
-    Value value = evaluator_.eval(expr, key, &scope);
-    if (value.empty()) throw Faulty{};
-    return value;
+  bool holds(const Rule& rule, const grammar::Site& site) {
+    if (!rule.guard) return true;
+    const Value holds = placer_.eval(*rule.guard, site.key, names(rule.formals, site.symbol));
+    if (const bool* truth = holds.get<bool>()) return *truth;
+    return placer_.fail(rule.guard->where, "a guard is true or false, not " + holds.type_name());
   }
 
-  void add(const Rule& rule, int number) {
+  /// Whether the plan has the rule for this symbol.
+  bool chosen(const Rule& rule, int number, const grammar::Site& site) {
+    const Scope& scope = scope_of(site.symbol);
+    if (!scope.plan || scope.plan->rule != number) return false;
+    if (holds(rule, site)) return true;
+    throw Unfit(Reason::condition, "",
+                fmt::format("the condition of '{}' is false for {}", to_string(rule),
+                            to_string(site.symbol)),
+                "", rule.guard->where);
+  }
+
+  void add(const Rule& rule, int number, int in_all) {
     grammar::Production production;
     production.symbol = rule.head;
     production.arity = static_cast<int>(rule.formals.size());
     production.where = rule.where;
     production.name = to_string(rule);
-    if (rule.guard)
-      production.guard = [this, &rule](const grammar::Site& site) {
-        const Value holds = eval(*rule.guard, site.key, names(rule.formals, site.symbol));
-        if (const bool* truth = holds.get<bool>()) return *truth;
-        return fail(rule.guard->where, "a guard is true or false, not " + holds.type_name());
+    if (planning_)
+      production.guard = [this, &rule, in_all](const grammar::Site& site) {
+        return chosen(rule, in_all, site);
       };
-    if (rule.weight)
+    else if (rule.guard)
+      production.guard = [this, &rule](const grammar::Site& site) { return holds(rule, site); };
+    if (rule.weight && !planning_)
       production.weight = [this, &rule](const grammar::Site& site) {
-        const Value weight = eval(*rule.weight, site.key, names(rule.formals, site.symbol));
+        const Value weight = placer_.eval(*rule.weight, site.key, names(rule.formals, site.symbol));
         const Number* n = weight.get<Number>();
         if (!n || !(n->value >= 0) || !std::isfinite(n->value))
-          fail(rule.weight->where, "a weight is a number from 0 on, not " + to_string(weight));
+          placer_.fail(rule.weight->where,
+                       "a weight is a number from 0 on, not " + to_string(weight));
         return n->value;
       };
     const std::string name = fmt::format("{}/{}", rule.head, number);
-    for (const Item& item : rule.items) add(item, rule.formals, name, production.parts);
+    add(rule.items, rule.formals, name, production.parts);
     grammar_.productions.push_back(std::move(production));
   }
 
-  bool fail(const SourceLocation& where, const std::string& message) {
-    evaluator_.diagnostics().error(where, message);
-    throw Faulty{};
+  /// Free numbers of the first split have plain names.
+  void add(const std::vector<Item>& items, const Formals& formals, const std::string& name,
+           std::vector<grammar::Part>& parts) {
+    int splits = 0;
+    for (const Item& item : items) {
+      if (item.kind == ItemKind::split && ++splits > 1)
+        prefixes_[&item] = fmt::format("{}.", splits);
+      add(item, formals, name, parts);
+    }
   }
 
   /// An item that has the whole scope, or all parts of a split of it.
@@ -206,6 +248,7 @@ class Divider {
     scope.given.clear();
     scope.layout.reset();
     scope.split.clear();
+    scope.place = {static_cast<int>(split ? split->position : item.position), which, 0, 0};
     Value value;
     if (split) {
       const Placed& all = placed(*split, formals, site.symbol);
@@ -213,6 +256,10 @@ class Divider {
       scope.layout = all.layout;
       scope.split = split->name;
       value = all.values[item.position];
+    }
+    if (scope.plan) {
+      const auto part = scope.plan->parts.find(scope.place);
+      scope.plan = part == scope.plan->parts.end() ? nullptr : part->second;
     }
     // Arguments see the place that the part has been given.
     const scene::Scope known = names(formals, site.symbol, scope);
@@ -225,7 +272,7 @@ class Divider {
     } else if (item.kind == ItemKind::split) {
       out.params = site.symbol.content.params;
     } else {
-      scope.element = element(item, value, site.key, known);
+      scope.element = placer_.element(item, value, site.key, known);
     }
     out.text = grammar::to_string(
         {item.name, {item.kind == ItemKind::split ? std::vector<Value>{} : out.params, {}, {}}});
@@ -241,12 +288,17 @@ class Divider {
                     Scope& scope) {
     for (const Cell& cell : layout.cells) {
       if (cell.part != which || repetition-- > 0) continue;
-      scope.rect = {whole.x + cell.rect.x, whole.y + cell.rect.y, cell.rect.width,
-                    cell.rect.height};
+      const bool turned = scope.mirrored;
+      scope.rect = {turned ? whole.right() - cell.rect.right() : whole.x + cell.rect.x,
+                    whole.y + cell.rect.y, cell.rect.width, cell.rect.height};
       for (Placement copy : cell.copies) {
-        if (copy.mirrored) copy.x += 2 * whole.x;
+        if (turned) copy.x = -copy.x;
+        if (copy.mirrored) copy.x += 2 * (turned ? whole.right() : whole.x);
         scope.copies.push_back(copy);
       }
+      scope.mirrored = turned != cell.mirrored;
+      scope.place.column = cell.column;
+      scope.place.row = cell.row;
       scope.given = cell.given;
       scope.depth += cell.depth;
       scope.index = static_cast<double>(cell.index);
@@ -255,102 +307,33 @@ class Divider {
     }
   }
 
-  ElementPtr element(const Item& item, Value value, RandomKey key, const scene::Scope& known) {
-    if (item.kind == ItemKind::element) {
-      Diagnostics found;
-      const Arguments given = evaluator_.arguments(*item.expr, key, &known);
-      for (const Argument& argument : given)
-        if (argument.value.empty()) throw Faulty{};
-      const auto made = item.element->make(given, item.where, found);
-      evaluator_.tell(found, given);
-      if (!made) throw Faulty{};
-      return *made;
-    }
-    if (value.empty()) value = eval(*item.expr, key, known);
-    if (const auto* made = value.object<ElementPtr>()) return *made;
-    fail(item.where, fmt::format("'{}' is no element but {}", item.name, value.type_name()));
-    return nullptr;
-  }
-
   /// The split in the symbol's scope. One is kept, as all parts ask for it one after the other.
   const Placed& placed(const Item& split, const Formals& formals, const grammar::Symbol& symbol) {
     const Scope& scope = scope_of(symbol);
     if (last_ == &split && last_key_ == scope.key.state()) return placed_;
-    placed_ = doing(symbol, split.where, [&] { return make(split, formals, symbol, scope); });
+    const auto named = prefixes_.find(&split);
+    const std::string prefix = named == prefixes_.end() ? "" : named->second;
+    placed_ = doing(symbol, split.where, [&] {
+      return placer_.place(split, scope, names(formals, symbol), planning_, prefix);
+    });
+    if (planning_) asked_[{scope.key.state(), split.position}] = placed_.free;
     last_ = &split;
     last_key_ = scope.key.state();
     return placed_;
   }
 
-  Placed make(const Item& split, const Formals& formals, const grammar::Symbol& symbol,
-              const Scope& scope) {
-    const RandomKey key = scope.key.at("split").at(split.name).at(split.position);
-    const scene::Scope known = names(formals, symbol);
-    Placed out;
-    out.values.resize(split.expr->operands.size());
-    Arguments given;
-    std::vector<Value> packed;
-    const std::vector<ParamInfo>& params = split.split->info.params;
-    const auto list = static_cast<size_t>(
-        std::find_if(params.begin(), params.end(),
-                     [](const ParamInfo& p) { return p.type.rfind("list of", 0) == 0; }) -
-        params.begin());
-    const bool packs = list < 2;  // a list that comes first takes all that has no name
-    SourceLocation packed_where;
-    for (size_t i = 0; i < split.expr->operands.size(); ++i) {
-      const scene::Operand& operand = split.expr->operands[i];
-      Value value = argument(split, i, key.at(i), known, out.values[i]);
-      if (!operand.name.empty() || !packs || i < list) {
-        for (size_t p = 0; p < params.size(); ++p)
-          if ((operand.name.empty() ? p == i : params[p].name == operand.name) &&
-              params[p].type.find("size") != std::string::npos)
-            value = as_sizes(value);
-        given.push_back({operand.name, std::move(value), operand.where});
-      } else {
-        if (packed.empty()) packed_where = operand.where;
-        packed.push_back(as_sizes(value));
-      }
-    }
-    if (!packed.empty())
-      given.push_back({params[list].name, Value(List(packed.begin(), packed.end())), packed_where});
-    Diagnostics found;
-    const auto made = split.split->make(given, split.where, found);
-    evaluator_.tell(found, given);
-    if (!made) throw Faulty{};
-    out.layout = std::make_shared<const Layout>(
-        (*made)->layout(scope.rect.width, scope.rect.height, key.at("layout")));
-    return out;
-  }
-
-  /// A part as a reference to it (an element that a name stands for goes to `named`), a choice as
-  /// itself, anything else by its value.
-  Value argument(const Item& split, size_t i, RandomKey key, const scene::Scope& known,
-                 Value& named) {
-    const scene::Expr& expr = *split.expr->operands[i].value;
-    for (size_t p = 0; p < split.parts.size(); ++p) {
-      const Item& part = split.parts[p];
-      if (part.position != i) continue;
-      if (part.kind == ItemKind::value) {
-        named = eval(expr, key, known);
-        if (!named.object<ElementPtr>()) return named;
-      }
-      return ValueTraits<PartRef>::write({static_cast<int>(p), part.name});
-    }
-    if (expr.kind == scene::ExprKind::name)
-      for (const ParamInfo& param : split.split->info.params)
-        for (const std::string& choice : param.choices)
-          if (choice == expr.text) return Value::Name{expr.text};
-    return eval(expr, key, known);
-  }
-
   const Rules& rules_;
   scene::Evaluator& evaluator_;
+  Placer placer_;
   DeriveOptions options_;
+  const Planning* planning_;
   grammar::Grammar grammar_;
   Scope root_;
   const Item* last_ = nullptr;
   uint64_t last_key_ = 0;
   Placed placed_;
+  std::map<const Item*, std::string> prefixes_;
+  std::map<std::pair<uint64_t, size_t>, std::vector<FreeNumber>> asked_;  ///< By scope and item.
 };
 
 }  // namespace
@@ -358,6 +341,20 @@ class Divider {
 std::optional<Derived> derive(const Rules& rules, scene::Evaluator& evaluator,
                               const DeriveOptions& options) {
   return Divider(rules, evaluator, options).run();
+}
+
+std::optional<Planned> derive(const Rules& rules, scene::Evaluator& evaluator,
+                              const DeriveOptions& options, const Planning& planning) {
+  Divider divider(rules, evaluator, options, &planning);
+  std::optional<Derived> made = divider.run();
+  if (!made) return std::nullopt;
+  Planned out;
+  for (const grammar::Node& node : made->derivation.nodes)
+    out.nodes.push_back(divider.planned(node.symbol));
+  out.root = out.nodes.front();
+  out.nodes.erase(out.nodes.begin());
+  out.derived = std::move(*made);
+  return out;
 }
 
 }  // namespace vug::facade

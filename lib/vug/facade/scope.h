@@ -1,6 +1,7 @@
 // Inside facade/ only: what a symbol of a facade carries while it is derived.
 #pragma once
 
+#include <vug/facade/plan.h>
 #include <vug/facade/tree.h>
 #include <vug/grammar/tree.h>
 
@@ -14,6 +15,9 @@ struct Scope {
   Numbers given;
   double depth = 0;  ///< As in Node.
   double index = 0, total = 1;
+  bool mirrored = false;  ///< Its frame runs from the right to the left.
+  Place place;
+  PlanPtr plan;                          ///< Null: nothing is decided.
   RandomKey key{0};                      ///< Of this occurrence.
   ElementPtr element;                    ///< Null for symbols.
   std::shared_ptr<const Layout> layout;  ///< Of the split that placed it; null: the whole scope.

@@ -11,6 +11,8 @@ namespace {
 
 /// What rounding may add up to, of an extent.
 constexpr double kTiny = 1e-9;
+/// The usual height of a ground floor, metres.
+constexpr double kStorey = 3.5;
 
 std::string length_text(double metres) { return quantity_text(metres, Dimension::length); }
 
@@ -63,10 +65,17 @@ double measured(const Number& size, double extent) {
 }
 
 Layout in_a_row(const std::vector<Step>& steps, bool along_x, double width, double height,
-                RandomKey key) {
+                Free& free) {
   std::string none;
   const std::vector<Sized> all = pairs(steps, none);
-  const std::vector<double> sizes = divide(all, along_x ? width : height, key);
+  const double extent = along_x ? width : height;
+  std::vector<double> usual;
+  // Of two rows the lower is mostly a ground floor.
+  if (!along_x && all.size() == 2 && extent > 2 * kStorey) usual = {kStorey, extent - kStorey};
+  const std::vector<double> sizes =
+      all_free(all) && all.size() > 1
+          ? free.shares(along_x ? "widths" : "heights", "", all.size(), extent, free.key(), usual)
+          : divide(all, extent);
   Layout out;
   double at = 0;
   for (size_t i = 0; i < all.size(); ++i) {
@@ -75,23 +84,15 @@ Layout in_a_row(const std::vector<Step>& steps, bool along_x, double width, doub
          .rect = along_x ? Rect{at, 0, sizes[i], height} : Rect{0, at, width, sizes[i]},
          .given = {{along_x ? "width" : "height", sizes[i]}},
          .index = static_cast<int64_t>(i),
-         .total = static_cast<int64_t>(all.size())});
+         .total = static_cast<int64_t>(all.size()),
+         .column = along_x ? static_cast<int>(i) : 0,
+         .row = along_x ? 0 : static_cast<int>(i)});
     at += sizes[i];
   }
   return out;
 }
 
-std::vector<double> free_shares(size_t count, double extent, RandomKey key) {
-  RandomStream random(key);
-  std::vector<double> sizes(count);
-  for (double& size : sizes) size = random.uniform(0.5, 1.5);
-  const double total = std::accumulate(sizes.begin(), sizes.end(), 0.0);
-  for (double& size : sizes) size *= extent / total;
-  return sizes;
-}
-
-std::vector<double> divide(const std::vector<Sized>& parts, double extent, RandomKey key) {
-  if (all_free(parts) && parts.size() > 1) return free_shares(parts.size(), extent, key);
+std::vector<double> divide(const std::vector<Sized>& parts, double extent) {
   std::vector<double> sizes(parts.size(), 0.0), shares(parts.size(), 0.0);
   for (size_t i = 0; i < parts.size(); ++i) {
     const Number size = parts[i].size.value_or(Number{1, Dimension::none});

@@ -26,20 +26,17 @@ bool all_free(const std::vector<Sized>& parts);
 /// plain numbers, which only mean something beside others.
 double measured(const Number& size, double extent);
 
-/// Sizes in metres that add up to `extent`; free ones are drawn from the key. Error(bad_input)
+/// Sizes in metres that add up to `extent`; parts without any have even shares. Error(bad_input)
 /// where parts do not fit, where a part would be empty, or where some of the extent is left over.
-std::vector<double> divide(const std::vector<Sized>& parts, double extent, RandomKey key);
+std::vector<double> divide(const std::vector<Sized>& parts, double extent);
 
 /// The parts one behind the other along x, from the left, or along y, from the bottom.
 Layout in_a_row(const std::vector<Step>& steps, bool along_x, double width, double height,
-                RandomKey key);
+                Free& free);
 
 /// What sizes before parts mean, for the documentation of splits.
 constexpr const char* kSizesDoc =
     "A size stands before its part: a length, a share of the whole in per cent, or a number, a "
     "share of what is left. Without any size all are free.";
-
-/// Sizes that nobody gives: shares between 1/2 and 3/2 of an even one, drawn from the key.
-std::vector<double> free_shares(size_t count, double extent, RandomKey key);
 
 }  // namespace vug::facade

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/base/kind.h>
-#include <vug/base/rng.h>
+#include <vug/facade/free.h>
 #include <vug/facade/rect.h>
 
 #include <memory>
@@ -25,6 +25,10 @@ struct Cell {
   double depth = 0;    ///< How far its plane lies before that of the scope; below 0: behind.
   int64_t index = 0;   ///< Which of `total` places of one part, from 0.
   int64_t total = 1;
+  /// Which of its part's places it is as columns and rows count, from 0; it stays the same when
+  /// counts change. What is stamped again has both 0.
+  int column = 0, row = 0;
+  bool mirrored = false;  ///< What stands there is turned about its upright middle.
 };
 
 struct Layout {
@@ -36,9 +40,9 @@ struct Layout {
 class Split {
  public:
   virtual ~Split() = default;
-  /// The places in a scope of that size in metres. What the text leaves open is drawn from the key.
+  /// The places in a scope of that size in metres; `free` answers for what the text leaves open.
   /// Error(bad_input) where the sizes do not fit.
-  virtual Layout layout(double width, double height, RandomKey key) const = 0;
+  virtual Layout layout(double width, double height, Free& free) const = 0;
 };
 using SplitPtr = std::shared_ptr<const Split>;
 
@@ -68,13 +72,13 @@ using SplitKind = Kind<SplitPtr>;
 const Kinds<SplitPtr>& splits();
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
-/// `Layout layout(double, double, RandomKey) const`.
+/// `Layout layout(double, double, Free&) const`.
 template <class P>
 SplitKind split_kind(const std::string& name) {
   struct Made final : Split {
     explicit Made(const P& p) : params(p) {}
-    Layout layout(double width, double height, RandomKey key) const override {
-      return params.layout(width, height, key);
+    Layout layout(double width, double height, Free& free) const override {
+      return params.layout(width, height, free);
     }
     P params;
   };

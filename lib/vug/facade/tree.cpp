@@ -53,7 +53,8 @@ std::vector<Standing> standing(const Tree& tree) {
   for (size_t i = 0; i < counts.size(); ++i) {
     if (!tree.nodes[i].element) continue;
     for (const Placement& place : placements(tree, static_cast<int>(i)))
-      out.push_back({static_cast<int>(i), place(tree.nodes[i].rect), place.mirrored});
+      out.push_back({static_cast<int>(i), place(tree.nodes[i].rect),
+                     place.mirrored != tree.nodes[i].mirrored});
   }
   return out;
 }

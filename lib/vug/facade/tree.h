@@ -17,14 +17,15 @@ struct Node {
   Rect rect;  ///< On the facade's plane, of the occurrence that is derived.
   /// Further occurrences within the parent, as motions of the facade's plane.
   std::vector<Placement> copies;
-  double depth = 0;    ///< How far its plane lies before the facade's; below 0: behind.
-  std::string split;   ///< The kind of split that divides it; empty: none, or several.
-  Numbers given;       ///< Of its place in the parent, such as a row's height.
-  Numbers numbers;     ///< Of its own split, such as a grid's counts.
-  ElementPtr element;  ///< Null where it is divided further.
-  std::string text;    ///< The symbol with its arguments: "Bay(2)".
-  std::string rule;    ///< What divided it, as text; empty for elements.
-  bool stuck = false;  ///< No rule applied.
+  bool mirrored = false;  ///< The element is turned about its upright middle.
+  double depth = 0;       ///< How far its plane lies before the facade's; below 0: behind.
+  std::string split;      ///< The kind of split that divides it; empty: none, or several.
+  Numbers given;          ///< Of its place in the parent, such as a row's height.
+  Numbers numbers;        ///< Of its own split, such as a grid's counts.
+  ElementPtr element;     ///< Null where it is divided further.
+  std::string text;       ///< The symbol with its arguments: "Bay(2)".
+  std::string rule;       ///< What divided it, as text; empty for elements.
+  bool stuck = false;     ///< No rule applied.
 };
 
 struct Tree {

@@ -41,6 +41,7 @@ Json json_of(const Tree& tree, size_t id) {
   if (node.text != node.symbol) out["text"] = node.text;
   if (node.element) out["element"] = node.element->kind();
   out["rect"] = json_of(node.rect);
+  if (node.mirrored) out["mirrored"] = true;
   if (node.depth != 0) out["depth"] = rounded(node.depth);
   if (!node.copies.empty()) {
     out["copies"] = Json::array();

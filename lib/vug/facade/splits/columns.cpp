@@ -13,8 +13,8 @@ struct Columns {
   }
   std::string fault() const { return fault_of(parts); }
 
-  Layout layout(double width, double height, RandomKey key) const {
-    return in_a_row(parts, true, width, height, key);
+  Layout layout(double width, double height, Free& free) const {
+    return in_a_row(parts, true, width, height, free);
   }
 };
 

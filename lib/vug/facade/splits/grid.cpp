@@ -7,9 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vug::facade {
 namespace {
+
+/// Metres from column to column, and from storey to storey, that are usual.
+constexpr double kUsual[] = {2.5, 3};
 
 /// Cells along one axis.
 struct Line {
@@ -79,9 +83,10 @@ struct Grid {
                     extent);
   }
 
-  Line line(size_t axis, double extent, RandomKey key) const {
+  Line line(size_t axis, double extent, Free& free) const {
     const std::optional<int>& asked = axis == 0 ? columns : rows;
     double before = margin_of(2 * axis, extent), behind = margin_of(2 * axis + 1, extent);
+    const RandomKey key = free.key().at(axis == 0 ? "columns" : "rows");
     const std::optional<double> pitch = given(spacing, axis, extent);
     std::optional<double> cell_size = given(size, axis, extent);
     const double between = given(gap, axis, extent).value_or(0);
@@ -89,8 +94,11 @@ struct Grid {
     int n = asked.value_or(1);
     const bool open = !asked && !pitch;
     if (open) {
-      const int most = std::clamp(static_cast<int>(extent / 2), 1, 20);
-      n = 1 + static_cast<int>(random.below(static_cast<uint32_t>(most)));
+      n = free.count(names(axis).count, 1, 1000, std::clamp(extent / kUsual[axis], 1.0, 20.0), [&] {
+        const int most = std::clamp(static_cast<int>(extent / 2), 1, 20);
+        return 1 + static_cast<int>(random.below(static_cast<uint32_t>(most)));
+      });
+      if (!free.drawn()) return told_line(axis, extent, n, free);
       if (margin.empty()) before = behind = random.uniform(0.05, 0.5) * extent / n;
     }
     const double inner = extent - before - behind;
@@ -112,13 +120,93 @@ struct Grid {
                                gaps > 0 ? left_over / gaps : 0);
     if (!regular && n > 1) {
       const double total = justified ? left_over : left_over * (n - 1) / n;
-      spaces = free_shares(spaces.size(), total, key.at("spaces"));
+      const double walked = total + width * (n - 1);
+      spaces = free.drawn() ? free.shares("", "", spaces.size(), total, key.at("spaces"))
+                            : free.shares(names(axis).pitch, "", spaces.size(), walked, key);
+      if (!free.drawn())
+        for (double& space : spaces) space = gap_of(space, width, axis);
     }
     double start = before + (justified ? (n == 1 ? left_over / 2 : 0) : left_over / n / 2);
     for (int i = 0; i < n; ++i) {
       out.at.push_back(start);
       if (i + 1 < n) start += width + spaces[static_cast<size_t>(i)];
     }
+    return out;
+  }
+
+  /// Names of free numbers along an axis.
+  struct Names {
+    const char *count, *start, *size, *pitch;
+  };
+  static const Names& names(size_t axis) {
+    static const Names all[] = {{"columns", "x", "width", "dx"}, {"rows", "y", "height", "dy"}};
+    return all[axis];
+  }
+
+  /// What is left between two cells of that distance. Unfit where they would overlap.
+  static double gap_of(double pitch, double width, size_t axis) {
+    if (pitch < width * (1 - 1e-9))
+      throw Unfit(Reason::does_not_fit, names(axis).pitch,
+                  fmt::format("cells of {} overlap at a distance of {}",
+                              quantity_text(width, Dimension::length),
+                              quantity_text(pitch, Dimension::length)),
+                  fmt::format("make '{}' less", names(axis).size));
+    return std::max(0.0, pitch - width);
+  }
+
+  /// Where neither counts nor spacings are given: a model says where the first cell begins, how
+  /// large cells are and how far it is from one to the next, unless margins, sizes or gaps do.
+  Line told_line(size_t axis, double extent, int n, Free& free) const {
+    const Names& name = names(axis);
+    const double before = margin_of(2 * axis, extent), behind = margin_of(2 * axis + 1, extent);
+    const double inner = extent - before - behind, even = inner / n;
+    const auto count = static_cast<size_t>(n);
+    const std::optional<double> between = given(gap, axis, extent);
+    std::optional<double> size_here = given(size, axis, extent);
+    if (between) size_here = (inner - (n - 1) * *between) / n;
+    const double width = size_here ? *size_here : free.length(name.size, 0, even, 0.5 * even);
+    if (!(width > 0) || n * width > inner * (1 + 1e-9))
+      throw Unfit(Reason::does_not_fit, name.count,
+                  fmt::format("{} {} do not fit into {}", n, name.count,
+                              quantity_text(inner, Dimension::length)));
+    Line out;
+    out.size = width;
+    std::vector<double> pitches(count - 1, 0.0);
+    const double least = width * (1 - 1e-9);
+    double start = before;
+    if (!margin.empty() || between) {
+      // From margin to margin.
+      const double walk = inner - width;
+      if (n == 1) start += walk / 2;
+      if (regular || n < 3)
+        pitches.assign(count - 1, n > 1 ? walk / (n - 1) : 0);
+      else
+        pitches = free.shares(name.pitch, name.count, count - 1, walk, free.key());
+    } else {
+      const double room = extent - width;
+      const bool placed = free.is_told(name.start), spaced = free.is_told(name.pitch);
+      // Unless told, as much is left before the first cell as behind the last.
+      if (!spaced || placed)
+        start = free.length(name.start, 0, room - (n - 1) * width, 0.5 * (even - width));
+      if (n > 1) {
+        const double usual = !placed ? even : std::max(width, (room - 2 * start) / (n - 1));
+        const double most = room - (spaced && !placed ? 0 : start) - (n - 2) * width;
+        pitches = free.lengths(name.pitch, regular ? "" : name.count, regular ? 1 : count - 1,
+                               least, most, std::min(usual, most));
+        if (regular) pitches.resize(count - 1, pitches[0]);
+      }
+      const double walk = std::accumulate(pitches.begin(), pitches.end(), 0.0);
+      const double usual = std::max(0.0, (room - walk) / 2);
+      if (spaced && !placed) start = free.length(name.start, 0, std::max(0.0, room), usual);
+      if (start + walk > room * (1 + 1e-9) + 1e-9)
+        throw Unfit(Reason::does_not_fit, spaced ? name.pitch : name.start,
+                    fmt::format("the {} need {} of {}", name.count,
+                                quantity_text(start + walk + width, Dimension::length),
+                                quantity_text(extent, Dimension::length)));
+    }
+    out.at.push_back(start);
+    for (const double pitch : pitches)
+      out.at.push_back(out.at.back() + width + gap_of(pitch, width, axis));
     return out;
   }
 
@@ -138,11 +226,20 @@ struct Grid {
     return out;
   }
 
-  Layout layout(double width, double height, RandomKey key) const {
-    const Line x = line(0, width, key.at("columns")), y = line(1, height, key.at("rows"));
+  int door_column(uint32_t across, Free& free) const {
+    if (at) return *at;
+    const auto draw = [&] {
+      return static_cast<int>(RandomStream(free.key().at("door")).below(across));
+    };
+    if (!door) return 0;
+    return free.count("door", 0, static_cast<int>(across) - 1, (across - 1) / 2, draw);
+  }
+
+  Layout layout(double width, double height, Free& free) const {
+    const Line x = line(0, width, free);
+    const Line y = line(1, height, free);
     const auto across = static_cast<uint32_t>(x.at.size());
-    const uint32_t entrance =
-        at ? static_cast<uint32_t>(*at) : RandomStream(key.at("door")).below(across);
+    const auto entrance = static_cast<uint32_t>(door_column(across, free));
     if (door && entrance >= across)
       throw Error(ErrorCode::bad_input,
                   fmt::format("the door's column is {} of {}", entrance, across), {},
@@ -156,16 +253,19 @@ struct Grid {
         if (door && row == 0 && column == entrance) continue;
         const Rect rect{x.at[column], y.at[row], x.size, y.size};
         const bool first = out.cells.empty();
-        if (first || !identical)
+        const bool same = identical && !free.apart();
+        if (first || !same)
           out.cells.push_back({.part = cell.part,
                                .rect = rect,
                                .index = static_cast<int64_t>(row * x.at.size() + column),
-                               .total = total});
+                               .total = total,
+                               .column = same ? 0 : static_cast<int>(column),
+                               .row = same ? 0 : static_cast<int>(row)});
         else
           out.cells[0].copies.push_back(
               Placement::shift(rect.x - out.cells[0].rect.x, rect.y - out.cells[0].rect.y));
       }
-    if (door) out.cells.push_back({.part = door->part, .rect = way});
+    if (door) out.cells.push_back({.part = door->part, .rect = way, .row = -1});
     return out;
   }
 };

@@ -28,7 +28,7 @@ struct Inset {
     return "";
   }
 
-  Layout layout(double width, double height, RandomKey) const {
+  Layout layout(double width, double height, Free&) const {
     const size_t count = parts.size() - 1;
     const auto margin = [&](size_t side) {  // left, right, below, above
       const size_t at = count == 4 ? side : count == 2 ? side / 2 : 0;

@@ -22,28 +22,37 @@ struct Mirror {
     return fault;
   }
 
-  Layout layout(double width, double height, RandomKey key) const {
+  static void add_sides(int part, double side, double width, double height, const Free& free,
+                        Layout& out) {
+    Cell left{.part = part, .rect = {0, 0, side, height}};
+    if (!free.apart()) left.copies = {Placement::mirror(width / 2)};
+    out.cells.push_back(left);
+    if (!free.apart()) return;
+    left.rect.x = width - side;
+    left.column = 1;
+    left.mirrored = true;
+    out.cells.push_back(left);
+  }
+
+  Layout layout(double width, double height, Free& free) const {
     std::string none;
     const std::vector<Sized> all = pairs(parts, none);
     Layout out;
     if (all.size() == 1) {
-      const std::vector<double> halves = divide({all[0], all[0]}, width, key);
-      const double half = all[0].size ? halves[0] : width / 2;
-      out.cells.push_back({.part = all[0].part.part,
-                           .rect = {0, 0, half, height},
-                           .copies = {Placement::mirror(width / 2)}});
+      const double half = divide({all[0], all[0]}, width)[0];
+      add_sides(all[0].part.part, half, width, height, free, out);
       return out;
     }
     std::vector<double> sizes(3);
     if (all_free(all)) {
-      const double middle = RandomStream(key).uniform(0.15, 0.5) * width;
+      const double middle = free.length("width", 0, width, width / 3, [&] {
+        return RandomStream(free.key()).uniform(0.15, 0.5) * width;
+      });
       sizes = {(width - middle) / 2, middle, (width - middle) / 2};
     } else {
-      sizes = divide({all[0], all[1], all[0]}, width, key);
+      sizes = divide({all[0], all[1], all[0]}, width);
     }
-    out.cells.push_back({.part = all[0].part.part,
-                         .rect = {0, 0, sizes[0], height},
-                         .copies = {Placement::mirror(width / 2)}});
+    add_sides(all[0].part.part, sizes[0], width, height, free, out);
     out.cells.push_back({.part = all[1].part.part,
                          .rect = {sizes[0], 0, sizes[1], height},
                          .given = {{"width", sizes[1]}}});

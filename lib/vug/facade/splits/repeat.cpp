@@ -43,7 +43,7 @@ struct Repeat {
     return "";
   }
 
-  int counted(double extent, RandomKey key) const {
+  int counted(double extent, Free& free) const {
     std::string none;
     const std::vector<Sized> all = pairs(parts, none);
     if (count) return *count;
@@ -55,36 +55,46 @@ struct Repeat {
       return std::max(1, static_cast<int>(std::floor(fits + 1e-9)));
     }
     const int most = std::clamp(static_cast<int>(extent), 2, 12);
-    return 2 +
-           static_cast<int>(RandomStream(key.at("count")).below(static_cast<uint32_t>(most - 1)));
+    return free.count("count", 1, 1000, std::clamp(extent / 3, 2.0, 12.0), [&] {
+      return 2 + static_cast<int>(
+                     RandomStream(free.key().at("count")).below(static_cast<uint32_t>(most - 1)));
+    });
   }
 
-  Layout layout(double width, double height, RandomKey key) const {
+  Layout layout(double width, double height, Free& free) const {
     std::string none;
     const int part = pairs(parts, none)[0].part.part;
     const double extent = axis == Axis::x ? width : height;
-    const int n = counted(extent, key);
+    const int n = counted(extent, free);
     const double filled = extent - (n - 1) * gap;
     if (!(filled > 0))
       throw Error(ErrorCode::bad_input, fmt::format("the gaps of {} parts need {} of {}", n,
                                                     quantity_text((n - 1) * gap, Dimension::length),
                                                     quantity_text(extent, Dimension::length)));
     std::vector<double> sizes(static_cast<size_t>(n), filled / n);
-    if (!even) sizes = free_shares(sizes.size(), filled, key.at("sizes"));
+    if (!even)
+      sizes = free.shares(axis == Axis::x ? "widths" : "heights", "count", sizes.size(), filled,
+                          free.key().at("sizes"));
+    const bool same = alike && !free.apart();
     Layout out;
     double at = 0;
     for (int i = 0; i < n; ++i) {
       const double size = sizes[static_cast<size_t>(i)];
       const Rect rect = axis == Axis::x ? Rect{at, 0, size, height} : Rect{0, at, width, size};
-      if (i == 0 || !alike)
-        out.cells.push_back({.part = part, .rect = rect, .index = i, .total = n});
+      if (i == 0 || !same)
+        out.cells.push_back({.part = part,
+                             .rect = rect,
+                             .index = i,
+                             .total = n,
+                             .column = axis == Axis::x ? i : 0,
+                             .row = axis == Axis::y ? i : 0});
       else
         out.cells[0].copies.push_back(Placement::shift(rect.x, rect.y));
       const bool uneven = !even;
       if (uneven) out.cells.back().given = {{axis == Axis::x ? "width" : "height", size}};
       at += size + gap;
     }
-    if (alike) {
+    if (same) {
       out.cells[0].given = {{"count", n}};
       out.cells[0].total = 1;
     }

@@ -13,8 +13,8 @@ struct Rows {
   }
   std::string fault() const { return fault_of(parts); }
 
-  Layout layout(double width, double height, RandomKey key) const {
-    return in_a_row(parts, false, width, height, key);
+  Layout layout(double width, double height, Free& free) const {
+    return in_a_row(parts, false, width, height, free);
   }
 };
 
