@@ -36,6 +36,16 @@ std::vector<Verb> verbs() {
 /// No option takes an empty text: it is what a script's unset variable leaves behind.
 std::string refuse_empty(std::string& text) { return text.empty() ? "the value is empty" : ""; }
 
+/// Of the command and those below it; first of all, before ranges are checked.
+void refuse_empty_values(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    option->transform(CLI::Validator(refuse_empty, ""));
+  for (CLI::App* below : command.get_subcommands(nullptr)) {
+    below->fallthrough();
+    refuse_empty_values(*below);
+  }
+}
+
 /// What does not start with a dash in the first place must be a verb.
 void require_verb(const std::optional<std::string>& first) {
   std::vector<std::string> names;
@@ -80,8 +90,7 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs()) {
     CLI::App* command = app.add_subcommand(verb.name, verb.doc)->fallthrough();
     runs[command] = verb.setup(*command);
-    for (CLI::Option* option : command->get_options())  // first of all, before ranges are checked
-      option->transform(CLI::Validator(refuse_empty, ""));
+    refuse_empty_values(*command);
   }
   try {
     app.parse(argc, argv);

@@ -23,9 +23,8 @@ Rect rect_of(const Node& node) {
   return {node.x, node.y, node.x + node.width, node.y + node.height};
 }
 
-/// Calls visit(part, rect) for each window of a grid, in the grid's area; none where its door is.
 template <class Visit>
-void each_window(const Rules& rules, const Tree& tree, int i, const Visit& visit) {
+void each_window_of(const Rules& rules, const Tree& tree, int i, const Visit& visit) {
   const Node& grid = tree[i];
   const Node& last = tree[tree.end(i) - 1];
   const bool has_door = rules.symbol(last.symbol).look != Look::window;
@@ -159,7 +158,7 @@ double Model::pixels(const State& state, int i) const {
     case Op::windows: {
       std::array<Sums, kMostKinds> kinds{};
       Sums wall = whole();
-      each_window(*rules_, tree, i, [&](int part, const Rect& r) {
+      each_window_of(*rules_, tree, i, [&](int part, const Rect& r) {
         kinds[static_cast<size_t>(part - i - 1)] +=
             sum(state, area, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
       });
@@ -201,6 +200,11 @@ double Model::energy(State& state) const {
   return all;
 }
 
+void Model::each_window(const Tree& tree, int i,
+                        const std::function<void(int, const Rect&)>& visit) const {
+  each_window_of(*rules_, tree, i, visit);
+}
+
 void Model::each_terminal(const State& state,
                           const std::function<void(Look, int, const Rect&)>& visit) const {
   const Tree& tree = state.tree;
@@ -214,7 +218,7 @@ void Model::each_terminal(const State& state,
     if (tree[i].production < 0) continue;
     const Op op = rules_->production(tree[i].production).op;
     if (op == Op::windows)
-      each_window(*rules_, tree, i, [&](int part, const Rect& r) { everywhere(i, part, r); });
+      each_window_of(*rules_, tree, i, [&](int part, const Rect& r) { everywhere(i, part, r); });
     if (op != Op::windows && op != Op::terminal) continue;
     for (int part = i + 1; part < tree.end(i); ++part)
       if (op == Op::terminal || rules_->symbol(tree[part].symbol).look != Look::window)

@@ -56,6 +56,11 @@ class Model {
   void each_terminal(const State& state,
                      const std::function<void(Look, int, const Rect&)>& visit) const;
 
+  /// Calls visit(part, rect) for each window of grid i, with the index of the window's node and its
+  /// rectangle in the grid's area; none where its door is.
+  void each_window(const Tree& tree, int i,
+                   const std::function<void(int, const Rect&)>& visit) const;
+
   /// In the picture, of a rectangle of an area in one of its places.
   static Rect in_picture(const Area& area, const Frame& frame, int x, int y, int width,
                          int height) {

@@ -1,0 +1,83 @@
+#include <vug/facade/grammar_output.h>
+#include <vug/fit/as_facade.h>
+#include <vug/fit/cluster_image.h>
+#include <vug/fit/compile.h>
+#include <vug/session/facade_fit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::session {
+namespace {
+
+/// Middle of how far the windows' pixels lie behind the wall; 0 without depth.
+double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
+  if (!picture.depth) return 0;
+  std::vector<float> depths;
+  for (const fit::Seen& seen : reading.seen) {
+    if (seen.look != fit::Look::window) continue;
+    for (int y = seen.rect.y0; y < seen.rect.y1; ++y)
+      for (int x = seen.rect.x0; x < seen.rect.x1; ++x) {
+        const float depth = picture.depth->at(x, y);
+        if (std::isfinite(depth)) depths.push_back(depth);
+      }
+  }
+  if (depths.empty()) return 0;
+  const auto middle = depths.begin() + static_cast<long>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return std::max(0.0, static_cast<double>(*middle));
+}
+
+}  // namespace
+
+FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& options,
+                     Progress& progress) {
+  const facade::Rules text = facade::load_rules(options.grammar);
+  const fit::Rules rules = fit::compile(text);
+  const RandomKey key = RandomKey(options.seed).at("facade fit");
+  const fit::Evidence evidence = fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
+                                                    picture.depth ? &*picture.depth : nullptr,
+                                                    options.clusters, key.at("clusters"))
+                                     .evidence();
+  FacadeFit out;
+  fit::ReadOptions how;
+  how.likelihood = options.likelihood;
+  how.sampler = options.sampler;
+  out.reading = fit::read(evidence, rules, how, key.at("chains"), progress);
+  out.pixel = picture.pixel > 0 ? picture.pixel : options.width / picture.width;
+  const fit::Model model(rules, how.limits, picture.width, picture.height);
+  fit::State state = model.state_of(out.reading.tree);
+  model.place(state);
+  out.tree = fit::as_facade(text, model, state, out.pixel);
+  out.reveal = reveal_of(picture, out.reading);
+  return out;
+}
+
+std::string facade_scene(const FacadeFit& fit, const std::string& name,
+                         const std::string& comment) {
+  facade::GrammarTextOptions options;
+  options.name = name;
+  if (fit.reveal > 0.02)
+    options.elements["window"] = fmt::format("window(reveal: {:.2f}m)", std::min(fit.reveal, 0.4));
+  const double far = 2 * std::max(fit.tree.width, fit.tree.height);
+  const double half = fit.tree.height / 2;
+  return fmt::format(
+      "# {}\n\nparam voxel = {}cm  in 5mm..50cm  \"edge of a voxel\"\n\n{}\n"
+      "volume stone = level_set({name}, voxel: voxel)\n"
+      "volume panes = level_set(infill({name}), voxel: voxel / 2)\n"
+      "mesh wall_mesh on stone {{}}\nmesh fill_mesh on panes {{}}\n"
+      "object wall on wall_mesh {{ material lambert(albedo: (0.6, 0.54, 0.44)) }}\n"
+      "object glass on fill_mesh {{ material lambert(albedo: (0.08, 0.09, 0.11)) }}\n\n"
+      "camera main {{ kind orthographic  eye (0, {half:.3f}, {far:.3f})  target (0, {half:.3f}, 0)"
+      "  width {width:.3f}m }}\n"
+      "light even = sky(radiance: (1, 1, 1))\n"
+      "render main {{ size {across}x{down}  spp 32  layers [\"beauty\", \"Z\"] }}\n",
+      comment, fit.tree.height > 8 ? 4 : 2, facade::grammar_text(fit.tree, options),
+      fmt::arg("name", name), fmt::arg("half", half), fmt::arg("far", far),
+      fmt::arg("width", fit.tree.width), fmt::arg("across", 600),
+      fmt::arg("down", std::lround(600 * fit.tree.height / fit.tree.width)));
+}
+
+}  // namespace vug::session

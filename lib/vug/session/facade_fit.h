@@ -1,0 +1,36 @@
+// Facades out of pictures: a photograph, or what a scanner saw, becomes a tree, and a scene.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/facade/tree.h>
+#include <vug/fit/cluster_image.h>
+#include <vug/fit/read.h>
+#include <vug/session/facade_picture.h>
+
+namespace vug::session {
+
+struct FacadeFitOptions {
+  std::filesystem::path grammar;  ///< Rules with free sizes.
+  std::string likelihood = "kt";  ///< Of fit::likelihood_kinds.
+  fit::ClusterImageOptions clusters;
+  double width = 12;  ///< Of the facade in metres, where the picture does not tell.
+  fit::SamplerOptions sampler;
+  uint64_t seed = 0;
+};
+
+struct FacadeFit {
+  facade::Tree tree;     ///< Metres.
+  fit::Reading reading;  ///< Pixels, and what the chains tell.
+  double pixel = 0;      ///< Metres of one of the picture's.
+  double reveal = 0;     ///< How deep windows lie behind the wall, metres; 0: no depth tells.
+};
+
+/// The tree that costs least of those that chains have seen. When the progress is cancelled it is
+/// the best so far. Error(bad_input) for grammars that cannot be fitted.
+FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& options,
+                     Progress& progress = Progress::none());
+
+/// A scene with the facade as a grammar of that name, carved out of a wall, that a camera looks at.
+std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& comment);
+
+}  // namespace vug::session

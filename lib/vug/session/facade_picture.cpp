@@ -1,0 +1,123 @@
+#include <vug/base/error.h>
+#include <vug/base/memory.h>
+#include <vug/image/io.h>
+#include <vug/session/facade_picture.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vug::session {
+namespace {
+
+constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why,
+                         const std::string& hint = "") {
+  throw Error(ErrorCode::bad_input, fmt::format("'{}' {}", file.string(), why), {}, hint);
+}
+
+image::Image read_checked(const std::filesystem::path& file, uint64_t limit) {
+  const image::FileInfo info = image::read_info(file);
+  require_memory(fit::reading_bytes(info.width, info.height, info.channels.size()),
+                 limit ? limit : available_memory(),
+                 fmt::format("reading {} x {} pixels", info.width, info.height),
+                 "make the picture smaller: a few hundred rows are enough");
+  return image::read(file, {.linear = true});
+}
+
+/// Middle of the fullest centimetre; values are metres.
+float most_frequent(const std::vector<float>& values) {
+  std::vector<long> bins;
+  for (const float v : values)
+    if (std::isfinite(v)) bins.push_back(std::lround(100 * v));
+  std::sort(bins.begin(), bins.end());
+  long best = 0;
+  size_t most = 0;
+  for (size_t i = 0; i < bins.size();) {
+    const size_t begin = i;
+    while (i < bins.size() && bins[i] == bins[begin]) ++i;
+    if (i - begin > most) most = i - begin, best = bins[begin];
+  }
+  return static_cast<float>(static_cast<double>(best) / 100);
+}
+
+/// Metres behind the plane, whichever layer tells it; nothing where none does.
+std::optional<image::Image> depth_of(const std::filesystem::path& file, const image::Image& whole) {
+  const bool before = whole.find_channel("depth") >= 0;
+  if (!before && whole.find_channel("Z") < 0) return std::nullopt;
+  image::Image depth = whole.select({before ? "depth" : "Z"});
+  constexpr float kSky = 1e6F;  // metres
+  for (float& v : depth.pixels)
+    if (!(std::abs(v) < kSky)) v = kHole;
+  if (std::none_of(depth.pixels.begin(), depth.pixels.end(), [](float v) { return v == v; }))
+    refuse(file, "has no depth in any pixel");
+  const float wall = before ? 0 : most_frequent(depth.pixels);
+  for (float& v : depth.pixels) v = before ? -v : v - wall;
+  return depth;
+}
+
+std::optional<image::Image> colours_of(const std::filesystem::path& file,
+                                       const image::Image& whole) {
+  if (whole.find_channel("R") < 0 && whole.channels.size() > 2) return std::nullopt;
+  if (whole.find_channel("depth") == 0 || whole.find_channel("Z") == 0) return std::nullopt;
+  image::Image out(whole.width, whole.height, {"R", "G", "B"});
+  const bool colour = whole.find_channel("G") >= 0 && whole.find_channel("B") >= 0;
+  for (size_t c = 0; c < 3; ++c) {
+    const auto from = static_cast<size_t>(colour ? whole.find_channel(out.channels[c]) : 0);
+    for (size_t i = 0; i < out.pixel_count(); ++i)
+      out.pixels[3 * i + c] = whole.pixels[i * whole.channels.size() + from];
+  }
+  const auto finite = [](float v) { return std::isfinite(v); };
+  if (std::none_of(out.pixels.begin(), out.pixels.end(), finite))
+    refuse(file, "has no pixel with a number in it");
+  for (float& v : out.pixels) v = finite(v) ? v : 0;
+  return out;
+}
+
+}  // namespace
+
+FacadePicture read_facade_picture(const std::filesystem::path& photo,
+                                  const FacadePictureOptions& options) {
+  const image::Image whole = read_checked(photo, options.max_memory);
+  const fit::WorkingSize size = fit::working_size(whole.width, whole.height, options.limits);
+  FacadePicture out;
+  out.width = size.width, out.height = size.height;
+  if (const auto colours = colours_of(photo, whole)) out.colours = fit::reduced(*colours, size);
+  std::optional<image::Image> depth;
+  if (options.depth.empty()) {
+    depth = depth_of(photo, whole);
+    if (!depth && !out.colours)
+      refuse(photo, "has neither colours nor a layer of depth",
+             "its layers are R, G, B, and depth or Z in metres");
+  } else {
+    const image::Image other = read_checked(options.depth, options.max_memory);
+    const double shape =
+        static_cast<double>(other.width) / other.height * whole.height / whole.width;
+    if (std::abs(shape - 1) > 0.02 || other.width < out.width || other.height < out.height)
+      refuse(options.depth,
+             fmt::format("is {} x {} pixels and the picture {} x {}", other.width, other.height,
+                         whole.width, whole.height),
+             "both show the same rectangle of the wall");
+    depth = depth_of(options.depth, other);
+    if (!depth)
+      refuse(options.depth, "has no layer of depth", "it is called depth, or Z, in metres");
+  }
+  if (depth) out.depth = fit::reduced(*depth, size);
+  return out;
+}
+
+FacadePicture facade_picture(const scan::RangeImage& range, const fit::WorkingLimits& limits) {
+  const fit::WorkingSize size = fit::working_size(range.width, range.height, limits);
+  image::Image depth(range.width, range.height, {"depth"});
+  for (size_t i = 0; i < depth.pixels.size(); ++i) depth.pixels[i] = -range.depth[i];
+  FacadePicture out;
+  out.width = size.width, out.height = size.height;
+  out.pixel = range.metres_wide() / size.width;
+  out.depth = fit::reduced(depth, size);
+  return out;
+}
+
+}  // namespace vug::session

@@ -1,0 +1,35 @@
+// What is to be read as a facade: its colours, and how far its parts lie behind the wall's plane.
+#pragma once
+
+#include <vug/fit/working_size.h>
+#include <vug/scan/range_image.h>
+
+#include <optional>
+
+namespace vug::session {
+
+/// At the size that it is looked at; see fit::working_size.
+struct FacadePicture {
+  int width = 0, height = 0;
+  double pixel = 0;                     ///< Metres on a side; 0: nothing tells.
+  std::optional<image::Image> colours;  ///< R, G, B, linear.
+  std::optional<image::Image> depth;    ///< One channel: metres behind the plane, NaN in holes.
+};
+
+struct FacadePictureOptions {
+  fit::WorkingLimits limits;
+  std::filesystem::path depth;  ///< A file of the depth; empty: layers of the picture itself.
+  uint64_t max_memory = 0;      ///< Bytes; 0: what the machine has.
+};
+
+/// The depth is a layer `depth` (metres before the plane), or `Z` (metres from an orthographic
+/// camera), of which the most frequent is the wall. Error(bad_input) for files that are no
+/// pictures, of different shape, without any pixel that counts; Error(too_large) before they are
+/// read.
+FacadePicture read_facade_picture(const std::filesystem::path& photo,
+                                  const FacadePictureOptions& options = {});
+
+/// Of what a scanner saw alone.
+FacadePicture facade_picture(const scan::RangeImage& range, const fit::WorkingLimits& limits = {});
+
+}  // namespace vug::session

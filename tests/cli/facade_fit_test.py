@@ -1,0 +1,74 @@
+"""`vug facade fit`: a picture of a known facade, rendered with its depth, is read back."""
+import json
+import unittest
+
+from vug import VugTest
+
+FRONT = """
+grammar front: facade {
+  width 6m
+  height 5m
+  axiom Front
+  Front -> grid(window(reveal: 20cm, sash: 0), columns: 3, rows: 2, gap: [1m, 80cm], margin: [60cm, 60cm, 70cm, 50cm])
+}
+volume stone = level_set(front, voxel: 5cm)
+mesh stone_mesh on stone {}
+object wall on stone_mesh { material lambert(albedo: (0.6, 0.6, 0.6)) }
+camera main { kind orthographic  eye (0, 2.5, 20)  target (0, 2.5, 0)  width 6m }
+light even = sky(radiance: (1, 1, 1))
+render main { size 150x125  spp 4  layers ["beauty", "Z"] }
+"""
+
+
+def area(rects):
+    return sum(width * height for _, _, width, height in rects)
+
+
+def shared(some, others):
+    """Area that both cover; neither covers anything twice."""
+    total = 0
+    for x, y, width, height in some:
+        for u, v, across, up in others:
+            total += max(0, min(x + width, u + across) - max(x, u)) * max(0, min(y + height, v + up) - max(y, v))
+    return total
+
+
+class FacadeFit(VugTest):
+    def photo(self):
+        self.write("front.vug", FRONT)
+        self.expect(0, "render", "front.vug", "-o", "photo.exr")
+
+    def test_reads_back_what_was_rendered(self):
+        self.photo()
+        said = self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--width", "6m", "--steps", 20000)
+        self.assertTrue(said.out.startswith("Facade(0, 0, 6, 5, "), said.out)
+        tree = json.loads((self.folder / "out/photo.json").read_text())
+        windows = [one["rect"] for one in tree["elements"] if one["kind"] == "window"]
+        true = [(0.6 + column * 1.9333, 0.7 + row * 2.3, 0.9333, 1.5) for column in range(3) for row in range(2)]
+        self.assertGreater(shared(windows, true), 0.9 * area(true), said.out)
+        self.assertLess(area(windows), 1.1 * area(true), said.out)
+        self.assertIn("window(reveal: 0.32m)", (self.folder / "out/photo.vug").read_text())
+        self.assertIn('href="../photo.exr"', (self.folder / "out/photo.svg").read_text())
+        self.expect(0, "info", "out/photo.vdb")
+        again = self.expect(0, "tree", "out/photo.vug", "--elements").out
+        self.assertEqual(again.count("window,"), len(windows))
+
+    def test_same_bytes_for_any_threads(self):
+        self.photo()
+        for threads in (1, 2, 7):
+            self.expect(0, "facade", "fit", "photo.exr", "-o", f"out{threads}", "--steps", 5000, "--threads", threads,
+                        "--no-carving")
+        trees = {(self.folder / f"out{threads}/photo.json").read_bytes() for threads in (1, 2, 7)}
+        self.assertEqual(len(trees), 1)
+
+    def test_bad_input(self):
+        self.write("text.png", "no picture")
+        self.assertIn("text.png", self.expect(2, "facade", "fit", "text.png", "-o", "out").err)
+        self.expect(2, "facade", "fit", "missing.png", "-o", "out")
+        self.expect(2, "facade")
+        self.expect(2, "facade", "fit", "missing.png")
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,77 @@
+#include "derived.h"
+
+#include <vug/facade/grammar_output.h>
+
+#include <tuple>
+
+namespace vug::facade {
+namespace {
+
+/// Kinds and places of all elements, in millimetres, sorted; walls aside, which are what is left.
+std::vector<std::tuple<std::string, int, int, int, int>> elements_of(const Tree& tree) {
+  std::vector<std::tuple<std::string, int, int, int, int>> out;
+  for (const Standing& one : standing(tree)) {
+    const std::string kind = tree.nodes[static_cast<size_t>(one.node)].element->kind();
+    const auto mm = [](double metres) { return static_cast<int>(std::lround(metres * 1e3)); };
+    if (kind != "wall")
+      out.emplace_back(kind, mm(one.rect.x), mm(one.rect.y), mm(one.rect.width),
+                       mm(one.rect.height));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void expect_same_again(const std::string& rules, uint64_t seed = 0) {
+  const Sample first = facade_of(rules, seed);
+  ASSERT_EQ(first.said, "") << rules;
+  const std::string text = grammar_text(first.tree);
+  const Sample again(text, 99, first.tree.width, first.tree.height);
+  ASSERT_EQ(again.said, "") << text;
+  const auto before = elements_of(first.tree), after = elements_of(again.tree);
+  ASSERT_EQ(before.size(), after.size()) << text;
+  for (size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(std::get<0>(before[i]), std::get<0>(after[i])) << text;
+    EXPECT_NEAR(std::get<1>(before[i]), std::get<1>(after[i]), 1) << text;
+    EXPECT_NEAR(std::get<2>(before[i]), std::get<2>(after[i]), 1) << text;
+    EXPECT_NEAR(std::get<3>(before[i]), std::get<3>(after[i]), 1) << text;
+    EXPECT_NEAR(std::get<4>(before[i]), std::get<4>(after[i]), 1) << text;
+  }
+}
+
+TEST(GrammarText, DerivesToTheSameElements) {
+  expect_same_again("axiom A\nA -> rows(3m, columns(1m, door, 1, shop), 1, B)\nB -> grid(window)");
+  expect_same_again("axiom A\nA -> repeat(x, B, count: 3)\nB -> inset(20cm, 30cm, 1m, 2m, window)");
+  expect_same_again("axiom A\nA -> mirror(B)\nB -> columns(1m, wall, 1, window, 2m, door)");
+  expect_same_again("axiom A\nA -> mirror(B, 2m, C)\nB -> columns(1, door, 2, window)\nC -> shop");
+  expect_same_again(
+      "axiom A\nA -> recess(1m, B, front: columns(1, wall, 30cm, column))\nB -> niche");
+}
+
+TEST(GrammarText, KeepsWhatWasDrawn) {
+  for (uint64_t seed = 0; seed < 20; ++seed)
+    expect_same_again(
+        "axiom A\nA -> rows(R, P)\nR -> repeat(x, E, alike: false, even: false)\n"
+        "P -> mirror(S, M)\nP -> repeat(x, S)\nS -> G\nM -> H\nE -> window\nE -> door\n"
+        "G -> grid(window, door, regular: false, identical: false)\nH -> grid(window)",
+        seed);
+}
+
+TEST(GrammarText, IsShortWhereTheFacadeIs) {
+  const Sample sample = facade_of("axiom A\nA -> grid(window, columns: 4, rows: 3, gap: 1m)");
+  EXPECT_EQ(
+      grammar_text(sample.tree, {.name = "front", .elements = {{"window", "window(sash: 0)"}}}),
+      "grammar front: facade {\n  width 12m\n  height 9m\n  axiom A\n\n"
+      "  A -> grid(window(sash: 0), columns: 4, rows: 3, gap: [1m, 1m], "
+      "margin: [0m, 0m, 0m, 0m])\n}\n");
+}
+
+TEST(GrammarText, OfNothingIsAWall) {
+  Tree tree;
+  tree.name = "bare", tree.width = 2, tree.height = 3;
+  const Sample again(grammar_text(tree), 0, 2, 3);
+  EXPECT_EQ(again.said, "");
+  EXPECT_EQ(elements_csv(again.tree), "kind,x,y,width,height,mirrored\nwall,0,0,2,3,0\n");
+}
+
+}  // namespace
+}  // namespace vug::facade
