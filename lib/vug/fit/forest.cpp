@@ -2,12 +2,31 @@
 #include <vug/base/parallel.h>
 #include <vug/fit/forest.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <numeric>
 
 namespace vug::fit {
+
+namespace {
+
+/// A leaf's votes are whole numbers up to this, above 0.
+constexpr double kMostVotes = 250;
+
+/// The number as it is written, which takes five digits.
+double written(float value) {
+  const std::string text = fmt::format("{:.5g}", value);
+  double out = 0;
+  std::from_chars(text.data(), text.data() + text.size(), out);
+  return out;
+}
+float short_number(float value) { return static_cast<float>(written(value)); }
+
+}  // namespace
 
 /// Grows one tree, depth first.
 class TreeGrower {
@@ -67,8 +86,10 @@ class TreeGrower {
     if (middle == begin || middle == end) {
       best.feature = -1;
       best.left = static_cast<int>(tree_.votes.size());
-      const double all = static_cast<double>(end - begin) + 0.1 * static_cast<double>(classes_);
-      for (const double n : counts) tree_.votes.push_back(static_cast<float>((n + 0.1) / all));
+      const double all = static_cast<double>(end - begin);
+      for (const double n : counts)
+        tree_.votes.push_back(
+            static_cast<uint8_t>(std::max(1L, std::lround(kMostVotes * n / all))));
     } else {
       best.left = node(begin, middle, depth + 1);
       best.right = node(middle, end, depth + 1);
@@ -77,36 +98,55 @@ class TreeGrower {
     return index;
   }
 
+  /// A feature with thresholds in order, and between each two of them how many of each class.
+  struct Trial {
+    size_t feature = 0;
+    std::vector<float> thresholds;
+    std::vector<uint32_t> counts;
+  };
+
+  Trial trial(size_t begin, size_t end) {
+    Trial out;
+    out.feature = stream_.below(static_cast<uint32_t>(examples_.features));
+    for (int k = 0; k < options_.tried_thresholds; ++k)
+      out.thresholds.push_back(short_number(
+          value(begin + stream_.below(static_cast<uint32_t>(end - begin)), out.feature)));
+    std::sort(out.thresholds.begin(), out.thresholds.end());
+    out.counts.assign((out.thresholds.size() + 1) * classes_, 0);
+    return out;
+  }
+
   Forest::Split best_split(size_t begin, size_t end, const Counts& counts) {
+    std::vector<Trial> trials;
+    for (int i = 0; i < options_.tried_features; ++i) trials.push_back(trial(begin, end));
+    // One example after the other for all trials, as each is far from the next one in memory.
+    for (size_t at = begin; at < end; ++at) {
+      const float* example = examples_.at(chosen_[at]);
+      const size_t of = examples_.classes[chosen_[at]];
+      for (Trial& trial : trials) {
+        const float v = example[trial.feature];
+        size_t bin = 0;
+        for (const float threshold : trial.thresholds) bin += v >= threshold ? 1 : 0;
+        ++trial.counts[bin * classes_ + of];
+      }
+    }
     Forest::Split best;
     double best_purity = purity(counts) + 1e-9;
-    const auto size = static_cast<uint32_t>(end - begin);
-    for (int i = 0; i < options_.tried_features; ++i) {
-      const auto feature = stream_.below(static_cast<uint32_t>(examples_.features));
-      std::vector<float> thresholds;
-      for (int k = 0; k < options_.tried_thresholds; ++k)
-        thresholds.push_back(value(begin + stream_.below(size), feature));
-      std::sort(thresholds.begin(), thresholds.end());
-      // Between each two thresholds, how many of each class.
-      std::vector<Counts> bins(thresholds.size() + 1, Counts(classes_, 0));
-      for (size_t at = begin; at < end; ++at) {
-        const float v = value(at, feature);
-        const auto bin = std::upper_bound(thresholds.begin(), thresholds.end(), v);
-        ++bins[static_cast<size_t>(bin - thresholds.begin())][examples_.classes[chosen_[at]]];
-      }
+    const auto size = static_cast<double>(end - begin);
+    for (const Trial& trial : trials) {
       Counts below(classes_, 0), above = counts;
       double under = 0;
-      for (size_t k = 0; k < thresholds.size(); ++k) {
+      for (size_t k = 0; k < trial.thresholds.size(); ++k) {
         for (size_t c = 0; c < classes_; ++c) {
-          below[c] += bins[k][c], above[c] -= bins[k][c];
-          under += bins[k][c];
+          const double n = trial.counts[k * classes_ + c];
+          below[c] += n, above[c] -= n, under += n;
         }
         if (under < options_.least || size - under < options_.least) continue;
         const double found = purity(below) + purity(above);
         if (found <= best_purity) continue;
         best_purity = found;
-        best.feature = static_cast<int>(feature);
-        best.threshold = thresholds[k];
+        best.feature = static_cast<int>(trial.feature);
+        best.threshold = trial.thresholds[k];
       }
     }
     return best;
@@ -158,8 +198,10 @@ Planes Forest::classify(const Planes& features) const {
           split = tree.splits.data() +
                   (pixel[static_cast<size_t>(split->feature)] < split->threshold ? split->left
                                                                                  : split->right);
-        for (size_t c = 0; c < classes; ++c)
-          votes[c] += tree.votes[static_cast<size_t>(split->left) + c];
+        const uint8_t* leaf = tree.votes.data() + split->left;
+        float sum = 0;
+        for (size_t c = 0; c < classes; ++c) sum += leaf[c];
+        for (size_t c = 0; c < classes; ++c) votes[c] += leaf[c] / sum;
       }
       for (size_t c = 0; c < classes; ++c)
         out.planes[c][i] = votes[c] / static_cast<float>(trees_.size());
@@ -168,47 +210,74 @@ Planes Forest::classify(const Planes& features) const {
   return out;
 }
 
+// A tree is written as it is grown: each split before what is below it, so that no places need to
+// be. Leaves are -1 among the features.
 nlohmann::json Forest::to_json() const {
   nlohmann::json trees = nlohmann::json::array();
   for (const Tree& tree : trees_) {
-    nlohmann::json splits = nlohmann::json::array();
-    for (const Split& s : tree.splits) splits.push_back({s.feature, s.threshold, s.left, s.right});
-    trees.push_back({{"splits", splits}, {"votes", tree.votes}});
+    nlohmann::json features = nlohmann::json::array(), thresholds = nlohmann::json::array();
+    for (const Split& split : tree.splits) {
+      features.push_back(split.feature);
+      if (split.feature >= 0) thresholds.push_back(written(split.threshold));
+    }
+    trees.push_back({{"features", features}, {"thresholds", thresholds}, {"votes", tree.votes}});
   }
   return {{"classes", classes_}, {"features", features_}, {"trees", trees}};
 }
 
+Forest::Tree Forest::tree_from_json(const nlohmann::json& text) const {
+  const auto features = text.at("features").get<std::vector<int>>();
+  const auto thresholds = text.at("thresholds").get<std::vector<float>>();
+  Tree tree;
+  for (const nlohmann::json& vote : text.at("votes")) {
+    const auto count = vote.get<int>();
+    if (count < 1 || count > kMostVotes) return {};
+    tree.votes.push_back(static_cast<uint8_t>(count));
+  }
+  size_t split_count = 0, leaves = 0;
+  std::vector<size_t> open;  // splits that lack what is not below their threshold
+  for (size_t i = 0; i < features.size(); ++i) {
+    Split split;
+    split.feature = features[i];
+    if (split.feature >= static_cast<int>(features_) || split.feature < -1) return {};
+    if (i > 0 && features[i - 1] < 0) {
+      // Behind a leaf goes on what was begun last.
+      if (open.empty()) return {};
+      tree.splits[open.back()].right = static_cast<int>(i);
+      open.pop_back();
+    }
+    if (split.feature >= 0) {
+      if (split_count == thresholds.size()) return {};
+      split.threshold = thresholds[split_count++];
+      split.left = static_cast<int>(i) + 1;
+      open.push_back(i);
+    } else {
+      split.left = static_cast<int>(leaves++ * static_cast<size_t>(classes_));
+    }
+    tree.splits.push_back(split);
+  }
+  const bool whole = open.empty() && !features.empty() && features.back() < 0 &&
+                     split_count == thresholds.size() &&
+                     tree.votes.size() == leaves * static_cast<size_t>(classes_);
+  return whole ? tree : Tree{};
+}
+
 Forest Forest::from_json(const nlohmann::json& text) {
-  const auto damaged = [] {
-    return Error(ErrorCode::bad_input, "the classifier is damaged", {}, "train it again");
-  };
+  const Error damaged(ErrorCode::bad_input, "the classifier is damaged", {}, "train it again");
   Forest out;
   try {
     out.classes_ = text.at("classes");
-    out.features_ = text.at("features");
+    const int features = text.at("features");
+    if (out.classes_ < 1 || out.classes_ > 255 || features < 1) throw damaged;
+    out.features_ = static_cast<size_t>(features);
     for (const nlohmann::json& from : text.at("trees")) {
-      Tree tree;
-      tree.votes = from.at("votes").get<std::vector<float>>();
-      for (const nlohmann::json& s : from.at("splits"))
-        tree.splits.push_back({s.at(0), s.at(1), s.at(2), s.at(3)});
-      // Children stand behind their parents, so that every walk ends.
-      const auto count = static_cast<int>(tree.splits.size());
-      for (int i = 0; i < count; ++i) {
-        const Split& s = tree.splits[static_cast<size_t>(i)];
-        const bool leaf_fits =
-            s.left >= 0 &&
-            static_cast<size_t>(s.left) + static_cast<size_t>(out.classes_) <= tree.votes.size();
-        const bool split_fits = s.feature < static_cast<int>(out.features_) && s.left > i &&
-                                s.right > i && s.left < count && s.right < count;
-        if (s.feature < 0 ? !leaf_fits : !split_fits) throw damaged();
-      }
-      if (tree.splits.empty()) throw damaged();
-      out.trees_.push_back(std::move(tree));
+      out.trees_.push_back(out.tree_from_json(from));
+      if (out.trees_.back().splits.empty()) throw damaged;
     }
   } catch (const nlohmann::json::exception&) {
-    throw damaged();
+    throw damaged;
   }
-  if (out.trees_.empty() || out.classes_ < 1 || out.classes_ > 255) throw damaged();
+  if (out.trees_.empty()) throw damaged;
   return out;
 }
 

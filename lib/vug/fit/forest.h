@@ -37,6 +37,7 @@ class Forest {
   /// no examples, or classes beyond `classes`.
   static Forest train(const Examples& examples, int classes, const ForestOptions& options,
                       RandomKey key, Progress& progress = Progress::none());
+  /// Error(bad_input) where it is damaged.
   static Forest from_json(const nlohmann::json& text);
   nlohmann::json to_json() const;
 
@@ -54,8 +55,10 @@ class Forest {
   };
   struct Tree {
     std::vector<Split> splits;
-    std::vector<float> votes;  ///< `classes` for each leaf.
+    std::vector<uint8_t> votes;  ///< `classes` for each leaf.
   };
+  /// Without splits where it is damaged.
+  Tree tree_from_json(const nlohmann::json& text) const;
   friend class TreeGrower;
 
   int classes_ = 0;

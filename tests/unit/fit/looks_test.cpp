@@ -111,9 +111,24 @@ TEST(Forest, WhatCannotBeIsRefused) {
   EXPECT_THROW(forest.classify({1, 1, {{0.5f}}}), Error);
   for (const char* text : {"{}", "[]", "{\"classes\": 2, \"features\": 3, \"trees\": []}"})
     EXPECT_THROW(Forest::from_json(nlohmann::json::parse(text)), Error) << text;
-  nlohmann::json endless = forest.to_json();
-  endless["trees"][0]["splits"][0] = {0, 0.5, 0, 0};
-  EXPECT_THROW(Forest::from_json(endless), Error) << "a node below itself";
+  // Broken in each of its parts.
+  const nlohmann::json whole = forest.to_json();
+  const auto broken = [&](const char* part, const auto& change) {
+    nlohmann::json text = whole;
+    change(text["trees"][0][part]);
+    EXPECT_THROW(Forest::from_json(text), Error) << part;
+  };
+  broken("features", [](auto& list) { list[0] = 3; });
+  broken("features", [](auto& list) { list[0] = -1; });
+  broken("features", [](auto& list) { list.push_back(-1); });
+  broken("features", [](auto& list) { list.erase(list.size() - 1); });
+  broken("features", [](auto& list) { list.clear(); });
+  broken("thresholds", [](auto& list) { list.push_back(0.5); });
+  broken("thresholds", [](auto& list) { list.erase(list.size() - 1); });
+  broken("votes", [](auto& list) { list[0] = 0; });
+  broken("votes", [](auto& list) { list[0] = 251; });
+  broken("votes", [](auto& list) { list.push_back(1); });
+  broken("votes", [](auto& list) { list = "many"; });
 }
 
 TEST(Clusters, ColoursOfABoardAreFound) {

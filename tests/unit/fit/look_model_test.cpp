@@ -1,0 +1,141 @@
+// Looks that are trained on painted facades.
+#include "painted.h"
+
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/base/scratch_folder.h>
+#include <vug/fit/confusion.h>
+#include <vug/fit/likelihood.h>
+#include <vug/fit/looks.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::fit {
+namespace {
+
+const Classes kClasses{{"door", "shop", "window", "stone", "sky"}};
+const LookOptions kSmall{.first = {.trees = 6, .depth = 10},
+                         .second = {.trees = 6, .depth = 10, .tried_features = 20},
+                         .examples = 600};
+
+std::vector<Labelled> facades(int count) {
+  std::vector<Labelled> out;
+  for (int i = 0; i < count; ++i) {
+    PaintedFacade facade = painted(i, 80 + 4 * i, 120, 3 + i % 2, 3);
+    out.push_back({std::to_string(i), std::move(facade.photo), std::move(facade.classes)});
+  }
+  return out;
+}
+
+LookModel trained(const std::vector<Labelled>& pictures) {
+  std::vector<const Labelled*> all;
+  for (const Labelled& picture : pictures) all.push_back(&picture);
+  return LookModel::train(all, kClasses, {}, kSmall, RandomKey(1));
+}
+
+TEST(LookModel, KnowsFacadesThatItHasNotSeen) {
+  Confusion table(kClasses.count());
+  const std::vector<Labelled> pictures = facades(6);
+  std::vector<int> seen(pictures.size(), 0);
+  cross_validate(pictures, kClasses, {}, kSmall, 3, RandomKey(1),
+                 [&](size_t picture, const Planes& maps) {
+                   ++seen[picture];
+                   table.add(pictures[picture].labels, most_likely(maps));
+                 });
+  EXPECT_EQ(seen, std::vector<int>(6, 1));
+  EXPECT_GT(table.accuracy(), 0.95);
+  EXPECT_GT(table.overlap(kWindow), 0.85);
+  EXPECT_THROW(cross_validate(pictures, kClasses, {}, kSmall, 1, RandomKey(1), {}), Error);
+  EXPECT_THROW(cross_validate(pictures, kClasses, {}, kSmall, 7, RandomKey(1), {}), Error);
+}
+
+TEST(LookModel, IsReadAsItIsWritten) {
+  const std::vector<Labelled> pictures = facades(2);
+  const LookModel model = trained(pictures);
+  const ScratchFolder folder("vug_labels");
+  write_text(folder.path() / "looks.json", model.to_json().dump());
+  const LookModel again = LookModel::read(folder.path() / "looks.json");
+  EXPECT_EQ(again.to_json(), model.to_json());
+  EXPECT_EQ(again.classify(pictures[0].photo).planes, model.classify(pictures[0].photo).planes);
+}
+
+TEST(LookModel, AnyNumberOfThreadsTrainsTheSame) {
+  const std::vector<Labelled> pictures = facades(3);
+  std::string first;
+  for (const int threads : {1, 2, 7}) {
+    const ThreadLimit limit(threads);
+    const std::string text = trained(pictures).to_json().dump();
+    if (threads == 1) first = text;
+    EXPECT_EQ(text, first);
+  }
+}
+
+TEST(LookModel, DamagedFilesAreRefused) {
+  const nlohmann::json whole = trained(facades(1)).to_json();
+  const auto refused = [&](const char* part, const nlohmann::json& value) {
+    nlohmann::json text = whole;
+    text[nlohmann::json::json_pointer(part)] = value;
+    EXPECT_THROW(LookModel::from_json(text), Error) << part;
+  };
+  EXPECT_NO_THROW(LookModel::from_json(whole));
+  refused("/format", "other");
+  refused("/version", 2);
+  refused("/classes", {{"0", "window"}});
+  refused("/working/height", 0);
+  refused("/working/pixels", "many");
+  refused("/first", whole["second"]);
+  refused("/second", nullptr);
+  EXPECT_THROW(LookModel::from_json(nlohmann::json::array()), Error);
+  EXPECT_THROW(LookModel::read("no/such/looks.json"), Error);
+}
+
+TEST(LookModel, TinyPlainAndUnlabelledPictures) {
+  Labelled pixel{"pixel", image::Image(1, 1, {"R", "G", "B"}), {kWindow}};
+  const LookModel model = trained({pixel});
+  EXPECT_EQ(most_likely(model.classify(pixel.photo)), std::vector<uint8_t>{kWindow});
+  // Large ones are looked at in their working size.
+  const Planes maps = model.classify(image::Image(30, 720, {"R", "G", "B"}));
+  EXPECT_EQ(maps.height, 360);
+  EXPECT_EQ(maps.width, 15);
+  pixel.labels = {kVoid};
+  EXPECT_THROW(trained({pixel}), Error);
+  EXPECT_THROW(trained({}), Error);
+}
+
+TEST(LookEvidence, BitsOfEachLook) {
+  // A quarter door, a quarter window, the rest stone or sky.
+  const Planes maps{1, 1, {{0.25f}, {0}, {0.25f}, {0.25f}, {0.25f}}};
+  const Sums sums = look_evidence(maps, kClasses, 1.0 / 64).sums(0, 0, 1, 1);
+  const auto bits = [&](Look look) { return sums.lane[static_cast<size_t>(look)] * kBitStep; };
+  EXPECT_EQ(bits(Look::wall), 1);
+  EXPECT_EQ(bits(Look::window), 2);
+  EXPECT_EQ(bits(Look::door), 2);
+  EXPECT_EQ(bits(Look::shop), 6) << "the least";
+  EXPECT_THROW(look_evidence(maps, Classes{{"window"}}), Error);
+}
+
+TEST(Maps, Enlarged) {
+  const Planes maps{2, 1, {{0, 1}}};
+  EXPECT_EQ(enlarged(maps, 4, 1).planes[0], (std::vector<float>{0, 0.25f, 0.75f, 1}));
+  EXPECT_EQ(enlarged(maps, 2, 1).planes, maps.planes);
+  EXPECT_EQ(enlarged(maps, 1, 3).planes[0], (std::vector<float>{0.5f, 0.5f, 0.5f}));
+}
+
+TEST(Confusion, Figures) {
+  Confusion table(3);
+  table.add({0, 0, 0, 1, 1, kVoid}, {0, 0, 1, 1, 0, 2});
+  EXPECT_EQ(table.count(0, 1), 1);
+  EXPECT_EQ(table.of_class(0), 3);
+  EXPECT_DOUBLE_EQ(table.accuracy(), 3.0 / 5);
+  EXPECT_DOUBLE_EQ(table.class_average(), (2.0 / 3 + 1.0 / 2) / 2) << "of two classes";
+  EXPECT_DOUBLE_EQ(table.overlap(0), 2.0 / 4);
+  EXPECT_DOUBLE_EQ(table.overlap(2), 0);
+  EXPECT_DOUBLE_EQ(Confusion(2).accuracy(), 0);
+  const std::string text = table.table(Classes{{"door", "window", "wall"}});
+  EXPECT_NE(text.find("66.7"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace vug::fit
