@@ -141,4 +141,14 @@ Planes context_features(const Planes& maps) {
   return out;
 }
 
+size_t feature_count() {
+  static const size_t count = features(image::Image(1, 1, {"R", "G", "B"})).count();
+  return count;
+}
+
+size_t context_count() {
+  static const size_t count = context_features({1, 1, {{0}}}).count();
+  return count;
+}
+
 }  // namespace vug::fit

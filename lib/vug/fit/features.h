@@ -29,8 +29,12 @@ Planes flattened(const Planes& planes);
 /// from around, and the place in the picture. Boxes grow with the picture's height, so pictures of
 /// one facade at two resolutions have like features.
 Planes features(const image::Image& linear);
+/// How many those are.
+size_t feature_count();
 
 /// The same of maps that an earlier classifier made, so that a later one sees what is around.
 Planes context_features(const Planes& maps);
+/// How many those are of each map.
+size_t context_count();
 
 }  // namespace vug::fit

@@ -20,16 +20,6 @@ Planes joined(Planes a, const Planes& b) {
   return a;
 }
 
-/// How many features there are of a picture, and of each map for context.
-size_t feature_count() {
-  static const size_t count = features(image::Image(1, 1, {"R", "G", "B"})).count();
-  return count;
-}
-size_t context_count() {
-  static const size_t count = context_features({1, 1, {{0}}}).count();
-  return count;
-}
-
 }  // namespace
 
 Planes LookModel::classify(const image::Image& linear) const {

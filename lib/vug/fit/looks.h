@@ -11,7 +11,8 @@ struct LookOptions {
   ForestOptions first;
   ForestOptions second{.tried_features = 20};
   int examples = 6000;          ///< Pixels of each picture, drawn at random,
-  int most_examples = 500'000;  ///< and in all; memory grows with them, 640 bytes each.
+  int most_examples = 500'000;  ///< and in all.
+  uint64_t max_memory = 0;      ///< Bytes; 0: what is available.
 };
 
 /// Two forests: the first sees a pixel's surroundings, the second also what the first makes of
@@ -20,7 +21,8 @@ struct LookOptions {
 class LookModel {
  public:
   /// The same for any number of threads. Pictures are of one working size's limits, `limits`.
-  /// Error(bad_input) where no pixel has a label.
+  /// Error(bad_input) where no pixel has a label, Error(too_large), before it begins, where the
+  /// examples take more memory than there may be.
   static LookModel train(const std::vector<const Labelled*>& pictures, const Classes& classes,
                          const WorkingLimits& limits, const LookOptions& options, RandomKey key,
                          Progress& progress = Progress::none());

@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/looks.h>
 
@@ -15,10 +16,7 @@ class Draws {
  public:
   Draws(const Pictures& pictures, const LookOptions& options, RandomKey key)
       : places_(pictures.size()) {
-    const size_t each = std::min(static_cast<size_t>(std::max(1, options.examples)),
-                                 static_cast<size_t>(std::max(1, options.most_examples)) /
-                                         std::max<size_t>(1, pictures.size()) +
-                                     1);
+    const size_t each = of_each(pictures.size(), options);
     parallel_for(pictures.size(), [&](size_t k) {
       const std::vector<uint8_t>& labels = pictures[k]->labels;
       std::vector<uint32_t> known;
@@ -28,6 +26,11 @@ class Draws {
       for (size_t i = 0; i < each && !known.empty(); ++i)
         places_[k].push_back(known[stream.below(static_cast<uint32_t>(known.size()))]);
     });
+  }
+  static size_t of_each(size_t pictures, const LookOptions& options) {
+    const auto most = static_cast<size_t>(std::max(1, options.most_examples));
+    return std::min(static_cast<size_t>(std::max(1, options.examples)),
+                    most / std::max<size_t>(1, pictures) + 1);
   }
   const std::vector<uint32_t>& of(size_t picture) const { return places_[picture]; }
 
@@ -67,6 +70,14 @@ Examples gather(const Pictures& pictures, const Draws& draws, const std::vector<
 LookModel LookModel::train(const Pictures& pictures, const Classes& classes,
                            const WorkingLimits& limits, const LookOptions& options, RandomKey key,
                            Progress& progress) {
+  const auto features_of_all =
+      static_cast<double>(feature_count() + context_count() * static_cast<size_t>(classes.count()));
+  // Once of each picture, once joined.
+  require_memory(
+      2.0 * sizeof(float) * features_of_all *
+          static_cast<double>(pictures.size() * Draws::of_each(pictures.size(), options)),
+      options.max_memory ? options.max_memory : available_memory(), "training looks",
+      "draw fewer examples");
   const Draws draws(pictures, options, key.at("pixels"));
   std::vector<size_t> all, odd, even;
   for (size_t k = 0; k < pictures.size(); ++k) {

@@ -102,6 +102,10 @@ TEST(LookModel, TinyPlainAndUnlabelledPictures) {
   pixel.labels = {kVoid};
   EXPECT_THROW(trained({pixel}), Error);
   EXPECT_THROW(trained({}), Error);
+  const std::vector<Labelled> pictures = facades(1);
+  LookOptions options = kSmall;
+  options.max_memory = 100'000;
+  EXPECT_THROW(LookModel::train({&pictures[0]}, kClasses, {}, options, RandomKey(1)), Error);
 }
 
 TEST(LookEvidence, BitsOfEachLook) {

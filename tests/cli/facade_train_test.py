@@ -1,0 +1,82 @@
+"""`vug facade train`: looks from labelled pictures, which are made here."""
+import json
+import struct
+import unittest
+import zlib
+
+from vug import VugTest
+
+CLASSES = {"0": "wall", "1": "window", "2": "shop"}
+COLOURS = [(200, 180, 150), (60, 80, 110), (120, 30, 30)]
+
+
+def png(width, height, rows, colour):
+    """An 8-bit PNG, grey or of three colours."""
+
+    def chunk(kind, data):
+        body = kind + data
+        return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 2 if colour else 0, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header)
+            + chunk(b"IDAT", zlib.compress(b"".join(b"\0" + bytes(row) for row in rows))) + chunk(b"IEND", b""))
+
+
+def label(x, y, width, height, pitch):
+    if y >= height * 4 // 5:
+        return 2
+    return 1 if x % pitch > pitch // 3 and y % 20 > 8 else 0
+
+
+class FacadeTrain(VugTest):
+    def prepare(self):
+        for folder in ("set/images", "set/labels"):
+            (self.folder / folder).mkdir(parents=True)
+        for number in range(4):
+            width, height, pitch = 60 + 4 * number, 100, 14 + number
+            marks = [[label(x, y, width, height, pitch) for x in range(width)] for y in range(height)]
+            noise = [[[c + (x * 7 + y * 13 + number) % 9 for c in COLOURS[mark]] for x, mark in enumerate(row)]
+                     for y, row in enumerate(marks)]
+            photo = [[value for pixel in row for value in pixel] for row in noise]
+            (self.folder / f"set/images/f{number}.png").write_bytes(png(width, height, photo, True))
+            (self.folder / f"set/labels/f{number}.png").write_bytes(png(width, height, marks, False))
+        (self.folder / "classes.json").write_text(json.dumps(CLASSES))
+
+    def train(self, *more, code=0):
+        return self.expect(code, "facade", "train", "set", "--classes", "classes.json", "--trees", 4, *more)
+
+    def test_reports_how_right_it_is(self):
+        said = self.train("--folds", 2).out
+        self.assertGreater(float(said.split("pixel accuracy")[1].split()[0]), 0.95, said)
+        self.assertGreater(float(said.split("window overlap")[1].split()[0]), 0.9, said)
+        for name in CLASSES.values():
+            self.assertIn(f"\n{name}", said)
+
+    def test_same_bytes_for_any_threads(self):
+        for threads in (1, 2, 7):
+            self.train("-o", f"looks{threads}.json", "--threads", threads)
+        first = (self.folder / "looks1.json").read_bytes()
+        self.assertEqual(json.loads(first)["classes"], CLASSES)
+        for threads in (2, 7):
+            self.assertEqual((self.folder / f"looks{threads}.json").read_bytes(), first)
+
+    def test_what_cannot_be_is_told(self):
+        def told(part, *more):
+            said = self.train(*more, code=2)
+            self.assertIn(part, said.err)
+            self.assertFalse((self.folder / "looks.json").exists())
+
+        told("nothing to do")
+        told("4 pictures cannot be tried in 5 folds", "--folds", 5)
+        told("a .json", "-o", "looks.txt")
+        told("more than the limit", "-o", "looks.json", "--max-memory", "1K")
+        (self.folder / "set/labels/f2.png").write_bytes(png(3, 2, [[0, 0, 0]] * 2, False))
+        told("its labels 3 x 2", "-o", "looks.json")
+        (self.folder / "set/labels/f2.png").unlink()
+        told("has no labels", "-o", "looks.json")
+        (self.folder / "classes.json").write_text("{\n]")
+        told("classes.json:2", "-o", "looks.json")
+
+
+if __name__ == "__main__":
+    unittest.main()

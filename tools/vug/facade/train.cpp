@@ -1,0 +1,102 @@
+#include "arguments.h"
+#include "bar.h"
+#include "load.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/base/memory.h>
+#include <vug/base/parallel.h>
+#include <vug/fit/confusion.h>
+#include <vug/fit/looks.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  std::string folder, classes, output;
+  fit::WorkingLimits limits;
+  fit::LookOptions looks;
+  int folds = 0;
+  uint64_t seed = 0;
+  WorkOptions work;
+};
+
+void report(const fit::Confusion& table, const fit::Classes& classes) {
+  clear_bar();
+  fmt::print("pixel accuracy  {:.3f}\nclass average   {:.3f}\nwindow overlap  {:.3f}\n\n{}",
+             table.accuracy(), table.class_average(), table.overlap(classes.of(fit::Look::window)),
+             table.table(classes));
+}
+
+int run(Options options) {
+  const ThreadLimit threads(options.work.threads);
+  Progress& progress = terminal_progress(options.work.bar());
+  if (options.output.empty() && options.folds == 0)
+    throw Error(ErrorCode::bad_input, "there is nothing to do", {},
+                "name a file for the looks with -o, or try them with --folds 5");
+  if (!options.output.empty()) {
+    require_ending(options.output, ".json", "looks are a .json");
+    require_outputs({options.output}, {options.classes});
+  }
+  options.looks.max_memory = options.work.max_memory.empty() ? available_memory() / 10 * 9
+                                                             : parse_bytes(options.work.max_memory);
+  const fit::Classes classes = fit::read_classes(options.classes);
+  const std::vector<fit::Labelled> pictures = fit::read_labelled_folder(
+      options.folder, classes, options.limits, options.looks.max_memory, progress);
+  const RandomKey key = RandomKey(options.seed).at("facade train");
+  if (options.folds > 0) {
+    fit::Confusion table(classes.count());
+    fit::cross_validate(
+        pictures, classes, options.limits, options.looks, options.folds, key.at("folds"),
+        [&](size_t picture, const fit::Planes& maps) {
+          table.add(pictures[picture].labels, fit::most_likely(maps));
+        },
+        progress);
+    report(table, classes);
+  }
+  if (options.output.empty()) return kDone;
+  std::vector<const fit::Labelled*> all;
+  for (const fit::Labelled& picture : pictures) all.push_back(&picture);
+  const fit::LookModel model =
+      fit::LookModel::train(all, classes, options.limits, options.looks, key.at("all"), progress);
+  write_text(options.output, model.to_json().dump() + "\n");
+  return kDone;
+}
+
+}  // namespace
+
+Verb facade_train_verb() {
+  return {"train", "Learns what walls, windows and doors look like from labelled pictures.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("folder", options->folder,
+                           "with pictures in images/ and, of the same names, labels/: 8-bit grey, "
+                           "the numbers of classes, 255 where there is none")
+                ->required();
+            app.add_option("--classes", options->classes,
+                           "a file that names them: {\"0\": \"door\", \"1\": \"window\", ...}")
+                ->required();
+            app.add_option("-o,--output", options->output,
+                           "the .json for `vug facade fit --looks`");
+            app.add_option("--folds", options->folds,
+                           "tells how right looks are that are trained without a part of the "
+                           "pictures, on that part, for each of so many parts")
+                ->transform(whole_number_in(2, 1000));
+            app.add_option("--rows", options->limits.height,
+                           "of pixels that pictures are shrunk to, 360 without it")
+                ->transform(whole_number_in(1, 4096));
+            app.add_option("--trees", options->looks.first.trees, "in each forest")
+                ->transform(whole_number_in(1, 1000));
+            app.add_option("--seed", options->seed, "of what is drawn")->transform(seed_number());
+            options->work.add_to(app);
+            return [options] {
+              options->looks.second.trees = options->looks.first.trees;
+              return run(*options);
+            };
+          }};
+}
+
+}  // namespace vug::cli
