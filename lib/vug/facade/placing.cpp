@@ -76,7 +76,7 @@ Placed Placer::place(const Item& item, const Scope& scope, const scene::Scope& k
   free.check_told();
   if (planning) check_sizes(layout, planning->least, item);
   std::erase_if(layout.cells, [&](const Cell& cell) {
-    return plan.off.count({cell.column, cell.row}) > 0;
+    return cell.copies.empty() && plan.off.count({cell.column, cell.row}) > 0;
   });
   out.layout = std::make_shared<const Layout>(std::move(layout));
   out.free = free.asked();

@@ -30,9 +30,10 @@ struct Plan {
                   ///< have none, but numbers and parts of their own.
   /// Of its split; those of a rule's second split have "2." before their names, and so on.
   Told numbers;
-  bool apart = false;                 ///< What its split would stamp again are nodes of their own.
-  std::set<std::pair<int, int>> off;  ///< Columns and rows of its split where nothing stands.
-  std::map<Place, PlanPtr> parts;     ///< Missing: nothing is decided.
+  bool apart = false;  ///< What its split would stamp again are nodes of their own.
+  /// Columns and rows of its split where nothing stands; what is stamped again stands everywhere.
+  std::set<std::pair<int, int>> off;
+  std::map<Place, PlanPtr> parts;  ///< Missing: nothing is decided.
 };
 
 /// What deriving by a plan tells of a node beside the tree.

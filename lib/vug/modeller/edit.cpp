@@ -1,0 +1,91 @@
+#include <vug/base/kind.h>
+#include <vug/modeller/edit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::modeller {
+
+#define VUG_KIND(name) const EditKind& name##_edit();
+#include <vug/modeller/edits_kinds.inc>
+#undef VUG_KIND
+
+namespace {
+
+Refused refused(const std::string& key, const std::string& message, const std::string& hint = {}) {
+  return {key, Error(ErrorCode::bad_input, message, {}, hint)};
+}
+
+/// Runs the work; what is wrong with it is wrong with that key of the edit.
+template <class Work>
+auto blaming(const std::string& key, const Work& work) {
+  try {
+    return work();
+  } catch (const Refused&) {
+    throw;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
+    throw Refused(key, error);
+  }
+}
+
+void check(const EditKind& kind, const Edit& edit) {
+  if (kind.rule && edit.rule.empty())
+    throw refused("rule", fmt::format("'{}' needs a rule", kind.name));
+  if (!kind.rule && !edit.rule.empty())
+    throw refused("rule", fmt::format("'{}' takes no rule", kind.name));
+  for (const std::string& name : kind.numbers)
+    if (!edit.numbers.count(name))
+      throw refused("numbers", fmt::format("'{}' needs '{}'", kind.name, name));
+  for (const auto& [name, values] : edit.numbers) {
+    const bool own =
+        std::find(kind.numbers.begin(), kind.numbers.end(), name) != kind.numbers.end();
+    if (own && values.size() != 1)
+      throw refused("numbers/" + name, fmt::format("'{}' is one number", name));
+    if (!own && !kind.free_numbers)
+      throw refused("numbers/" + name, fmt::format("'{}' takes no '{}'", kind.name, name),
+                    suggestion(name, kind.numbers));
+    for (const double value : values)
+      if (!std::isfinite(value))
+        throw refused("numbers/" + name, fmt::format("'{}' is not finite", name));
+  }
+}
+
+}  // namespace
+
+const std::vector<const EditKind*>& edit_kinds() {
+#define VUG_KIND(name) &name##_edit(),
+  static const std::vector<const EditKind*> kinds = {
+#include <vug/modeller/edits_kinds.inc>
+  };
+#undef VUG_KIND
+  return kinds;
+}
+
+const EditKind& edit_kind(const std::string& name) {
+  std::vector<std::string> known;
+  for (const EditKind* kind : edit_kinds()) {
+    if (kind->name == name) return *kind;
+    known.push_back(kind->name);
+  }
+  throw refused("edit", fmt::format("there is no edit '{}'", name), suggestion(name, known));
+}
+
+State edited(const State& state, const Edit& edit) {
+  const EditKind& kind = edit_kind(edit.kind);
+  check(kind, edit);
+  const int node = blaming("node", [&] { return state.find(edit.node); });
+  const std::string whole = kind.rule ? "rule" : "";
+  return blaming(whole, [&] {
+    try {
+      return kind.run(state, node, edit);
+    } catch (const facade::Unfit& unfit) {
+      const bool number = edit.numbers.count(unfit.number()) > 0;
+      throw Refused(number ? "numbers/" + unfit.number() : whole, unfit);
+    }
+  });
+}
+
+}  // namespace vug::modeller

@@ -1,0 +1,19 @@
+#include <vug/modeller/plans.h>
+
+namespace vug::modeller {
+namespace {
+
+State run(const State& state, int node, const Edit& edit) {
+  require_open(state, node);
+  const int rule = state.style().find_rule(state.node(node).symbol, edit.rule);
+  return state.with(node, plan_of(rule, edit.numbers));
+}
+
+}  // namespace
+}  // namespace vug::modeller
+
+VUG_EDIT_KIND(apply) {
+  return {"apply", "divides an open node by one rule; numbers that are not told are as usual",
+          true,    true,
+          {},      run};
+}

@@ -1,0 +1,63 @@
+#include <vug/modeller/plans.h>
+
+namespace vug::modeller {
+namespace {
+
+using facade::Plan;
+
+Error bad(const std::string& message, const std::string& hint = {}) {
+  return Error(ErrorCode::bad_input, message, {}, hint);
+}
+
+/// Plans of parts that there are under both rules: at the same places, for symbols as they are in
+/// `bare`, where nothing is decided of the parts.
+void keep_parts(const State& bare, int node, const Plan& old, Plan& plan) {
+  for (const int part : bare.parts(node)) {
+    const facade::Place& place = bare.planned(part).place;
+    const auto known = old.parts.find(place);
+    if (known == old.parts.end()) continue;
+    if (auto kept = translated(bare.style(), known->second, bare.node(part).symbol))
+      plan.parts[place] = kept;
+  }
+}
+
+State run(const State& state, int node, const Edit& edit) {
+  require_divided(state, node);
+  if (node == State::kWhole || state.rule(node) < 0)
+    throw bad("the node stands within a rule", "change what divides the node above it");
+  const Plan& old = state.decided(node);
+  const Style& style = state.style();
+  Plan plan = old;
+  plan.parts.clear();
+  plan.numbers.clear();
+  plan.rule = style.find_rule(state.node(node).symbol, edit.rule);
+  if (plan.rule == old.rule) throw bad("that rule divides the node already", "'set' its numbers");
+  const bool hands_on = style.passes_to(plan.rule).has_value();
+  if (!hands_on) plan.numbers = merged(old.numbers, edit.numbers);
+
+  const State bare = with_what_fits(state, node, plan, edit.numbers);
+  const int here = bare.at(state.way(node));
+  plan.numbers = bare.decided(here).numbers;
+  keep_parts(bare, here, old, plan);
+  if (hands_on && !edit.numbers.empty()) {
+    if (plan.parts.empty()) throw bad("nothing that is kept has free numbers", "tell none");
+    Plan part = *plan.parts.begin()->second;
+    part.numbers = merged(part.numbers, edit.numbers);
+    plan.parts.begin()->second = std::make_shared<const Plan>(std::move(part));
+  }
+  return with_what_fits(state, node, std::move(plan), edit.numbers);
+}
+
+}  // namespace
+}  // namespace vug::modeller
+
+VUG_EDIT_KIND(change) {
+  return {
+      "change",
+      "another rule in place of the one that divides a node, as another type of grid; parts and "
+      "numbers stay as far as they fit",
+      true,
+      true,
+      {},
+      run};
+}

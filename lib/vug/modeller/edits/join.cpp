@@ -1,0 +1,33 @@
+#include <vug/modeller/plans.h>
+
+namespace vug::modeller {
+namespace {
+
+State run(const State& state, int node, const Edit&) {
+  require_divided(state, node);
+  facade::Plan plan = state.decided(node);
+  if (!plan.apart) throw Error(ErrorCode::bad_input, "the node's parts have not been separated");
+  plan.apart = false;
+  State made = state.with(node, std::make_shared<const facade::Plan>(plan));
+  // What was decided of the others is forgotten.
+  const int here = made.at(state.way(node));
+  std::map<facade::Place, facade::PlanPtr> parts;
+  for (const int part : made.parts(here))
+    if (const auto known = plan.parts.find(made.planned(part).place); known != plan.parts.end())
+      parts.insert(*known);
+  if (parts.size() == plan.parts.size()) return made;
+  plan.parts = std::move(parts);
+  return state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));
+}
+
+}  // namespace
+}  // namespace vug::modeller
+
+VUG_EDIT_KIND(join) {
+  return {"join",
+          "makes separated parts one again; all become as the first, on the left or at the bottom",
+          false,
+          false,
+          {},
+          run};
+}

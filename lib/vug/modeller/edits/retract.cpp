@@ -1,0 +1,19 @@
+#include <vug/modeller/plans.h>
+
+namespace vug::modeller {
+namespace {
+
+State run(const State& state, int node, const Edit&) {
+  if (!state.planned(node).plan)
+    throw Error(ErrorCode::bad_input, "nothing is decided of the node", {},
+                "no rule divides it yet");
+  return state.with(node, nullptr);
+}
+
+}  // namespace
+}  // namespace vug::modeller
+
+VUG_EDIT_KIND(retract) {
+  return {"retract", "takes away the rule that divides a node, and all below it", false, false, {},
+          run};
+}

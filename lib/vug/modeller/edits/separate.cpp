@@ -1,0 +1,36 @@
+#include <vug/modeller/plans.h>
+
+#include <algorithm>
+
+namespace vug::modeller {
+namespace {
+
+State run(const State& state, int node, const Edit&) {
+  require_divided(state, node);
+  const std::vector<int> parts = state.parts(node);
+  if (std::all_of(parts.begin(), parts.end(),
+                  [&](int part) { return state.node(part).copies.empty(); }))
+    throw Error(ErrorCode::bad_input, "nothing of the node is mirrored or repeated");
+  facade::Plan plan = state.decided(node);
+  plan.apart = true;
+  const State apart = state.with(node, std::make_shared<const facade::Plan>(plan));
+  // Each place begins as what was stamped there.
+  for (const int part : apart.parts(apart.at(state.way(node)))) {
+    const facade::Place place = apart.planned(part).place;
+    const auto stamped = plan.parts.find({place.item, place.part, 0, 0});
+    if (stamped != plan.parts.end()) plan.parts.try_emplace(place, stamped->second);
+  }
+  return state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));
+}
+
+}  // namespace
+}  // namespace vug::modeller
+
+VUG_EDIT_KIND(separate) {
+  return {"separate",
+          "breaks a symmetry: what the node's split stamps again becomes parts of their own",
+          false,
+          false,
+          {},
+          run};
+}

@@ -1,0 +1,49 @@
+#include <vug/modeller/plans.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vug::modeller {
+namespace {
+
+int whole(const facade::Node& grid, const Edit& edit, const std::string& name,
+          const std::string& counts) {
+  double most = 0;
+  for (const auto& [known, value] : grid.numbers)
+    if (known == counts) most = value;
+  const double value = edit.numbers.at(name)[0];
+  if (value >= 0 && value < most && value == std::floor(value)) return static_cast<int>(value);
+  throw facade::Unfit(facade::Reason::does_not_fit, name,
+                      fmt::format("there is no {} {}", name, value),
+                      fmt::format("the grid has {} {}, counted from 0", most, counts));
+}
+
+State run(const State& state, int node, const Edit& edit) {
+  require_divided(state, node);
+  if (node == State::kWhole || state.node(node).split != "grid")
+    throw Error(ErrorCode::bad_input, "the node is not divided by a grid");
+  if (!has_cells(state, node))
+    throw Error(ErrorCode::bad_input, "all cells of this grid are one", {},
+                "change it to one that is not identical, or separate its cells");
+  const std::pair<int, int> cell(whole(state.node(node), edit, "column", "columns"),
+                                 whole(state.node(node), edit, "row", "rows"));
+  facade::Plan plan = state.decided(node);
+  if (!plan.off.erase(cell)) plan.off.insert(cell);
+  State made = state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));
+  if (made.parts(made.at(state.way(node))).empty())
+    throw Error(ErrorCode::bad_input, "it is the last cell of the grid", {}, "retract the grid");
+  return made;
+}
+
+}  // namespace
+}  // namespace vug::modeller
+
+VUG_EDIT_KIND(toggle) {
+  return {"toggle",
+          "takes what stands in one cell of a grid away, or puts it back",
+          false,
+          false,
+          {"column", "row"},
+          run};
+}

@@ -1,0 +1,140 @@
+#include <vug/modeller/plans.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace vug::modeller {
+
+using facade::Plan;
+using facade::PlanPtr;
+using facade::Unfit;
+
+namespace {
+
+Error bad(const std::string& message, const std::string& hint = {}) {
+  return Error(ErrorCode::bad_input, message, {}, hint);
+}
+
+std::string called(const State& state, int node) {
+  return node == State::kWhole
+             ? "the facade"
+             : fmt::format("'{}' at {}", state.node(node).symbol, state.path(node));
+}
+
+/// One number fewer, as with_what_fits says; false where it is not the numbers' fault.
+bool without(Plan& plan, const std::string& name, const facade::Told& needed) {
+  const auto found = plan.numbers.find(name);
+  if (found == plan.numbers.end() || needed.count(name)) return false;
+  std::vector<double>& values = found->second;
+  if (values.size() > 1)
+    values = {std::accumulate(values.begin(), values.end(), 0.0) /
+              static_cast<double>(values.size())};
+  else
+    plan.numbers.erase(found);
+  return true;
+}
+
+/// `plan`, with `part` in place of the one part that it has.
+Plan with_part(const Plan& plan, const Plan& part) {
+  Plan out = plan;
+  out.parts.begin()->second = std::make_shared<const Plan>(part);
+  return out;
+}
+
+}  // namespace
+
+void require_open(const State& state, int node) {
+  if (node == State::kWhole) throw bad("the facade itself has no rules", "its axiom is node 0");
+  if (state.rule(node) >= 0)
+    throw Unfit(facade::Reason::divided, "",
+                fmt::format("{} is divided already, by {}", called(state, node),
+                            state.style().rule_name(state.rule(node))),
+                "retract that, or change it");
+  if (state.node(node).element)
+    throw bad(fmt::format("{} is an element", called(state, node)), "it is not divided further");
+  if (!state.node(node).stuck)
+    throw bad(fmt::format("{} stands within a rule, which divides it", called(state, node)));
+}
+
+void require_divided(const State& state, int node) {
+  if (node == State::kWhole) return;
+  const facade::Node& it = state.node(node);
+  if (it.stuck || it.element)
+    throw bad(fmt::format("{} is not divided", called(state, node)),
+              it.stuck ? "apply a rule first" : "it is an element");
+}
+
+PlanPtr plan_of(int rule, const facade::Told& numbers) {
+  Plan out;
+  out.rule = rule;
+  for (const auto& [name, values] : numbers)
+    if (!values.empty()) out.numbers[name] = values;
+  return std::make_shared<const Plan>(std::move(out));
+}
+
+State first_fitting(const State& state, int node, const std::vector<PlanPtr>& plans) {
+  std::exception_ptr first;
+  for (const PlanPtr& plan : plans) {
+    try {
+      return state.with(node, plan);
+    } catch (const Unfit&) {
+      if (!first) first = std::current_exception();
+    }
+  }
+  if (first) std::rethrow_exception(first);
+  throw Error(ErrorCode::internal, "there is no plan to choose from");
+}
+
+PlanPtr translated(const Style& style, const PlanPtr& plan, const std::string& symbol) {
+  if (!plan || plan->rule < 0) return plan;
+  const facade::Rule& rule = style.rule(plan->rule);
+  if (rule.head == symbol) return plan;
+  for (const int each : style.rules_of(symbol))
+    if (style.rule_name(each) == style.rule_name(plan->rule)) {
+      Plan out = *plan;
+      out.rule = each;
+      return std::make_shared<const Plan>(std::move(out));
+    }
+  return nullptr;
+}
+
+State with_what_fits(const State& state, int node, Plan plan, const facade::Told& needed) {
+  // A rule that hands its rectangle on has its numbers in the part's plan.
+  const bool handed = plan.rule >= 0 && state.style().passes_to(plan.rule) && !plan.parts.empty();
+  Plan inner = handed && plan.parts.begin()->second ? *plan.parts.begin()->second : Plan();
+  while (true) {
+    const Plan whole = handed ? with_part(plan, inner) : plan;
+    try {
+      return state.with(node, std::make_shared<const Plan>(whole));
+    } catch (const Unfit& unfit) {
+      if (!without(handed ? inner : plan, unfit.number(), needed)) throw;
+    }
+  }
+}
+
+facade::Told merged(facade::Told numbers, const facade::Told& changes) {
+  for (const auto& [name, values] : changes) {
+    if (values.empty())
+      numbers.erase(name);
+    else
+      numbers[name] = values;
+  }
+  return numbers;
+}
+
+bool has_cells(const State& state, int node) {
+  std::set<std::pair<int, int>> places;
+  const std::vector<int> parts = state.parts(node);
+  for (const int part : parts) {
+    if (!state.node(part).copies.empty()) return false;
+    const facade::Place& place = state.planned(part).place;
+    if (place.row >= 0) places.insert({place.column, place.row});
+  }
+  const auto& off = state.decided(node).off;
+  return places.size() + off.size() > 1 || !off.empty();
+}
+
+}  // namespace vug::modeller

@@ -1,0 +1,65 @@
+// Facades to model, for tests.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <vug/base/atomic_file.h>
+#include <vug/facade/tree_output.h>
+#include <vug/modeller/edit.h>
+#include <vug/scene/parser.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+namespace vug::modeller {
+
+inline StylePtr style_of(const std::string& text) {
+  Diagnostics diagnostics;
+  scene::Document document = scene::parse(text, "test.vug", diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  return Style::make(std::move(document));
+}
+
+/// The grammar of the paper.
+inline StylePtr ripperda() {
+  static const StylePtr made =
+      style_of(read_text(std::filesystem::path(VUG_DATA) / "facades" / "ripperda.vug"));
+  return made;
+}
+
+inline State blank(double width = 12, double height = 9) {
+  return {ripperda(), {.width = width, .height = height}};
+}
+
+/// The state after edits as lines of text.
+inline State after(State state, const std::vector<std::string>& edits) {
+  for (const std::string& each : edits) state = edited(state, parse_edit(each));
+  return state;
+}
+
+/// "key: message (hint)" of an edit that is refused.
+inline std::string refusal(const State& state, const std::string& edit) {
+  try {
+    edited(state, parse_edit(edit));
+  } catch (const Refused& refused) {
+    return refused.key() + ": " + refused.what() +
+           (refused.hint().empty() ? "" : " (" + refused.hint() + ")");
+  }
+  return "";
+}
+
+/// Everything that is made of a state.
+inline std::string bytes(const State& state) { return facade::tree_json(state.tree()); }
+
+/// Places of all elements, from the left, then from the bottom.
+inline std::vector<facade::Rect> rects(const State& state, const std::string& kind = "window") {
+  std::vector<facade::Rect> out;
+  for (const facade::Standing& one : facade::standing(state.tree()))
+    if (state.node(one.node).element->kind() == kind) out.push_back(one.rect);
+  std::sort(out.begin(), out.end(), [](const facade::Rect& a, const facade::Rect& b) {
+    return std::pair(a.x, a.y) < std::pair(b.x, b.y);
+  });
+  return out;
+}
+
+}  // namespace vug::modeller
