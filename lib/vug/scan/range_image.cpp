@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kGap = 1.0;  ///< Metres on a side of cells that hang together when they touch.
 
+/// Points that tell how far the facade reaches are this many tolerances from the plane: walls bow.
+constexpr double kBend = 3;
+
 /// Points within the two distances from the plane, on it.
 std::vector<Vec2d> on_plane(const Cloud& cloud, const PlaneFrame& frame, double before,
                             double behind) {
@@ -121,7 +124,8 @@ double spacing(const Cloud& cloud, const PlaneFrame& frame, const RangeOptions& 
 
 RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOptions& options) {
   require_sound(options);
-  const std::vector<Vec2d> near = on_plane(cloud, plane.frame, plane.tolerance, plane.tolerance);
+  const double reach = kBend * plane.tolerance;
+  const std::vector<Vec2d> near = on_plane(cloud, plane.frame, reach, reach);
   if (near.empty()) throw Error(ErrorCode::bad_input, "no point of the cloud lies near the plane");
   const Imath::Box2d box = extent(near);
   // The last pixel is the one in which the last point lies.
@@ -144,8 +148,8 @@ RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOpt
   take_depths(image, buckets_of(cloud, image, options), options.depth);
   // Points of a regular grid are within 0.71 of its spacing from any place; scanners are not so
   // regular.
-  const double reach = options.fill < 0 ? 1.2 * spacing(cloud, plane.frame, options) : options.fill;
-  fill(image, std::min(reach / options.pixel, wide + high));
+  const double apart = options.fill < 0 ? 1.2 * spacing(cloud, plane.frame, options) : options.fill;
+  fill(image, std::min(apart / options.pixel, wide + high));
   return image;
 }
 

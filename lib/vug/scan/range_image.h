@@ -49,9 +49,10 @@ struct RangeOptions {
   uint64_t memory = available_memory();  ///< Bytes the image may take while it is made.
 };
 
-/// The raster reaches as far as the points near the plane do that hang together: what stands half
-/// a metre or more beside them is no part of the facade. Error(bad_input) for options out of range,
-/// Error(too_large) before memory is taken. The same for any number of threads.
+/// The raster reaches as far as the points within three tolerances of the plane do that hang
+/// together: what stands two metres beside them is no part of the facade. Error(bad_input) for
+/// options out of range, Error(too_large) before memory is taken. The same for any number of
+/// threads.
 RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOptions& options = {});
 
 /// How far apart neighbouring points of a surface on the plane are, in metres: a half of them stand

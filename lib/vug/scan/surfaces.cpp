@@ -1,0 +1,76 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/scan/mask.h>
+#include <vug/scan/surfaces.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::scan {
+namespace {
+
+/// With gaps up to twice the radius closed; beyond the sides and the top there is nothing, below
+/// there is the ground.
+Mask sealed(const Mask& solid, int radius) {
+  Mask wide(solid.width + 2 * radius, solid.height + radius);
+  for (int y = 0; y < solid.height; ++y)
+    for (int x = 0; x < solid.width; ++x)
+      wide.on[wide.index(x + radius, y + radius)] = solid.at(x, y);
+  wide = closed(wide, radius);
+  Mask out = solid;
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x)
+      out.on[out.index(x, y)] |= wide.on[wide.index(x + radius, y + radius)];
+  return out;
+}
+
+/// What is off and touches the left, right or upper border through pixels that are off.
+Mask outside_of(const Mask& solid) {
+  Mask out(solid.width, solid.height);
+  std::vector<std::pair<int, int>> open;
+  const auto enter = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= solid.width || y >= solid.height) return;
+    if (solid.at(x, y) || out.at(x, y)) return;
+    out.on[out.index(x, y)] = 1;
+    open.emplace_back(x, y);
+  };
+  for (int x = 0; x < solid.width; ++x) enter(x, 0);
+  for (int y = 0; y < solid.height; ++y) enter(0, y), enter(solid.width - 1, y);
+  while (!open.empty()) {
+    const auto [x, y] = open.back();
+    open.pop_back();
+    enter(x - 1, y), enter(x + 1, y), enter(x, y - 1), enter(x, y + 1);
+  }
+  return out;
+}
+
+}  // namespace
+
+SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {
+  if (!std::isfinite(options.set_back) || !(options.hull >= 0 && std::isfinite(options.hull)))
+    throw Error(ErrorCode::bad_input, "the measures of a facade's surface must be finite");
+  SurfaceMap out;
+  out.wall = options.bent ? fit_wall(range, options.wall) : flat_wall();
+  const double told_apart = options.bent ? std::max(0.03, 3 * out.wall.rms) : 0.05;
+  out.set_back = options.set_back >= 0 ? options.set_back : told_apart;
+  Mask solid(range.width, range.height);
+  for (size_t p = 0; p < range.pixel_count(); ++p) solid.on[p] = !std::isnan(range.depth[p]);
+  const int radius = pixels_of(options.hull / 2, range.pixel, std::max(range.width, range.height));
+  const Mask outside = outside_of(sealed(solid, radius));
+  out.surface.assign(range.pixel_count(), Surface::outside);
+  parallel_for(static_cast<size_t>(range.height), [&](size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < range.width; ++x) {
+      const size_t p = range.index(x, y);
+      if (!solid.on[p]) {
+        out.surface[p] = outside.on[p] ? Surface::outside : Surface::nothing;
+      } else {
+        const double before = range.depth[p] - out.wall.at(range.middle(x, y));
+        out.surface[p] = before < -out.set_back ? Surface::behind : Surface::wall;
+      }
+    }
+  });
+  return out;
+}
+
+}  // namespace vug::scan

@@ -1,0 +1,167 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/scan/wall.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vug::scan {
+namespace {
+
+struct Sample {
+  Vec2d place;
+  double depth = 0;
+};
+
+/// The median depth of each cell that has any.
+std::vector<Sample> samples_of(const RangeImage& range, double cell) {
+  const int side = std::max(
+      1, static_cast<int>(
+             std::lround(std::min(cell / range.pixel, std::max(range.width, range.height) * 1.0))));
+  const int across = (range.width + side - 1) / side, down = (range.height + side - 1) / side;
+  std::vector<Sample> all(static_cast<size_t>(across) * static_cast<size_t>(down));
+  parallel_for(all.size(), [&](size_t i) {
+    const int x0 = static_cast<int>(i % static_cast<size_t>(across)) * side;
+    const int y0 = static_cast<int>(i / static_cast<size_t>(across)) * side;
+    std::vector<float> depths;
+    for (int y = y0; y < std::min(y0 + side, range.height); ++y)
+      for (int x = x0; x < std::min(x0 + side, range.width); ++x)
+        if (const float d = range.depth[range.index(x, y)]; !std::isnan(d)) depths.push_back(d);
+    all[i].depth = std::nan("");
+    if (depths.empty()) return;
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::nth_element(depths.begin(), middle, depths.end());
+    all[i] = {{(x0 + 0.5 * side) * range.pixel, (range.height - y0 - 0.5 * side) * range.pixel},
+              *middle};
+  });
+  std::erase_if(all, [](const Sample& s) { return std::isnan(s.depth); });
+  return all;
+}
+
+/// The four nodes around a place, and their parts of its depth.
+struct Around {
+  std::array<int, 4> node{};
+  std::array<double, 4> part{};
+};
+
+Around around(const Wall& wall, const Vec2d& place) {
+  const auto axis = [&](double v, int nodes) {
+    const double at = std::clamp(v / wall.step, 0.0, nodes - 1.0);
+    const int low = std::clamp(static_cast<int>(at), 0, std::max(0, nodes - 2));
+    return std::pair(low, at - low);
+  };
+  const auto [x, u] = axis(place.x, wall.across);
+  const auto [y, v] = axis(place.y, wall.up);
+  const int right = wall.across > 1 ? 1 : 0, above = wall.up > 1 ? wall.across : 0;
+  const int node = y * wall.across + x;
+  return {{node, node + right, node + above, node + above + right},
+          {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
+}
+
+class WallFitter {
+ public:
+  WallFitter(const RangeImage& range, const WallOptions& options)
+      : options_(options), samples_(samples_of(range, options.cell)) {
+    if (samples_.empty()) throw Error(ErrorCode::bad_input, "the range image holds no depth");
+    const auto nodes = [&](double metres) {
+      return static_cast<int>(std::ceil(std::min(metres / options.step, 1e4))) + 1;
+    };
+    wall_.step = options.step;
+    wall_.across = nodes(range.metres_wide()), wall_.up = nodes(range.metres_high());
+    wall_.depths.assign(static_cast<size_t>(wall_.across) * static_cast<size_t>(wall_.up), 0);
+    for (const Sample& sample : samples_) around_.push_back(around(wall_, sample.place));
+  }
+
+  Wall fit() {
+    constexpr double kBefore = 0.95;  // pull of what lies before the surface; 1 less this, behind
+    constexpr double kWidest = 8;     // reach of that pull at first, in parts of the noise
+    constexpr double kBend = 1;       // metres by which a wall may differ from the plane
+    for (int round = 0; round < 3; ++round) solve(kBend, 0.5);
+    for (double reach = kWidest; reach >= 1; reach *= 0.75)
+      for (int round = 0; round < 3; ++round)
+        solve(reach * options_.noise, reach > 2 ? kBefore : 0.5);
+    for (int round = 0; round < 5; ++round) solve(options_.noise, 0.5);
+    double squares = 0, count = 0;
+    for (size_t i = 0; i < samples_.size(); ++i) {
+      const double r = residual(i);
+      if (std::fabs(r) <= 2 * options_.noise) squares += r * r, ++count;
+    }
+    wall_.rms = count > 0 ? std::sqrt(squares / count) : 0;
+    return std::move(wall_);
+  }
+
+ private:
+  double residual(size_t i) const {
+    double surface = 0;
+    for (size_t k = 0; k < 4; ++k)
+      surface += around_[i].part[k] * wall_.depths[static_cast<size_t>(around_[i].node[k])];
+    return samples_[i].depth - surface;
+  }
+
+  void solve(double reach, double pull_before) {
+    const auto count = static_cast<Eigen::Index>(wall_.depths.size());
+    std::vector<Eigen::Triplet<double>> terms;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+    for (size_t i = 0; i < samples_.size(); ++i) {
+      const double r = residual(i), fall = 1 + r * r / (reach * reach);
+      const double weight = (r > 0 ? pull_before : 1 - pull_before) / (fall * fall);
+      for (size_t a = 0; a < 4; ++a) {
+        const double part = weight * around_[i].part[a];
+        right[around_[i].node[a]] += part * samples_[i].depth;
+        for (size_t b = 0; b < 4; ++b)
+          terms.emplace_back(around_[i].node[a], around_[i].node[b], part * around_[i].part[b]);
+      }
+    }
+    add_bends(terms);
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(terms.begin(), terms.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const Eigen::VectorXd depths = solver.solve(right);
+    std::copy(depths.begin(), depths.end(), wall_.depths.begin());
+  }
+
+  /// Squared second differences along both axes, and a trace of squared depths for what hangs on
+  /// nothing else.
+  void add_bends(std::vector<Eigen::Triplet<double>>& terms) const {
+    const double cells = options_.step / options_.cell;
+    const double weight = 0.01 * options_.stiffness * cells * cells;
+    const auto bend = [&](int a, int b, int c) {
+      const std::array<std::pair<int, double>, 3> row = {{{a, 1}, {b, -2}, {c, 1}}};
+      for (const auto& [i, u] : row)
+        for (const auto& [j, v] : row) terms.emplace_back(i, j, weight * u * v);
+    };
+    for (int y = 0; y < wall_.up; ++y)
+      for (int x = 0; x < wall_.across; ++x) {
+        const int node = y * wall_.across + x;
+        terms.emplace_back(node, node, 1e-6 * weight);
+        if (x > 0 && x + 1 < wall_.across) bend(node - 1, node, node + 1);
+        if (y > 0 && y + 1 < wall_.up) bend(node - wall_.across, node, node + wall_.across);
+      }
+  }
+
+  const WallOptions& options_;
+  std::vector<Sample> samples_;
+  std::vector<Around> around_;
+  Wall wall_;
+};
+
+}  // namespace
+
+double Wall::at(const Vec2d& place) const {
+  const Around near = around(*this, place);
+  double out = 0;
+  for (size_t k = 0; k < 4; ++k) out += near.part[k] * depths[static_cast<size_t>(near.node[k])];
+  return out;
+}
+
+Wall fit_wall(const RangeImage& range, const WallOptions& options) {
+  for (const double number : {options.step, options.cell, options.noise, options.stiffness})
+    if (!(number > 0 && std::isfinite(number)))
+      throw Error(ErrorCode::bad_input, "the options of a wall's surface must be above 0");
+  return WallFitter(range, options).fit();
+}
+
+}  // namespace vug::scan

@@ -1,0 +1,53 @@
+// Real facades whose files tell what they hold: one file a door, a group of windows or the wall.
+#pragma once
+
+#include <vug/scan/openings.h>
+#include <vug/scan/read.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vug::scan {
+
+struct Building {
+  std::vector<std::string> names;  ///< Of doors and groups of windows.
+  std::vector<Cloud> elements;
+  Cloud cloud;  ///< All files.
+};
+
+inline Building read_building(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".txt") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Building out;
+  out.cloud = read_clouds(files);
+  for (const auto& file : files) {
+    const std::string name = file.stem().string();
+    if (name.starts_with("wall")) continue;
+    out.names.push_back(name);
+    out.elements.push_back(read_clouds({file}));
+  }
+  return out;
+}
+
+/// Around each element's points on the plane, without the outermost half per cent on each side.
+inline std::vector<Box> true_boxes(const Building& building, const PlaneFrame& frame) {
+  std::vector<Box> out;
+  for (const Cloud& element : building.elements) {
+    std::vector<double> x, y;
+    for (const Vec3d& p : element.positions) {
+      x.push_back(frame.local(p).x);
+      y.push_back(frame.local(p).y);
+    }
+    std::sort(x.begin(), x.end());
+    std::sort(y.begin(), y.end());
+    const size_t cut = x.size() / 200;
+    out.emplace_back(Vec2d(x[cut], y[cut]), Vec2d(x[x.size() - 1 - cut], y[y.size() - 1 - cut]));
+  }
+  return out;
+}
+
+}  // namespace vug::scan

@@ -1,0 +1,18 @@
+// Data from outside that tests may have.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+/// The folder that the environment variable VUG_EXTERNAL_DATA names, or shared/data beside the
+/// sources; empty where there is none.
+inline std::filesystem::path external_data() {
+  const char* told = std::getenv("VUG_EXTERNAL_DATA");
+  const std::filesystem::path folder = told && *told
+                                           ? std::filesystem::path(told)
+                                           : std::filesystem::path(VUG_DATA) / "../../shared/data";
+  std::error_code missing;
+  return std::filesystem::is_directory(folder, missing) ? folder : std::filesystem::path();
+}
