@@ -53,6 +53,23 @@ class FacadeFit(VugTest):
         again = self.expect(0, "tree", "out/photo.vug", "--elements").out
         self.assertEqual(again.count("window,"), len(windows))
 
+    def test_a_scan(self):
+        points = []
+        for i in range(160):
+            for j in range(100):
+                x, y = 0.04 * i, 0.04 * j
+                window = 1 <= x % 3.2 < 2.2 and 1 <= y < 3
+                points.append(f"{x:.3f} {0.3 if window else 0} {y:.3f}")
+        self.write("scan.txt", "\n".join(points))
+        self.expect(0, "facade", "fit", "--cloud", "scan.txt", "-o", "out", "--steps", 20000, "--no-carving")
+        tree = json.loads((self.folder / "out/scan.json").read_text())
+        self.assertAlmostEqual(tree["width"], 6.36, delta=0.1)
+        windows = [one["rect"] for one in tree["elements"] if one["kind"] == "window"]
+        true = [(1, 1, 1.2, 2), (4.2, 1, 1.2, 2)]
+        self.assertGreater(shared(windows, true), 0.85 * area(true), tree["theta"])
+        self.assertLess(area(windows), 1.2 * area(true), tree["theta"])
+        self.expect(0, "info", "out/scan.depth.exr")
+
     def test_same_bytes_for_any_threads(self):
         self.photo()
         for threads in (1, 2, 7):

@@ -126,11 +126,11 @@ class Bridge {
   facade::Numbers numbers(int i) const {
     const Node& grid = node(i);
     const Area& area = state_.area(i);
-    // Lines from the top are those from the foot of the first window in each row.
+    // Lines are told from the top; splits count from the foot, where a row's highest window ends.
     std::vector<double> x, y;
     for (int c = 0; c < grid.columns; ++c) x.push_back(grid.left[static_cast<size_t>(c)] * pixel_);
     for (int r = grid.rows; r-- > 0;)
-      y.push_back((area.height - grid.top[static_cast<size_t>(r)] - node(i + 1).height) * pixel_);
+      y.push_back((area.height - grid.top[static_cast<size_t>(r)] - row_height(i, r)) * pixel_);
     facade::Numbers out = {{"columns", static_cast<double>(grid.columns)},
                            {"rows", static_cast<double>(grid.rows)},
                            {"x", x[0]},
@@ -141,6 +141,16 @@ class Bridge {
       for (size_t k = 1; k < told; ++k) out.emplace_back(name, (*line)[k] - (*line)[k - 1]);
     }
     return out;
+  }
+
+  /// Of the highest window in that row of grid i, pixels.
+  int row_height(int i, int row) const {
+    int most = 0;
+    for (int c = 0; c < node(i).columns; ++c) {
+      const int kind = symbol(i).identical ? 1 : node(i).kind(c, row);
+      if (kind > 0) most = std::max<int>(most, node(i + kind).height);
+    }
+    return most;
   }
 
   const facade::Rules& text_;

@@ -12,6 +12,19 @@
 namespace vug::session {
 namespace {
 
+fit::Evidence evidence_of(const FacadePicture& picture, const FacadeFitOptions& options,
+                          RandomKey key) {
+  if (!options.looks)
+    return fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
+                              picture.depth ? &*picture.depth : nullptr, options.clusters, key)
+        .evidence();
+  if (!picture.colours)
+    throw Error(ErrorCode::bad_input, "looks are of colours, and there is no photo");
+  const fit::Planes maps = options.looks->classify(*picture.colours);
+  return fit::look_evidence(fit::enlarged(maps, picture.width, picture.height),
+                            options.looks->classes());
+}
+
 /// Middle of how far the windows' pixels lie behind the wall; 0 without depth.
 double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
   if (!picture.depth) return 0;
@@ -37,13 +50,10 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   const facade::Rules text = facade::load_rules(options.grammar);
   const fit::Rules rules = fit::compile(text);
   const RandomKey key = RandomKey(options.seed).at("facade fit");
-  const fit::Evidence evidence = fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
-                                                    picture.depth ? &*picture.depth : nullptr,
-                                                    options.clusters, key.at("clusters"))
-                                     .evidence();
+  const fit::Evidence evidence = evidence_of(picture, options, key.at("clusters"));
   FacadeFit out;
   fit::ReadOptions how;
-  how.likelihood = options.likelihood;
+  how.likelihood = options.looks ? "supervised" : options.likelihood;
   how.sampler = options.sampler;
   out.reading = fit::read(evidence, rules, how, key.at("chains"), progress);
   out.pixel = picture.pixel > 0 ? picture.pixel : options.width / picture.width;

@@ -4,8 +4,11 @@
 #include <vug/base/progress.h>
 #include <vug/facade/tree.h>
 #include <vug/fit/cluster_image.h>
+#include <vug/fit/looks.h>
 #include <vug/fit/read.h>
 #include <vug/session/facade_picture.h>
+
+#include <memory>
 
 namespace vug::session {
 
@@ -13,6 +16,8 @@ struct FacadeFitOptions {
   std::filesystem::path grammar;  ///< Rules with free sizes.
   std::string likelihood = "kt";  ///< Of fit::likelihood_kinds.
   fit::ClusterImageOptions clusters;
+  /// Trained looks: pictures of their limits are read by them, with the likelihood `supervised`.
+  std::shared_ptr<const fit::LookModel> looks;
   double width = 12;  ///< Of the facade in metres, where the picture does not tell.
   fit::SamplerOptions sampler;
   uint64_t seed = 0;

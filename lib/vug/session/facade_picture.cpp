@@ -109,15 +109,36 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
   return out;
 }
 
-FacadePicture facade_picture(const scan::RangeImage& range, const fit::WorkingLimits& limits) {
-  const fit::WorkingSize size = fit::working_size(range.width, range.height, limits);
+namespace {
+
+image::Image depth_behind(const scan::RangeImage& range, fit::WorkingSize size) {
   image::Image depth(range.width, range.height, {"depth"});
   for (size_t i = 0; i < depth.pixels.size(); ++i) depth.pixels[i] = -range.depth[i];
+  return fit::reduced(depth, size);
+}
+
+}  // namespace
+
+FacadePicture facade_picture(const scan::RangeImage& range, const fit::WorkingLimits& limits) {
+  const fit::WorkingSize size = fit::working_size(range.width, range.height, limits);
   FacadePicture out;
   out.width = size.width, out.height = size.height;
   out.pixel = range.metres_wide() / size.width;
-  out.depth = fit::reduced(depth, size);
+  out.depth = depth_behind(range, size);
   return out;
+}
+
+void add_depth(FacadePicture& picture, const scan::RangeImage& range) {
+  const double shape = range.metres_wide() / range.metres_high() * picture.height / picture.width;
+  if (std::abs(shape - 1) > 0.05 || range.width < picture.width || range.height < picture.height)
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("the scan shows {:.2f} x {:.2f} m of the wall, which has not the shape of "
+                    "the picture",
+                    range.metres_wide(), range.metres_high()),
+        {}, "cut the picture to the same rectangle, or rectify it");
+  picture.depth = depth_behind(range, {picture.width, picture.height});
+  picture.pixel = range.metres_wide() / picture.width;
 }
 
 }  // namespace vug::session

@@ -31,5 +31,8 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
 
 /// Of what a scanner saw alone.
 FacadePicture facade_picture(const scan::RangeImage& range, const fit::WorkingLimits& limits = {});
+/// The depth of what a scanner saw, and the size of a pixel, for a photo of the same rectangle.
+/// Error(bad_input) where their shapes differ.
+void add_depth(FacadePicture& picture, const scan::RangeImage& range);
 
 }  // namespace vug::session

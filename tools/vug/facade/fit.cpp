@@ -4,13 +4,18 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/facade/tree_output.h>
+#include <vug/image/io.h>
+#include <vug/scan/read.h>
 #include <vug/session/data_folders.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/write.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 
 namespace vug::cli {
@@ -19,13 +24,18 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string photo, folder, name, width;
-  std::string grammar;
+  std::string photo, folder, name, grammar, looks;
+  std::vector<std::string> clouds;
   session::FacadePictureOptions picture;
   session::FacadeFitOptions fit;
+  scan::PlaneOptions plane;
   WorkOptions work;
-  double metres = 12;
   bool no_carving = false;
+
+  const std::string& first_input() const { return photo.empty() ? clouds.front() : photo; }
+  uint64_t memory() const {
+    return work.max_memory.empty() ? available_memory() : parse_bytes(work.max_memory);
+  }
 };
 
 /// A name that scenes can use, of a file's.
@@ -61,34 +71,91 @@ void carve(const std::string& scene, const fs::path& vug, const fs::path& vdb,
   session::write_volumes(builder, vdb);
 }
 
+/// What is to be read, and with a cloud what the scanner saw of it.
+struct Input {
+  session::FacadePicture picture;
+  std::optional<scan::RangeImage> range;
+};
+
+Input read_input(const Options& options) {
+  Input in;
+  if (!options.clouds.empty()) {
+    const scan::Cloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
+                                                {.memory = options.memory()});
+    const RandomKey key = RandomKey(options.fit.seed).at("facade fit");
+    const scan::PlaneFit plane = scan::fit_plane(cloud, options.plane, key.at("plane"));
+    scan::RangeOptions range;
+    range.memory = options.memory();
+    in.range = scan::range_image(cloud, plane, range);
+    if (!options.work.quiet) {
+      clear_bar();
+      fmt::print(stderr, "the wall is a plane within {:.1f} cm of {} of {} points\n",
+                 100 * plane.rms, plane.inliers, cloud.size());
+    }
+  }
+  in.picture = options.photo.empty() ? session::facade_picture(*in.range, options.picture.limits)
+                                     : session::read_facade_picture(options.photo, options.picture);
+  if (in.range && !options.photo.empty()) session::add_depth(in.picture, *in.range);
+  return in;
+}
+
+/// The depth as a grey picture, deeper darker, holes black: what drawings lie over where there is
+/// no photo.
+image::Image grey_of(const scan::RangeImage& range) {
+  image::Image out(range.width, range.height, {"R", "G", "B"});
+  for (size_t i = 0; i < out.pixels.size(); ++i) {
+    const float depth = range.depth[i / 3];
+    out.pixels[i] = std::isfinite(depth) ? std::clamp(0.5F + depth, 0.05F, 1.0F) : 0.0F;
+  }
+  return out;
+}
+
 int run(Options options) {
+  if (options.photo.empty() && options.clouds.empty())
+    throw Error(ErrorCode::bad_input, "there is nothing to read", {},
+                "name a picture, or a scan with --cloud");
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar());
   const fs::path folder = options.folder;
-  if (options.name.empty()) options.name = name_of(options.photo);
+  if (options.name.empty()) options.name = name_of(options.first_input());
   const auto file = [&](const char* ending) { return folder / (options.name + ending); };
-  std::vector<fs::path> outputs = {file(".vug"), file(".json"), file(".svg")};
-  if (!options.no_carving) outputs.push_back(file(".vdb"));
-  std::vector<fs::path> inputs = {options.photo};
-  if (!options.picture.depth.empty()) inputs.push_back(options.picture.depth);
+  const fs::path scene_file = file(".vug"), tree_file = file(".json"), drawing = file(".svg"),
+                 carved = file(".vdb"), grey = file(".depth.png"), range = file(".depth.exr");
+  std::vector<fs::path> outputs = {scene_file, tree_file, drawing};
+  if (!options.no_carving) outputs.push_back(carved);
+  if (!options.clouds.empty()) outputs.insert(outputs.end(), {range, grey});
+  std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
+  for (const fs::path& one :
+       {fs::path(options.photo), options.picture.depth, fs::path(options.looks)})
+    if (!one.empty()) inputs.push_back(one);
   require_outputs(outputs, inputs);
 
   options.fit.grammar = options.grammar.empty() ? default_grammar() : fs::path(options.grammar);
-  options.fit.width = options.metres;
-  const session::FacadePicture picture =
-      session::read_facade_picture(options.photo, options.picture);
-  const session::FacadeFit fit = session::fit_facade(picture, options.fit, progress);
+  options.picture.max_memory = options.memory();
+  if (!options.looks.empty()) {
+    options.fit.looks = std::make_shared<const fit::LookModel>(fit::LookModel::read(options.looks));
+    options.picture.limits = options.fit.looks->limits();
+  }
+  const Input in = read_input(options);
+  const session::FacadeFit fit = session::fit_facade(in.picture, options.fit, progress);
   const std::string scene = session::facade_scene(
-      fit, options.name, "Read from " + fs::path(options.photo).filename().string() + ".");
-  write_text(outputs[0], scene);
-  write_text(outputs[1], facade::tree_json(fit.tree));
-  write_text(outputs[2],
-             facade::elevation_svg(fit.tree, {.picture = seen_from(folder, options.photo)}));
-  if (!options.no_carving && !fit.reading.sampled.stopped)
-    carve(scene, outputs[0], outputs[3], options, progress);
+      fit, options.name,
+      fmt::format("Read from {}.", fs::path(options.first_input()).filename().string()));
+  if (in.range) {
+    scan::write_range(range, *in.range);
+    image::write_png(grey, grey_of(*in.range));
+  }
+  write_text(scene_file, scene);
+  write_text(tree_file, facade::tree_json(fit.tree));
+  write_text(drawing,
+             facade::elevation_svg(
+                 fit.tree, {.picture = seen_from(
+                                folder, options.photo.empty() ? grey : fs::path(options.photo))}));
+  const bool stopped = fit.reading.sampled.stopped;
+  if (!options.no_carving && !stopped) carve(scene, scene_file, carved, options, progress);
   clear_bar();
-  if (fit.reading.sampled.stopped) fmt::print(stderr, "stopped: this is the best tree so far\n");
-  fmt::print("{}", facade::theta(fit.tree) + "\n");
+  if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
+  fmt::print("{}\n", facade::theta(fit.tree));
   return kDone;
 }
 
@@ -101,13 +168,15 @@ Verb facade_fit_verb() {
         auto options = std::make_shared<Options>();
         app.add_option("photo", options->photo,
                        "an upright view without perspective: any picture, an EXR with a layer "
-                       "of depth")
-            ->required();
+                       "of depth");
+        app.add_option("--cloud", options->clouds,
+                       "PLY or text files of points, which together are one scan")
+            ->expected(-1);
         app.add_option("-o,--output", options->folder, "the folder to write into")->required();
         app.add_option("--name", options->name, "of the files and the grammar; else the photo's");
         app.add_option("--depth", options->picture.depth,
                        "an EXR whose layer depth, or Z, tells how far the wall's parts stand out");
-        app.add_option("--width", options->metres, "of the facade, 12m without it")
+        app.add_option("--width", options->fit.width, "of the facade, 12m without it")
             ->transform(number_in(Dimension::length, 0.1, 1e4));
         app.add_option("--rows", options->picture.limits.height,
                        "of pixels that the picture is shrunk to")
@@ -116,6 +185,8 @@ Verb facade_fit_verb() {
                        "a file with a grammar whose sizes are free, in place of ripperda.vug");
         app.add_option("--likelihood", options->fit.likelihood, "kt or paper")
             ->check(CLI::IsMember({"kt", "paper"}));
+        app.add_option("--looks", options->looks,
+                       "what 'vug facade train' made of labelled pictures");
         app.add_option("--steps", options->fit.sampler.steps, "of each chain")
             ->transform(whole_number_in(1, 1000000000));
         app.add_option("--chains", options->fit.sampler.chains, "at different temperatures")

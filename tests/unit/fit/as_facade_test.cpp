@@ -1,0 +1,67 @@
+#include "toys.h"
+
+#include <gtest/gtest.h>
+#include <vug/facade/tree_output.h>
+#include <vug/fit/as_facade.h>
+#include <vug/fit/compile.h>
+#include <vug/fit/move.h>
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace vug::fit {
+namespace {
+
+using Place = std::tuple<std::string, long, long, long, long>;
+
+/// In pixels, the top row being 0.
+Place place_of(const std::string& name, double x, double y, double width, double height) {
+  return {name, std::lround(x), std::lround(y), std::lround(width), std::lround(height)};
+}
+
+/// What stands in the picture, as the sampler says and as the facade does.
+void expect_same_places(const facade::Rules& text, const Model& model, const State& state) {
+  constexpr double kPixel = 0.05;
+  const facade::Tree tree = as_facade(text, model, state, kPixel);
+  std::multiset<Place> seen, stands;
+  model.each_terminal(state, [&](Look, int node, const Rect& r) {
+    seen.insert(place_of(model.rules().symbol(state.tree[node].symbol).name, r.x0, r.y0,
+                         r.x1 - r.x0, r.y1 - r.y0));
+  });
+  for (const facade::Standing& one : standing(tree))
+    stands.insert(place_of(tree.nodes[static_cast<size_t>(one.node)].symbol, one.rect.x / kPixel,
+                           model.height() - one.rect.top() / kPixel, one.rect.width / kPixel,
+                           one.rect.height / kPixel));
+  EXPECT_EQ(seen, stands) << theta(tree);
+}
+
+TEST(AsFacade, EverythingStandsWhereTheSamplerSeesIt) {
+  const facade::Rules text = facade::load_rules(VUG_DATA "/facades/ripperda.vug");
+  const Rules rules = compile(text);
+  const Model model(rules, {}, 211, 307);
+  const Hints hints = Hints::none(211, 307);
+  const Workshop shop{model, hints};
+  // A walk that would rather grow.
+  const inference::Moves<State> all = moves(shop);
+  RandomStream stream{RandomKey(5)};
+  Choices forward, back;
+  State here = model.start();
+  model.energy(here);
+  int compared = 0;
+  for (int step = 0; step < 20'000; ++step) {
+    State state = here;
+    forward.draw(stream);
+    back.tell();
+    const inference::Move<State>& move = all[stream.below(static_cast<uint32_t>(all.size()))];
+    if (!move.propose(state, forward, back) || !std::isfinite(model.energy(state))) continue;
+    if (state.tree.size() < here.tree.size() && stream.uniform() > 0.3) continue;
+    here = here.tree.size() > 30 ? model.start() : state;
+    model.energy(here);
+    if (step % 50 == 0) expect_same_places(text, model, here), ++compared;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+}  // namespace
+}  // namespace vug::fit
