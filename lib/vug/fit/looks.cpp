@@ -96,15 +96,8 @@ Planes enlarged(const Planes& maps, int width, int height) {
   return out;
 }
 
-std::vector<uint8_t> most_likely(const Planes& maps) {
-  std::vector<uint8_t> out(maps.pixels(), 0);
-  for (size_t c = 1; c < maps.count(); ++c)
-    for (size_t i = 0; i < out.size(); ++i)
-      if (maps.planes[c][i] > maps.planes[out[i]][i]) out[i] = static_cast<uint8_t>(c);
-  return out;
-}
-
-Evidence look_evidence(const Planes& maps, const Classes& classes, double least) {
+Evidence look_evidence(const Planes& maps, const Classes& classes,
+                       const LookEvidenceOptions& options) {
   if (maps.count() != classes.names.size())
     throw Error(ErrorCode::bad_input, "looks need a map for each class");
   std::vector<uint32_t> bits;
@@ -113,9 +106,13 @@ Evidence look_evidence(const Planes& maps, const Classes& classes, double least)
     std::array<double, kLooks> likely{};
     for (int c = 0; c < classes.count(); ++c)
       likely[static_cast<size_t>(classes.look(c))] += maps.planes[static_cast<size_t>(c)][i];
+    auto& [wall, window, door, shop] = likely;
+    window *= options.windows;
+    wall += options.unnamed * (door + shop);
+    const double sum = wall + window + door + shop;
     for (const double p : likely)
-      bits.push_back(
-          static_cast<uint32_t>(std::lround(-inference::log2(std::max(p, least)) / kBitStep)));
+      bits.push_back(static_cast<uint32_t>(
+          std::lround(-inference::log2(std::max(p / sum, options.least)) / kBitStep)));
   }
   return Evidence(maps.width, maps.height, kLooks, bits);
 }

@@ -48,11 +48,20 @@ class LookModel {
 /// Maps of another size, by the nearest four values.
 Planes enlarged(const Planes& maps, int width, int height);
 
-/// The most likely class of each pixel.
-std::vector<uint8_t> most_likely(const Planes& maps);
+struct LookEvidenceOptions {
+  /// Odds of windows are taken for so many times as high as maps say. A grid whose cells are mostly
+  /// right shares most with the true windows where pixels of a third are windows already.
+  double windows = 2;
+  /// Wall is all that no part of a tree stands for, so doors and shops may be wall too, with this
+  /// part of their probability. Else a door is the best that a tree without a shop can say of one.
+  double unnamed = 0.25;
+  /// No pixel is taken for less likely, as maps err, and pixels err together.
+  double least = 0.02;
+};
 
-/// Evidence for the `supervised` likelihood: bits of each Look, in steps of kBitStep. No pixel is
-/// taken for less likely than `least`, as maps err and pixels err together.
-Evidence look_evidence(const Planes& maps, const Classes& classes, double least = 0.02);
+/// Evidence for the `supervised` likelihood: bits of each Look, in steps of kBitStep.
+/// Error(bad_input) where the maps are not those of the classes.
+Evidence look_evidence(const Planes& maps, const Classes& classes,
+                       const LookEvidenceOptions& options = {});
 
 }  // namespace vug::fit

@@ -5,6 +5,7 @@
 #include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>
 #include <vug/fit/labelled.h>
+#include <vug/fit/labelling.h>
 #include <vug/image/io.h>
 
 #include <gtest/gtest.h>
@@ -31,19 +32,12 @@ std::string fault_of(const std::function<void()>& work) {
   EXPECT_NE(fault_of([&] { work; }).find(part), std::string::npos) \
       << "'" << fault_of([&] { work; }) << "'"
 
-/// Values 0..255 as an 8-bit grey file.
-void write_marks(const fs::path& path, int width, int height, const std::vector<uint8_t>& marks) {
-  image::Image out(width, height, {"Y"});
-  for (size_t i = 0; i < marks.size(); ++i)
-    out.pixels[i] = static_cast<float>(image::srgb_decode(marks[i] / 255.0));
-  image::write_png(path, out, kData);
-}
-
 void write_pair(const fs::path& folder, const std::string& name, const PaintedFacade& facade) {
   fs::create_directories(folder / "images");
   fs::create_directories(folder / "labels");
   image::write_png(folder / "images" / (name + ".png"), facade.photo, kData);
-  write_marks(folder / "labels" / (name + ".png"), facade.width(), facade.height(), facade.classes);
+  write_labels(folder / "labels" / (name + ".png"), facade.classes, facade.width(),
+               facade.height());
 }
 
 TEST(Classes, AreReadByNumberAndHaveLooks) {
@@ -115,7 +109,7 @@ TEST(Labelled, WhatDoesNotFitIsTold) {
   EXPECT_FAULT(read_labelled(photo, photo, kClasses), "colours instead");
   EXPECT_FAULT(read_labelled(photo, labels, Classes{{"window", "wall"}}), "which has no name");
   EXPECT_FAULT(read_labelled(photo, labels, kClasses, {}, 1000), "more than the limit");
-  write_marks(labels, 39, 60, std::vector<uint8_t>(39 * 60, kVoid));
+  write_labels(labels, std::vector<uint8_t>(39 * 60, kVoid), 39, 60);
   EXPECT_FAULT(read_labelled(photo, labels, kClasses), "40 x 60 pixels, its labels 39 x 60");
   fs::remove(labels);
   EXPECT_FAULT(read_labelled_folder(root, kClasses), "has no labels");
@@ -130,7 +124,7 @@ TEST(Labelled, WhatDoesNotFitIsTold) {
 TEST(Labelled, OnePixel) {
   const ScratchFolder folder("vug_labels");
   image::write_png(folder.path() / "p.png", image::Image(1, 1, {"R", "G", "B"}), kData);
-  write_marks(folder.path() / "l.png", 1, 1, {2});
+  write_labels(folder.path() / "l.png", {2}, 1, 1);
   const Labelled found = read_labelled(folder.path() / "p.png", folder.path() / "l.png", kClasses);
   EXPECT_EQ(found.labels, std::vector<uint8_t>{2});
 }

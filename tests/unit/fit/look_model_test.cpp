@@ -6,11 +6,14 @@
 #include <vug/base/parallel.h>
 #include <vug/base/scratch_folder.h>
 #include <vug/fit/confusion.h>
+#include <vug/fit/labelling.h>
 #include <vug/fit/likelihood.h>
 #include <vug/fit/looks.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace vug::fit {
 namespace {
@@ -111,13 +114,44 @@ TEST(LookModel, TinyPlainAndUnlabelledPictures) {
 TEST(LookEvidence, BitsOfEachLook) {
   // A quarter door, a quarter window, the rest stone or sky.
   const Planes maps{1, 1, {{0.25f}, {0}, {0.25f}, {0.25f}, {0.25f}}};
-  const Sums sums = look_evidence(maps, kClasses, 1.0 / 64).sums(0, 0, 1, 1);
-  const auto bits = [&](Look look) { return sums.lane[static_cast<size_t>(look)] * kBitStep; };
-  EXPECT_EQ(bits(Look::wall), 1);
-  EXPECT_EQ(bits(Look::window), 2);
-  EXPECT_EQ(bits(Look::door), 2);
-  EXPECT_EQ(bits(Look::shop), 6) << "the least";
+  const auto bits = [&](Look look, const LookEvidenceOptions& options) {
+    const Sums sums = look_evidence(maps, kClasses, options).sums(0, 0, 1, 1);
+    return sums.lane[static_cast<size_t>(look)] * kBitStep;
+  };
+  const LookEvidenceOptions plain{.windows = 1, .unnamed = 0, .least = 1.0 / 64};
+  EXPECT_EQ(bits(Look::wall, plain), 1);
+  EXPECT_EQ(bits(Look::window, plain), 2);
+  EXPECT_EQ(bits(Look::door, plain), 2);
+  EXPECT_EQ(bits(Look::shop, plain), 6) << "the least";
+  // Windows thrice as likely: 0.5, 0.75 and 0.25 of 1.5.
+  EXPECT_EQ(bits(Look::window, {.windows = 3, .unnamed = 0}), 1);
+  // All of the door may be wall: 0.75 of 1.25.
+  EXPECT_NEAR(bits(Look::wall, {.windows = 1, .unnamed = 1}), std::log2(1.25 / 0.75), kBitStep);
   EXPECT_THROW(look_evidence(maps, Classes{{"window"}}), Error);
+}
+
+TEST(Labelling, TreesTipTheBalance) {
+  const Classes classes{{"wall", "window", "balcony", "door"}};
+  // Four pixels: surely wall, perhaps a window, perhaps wall, perhaps a balcony.
+  const Planes maps{4,
+                    1,
+                    {{0.9f, 0.4f, 0.5f, 0.2f},
+                     {0.1f, 0.5f, 0.4f, 0.3f},
+                     {0.0f, 0.0f, 0.0f, 0.5f},
+                     {0.0f, 0.1f, 0.1f, 0.0f}}};
+  EXPECT_EQ(most_likely(maps), (std::vector<uint8_t>{0, 1, 0, 2}));
+  EXPECT_EQ(labels(maps, classes, {}), (std::vector<uint8_t>{0, 0, 0, 2})) << "no window there";
+  const std::vector<Seen> window = {{Look::window, 0, {-3, -1, 9, 2}}};
+  EXPECT_EQ(labels(maps, classes, window), (std::vector<uint8_t>{0, 1, 1, 1}));
+  EXPECT_EQ(labels(maps, classes, window, {.trust = 0}), most_likely(maps));
+  EXPECT_EQ(labels(maps, classes, {{Look::door, 0, {0, 0, 4, 1}}}, {.trust = 9}),
+            (std::vector<uint8_t>{0, 3, 3, 2}));
+  EXPECT_THROW(labels(maps, Classes{{"window"}}, {}), Error);
+}
+
+TEST(Labelling, LaterPartsCoverEarlierOnes) {
+  EXPECT_EQ(looks_of({{Look::window, 0, {0, 0, 3, 1}}, {Look::door, 1, {1, 0, 2, 9}}}, 4, 1),
+            (std::vector<uint8_t>{1, 2, 1, 0}));
 }
 
 TEST(Maps, Enlarged) {

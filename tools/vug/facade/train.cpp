@@ -7,6 +7,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/confusion.h>
+#include <vug/fit/labelling.h>
 #include <vug/fit/looks.h>
 #include <nlohmann/json.hpp>
 
