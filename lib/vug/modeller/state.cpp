@@ -42,6 +42,10 @@ State::State(StylePtr style, const Sheet& sheet, Plan plan) {
                   fmt::format("a facade of {} x {} m whose parts are {} m or more", sheet.width,
                               sheet.height, sheet.least),
                   {}, "sizes are above 0 and below 1000 km");
+  if (sheet.least > std::min(sheet.width, sheet.height))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("a facade of {} x {} m is smaller than its least part, {} m",
+                            sheet.width, sheet.height, sheet.least));
   facade::DeriveOptions options{.width = sheet.width, .height = sheet.height};
   options.limits = {sheet.limit, sheet.limit};
   options.key = RandomKey(sheet.seed).at("grammar").at(style->name());

@@ -1,0 +1,196 @@
+#include <vug/base/diagnostics.h>
+#include <vug/modeller/json_text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace vug::modeller {
+
+namespace {
+
+SourceLocation location(const std::string& text, const std::string& file, size_t at) {
+  const auto until = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
+  const auto line = 1 + std::count(text.begin(), until, '\n');
+  const size_t newline = text.rfind('\n', at == 0 ? 0 : at - 1);
+  const bool first = newline == std::string::npos || newline >= at;
+  return {file, static_cast<int>(line), static_cast<int>(first ? at + 1 : at - newline)};
+}
+
+/// Walks through a text that is known to be JSON.
+class Scanner {
+ public:
+  explicit Scanner(const std::string& text) : text_(text) {}
+
+  /// Stops before the value; false where there is none.
+  bool enter(const std::string& key) {
+    skip_space();
+    const char open = peek();
+    if (open != '{' && open != '[') return false;
+    ++at_;
+    for (size_t number = 0;; ++number) {
+      skip_space();
+      if (peek() == '}' || peek() == ']' || at_ >= text_.size()) return false;
+      std::string name = fmt::format("{}", number);
+      if (open == '{') {
+        const size_t begin = at_;
+        skip_text();
+        name = Json::parse(text_.substr(begin, at_ - begin), nullptr, false).get<std::string>();
+        skip_space();
+        ++at_;  // the colon
+        skip_space();
+      }
+      if (name == key) return true;
+      skip_value();
+      skip_space();
+      if (peek() == ',') ++at_;
+    }
+  }
+
+  size_t at() {
+    skip_space();
+    return at_;
+  }
+
+ private:
+  char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  void skip_space() {
+    while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string::npos)
+      ++at_;
+  }
+  void skip_text() {
+    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_)
+      if (text_[at_] == '\\') ++at_;
+    ++at_;
+  }
+  void skip_value() {
+    int depth = 0;
+    do {
+      const char c = peek();
+      if (c == '"') {
+        skip_text();
+        continue;
+      }
+      depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
+      ++at_;
+      // A number or a word ends before what follows it.
+    } while (at_ < text_.size() &&
+             (depth > 0 || std::string_view(",]} \t\r\n").find(text_[at_]) == std::string::npos));
+  }
+
+  const std::string& text_;
+  size_t at_ = 0;
+};
+
+}  // namespace
+
+SourceLocation locate(const std::string& text, const std::string& file,
+                      const std::vector<std::string>& way) {
+  Scanner scanner(text);
+  size_t at = scanner.at();
+  for (const std::string& key : way) {
+    if (!scanner.enter(key)) break;
+    at = scanner.at();
+  }
+  return location(text, file, at);
+}
+
+Json JsonValue::parse(const std::string& text, const std::string& file) {
+  std::vector<std::set<std::string>> keys;
+  std::string twice;
+  const auto see = [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+      twice = parsed.get<std::string>();
+    return true;
+  };
+  try {
+    Json out = Json::parse(text, see);
+    if (!twice.empty())
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the key '{}' stands twice in one object", twice),
+                  location(text, file, text.rfind('"' + twice + '"')));
+    return out;
+  } catch (const Json::parse_error& error) {
+    throw Error(ErrorCode::bad_input, "this is no JSON",
+                location(text, file, error.byte == 0 ? 0 : error.byte - 1));
+  } catch (const Json::exception&) {
+    throw Error(ErrorCode::bad_input, "this is no JSON that can be used: a number is too large",
+                {file, 0, 0});
+  }
+}
+
+JsonValue::JsonValue(const JsonValue& above, const Json& value, const std::string& key)
+    : value_(&value), text_(above.text_), file_(above.file_), way_(above.way_) {
+  way_.push_back(key);
+}
+
+JsonValue JsonValue::at(const std::string& key) const {
+  if (!has(key)) throw fault(fmt::format("'{}' is missing", key));
+  return {*this, (*value_)[key], key};
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+  check_array();
+  std::vector<JsonValue> out;
+  for (size_t i = 0; i < value_->size(); ++i)
+    out.push_back({*this, (*value_)[i], fmt::format("{}", i)});
+  return out;
+}
+
+std::string JsonValue::text() const {
+  if (!value_->is_string()) throw fault("a text is needed here");
+  return value_->get<std::string>();
+}
+
+double JsonValue::number() const {
+  if (!value_->is_number()) throw fault("a number is needed here");
+  const double out = value_->get<double>();
+  if (!std::isfinite(out)) throw fault("the number is not finite");
+  return out;
+}
+
+uint64_t JsonValue::whole() const {
+  const double out = number();
+  if (!(out >= 0 && out <= 9007199254740992.0) || out != std::floor(out))
+    throw fault("a whole number from 0 on is needed here");
+  return static_cast<uint64_t>(out);
+}
+
+void JsonValue::check_array() const {
+  if (!value_->is_array()) throw fault("a list is needed here");
+}
+
+void JsonValue::check_object() const {
+  if (!value_->is_object()) throw fault("an object is needed here");
+}
+
+void JsonValue::check_object(const std::vector<std::string>& known) const {
+  check_object();
+  for (const auto& [key, value] : value_->items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      throw fault(fmt::format("there is no '{}' here", key), suggestion(key, known), key);
+}
+
+Error JsonValue::fault(const std::string& message, const std::string& hint,
+                       const std::string& below) const {
+  std::vector<std::string> way = way_;
+  const Json* value = value_;
+  for (size_t at = 0; at < below.size();) {
+    const size_t end = std::min(below.find('/', at), below.size());
+    const std::string key = below.substr(at, end - at);
+    if (!value->is_object() || !value->contains(key)) break;
+    value = &(*value)[key];
+    way.push_back(key);
+    at = end + 1;
+  }
+  std::string pointer;
+  for (const std::string& key : way) pointer += '/' + key;
+  return Error(ErrorCode::bad_input, (pointer.empty() ? "" : pointer + ": ") + message,
+               locate(*text_, *file_, way), hint);
+}
+
+}  // namespace vug::modeller

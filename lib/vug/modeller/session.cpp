@@ -1,0 +1,219 @@
+#include <vug/modeller/json_text.h>
+#include <vug/modeller/session.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vug::modeller {
+
+namespace {
+
+constexpr const char* kFormat = "vug facade session";
+constexpr int kVersion = 1;
+
+Photo read_photo(const JsonValue& from) {
+  from.check_object({"file", "pixels", "scale"});
+  Photo out;
+  out.file = from.at("file").text();
+  if (from.has("pixels")) {
+    const JsonValue pixels = from.at("pixels");
+    std::vector<uint64_t> sizes;
+    for (const JsonValue& each : pixels.items()) sizes.push_back(each.whole());
+    if (sizes.size() != 2 || std::min(sizes[0], sizes[1]) < 1 ||
+        std::max(sizes[0], sizes[1]) > 1000000)
+      throw pixels.fault("a picture has a width and a height in pixels", "as [640, 480]");
+    out.width = static_cast<int>(sizes[0]);
+    out.height = static_cast<int>(sizes[1]);
+  }
+  if (from.has("scale")) {
+    out.scale = from.at("scale").number();
+    if (!(out.scale > 0)) throw from.at("scale").fault("a pixel has a size above 0", "in metres");
+    if (out.width == 0) throw from.fault("'pixels' is missing", "a scale alone tells no size");
+  }
+  return out;
+}
+
+void check_format(const JsonValue& root) {
+  root.check_object();
+  if (!root.has("format") || root.at("format").json() != kFormat)
+    throw root.fault("this is no session of a facade", fmt::format("\"format\": \"{}\"", kFormat),
+                     "format");
+  const uint64_t version = root.at("version").whole();
+  if (version != kVersion)
+    throw root.fault(fmt::format("the session is of version {}", version),
+                     fmt::format("this program reads version {}", kVersion), "version");
+  root.check_object({"format", "version", "grammar", "facade", "width", "height", "photo", "least",
+                     "seed", "edits", "done", "checkpoints"});
+}
+
+Header read_header(const JsonValue& root) {
+  Header out;
+  out.grammar = root.at("grammar").text();
+  if (root.has("facade")) out.facade = root.at("facade").text();
+  const auto length = [&](const char* name) -> std::optional<double> {
+    if (!root.has(name)) return std::nullopt;
+    const double value = root.at(name).number();
+    if (!(value > 0) || !(value < 1e6))
+      throw root.at(name).fault(fmt::format("'{}' is {}", name, value), "above 0 m, below 1000 km");
+    return value;
+  };
+  out.width = length("width");
+  out.height = length("height");
+  out.least = length("least").value_or(out.least);
+  if (root.has("photo")) out.photo = read_photo(root.at("photo"));
+  if (root.has("seed")) out.seed = root.at("seed").whole();
+  return out;
+}
+
+Edit read_edit(const JsonValue& from) {
+  from.check_object({"edit", "node", "rule", "numbers"});
+  Edit out;
+  out.kind = from.at("edit").text();
+  out.node = from.at("node").text();
+  if (from.has("rule")) out.rule = from.at("rule").text();
+  if (!from.has("numbers")) return out;
+  const JsonValue numbers = from.at("numbers");
+  numbers.check_object();
+  for (const auto& [name, value] : numbers.json().items()) {
+    const JsonValue one = numbers.at(name);
+    std::vector<double>& list = out.numbers[name];
+    if (!value.is_array())
+      list = {one.number()};
+    else
+      for (const JsonValue& each : one.items()) list.push_back(each.number());
+  }
+  return out;
+}
+
+void read_edits(const JsonValue& root, History& history) {
+  const std::vector<JsonValue> edits = root.at("edits").items();
+  size_t done = edits.size();
+  if (root.has("done")) {
+    if (root.at("done").whole() > done)
+      throw root.at("done").fault(fmt::format("there are {} edits", done));
+    done = root.at("done").whole();
+  }
+  std::map<size_t, std::vector<std::string>> checkpoints;
+  if (root.has("checkpoints")) {
+    const JsonValue all = root.at("checkpoints");
+    all.check_object();
+    for (const auto& [name, value] : all.json().items()) {
+      const JsonValue one = all.at(name);
+      if (name.empty()) throw one.fault("a checkpoint needs a name");
+      if (one.whole() > edits.size())
+        throw one.fault(fmt::format("there are {} edits", edits.size()));
+      checkpoints[one.whole()].push_back(name);
+    }
+  }
+  for (size_t i = 0;; ++i) {
+    for (const std::string& name : checkpoints[i]) history.set_checkpoint(name);
+    if (i == edits.size()) break;
+    const Edit edit = read_edit(edits[i]);
+    try {
+      history.apply(edit);
+    } catch (const Refused& refused) {
+      throw edits[i].fault(refused.what(), refused.hint(), refused.key());
+    }
+  }
+  history.undo(edits.size() - done);
+}
+
+Sheet sheet_of(const Header& header, const Style& style) {
+  Sheet out;
+  const std::optional<Photo>& photo = header.photo;
+  const bool scaled = photo && photo->scale > 0 && photo->width > 0;
+  const auto size = [&](const char* name, const std::optional<double>& given, int pixels,
+                        const std::optional<double>& usual) {
+    if (given) return *given;
+    if (scaled) return pixels * photo->scale;
+    if (!usual)
+      throw Error(ErrorCode::bad_input, fmt::format("nothing tells the facade's {}", name), {},
+                  fmt::format("give '{}' in metres, or a photo's pixels and scale", name));
+    return *usual;
+  };
+  out.width = size("width", header.width, scaled ? photo->width : 0, style.usual_width());
+  out.height = size("height", header.height, scaled ? photo->height : 0, style.usual_height());
+  out.least = header.least;
+  out.seed = header.seed;
+  return out;
+}
+
+Json json_of(const Edit& edit) {
+  Json out = {{"edit", edit.kind}, {"node", edit.node}};
+  if (!edit.rule.empty()) out["rule"] = edit.rule;
+  for (const auto& [name, values] : edit.numbers)
+    out["numbers"][name] = values.size() == 1 ? Json(values[0]) : Json(values);
+  return out;
+}
+
+}  // namespace
+
+double Session::metres_per_pixel() const {
+  if (!header.photo) return 0;
+  if (header.photo->scale > 0) return header.photo->scale;
+  return header.photo->width > 0 ? now().sheet().width / header.photo->width : 0;
+}
+
+Session new_session(Header header, const StyleLoader& load) {
+  const StylePtr style = load(header.grammar, header.facade);
+  const Sheet sheet = sheet_of(header, *style);
+  return {std::move(header), History(State(style, sheet))};
+}
+
+Session read_session(const std::string& text, const std::string& file, const StyleLoader& load) {
+  const Json json = JsonValue::parse(text, file);
+  const JsonValue root(json, text, file);
+  check_format(root);
+  const Header header = read_header(root);
+  const StylePtr style = [&] {
+    try {
+      return load(header.grammar, header.facade);
+    } catch (const Error& error) {
+      if (error.where().known()) throw;
+      throw root.fault(error.what(), error.hint(), header.facade.empty() ? "grammar" : "facade");
+    }
+  }();
+  try {
+    Session out{header, History(State(style, sheet_of(header, *style)))};
+    read_edits(root, out.history);
+    return out;
+  } catch (const Error& error) {
+    if (error.where().known()) throw;
+    throw root.fault(error.what(), error.hint());
+  }
+}
+
+std::string session_text(const Session& session) {
+  const Header& header = session.header;
+  Json head = {{"format", kFormat}, {"version", kVersion}, {"grammar", header.grammar}};
+  if (!header.facade.empty()) head["facade"] = header.facade;
+  if (header.width) head["width"] = *header.width;
+  if (header.height) head["height"] = *header.height;
+  if (header.photo) {
+    Json photo = {{"file", header.photo->file}};
+    if (header.photo->width > 0) photo["pixels"] = {header.photo->width, header.photo->height};
+    if (header.photo->scale > 0) photo["scale"] = header.photo->scale;
+    head["photo"] = photo;
+  }
+  if (header.least != Header().least) head["least"] = header.least;
+  if (header.seed != 0) head["seed"] = header.seed;
+  // A line for each member and each edit, so that texts can be compared.
+  const auto dump = [](const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  std::string out = "{\n";
+  for (const auto& [key, value] : head.items())
+    out += fmt::format("  {}: {},\n", dump(key), dump(value));
+  const History& history = session.history;
+  if (history.done() < history.edits().size())
+    out += fmt::format("  \"done\": {},\n", history.done());
+  if (!history.checkpoints().empty())
+    out += fmt::format("  \"checkpoints\": {},\n", dump(Json(history.checkpoints())));
+  out += "  \"edits\": [";
+  for (size_t i = 0; i < history.edits().size(); ++i)
+    out += fmt::format("{}\n    {}", i ? "," : "", dump(json_of(history.edits()[i])));
+  return out + (history.edits().empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+}  // namespace vug::modeller

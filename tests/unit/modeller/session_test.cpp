@@ -1,0 +1,145 @@
+#include "desk.h"
+
+#include <vug/base/rng.h>
+#include <vug/modeller/session.h>
+
+namespace vug::modeller {
+namespace {
+
+StyleLoader loader() {
+  return [](const std::string& file, const std::string&) {
+    if (file != "ripperda.vug")
+      throw Error(ErrorCode::bad_input, "there is no file '" + file + "'");
+    return ripperda();
+  };
+}
+
+Session read(const std::string& text) { return read_session(text, "s.json", loader()); }
+
+const std::string kStart =
+    "{\n  \"format\": \"vug facade session\",\n  \"version\": 1,\n"
+    "  \"grammar\": \"ripperda.vug\",\n  \"width\": 12,\n  \"height\": 9,\n";
+
+/// "line:column: message (hint)"
+std::string fault_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_input);
+    EXPECT_EQ(error.where().file, "s.json");
+    return std::to_string(error.where().line) + ':' + std::to_string(error.where().column) + ": " +
+           error.what() + (error.hint().empty() ? "" : " (" + error.hint() + ")");
+  }
+  return "";
+}
+
+TEST(Session, ThereAndBack) {
+  Session session = new_session({.grammar = "ripperda.vug", .width = 12, .height = 9}, loader());
+  for (const char* edit :
+       {"apply 0 rows heights=3.1", "act 0.1 Grid columns=4 dx=2.5,3,2.6",
+        "toggle 0.1.0 column=1 row=0", "move 0.1.0 line=1 to=3.3333333333333335"})
+    session.history.apply(parse_edit(edit));
+  session.history.set_checkpoint("all \"four\"");
+  session.history.undo(1);
+  session.history.set_checkpoint("three");
+  const std::string text = session_text(session);
+  const Session again = read(text);
+  EXPECT_EQ(session_text(again), text);
+  EXPECT_EQ(bytes(again.now()), bytes(session.now()));
+  EXPECT_EQ(again.history.done(), 3u);
+  EXPECT_EQ(again.history.edits(), session.history.edits());
+  EXPECT_EQ(again.history.checkpoints(), session.history.checkpoints());
+}
+
+TEST(Session, ReplayGivesTheSameTree) {
+  // Numbers of all sizes come back bit for bit.
+  RandomStream random(RandomKey(5));
+  for (int trial = 0; trial < 50; ++trial) {
+    Session session = new_session({.grammar = "ripperda.vug",
+                                   .width = random.uniform(4, 40),
+                                   .height = random.uniform(4, 40),
+                                   .least = random.uniform(1e-6, 1e-2)},
+                                  loader());
+    const double height = random.uniform(0.1, 0.9) * session.now().sheet().height;
+    session.history.apply({"apply", "0", "rows", {{"heights", {height}}}});
+    session.history.apply({"act", "0.1", "RegularGrid", {{"columns", {random.below(5) + 1.0}}}});
+    const Session again = read(session_text(session));
+    ASSERT_EQ(bytes(again.now()), bytes(session.now()));
+    ASSERT_EQ(again.now().node(1).rect, session.now().node(1).rect);
+    ASSERT_EQ(session_text(again), session_text(session));
+  }
+}
+
+TEST(Session, PhotosTellTheSize) {
+  const std::string text =
+      "{\"format\": \"vug facade session\", \"version\": 1, \"grammar\": \"ripperda.vug\",\n"
+      "\"photo\": {\"file\": \"front.png\", \"pixels\": [600, 450], \"scale\": 0.02}, \"edits\": "
+      "[]}";
+  const Session session = read(text);
+  EXPECT_EQ(session.now().sheet().width, 12);
+  EXPECT_EQ(session.now().sheet().height, 9);
+  EXPECT_EQ(session.metres_per_pixel(), 0.02);
+  EXPECT_EQ(session_text(read(session_text(session))), session_text(session));
+  const Session wide =
+      read(kStart + "\"photo\": {\"file\": \"front.png\", \"pixels\": [600, 450]}, \"edits\": []}");
+  EXPECT_EQ(wide.metres_per_pixel(), 0.02);
+}
+
+TEST(Session, FaultsHaveAPlaceAndAHint) {
+  const auto edits = [](const std::string& all) {
+    return kStart + "  \"edits\": [\n" + all + "\n]}";
+  };
+  EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"0\", \"rule\": \"rows\"},\n"
+                           "  {\"edit\": \"act\", \"node\": \"0.1\", \"rule\": \"Grid\", "
+                           "\"numbers\": {\"dx\": 2, \"rows\": 0}}")),
+            "9:79: /edits/1/numbers/rows: 'rows' is 0, while dividing Grid 12 x 5.5 m at (0, 3.5) "
+            "(here it is 1 to 1000)");
+  EXPECT_EQ(fault_of(edits("{\"edit\": \"applyy\", \"node\": \"0\", \"rule\": \"rows\"}")),
+            "8:10: /edits/0/edit: there is no edit 'applyy' (did you mean 'apply'?)");
+  EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"1\", \"rule\": \"rows\"}")),
+            "8:27: /edits/0/node: the facade has no part '1' (it has 1 of them, counted from 0)");
+  EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"0\", \"rule\": \"row\"}")),
+            "8:40: /edits/0/rule: 'Facade' has no rule 'row' (did you mean 'rows'?)");
+  EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"nod\": \"0\", \"rule\": \"rows\"}")),
+            "8:26: /edits/0/nod: there is no 'nod' here (did you mean 'node'?)");
+  EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": 0, \"rule\": \"rows\"}")),
+            "8:27: /edits/0/node: a text is needed here");
+  EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"0\"}")),
+            "8:1: /edits/0: 'apply' needs a rule");
+  EXPECT_EQ(
+      fault_of(edits("{\"edit\": \"apply\", \"node\": \"0\", \"rule\": \"rows\", \"numbers\": "
+                     "{\"heights\": [3, null]}}")),
+      "8:75: /edits/0/numbers/heights/1: a number is needed here");
+  EXPECT_EQ(fault_of("[]"), "1:1: an object is needed here");
+  EXPECT_EQ(fault_of(""), "1:1: this is no JSON");
+  EXPECT_EQ(fault_of("{\n \"format\": \"vug facade session\",,"), "2:33: this is no JSON");
+  EXPECT_EQ(fault_of("{\"format\": \"other\"}"),
+            "1:12: /format: this is no session of a facade (\"format\": \"vug facade session\")");
+  EXPECT_EQ(fault_of("{\"format\": \"vug facade session\", \"version\": 2}"),
+            "1:45: /version: the session is of version 2 (this program reads version 1)");
+  EXPECT_EQ(fault_of(kStart + "\"width\": 3}"), "7:1: the key 'width' stands twice in one object");
+  EXPECT_EQ(fault_of(kStart + "\"edits\": [], \"done\": 1}").substr(0, 12), "7:22: /done:");
+  EXPECT_EQ(fault_of(kStart + "\"edits\": [], \"done\": -1}").substr(0, 12), "7:22: /done:");
+  EXPECT_NE(fault_of(kStart + "\"edits\": [], \"checkpoints\": {\"a\": 1}}"), "");
+  EXPECT_NE(fault_of(kStart + "\"edits\": [], \"checkpoints\": {\"\": 0}}"), "");
+  EXPECT_NE(fault_of(kStart + "\"edits\": [], \"least\": 0}"), "");
+  EXPECT_NE(fault_of(kStart + "\"edits\": [], \"least\": 100}"), "");
+  EXPECT_NE(fault_of(kStart + "\"edits\": [], \"least\": 1e999}"), "");
+  EXPECT_NE(fault_of(kStart + "\"edits\": {}}"), "");
+  EXPECT_EQ(fault_of(kStart + "\"editss\": []}").substr(0, 12), "7:11: /edits");
+  EXPECT_NE(fault_of("{\"format\": \"vug facade session\", \"version\": 1, \"grammar\": "
+                     "\"ripperda.vug\", \"edits\": []}")
+                .find("nothing tells the facade's width"),
+            std::string::npos);
+  EXPECT_EQ(fault_of("{\"format\": \"vug facade session\", \"version\": 1, \"grammar\": "
+                     "\"ripperdaa.vug\", \"edits\": []}"),
+            "1:59: /grammar: there is no file 'ripperdaa.vug'");
+  for (const char* photo :
+       {"3", "{}", "{\"file\": 3}", "{\"file\": \"a\", \"pixels\": [3]}",
+        "{\"file\": \"a\", \"pixels\": [0, 3]}", "{\"file\": \"a\", \"scale\": 1}",
+        "{\"file\": \"a\", \"pixels\": [3, 3], \"scale\": 0}"})
+    EXPECT_NE(fault_of(kStart + "\"edits\": [], \"photo\": " + photo + "}"), "") << photo;
+}
+
+}  // namespace
+}  // namespace vug::modeller
