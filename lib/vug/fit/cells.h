@@ -24,7 +24,9 @@ class GridAxis {
   int kinds = 0;   ///< Of windows.
 
   int at(int line) const { return lines[static_cast<size_t>(line)]; }
-  int pitch() const { return count > 1 ? at(1) - at(0) : 0; }
+  int span() const { return at(count - 1) - at(0); }
+  /// Puts the lines where those of a regular grid are.
+  void even_out(int first, int span) { lines = even_lines(first, span, count); }
 
   /// Makes room for a line there, its cells empty; and takes one out.
   void open(int line, int place);

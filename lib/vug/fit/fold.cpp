@@ -16,7 +16,7 @@ struct Fold {
   /// Where a window, in a part's column that begins at x and of that width, begins when the part
   /// comes again for the time `again` > 0.
   int place(int room, int again, int x, int width) const {
-    return op == Op::mirror ? room - x - width : again * part_width(room) + x;
+    return op == Op::mirror ? room - x - width : repeated_at(room, times, again) + x;
   }
 };
 
@@ -75,7 +75,6 @@ bool fold(const Workshop& shop, State& state, int i, int production, const Fold&
   const Rules& rules = shop.model.rules();
   const Tree& tree = state.tree;
   const int room = state.area(i).width, part_width = fold.part_width(room);
-  const int origin = fold.op == Op::repeat ? (room - fold.times * part_width) / 2 : 0;
   Node grid = tree[i + 1];
   const Node whole = grid, window = tree[i + 2];
   if (whole.columns % fold.times != 0 || part_width < shop.model.limits().least) return false;
@@ -84,13 +83,13 @@ bool fold(const Workshop& shop, State& state, int i, int production, const Fold&
   for (int column = 0; column < whole.columns; ++column) {
     const auto at = static_cast<size_t>(column);
     grid.left[at] =
-        column < grid.columns ? static_cast<int16_t>(whole.left[at] - origin) : int16_t{0};
+        column < grid.columns ? whole.left[at] : int16_t{0};
   }
   for (int again = 1; again < fold.times; ++again)
     for (int column = 0; column < grid.columns; ++column) {
       const int other = column_of(fold, grid.columns, again, column);
       const int place =
-          origin + fold.place(room, again, grid.left[static_cast<size_t>(column)], window.width);
+          fold.place(room, again, grid.left[static_cast<size_t>(column)], window.width);
       if (most > 0) back.between(-most, most, whole.left[static_cast<size_t>(other)] - place);
       if (most == 0 && whole.left[static_cast<size_t>(other)] != place) return false;
       for (int row = 0; row < grid.rows; ++row)
@@ -117,8 +116,7 @@ bool fold(const Workshop& shop, State& state, int i, int production, const Fold&
 bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices& forward) {
   const Rules& rules = shop.model.rules();
   const Tree& tree = state.tree;
-  const int room = state.area(i).width, part_width = fold.part_width(room);
-  const int origin = fold.op == Op::repeat ? (room - fold.times * part_width) / 2 : 0;
+  const int room = state.area(i).width;
   Node above = tree[i];
   const Node part = tree[i + 2], window = tree[i + 3];
   Node grid = part;
@@ -127,12 +125,12 @@ bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices
   const int most = jitter(shop, part);
   for (int column = 0; column < part.columns; ++column)
     grid.left[static_cast<size_t>(column)] =
-        static_cast<int16_t>(origin + part.left[static_cast<size_t>(column)]);
+        part.left[static_cast<size_t>(column)];
   for (int again = 1; again < fold.times; ++again)
     for (int column = 0; column < part.columns; ++column) {
       const int other = column_of(fold, part.columns, again, column);
       const int place =
-          origin + fold.place(room, again, part.left[static_cast<size_t>(column)], window.width);
+          fold.place(room, again, part.left[static_cast<size_t>(column)], window.width);
       grid.left[static_cast<size_t>(other)] =
           static_cast<int16_t>(place + (most > 0 ? forward.between(-most, most) : 0));
       for (int row = 0; row < part.rows; ++row) grid.set_kind(other, row, part.kind(column, row));

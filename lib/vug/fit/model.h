@@ -81,6 +81,10 @@ class Model {
   int x_bits_, y_bits_;
 };
 
+/// Where a part begins that stands side by side `times` times in a room of that width, for the time
+/// `again` from 0; its own width is room / times, so that a pixel may be left over between two.
+inline int repeated_at(int room, int times, int again) { return again * room / times; }
+
 /// Bits that count `range` values.
 int bits_for(int range);
 

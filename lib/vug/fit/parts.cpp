@@ -135,10 +135,10 @@ class Chooser {
     };
     place(0, 0);
     if (count > 1 && regular) {
-      const int pitch =
-          choices_.between(step, (room - limits_.least - out[0]) / (count - 1), told[1] - told[0]);
-      for (int line = 1; line < count; ++line)
-        out[static_cast<size_t>(line)] = small(out[0] + line * pitch);
+      const int told_span = told[static_cast<size_t>(std::max(1, told_count) - 1)] - told[0];
+      const int span =
+          choices_.between(step * (count - 1), room - limits_.least - out[0], told_span);
+      out = even_lines(out[0], span, count);
     } else {
       for (int line = 1; line < count; ++line)
         place(out[static_cast<size_t>(line - 1)] + step, line);

@@ -43,16 +43,16 @@ bool same_places(const Area& a, const std::vector<Frame>& frames_a, const Area& 
 /// How wide the widest window of each line is.
 using Sizes = std::array<int, kMostLines>;
 
-/// Lines that begin at or after 0, are apart, end in time, and have equal distances where they
-/// must; unused ones are 0.
+/// Lines that begin at or after 0, are apart, end in time, and are even where they must be; unused
+/// ones are 0.
 bool lines_fit(const Lines& lines, int count, const Sizes& sizes, int room, bool regular) {
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<size_t>(i);
     const int end = i + 1 < count ? lines[at + 1] - 1 : room;
     if (lines[at] < 0 || lines[at] + sizes[at] > end) return false;
-    if (regular && i > 1 && lines[at] - lines[at - 1] != lines[1] - lines[0]) return false;
   }
-  return true;
+  const int span = lines[static_cast<size_t>(count - 1)] - lines[0];
+  return !regular || lines == even_lines(lines[0], span, count);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ bool Model::place_parts(State& state, int i) const {
       if (count < 2 || count > limits_.most_repeats || width < limits_.least) return false;
       std::vector<Slice> slices;
       for (int k = 0; k < count; ++k)
-        slices.push_back({(w - count * width) / 2 + k * width, width, 0, h});
+        slices.push_back({repeated_at(w, count, k), width, 0, h});
       cut(state, first, area, slices, false);
       return true;
     }

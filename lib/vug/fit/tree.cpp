@@ -2,6 +2,14 @@
 
 namespace vug::fit {
 
+Lines even_lines(int first, int span, int count) {
+  Lines out{};
+  const int gaps = count > 1 ? count - 1 : 1;
+  for (int i = 0; i < count; ++i)
+    out[static_cast<size_t>(i)] = static_cast<int16_t>(first + (2 * i * span + gaps) / (2 * gaps));
+  return out;
+}
+
 Cells Node::full_cells() const {
   Node full;
   for (int row = 0; row < rows; ++row)

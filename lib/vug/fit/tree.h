@@ -12,6 +12,8 @@ constexpr int kMostLines = 16, kMostKinds = 15;
 
 /// Where columns, or rows, of a grid begin, from the left, or top, of its area; unused ones are 0.
 using Lines = std::array<int16_t, kMostLines>;
+/// Lines of a regular grid: `span` from the first to the last, between them even to a pixel.
+Lines even_lines(int first, int span, int count);
 /// A grid's cells, a number for each row.
 using Cells = std::array<uint64_t, kMostLines>;
 

@@ -1,5 +1,5 @@
 // Turns a grid into one of another type. Lines of a regular grid move a little when it becomes
-// irregular; back again they must be near to those of some distance.
+// irregular; back again they must be near to even ones.
 #include <vug/fit/move.h>
 
 #include <algorithm>
@@ -10,38 +10,44 @@ namespace {
 
 constexpr int kMostJitter = 2;  // pixels
 
-/// Distances for which the lines of a regular grid, beginning at the first, are near to all.
-std::vector<int> pitches(const Lines& lines, int count) {
+int span_of(const Lines& lines, int count) {
+  return lines[static_cast<size_t>(count - 1)] - lines[0];
+}
+
+/// Spans for which the lines of a regular grid, beginning at the first, are near to all.
+std::vector<int> spans(const Lines& lines, int count) {
   std::vector<int> out;
-  const int first = lines[0], middle = lines[1] - first;
-  for (int pitch = std::max(1, middle - kMostJitter); pitch <= middle + kMostJitter; ++pitch) {
+  const int middle = span_of(lines, count);
+  for (int span = std::max(1, middle - kMostJitter); span <= middle + kMostJitter; ++span) {
+    const Lines even = even_lines(lines[0], span, count);
     bool near = true;
-    for (int i = 1; i < count; ++i)
-      near = near && std::abs(lines[static_cast<size_t>(i)] - first - i * pitch) <= kMostJitter;
-    if (near) out.push_back(pitch);
+    for (size_t i = 1; i < static_cast<size_t>(count); ++i)
+      near = near && std::abs(lines[i] - even[i]) <= kMostJitter;
+    if (near) out.push_back(span);
   }
   return out;
 }
 
 void loosen(Lines& lines, int count, Choices& forward, Choices& back) {
   if (count < 2) return;
-  const int pitch = lines[1] - lines[0];
+  const int span = span_of(lines, count);
   for (int i = 1; i < count; ++i)
     lines[static_cast<size_t>(i)] = static_cast<int16_t>(
         lines[static_cast<size_t>(i)] + forward.between(-kMostJitter, kMostJitter));
-  const std::vector<int> near = pitches(lines, count);
+  const std::vector<int> near = spans(lines, count);
   back.below(static_cast<int>(near.size()),
-             static_cast<int>(std::find(near.begin(), near.end(), pitch) - near.begin()));
+             static_cast<int>(std::find(near.begin(), near.end(), span) - near.begin()));
 }
 
 bool straighten(Lines& lines, int count, Choices& forward, Choices& back) {
   if (count < 2) return true;
-  const std::vector<int> near = pitches(lines, count);
+  const std::vector<int> near = spans(lines, count);
   if (near.empty()) return false;
-  const int pitch = near[static_cast<size_t>(forward.below(static_cast<int>(near.size())))];
+  const int span = near[static_cast<size_t>(forward.below(static_cast<int>(near.size())))];
+  const Lines even = even_lines(lines[0], span, count);
   for (int i = 1; i < count; ++i) {
     int16_t& line = lines[static_cast<size_t>(i)];
-    const int straight = lines[0] + i * pitch;
+    const int straight = even[static_cast<size_t>(i)];
     back.between(-kMostJitter, kMostJitter, line - straight);
     line = static_cast<int16_t>(straight);
   }

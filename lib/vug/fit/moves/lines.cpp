@@ -5,29 +5,47 @@
 namespace vug::fit {
 namespace {
 
-/// Before the first line of a regular grid or behind the last one. The distance is chosen where
-/// there was but one line.
+/// What is left of the span of `count` even lines when the last one goes.
+int shortened(int span, int count) {
+  return even_lines(0, span, count)[static_cast<size_t>(count - 2)];
+}
+
+/// The span of one line more: one of those that this one would be left of, or, of a single line,
+/// any that has room.
+int choose_longer(int count, int span, int room, int least, Choices& choices,
+                  int told) {
+  if (count == 1) return choices.between(least + 1, room, told);
+  int low = span;
+  while (shortened(low, count + 1) < span) ++low;
+  int high = low;
+  while (shortened(high + 1, count + 1) == span) ++high;
+  return choices.between(low, high, told);
+}
+
+/// Before the first line of a regular grid or behind the last one.
 bool insert_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
   const bool low = forward.flip();
-  int pitch = axis.pitch();
-  if (axis.count == 1)
-    pitch = forward.between(least + 1, low ? axis.at(0) : axis.room - least - axis.at(0));
+  const int first = axis.at(0), last = first + axis.span();
+  const int room = low ? last : axis.room - least - first;
+  const int span = choose_longer(axis.count, axis.span(), room, least, forward, 0);
+  if (!forward.possible()) return false;
   const int line = low ? 0 : axis.count;
-  axis.open(line, low ? axis.at(0) - pitch : axis.at(axis.count - 1) + pitch);
+  axis.open(line, 0);
+  axis.even_out(low ? last - span : first, span);
   back.flip(low);
-  return axis.choose_cells(line, forward) && forward.possible();
+  return axis.choose_cells(line, forward);
 }
 
 bool delete_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
   const bool low = forward.flip();
   back.flip(low);
-  const int pitch = axis.pitch(), line = low ? 0 : axis.count - 1;
-  if (axis.count == 2) {
-    const int stays = axis.at(low ? 1 : 0);
-    back.between(least + 1, low ? stays : axis.room - least - stays, pitch);
-  }
+  const int line = low ? 0 : axis.count - 1;
+  const int first = axis.at(0), span = axis.span(), last = first + span;
+  const int left = shortened(span, axis.count);
+  choose_longer(axis.count - 1, left, low ? last : axis.room - least - first, least, back, span);
   axis.choose_cells(line, back);
   axis.close(line);
+  axis.even_out(low ? last - left : first, left);
   return true;
 }
 

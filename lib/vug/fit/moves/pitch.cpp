@@ -17,14 +17,14 @@ bool pitch(const Workshop& shop, State& state, Choices& forward, Choices& back) 
   if (i < 0) return false;
   const bool last_stays = forward.flip();
   back.flip(last_stays);
-  const int by = step(forward, back);
+  const bool each = forward.flip();  // distance by as much, or all of them together
+  back.flip(each);
   Node& grid = tree[i];
+  const int by = step(forward, back) * (each ? count_of(grid) - 1 : 1);
   Lines& lines = along_x ? grid.left : grid.top;
-  for (int line = 0; line < count_of(grid); ++line) {
-    const int from_fixed = last_stays ? line - count_of(grid) + 1 : line;
-    lines[static_cast<size_t>(line)] =
-        static_cast<int16_t>(lines[static_cast<size_t>(line)] + from_fixed * by);
-  }
+  const int count = count_of(grid);
+  const int span = lines[static_cast<size_t>(count - 1)] - lines[0] + by;
+  lines = even_lines(last_stays ? lines[0] - by : lines[0], span, count);
   state.changed(i);
   return shop.model.fits(state, i);
 }

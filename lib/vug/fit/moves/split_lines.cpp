@@ -7,21 +7,24 @@ namespace {
 
 /// Between each two lines another one, and back.
 bool split_all(GridAxis& axis, int most, Choices& forward, Choices&) {
-  const int pitch = axis.pitch(), count = axis.count;
-  if (count < 2 || pitch % 2 != 0 || 2 * count - 1 > most) return false;
+  const int first = axis.at(0), span = axis.span(), count = axis.count;
+  if (count < 2 || 2 * count - 1 > most) return false;
   for (int line = count - 1; line > 0; --line) {
-    axis.open(line, axis.at(line) - pitch / 2);
+    axis.open(line, 0);
     if (!axis.choose_cells(line, forward)) return false;
   }
+  axis.even_out(first, span);
   return true;
 }
 
 bool merge_all(GridAxis& axis, int, Choices&, Choices& back) {
   if (axis.count < 3 || axis.count % 2 == 0) return false;
+  const int first = axis.at(0), span = axis.span();
   for (int line = axis.count - 2; line > 0; line -= 2) {
     axis.choose_cells(line, back);
     axis.close(line);
   }
+  axis.even_out(first, span);
   return true;
 }
 
