@@ -82,8 +82,7 @@ bool fold(const Workshop& shop, State& state, int i, int production, const Fold&
   const int most = jitter(shop, whole);
   for (int column = 0; column < whole.columns; ++column) {
     const auto at = static_cast<size_t>(column);
-    grid.left[at] =
-        column < grid.columns ? whole.left[at] : int16_t{0};
+    grid.left[at] = column < grid.columns ? whole.left[at] : int16_t{0};
   }
   for (int again = 1; again < fold.times; ++again)
     for (int column = 0; column < grid.columns; ++column) {
@@ -124,8 +123,7 @@ bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices
   grid.columns = static_cast<int16_t>(fold.times * part.columns);
   const int most = jitter(shop, part);
   for (int column = 0; column < part.columns; ++column)
-    grid.left[static_cast<size_t>(column)] =
-        part.left[static_cast<size_t>(column)];
+    grid.left[static_cast<size_t>(column)] = part.left[static_cast<size_t>(column)];
   for (int again = 1; again < fold.times; ++again)
     for (int column = 0; column < part.columns; ++column) {
       const int other = column_of(fold, part.columns, again, column);

@@ -18,18 +18,14 @@ const std::vector<const LikelihoodKind*>& likelihood_kinds() {
   return kinds;
 }
 
-const LikelihoodKind& find_likelihood(const std::string& name) {
+LikelihoodPtr make_likelihood(const std::string& name, const Evidence& evidence) {
   std::vector<std::string> known;
   for (const LikelihoodKind* kind : likelihood_kinds()) {
-    if (kind->info.name == name) return *kind;
+    if (kind->info.name == name) return kind->make(evidence);
     known.push_back(kind->info.name);
   }
   throw Error(ErrorCode::bad_input, fmt::format("there is no likelihood '{}'", name), {},
               suggestion(name, known));
-}
-
-LikelihoodPtr make_likelihood(const std::string& name, const Evidence& evidence) {
-  return find_likelihood(name).make(evidence);
 }
 
 }  // namespace vug::fit

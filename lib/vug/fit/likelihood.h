@@ -15,12 +15,13 @@ class Likelihood {
   virtual ~Likelihood() = default;
   /// Bits, from the sums over the region; 0 for no pixel.
   virtual double bits(Look look, const Sums& sums) const = 0;
+  /// Whether lanes are code lengths under each Look, and not clusters.
+  virtual bool of_looks() const { return false; }
 };
 using LikelihoodPtr = std::shared_ptr<const Likelihood>;
 
 struct LikelihoodKind {
   KindInfo info;
-  bool of_looks = false;  ///< Lanes are code lengths under each Look, not clusters.
   /// For pictures of that size and number of lanes.
   std::function<LikelihoodPtr(const Evidence&)> make;
 };
@@ -28,7 +29,6 @@ struct LikelihoodKind {
 /// One file a kind in likelihoods/.
 const std::vector<const LikelihoodKind*>& likelihood_kinds();
 /// By name; Error(bad_input) with the nearest one where there is none.
-const LikelihoodKind& find_likelihood(const std::string& name);
 LikelihoodPtr make_likelihood(const std::string& name, const Evidence& evidence);
 
 /// Lanes of supervised evidence hold bits in steps of this size, in the order of Look.

@@ -50,13 +50,14 @@ int bits_for(int range) {
 }
 
 Model::Model(const Rules& rules, const Limits& limits, int width, int height,
-             const Evidence* evidence, LikelihoodPtr likelihood)
+             const Evidence* evidence, LikelihoodPtr likelihood, double trust)
     : rules_(&rules),
       limits_(limits),
       width_(width),
       height_(height),
       evidence_(evidence),
       likelihood_(std::move(likelihood)),
+      trust_(trust),
       symbol_bits_(inference::log2(static_cast<double>(rules.symbols.size()))),
       x_bits_(bits_for(width)),
       y_bits_(bits_for(height)) {
@@ -65,6 +66,7 @@ Model::Model(const Rules& rules, const Limits& limits, int width, int height,
     throw Error(ErrorCode::bad_input, "a facade has between 1 and 32767 pixels in each direction");
   if (limits.least < 1 || limits.most_lines > kMostLines || limits.most_kinds > kMostKinds)
     throw Error(ErrorCode::bad_input, "the limits of facade trees are out of range");
+  if (!(trust > 0)) throw Error(ErrorCode::bad_input, "the trust in pixels is above 0");
   if (evidence && (evidence->width() != width || evidence->height() != height))
     throw Error(ErrorCode::bad_input, "the evidence has another size than the facade");
 }
@@ -156,21 +158,19 @@ double Model::pixels(const State& state, int i) const {
       return likelihood_->bits(Look::wall, rest);
     }
     case Op::windows: {
-      std::array<Sums, kMostKinds> kinds{};
-      Sums wall = whole();
-      each_window_of(*rules_, tree, i, [&](int part, const Rect& r) {
-        kinds[static_cast<size_t>(part - i - 1)] +=
-            sum(state, area, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
+      // Windows of a grid look alike, whatever their sizes: one region.
+      Sums windows, wall = whole();
+      each_window_of(*rules_, tree, i, [&](int, const Rect& r) {
+        windows += sum(state, area, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
       });
-      double bits = 0;
-      for (int part = i + 1; part < tree.end(i); ++part) {
-        const Node& seen = tree[part];
-        const Look look = rules_->symbol(seen.symbol).look;
-        const Sums sums = look == Look::window
-                              ? kinds[static_cast<size_t>(part - i - 1)]
-                              : sum(state, area, seen.x, seen.y, seen.width, seen.height);
-        bits += likelihood_->bits(look, sums);
-        wall -= sums;
+      wall -= windows;
+      double bits = likelihood_->bits(Look::window, windows);
+      const Node& last = tree[tree.end(i) - 1];
+      const Look look = rules_->symbol(last.symbol).look;
+      if (look != Look::window) {
+        const Sums door = sum(state, area, last.x, last.y, last.width, last.height);
+        bits += likelihood_->bits(look, door);
+        wall -= door;
       }
       return bits + likelihood_->bits(Look::wall, wall);
     }
@@ -192,7 +192,7 @@ double Model::energy(State& state) const {
   for (int i = 0; i < state.tree.size(); ++i) {
     const auto at = static_cast<size_t>(i);
     if (!state.known[at]) {
-      state.bits[at] = complexity(state.tree, i) + pixels(state, i);
+      state.bits[at] = complexity(state.tree, i) + trust_ * pixels(state, i);
       state.known[at] = 1;
     }
     all += state.bits[at];

@@ -18,14 +18,17 @@ struct Rect {
 class Model {
  public:
   /// What is referred to must outlive the model. `evidence` and `likelihood` may be null: then
-  /// pixels cost nothing, which leaves the prior.
+  /// pixels cost nothing, which leaves the prior. Bits of pixels count `trust` each: neighbours are
+  /// no independent witnesses, so that codes which take them for such make too much of them.
   Model(const Rules& rules, const Limits& limits, int width, int height,
-        const Evidence* evidence = nullptr, LikelihoodPtr likelihood = nullptr);
+        const Evidence* evidence = nullptr, LikelihoodPtr likelihood = nullptr, double trust = 1);
 
   const Rules& rules() const { return *rules_; }
   const Limits& limits() const { return limits_; }
   int width() const { return width_; }
   int height() const { return height_; }
+  const Likelihood* likelihood() const { return likelihood_.get(); }
+  double trust() const { return trust_; }
 
   /// The axiom alone.
   State start() const { return state_of({{Node{.symbol = static_cast<int16_t>(rules_->axiom)}}}); }
@@ -42,7 +45,7 @@ class Model {
   /// c(T): bits of the nodes' symbols and parameters alone.
   double complexity(const Tree& tree) const;
   double complexity(const Tree& tree, int i) const;
-  /// Bits of the pixels that node i answers for.
+  /// Bits of the pixels that node i answers for, in full.
   double pixels(const State& state, int i) const;
 
   /// Whether the node is a window of a grid, whose lines say where it stands.
@@ -77,6 +80,7 @@ class Model {
   int width_, height_;
   const Evidence* evidence_;
   LikelihoodPtr likelihood_;
+  double trust_;
   double symbol_bits_;
   int x_bits_, y_bits_;
 };

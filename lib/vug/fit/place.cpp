@@ -94,8 +94,7 @@ bool Model::place_parts(State& state, int i) const {
       const int count = state.tree[first].extent, width = w / count;
       if (count < 2 || count > limits_.most_repeats || width < limits_.least) return false;
       std::vector<Slice> slices;
-      for (int k = 0; k < count; ++k)
-        slices.push_back({repeated_at(w, count, k), width, 0, h});
+      for (int k = 0; k < count; ++k) slices.push_back({repeated_at(w, count, k), width, 0, h});
       cut(state, first, area, slices, false);
       return true;
     }

@@ -8,6 +8,8 @@ namespace vug::fit {
 
 struct ReadOptions {
   std::string likelihood = "kt";  ///< `supervised` where the evidence is of looks.
+  /// How much the bits of a pixel count: neighbours are no independent witnesses.
+  double trust = 0.1;
   Limits limits;
   SeedOptions seeds;
   SamplerOptions sampler;

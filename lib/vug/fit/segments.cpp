@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 
 namespace vug::fit {
 
@@ -16,16 +17,25 @@ std::vector<Segment> best_segments(const std::vector<double>& before, const Segm
     std::vector<double> row(before.size(), -1e300);
     std::vector<int> last(before.size(), 0);
     const std::vector<double>& fewer = best.back();
+    // Of starts that are neither too near nor too far the best is the front of a queue, in which
+    // what is better drives out what came before it.
+    std::deque<int> starts;
+    const auto worth = [&](int start) {
+      return (n > 1 ? fewer[at(start - 1)] : 0) - before[at(start)];
+    };
     for (int end = limits.least; end <= places; ++end) {
       row[at(end)] = row[at(end - 1)];
-      for (int length = limits.least; length <= std::min(limits.most_size, end); ++length) {
-        if (n > 1 && end - length < 1) break;
-        const double gain =
-            fewer[at(end - length - 1)] + before[at(end)] - before[at(end - length)] - limits.cost;
-        if (gain > row[at(end)]) {
-          row[at(end)] = gain;
-          last[at(end)] = length;
-        }
+      const int fresh = end - limits.least;
+      if (n == 1 || fresh > 0) {
+        while (!starts.empty() && worth(starts.back()) <= worth(fresh)) starts.pop_back();
+        starts.push_back(fresh);
+      }
+      while (!starts.empty() && starts.front() < end - limits.most_size) starts.pop_front();
+      if (starts.empty()) continue;
+      const double gain = worth(starts.front()) + before[at(end)] - limits.cost;
+      if (gain > row[at(end)]) {
+        row[at(end)] = gain;
+        last[at(end)] = end - starts.front();
       }
     }
     if (!(row.back() > fewer.back())) break;

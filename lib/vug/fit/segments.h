@@ -19,7 +19,7 @@ struct SegmentLimits {
 
 /// `before[i]` is what all places before i gain, so there is one more than places. The segments, at
 /// least a place apart and in order, that gain most less their costs; none where none gains.
-/// Time: places x most_size x most.
+/// Time: places x most.
 std::vector<Segment> best_segments(const std::vector<double>& before, const SegmentLimits& limits);
 
 }  // namespace vug::fit

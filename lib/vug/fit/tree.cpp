@@ -1,5 +1,8 @@
 #include <vug/fit/tree.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace vug::fit {
 
 Lines even_lines(int first, int span, int count) {
@@ -8,6 +11,24 @@ Lines even_lines(int first, int span, int count) {
   for (int i = 0; i < count; ++i)
     out[static_cast<size_t>(i)] = static_cast<int16_t>(first + (2 * i * span + gaps) / (2 * gaps));
   return out;
+}
+
+Lines nearest_even(const Lines& lines, int count) {
+  constexpr int kNear = 3;
+  const int span = lines[static_cast<size_t>(count - 1)] - lines[0];
+  Lines best = lines;
+  int least = -1;
+  for (int first = std::max(0, lines[0] - kNear); first <= lines[0] + kNear; ++first)
+    for (int wide = count > 1 ? span - 2 * kNear : 0; wide <= (count > 1 ? span + 2 * kNear : 0);
+         ++wide) {
+      const Lines even = even_lines(first, wide, count);
+      int off = 0;
+      for (size_t i = 0; i < static_cast<size_t>(count); ++i) off += std::abs(even[i] - lines[i]);
+      if (least >= 0 && off >= least) continue;
+      least = off;
+      best = even;
+    }
+  return best;
 }
 
 Cells Node::full_cells() const {

@@ -14,6 +14,8 @@ constexpr int kMostLines = 16, kMostKinds = 15;
 using Lines = std::array<int16_t, kMostLines>;
 /// Lines of a regular grid: `span` from the first to the last, between them even to a pixel.
 Lines even_lines(int first, int span, int count);
+/// Even lines that are nearest to these.
+Lines nearest_even(const Lines& lines, int count);
 /// A grid's cells, a number for each row.
 using Cells = std::array<uint64_t, kMostLines>;
 

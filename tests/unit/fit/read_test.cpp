@@ -3,6 +3,7 @@
 
 #include <vug/base/error.h>
 #include <vug/fit/compile.h>
+#include <vug/fit/polish.h>
 #include <vug/fit/read.h>
 
 #include <gtest/gtest.h>
@@ -45,8 +46,8 @@ ReadOptions quick(const std::string& likelihood) {
 
 TEST(Read, WindowsWithEachLikelihood) {
   for (const LikelihoodKind* kind : likelihood_kinds()) {
-    const Reading found =
-        read(pixels(0.2, kind->of_looks), rules(), quick(kind->info.name), RandomKey(1));
+    const Reading found = read(pixels(0.2, kind->info.name == "supervised"), rules(),
+                               quick(kind->info.name), RandomKey(1));
     EXPECT_EQ(found.seen.size(), 12u) << kind->info.name;
     for (const Seen& one : found.seen) {
       EXPECT_EQ(one.look, Look::window);
@@ -60,6 +61,34 @@ TEST(Read, WindowsWithEachLikelihood) {
     EXPECT_LT(found.seed_bits, found.wall_bits);
     EXPECT_GT(found.complexity, 0);
   }
+}
+
+/// Spoilt trees are made good again where no number is further off than a few pixels.
+TEST(Polish, NeverWorseAndBackToWhereItWas) {
+  const Evidence evidence = pixels(0.2, false);
+  const Model model(rules(), {}, kWidth, kHeight, &evidence, make_likelihood("kt", evidence));
+  const Hints hints = Hints::of_clusters(evidence);
+  const Workshop shop{model, hints};
+  RandomStream stream{RandomKey(12)};
+  int same = 0;
+  const std::vector<State> found = seeds(shop, evidence, false);
+  State best = found.front();
+  polish(shop, evidence, best);
+  const double bits = model.energy(best);
+  const inference::Moves<State> some = moves(shop, {"shift", "resize", "pitch", "line", "divide"});
+  for (int trial = 0; trial < 50; ++trial) {
+    inference::Chain<State> chain(some, [&](State& state) { return model.energy(state); }, best,
+                                  RandomKey(static_cast<uint64_t>(trial)), {.temperature = 300});
+    for (int step = 0; step < 60; ++step) chain.step();
+    State spoilt = chain.state();
+    const Polished done = polish(shop, evidence, spoilt);
+    EXPECT_EQ(done.before, chain.energy());
+    EXPECT_LE(done.after, done.before);
+    EXPECT_EQ(done.after, model.energy(spoilt));
+    EXPECT_GE(done.rounds, 1);
+    same += done.after <= bits + 1e-6 ? 1 : 0;
+  }
+  EXPECT_GE(same, 45);
 }
 
 TEST(Read, ToldToStopItGivesTheBestSoFar) {

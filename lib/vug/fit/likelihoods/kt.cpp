@@ -50,6 +50,5 @@ VUG_LIKELIHOOD(kt) {
            "Adaptive code of a region's clusters: regions of few clusters, whichever, are cheap.",
            "krichevsky1981",
            {}},
-          false,
           [](const Evidence& evidence) { return std::make_shared<const Kt>(evidence); }};
 }

@@ -37,6 +37,5 @@ VUG_LIKELIHOOD(paper) {
            "Counts the pixels that differ from a region's main cluster, as published.",
            "ripperda2009",
            {}},
-          false,
           [](const Evidence& evidence) { return std::make_shared<const Paper>(evidence); }};
 }

@@ -11,6 +11,7 @@ class Supervised : public Likelihood {
   double bits(Look look, const Sums& sums) const override {
     return kBitStep * sums.lane[static_cast<size_t>(look)];
   }
+  bool of_looks() const override { return true; }
 };
 
 }  // namespace
@@ -22,7 +23,6 @@ VUG_LIKELIHOOD(supervised) {
            "Sums up how unlikely each pixel is under its region's look, by maps of looks.",
            "",
            {}},
-          true,
           [](const Evidence& evidence) {
             if (evidence.lanes() != kLooks)
               throw Error(ErrorCode::bad_input,

@@ -12,8 +12,7 @@ int shortened(int span, int count) {
 
 /// The span of one line more: one of those that this one would be left of, or, of a single line,
 /// any that has room.
-int choose_longer(int count, int span, int room, int least, Choices& choices,
-                  int told) {
+int choose_longer(int count, int span, int room, int least, Choices& choices, int told) {
   if (count == 1) return choices.between(least + 1, room, told);
   int low = span;
   while (shortened(low, count + 1) < span) ++low;

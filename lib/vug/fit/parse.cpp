@@ -1,0 +1,149 @@
+#include <vug/fit/layout.h>
+#include <vug/fit/parse.h>
+#include <vug/fit/row.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::fit {
+namespace {
+
+Gains scaled(Gains gains, double by) {
+  for (double& gain : gains) gain *= by;
+  return gains;
+}
+
+class Parser {
+ public:
+  Parser(const Workshop& shop, const Evidence& evidence, const Gains& gains,
+         const ParseOptions& options)
+      : shop_(shop),
+        model_(shop.model),
+        rules_(shop.model.rules()),
+        evidence_(evidence),
+        map_(evidence, scaled(gains, shop.model.trust())),
+        options_(options),
+        line_cost_(bits_for(model_.width())) {}
+
+  State best(State state, int i, int depth) const {
+    const Area area = state.area(i);
+    const Sheet sheet(map_, state, area);
+    Found found(model_, state);
+    if (has(state, i, Op::grid)) {
+      const Layout layout = lay_out(sheet, model_.limits(), line_cost_, 6);
+      if (!layout.empty())
+        for (State& grid : grids_of(shop_, state, i, sheet, layout)) found.add(std::move(grid));
+    }
+    if (has(state, i, Op::elements))
+      for (State& row : rows_of_elements(shop_, evidence_, state, i)) found.add(std::move(row));
+    if (depth == 0) return std::move(found.state);
+    std::vector<std::pair<double, State>> ways;
+    for (State& split : splits(state, i, sheet)) {
+      State plain = expanded(split, i, 0);
+      ways.emplace_back(model_.energy(plain), std::move(split));
+      found.add(std::move(plain));
+    }
+    if (depth == 1) return std::move(found.state);
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    const size_t breadth = std::min(ways.size(), static_cast<size_t>(options_.breadth));
+    for (size_t way = 0; way < breadth; ++way)
+      found.add(expanded(std::move(ways[way].second), i, depth - 1));
+    return std::move(found.state);
+  }
+
+ private:
+  /// The best so far.
+  struct Found {
+    Found(const Model& of, const State& start) : model(of), state(start) {
+      bits = model.energy(state);
+    }
+    void add(State other) {
+      const double others = model.energy(other);
+      if (!(others < bits)) return;
+      bits = others;
+      state = std::move(other);
+    }
+    const Model& model;
+    State state;
+    double bits;
+  };
+
+  bool has(const State& state, int i, Op op) const {
+    for (const int way : rules_.productions_of(state.tree[i].symbol))
+      if (rules_.production(way).op == op) return true;
+    return false;
+  }
+
+  /// All parts of node i expanded, the last first, so that places of the others stay.
+  State expanded(State state, int i, int depth) const {
+    for (int number = state.tree.part_count(i) - 1; number >= 0; --number)
+      state = best(std::move(state), state.tree.part(i, number), depth);
+    return state;
+  }
+
+  static Node part_of(const Production& production, size_t number, int extent = 0) {
+    Node node;
+    node.symbol = static_cast<int16_t>(production.parts[number]);
+    node.made_by = static_cast<int8_t>(production.op);
+    node.extent = static_cast<int16_t>(extent);
+    return node;
+  }
+
+  /// Node i divided in every way that the picture supports.
+  std::vector<State> splits(const State& state, int i, const Sheet& sheet) const {
+    std::vector<State> out;
+    const Area area = state.area(i);
+    const int least = model_.limits().least;
+    const double promise = options_.promise * sheet.promise();
+    const auto add = [&](int way, const std::vector<Node>& parts, bool folds) {
+      State split = state;
+      split.grow(i, way, parts);
+      if (!std::isfinite(model_.energy(split))) return;
+      double kept = 0;
+      for (int number = 0; folds && number < static_cast<int>(parts.size()); ++number)
+        kept += Sheet(map_, split, split.area(split.tree.part(i, number))).promise();
+      if (!folds || kept >= promise) out.push_back(std::move(split));
+    };
+    for (const int way : rules_.productions_of(state.tree[i].symbol)) {
+      const Production& production = rules_.production(way);
+      if (production.op == Op::rows)
+        for (const int edge : edges(evidence_, state, area, false, kRows))
+          add(way, {part_of(production, 0, area.height - edge), part_of(production, 1)}, false);
+      if (production.op == Op::repeat)
+        for (int times = 2;
+             times <= std::min<int>(model_.limits().most_repeats, area.width / (2 * least));
+             ++times)
+          add(way, {part_of(production, 0, times)}, true);
+      if (production.op == Op::mirror && production.parts.size() == 1)
+        add(way, {part_of(production, 0)}, true);
+      if (production.op == Op::mirror && production.parts.size() == 2)
+        for (const int edge : edges(evidence_, state, area, true, kMiddles)) {
+          const int middle = std::abs(area.width - 2 * edge);
+          if (middle >= least)
+            add(way, {part_of(production, 0), part_of(production, 1, middle)}, true);
+        }
+    }
+    return out;
+  }
+
+  static constexpr int kRows = 12, kMiddles = 24;
+
+  const Workshop& shop_;
+  const Model& model_;
+  const Rules& rules_;
+  const Evidence& evidence_;
+  const GainMap map_;
+  const ParseOptions options_;
+  const double line_cost_;
+};
+
+}  // namespace
+
+State parse(const Workshop& shop, const Evidence& evidence, const Gains& gains, State state, int i,
+            const ParseOptions& options) {
+  shop.model.energy(state);
+  return Parser(shop, evidence, gains, options).best(std::move(state), i, options.depth);
+}
+
+}  // namespace vug::fit

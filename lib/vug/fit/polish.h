@@ -1,0 +1,30 @@
+// The last pixels of a tree: its numbers are made the best there are while its parts stay.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/fit/move.h>
+
+namespace vug::fit {
+
+struct Polished {
+  double before = 0, after = 0;  ///< Bits; never more after than before.
+  int rounds = 0;                ///< Until nothing changed any more.
+};
+
+/// Turns over all nodes until none gets better: lines and sizes of grids by dynamic programming
+/// over all places, the cheapest type of a grid that draws the same, edges of doors and elements
+/// and the lines between parts by trying all places. Stops in between when told to.
+Polished polish(const Workshop& shop, const Evidence& evidence, State& state,
+                Progress& progress = Progress::none());
+
+/// Of the grid below node i: each of its columns and rows and the sizes of its windows. Whether
+/// that saved bits; else the state stays as it is.
+bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, int i);
+
+/// Of node i, which has been rewritten to a grid: the cheapest type of grid. Likewise.
+bool polish_type(const Workshop& shop, State& state, int i);
+
+/// Takes the other state where it is one and cheaper.
+bool take_cheaper(const Model& model, State& state, State other);
+
+}  // namespace vug::fit
