@@ -14,12 +14,6 @@ namespace {
 constexpr double kJoin = 0.1;
 constexpr double kBefore = 0.01;
 
-/// The element's frame at one of its places.
-Transform frame_of(const Rect& rect, bool mirrored, double depth) {
-  return mirrored ? Transform({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {rect.right(), rect.y, depth})
-                  : Transform::translation({rect.x, rect.y, depth});
-}
-
 class Carver {
  public:
   explicit Carver(const Tree& tree) : tree_(tree) { standing(tree); }
@@ -55,22 +49,13 @@ class Carver {
 
   void element(int index) {
     const Node& node = tree_.nodes[static_cast<size_t>(index)];
-    Solids one;
-    try {
-      one = node.element->solids(node.rect.width, node.rect.height);
-    } catch (const Error& error) {
-      throw Error(error.code(),
-                  fmt::format("{} '{}' of {:.4g} x {:.4g} m: {}", node.element->kind(), node.text,
-                              node.rect.width, node.rect.height, error.what()),
-                  error.where(), error.hint());
-    }
+    Solids one = solids_of(node);
     // What belongs to one element is one operand, so that it is looked at as a whole.
     const auto put = [&](std::vector<field::Field>& parts, std::vector<field::Field>& to) {
       if (parts.empty()) return;
       const field::Field whole = parts.size() == 1 ? parts[0] : field::unite(std::move(parts));
       for (const Placement& place : placements(tree_, index))
-        to.push_back(field::transformed(
-            whole, frame_of(place(node.rect), place.mirrored != node.mirrored, node.depth)));
+        to.push_back(field::transformed(whole, frame_of(node, place)));
     };
     put(one.cut, cuts_);
     put(one.add, adds_);
@@ -130,6 +115,24 @@ field::Field Carving::applied(field::Field wall) const {
   return wall;
 }
 
+Solids solids_of(const Node& node) {
+  try {
+    return node.element->solids(node.rect.width, node.rect.height);
+  } catch (const Error& error) {
+    throw Error(error.code(),
+                fmt::format("{} '{}' of {:.4g} x {:.4g} m: {}", node.element->kind(), node.text,
+                            node.rect.width, node.rect.height, error.what()),
+                error.where(), error.hint());
+  }
+}
+
+Transform frame_of(const Node& node, const Placement& place) {
+  const Rect rect = place(node.rect);
+  return place.mirrored != node.mirrored
+             ? Transform({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {rect.right(), rect.y, node.depth})
+             : Transform::translation({rect.x, rect.y, node.depth});
+}
+
 Carving carve(const Tree& tree) { return Carver(tree).run(); }
 
 field::Field zones(const Tree& tree, const std::vector<std::string>& kinds, double behind,
@@ -150,7 +153,11 @@ field::Field wall(TreePtr tree, const Frame& frame, double thickness) {
   const field::Field slab = block({0, 0, tree->width, tree->height}, -thickness, 0);
   const field::Field carved =
       field::transformed(carve(*tree).applied(slab), frame.transform(tree->width));
-  return field::Field(std::make_shared<FacadeNode>(Placed{std::move(tree), frame}, carved.node()));
+  return remembering({std::move(tree), frame}, carved);
+}
+
+field::Field remembering(Placed placed, const field::Field& field) {
+  return field::Field(std::make_shared<FacadeNode>(std::move(placed), field.node()));
 }
 
 std::optional<Placed> placed_of(const field::Field& field) {
@@ -161,7 +168,9 @@ std::optional<Placed> placed_of(const field::Field& field) {
 FacadeParams::FacadeParams() = default;
 
 std::string FacadeParams::facade_fault() const {
-  return placed_of(facade) ? "" : "'facade' is a grammar of kind facade, as its text declares it";
+  return placed_of(facade)
+             ? ""
+             : "'facade' is a grammar of kind facade, or what carve(...) has made with one";
 }
 
 Placed FacadeParams::placed() const {

@@ -40,6 +40,11 @@ struct Carving {
 /// names the element whose measures do not fit; Error(too_large) beyond a million elements.
 Carving carve(const Tree& tree);
 
+/// What the element of a node is made of, in its own frame. Error(bad_input) names the element.
+Solids solids_of(const Node& node);
+/// From the frame of a node's element at one of its places to the facade's.
+Transform frame_of(const Node& node, const Placement& place);
+
 /// Boxes around all elements of these kinds (or whose symbols are called so), from `behind` the
 /// face of each to `before` it, in the facade's frame.
 field::Field zones(const Tree& tree, const std::vector<std::string>& kinds, double behind,
@@ -53,7 +58,10 @@ struct Placed {
   TreePtr tree;
   Frame frame;
 };
-/// What wall() was made of; nothing for other fields.
+/// The field, which passes everything on, with what was carved into it.
+field::Field remembering(Placed placed, const field::Field& field);
+/// What is remembered of a facade: of wall(), of a solid that one was carved into, of an infill;
+/// nothing for other fields.
 std::optional<Placed> placed_of(const field::Field& field);
 
 /// The argument of kinds that take a facade: its field as it is, and perhaps another frame.
@@ -65,13 +73,15 @@ struct FacadeParams {
   FacadeParams();
   template <class P>
   static void describe_facade(Schema<P>& s) {
-    s.param("facade", &P::facade, {.doc = "a grammar of kind facade", .required = true});
+    s.param(
+        "facade", &P::facade,
+        {.doc = "a grammar of kind facade, or a solid that one is carved into", .required = true});
   }
   template <class P>
   static void describe_frame(Schema<P>& s) {
-    s.param("at", &P::at, any_length("the middle of its foot, in place of the grammar's"))
+    s.param("at", &P::at, any_length("the middle of its foot, in place of the facade's"))
         .param("yaw", &P::yaw,
-               {.doc = "its turn, in place of the grammar's", .dimension = Dimension::angle});
+               {.doc = "its turn, in place of the facade's", .dimension = Dimension::angle});
   }
   /// A sentence where the field is no facade.
   std::string facade_fault() const;

@@ -1,4 +1,5 @@
 #include <vug/base/memory.h>
+#include <vug/facade/semantics.h>
 #include <vug/mesh/refine.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/session/blame.h>
@@ -33,6 +34,7 @@ mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surfac
   mesh::LargePieces pieces = mesh::large_pieces(
       meshing::polygonize(surface, exact, polygonize, progress).mesh, plan.smallest_piece);
   if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::samples(surface).get());
+  if (!plan.elements.empty()) facade::add_semantics(pieces.mesh, plan.elements);
   return pieces;
 }
 

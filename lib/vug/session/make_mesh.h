@@ -8,7 +8,8 @@
 
 namespace vug::session {
 
-/// The mesh of the plan's level set, without its small pieces, with vertex colours.
+/// The mesh of the plan's level set, without its small pieces, with vertex colours and
+/// what tells elements of facades apart.
 /// Error(too_large) where `memory` bytes do not suffice.
 mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
                             Progress& progress);

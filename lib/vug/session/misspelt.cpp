@@ -1,4 +1,5 @@
 #include <vug/cells/onto_mesh.h>
+#include <vug/facade/semantics.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/misspelt.h>
@@ -14,9 +15,13 @@ std::vector<std::string> carried(const Shot& shot) {
   std::vector<std::string> names;
   for (const CellsPtr& cells : declared_cells(shot))
     names.insert(names.end(), cells->brings.begin(), cells->brings.end());
-  for (const MeshPtr& mesh : shot.meshes)
+  for (const MeshPtr& mesh : shot.meshes) {
     if (mesh->given)
       for (const mesh::Attribute& each : mesh->given->attributes) names.push_back(each.name);
+    if (mesh->elements.empty()) continue;
+    const std::vector<std::string> semantic = facade::semantic_names(mesh->elements);
+    names.insert(names.end(), semantic.begin(), semantic.end());
+  }
   if (!names.empty()) names.emplace_back(mesh::kColour);
   return names;
 }

@@ -24,8 +24,9 @@
 #include <vector>
 
 namespace vug::facade {
+struct Placed;
 struct Tree;
-}
+}  // namespace vug::facade
 
 namespace vug::session {
 
@@ -63,8 +64,10 @@ struct MeshPlan {
   double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
-  CellsPtr cells;              ///< That it wears on one of what they stand on; null: none.
-  size_t ground = 0;           ///< On which.
+  /// Facades whose nodes the vertices tell apart; see add_semantics.
+  std::vector<std::shared_ptr<const facade::Placed>> elements;
+  CellsPtr cells;     ///< That it wears on one of what they stand on; null: none.
+  size_t ground = 0;  ///< On which.
   std::vector<std::shared_ptr<const MeshPlan>> parts;  ///< All that it is in one; none: itself.
 
   bool operator==(const MeshPlan&) const = default;

@@ -41,7 +41,7 @@ field::Field made(const Carve& c) {
             frame)});
   Carving carving = carve(tree);
   for (Carving::Layer& layer : carving.layers) layer.solid = field::transformed(layer.solid, frame);
-  return carving.applied(out);
+  return remembering(placed, carving.applied(out));
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ struct Infill : FacadeParams {
 
 field::Field made(const Infill& i) {
   const Placed placed = i.placed();
-  return field::transformed(carve(*placed.tree).fill, placed.frame.transform(placed.tree->width));
+  return remembering(placed, field::transformed(carve(*placed.tree).fill,
+                                                placed.frame.transform(placed.tree->width)));
 }
 
 }  // namespace

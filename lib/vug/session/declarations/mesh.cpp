@@ -1,3 +1,4 @@
+#include <vug/facade/carve.h>
 #include <vug/mesh/format.h>
 #include <vug/mesh/normals.h>
 #include <vug/mesh/weld.h>
@@ -21,6 +22,7 @@ struct Block : MeshPlan {
   std::filesystem::path file;
   double scale = 1;
   Drawn of;
+  std::vector<field::Field> elements_of;
   double tolerance = 0.2e-3;
 };
 
@@ -39,6 +41,10 @@ Schema<Block> schema() {
               .dimension = Dimension::length,
               .min = 0})
       .param("paint", &MeshPlan::paint, {.doc = "its vertex colours: a paint or one colour"})
+      .param(
+          "elements", &Block::elements_of,
+          {.doc = "facades, or solids that they are carved into: the vertices tell of which node "
+                  "and of which kind of element they are"})
       .choice("format", static_cast<std::string Block::*>(&MeshPlan::format), formats(),
               "the file that is written");
   s.param("file", &Block::file, {.doc = "an OBJ, PLY or STL file, which may be open"})
@@ -78,7 +84,7 @@ mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, R
                               fmt::format("leave out 'on' or '{}'", entry.key));
     return nullptr;
   }
-  for (const char* key : {"adaptivity", "polish", drawn ? "file" : "tolerance"})
+  for (const char* key : {"adaptivity", "polish", "elements", drawn ? "file" : "tolerance"})
     if (const scene::Entry* other = declaration.find_entry(key)) {
       reading.diagnostics.error(
           other->where, fmt::format("a mesh {} has no use for '{}'", source, key), "leave it out");
@@ -112,6 +118,23 @@ VolumePtr read_volume(const scene::Declaration& declaration, Reading& reading) {
   return nullptr;
 }
 
+/// Fills plan.elements; false with a diagnostic where one of them is no facade.
+bool tell_elements(const Block& block, const scene::Declaration& declaration, Reading& reading,
+                   MeshPlan& plan) {
+  for (const field::Field& each : block.elements_of) {
+    const std::optional<facade::Placed> placed = facade::placed_of(each);
+    if (!placed) {
+      reading.diagnostics.error(declaration.find_entry("elements")->where,
+                                "'elements' are grammars of kind facade, or what carve(...) has "
+                                "made with one",
+                                "name the result of carve itself, before it is displaced");
+      return false;
+    }
+    plan.elements.push_back(std::make_shared<const facade::Placed>(*placed));
+  }
+  return true;
+}
+
 }  // namespace
 
 const DeclarationKind& mesh_declaration() {
@@ -125,6 +148,7 @@ const DeclarationKind& mesh_declaration() {
         MeshPlan plan = *block;
         plan.name = declaration.name;
         plan.volume = volume;
+        if (!tell_elements(*block, declaration, reading, plan)) return Value();
         if (is_given) plan.given = given(*block, declaration, reading);
         if (!plan.volume && !plan.given) return Value();
         const MeshPtr made = std::make_shared<const MeshPlan>(std::move(plan));
