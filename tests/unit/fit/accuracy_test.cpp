@@ -1,0 +1,159 @@
+// How right trees and looks are on photographed facades whose pixels people have labelled; see
+// docs/theory/facades.md. A share of them, unless VUG_ACCURACY=all asks for the figures.
+#include "../scan/external_data.h"
+
+#include <vug/base/rng.h>
+#include <vug/fit/cluster_image.h>
+#include <vug/fit/compile.h>
+#include <vug/fit/confusion.h>
+#include <vug/fit/labelling.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+namespace vug::fit {
+namespace {
+
+const Classes kClasses{{"door", "shop", "balcony", "window", "wall", "sky", "roof"}};
+constexpr uint8_t kWindow = 3;
+
+bool all_asked_for() {
+  const char* told = std::getenv("VUG_ACCURACY");
+  return told && std::string(told) == "all";
+}
+
+/// Read once for all tests; each fifth one unless all are asked for.
+const std::vector<Labelled>& facades() {
+  static const std::vector<Labelled> found = [] {
+    const std::filesystem::path folder = external_data();
+    if (folder.empty() || !std::filesystem::is_directory(folder / "facades/labels"))
+      return std::vector<Labelled>{};
+    std::vector<Labelled> read = read_labelled_folder(folder / "facades", kClasses);
+    if (all_asked_for()) return read;
+    std::vector<Labelled> some;
+    for (size_t i = 0; i < read.size(); i += 5) some.push_back(std::move(read[i]));
+    return some;
+  }();
+  return found;
+}
+
+/// Pixels that are windows, or are taken for some, and those that are both; of all pictures.
+class Windows {
+ public:
+  void add(const Labelled& truth, const std::vector<Seen>& seen) {
+    const std::vector<uint8_t> looks = looks_of(seen, truth.photo.width, truth.photo.height);
+    double both = 0, any = 0;
+    for (size_t i = 0; i < looks.size(); ++i) {
+      if (truth.labels[i] == kVoid) continue;
+      const bool found = static_cast<Look>(looks[i]) == Look::window;
+      const bool there = truth.labels[i] == kWindow;
+      both += found && there ? 1 : 0;
+      any += found || there ? 1 : 0;
+    }
+    if (any > 0) each_ += both / any, count_ += 1;
+    both_ += both, any_ += any;
+    if (std::getenv("VUG_VERBOSE")) std::printf("  %-10s %.3f\n", truth.name.c_str(), both / any);
+  }
+  double overlap() const { return both_ / any_; }
+  double mean_overlap() const { return each_ / count_; }
+
+ private:
+  double both_ = 0, any_ = 0, each_ = 0, count_ = 0;
+};
+
+class Accuracy : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (facades().empty())
+      GTEST_SKIP() << "VUG_EXTERNAL_DATA names no folder with facades/images and facades/labels";
+  }
+  /// In small pictures few pixels are a window's.
+  static ReadOptions options(const char* likelihood) {
+    ReadOptions out;
+    out.likelihood = likelihood;
+    out.limits.least = 3;
+    out.sampler.steps = 50'000;
+    return out;
+  }
+  const Rules rules_ = compile(facade::load_rules(std::string(VUG_DATA) + "/facades/ripperda.vug"));
+};
+
+TEST_F(Accuracy, TrainedLooks) {
+  LookOptions looks;
+  if (!all_asked_for()) looks.first.trees = looks.second.trees = 8;
+  Confusion maps_alone(kClasses.count()), with_tree(kClasses.count());
+  Windows windows;
+  cross_validate(
+      facades(), kClasses, {}, looks, 5, RandomKey(1), [&](size_t k, const Planes& maps) {
+        const Labelled& truth = facades()[k];
+        const Reading reading =
+            read(look_evidence(maps, kClasses), rules_, options("supervised"), RandomKey(1));
+        maps_alone.add(truth.labels, most_likely(maps));
+        with_tree.add(truth.labels, labels(maps, kClasses, reading.seen));
+        windows.add(truth, reading.seen);
+      });
+  const auto tell = [](const char* what, const Confusion& table) {
+    std::printf("%s: pixel accuracy %.3f, class average %.3f, window overlap %.3f\n%s", what,
+                table.accuracy(), table.class_average(), table.overlap(kWindow),
+                table.table(kClasses).c_str());
+  };
+  tell("maps alone", maps_alone);
+  tell("maps and trees", with_tree);
+  std::printf("windows of the trees: overlap %.3f\n", windows.overlap());
+  // Nine facades teach less than forty-two.
+  const bool all = all_asked_for();
+  EXPECT_GT(with_tree.accuracy(), all ? 0.80 : 0.75);
+  EXPECT_GT(with_tree.overlap(kWindow), all ? 0.50 : 0.40);
+  EXPECT_GT(windows.overlap(), all ? 0.50 : 0.40);
+}
+
+TEST_F(Accuracy, WithoutTraining) {
+  for (const char* likelihood : {"kt", "paper"}) {
+    Windows windows;
+    for (const Labelled& facade : facades()) {
+      const ClusterImage clusters = cluster_image(&facade.photo, nullptr, {}, RandomKey(1));
+      windows.add(facade,
+                  read(clusters.evidence(), rules_, options(likelihood), RandomKey(1)).seen);
+    }
+    std::printf("%s: windows of the trees: overlap %.3f\n", likelihood, windows.overlap());
+    if (likelihood == std::string("kt")) {
+      EXPECT_GT(windows.overlap(), 0.20);
+    }
+  }
+}
+
+/// Maps that are sure of the label, or in every tenth pixel of another class.
+Planes flipped(const Labelled& facade, RandomKey key) {
+  constexpr double kFlipped = 0.1;
+  const auto others = static_cast<uint32_t>(kClasses.count() - 1);
+  Planes out{
+      facade.photo.width, facade.photo.height,
+      std::vector<Plane>(kClasses.names.size(),
+                         Plane(facade.labels.size(), static_cast<float>(kFlipped / others)))};
+  RandomStream stream(key);
+  for (size_t i = 0; i < facade.labels.size(); ++i) {
+    size_t label = facade.labels[i];
+    if (label == kVoid) label = 4;
+    if (stream.uniform() < kFlipped) label = (label + 1 + stream.below(others)) % (others + 1);
+    out.planes[label][i] = static_cast<float>(1 - kFlipped);
+  }
+  return out;
+}
+
+TEST_F(Accuracy, LabelsOfWhichATenthIsFlipped) {
+  Windows windows;
+  for (size_t k = 0; k < facades().size(); ++k) {
+    // These maps are right about themselves.
+    const Evidence evidence =
+        look_evidence(flipped(facades()[k], RandomKey(k)), kClasses, {.windows = 1, .unnamed = 0});
+    windows.add(facades()[k], read(evidence, rules_, options("supervised"), RandomKey(1)).seen);
+  }
+  std::printf("flipped labels: windows of the trees: overlap %.3f, mean over facades %.3f\n",
+              windows.overlap(), windows.mean_overlap());
+  EXPECT_GT(windows.overlap(), all_asked_for() ? 0.80 : 0.75);
+}
+
+}  // namespace
+}  // namespace vug::fit
