@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 namespace vug::fit {
 namespace {
@@ -112,32 +112,37 @@ bool put_grid(const Workshop& shop, State& state, int i, int way, const Sheet& s
   return true;
 }
 
-/// With a door from the lowest row down to the ground, in the column where that costs least.
-void add_doors(const Workshop& shop, const State& state, int i, std::vector<State>& out) {
+/// With a door: there, or from the lowest row down to the ground in the column where that costs
+/// least.
+void add_doors(const Workshop& shop, const State& state, int i, const Rect& there,
+               std::vector<State>& out) {
   const Rules& rules = shop.model.rules();
   const Node& grid = state.tree[i + 1];
   const int way = way_to_windows(rules, grid.symbol, true);
   if (way < 0) return;
-  const int height = state.area(i).height;
-  double least = 0;
+  const int ground = state.area(i).height, top = grid.top[static_cast<size_t>(grid.rows - 1)];
+  std::vector<Rect> places;
+  if (there.x1 > there.x0) places.push_back(there);
+  for (size_t column = 0; column < static_cast<size_t>(grid.columns); ++column)
+    places.push_back({grid.left[column], top, grid.left[column] + state.tree[i + 2].width, ground});
+  double least = std::numeric_limits<double>::infinity();
   State best;
-  for (int column = 0; column < grid.columns; ++column) {
+  for (const Rect& place : places) {
     State with = state;
     Node door;
     door.symbol = static_cast<int16_t>(rules.production(way).parts[1]);
     door.made_by = static_cast<int8_t>(Op::windows);
-    door.x = grid.left[static_cast<size_t>(column)];
-    door.y = grid.top[static_cast<size_t>(grid.rows - 1)];
-    door.width = state.tree[i + 2].width;
-    door.height = static_cast<int16_t>(height - door.y);
+    door.x = static_cast<int16_t>(place.x0), door.y = static_cast<int16_t>(place.y0);
+    door.width = static_cast<int16_t>(place.x1 - place.x0);
+    door.height = static_cast<int16_t>(place.y1 - place.y0);
     with.insert(i + 1, with.tree.end(i + 1), door);
     with.tree[i + 1].production = static_cast<int16_t>(way);
     const double bits = shop.model.energy(with);
-    if (!std::isfinite(bits) || (!best.tree.nodes.empty() && bits >= least)) continue;
+    if (!(bits < least)) continue;
     least = bits;
     best = std::move(with);
   }
-  if (!best.tree.nodes.empty()) out.push_back(std::move(best));
+  if (std::isfinite(least)) out.push_back(std::move(best));
 }
 
 }  // namespace
@@ -162,7 +167,7 @@ Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns)
 }
 
 std::vector<State> grids_of(const Workshop& shop, const State& state, int i, const Sheet& sheet,
-                            const Layout& layout) {
+                            const Layout& layout, const Rect& door) {
   const Rules& rules = shop.model.rules();
   std::vector<State> out;
   for (const int way : rules.productions_of(state.tree[i].symbol)) {
@@ -174,7 +179,7 @@ std::vector<State> grids_of(const Workshop& shop, const State& state, int i, con
                     identical ? std::max(sheet.width(), sheet.height()) : tolerance))
         continue;
       if (!std::isfinite(shop.model.energy(with))) continue;
-      add_doors(shop, with, i, out);
+      add_doors(shop, with, i, door, out);
       out.push_back(std::move(with));
       if (identical) break;
     }

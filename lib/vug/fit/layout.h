@@ -17,8 +17,9 @@ struct Layout {
 Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns);
 
 /// Node i rewritten into a grid of that layout and its windows: of each type that the rules have,
-/// with windows of one size or of several, with a door and without; each has a finite energy.
+/// with windows of one size or of several, with a door and without; each has a finite energy. The
+/// door stands in `door`, unless that is empty, or below some column.
 std::vector<State> grids_of(const Workshop& shop, const State& state, int i, const Sheet& sheet,
-                            const Layout& layout);
+                            const Layout& layout, const Rect& door);
 
 }  // namespace vug::fit

@@ -30,9 +30,10 @@ class Parser {
     const Sheet sheet(map_, state, area);
     Found found(model_, state);
     if (has(state, i, Op::grid)) {
-      const Layout layout = lay_out(sheet, model_.limits(), line_cost_, 6);
-      if (!layout.empty())
-        for (State& grid : grids_of(shop_, state, i, sheet, layout)) found.add(std::move(grid));
+      for (const auto& layout : layouts(state, i, sheet)) {
+        for (State& grid : grids_of(shop_, state, i, sheet, layout.first, layout.second))
+          found.add(std::move(grid));
+      }
     }
     if (has(state, i, Op::elements))
       for (State& row : rows_of_elements(shop_, evidence_, state, i)) found.add(std::move(row));
@@ -53,6 +54,22 @@ class Parser {
   }
 
  private:
+  /// Of windows, and with a column for what stands between them.
+  std::vector<std::pair<Layout, Rect>> layouts(const State& state, int i,
+                                               const Sheet& sheet) const {
+    Layout plain = lay_out(sheet, model_.limits(), line_cost_, 6);
+    if (plain.empty()) return {};
+    const Rect door = standing_between(shop_, evidence_, state, i, plain.columns);
+    Layout with = plain;
+    if (door.x1 > door.x0 && static_cast<int>(plain.columns.size()) < model_.limits().most_lines) {
+      const auto at = std::find_if(with.columns.begin(), with.columns.end(),
+                                   [&](const Segment& c) { return c.start >= door.x1; });
+      with.columns.insert(at, {door.x0, door.x1});
+      return {{plain, door}, {with, door}};
+    }
+    return {{plain, door}};
+  }
+
   /// The best so far.
   struct Found {
     Found(const Model& of, const State& start) : model(of), state(start) {

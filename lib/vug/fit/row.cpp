@@ -182,6 +182,41 @@ std::vector<int> edges(const Evidence& evidence, const State& state, const Area&
   return order;
 }
 
+Rect standing_between(const Workshop& shop, const Evidence& evidence, const State& state, int i,
+                      const std::vector<Segment>& columns) {
+  constexpr int kColumns = 24, kTops = 10;
+  const Model& model = shop.model;
+  const Likelihood& likelihood = *model.likelihood();
+  const Area area = state.area(i);
+  std::vector<int> xs = edges(evidence, state, area, true, kColumns);
+  const std::vector<int> tops = edges(evidence, state, area, false, kTops);
+  const auto inside = [&](int x0, int x1) {
+    return std::any_of(columns.begin(), columns.end(),
+                       [&](const Segment& c) { return c.start < x1 && x0 < c.end; });
+  };
+  const Sums whole = sum_of(evidence, state, area, {0, 0, area.width, area.height});
+  Sums rest = whole;
+  for (const Segment& c : columns)
+    rest -= sum_of(evidence, state, area, {c.start, 0, c.end, area.height});
+  const double wall = likelihood.bits(Look::wall, rest);
+  const int least = model.limits().least;
+  double most = 0;
+  Rect best;
+  for (size_t a = 0; a < xs.size(); ++a)
+    for (size_t b = a + 1; b < xs.size() && !inside(xs[a], xs[b]); ++b)
+      for (const int top : tops) {
+        if (xs[b] - xs[a] < least || area.height - top < least) continue;
+        const Rect rect{xs[a], top, xs[b], area.height};
+        const Sums sums = sum_of(evidence, state, area, rect);
+        Sums left = rest;
+        left -= sums;
+        const double saved =
+            wall - likelihood.bits(Look::wall, left) - likelihood.bits(Look::door, sums);
+        if (saved > most) most = saved, best = rect;
+      }
+  return best;
+}
+
 std::vector<State> rows_of_elements(const Workshop& shop, const Evidence& evidence,
                                     const State& state, int i) {
   for (const int way : shop.model.rules().productions_of(state.tree[i].symbol))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vug/fit/move.h>
+#include <vug/fit/segments.h>
 
 namespace vug::fit {
 
@@ -9,6 +10,11 @@ namespace vug::fit {
 /// in order; neither of its borders.
 std::vector<int> edges(const Evidence& evidence, const State& state, const Area& area, bool along_x,
                        int most);
+
+/// What stands on the ground of node i's area between the columns of its windows, each of them
+/// `columns`, and saves most bits; width 0 where nothing does.
+Rect standing_between(const Workshop& shop, const Evidence& evidence, const State& state, int i,
+                      const std::vector<Segment>& columns);
 
 /// Node i rewritten into elements with what stands in them, if the rules have any.
 std::vector<State> rows_of_elements(const Workshop& shop, const Evidence& evidence,

@@ -11,12 +11,12 @@ namespace vug::fit {
 
 struct SamplerOptions {
   int chains = 8;
-  double coldest = 1;      ///< Pixels are no independent witnesses: above 1 trusts them less.
-  double spread = 10;      ///< Temperature of the hottest chain by that of the coldest, at first.
-  double annealing = 300;  ///< How much hotter all chains begin than they end.
+  double coldest = 1;    ///< Pixels are no independent witnesses: above 1 trusts them less.
+  double spread = 3;     ///< Temperature of the hottest chain by that of the coldest, at first.
+  double annealing = 1;  ///< How much hotter all chains begin than they end; from seeds: as hot.
   int64_t steps = 1'000'000;  ///< Of each chain.
   double warm_up = 0.7;       ///< Share of the steps in which they cool, and nothing is told of.
-  int64_t per_round = 500;    ///< Steps between two exchanges.
+  int64_t per_round = 100;    ///< Steps between two exchanges.
 };
 
 /// How often chains were in trees that differ in numbers only.

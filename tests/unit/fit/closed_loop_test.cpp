@@ -1,0 +1,82 @@
+// Random facades of the published grammar, painted, spoilt by noise, and read back.
+#include "random_facade.h"
+
+#include <vug/fit/polish.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::fit {
+namespace {
+
+ReadOptions quick() {
+  ReadOptions options;
+  options.sampler.steps = 2000;
+  return options;
+}
+
+Model model_of(const RandomFacade& facade, const Evidence& pixels) {
+  return Model(ripperda(), quick().limits, facade.width, facade.height, &pixels,
+               make_likelihood("kt", pixels), quick().trust);
+}
+
+/// Many trees draw the same picture. The truth is the shortest that is known of the picture without
+/// noise: the one that was derived, once its grids are of the cheapest type that draws the same, or
+/// a shorter one that reading finds.
+Tree shortest(const RandomFacade& facade) {
+  const Evidence clean =
+      Evidence::of_clusters(facade.width, facade.height, RandomFacade::kClasses, facade.classes);
+  const Model model = model_of(facade, clean);
+  const Hints hints = Hints::of_clusters(clean);
+  State derived = model.state_of(facade.tree);
+  const double bits = polish({model, hints}, clean, derived).after;
+  const Reading found = read(clean, ripperda(), quick(), RandomKey(2));
+  return found.bits < bits - 1e-6 ? found.tree : derived.tree;
+}
+
+std::vector<Rect> windows_of(const Model& model, const Tree& tree) {
+  std::vector<Rect> out;
+  State state = model.state_of(tree);
+  EXPECT_TRUE(std::isfinite(model.energy(state)));
+  model.each_terminal(state, [&](Look, int, const Rect& r) { out.push_back(r); });
+  return out;
+}
+
+double median(std::vector<double> all) {
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
+                   all.end());
+  return all[all.size() / 2];
+}
+
+TEST(ClosedLoop, CountsStructuresAndEdgesComeBack) {
+  constexpr int kFacades = 30;
+  int read_back = 0, counts = 0, structures = 0;
+  std::vector<double> off;
+  for (uint64_t seed = 1; read_back < kFacades; ++seed) {
+    ASSERT_LT(seed, 500u);
+    const auto facade = random_facade(seed);
+    if (!facade) continue;
+    ++read_back;
+    const Evidence pixels =
+        Evidence::of_clusters(facade->width, facade->height, RandomFacade::kClasses,
+                              facade->noisy(0.05, RandomKey(77).at(seed)));
+    const Tree truth = shortest(*facade);
+    const Reading found = read(pixels, ripperda(), quick(), RandomKey(1));
+    structures += structure_of(ripperda(), found.tree) == structure_of(ripperda(), truth) ? 1 : 0;
+    const std::vector<Rect> windows = windows_of(model_of(*facade, pixels), truth);
+    counts += windows.size() == found.seen.size() ? 1 : 0;
+    for (const Rect& r : windows) {
+      double nearest = 1e9;
+      for (const Seen& one : found.seen)
+        nearest = std::min<double>(
+            nearest, std::max({std::abs(one.rect.x0 - r.x0), std::abs(one.rect.x1 - r.x1),
+                               std::abs(one.rect.y0 - r.y0), std::abs(one.rect.y1 - r.y1)}));
+      off.push_back(nearest);
+    }
+  }
+  EXPECT_GE(counts, 29) << "of " << kFacades;
+  EXPECT_GE(structures, 24) << "of " << kFacades;
+  EXPECT_LE(median(off), 2) << "pixels";
+}
+
+}  // namespace
+}  // namespace vug::fit
