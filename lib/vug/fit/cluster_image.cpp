@@ -85,6 +85,8 @@ Planes glass(const image::Image& linear) {
   add(out.planes[0], soft(flat.planes[1], unit), 0.5);
   add(out.planes[0], difference(light.mean(3 * unit), light.rows(unit)), 0.5);
   add(out.planes[0], soft(edges(width, height, lab.planes[0], true), 4 * unit), -1);
+  // Of shops, sky and shadows, which are larger than windows, borders remain.
+  out.planes[0] = difference(out.planes[0], soft(out.planes[0], std::max(1, height / 14)));
   return out;
 }
 

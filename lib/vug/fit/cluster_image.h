@@ -27,9 +27,10 @@ struct ClusterImage {
   Evidence evidence() const { return Evidence::of_clusters(width, height, clusters, of); }
 };
 
-/// One plane, lower where a pixel looks more like a window's: glass mirrors the sky, so that it is
-/// bluer and darker than the stone around it, and frames are upright edges. Each of these in
-/// deviations of its own over the picture, so that light and camera do not matter.
+/// One plane, lower where a pixel looks more like a window's than what is around it, a seventh of
+/// the picture's height across: glass mirrors the sky, so that it is bluer and darker than stone,
+/// and frames are upright edges. Each of these in deviations of its own over the picture, so that
+/// light and camera do not matter.
 Planes glass(const image::Image& linear);
 
 /// Of a photo (linear R, G, B), or of a plane of depths in metres, larger further away, NaN where
