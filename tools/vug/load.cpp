@@ -85,9 +85,13 @@ BarShown WorkOptions::bar() const {
   return quiet ? BarShown::never : progress ? BarShown::always : BarShown::on_terminals;
 }
 
+uint64_t WorkOptions::memory_limit() const {
+  return max_memory.empty() ? available_memory() / 10 * 9 : parse_bytes(max_memory);
+}
+
 session::BuildOptions WorkOptions::build_options(const session::Loaded& loaded) const {
   session::BuildOptions options;
-  options.max_memory = max_memory.empty() ? available_memory() / 10 * 9 : parse_bytes(max_memory);
+  options.max_memory = memory_limit();
   options.tell = [&loaded](const Diagnostics& doubtful) {
     clear_bar();
     fmt::print(stderr, "{}", loaded.report(doubtful));

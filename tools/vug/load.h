@@ -42,8 +42,9 @@ struct WorkOptions {
 
   void add_to(CLI::App& app);
   BarShown bar() const;
-  /// The limit in bytes, without one nine tenths of what the machine has free; warnings go to
-  /// stderr as they come. `loaded` must outlive what is built.
+  /// In bytes; without --max-memory nine tenths of what the machine has free.
+  uint64_t memory_limit() const;
+  /// Within that limit; warnings go to stderr as they come. `loaded` must outlive what is built.
   session::BuildOptions build_options(const session::Loaded& loaded) const;
   /// Tells on stderr what was left out of the meshes, unless quiet.
   void summarise(const session::Builder& builder) const;

@@ -9,11 +9,6 @@
 namespace vug::scan {
 namespace {
 
-/// Half a width in pixels: the radius of a square that just closes it.
-int radius_of(double metres, const RangeImage& range) {
-  return pixels_of(metres / 2, range.pixel, std::max(range.width, range.height));
-}
-
 /// The lowest pixel that shows the facade near the columns of a box, as its lower border's row.
 int ground(const SurfaceMap& map, const RangeImage& range, const PixelBox& box) {
   constexpr double kAside = 1;  // metres
@@ -111,6 +106,10 @@ std::vector<PixelBox> taken_apart(const Group& group, const RangeImage& range,
 }  // namespace
 
 std::string to_string(OpeningKind kind) { return kind == OpeningKind::door ? "door" : "window"; }
+
+int radius_of(double metres, const RangeImage& range) {
+  return pixels_of(metres / 2, range.pixel, std::max(range.width, range.height));
+}
 
 void require_sound(const OpeningOptions& options) {
   for (const double number : {options.closing, options.least, options.most, options.foot,

@@ -9,6 +9,9 @@ namespace vug::scan {
 /// Error(bad_input) for options out of range.
 void require_sound(const OpeningOptions& options);
 
+/// Half a width in pixels: the radius of a square that just closes it.
+int radius_of(double metres, const RangeImage& range);
+
 /// The groups of open pixels as boxes, those of a likely size.
 std::vector<Opening> openings_of(const Mask& open, const RangeImage& range, const SurfaceMap& map,
                                  const OpeningOptions& options);

@@ -97,6 +97,9 @@ std::vector<Opening> openings_by_triangles(const Cloud& cloud, const RangeImage&
     if (perimeter(*face) > most && inside(*face, range, map)) draw(*face, range, open);
   for (size_t i = 0; i < map.surface.size(); ++i)
     if (map.surface[i] == Surface::outside) open.on[i] = 0;
+  // Here walls are as narrow as their points stand, not wider by what was filled and closed.
+  if (options.tidy)
+    open = closed(open, radius_of(std::max(0.0, options.bars - options.closing), range));
   return openings_of(open, range, map, options);
 }
 

@@ -1,0 +1,154 @@
+"""`vug facade scan` and `vug facade rectify`: a made facade is found in its points, a slanted photo made square."""
+import json
+import math
+import re
+import struct
+import unittest
+
+from vug import SOURCE, VugTest
+
+# x, y, width, height and metres behind the wall; 0: nothing comes back.
+HOLES = [(1, 3, 1.2, 1.5, 0.15), (4, 3, 1.2, 1.5, 0), (7, 3, 1.2, 1.5, 0.15), (4, 0, 1.2, 2.1, 0.2)]
+
+
+def points():
+    """A wall of 9 m x 5.5 m far from the origin, y north, z up, seen from the south."""
+    for j in range(110):
+        for i in range(180):
+            x, z, back = 0.05 * i + 0.025, 0.05 * j + 0.025, 0.0
+            for left, foot, width, height, behind in HOLES:
+                if left <= x < left + width and foot <= z < foot + height:
+                    back = behind or math.nan
+            if not math.isnan(back):
+                yield 4500000 + x, 5300000 + back + 0.004 * ((7 * i + 13 * j) % 5 - 2), 100 + z
+
+
+def ply(rows):
+    rows = list(rows)
+    head = ("ply\nformat binary_big_endian 1.0\nelement vertex %d\nproperty double z\nproperty double x\n"
+            "property double y\nend_header\n" % len(rows))
+    return head.encode() + b"".join(struct.pack(">ddd", z, x, y) for x, y, z in rows)
+
+
+def common(a, b):
+    across = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
+    up = min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
+    return max(0, across) * max(0, up)
+
+
+def iou(a, b):
+    both = common(a, b)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+
+class FacadeScan(VugTest):
+    def prepare(self):
+        self.write("wall.ply", ply(points()))
+
+    def test_finds_plane_and_openings(self):
+        for windows in ("raster", "delaunay"):
+            said = self.expect(0, "facade", "scan", "wall.ply", "--windows", windows, "-o", "out/wall.exr",
+                               "--pixel", "2cm", "--json")
+            report = json.loads(said.out)
+            self.assertLess(report["plane"]["rms"], 0.03)
+            self.assertGreater(report["plane"]["y"][2], 0.999)
+            self.assertLess(report["plane"]["z"][1], -0.999)  # towards the south
+            self.assertAlmostEqual(report["range"]["width"], 9, delta=0.1)
+            self.assertAlmostEqual(report["range"]["height"], 5.5, delta=0.1)
+            self.assertEqual(report["range"]["points_per_square_metre"] // 100, 4)
+            found = [(one["kind"], one["rect"]) for one in report["openings"]]
+            self.assertEqual(len(found), len(HOLES), said.out)
+            for hole in HOLES:
+                best = max(found, key=lambda one: iou(one[1], hole))
+                self.assertGreater(iou(best[1], hole), 0.8)
+                self.assertEqual(best[0], "door" if hole[1] == 0 else "window")
+            self.assertEqual(json.loads((self.folder / "out/wall.json").read_text()), report)
+            svg = (self.folder / "out/wall.svg").read_text()
+            self.assertEqual(svg.count("<rect"), len(HOLES))
+            self.assertIn('href="wall.png"', svg)
+            self.assertIn("depth", self.expect(0, "info", "out/wall.exr").out)
+
+    def test_files_make_one_cloud(self):
+        rows = [f"{x:.3f};{y:.3f};{z:.3f}" for x, y, z in points()]
+        self.write("a.xyz", "x;y;z\n" + "\n".join(rows[:4000]) + "\nnan;0;0\n")
+        self.write("b.txt", "# the rest\n" + "\n".join(rows[4000:]))
+        report = json.loads(self.expect(0, "facade", "scan", "a.xyz", "b.txt", "--json").out)
+        self.assertEqual(report["points"], len(rows))
+        self.assertEqual(report["dropped"], 1)
+        self.assertEqual(len(report["openings"]), len(HOLES))
+
+    def test_same_bytes_for_any_threads(self):
+        for threads in (1, 2, 7):
+            self.expect(0, "facade", "scan", "wall.ply", "-o", f"out{threads}/wall.exr", "--threads", threads)
+        for name in ("wall.exr", "wall.png", "wall.svg", "wall.json"):
+            bytes_of = [(self.folder / f"out{threads}" / name).read_bytes() for threads in (1, 2, 7)]
+            self.assertTrue(bytes_of[0] == bytes_of[1] == bytes_of[2], name)
+
+    def test_bad_clouds_are_refused(self):
+        for text, said in (("", "empty"), ("1 2 3\n", "three points"), ("1 2\n", "broken.xyz:1:1"),
+                           ("1 2 3\n4 x 6\n", "broken.xyz:2:3"), ("nan 0 0\n", "finite"),
+                           ("0 0 0\n" * 9, "one line"), ("0 0 0\n1 1 1\n2 2 2\n", "one line"),
+                           ("ply\nformat ascii 1.0\n", "end_header")):
+            self.write("broken.xyz", text)
+            self.assertIn(said, self.expect(2, "facade", "scan", "broken.xyz", "-o", "x.exr").err)
+        self.expect(2, "facade", "scan", "missing.xyz")
+        self.expect(2, "facade", "scan")
+        self.assertIn("--max-memory", self.expect(2, "facade", "scan", "wall.ply", "--pixel", "1e-5m").err)
+        self.expect(2, "facade", "scan", "wall.ply", "--max-memory", "100k")
+        self.expect(2, "facade", "scan", "wall.ply", "--pixel", "0")
+        self.expect(2, "facade", "scan", "wall.ply", "-o", "wall.jpg")
+        self.assertEqual(self.files(), ["broken.xyz", "wall.ply"])
+
+
+class FacadeRectify(VugTest):
+    def prepare(self):
+        rows = []
+        for y in range(150):
+            row = []
+            for x in range(200):
+                row.append(255 if 20 + 0.07 * y < x < 180 - 0.07 * y else 40)
+            rows.append(bytes(row))
+        self.write("photo.pgm", b"P5\n200 150\n255\n" + b"".join(rows))
+
+    def test_writes_what_is_between_the_corners(self):
+        corners = ["--corners", "20,10", "180,30", "170,140", "30,120"]
+        said = self.expect(0, "facade", "rectify", "photo.pgm", *corners, "--size", "8mx5m", "--pixel", "2cm",
+                           "-o", "out.exr")
+        self.assertEqual(said.out, "400 x 250 pixels, 8 x 5\n")
+        self.assertIn("400", self.expect(0, "info", "out.exr").out)
+        self.expect(0, "facade", "rectify", "photo.pgm", *corners, "-o", "out.png")
+        wrong = ["--corners", "30,120", "170,140", "180,30", "20,10"]
+        self.assertIn("clockwise", self.expect(2, "facade", "rectify", "photo.pgm", *wrong, "-o", "x.png").err)
+        for bad in (["--size", "8m"], ["--size", "0x3"], ["--pixel", "1e-6m", "--size", "8mx5m"],
+                    ["--at", "0,0", "1,0", "1,1", "0,1"]):
+            self.expect(2, "facade", "rectify", "photo.pgm", *corners, *bad, "-o", "x.exr")
+        self.expect(2, "facade", "rectify", "photo.pgm", "-o", "x.exr")
+        self.expect(2, "facade", "rectify", "photo.pgm", "--corners", "1,2", "3,4", "-o", "x.exr")
+        self.expect(2, "facade", "rectify", "photo.pgm", *corners, "-o", "x.jpg")
+        self.expect(2, "facade", "rectify", "missing.png", *corners, "-o", "x.png")
+        self.assertNotIn("x.png", self.files())
+
+    def test_lies_over_a_range_image(self):
+        self.write("wall.ply", ply(points()))
+        self.expect(0, "facade", "scan", "wall.ply", "-o", "wall.exr", "--pixel", "5cm")
+        self.expect(0, "facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "both.exr")
+        info = self.expect(0, "info", "both.exr").out
+        self.assertIn("depth", info)
+        self.expect(2, "facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "both.png")
+
+
+class Documented(VugTest):
+    def test_options_in_the_docs_exist(self):
+        text = (SOURCE / "docs/scans.md").read_text()
+        for verb in ("scan", "rectify"):
+            known = set(re.findall(r"--[a-z-]+", self.expect(0, "facade", verb, "--help").out))
+            told = set()
+            for line in text.splitlines():
+                if f"vug facade {verb}" in line:
+                    told |= set(re.findall(r"--[a-z-]+", line))
+            self.assertTrue(told, verb)
+            self.assertLessEqual(told, known)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,156 @@
+// vug facade scan: from a laser scan to a plane, a range image, and windows and doors.
+#include "arguments.h"
+#include "bar.h"
+#include "load.h"
+#include "print.h"
+
+#include <vug/base/atomic_file.h>
+#include <vug/base/parallel.h>
+#include <vug/image/io.h>
+#include <vug/scan/read.h>
+#include <vug/scan/report.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<std::string> clouds;
+  std::string output, windows = "raster", up = "z";
+  std::vector<double> scanner;
+  scan::PlaneOptions plane;
+  scan::RangeOptions range;
+  scan::SurfaceOptions surfaces;
+  scan::OpeningOptions openings;
+  uint64_t seed = 0;
+  bool nearest = false, plain = false, json = false;
+  WorkOptions work;
+};
+
+/// The files that go with the range image, named as it.
+struct Outputs {
+  fs::path range, picture, drawing, report;
+
+  explicit Outputs(const fs::path& exr)
+      : range(exr),
+        picture(fs::path(exr).replace_extension(".png")),
+        drawing(fs::path(exr).replace_extension(".svg")),
+        report(fs::path(exr).replace_extension(".json")) {}
+};
+
+void write(const Outputs& outputs, const scan::RangeImage& range, const scan::SurfaceMap& map,
+           const std::vector<scan::Opening>& openings, const std::string& report) {
+  scan::write_range(outputs.range, range);
+  image::ViewOptions plain;
+  plain.transform = image::ViewTransform::srgb;
+  plain.dither = false;
+  image::write_png(outputs.picture, scan::picture_of(range, map), plain);
+  write_text(outputs.drawing,
+             scan::openings_svg(range, openings, outputs.picture.filename().string()));
+  write_text(outputs.report, report);
+}
+
+int run(Options options) {
+  const ThreadLimit threads(options.work.threads);
+  Progress& progress = terminal_progress(options.work.bar());
+  if (!options.output.empty()) {
+    require_ending(options.output, ".exr", "the range image is an EXR");
+    const Outputs outputs(options.output);
+    require_outputs({outputs.range, outputs.picture, outputs.drawing, outputs.report},
+                    {options.clouds.begin(), options.clouds.end()});
+  }
+  if (options.up == "y") options.plane.up = {0, 1, 0};
+  if (!options.scanner.empty())
+    options.plane.scanner = Vec3d(options.scanner[0], options.scanner[1], options.scanner[2]);
+  if (options.nearest) options.range.depth = scan::DepthOf::nearest;
+  if (options.plain) options.surfaces.bent = options.openings.tidy = false;
+  options.range.memory = options.work.memory_limit();
+
+  const scan::Cloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
+                                              {.memory = options.range.memory});
+  progress.check();
+  const scan::PlaneFit plane =
+      scan::fit_plane(cloud, options.plane, RandomKey(options.seed).at("plane"));
+  progress.check();
+  const scan::RangeImage range = scan::range_image(cloud, plane, options.range);
+  progress.check();
+  const scan::SurfaceMap map = scan::surface_map(range, options.surfaces);
+  std::vector<scan::Opening> openings;
+  if (options.windows == "raster")
+    openings = scan::openings_by_raster(range, map, options.openings);
+  if (options.windows == "delaunay")
+    openings = scan::openings_by_triangles(cloud, range, map, options.openings);
+  progress.check();
+  const std::string report = scan::report_json(cloud, plane, range, map, openings);
+  if (!options.output.empty()) write(Outputs(options.output), range, map, openings, report);
+  clear_bar();
+  print_report(nlohmann::ordered_json::parse(report), options.json);
+  return kDone;
+}
+
+void add_plane_options(CLI::App& app, Options& o) {
+  app.add_option("--up", o.up, "the axis of the cloud that goes up: z, or y")
+      ->check(CLI::IsMember({"y", "z"}));
+  app.add_option("--tolerance", o.plane.tolerance, "largest distance of a plane's points, 10cm")
+      ->transform(number_in(Dimension::length, 1e-6, 1e3));
+  app.add_option("--lean", o.plane.most_lean, "how far the plane may lean from the plumb, 20deg")
+      ->transform(number_in(Dimension::angle, 0, kPi / 2));
+  app.add_option("--scanner", o.scanner, "X,Y,Z: where it stood; tells which side is the front")
+      ->delimiter(',')
+      ->expected(3);
+  app.add_flag("--flip", o.plane.flip, "the other side is the front");
+}
+
+void add_range_options(CLI::App& app, Options& o) {
+  app.add_option("--pixel", o.range.pixel, "of the range image, 1cm without it")
+      ->transform(number_in(Dimension::length, 1e-6, 1e3));
+  app.add_flag("--nearest", o.nearest, "a pixel's depth is its nearest point's, not the median");
+  app.add_option("--before", o.range.before, "points farther before the plane are left out, 50cm")
+      ->transform(number_in(Dimension::length, 0, 1e3));
+  app.add_option("--behind", o.range.behind, "points farther behind the plane are left out, 1m")
+      ->transform(number_in(Dimension::length, 0, 1e3));
+  app.add_option("--fill", o.range.fill,
+                 "how far from points pixels take their depth; without it about the distance "
+                 "between points")
+      ->transform(number_in(Dimension::length, 0, 1e3));
+}
+
+void add_opening_options(CLI::App& app, Options& o) {
+  app.add_option("--windows", o.windows, "how they are found: raster, delaunay or none")
+      ->check(CLI::IsMember({"raster", "delaunay", "none"}));
+  app.add_option("--set-back", o.surfaces.set_back,
+                 "how far behind the wall openings begin; without it from the wall's roughness")
+      ->transform(number_in(Dimension::length, 0, 1e3));
+  app.add_option("--least", o.openings.least, "width and height of an opening at least, 50cm")
+      ->transform(number_in(Dimension::length, 0, 1e3));
+  app.add_option("--most", o.openings.most, "width and height of an opening at most, 6m")
+      ->transform(number_in(Dimension::length, 0, 1e3));
+  app.add_flag("--plain", o.plain,
+               "the methods of the paper alone: the wall is a plane, and no opening is tidied up");
+}
+
+}  // namespace
+
+Verb facade_scan_verb() {
+  return {
+      "scan", "Finds the plane, the depths, windows and doors of a scanned facade.",
+      [](CLI::App& app) {
+        auto o = std::make_shared<Options>();
+        app.add_option("cloud", o->clouds, "PLY files or texts of x y z; several make one")
+            ->required();
+        app.add_option("-o,--output", o->output,
+                       "the range image, an EXR; a picture, a drawing and the report are "
+                       "written beside it");
+        add_plane_options(app, *o);
+        add_range_options(app, *o);
+        add_opening_options(app, *o);
+        app.add_option("--seed", o->seed, "of the search for the plane")->transform(seed_number());
+        app.add_flag("--json", o->json, "the report for programs");
+        o->work.add_to(app);
+        return [o] { return run(*o); };
+      }};
+}
+
+}  // namespace vug::cli
