@@ -49,11 +49,49 @@ bool keeps_off(const field::Field& solid, const Foot& foot, double margin, doubl
   }
 }
 
-bool can_stand(const GroveOptions& o, const Foot& foot, RandomKey key) {
-  if (foot.normal.y < maths::cos(o.steepest) || foot.room < o.headroom) return false;
+/// A member of Fates.
+using Fate = size_t Fates::*;
+
+Fate fate_on(const GroveOptions& o, const Foot& foot, RandomKey key) {
+  if (foot.normal.y < maths::cos(o.steepest)) return &Fates::too_steep;
+  if (foot.room < o.headroom) return &Fates::no_room;
   for (const field::Field& solid : o.avoid)
-    if (!keeps_off(solid, foot, o.margin, o.headroom)) return false;
-  return !o.share || RandomStream(key.at("share")).uniform() < o.share(foot);
+    if (!keeps_off(solid, foot, o.margin, o.headroom)) return &Fates::avoided;
+  const bool stays = !o.share || RandomStream(key.at("share")).uniform() < o.share(foot);
+  return stays ? &Fates::stand : &Fates::not_shared;
+}
+
+/// A point that is far enough from those before it.
+struct Seedling {
+  uint64_t number = 0;
+  Foot foot;
+  Fate fate = &Fates::no_ground;
+};
+
+struct Seedlings {
+  std::vector<Seedling> all;
+  size_t too_near = 0;
+};
+
+Seedlings seedlings(const Plot& plot, const GroveOptions& options, Progress& progress) {
+  const DistributionPtr distribution =
+      options.distribution ? options.distribution : make_product(distributions(), "uniform");
+  const std::vector<Vec2d> points =
+      distribution->points(plot, options.density, options.key.at("points"), progress);
+  const std::vector<uint64_t> kept = apart(points, options.spacing);
+  Seedlings out{std::vector<Seedling>(kept.size()), points.size() - kept.size()};
+  parallel_for(
+      kept.size(),
+      [&](size_t i) {
+        Seedling& one = out.all[i];
+        one.number = kept[i];
+        const std::optional<Foot> foot = options.ground(points[kept[i]]);
+        if (!foot) return;
+        one.foot = *foot;
+        one.fate = fate_on(options, *foot, options.key.at(kept[i]));
+      },
+      64);
+  return out;
 }
 
 double drawn_diameter(const GroveOptions& o, RandomKey key) {
@@ -67,27 +105,21 @@ double drawn_diameter(const GroveOptions& o, RandomKey key) {
 
 }  // namespace
 
-std::vector<Stem> grove(const Plot& plot, const GroveOptions& options, Progress& progress) {
-  const DistributionPtr distribution =
-      options.distribution ? options.distribution : make_product(distributions(), "uniform");
-  const std::vector<Vec2d> points =
-      distribution->points(plot, options.density, options.key.at("points"), progress);
-  const std::vector<uint64_t> kept = apart(points, options.spacing);
+Fates fates(const Plot& plot, const GroveOptions& options, Progress& progress) {
+  const Seedlings made = seedlings(plot, options, progress);
+  Fates out;
+  out.too_near = made.too_near;
+  for (const Seedling& one : made.all) ++(out.*one.fate);
+  return out;
+}
 
-  std::vector<std::optional<Foot>> feet(kept.size());
-  parallel_for(
-      kept.size(),
-      [&](size_t i) {
-        const std::optional<Foot> foot = options.ground(points[kept[i]]);
-        if (foot && can_stand(options, *foot, options.key.at(kept[i]))) feet[i] = foot;
-      },
-      64);
+std::vector<Stem> grove(const Plot& plot, const GroveOptions& options, Progress& progress) {
   std::vector<Stem> stems;
-  for (size_t i = 0; i < kept.size(); ++i) {
-    if (!feet[i]) continue;
-    const RandomKey key = options.key.at(kept[i]);
+  for (const Seedling& one : seedlings(plot, options, progress).all) {
+    if (one.fate != &Fates::stand) continue;
+    const RandomKey key = options.key.at(one.number);
     const double diameter = options.diameter > 0 ? drawn_diameter(options, key) : 0;
-    stems.push_back({*feet[i], diameter, key});
+    stems.push_back({one.foot, diameter, key});
   }
   return stems;
 }

@@ -35,6 +35,19 @@ struct GroveOptions {
   RandomKey key{0};
 };
 
+/// What becomes of the points of the process; each that does not stand is counted once, under the
+/// first reason in this order.
+struct Fates {
+  size_t too_near = 0;   ///< To an earlier one: GroveOptions::spacing.
+  size_t no_ground = 0;  ///< Below them.
+  size_t too_steep = 0;
+  size_t no_room = 0;  ///< Ground hangs over them: GroveOptions::headroom.
+  size_t avoided = 0;
+  size_t not_shared = 0;  ///< GroveOptions::share.
+  size_t stand = 0;
+};
+Fates fates(const Plot& plot, const GroveOptions& options, Progress& progress = Progress::none());
+
 /// The same for any number of threads. A stem keeps its key, diameter and place when others go.
 /// Errors as Distribution::points.
 std::vector<Stem> grove(const Plot& plot, const GroveOptions& options,

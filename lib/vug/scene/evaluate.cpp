@@ -98,7 +98,14 @@ std::string Evaluator::meant(const std::string& name) const {
   std::vector<std::string> names = resolver_.known_names();
   for (const auto& [known, value] : globals_) names.push_back(known);
   const std::string near = nearest_name(name, names);
-  return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+  if (near != name) return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+  for (const Declaration& made : document_.declarations)  // there is one, but of another kind
+    if (made.name == name && made.target && made.target->kind == ExprKind::name)
+      return fmt::format("'{}' is declared by '{}'; it stands on '{}'", name, made.kind,
+                         made.target->text);
+    else if (made.name == name)
+      return fmt::format("'{}' is declared by '{}'", name, made.kind);
+  return "";
 }
 
 Value Evaluator::parts(const Expr& expr, const Context& context) {

@@ -122,11 +122,21 @@ int chosen(const Place& place, const PlacePlan& plan) {
 
 std::vector<Place> places_of(Builder& builder, const PlacePlan& plan) {
   std::vector<Place> places;
-  for (size_t i = 0; i < plan.at.size(); ++i) {
-    const std::vector<Place> more = (*plan.at[i])(builder, plan.key.at(i));
-    places.insert(places.end(), more.begin(), more.end());
-  }
+  for (size_t i = 0; i < plan.at.size(); ++i) try {
+      const std::vector<Place> more = (*plan.at[i])(builder, plan.key.at(i));
+      places.insert(places.end(), more.begin(), more.end());
+    } catch (const Error& error) {
+      if (error.where().known()) throw;
+      throw blamed_on(plan.where, error);
+    }
   return places;
+}
+
+std::string why_none(Builder& builder, const PlacePlan& plan) {
+  for (size_t i = 0; i < plan.at.size(); ++i)
+    if (const auto* known = plan.at[i]->target<NumberedPlaces>(); known && known->why_none)
+      if (std::string why = known->why_none(builder, plan.key.at(i)); !why.empty()) return why;
+  return "its places are all masked out, or what they come from is empty";
 }
 
 /// The way of each place through the moments.
@@ -154,7 +164,7 @@ void put_all(Builder& builder, const PlacePlan& plan, const Moments& moments, Ca
   const std::vector<Place> places = places_of(builder, plan);
   if (places.empty())
     builder.warn(plan.where, fmt::format("'{}' stands nowhere", plan.name),
-                 "its places are all masked out, or its table is empty");
+                 why_none(builder, plan));
   const auto instances = [&] {
     size_t count = 0;
     for (const Place& place : places)

@@ -25,11 +25,13 @@ const Kinds<Model>& model_kinds();
 /// Found when the picture needs them: a scatter needs its mesh. `key` is that of the declaration.
 using PlacesMaker = std::function<std::vector<Place>(Builder& builder, RandomKey key)>;
 
-/// A maker that says which things its places ask for, so that the text can be judged by it:
-/// PlacesMaker::target finds it.
+/// A maker of which more is known, so that the text can be judged by it: PlacesMaker::target finds
+/// it.
 struct NumberedPlaces {
   PlacesMaker make;
   int last = -1;  ///< The highest Place::model.
+  /// A sentence on why there are no places where `make` makes none; may be empty.
+  std::function<std::string(Builder& builder, RandomKey key)> why_none = nullptr;
 
   std::vector<Place> operator()(Builder& builder, RandomKey key) const {
     return make(builder, key);

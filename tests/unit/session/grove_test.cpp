@@ -131,6 +131,47 @@ TEST(GrovePlaces, DiametersChooseTheThingAndItsSize) {
   EXPECT_NEAR(static_cast<double>(thick), 960, 100);
 }
 
+/// What is told while the places are found.
+std::string told(const std::string& grove) {
+  const Loaded scene =
+      load_text(std::string(kThings) + "place p { of thin  at grove(" + grove + ") }\n", "t.vug");
+  EXPECT_TRUE(scene.usable()) << scene.report();
+  Diagnostics all;
+  BuildOptions options;
+  options.tell = [&](const Diagnostics& more) { all.append(more); };
+  Builder builder(scene.shot, options);
+  try {
+    cast_of(builder);
+  } catch (const Error& error) {
+    all.error(error.where(), error.what(), error.hint());
+  }
+  return scene.report(all);
+}
+
+TEST(GrovePlaces, WhyNoneStands) {
+  const std::string square = "polygon: [(30, 30), (39, 30), (39, 39), (30, 39)], count: 20";
+  const auto hint = [&](const std::string& more) {
+    const std::string said = told(square + more);
+    EXPECT_NE(said.find("t.vug:10:7: warning: 'p' stands nowhere"), std::string::npos) << said;
+    return said.substr(std::min(said.find("hint: "), said.size()));
+  };
+  EXPECT_EQ(hint(", on: hill"), "hint: of its points, 20 without ground below\n");
+  EXPECT_EQ(hint(", avoid: [box(size: (99, 9, 99))]"),
+            "hint: of its points, 20 in or too near to what they 'avoid'\n");
+  EXPECT_EQ(hint(", where: height(from: 9m, to: 10m)"),
+            "hint: of its points, 20 left out by 'where'\n");
+  EXPECT_EQ(hint(", on: half_space(normal: (0, 0.1, 1)), from: 900m, spacing: 50m"),
+            "hint: of its points, 19 nearer than 'spacing' to another, 1 on ground steeper than "
+            "'steepest'\n");
+  EXPECT_EQ(told(square), "");
+}
+
+TEST(GrovePlaces, TooManyAreToldWithTheirPlace) {
+  const std::string said = told("polygon: [(0, 0), (9, 0), (9, 9)], density: 1e12");
+  EXPECT_NE(said.find("t.vug:10:7: error: "), std::string::npos) << said;
+  EXPECT_NE(said.find("hold more than"), std::string::npos) << said;
+}
+
 TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
   const std::string square = "polygon: [(0, 0), (9, 0), (9, 9), (0, 9)]";
   EXPECT_NE(faults("polygon: [(0, 0), (2, 2), (2, 0), (0, 2)], density: 10")
@@ -149,6 +190,13 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
   EXPECT_NE(
       faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("thing number"),
       std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
+                .find("'diameters' of a grove has one for each thing of 'of'"),
+            std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, from: 3m").find("stand 'on'"), std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, on: thick")
+                .find("hint: 'thick' is declared by 'object'; it stands on 'large_mesh'"),
+            std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, diameter_spread: 1cm").find("not said"),
             std::string::npos);
   // Only as many as fit is a number of its own.

@@ -99,9 +99,11 @@ TEST(Language, CellsOfTheirPageAreOnAMesh) {
 TEST(Language, PlantsOfTheGrovesPageStandOnTheirGround) {
   const std::vector<std::string> examples = blocks("vug", "groves.md");
   ASSERT_GE(examples.size(), 2u);
+  LoadOptions options;
+  options.include_folders = {fs::path(VUG_DATA)};
   for (const std::string& example : examples)
-    EXPECT_EQ(load_text(example, "groves.md").report(), "") << example;
-  const Loaded loaded = load_text(examples[0], "groves.md");
+    EXPECT_EQ(load_text(example, "groves.md", options).report(), "") << example;
+  const Loaded loaded = load_text(examples[0], "groves.md", options);
   Builder builder(loaded.shot);
   EXPECT_GT(cast_of(builder).objects.size(), 100u);
 }

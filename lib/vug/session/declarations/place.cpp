@@ -41,6 +41,17 @@ scene::Override override_of(const std::string& text) {
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
+/// The file as it is named from the text, or in the folders of what comes with us, as `include`
+/// looks for it; the first of these places where there is none.
+fs::path found(const fs::path& file, const SourceLocation& where, const LoadOptions& options) {
+  std::error_code failed;
+  if (fs::exists(file, failed)) return file;
+  const fs::path named = file.lexically_relative(fs::path(where.file).parent_path());
+  for (const fs::path& folder : options.include_folders)
+    if (!named.empty() && fs::is_regular_file(folder / named, failed)) return folder / named;
+  return file;
+}
+
 /// The other scene's shot; null with a diagnostic where it cannot be had.
 std::shared_ptr<const Shot> load_model(const Model& model, const SourceLocation& where,
                                        Reading& reading) {
@@ -48,6 +59,7 @@ std::shared_ptr<const Shot> load_model(const Model& model, const SourceLocation&
   options.include_folders = reading.options.include_folders;
   options.within = reading.options.within;
   options.frame = reading.options.frame;
+  options.max_memory = reading.options.max_memory;
   options.within.push_back(fs::weakly_canonical(reading.file));
   const fs::path own = fs::weakly_canonical(model.file);
   const auto refuse = [&](const std::string& what, const std::string& hint) {
@@ -81,6 +93,7 @@ std::shared_ptr<const Shot> load_model(const Model& model, const SourceLocation&
 /// Makes sure that there is what is to be placed; false with a diagnostic.
 bool complete(Model& model, const SourceLocation& where, Reading& reading) {
   if (!model.file.empty()) {
+    model.file = found(model.file, where, reading.options);
     model.scene = load_model(model, where, reading);
     return model.scene != nullptr;
   }
@@ -104,8 +117,8 @@ SourceLocation where_of(const char* key, const scene::Declaration& declaration) 
 
 /// A sentence on shares and numbers of things that do not fit, with its place; else nothing.
 std::optional<Error> misfit(const PlacePlan& plan, const scene::Declaration& declaration) {
-  const auto refuse = [&](const char* key, const std::string& what) {
-    return Error(ErrorCode::bad_input, what, where_of(key, declaration));
+  const auto refuse = [&](const char* key, const std::string& what, const std::string& hint = {}) {
+    return Error(ErrorCode::bad_input, what, where_of(key, declaration), hint);
   };
   if (plan.of.empty()) return refuse("of", "there is nothing to place: the list is empty");
   if (!plan.shares.empty() && plan.shares.size() != plan.of.size())
@@ -118,9 +131,11 @@ std::optional<Error> misfit(const PlacePlan& plan, const scene::Declaration& dec
   for (const Places& at : plan.at) {
     const auto* numbered = at->target<NumberedPlaces>();
     if (numbered && numbered->last >= count)
-      return refuse("at", fmt::format("a place asks for thing number {}, but the last of '{}' is "
-                                      "number {}",
-                                      numbered->last, declaration.name, count - 1));
+      return refuse("at",
+                    fmt::format("a place asks for thing number {}, but the last of '{}' is "
+                                "number {}",
+                                numbered->last, declaration.name, count - 1),
+                    "counted from 0; 'diameters' of a grove has one for each thing of 'of'");
   }
   return std::nullopt;
 }
@@ -136,7 +151,7 @@ const DeclarationKind& place_declaration() {
         plan->where = declaration.where;
         plan->key = reading.evaluator.key(declaration);
         if (const std::optional<Error> fault = misfit(*plan, declaration)) {
-          reading.diagnostics.error(fault->where(), fault->what());
+          reading.diagnostics.error(fault->where(), fault->what(), fault->hint());
           return Value();
         }
         for (Model& model : plan->of)

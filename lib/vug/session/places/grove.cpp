@@ -7,6 +7,9 @@
 #include <vug/session/build.h>
 #include <vug/session/places.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace vug {
 
 namespace session {
@@ -92,6 +95,8 @@ struct Grove {
       return "'scale' is one number, or the smallest and the largest";
     if ((diameter > 0) == diameters.empty())
       return "'diameter' needs 'diameters', those of the things that are placed, and they need it";
+    if (from && !on.field && !on.mesh)
+      return "'from' is where the ground is looked for, but nothing says what they stand 'on'";
     if (diameter_spread > 0 && diameters.empty())
       return "'diameter_spread' is that of the 'diameter', which is not said";
     return "";
@@ -191,7 +196,9 @@ Place place_of(const Grove& g, const flora::Stem& stem) {
           model};
 }
 
-std::vector<Place> plant(const Grove& g, const flora::Plot& plot, Builder& builder, RandomKey key) {
+/// Refers to `g`.
+flora::GroveOptions options_for(const Grove& g, const flora::Plot& plot, Builder& builder,
+                                RandomKey key) {
   flora::GroveOptions options;
   options.distribution = g.distribution;
   options.density = g.count > 0 ? g.count / plot.area() : g.density / flora::kHectare;
@@ -206,13 +213,35 @@ std::vector<Place> plant(const Grove& g, const flora::Plot& plot, Builder& build
   options.key = key.at(static_cast<uint64_t>(g.seed));
   const auto solid = g.on.mesh ? builder.solid(g.on.mesh) : nullptr;
   if (g.where)
-    options.share = [&](const flora::Foot& foot) {
+    options.share = [&g, solid](const flora::Foot& foot) {
       return (*g.where)({foot.position, foot.normal, solid.get()});
     };
+  return options;
+}
+
+std::vector<Place> plant(const Grove& g, const flora::Plot& plot, Builder& builder, RandomKey key) {
   std::vector<Place> places;
-  for (const flora::Stem& stem : flora::grove(plot, options, builder.progress()))
+  for (const flora::Stem& stem :
+       flora::grove(plot, options_for(g, plot, builder, key), builder.progress()))
     places.push_back(place_of(g, stem));
   return places;
+}
+
+std::string why_none(const Grove& g, const flora::Plot& plot, Builder& builder, RandomKey key) {
+  const flora::Fates fates =
+      flora::fates(plot, options_for(g, plot, builder, key), builder.progress());
+  std::vector<std::string> reasons;
+  const auto add = [&](size_t count, const char* reason) {
+    if (count > 0) reasons.push_back(fmt::format("{} {}", count, reason));
+  };
+  add(fates.too_near, "nearer than 'spacing' to another");
+  add(fates.no_ground, "without ground below");
+  add(fates.too_steep, "on ground steeper than 'steepest'");
+  add(fates.no_room, "without 'headroom'");
+  add(fates.avoided, "in or too near to what they 'avoid'");
+  add(fates.not_shared, "left out by 'where'");
+  return reasons.empty() ? "the density makes not one point in so small a polygon"
+                         : fmt::format("of its points, {}", fmt::join(reasons, ", "));
 }
 
 }  // namespace
@@ -226,7 +255,10 @@ VUG_PLACES_KIND(grove) {
     const auto make = [g, plot = flora::Plot(corners)](Builder& builder, RandomKey key) {
       return plant(g, plot, builder, key);
     };
+    const auto why = [g, plot = flora::Plot(corners)](Builder& builder, RandomKey key) {
+      return why_none(g, plot, builder, key);
+    };
     return std::make_shared<const PlacesMaker>(
-        NumberedPlaces{make, static_cast<int>(g.diameters.size()) - 1});
+        NumberedPlaces{make, static_cast<int>(g.diameters.size()) - 1, why});
   });
 }
