@@ -27,7 +27,7 @@ std::vector<std::string> listed(const std::set<std::string>& names) {
 
 }  // namespace
 
-void GrammarParser::parse(Grammar& grammar) {
+void GrammarParser::parse(Grammar& grammar, RuleLookahead& lookahead) {
   const int faults = cursor_.faults();
   grammar.broken = true;  // until it is read
   if (cursor_.accept(":")) {
@@ -39,7 +39,7 @@ void GrammarParser::parse(Grammar& grammar) {
                    suggestion(grammar.kind, kinds));
   }
   if (!cursor_.accept_beyond_newlines("{")) cursor_.unexpected("'{' before the grammar's rules");
-  if (grammar.kind == "lsystem") return LSystemParser(cursor_).parse(grammar);
+  if (grammar.kind == "lsystem") return LSystemParser(cursor_, lookahead).parse(grammar);
   places_ = grammar.kind == "facade";
   const Token& open = cursor_.last();
   find_heads();

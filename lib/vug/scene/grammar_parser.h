@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vug/scene/expr_parser.h>
+#include <vug/scene/rule_lookahead.h>
 
 #include <set>
 #include <string>
@@ -12,8 +13,9 @@ class GrammarParser {
  public:
   explicit GrammarParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor) {}
 
-  /// Everything behind the grammar's name, into a grammar that has it.
-  void parse(Grammar& grammar);
+  /// Everything behind the grammar's name, into a grammar that has it. `lookahead` is one for all
+  /// grammars of a file.
+  void parse(Grammar& grammar, RuleLookahead& lookahead);
 
  private:
   void entry(Grammar& grammar);

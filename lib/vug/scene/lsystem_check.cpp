@@ -82,6 +82,10 @@ void check_lsystem(const LSystem& system, const NameAllowed& allowed, Diagnostic
     if (std::find(tables.begin(), tables.end(), turn.table) == tables.end())
       diagnostics.error(turn.where, fmt::format("there is no table '{}'", turn.table),
                         suggestion(turn.table, tables));
+  if (!system.ignore.empty() && !system.consider.empty())
+    diagnostics.error(system.consider[0].where, "'consider' beside 'ignore'",
+                      "one of them says it: contexts see all but what is ignored, or nothing but "
+                      "what is considered");
   if (!system.tables.empty() && system.schedule.empty())
     diagnostics.error(system.tables[0].where, "tables without a schedule",
                       fmt::format("add 'schedule {}'", system.tables[0].name));

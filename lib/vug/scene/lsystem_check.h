@@ -12,7 +12,8 @@ namespace vug::scene {
 using NameAllowed = std::function<bool(const std::string& name, const SourceLocation& where)>;
 
 /// Formals given twice or called like words of the language, modules with another number of
-/// parameters than their rules have, turns of tables that there are not.
+/// parameters than their rules have, turns of tables that there are not, both lists of what
+/// contexts see.
 void check_lsystem(const LSystem& system, const NameAllowed& allowed, Diagnostics& diagnostics);
 
 }  // namespace vug::scene

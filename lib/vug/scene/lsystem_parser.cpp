@@ -92,6 +92,10 @@ void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
   const Cursor::Line line(cursor_);
   if (grammar) {
     grammar->options.push_back(parse_entry(cursor_, exprs_));
+    const Token& next = cursor_.peek();
+    if (!cursor_.at_line_end() && starts_module(next))
+      cursor_.fail(next, fmt::format("expected the end of the line, found {}", describe(next)),
+                   fmt::format("commas part the values of '{}'", first.text));
   } else if (depth) {
     cursor_.take();
     *depth = exprs_.whole();
@@ -232,7 +236,12 @@ void LSystemParser::sides(Production& production) {
                       "it is the way back to the root, past all side branches");
     head = patterns();
   }
-  if (cursor_.accept(">")) production.right = patterns();
+  if (cursor_.accept(">")) {
+    production.right = patterns();
+    if (production.right.empty())
+      cursor_.fail(cursor_.last(), "nothing stands behind '>'",
+                   "heads are written: left < strict > right");
+  }
   if (cursor_.peek().is("<") || cursor_.peek().is(">"))
     cursor_.fail(cursor_.peek(),
                  fmt::format("a second '{}' in the head of a rule", cursor_.peek().text),

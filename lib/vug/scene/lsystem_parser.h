@@ -9,7 +9,9 @@ namespace vug::scene {
 
 class LSystemParser {
  public:
-  explicit LSystemParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor), lookahead_(cursor) {}
+  /// `lookahead` is one for all blocks of a file, of the same cursor.
+  LSystemParser(Cursor& cursor, RuleLookahead& lookahead)
+      : cursor_(cursor), exprs_(cursor), lookahead_(lookahead) {}
 
   /// Everything behind the block's '{' up to its '}'; broken parts are reported and left out.
   void parse(Grammar& grammar);
@@ -40,7 +42,7 @@ class LSystemParser {
 
   Cursor& cursor_;
   ExprParser exprs_;
-  mutable RuleLookahead lookahead_;  ///< Remembers what it has looked at.
+  RuleLookahead& lookahead_;
   LSystem* system_ = nullptr;
 };
 

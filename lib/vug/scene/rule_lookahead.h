@@ -7,7 +7,8 @@
 
 namespace vug::scene {
 
-/// Looks ahead in a cursor that is outside of brackets. The cursor must outlive it.
+/// Looks ahead in a cursor that is outside of brackets, and remembers what it has looked at. The
+/// cursor must outlive it.
 class RuleLookahead {
  public:
   explicit RuleLookahead(const Cursor& cursor) : cursor_(cursor) {}

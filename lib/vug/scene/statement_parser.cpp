@@ -11,7 +11,11 @@ namespace {
 class StatementParser {
  public:
   StatementParser(Cursor& cursor, Document& document, const Includer& include)
-      : cursor_(cursor), exprs_(cursor), document_(document), include_(include) {}
+      : cursor_(cursor),
+        exprs_(cursor),
+        lookahead_(cursor),
+        document_(document),
+        include_(include) {}
 
   void run() {
     for (;;) {
@@ -89,7 +93,7 @@ class StatementParser {
       document_.grammars.emplace_back();
       document_.grammars.back().name = std::string(name.text);
       document_.grammars.back().where = cursor_.where(name);
-      GrammarParser(cursor_).parse(document_.grammars.back());
+      GrammarParser(cursor_).parse(document_.grammars.back(), lookahead_);
       return;
     }
     declaration(word);
@@ -237,6 +241,7 @@ class StatementParser {
 
   Cursor& cursor_;
   ExprParser exprs_;
+  RuleLookahead lookahead_;
   Document& document_;
   const Includer& include_;
 };
