@@ -1,11 +1,15 @@
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
+#include <vug/base/parallel.h>
+#include <vug/lsystem/clear_pages.h>
 #include <vug/lsystem/pages.h>
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <new>
+#include <vector>
 
 namespace vug::lsystem {
 
@@ -42,6 +46,17 @@ void return_pages(void* place, size_t bytes) {
     munmap(place, whole(bytes));
   else
     ::operator delete(place);
+}
+
+void clear_pages(std::initializer_list<Memory> all) {
+  std::vector<volatile char*> pages;
+  for (const Memory& one : all) {
+    const auto begin = reinterpret_cast<uintptr_t>(one.place), end = begin + one.bytes;
+    if (!is_large(one.bytes)) continue;
+    for (uintptr_t page = begin / kPage * kPage; page < end; page += kPage)
+      pages.push_back(static_cast<char*>(one.place) + (std::max(page, begin) - begin));
+  }
+  parallel_for(pages.size(), [&](size_t i) { *pages[i] = 0; });
 }
 
 }  // namespace vug::lsystem
