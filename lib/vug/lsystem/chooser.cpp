@@ -26,9 +26,19 @@ Scratch::Scratch(const System& system) {
   values_.resize(values + 1);
 }
 
-double single(const Program& program, const double* formals, Scratch& scratch,
-              const double* numbers) {
-  run(program, formals, scratch.values(), numbers);
+double* compute(const Production& production, const Program& program, const double* formals,
+                double* stack, const double* numbers) {
+  try {
+    return run(program, formals, stack, numbers);
+  } catch (const Incomparable& fault) {
+    no_number(production, "one side of a comparison", fault.value,
+              "look at the divisor first: if x != 0 and 1 / x > 2");
+  }
+}
+
+double single(const Production& production, const Program& program, const double* formals,
+              Scratch& scratch, const double* numbers) {
+  compute(production, program, formals, scratch.values(), numbers);
   return scratch.values()[0];
 }
 
@@ -39,11 +49,12 @@ const double* formals_at(const Production& p, const Word& word, size_t i,
   return scratch.formals();
 }
 
-void no_number(const Production& production, const std::string& what, double value) {
+void no_number(const Production& production, const std::string& what, double value,
+               const std::string& hint) {
   throw Error(ErrorCode::bad_input,
               fmt::format("{} of the rule of '{}' is {}", what, production.text,
                           std::isnan(value) ? "not a number" : fmt::format("{}", value)),
-              production.where, "numbers in words are finite");
+              production.where, hint);
 }
 
 uint16_t Chooser::choose(size_t i, const double* numbers) {
@@ -74,17 +85,18 @@ bool Chooser::fits(const Production& p, size_t i, const double* numbers) {
     formals = scratch_.formals();
   }
   if (!p.after.empty()) {
-    const double age = single(p.after, formals, scratch_, numbers);
+    const double age = single(p, p.after, formals, scratch_, numbers);
     if (std::isnan(age)) no_number(p, "the age", age);
     if (!(formals[0] >= age)) return false;
   }
-  return p.guard.empty() || single(p.guard, formals, scratch_, numbers) != 0;
+  return p.guard.empty() || single(p, p.guard, formals, scratch_, numbers) != 0;
 }
 
 double Chooser::weight(const Production& p, size_t i, const double* numbers) {
   const double* formals = formals_at(p, word_, i, around_, scratch_);
-  const double weight = single(p.weight, formals, scratch_, numbers);
-  if (!(weight >= 0) || std::isinf(weight)) no_number(p, "the weight", weight);
+  const double weight = single(p, p.weight, formals, scratch_, numbers);
+  if (weight < 0) no_number(p, "the weight", weight, kWeights);
+  if (!std::isfinite(weight)) no_number(p, "the weight", weight);
   return weight;
 }
 
@@ -93,22 +105,32 @@ uint16_t Chooser::tried(const Choosing& symbol, size_t i, const double* numbers)
     const Production& p = system_.productions[book_.rules[r]];
     if (!fits(p, i, numbers)) continue;
     if (p.weight.empty()) return static_cast<uint16_t>(book_.rules[r] + 1);
-    lots_.clear();
-    double total = 0;
-    for (uint32_t s = r; s < symbol.end; ++s) {
-      const Production& other = system_.productions[book_.rules[s]];
-      if (other.weight.empty() || other.has_context() != p.has_context()) continue;
-      if (s != r && !fits(other, i, numbers)) continue;
-      total += weight(other, i, numbers);
-      lots_.emplace_back(static_cast<uint16_t>(book_.rules[s] + 1), total);
-    }
-    if (total == 0) return 0;
+    if (weight(p, i, numbers) == 0) continue;  // as if it did not fit
+    const double total = draw_lots(symbol, r, i, numbers);
     const double dart = numbers[0] * total;
     for (const auto& [choice, upto] : lots_)
       if (dart < upto) return choice;
     return lots_.back().first;
   }
   return 0;
+}
+
+/// The lots of all that fit from rule `r` on and look around as it does; their weights' sum.
+double Chooser::draw_lots(const Choosing& symbol, uint32_t r, size_t i, const double* numbers) {
+  const bool looks = system_.productions[book_.rules[r]].has_context();
+  lots_.clear();
+  double total = 0;
+  for (uint32_t s = r; s < symbol.end; ++s) {
+    const Production& other = system_.productions[book_.rules[s]];
+    if (other.weight.empty() || other.has_context() != looks) continue;
+    if (s != r && !fits(other, i, numbers)) continue;
+    const double own = weight(other, i, numbers);
+    if (own == 0) continue;
+    total += own;
+    if (std::isinf(total)) no_number(other, "the sum of the weights up to that", total, kWeights);
+    lots_.emplace_back(static_cast<uint16_t>(book_.rules[s] + 1), total);
+  }
+  return total;
 }
 
 }  // namespace vug::lsystem

@@ -20,16 +20,24 @@ class Scratch {
   std::vector<double> formals_, values_;
 };
 
-/// The one number that a program leaves.
-double single(const Program& program, const double* formals, Scratch& scratch,
-              const double* numbers);
+/// As `run`, of a program of the production, which is named where a comparison is with no number.
+double* compute(const Production& production, const Program& program, const double* formals,
+                double* stack, const double* numbers);
+
+/// The one number that such a program leaves.
+double single(const Production& production, const Program& program, const double* formals,
+              Scratch& scratch, const double* numbers);
 
 /// The formals of production `p` at module `i`: without a context they lie in the word.
 const double* formals_at(const Production& p, const Word& word, size_t i,
                          const Surroundings& around, Scratch& scratch);
 
+/// What weights have to be, as a hint.
+inline constexpr const char* kWeights = "weights are 0 or more; only their proportions count";
+
 /// Error(bad_input) that names the production.
-[[noreturn]] void no_number(const Production& production, const std::string& what, double value);
+[[noreturn]] void no_number(const Production& production, const std::string& what, double value,
+                            const std::string& hint = "numbers in words are finite");
 
 /// Of one task; all must outlive it.
 class Chooser {
@@ -44,6 +52,7 @@ class Chooser {
  private:
   uint16_t drawn(const Choosing& symbol, double number) const;
   uint16_t tried(const Choosing& symbol, size_t i, const double* numbers);
+  double draw_lots(const Choosing& symbol, uint32_t r, size_t i, const double* numbers);
   bool fits(const Production& p, size_t i, const double* numbers);
   double weight(const Production& p, size_t i, const double* numbers);
 

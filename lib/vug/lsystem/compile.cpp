@@ -1,7 +1,9 @@
+#include <vug/lsystem/chooser.h>
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/endless.h>
 #include <vug/lsystem/expressions.h>
 #include <vug/lsystem/rule_book.h>
+#include <vug/lsystem/unreached.h>
 
 #include <fmt/format.h>
 
@@ -165,13 +167,20 @@ class Compiler {
     }
     Expressions expressions(evaluator_, formals);
     if (text.guard) expressions.truth(*text.guard, out.guard);
-    if (text.weight) expressions.number(*text.weight, out.weight);
+    if (text.weight) weight(*text.weight, expressions, out.weight);
     if (text.after) expressions.number(*text.after, out.after);
     word(text.word, expressions, out);
     if (expressions.draws() || text.weight) system_.random = true;
     if (system_.productions.size() >= 65000) fail(out.where, "more than 65000 rules");
     system_.productions.push_back(std::move(out));
     if (text.after) aged_.insert(system_.productions.back().head);
+  }
+
+  void weight(const scene::Expr& text, Expressions& expressions, Program& out) {
+    expressions.number(text, out);
+    const Instruction& only = out.code.front();
+    if (out.code.size() == 1 && only.op == Op::constant && only.value < 0)
+      fail(text.where, fmt::format("a weight of {}", only.value), kWeights);
   }
 
   std::vector<uint16_t> productions(const std::vector<scene::Production>& texts, bool stage) {
@@ -299,24 +308,8 @@ class Compiler {
 
   RuleBook book(const std::vector<uint16_t>& indices) {
     RuleBook out = rule_book(system_, indices);
-    for (const Choosing& symbol : out.symbols) warn_of_unreached(out, symbol);
+    warn_of_unreached(system_, out, evaluator_.diagnostics(), warned_);
     return out;
-  }
-
-  /// A rule behind one that always fits.
-  void warn_of_unreached(const RuleBook& book, const Choosing& symbol) {
-    const Production* always = nullptr;
-    for (uint32_t r = symbol.first; r < symbol.end; ++r) {
-      const uint16_t rule = book.rules[r];
-      const Production& p = system_.productions[rule];
-      if (always && warned_.insert(rule).second)
-        evaluator_.diagnostics().warning(
-            p.where,
-            fmt::format("this rule of '{}' is never taken: one before it always fits", p.text),
-            fmt::format("the other is at {}; write weights, '@1', for a choice by chance",
-                        to_string(always->where)));
-      if (!always && p.guard.empty() && p.weight.empty() && !p.has_context()) always = &p;
-    }
   }
 
   void finish_books() {

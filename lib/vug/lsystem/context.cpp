@@ -6,18 +6,33 @@ namespace vug::lsystem {
 
 Surroundings::Surroundings(const System& system, const Word& word, bool contexts)
     : system_(system), word_(word) {
-  if (!contexts || !system.open || !system.close) return;
-  partner_.resize(word.size());
-  std::vector<uint32_t> open;
-  for (size_t i = 0; i < word.size(); ++i) {
+  if (!contexts) return;
+  const size_t size = word.size();
+  const auto nothing = static_cast<uint32_t>(size);
+  partner_.assign(size, nothing);
+  left_.resize(size);
+  std::vector<std::pair<uint32_t, uint32_t>> open;  // brackets, and what is to the left of them
+  uint32_t last = nothing;
+  for (uint32_t i = 0; i < size; ++i) {
+    left_[i] = last;
     if (opens(i)) {
-      partner_[i] = static_cast<uint32_t>(word.size());
-      open.push_back(static_cast<uint32_t>(i));
-    } else if (closes(i) && !open.empty()) {
-      partner_[i] = open.back();
-      partner_[open.back()] = static_cast<uint32_t>(i);
+      open.emplace_back(i, last);
+    } else if (closes(i)) {
+      if (open.empty()) continue;
+      partner_[i] = open.back().first;
+      partner_[open.back().first] = i;
+      last = open.back().second;  // past the side branch
       open.pop_back();
+    } else if (!unseen(i)) {
+      last = i;
     }
+  }
+  right_.resize(size + 1);
+  right_[size] = nothing;
+  for (size_t i = size; i-- > 0;) {
+    right_[i] = static_cast<uint32_t>(i);
+    if (unseen(i)) right_[i] = right_[i + 1];
+    if (opens(i)) right_[i] = partner_[i] < size ? right_[partner_[i] + 1] : nothing;
   }
 }
 
@@ -34,18 +49,9 @@ bool Surroundings::left(const Production& production, size_t i, double*& formals
   double* place = formals += values;
   size_t at = i;
   for (size_t k = production.left.size(); k-- > 0;) {
-    for (;; --at) {
-      if (at == 0) return false;
-      const size_t before = at - 1;
-      if (closes(before)) {
-        at = partner_[before] + 1;  // past a side branch: on to what stands before its bracket
-        continue;
-      }
-      if (!opens(before) && !unseen(before)) break;
-    }
-    --at;
     const SymbolId wanted = production.left[k].symbol;
-    if (word_.symbol(at) != wanted) return false;
+    at = left_[at];
+    if (at == word_.size() || word_.symbol(at) != wanted) return false;
     place -= system_.alphabet.parameters(wanted);
     put(at, place);
   }
@@ -74,8 +80,7 @@ bool Surroundings::right(const std::vector<ContextModule>& pattern, size_t from,
       k = end;
       continue;
     }
-    while (at < word_.size() && (unseen(at) || opens(at)))
-      at = opens(at) ? partner_[at] + 1 : at + 1;
+    at = right_[std::min(at, word_.size())];
     if (at >= word_.size() || closes(at) || word_.symbol(at) != pattern[k].symbol) return false;
     formals = put(at++, formals);
     ++k;

@@ -8,7 +8,7 @@ namespace vug::lsystem {
 /// Looks around in one word. The word and the system must outlive it.
 class Surroundings {
  public:
-  /// Finds the partner of each bracket if some rule looks around.
+  /// Finds the way from each module to its neighbours, in one pass, if some rule looks around.
   Surroundings(const System& system, const Word& word, bool contexts);
 
   /// Whether both contexts of the production fit around module `i`; then its formals, those of the
@@ -30,7 +30,10 @@ class Surroundings {
 
   const System& system_;
   const Word& word_;
-  Array<uint32_t> partner_;  ///< Of brackets; a lost one's is outside the word.
+  // By module, none of them where no rule looks around; nothing found is the word's size.
+  Array<uint32_t> partner_;  ///< Of brackets.
+  Array<uint32_t> left_;     ///< The first that is seen on the way to the root.
+  Array<uint32_t> right_;    ///< The first from here on that is seen on this branch, or its "]".
 };
 
 }  // namespace vug::lsystem

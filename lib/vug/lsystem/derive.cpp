@@ -49,7 +49,9 @@ void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivati
     progress.check();
     if (!patience.lasts(word))
       endless(system, rewriter, salt == kDecomposing ? "the decomposition" : "the interpretation",
-              round, "let a guard end it, or give it a 'depth'");
+              round,
+              stage.depth ? "let a guard end it, or take a 'depth' that is less"
+                          : "let a guard end it, or give it a 'depth'");
     if (!rewriter.rewrite(stage.book, word, Mode::passing, salt)) return;
   }
 }
@@ -78,12 +80,12 @@ std::vector<size_t> queries_of(const System& system, const Word& word) {
   return places;
 }
 
-void ask(const System& system, const Environment& environment, Derivation& derivation,
+void ask(const System& system, const DeriveOptions& options, Derivation& derivation,
          Progress& progress) {
   const std::vector<size_t> asking = queries_of(system, derivation.word);
   if (asking.empty()) return;
-  Word drawn = interpreted(system, derivation, progress);
-  environment.answer(system, drawn);
+  Word drawn = interpreted(system, derivation, progress, options.memory);
+  options.environment->answer(system, drawn);
   const std::vector<size_t> answered = queries_of(system, drawn);
   if (answered.size() != asking.size())
     throw Error(
@@ -102,10 +104,12 @@ constexpr double kMostSteps = 1e6;
 /// The words of the systems that modules stand for, made once each where chance has no part.
 class SubWords {
  public:
-  SubWords(const System& outer, Progress& progress) : outer_(outer), progress_(progress) {}
+  SubWords(const System& outer, std::optional<uint64_t> memory, Progress& progress)
+      : outer_(outer), memory_(memory), progress_(progress) {}
 
   const Word& of(const SubSystem& sub, std::span<const double> parameters, uint64_t key) {
     DeriveOptions options;
+    options.memory = memory_;
     if (!parameters.empty()) {
       const double count = std::max(parameters[0], 0.0);
       if (count > kMostSteps)
@@ -125,7 +129,8 @@ class SubWords {
       if (known != words_.end()) return known->second;
     }
     if (varies) options.key = RandomKey(key).at(sub.system->name).state();
-    Word inner = interpreted(*sub.system, derive(*sub.system, options, progress_), progress_);
+    Word inner =
+        interpreted(*sub.system, derive(*sub.system, options, progress_), progress_, memory_);
     for (SymbolId& symbol : inner.symbols()) symbol = sub.symbols[symbol];
     if (varies) return last_ = std::move(inner);
     return words_[{sub.system.get(), options.steps.value_or(-1), options.time.value_or(-1)}] =
@@ -134,13 +139,15 @@ class SubWords {
 
  private:
   const System& outer_;
+  std::optional<uint64_t> memory_;
   Progress& progress_;
   std::map<std::tuple<const System*, int, double>, Word> words_;
   Word last_;
 };
 
-Word with_subsystems(const System& system, const Derivation& derivation, Progress& progress) {
-  SubWords words(system, progress);
+Word with_subsystems(const System& system, const Derivation& derivation,
+                     std::optional<uint64_t> memory, Progress& progress) {
+  SubWords words(system, memory, progress);
   Word out;
   const Word& word = derivation.word;
   for (size_t i = 0; i < word.size(); ++i) {
@@ -173,7 +180,7 @@ Derivation derive(const System& system, const DeriveOptions& options, Progress& 
   }
   const auto settle = [&] {
     pass(system, system.decompose, rewriter, word, kDecomposing, progress);
-    if (system.asks && options.environment) ask(system, *options.environment, word, progress);
+    if (system.asks && options.environment) ask(system, options, word, progress);
   };
   settle();
   const int steps = options.steps.value_or(system.steps);
@@ -186,11 +193,12 @@ Derivation derive(const System& system, const DeriveOptions& options, Progress& 
   return word;
 }
 
-Word interpreted(const System& system, Derivation derivation, Progress& progress) {
-  Rewriter rewriter(system);
+Word interpreted(const System& system, Derivation derivation, Progress& progress,
+                 std::optional<uint64_t> memory) {
+  Rewriter rewriter(system, memory);
   pass(system, system.interpret, rewriter, derivation, kInterpreting, progress);
   if (system.subsystems.empty()) return std::move(derivation.word);
-  return with_subsystems(system, derivation, progress);
+  return with_subsystems(system, derivation, memory, progress);
 }
 
 }  // namespace vug::lsystem

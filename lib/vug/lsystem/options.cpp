@@ -1,13 +1,25 @@
 #include <vug/lsystem/options.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace vug::lsystem {
 
-std::string SystemOptions::fault() const {
-  if (limit != std::floor(limit)) return "the limit is a whole number of modules";
-  return seed && *seed != std::floor(*seed) ? "a seed is a whole number" : "";
+bool check_whole(const SystemOptions& options, const scene::Grammar& grammar,
+                 Diagnostics& diagnostics) {
+  bool sound = true;
+  const auto check = [&](const char* key, double value, const char* message) {
+    for (const scene::Entry& entry : grammar.options) {
+      if (entry.key != key || value == std::floor(value)) continue;
+      diagnostics.error(entry.values.at(0)->where, fmt::format("{}, not {}", message, value));
+      sound = false;
+    }
+  };
+  check("limit", options.limit, "the limit is a whole number of modules");
+  check("seed", options.seed.value_or(0), "a seed is a whole number");
+  return sound;
 }
 
 std::optional<SystemOptions> system_options(const scene::Grammar& grammar,
@@ -26,7 +38,10 @@ std::optional<SystemOptions> system_options(const scene::Grammar& grammar,
     if (value.empty()) return std::nullopt;
     arguments.push_back({entry.key, std::move(value), entry.where});
   }
-  return schema.bind(arguments, grammar.where, evaluator.diagnostics());
+  std::optional<SystemOptions> options =
+      schema.bind(arguments, grammar.where, evaluator.diagnostics());
+  return options && check_whole(*options, grammar, evaluator.diagnostics()) ? options
+                                                                            : std::nullopt;
 }
 
 }  // namespace vug::lsystem

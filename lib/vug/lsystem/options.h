@@ -14,8 +14,6 @@ struct SystemOptions {
   double time = 0;             ///< Of systems whose modules age, in place of steps.
   double limit = 10e6;         ///< Modules of a word at most.
   std::optional<double> seed;  ///< In place of the scene's, a whole number.
-
-  std::string fault() const;  ///< A sentence on what does not fit; else empty.
 };
 
 /// Adds the parameters to the schema of a block that holds more than these.
@@ -31,6 +29,10 @@ void describe_system(Schema<Block>& schema) {
       .param("seed", &SystemOptions::seed,
              {.doc = "whole number in place of the scene's seed", .min = 0, .max = 0x1p53});
 }
+
+/// False, with diagnostics at their values, where limit or seed are no whole numbers.
+bool check_whole(const SystemOptions& options, const scene::Grammar& grammar,
+                 Diagnostics& diagnostics);
 
 /// Those of a block's entries that are a system's; nothing, with diagnostics, where one does not
 /// fit. Entries of other names are passed over.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace vug::lsystem {
 
@@ -31,6 +32,14 @@ double power(double base, double exponent) {
     return exponent < 0 ? 1 / result : result;
   }
   return base == 0 ? 0 : maths::pow(base, exponent);
+}
+
+/// Leaves at top[-1] whether `holds` for it and *top.
+template <class Holds>
+void compare(double* top, const Holds& holds) {
+  const double a = top[-1], b = *top;
+  if ((a - a) + (b - b) != 0) throw Incomparable{std::isfinite(a) ? b : a};
+  top[-1] = holds(a, b) ? 1 : 0;
 }
 
 }  // namespace
@@ -100,28 +109,22 @@ double* run(const Program& program, const double* formals, double* top, const do
         top[-1] = power(top[-1], *top);
         break;
       case Op::less:
-        --top;
-        top[-1] = top[-1] < *top ? 1 : 0;
+        compare(--top, std::less<>());
         break;
       case Op::less_equal:
-        --top;
-        top[-1] = top[-1] <= *top ? 1 : 0;
+        compare(--top, std::less_equal<>());
         break;
       case Op::greater:
-        --top;
-        top[-1] = top[-1] > *top ? 1 : 0;
+        compare(--top, std::greater<>());
         break;
       case Op::greater_equal:
-        --top;
-        top[-1] = top[-1] >= *top ? 1 : 0;
+        compare(--top, std::greater_equal<>());
         break;
       case Op::equal:
-        --top;
-        top[-1] = top[-1] == *top ? 1 : 0;
+        compare(--top, std::equal_to<>());
         break;
       case Op::unequal:
-        --top;
-        top[-1] = top[-1] != *top ? 1 : 0;
+        compare(--top, std::not_equal_to<>());
         break;
       case Op::jump:
         at = begin + at->index - 1;

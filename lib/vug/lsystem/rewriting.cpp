@@ -1,6 +1,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/lsystem/chooser.h>
+#include <vug/lsystem/clear_pages.h>
 #include <vug/lsystem/cut.h>
 #include <vug/lsystem/draws.h>
 #include <vug/lsystem/rewriting.h>
@@ -123,16 +124,16 @@ void Rewriter::write(const RuleBook& book, const Surroundings& around, const Chu
     if (p.simple) {
       write_simple(p, formals, value);
     } else if (p.in_place) {
-      run(p.values, formals, value, numbers);
+      compute(p, p.values, formals, value, numbers);
     } else {
-      run(p.values, formals, scratch.values(), numbers);
+      compute(p, p.values, formals, scratch.values(), numbers);
       for (size_t k = 0; k < count; ++k) value[k] = scratch.values()[k];
     }
     double sum = 0;  // finite numbers less themselves are 0
     for (size_t k = 0; k < count; ++k) sum += value[k] - value[k];
     if (sum != 0) check_finite(p, value, count);
     if (!p.after.empty()) {
-      const double surplus = formals[0] - single(p.after, formals, scratch, numbers);
+      const double surplus = formals[0] - single(p, p.after, formals, scratch, numbers);
       for (const uint32_t age : p.ages) value[age] += surplus;
     }
     numbers += 2 * size_t{p.blocks};
@@ -176,7 +177,7 @@ void Rewriter::require_room(size_t modules, size_t values) const {
     refuse(fmt::format("the memory of {}: the next step makes {} modules in {}",
                        bytes_text(static_cast<double>(most)), modules,
                        bytes_text(static_cast<double>(bytes))),
-           true);
+           values > 0);
 }
 
 const Production* Rewriter::applied() const {
@@ -192,7 +193,7 @@ void Rewriter::start(Derivation& out, std::optional<uint64_t> key) const {
   out.key = key.value_or(system_.key);
   Draws draws(out.key, 0);
   draws.ask(out.key, axiom.blocks);
-  run(axiom.values, nullptr, scratch.values(), draws.make());
+  compute(axiom, axiom.values, nullptr, scratch.values(), draws.make());
   check_finite(axiom, scratch.values(), axiom.value_count());
   size_t value = 0;
   for (size_t k = 0; k < axiom.symbols.size(); ++k) {
@@ -200,12 +201,18 @@ void Rewriter::start(Derivation& out, std::optional<uint64_t> key) const {
     value = axiom.ends[k];
     if (system_.random) out.keys.push_back(child_key(out.key, k + 1, 0));
   }
+  if (static_cast<int64_t>(out.word.size()) > system_.limit)
+    throw Error(ErrorCode::too_large,
+                fmt::format("grammar '{}' exceeds its limit of {} modules: its axiom has {}",
+                            system_.name, system_.limit, out.word.size()),
+                axiom.where, "raise 'limit'");
 }
 
 bool Rewriter::rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32_t salt) {
   if (system_.cut) cut_branches(system_, word);
   from_ = &word;
   const size_t size = word.word.size();
+  choice_.clear();  // nothing is to be carried along
   choice_.resize(size);
   const Surroundings around(system_, word.word, book.contexts);
   std::vector<Chunk> chunks((size + kChunk - 1) / kChunk);
@@ -226,10 +233,13 @@ bool Rewriter::rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32
   if (mode == Mode::passing && !applied) return false;
   require_room(modules, values);
   to_.word.resize(modules, values);
-  to_.word.starts()[0] = 0;
   to_.keys.clear();
   to_.keys.resize(system_.random ? modules : 0);
   to_.key = word.key;
+  const auto memory = [](auto numbers) { return Memory{numbers.data(), numbers.size_bytes()}; };
+  clear_pages({memory(to_.word.symbols()), memory(to_.word.starts()), memory(to_.word.values()),
+               memory(std::span(to_.keys))});
+  to_.word.starts()[0] = 0;
   parallel_for(chunks.size(), [&](size_t c) { write(book, around, chunks[c], mode, salt); });
   std::swap(word, to_);
   return applied;

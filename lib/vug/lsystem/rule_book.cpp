@@ -41,7 +41,9 @@ Choosing choosing_of(const System& system, RuleBook& book, uint32_t first, uint3
   const auto rule = [&](uint32_t r) -> const Production& {
     return system.productions[book.rules[r]];
   };
-  bool lottery = !rule(first).weight.empty();
+  uint32_t leads = first;  // the first that can be taken
+  while (leads + 1 < end && plain_weight(rule(leads)) == 0.0) ++leads;
+  bool lottery = !rule(leads).weight.empty();
   double total = 0;
   for (uint32_t r = first; r < end; ++r) {
     const Production& p = rule(r);
@@ -55,7 +57,7 @@ Choosing choosing_of(const System& system, RuleBook& book, uint32_t first, uint3
     book.upto[r] = total;
   }
   const Production& p = rule(first);
-  if (lottery && total > 0) out.how = Choosing::How::lottery;
+  if (lottery && total > 0 && std::isfinite(total)) out.how = Choosing::How::lottery;
   if (p.weight.empty() && p.guard.empty() && p.after.empty() && !p.has_context()) {
     out.how = Choosing::How::always;
     out.blocks = 0;

@@ -34,6 +34,16 @@ Answer answer_to(const std::string& query, const TurtlePose& pose,
 
 }  // namespace
 
+const std::vector<TurtleQuery>& turtle_queries() {
+  static const std::vector<TurtleQuery> all = {
+      {"?P", "(x, y, z): the position"},
+      {"?H", "(x, y, z): the heading"},
+      {"?L", "(x, y, z): the left"},
+      {"?U", "(x, y, z): the up"},
+      {"?D", "(d, x, y, z): the signed distance to the field, and its gradient"}};
+  return all;
+}
+
 void TurtleEnvironment::answer(const System& system, Word& drawn) const {
   std::vector<SymbolId> queries;
   for (size_t id = 0; id < system.query.size(); ++id)

@@ -6,8 +6,15 @@
 #include <vug/lsystem/turtle.h>
 
 #include <optional>
+#include <vector>
 
 namespace vug::lsystem {
+
+struct TurtleQuery {
+  const char* name;
+  const char* doc;
+};
+const std::vector<TurtleQuery>& turtle_queries();
 
 class TurtleEnvironment final : public Environment {
  public:

@@ -29,11 +29,11 @@ Vec3d Walker::in_world(const Vec3d& v) const {
 void Walker::forward(Parameters p, bool drawn) {
   const double length = p.empty() ? options_.step : p[0];
   if (length < 0 && drawn) fail("a stem's length is below 0");
-  if (drawn && length == 0) return;
   const bool tapers = drawn && p.size() > 1;
   if (tapers && p[1] < 0) fail("a stem's radius is below 0");
   const double begun = tapers && !state_.radius_set ? p[1] : state_.radius;
   if (tapers) set_radius(p[1]);
+  if (drawn && length == 0) return;
   if (drawn && pen_) pen_->begin(state_, begun);
   advance(length, begun, state_.radius, drawn);
   if (!(state_.pose.position.length() <= kFarthest))

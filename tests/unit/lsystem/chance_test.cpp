@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 namespace vug::lsystem {
 namespace {
@@ -160,10 +161,88 @@ TEST(Chance, WeightsOfZeroLeaveTheModule) {
   EXPECT_EQ(after(*system, 1), "A(0)B");
 }
 
+TEST(Chance, WeightsOfZeroLeaveTheRestItsTurn) {
+  const SystemPtr constant = system_of("axiom A\n A @0 -> X\n A -> Y");
+  const SystemPtr computed = system_of("axiom A(0)A(1)\n A(x) @x -> X\n A(x) -> Y");
+  const SystemPtr between = system_of("axiom A\n A @0 -> X\n A -> Y\n A @1 -> Z");
+  ASSERT_TRUE(between);
+  EXPECT_EQ(after(*between, 1), "Y");
+  const SystemPtr leading = system_of("axiom A\n A @0 -> X\n A @0 -> Y\n A @1 -> Z\n A -> W");
+  ASSERT_TRUE(leading);
+  EXPECT_EQ(after(*leading, 1), "Z");
+  const SystemPtr context = system_of("axiom BA(0)BA(1)\n B < A(x) @x -> X\n A(x) -> Y");
+  ASSERT_TRUE(constant && computed && context);
+  EXPECT_EQ(after(*constant, 1), "Y");
+  EXPECT_EQ(after(*computed, 1), "YX");
+  EXPECT_EQ(after(*context, 1), "BYBX");
+}
+
+std::string fault(const System& system) {
+  try {
+    after(system, 1);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_input);
+    return error.what() + ("; " + error.hint());
+  }
+}
+
 TEST(Chance, BadWeights) {
-  const SystemPtr system = system_of("axiom A(1)\n A(x) @(x - 2) -> B");
-  ASSERT_TRUE(system);
-  EXPECT_THROW(after(*system, 1), Error);
+  const SystemPtr below = system_of("axiom A(1)\n A(x) @(x - 2) -> B");
+  const SystemPtr beyond = system_of("axiom A\n A @1e308 -> B\n A @1e308 -> C");
+  ASSERT_TRUE(below && beyond);
+  EXPECT_EQ(fault(*below),
+            "the weight of the rule of 'A(x)' is -1; weights are 0 or more; only their proportions "
+            "count");
+  EXPECT_EQ(fault(*beyond),
+            "the sum of the weights up to that of the rule of 'A' is inf; weights are 0 or more; "
+            "only their proportions count");
+  const Compiled constant = compile_text("grammar g: lsystem {\n axiom A\n A @-2 -> B\n}\n");
+  EXPECT_FALSE(constant.system);
+  EXPECT_NE(constant.report.find("test.vug:3:5: error: a weight of -2"), std::string::npos)
+      << constant.report;
+}
+
+TEST(Chance, ComparisonsAreWithNumbers) {
+  for (const char* rule :
+       {"A(x) if 1 / x > 3 -> B", "A(x) if not (x / x < 3) -> B", "A(x) -> B(if(1 / x > 2, 1, 0))",
+        "A(x) if x < 0 or log(x) < 1 -> B", "A(x) @if(1 / x == 1, 1, 2) -> B"}) {
+    const SystemPtr system = system_of(std::string("axiom A(0)\n ") + rule);
+    ASSERT_TRUE(system);
+    EXPECT_EQ(fault(*system).find("one side of a comparison of the rule of 'A(x)' is "), 0u)
+        << rule;
+  }
+  const SystemPtr careful = system_of("axiom A(0)A(1)\n A(x) if x != 0 and 1 / x > 0.5 -> B");
+  ASSERT_TRUE(careful);
+  EXPECT_EQ(after(*careful, 1), "A(0)B");
+}
+
+/// The rules, by their successors, that the reader is warned of.
+std::string unreached(const std::string& rules, const std::string& axiom = "A") {
+  const std::string text = "grammar g: lsystem {\n axiom " + axiom + "\n" + rules + "\n}\n";
+  const Compiled compiled = compile_text(text);
+  EXPECT_TRUE(compiled.system) << compiled.report;
+  std::string out;
+  for (const Diagnostic& each : compiled.diagnostics.all()) {
+    EXPECT_NE(each.message.find("is never taken"), std::string::npos);
+    std::istringstream lines(text);
+    std::string line;
+    for (int i = 0; i < each.where.line; ++i) std::getline(lines, line);
+    out += line.back();
+  }
+  return out;
+}
+
+TEST(Chance, RulesThatAreNeverTakenAreTold) {
+  EXPECT_EQ(unreached("A -> B\nA -> C"), "C");
+  EXPECT_EQ(unreached("A -> B\nA @1 -> C"), "C");
+  EXPECT_EQ(unreached("A @1 -> B\nA -> C\nA @1 -> D"), "C");  // D has its chance beside B
+  EXPECT_EQ(unreached("A @0 -> B\nA -> C\nA @1 -> D"), "D");
+  EXPECT_EQ(unreached("A @1 if pick(0, 1) > 0 -> B\nA -> C\nA @1 -> D"), "");
+  EXPECT_EQ(unreached("A if 1 > 2 -> B\nA -> C"), "");
+  EXPECT_EQ(unreached("A if 1 < 2 -> B\nA -> C"), "C");
+  EXPECT_EQ(unreached("B < A -> B\nA -> C\nA -> D"), "D");
+  EXPECT_EQ(unreached("A(t) after 2 -> B\nA(t) after 1 -> C\nA(t) after 3 -> D", "A(0)"), "D");
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "samples.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace vug::lsystem {
 namespace {
 
@@ -61,6 +64,28 @@ TEST(Context, ParametersOfNeighbours) {
       "1000*b)");
   ASSERT_TRUE(system);
   EXPECT_EQ(after(*system, 1), "A(1)A(7421)[B(7)]A(4)");
+}
+
+TEST(Context, LooksPastManyModulesOfManyBranches) {
+  // Each of them looks past all that are not seen: without a way marked beforehand this takes
+  // minutes.
+  constexpr int kMany = 150000;
+  std::string far = "A", branches = "A";
+  for (int i = 0; i < kMany; ++i) far += "F", branches += "[B]";
+  for (const auto& [axiom, rules, change] :
+       {std::tuple(far, "ignore F\n A < F > C -> X", "FX"),
+        std::tuple(branches, "A < B > C -> X\n A > C -> X", "BX")}) {
+    const SystemPtr system = system_of("axiom " + axiom + "\n" + rules);
+    const SystemPtr ended = system_of("axiom " + axiom + "C\n" + rules);
+    ASSERT_TRUE(system && ended);
+    EXPECT_EQ(after(*system, 1), axiom);
+    std::string replaced = axiom + "C";
+    if (change[0] == 'F')
+      std::replace(replaced.begin(), replaced.end(), 'F', 'X');
+    else
+      replaced[0] = 'X';
+    EXPECT_EQ(after(*ended, 1), replaced);
+  }
 }
 
 TEST(Context, HogewegAndHesper) {

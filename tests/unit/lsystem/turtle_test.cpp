@@ -232,6 +232,14 @@ TEST(Turtle, RefusesOptionsThatAreNoNumbers) {
   EXPECT_THROW(drawn("F", options), Error);
 }
 
+TEST(Turtle, AStemOfNoLengthSetsItsRadius) {
+  const Drawing drawing = drawn("F(0,0.2) F(1,0.1)");
+  ASSERT_EQ(drawing.axes.size(), 1u);
+  ASSERT_EQ(drawing.axes[0].stations.size(), 2u);
+  EXPECT_EQ(drawing.axes[0].stations[0].radius, 0.2);
+  EXPECT_EQ(drawing.axes[0].stations[1].radius, 0.1);
+}
+
 TEST(Turtle, VisitsTheModulesAskedFor) {
   const Text t("F ?P(0,0,0) [ +(1) F ?P(0,0,0) ] F");
   std::map<size_t, Vec3d> seen;

@@ -1,0 +1,65 @@
+#include <vug/lsystem/unreached.h>
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <vector>
+
+namespace vug::lsystem {
+
+namespace {
+
+std::optional<double> constant_of(const Program& program) {
+  const bool constant = program.code.size() == 1 && program.code[0].op == Op::constant;
+  return constant ? std::optional(program.code[0].value) : std::nullopt;
+}
+
+/// Whether `first` fits wherever `other` does, two rules of one symbol.
+bool fits_before(const Production& first, const Production& other) {
+  if (first.has_context()) return false;
+  if (!first.guard.empty() && constant_of(first.guard).value_or(0) == 0) return false;
+  if (first.after.empty()) return true;
+  const std::optional<double> age = constant_of(first.after), later = constant_of(other.after);
+  return age && later && *age <= *later;
+}
+
+bool never_weighs(const Production& p) { return constant_of(p.weight) == 0.0; }
+
+/// The first of `before`, in their order, that always goes before `p`; null where there is none.
+const Production* what_hides(const Production& p, const std::vector<const Production*>& before) {
+  bool joins = false;  // a lottery that may be drawn before the ones that are looked at
+  for (const Production* each : before) {
+    const bool lot = !each->weight.empty();
+    const bool alone = lot ? p.weight.empty() && constant_of(each->weight).value_or(0) > 0
+                           : p.weight.empty() || !joins;
+    if (alone && fits_before(*each, p)) return each;
+    joins = joins || (lot && each->has_context() == p.has_context());
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void warn_of_unreached(const System& system, const RuleBook& book, Diagnostics& diagnostics,
+                       std::set<uint16_t>& told) {
+  for (const Choosing& symbol : book.symbols) {
+    std::vector<const Production*> before;  // those that are taken somewhere
+    for (uint32_t r = symbol.first; r < symbol.end; ++r) {
+      const Production& p = system.productions[book.rules[r]];
+      const Production* hides = what_hides(p, before);
+      if (!hides) {
+        if (!never_weighs(p)) before.push_back(&p);
+        continue;
+      }
+      if (!told.insert(book.rules[r]).second) continue;
+      diagnostics.warning(
+          p.where,
+          fmt::format("this rule of '{}' is never taken: one before it always fits", p.text),
+          fmt::format(
+              "the other is at {}; {} for a choice by chance", to_string(hides->where),
+              hides->weight.empty() ? "write weights, '@1'," : "give this one a weight, too,"));
+    }
+  }
+}
+
+}  // namespace vug::lsystem
