@@ -34,6 +34,10 @@ BOMBS = {
     "interpretation that no guard ends": (
         ["axiom A(1)", "interpret {", "A(x) if x > 0 -> F A(x/2+1)", "}"], "4:1",
         f"the interpretation of grammar 'g' {ENDS} 'A(x)'"),
+    "interpretation of too great a depth": (
+        ["axiom A(1)", "interpret {", "depth 1e9", "A(x) -> F A(x/2+1)", "}"], "5:1", "take a 'depth' that is less"),
+    "a guard that divides by 0": (["axiom A(0)", "A(x) if 1/x > 3 -> B"], "3:1",
+                                  "one side of a comparison of the rule of 'A(x)' is inf"),
     "a number that is none": (["axiom B A(1)", "A(x) -> B[A(sqrt(0 - x))]"], "3:1",
                               "parameter 1 of module 3 of the rule of 'A(x)' is not a number"),
     "a number beyond all": (["axiom A(1)", "steps 99", "A(x) -> A(x*1e200)"], "4:1",
@@ -46,7 +50,13 @@ TEXTS = {
     "an unknown option": (["stepz 3", "axiom A"], "2:1", "did you mean 'steps'?"),
     "half a step": (["steps 2.5", "axiom A"], "2:1", "'steps'"),
     "steps below none": (["steps -1", "axiom A"], "2:1", "'steps'"),
-    "half a seed": (["seed 1.5", "axiom A"], "1:9", "a seed is a whole number"),
+    "half a seed": (["seed 1.5", "axiom A"], "2:6", "a seed is a whole number, not 1.5"),
+    "half a limit": (["limit 1.5", "axiom A"], "2:7", "the limit is a whole number of modules, not 1.5"),
+    "an axiom beyond the limit": (["limit 3", "axiom FFFF"], "3:1", "exceeds its limit of 3 modules: its axiom has 4"),
+    "a weight below 0": (["axiom A", "A @-1 -> B"], "3:4", "weights are 0 or more"),
+    "two lists of what contexts see": (["axiom A", "ignore F", "consider A", "A < A -> B"], "4:10", "'consider' beside 'ignore'"),
+    "nothing behind": (["axiom A", "A > -> B"], "3:3", "nothing stands behind '>'"),
+    "an unknown query": (["axiom A ?Z(1)"], "2:9", "queries are ?P, ?H, ?L, ?U, ?D"),
     "a wrong number of parameters": (["axiom A(1, 2)", "A(x) -> B"], "2:7", "its rules take 1"),
     "an unknown name": (["axiom A(1)", "A(x) -> B(y)"], "3:11", "unknown name 'y'"),
     "a turn without a unit": (["axiom +(60)F"], "2:9", "write 60deg or 60rad"),
@@ -79,12 +89,38 @@ class Bombs(VugTest):
             with self.subTest(name):
                 self.stopped(*text)
 
+    def test_they_stop_in_the_memory_that_is_given(self):
+        self.write("g.vug", "grammar g: lsystem {\naxiom A(1)\nsteps 22\nA(x) -> A(x+1)A(x+1)\n}\n"
+                            "field wood = stems(of: g)\nvolume v = level_set(wood, voxel: 1m)\n")
+        for verb, out in (("build", "out"), ("render", "out.exr")):
+            error = self.expect(2, verb, "g.vug", "-o", out, "--max-memory", "1M").err
+            self.assertIn("grammar 'g' exceeds the memory of 1 MiB", error)
+        self.assertEqual(self.files(), ["g.vug"])
+
     @unittest.skipIf(SLOW, "sanitizers take memory of their own")
     def test_they_stop_in_little_memory(self):
         self.write("g.vug", "grammar g: lsystem {\naxiom A(1)\nsteps 1000\nA(x) -> A(x+1)A(x+1)\n}\n")
         subprocess.run([PROGRAM, "derive", "g.vug"], cwd=self.folder, stderr=subprocess.DEVNULL)
         most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB, of the largest so far
         self.assertLess(most, 1 << 20)
+
+    def test_check_looks_at_what_nothing_draws(self):
+        self.write("g.vug", "grammar g: lsystem {\naxiom F\nsteps 100\nF -> FF\n}\n"
+                            "grammar h: lsystem {\naxiom guide(3) F\n}\n")
+        error = self.expect(2, "check", "g.vug").err
+        self.assertIn("g.vug:4:1: error: grammar 'g' exceeds its limit", error)
+        self.assertIn("g.vug:6:9: error: there is no guide, at 'guide(3)', module 1 of the word", error)
+
+    def test_many_blocks_within_each_other(self):
+        for name, opening in (("blocks", "grammar g: lsystem {\n"), ("tables", "grammar g: lsystem {\ntable A {\n"),
+                              ("words", "grammar g: lsystem {\naxiom A{\n"), ("polygons", "{")):
+            with self.subTest(name):
+                text = opening * 50000 if name != "polygons" else "grammar g: lsystem {\naxiom " + opening * 50000
+                self.write("g.vug", text)
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                self.expect(2, "check", "g.vug")
+                taken = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+                self.assertLess(taken, 10 if not SLOW else 100)  # seconds of processor time; it was minutes
 
     def test_a_module_asks_for_too_many_steps_of_another_system(self):
         self.write("g.vug", "grammar Leaf: lsystem {\n axiom L\n L -> L\n}\n"

@@ -46,6 +46,12 @@ class Trees(VugTest):
         said = self.expect(2, "tree", "bad.vug").err
         self.assertIn("bad.vug:6:12: error: the parts do not fit: they need 5m of 4m ('wall' 5m)", said)
 
+    def test_lsystems_have_words(self):
+        self.write("plant.vug", "grammar plant: lsystem {\n axiom F\n}\n")
+        for args in ((), ("--grammar", "plant")):
+            self.assertIn("'plant' is an L-system: 'vug derive' prints its word",
+                          self.expect(2, "tree", "plant.vug", *args).err)
+
     def test_forms_that_other_grammars_do_not_have(self):
         self.write("cave.vug", "grammar cave {\n axiom + box()\n}\nvolume v = level_set(cave, voxel: 20cm)\n")
         self.assertIn("no grammar of kind facade", self.expect(2, "tree", "cave.vug", "--theta").err)

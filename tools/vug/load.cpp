@@ -10,7 +10,8 @@
 
 namespace vug::cli {
 
-void SceneOptions::add_to(CLI::App& app) {
+void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
+  work_ = work;
   app.add_option("scene", scene, "the scene, a .vug file")->required();
   app.add_option("-D", defines, "NAME=VALUE: set a parameter of the scene")
       ->take_all()
@@ -38,6 +39,7 @@ session::LoadOptions SceneOptions::load_options() const {
     options.overrides.push_back({name, define.substr(equals + 1)});
   }
   options.include_folders = session::data_folders();
+  if (work_ && !work_->max_memory.empty()) options.max_memory = work_->memory_limit();
   return options;
 }
 

@@ -15,13 +15,16 @@
 
 namespace vug::cli {
 
+struct WorkOptions;
+
 struct SceneOptions {
   std::string scene;
   std::vector<std::string> defines;
   std::optional<uint64_t> seed;
   std::optional<double> frame;
 
-  void add_to(CLI::App& app);
+  /// `work`: of the same verb, may be null; its limits hold while the scene is loaded, too.
+  void add_to(CLI::App& app, const WorkOptions* work = nullptr);
   /// Loads the scene; prints its diagnostics on stderr. Throws Stop{kUnusable} when it has errors.
   session::Loaded load() const;
   /// The same at a frame of a sequence; see session::Still.
@@ -31,6 +34,8 @@ struct SceneOptions {
   session::LoadOptions load_options() const;
 
  private:
+  const WorkOptions* work_ = nullptr;
+
   session::Loaded load(const session::LoadOptions& options) const;
 };
 

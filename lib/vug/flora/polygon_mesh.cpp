@@ -1,14 +1,34 @@
+#include <vug/base/error.h>
+#include <vug/flora/crossing.h>
 #include <vug/flora/polygon_mesh.h>
 #include <vug/mesh/normals.h>
 #include <vug/mesh/polygon.h>
 #include <vug/mesh/weld.h>
 
+#include <fmt/format.h>
+
 namespace vug::flora {
+namespace {
+
+void require_simple(const lsystem::Polygon& polygon, size_t number) {
+  const std::optional<Crossing> fault = self_crossing(polygon.corners);
+  if (!fault) return;
+  throw Error(
+      ErrorCode::bad_input,
+      fmt::format("polygon {} that the turtle draws crosses itself: sides {} and {} at "
+                  "({:.6g}, {:.6g}, {:.6g})",
+                  number, fault->first, fault->second, fault->at.x, fault->at.y, fault->at.z),
+      {}, "close it with '}' before its line goes across, or draw it as several");
+}
+
+}  // namespace
 
 mesh::Mesh polygon_mesh(const lsystem::Drawing& drawing) {
   mesh::Mesh mesh;
   mesh::Attribute order{"order", 1, {}}, colour{"colour", 1, {}};
+  size_t number = 0;
   for (const lsystem::Polygon& polygon : drawing.polygons) {
+    require_simple(polygon, ++number);
     std::vector<uint32_t> corners;
     Vec3d area(0);  // Newell's normal, the same for any triangulation
     for (size_t i = 0; i < polygon.corners.size(); ++i) {

@@ -12,20 +12,11 @@ namespace vug::session {
 
 mesh::Mesh mesh_of(const Drawn& drawn, double tolerance) {
   if (drawn.shape) return *drawn.shape;
-  mesh::Mesh mesh;
-  if (drawn.polygons) {
-    mesh = flora::polygon_mesh(*drawn.polygons->drawing());
-    if (mesh.triangles.empty())
-      throw Error(ErrorCode::bad_input, "the L-system draws no polygons", {},
-                  "for its stems: of stems(of: NAME)");
-    return mesh;
-  }
+  if (drawn.polygons) return flora::polygon_mesh(*drawn.polygons->drawing());
   const std::vector<flora::Tube> tubes = flora::tubes_of(drawn.stems);
-  if (tubes.empty())
-    throw Error(ErrorCode::bad_input,
-                drawn.stems.bounds().isEmpty() ? "there are no stems"
-                                               : "this solid is not made of stems alone",
-                {}, "a mesh of any solid: volume NAME = level_set(...), mesh NAME on VOLUME");
+  if (tubes.empty() && !drawn.stems.bounds().isEmpty())
+    throw Error(ErrorCode::bad_input, "this solid is not made of stems alone", {},
+                "a mesh of any solid: volume NAME = level_set(...), mesh NAME on VOLUME");
   flora::MeshOptions options;
   options.tolerance = tolerance;
   return flora::swept_mesh(tubes, options);

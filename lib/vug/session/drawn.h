@@ -14,8 +14,8 @@ struct Drawn {
 };
 
 /// With unit normals. Stems are cut into edges no further than `tolerance` metres from round;
-/// polygons make sheets. Error(bad_input) for a field that is not of stems, and where there is
-/// nothing.
+/// polygons make sheets. Where nothing is drawn it is empty, as in a film before anything grows.
+/// Error(bad_input) for a field that is not of stems, and for polygons that cross themselves.
 mesh::Mesh mesh_of(const Drawn& drawn, double tolerance);
 
 }  // namespace vug::session

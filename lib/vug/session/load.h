@@ -25,6 +25,8 @@ struct LoadOptions {
   std::vector<std::filesystem::path> include_folders;  ///< After the scene's own folder.
   std::vector<std::filesystem::path> within;           ///< Scenes that place this one.
   double frame = 1;                                    ///< The moment to show.
+  /// Bytes of a word that an L-system grows while the scene is read; 0: what the machine can give.
+  uint64_t max_memory = 0;
   /// Of the same text, overrides and seed: what stands still is taken from here, as the very same
   /// objects, and what is found to do so goes there. May be null.
   Still* still = nullptr;

@@ -45,11 +45,20 @@ const Schema<LSystemBlock>& lsystem_schema() {
 lsystem::Derivation LSystemPlan::derived(std::optional<int> steps,
                                          std::optional<double> time) const {
   const lsystem::TurtleEnvironment environment(block, block.field);
-  return lsystem::derive(*system, {.steps = steps, .time = time, .environment = &environment});
+  return lsystem::derive(
+      *system, {.steps = steps, .time = time, .memory = memory(), .environment = &environment});
+}
+
+lsystem::Word LSystemPlan::interpreted(lsystem::Derivation derivation) const {
+  return lsystem::interpreted(*system, std::move(derivation), Progress::none(), memory());
+}
+
+std::optional<uint64_t> LSystemPlan::memory() const {
+  return max_memory_ > 0 ? std::optional(max_memory_) : std::nullopt;
 }
 
 lsystem::Drawing LSystemPlan::draw() const {
-  return lsystem::draw(lsystem::interpreted(*system, derived()), system->alphabet, block);
+  return lsystem::draw(interpreted(derived()), system->alphabet, block);
 }
 
 lsystem::DrawingPtr LSystemPlan::drawing() const {

@@ -20,8 +20,12 @@ const Schema<LSystemBlock>& lsystem_schema();
 /// Immutable; Shot::lsystems are of these. Errors are those of lsystem::derive and lsystem::draw.
 class LSystemPlan {
  public:
-  LSystemPlan(std::string plan_name, lsystem::SystemPtr of, LSystemBlock with)
-      : name(std::move(plan_name)), system(std::move(of)), block(std::move(with)) {}
+  /// `max_memory`: bytes of a word, 0 for what the machine can give.
+  LSystemPlan(std::string plan_name, lsystem::SystemPtr of, LSystemBlock with, uint64_t max_memory)
+      : name(std::move(plan_name)),
+        system(std::move(of)),
+        block(std::move(with)),
+        max_memory_(max_memory) {}
 
   const std::string name;
   const lsystem::SystemPtr system;
@@ -29,12 +33,17 @@ class LSystemPlan {
 
   /// The word after the block's steps or at its time, or those given: its turtle answers queries.
   lsystem::Derivation derived(std::optional<int> steps = {}, std::optional<double> time = {}) const;
+  /// Such a word as the turtle reads it.
+  lsystem::Word interpreted(lsystem::Derivation derivation) const;
   /// What is drawn of that, made when it is first asked for.
   lsystem::DrawingPtr drawing() const;
   /// The same, made anew.
   lsystem::Drawing draw() const;
 
  private:
+  std::optional<uint64_t> memory() const;
+
+  uint64_t max_memory_;
   mutable std::once_flag once_;
   mutable lsystem::DrawingPtr drawing_;
 };

@@ -154,6 +154,93 @@ TEST(Plants, FilamentsGrowWithoutPopping) {
   }
 }
 
+TEST(Plants, AFilmMayBeginWithNothing) {
+  const Loaded scene = loaded(R"(
+grammar shoot: lsystem {
+  time 0
+  axiom A(0)
+  A(t) after 9 -> A(0)
+  interpret { A(t) -> F(t*1cm, 1cm) }
+}
+mesh bark { of stems(of: shoot) }
+mesh leaves { of shoot }
+object plant on bark {}
+place plants { of leaves  at [(0, 0, 0), (1, 0, 0)] }
+)");
+  ASSERT_TRUE(scene.usable()) << scene.report();
+  EXPECT_NE(scene.report().find("t.vug:8:16: warning: there are no stems"), std::string::npos)
+      << scene.report();
+  EXPECT_NE(scene.report().find("t.vug:9:18: warning: the L-system draws no polygons"),
+            std::string::npos);
+  Builder builder(scene.shot);
+  EXPECT_TRUE(builder.mesh(scene.shot.meshes.at(0))->triangles.empty());
+  EXPECT_EQ(cast_of(builder).objects.size(), 3u);
+}
+
+TEST(Plants, PolygonsDoNotCrossThemselves) {
+  const auto report = [](const std::string& word) {
+    return loaded("grammar g: lsystem {\n angle 90deg\n axiom " + word + "\n}\nmesh m1 { of g }\n")
+        .report();
+  };
+  const std::string star = "{ F +(144deg) F +(144deg) F +(144deg) F +(144deg) F }";
+  EXPECT_NE(report(star).find("t.vug:5:14: error: polygon 1 that the turtle draws crosses itself: "
+                              "sides 1 and 3 at"),
+            std::string::npos)
+      << report(star);
+  // Both lobes are of one size and turn against each other: the whole has no area.
+  EXPECT_NE(report("{ . f(1) +(135deg) f(1.4142135623730951) -(135deg) f(1) }").find("crosses"),
+            std::string::npos);
+  // Touching, running back along a side and passing over it are no crossings.
+  EXPECT_EQ(report("{ . f(1) + f(1) + f(1) + f(1) }"), "");
+  EXPECT_EQ(report("{ . f(2) + f(1) + f(1) - - f(1) - f(1) }").find("crosses"), std::string::npos);
+  EXPECT_EQ(report("{ . f(2) + f(1) + f(1) &(90deg) f(1) ^(90deg) + f(2) + f(2) }").find("crosses"),
+            std::string::npos);
+}
+
+TEST(Plants, ALittleOfAllCanBeListed) {
+  const std::string rest = "\n axiom a(1cm) b(2cm)\n}\n";
+  for (const char* list : {"instances a, b", "instances [a, b]"}) {
+    const Loaded scene = loaded(std::string("grammar g: lsystem {\n ") + list + rest);
+    ASSERT_EQ(scene.report(), "");
+    EXPECT_EQ(scene.shot.lsystems.at(0)->drawing()->instances.size(), 2u);
+  }
+  EXPECT_NE(loaded("grammar g: lsystem {\n instances a b" + rest)
+                .report()
+                .find("hint: commas part the values of 'instances'"),
+            std::string::npos);
+}
+
+TEST(Plants, QueriesThatNobodyAnswers) {
+  const auto report = [](const std::string& block) {
+    return loaded("grammar g: lsystem {\n" + block + "\n}\n").report();
+  };
+  EXPECT_NE(report(" axiom ?Z(1)").find("t.vug:2:8: error: there is no query '?Z'"),
+            std::string::npos);
+  EXPECT_NE(report(" axiom A\n A > ?Z(x) -> A").find("t.vug:3:6: error: there is no query '?Z'"),
+            std::string::npos);
+  const std::string nowhere = report(" axiom ?D(1, 0, 0, 0) ?D(1, 0, 0, 0)");
+  EXPECT_EQ(nowhere.find("t.vug:2:8: warning: '?D' asks how far the 'field' is"), 0u) << nowhere;
+  EXPECT_EQ(nowhere.find("warning", 20), std::string::npos);
+  EXPECT_EQ(report(" field sphere(1m)\n axiom ?D(1, 0, 0, 0)"), "");
+}
+
+TEST(Plants, WordsKeepWithinMemory) {
+  LoadOptions options;
+  options.max_memory = 1 << 20;
+  const std::string text =
+      "grammar g: lsystem {\n steps 20\n axiom A(1)\n A(x) -> A(x)A(x)\n}\n"
+      "grammar h: lsystem {\n axiom A\n interpret {\n depth 20\n A -> AA\n }\n}\n";
+  const Loaded scene = load_text(text, "t.vug", options);
+  ASSERT_EQ(scene.report(), "");
+  for (const LSystemPtr& plan : scene.shot.lsystems) try {
+      plan->drawing();
+      FAIL() << plan->name;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("the memory of 1 MiB"), std::string::npos)
+          << error.what();
+    }
+}
+
 TEST(Plants, FaultsAreToldWhereTheyAre) {
   const auto report = [](const std::string& text) { return loaded(text).report(); };
   EXPECT_NE(report(kTwig + "mesh no { of sphere(1m) }\n").find("not made of stems"),

@@ -91,7 +91,7 @@ int run(Options options) {
 Verb build_verb() {
   return {"build", "Makes everything a scene declares: .vdb, meshes, points.", [](CLI::App& app) {
             auto options = std::make_shared<Options>();
-            options->scene.add_to(app);
+            options->scene.add_to(app, &options->work);
             app.add_option("-o,--output", options->folder, "the folder to write into")->required();
             auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
                                               "a .vdb from which runs of cells go on");

@@ -4,6 +4,7 @@
 #include <vug/image/configured_view.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/foresee.h>
+#include <vug/session/lsystem_plan.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -37,6 +38,12 @@ session::Loaded examine(const Options& options) {
       session::points_from(*cells);
     } catch (const Error& error) {
       loaded.diagnostics.error(error.where(), error.what(), error.hint());
+    }
+  for (const session::LSystemPtr& plan : loaded.shot.lsystems) try {
+      plan->drawing();  // of one that nothing in the scene has drawn
+    } catch (const Error& error) {
+      const SourceLocation& where = error.where().known() ? error.where() : plan->system->where;
+      loaded.diagnostics.error(where, error.what(), error.hint());
     }
   for (const session::RenderPlan& plan : loaded.shot.renders) try {
       if (session::shows_nothing(loaded.shot))

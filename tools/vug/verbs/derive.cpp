@@ -95,8 +95,8 @@ int run(const Options& options) {
                 {}, system.timed ? "--time T" : "--steps N");
   const ThreadLimit limit(options.threads);
   lsystem::Derivation derivation = plan->derived(options.steps, options.time);
-  const lsystem::Word word = options.drawn ? lsystem::interpreted(system, std::move(derivation))
-                                           : std::move(derivation.word);
+  const lsystem::Word word =
+      options.drawn ? plan->interpreted(std::move(derivation)) : std::move(derivation.word);
   const lsystem::Alphabet& alphabet = system.alphabet;
   if (options.json) {
     print_json(options, system, word);

@@ -52,7 +52,7 @@ Verb export_verb() {
       "export", "Writes what another program reads best: meshes, volumes, cameras, lights.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
-        options->scene.add_to(app);
+        options->scene.add_to(app, &options->work);
         app.add_option("-o,--output", options->folder, "the folder to write into")->required();
         std::vector<std::string> programs;
         for (const exchange::Program* each : exchange::programs())

@@ -73,7 +73,7 @@ Verb measure_verb() {
           "Measures a scene's mesh, or a .vdb, .obj, .ply, .stl file; exit 1 when it is broken.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
-            options->scene.add_to(app);
+            options->scene.add_to(app, &options->work);
             app.add_option("--mesh", options->mesh, "which mesh of the scene; else the first");
             app.add_option("--cells", options->cells,
                            "the cells of that name instead: how even they are, how they are linked")

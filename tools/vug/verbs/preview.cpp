@@ -71,7 +71,7 @@ Verb preview_verb() {
       "preview", "Writes a web page, one file, that shows the model, picture, tree and figures.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
-        options->scene.add_to(app);
+        options->scene.add_to(app, &options->work);
         app.add_option("-o,--output", options->output,
                        "the .html to write; else the scene's name with that ending");
         auto* picture =

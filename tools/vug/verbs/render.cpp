@@ -227,7 +227,7 @@ Verb render_verb() {
   return {
       "render", "Renders a picture: an EXR with layers, and a PNG beside it.", [](CLI::App& app) {
         auto options = std::make_shared<Options>();
-        options->scene.add_to(app);
+        options->scene.add_to(app, &options->work);
         auto& render = options->render;
         auto& picture = render.picture;
         app.add_option("-o,--output", options->output, "the .exr to write");

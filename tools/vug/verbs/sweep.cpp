@@ -221,7 +221,7 @@ Verb sweep_verb() {
           "Measures a scene for several values of a parameter or seeds: a table and a plot.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
-            options->scene.add_to(app);
+            options->scene.add_to(app, &options->work);
             app.add_option("--param,-p", options->param,
                            "the parameter, e.g. LD; `seed` for the scene's seed")
                 ->required();

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <vug/facade/tree_output.h>
 #include <vug/grammar/tree_output.h>
+#include <vug/session/lsystem_plan.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -21,6 +22,14 @@ struct Options {
   bool facade() const { return theta || elements || elevation || !picture.empty(); }
 };
 
+std::string hint_for(const session::Shot& shot, const Options& options,
+                     const std::vector<std::string>& names) {
+  for (const session::LSystemPtr& each : shot.lsystems)
+    if (options.grammar.empty() || each->name == options.grammar)
+      return fmt::format("'{}' is an L-system: 'vug derive' prints its word", each->name);
+  return suggestion(options.grammar, names);
+}
+
 /// The derivations that are asked for: at least one, and only one where one document is printed.
 std::vector<const session::Derivation*> chosen(const session::Shot& shot, const Options& options) {
   std::vector<const session::Derivation*> found;
@@ -36,7 +45,7 @@ std::vector<const session::Derivation*> chosen(const session::Shot& shot, const 
                 options.grammar.empty()
                     ? fmt::format("the scene has no {}", what)
                     : fmt::format("the scene has no {} '{}'", what, options.grammar),
-                {}, suggestion(options.grammar, names));
+                {}, hint_for(shot, options, names));
   if (found.size() > 1 && options.single())
     throw Error(ErrorCode::bad_input,
                 fmt::format("the scene has several grammars: {}", fmt::join(names, ", ")), {},

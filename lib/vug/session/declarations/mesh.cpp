@@ -74,6 +74,15 @@ mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
   return mesh;
 }
 
+/// A mesh that is empty: a film of growth may begin so, but it may be a slip.
+void warn_of_nothing(const Drawn& drawn, const scene::Entry& entry, Diagnostics& diagnostics) {
+  diagnostics.warning(
+      entry.values.at(0)->where,
+      drawn.polygons ? "the L-system draws no polygons" : "there are no stems: the mesh is empty",
+      drawn.polygons ? "for its stems: of stems(of: NAME)"
+                     : "'vug derive --drawn' prints the word");
+}
+
 /// What the block says of a file; null with a diagnostic at what is at fault.
 mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, Reading& reading) {
   const bool drawn = declaration.find_entry("of") != nullptr;
@@ -91,8 +100,10 @@ mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, R
       return nullptr;
     }
   try {
-    return std::make_shared<const mesh::Mesh>(drawn ? mesh_of(block.of, block.tolerance)
-                                                    : read_file(block.file, block.scale));
+    const auto made = std::make_shared<const mesh::Mesh>(
+        drawn ? mesh_of(block.of, block.tolerance) : read_file(block.file, block.scale));
+    if (made->triangles.empty()) warn_of_nothing(block.of, entry, reading.diagnostics);
+    return made;
   } catch (const Error& error) {
     const SourceLocation& there = error.where();
     const std::string what =
