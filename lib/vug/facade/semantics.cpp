@@ -43,9 +43,11 @@ Semantics::Semantics(Placed placed)
     const double from = node.parent < 0 ? 0 : tree().nodes[static_cast<size_t>(node.parent)].depth;
     Solids one;
     if (node.element) one = solids_of(node);
+    // Of a hole's rectangle only corners are left, beside an arch; they are of the wall around.
+    const bool has_face = one.cut.empty() || kind_of(node) == kWall;
     for (const Placement& place : placements(tree(), index)) {
       const Rect rect = place(node.rect);
-      pieces_.push_back({index, flat_box(rect, node.depth), {}, true});
+      if (has_face) pieces_.push_back({index, flat_box(rect, node.depth), {}, true});
       if (node.depth != from)
         add(index, block(rect, std::min(from, node.depth), std::max(from, node.depth)));
       const Transform frame = frame_of(node, place);

@@ -15,7 +15,8 @@ namespace vug::facade {
 inline constexpr double kReach = 0.3;
 
 /// A carved facade, asked for the node whose surface is nearest. Surfaces are what elements cut and
-/// add, the rectangles of nodes in their planes, and the sides of planes that jump. Immutable.
+/// add, the rectangles of nodes in their planes (but of holes), and the sides of planes that jump.
+/// Immutable.
 class Semantics {
  public:
   /// Error where an element's measures do not fit, as from carve().

@@ -2,6 +2,7 @@
 
 #include <vug/base/parallel.h>
 #include <vug/facade/semantics.h>
+#include <vug/field/boolean.h>
 
 #include <cmath>
 
@@ -50,6 +51,14 @@ TEST(Semantics, WeatherMayMoveThemAndFarIsNothing) {
   EXPECT_EQ(at(s, {0, 4, 0.3 + 1.01 * kReach}), "");
   EXPECT_EQ(at(s, {0, 10, 0}), "");
   EXPECT_EQ(at(s, {-4, 4.5, -2}), "") << "far behind the window";
+}
+
+TEST(Semantics, CornersBesideAnArchAreWall) {
+  const Semantics s(
+      placed(facade_of("axiom A\n A -> inset(3m, 3m, 0m, 3m, doorway(head: round))")));
+  EXPECT_EQ(at(s, {0, 3, -0.5}), "") << "in the air of the passage";
+  EXPECT_EQ(at(s, {3, 2, -0.5}), "doorway") << "the jamb";
+  EXPECT_EQ(at(s, {2.95, 5.95, 0}), "A") << "beside the arch";
 }
 
 TEST(Semantics, FollowTheFrameAndCopies) {
