@@ -28,6 +28,29 @@ def label(x, y, width, height, pitch):
     return 1 if x % pitch > pitch // 3 and y % 20 > 8 else 0
 
 
+def values(path):
+    """The first channel of an 8-bit PNG."""
+    data = path.read_bytes()
+    width, height, _, kind = struct.unpack(">IIBB", data[16:26])
+    size, packed, at = {0: 1, 2: 3}[kind], b"", 8
+    while at < len(data):
+        length = struct.unpack(">I", data[at:at + 4])[0]
+        packed += data[at + 8:at + 8 + length] if data[at + 4:at + 8] == b"IDAT" else b""
+        at += length + 12
+    raw, above, out = zlib.decompress(packed), [0] * (width * size), []
+    for y in range(height):
+        start = y * (width * size + 1)
+        row = []
+        for x, byte in enumerate(raw[start + 1:start + 1 + width * size]):
+            left, corner = (row[x - size], above[x - size]) if x >= size else (0, 0)
+            guess = left + above[x] - corner
+            nearest = min((left, above[x], corner), key=lambda near: abs(guess - near))
+            row.append((byte + (0, left, above[x], (left + above[x]) // 2, nearest)[raw[start]]) % 256)
+        above = row
+        out += row[::size]
+    return out
+
+
 class FacadeTrain(VugTest):
     def prepare(self):
         for folder in ("set/images", "set/labels"):
@@ -59,6 +82,16 @@ class FacadeTrain(VugTest):
         self.assertEqual(json.loads(first)["classes"], CLASSES)
         for threads in (2, 7):
             self.assertEqual((self.folder / f"looks{threads}.json").read_bytes(), first)
+
+    def test_a_facade_is_read_by_its_looks(self):
+        self.train("-o", "looks.json")
+        self.expect(0, "facade", "fit", "set/images/f2.png", "--looks", "looks.json", "-o", "out", "--steps", 5000,
+                    "--no-carving")
+        found, true = (values(self.folder / path) for path in ("out/f2.labels.png", "set/labels/f2.png"))
+        self.assertEqual(len(found), len(true))
+        self.assertGreater(sum(a == b for a, b in zip(found, true)), 0.95 * len(true))
+        tree = json.loads((self.folder / "out/f2.json").read_text())
+        self.assertEqual(sum(one["kind"] == "window" for one in tree["elements"]), 16)
 
     def test_what_cannot_be_is_told(self):
         def told(part, *more):

@@ -153,7 +153,7 @@ Labelled read_labelled(const fs::path& photo, const fs::path& labels, const Clas
                   "label each pixel of the picture");
   const WorkingSize size = working_size(picture.width, picture.height, limits);
   out.labels =
-      reduced(read_labels(labels, classes, max_memory), picture.width, picture.height, size);
+      resampled(read_labels(labels, classes, max_memory), {picture.width, picture.height}, size);
   out.photo = reduced(picture, size);
   return out;
 }

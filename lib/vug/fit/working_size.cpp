@@ -32,12 +32,6 @@ std::vector<Span> spans(int from, int to) {
   return out;
 }
 
-void require_smaller(int width, int height, WorkingSize size) {
-  if (size.width < 1 || size.height < 1 || size.width > width || size.height > height)
-    throw Error(ErrorCode::bad_input, fmt::format("{} x {} pixels cannot be reduced to {} x {}",
-                                                  width, height, size.width, size.height));
-}
-
 }  // namespace
 
 WorkingSize working_size(int width, int height, const WorkingLimits& limits) {
@@ -51,7 +45,11 @@ WorkingSize working_size(int width, int height, const WorkingLimits& limits) {
 }
 
 image::Image reduced(const image::Image& picture, WorkingSize size) {
-  require_smaller(picture.width, picture.height, size);
+  if (size.width < 1 || size.height < 1 || size.width > picture.width ||
+      size.height > picture.height)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("{} x {} pixels cannot be reduced to {} x {}", picture.width,
+                            picture.height, size.width, size.height));
   if (size == WorkingSize{picture.width, picture.height}) return picture;
   image::Image out(size.width, size.height, picture.channels);
   const std::vector<Span> across = spans(picture.width, size.width);
@@ -79,18 +77,20 @@ image::Image reduced(const image::Image& picture, WorkingSize size) {
   return out;
 }
 
-std::vector<uint8_t> reduced(const std::vector<uint8_t>& marks, int width, int height,
-                             WorkingSize size) {
-  require_smaller(width, height, size);
+std::vector<uint8_t> resampled(const std::vector<uint8_t>& marks, WorkingSize from,
+                               WorkingSize to) {
+  if (from.width < 1 || from.height < 1 || to.width < 1 || to.height < 1)
+    throw Error(ErrorCode::bad_input, "a picture has at least a pixel");
   std::vector<uint8_t> out;
-  out.reserve(static_cast<size_t>(size.width) * static_cast<size_t>(size.height));
-  const auto middle = [](int i, int from, int to) {
-    return static_cast<size_t>((2 * static_cast<int64_t>(i) + 1) * from / (2 * to));
+  out.reserve(static_cast<size_t>(to.width) * static_cast<size_t>(to.height));
+  const auto middle = [](int i, int many, int fewer) {
+    return static_cast<size_t>((2 * static_cast<int64_t>(i) + 1) * many /
+                               (2 * static_cast<int64_t>(fewer)));
   };
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x)
-      out.push_back(marks[middle(y, height, size.height) * static_cast<size_t>(width) +
-                          middle(x, width, size.width)]);
+  for (int y = 0; y < to.height; ++y)
+    for (int x = 0; x < to.width; ++x)
+      out.push_back(marks[middle(y, from.height, to.height) * static_cast<size_t>(from.width) +
+                          middle(x, from.width, to.width)]);
   return out;
 }
 

@@ -29,9 +29,9 @@ WorkingSize working_size(int width, int height, const WorkingLimits& limits = {}
 /// Error(bad_input) for a size that is not positive or above the picture's.
 image::Image reduced(const image::Image& picture, WorkingSize size);
 
-/// Classes, or other marks, of the pixel in the middle of each.
-std::vector<uint8_t> reduced(const std::vector<uint8_t>& marks, int width, int height,
-                             WorkingSize size);
+/// Classes, or other marks, of a picture of another size, larger or smaller: of the pixel in the
+/// middle of each. Error(bad_input) for sizes that are not positive.
+std::vector<uint8_t> resampled(const std::vector<uint8_t>& marks, WorkingSize from, WorkingSize to);
 
 /// Bytes that reading a picture of that many pixels and channels takes, and making it smaller.
 double reading_bytes(int width, int height, size_t channels);

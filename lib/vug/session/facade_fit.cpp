@@ -2,6 +2,7 @@
 #include <vug/fit/as_facade.h>
 #include <vug/fit/cluster_image.h>
 #include <vug/fit/compile.h>
+#include <vug/fit/labelling.h>
 #include <vug/session/facade_fit.h>
 
 #include <fmt/format.h>
@@ -12,17 +13,21 @@
 namespace vug::session {
 namespace {
 
-fit::Evidence evidence_of(const FacadePicture& picture, const FacadeFitOptions& options,
-                          RandomKey key) {
+/// What looks make of the picture; nothing without any.
+fit::Planes maps_of(const FacadePicture& picture, const FacadeFitOptions& options) {
+  if (!options.looks) return {};
+  if (!picture.colours)
+    throw Error(ErrorCode::bad_input, "looks are of colours, and there is no photo");
+  return fit::enlarged(options.looks->classify(*picture.colours), picture.width, picture.height);
+}
+
+fit::Evidence evidence_of(const FacadePicture& picture, const fit::Planes& maps,
+                          const FacadeFitOptions& options, RandomKey key) {
   if (!options.looks)
     return fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
                               picture.depth ? &*picture.depth : nullptr, options.clusters, key)
         .evidence();
-  if (!picture.colours)
-    throw Error(ErrorCode::bad_input, "looks are of colours, and there is no photo");
-  const fit::Planes maps = options.looks->classify(*picture.colours);
-  return fit::look_evidence(fit::enlarged(maps, picture.width, picture.height),
-                            options.looks->classes());
+  return fit::look_evidence(maps, options.looks->classes());
 }
 
 /// Middle of how far the windows' pixels lie behind the wall; 0 without depth.
@@ -50,7 +55,8 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   const facade::Rules text = facade::load_rules(options.grammar);
   const fit::Rules rules = fit::compile(text);
   const RandomKey key = RandomKey(options.seed).at("facade fit");
-  const fit::Evidence evidence = evidence_of(picture, options, key.at("clusters"));
+  const fit::Planes maps = maps_of(picture, options);
+  const fit::Evidence evidence = evidence_of(picture, maps, options, key.at("clusters"));
   FacadeFit out;
   fit::ReadOptions how;
   how.likelihood = options.looks ? "supervised" : options.likelihood;
@@ -62,6 +68,7 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   model.place(state);
   out.tree = fit::as_facade(text, model, state, out.pixel);
   out.reveal = reveal_of(picture, out.reading);
+  if (options.looks) out.labels = fit::labels(maps, options.looks->classes(), out.reading.seen);
   return out;
 }
 

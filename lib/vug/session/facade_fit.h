@@ -28,6 +28,8 @@ struct FacadeFit {
   fit::Reading reading;  ///< Pixels, and what the chains tell.
   double pixel = 0;      ///< Metres of one of the picture's.
   double reveal = 0;     ///< How deep windows lie behind the wall, metres; 0: no depth tells.
+  /// The class of each of the picture's pixels by looks and tree; none without looks.
+  std::vector<uint8_t> labels;
 };
 
 /// The tree that costs least of those that chains have seen. When the progress is cancelled it is

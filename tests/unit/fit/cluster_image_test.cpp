@@ -37,7 +37,9 @@ TEST(WorkingSize, MeansOverParts) {
   EXPECT_EQ(reduced(line, {2, 1}).pixels, (std::vector<float>{3, 9}));
   line.pixels = {3, kHole, kHole};
   EXPECT_TRUE(std::isnan(reduced(line, {1, 1}).pixels[0])) << "mostly a hole";
-  EXPECT_EQ(reduced(std::vector<uint8_t>{1, 2, 3}, 3, 1, {1, 1}), std::vector<uint8_t>{2});
+  EXPECT_EQ(resampled({1, 2, 3}, {3, 1}, {1, 1}), std::vector<uint8_t>{2});
+  EXPECT_EQ(resampled({1, 2}, {2, 1}, {4, 2}), (std::vector<uint8_t>{1, 1, 2, 2, 1, 1, 2, 2}));
+  EXPECT_THROW(resampled({}, {0, 0}, {1, 1}), Error);
   EXPECT_THROW(reduced(line, {4, 1}), Error);
   EXPECT_THROW(reduced(line, {0, 1}), Error);
 }

@@ -7,6 +7,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/facade/tree_output.h>
+#include <vug/fit/labelling.h>
 #include <vug/image/io.h>
 #include <vug/scan/read.h>
 #include <vug/session/data_folders.h>
@@ -120,10 +121,12 @@ int run(Options options) {
   if (options.name.empty()) options.name = name_of(options.first_input());
   const auto file = [&](const char* ending) { return folder / (options.name + ending); };
   const fs::path scene_file = file(".vug"), tree_file = file(".json"), drawing = file(".svg"),
-                 carved = file(".vdb"), grey = file(".depth.png"), range = file(".depth.exr");
+                 carved = file(".vdb"), grey = file(".depth.png"), range = file(".depth.exr"),
+                 labels = file(".labels.png");
   std::vector<fs::path> outputs = {scene_file, tree_file, drawing};
   if (!options.no_carving) outputs.push_back(carved);
   if (!options.clouds.empty()) outputs.insert(outputs.end(), {range, grey});
+  if (!options.looks.empty()) outputs.push_back(labels);
   std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
   for (const fs::path& one :
        {fs::path(options.photo), options.picture.depth, fs::path(options.looks)})
@@ -144,6 +147,13 @@ int run(Options options) {
   if (in.range) {
     scan::write_range(range, *in.range);
     image::write_png(grey, grey_of(*in.range));
+  }
+  if (!fit.labels.empty()) {
+    const image::FileInfo photo = image::read_info(options.photo);
+    fit::write_labels(labels,
+                      fit::resampled(fit.labels, {in.picture.width, in.picture.height},
+                                     {photo.width, photo.height}),
+                      photo.width, photo.height);
   }
   write_text(scene_file, scene);
   write_text(tree_file, facade::tree_json(fit.tree));
