@@ -173,7 +173,10 @@ std::string elevation_svg(const Tree& tree, const SvgOptions& options) {
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}><title>{}</title></rect>\n",
         number(r.x), number(tree.height - r.top()), number(r.width), number(r.height), style,
         escaped(fmt::format("{} {} x {} m{}", node.text, number_text(r.width),
-                            number_text(r.height), node.rule.empty() ? "" : "\n" + node.rule)));
+                            number_text(r.height),
+                            node.stuck          ? "\nopen"
+                            : node.rule.empty() ? ""
+                                                : "\n" + node.rule)));
   };
   for (const Standing& one : standing(tree)) {
     const Node& node = tree.nodes[static_cast<size_t>(one.node)];
@@ -186,9 +189,13 @@ std::string elevation_svg(const Tree& tree, const SvgOptions& options) {
   for (size_t i = 0; i < tree.nodes.size(); ++i) {
     const Node& node = tree.nodes[i];
     if (node.element) continue;
+    // What no rule has divided yet shows.
+    const char* style =
+        node.stuck
+            ? "fill=\"#ff9000\" fill-opacity=\"0.25\" stroke=\"#ff9000\" stroke-width=\"2\""
+            : "fill=\"none\" stroke=\"#202020\" stroke-width=\"0.7\" stroke-dasharray=\"4 3\"";
     for (const Placement& place : placements(tree, static_cast<int>(i)))
-      rect(place(node.rect),
-           "fill=\"none\" stroke=\"#202020\" stroke-width=\"0.7\" stroke-dasharray=\"4 3\"", node);
+      rect(place(node.rect), style, node);
   }
   return out + "</svg>\n";
 }

@@ -26,8 +26,8 @@ struct SvgOptions {
   double pixels = 1000;  ///< Width of the drawing.
 };
 
-/// Rectangles of all elements, one colour for each kind, and of the scopes as thin lines. Hovering
-/// over one tells its symbol, size and rule.
+/// Rectangles of all elements, one colour for each kind, and of the scopes as thin lines; stuck
+/// ones are orange. Hovering over one tells its symbol, size and rule.
 std::string elevation_svg(const Tree& tree, const SvgOptions& options = {});
 
 }  // namespace vug::facade

@@ -139,11 +139,21 @@ Sheet sheet_of(const Header& header, const Style& style) {
   return out;
 }
 
+/// Whole ones without a point.
+Json json_of(double number) {
+  if (number == std::floor(number) && std::abs(number) < 1e15)
+    return Json(static_cast<int64_t>(number));
+  return Json(number);
+}
+
 Json json_of(const Edit& edit) {
   Json out = {{"edit", edit.kind}, {"node", edit.node}};
   if (!edit.rule.empty()) out["rule"] = edit.rule;
-  for (const auto& [name, values] : edit.numbers)
-    out["numbers"][name] = values.size() == 1 ? Json(values[0]) : Json(values);
+  for (const auto& [name, values] : edit.numbers) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(json_of(value));
+    out["numbers"][name] = values.size() == 1 ? list[0] : list;
+  }
   return out;
 }
 
@@ -188,8 +198,8 @@ std::string session_text(const Session& session) {
   const Header& header = session.header;
   Json head = {{"format", kFormat}, {"version", kVersion}, {"grammar", header.grammar}};
   if (!header.facade.empty()) head["facade"] = header.facade;
-  if (header.width) head["width"] = *header.width;
-  if (header.height) head["height"] = *header.height;
+  if (header.width) head["width"] = json_of(*header.width);
+  if (header.height) head["height"] = json_of(*header.height);
   if (header.photo) {
     Json photo = {{"file", header.photo->file}};
     if (header.photo->width > 0) photo["pixels"] = {header.photo->width, header.photo->height};

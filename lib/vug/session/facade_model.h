@@ -1,0 +1,28 @@
+// Facades modelled by hand, where files come in: grammars that sessions name, and carved walls.
+#pragma once
+
+#include <vug/modeller/session.h>
+#include <vug/session/shot.h>
+
+#include <filesystem>
+
+namespace vug::session {
+
+/// Finds a session's grammar: a relative name in the session's folder, else among the data that
+/// comes with us, in facades/ too. Lets of the grammar's text may hold whatever scenes know.
+modeller::StyleLoader facade_styles(const std::filesystem::path& folder);
+
+/// As facade_styles finds it. Error(bad_input) where there is none.
+std::filesystem::path find_grammar(const std::filesystem::path& folder, const std::string& file);
+
+struct FacadeCarving {
+  double voxel = 0.04;     ///< Metres.
+  double thickness = 0.6;  ///< Of the wall, metres.
+};
+
+/// The volumes `stone`, a wall with the facade carved into it, and `panes`, what fills its openings
+/// (with a quarter of the voxels' size; only where that can hold it). Nodes that are
+/// open are plain wall.
+Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options);
+
+}  // namespace vug::session

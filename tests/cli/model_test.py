@@ -1,0 +1,149 @@
+"""`vug facade model`: sessions of modelling by hand."""
+import json
+import re
+import unittest
+
+from vug import SOURCE, VugTest
+
+BEGIN = ("facade", "model", "--grammar", "ripperda.vug", "--width", "12m", "--height", "9m")
+SESSIONS = SOURCE / "data/facades/sessions"
+
+
+class Modelling(VugTest):
+    def prepare(self):
+        self.expect(0, *BEGIN, "--apply", "0 rows heights=3m", "--act", "0.1 Grid columns=4 rows=2",
+                    "--edit", "toggle 0.1.0 column=1 row=0", "--checkpoint", "grid", "-o", "s.json")
+
+    def model(self, *args, code=0):
+        return self.expect(code, "facade", "model", *args)
+
+    def session(self, name="s.json"):
+        return json.loads((self.folder / name).read_text())
+
+    def test_lists_rules_with_why_not(self):
+        fresh = self.model(*BEGIN[2:], "--list").out
+        self.assertEqual(fresh.count("\n  + "), 8, fresh)
+        self.assertIn("+ rows(FacadeRow, PartFacade) heights=3.5,5.5", fresh)
+        said = self.model("s.json", "--list").out
+        self.assertIn("* grid(window) columns=4", said)
+        self.assertIn("lines: 0 at y 3", said)
+        one = self.model("s.json", "--list", "0.1").out
+        self.assertIn("- Grid", one.replace("* Grid", "- Grid"))
+        self.assertIn("[divided already: Grid divides the node]", one)
+        self.assertEqual(one.split("actions:")[1].count("\n  - "), 8, one)
+        self.assertIn("+ IdenticalGrid", self.model("s.json", "--list", "Facade.FacadeRow").out)
+
+    def test_conditions_and_sizes_say_why(self):
+        self.write("own.vug", "grammar own: facade {\n axiom A\n A if width > 20m -> window\n"
+                              " A -> columns(15m, door, 1, wall)\n A -> wall\n}\n")
+        said = self.model("--grammar", "own.vug", "--width", "12m", "--height", "9m", "--list").out
+        self.assertIn("- window [condition is false: the condition of 'A -> window' is false for A", said)
+        self.assertIn("- columns(door, wall) [does not fit: the parts do not fit: they need 15m of 12m", said)
+        self.assertIn("+ wall", said)
+
+    def test_undo_redo_and_checkpoints(self):
+        trees = [self.model("s.json", "--json").out]
+        self.model("s.json", "--act", "0.0 IdenticalGrid columns=5 rows=1", "-o", "t.json")
+        self.assertNotEqual(self.model("t.json", "--json").out, trees[0])
+        self.model("t.json", "--undo", 1, "-o", "u.json")
+        self.assertEqual(self.model("u.json", "--json").out, trees[0])
+        self.assertEqual(len(self.session("u.json")["edits"]), 4)
+        self.model("u.json", "--redo", 1, "-o", "v.json")
+        self.assertEqual((self.folder / "v.json").read_bytes(), (self.folder / "t.json").read_bytes())
+        self.assertEqual(self.model("t.json", "--to", "grid", "--json").out, trees[0])
+        self.assertIn("there are 3 edits to undo, not 9", self.model("s.json", "--undo", 9, "--tree", code=2).err)
+        self.assertIn("did you mean 'grid'", self.model("s.json", "--to", "grit", "--tree", code=2).err)
+
+    def test_forms(self):
+        self.assertIn("0.0 FacadeRow 12 x 3 m at (0, 0)  open", self.model("s.json").out)
+        self.assertTrue(self.model("s.json", "--theta").out.startswith("Facade(0, 0, 12, 9, (FacadeRow(3), "))
+        data = json.loads(self.model("s.json", "--json").out)
+        self.assertEqual(len(data["elements"]), 7)
+        self.assertTrue(data["nodes"][1]["stuck"])
+        self.model("s.json", "--svg", "out/s.svg", "--overlay", "photo.png", "--scene", "s.vug")
+        self.assertIn('href="../photo.png"', (self.folder / "out/s.svg").read_text())
+        self.assertIn("open", (self.folder / "out/s.svg").read_text())
+        tree = json.loads(self.expect(0, "tree", "s.vug", "--json").out)
+        self.assertEqual(len([e for e in tree["elements"] if e["kind"] == "window"]), 7)
+
+    def test_carved(self):
+        self.model("s.json", "--carve", "s.vdb", "--voxel", "10cm")
+        info = self.expect(0, "info", "s.vdb").out
+        self.assertIn("stone", info)
+        self.assertNotIn("panes", info, "10 cm are too coarse for glass")
+        self.model("--grammar", "ripperda.vug", "--width", "2m", "--height", "2m", "--act", "0 RegularIdenticalGrid",
+                   "--carve", "small.vdb")
+        self.assertIn("panes", self.expect(0, "info", "small.vdb").out)
+
+    def test_edits_in_the_order_of_the_command(self):
+        self.model(*BEGIN[2:], "--edit", "apply 0 rows", "--apply", "0.1 repeat count=3",
+                   "--edit", "retract 0.1", "--act", "0.1 Grid", "-o", "o.json")
+        self.assertEqual([e["edit"] for e in self.session("o.json")["edits"]],
+                         ["apply", "apply", "retract", "act"])
+
+    def test_sessions_in_other_folders(self):
+        self.write("mine/own.vug", "grammar own: facade {\n width 5m\n height 4m\n axiom A\n A -> window\n}\n")
+        self.model("--grammar", "mine/own.vug", "--apply", "0 window", "-o", "mine/a.json")
+        self.assertEqual(self.session("mine/a.json")["grammar"], "own.vug")
+        self.model("mine/a.json", "--checkpoint", "end", "-o", "other/b.json")
+        self.assertEqual(self.session("other/b.json")["grammar"], "../mine/own.vug")
+        self.assertEqual(self.model("other/b.json", "--json").out, self.model("mine/a.json", "--json").out)
+
+    def test_broken_sessions_leave_nothing(self):
+        text = (self.folder / "s.json").read_text()
+        for bad, told in ((text.replace('"rows":2', '"rows":0'), "/edits/1/numbers/rows: 'rows' is 0"),
+                          (text.replace("Grid", "Gridd"), "s.json:10:39: error: /edits/1/rule"),
+                          (text.replace("ripperda.vug", "riperda2.vug"), "did you mean 'ripperda.vug'"),
+                          (text[:-20], "this is no JSON"), ("", "this is no JSON"),
+                          (text.replace('"version": 1', '"version": 9'), "this program reads version 1"),
+                          ("\0\xff" * 40, "this is no JSON")):
+            self.write("s.json", bad)
+            said = self.model("s.json", "--svg", "o.svg", "-o", "t.json", code=2).err
+            self.assertIn(told, said)
+            self.assertEqual(self.files(), ["s.json"])
+        self.model("nowhere.json", code=2)
+        self.model(code=2)
+
+    def test_bad_arguments(self):
+        self.assertIn("would be lost", self.model("s.json", "--apply", "0.0 IdenticalGrid", code=2).err)
+        self.assertIn("doing 'apply 0.7 Grid'",
+                      self.model("s.json", "--apply", "0.7 Grid", "--tree", code=2).err)
+        self.assertIn("a pixel has no size", self.model("s.json", "--edit", "set 0 heights=40px", "--tree", code=2).err)
+        self.model("s.json", "--grammar", "ripperda.vug", code=2)
+        self.model("--grammar", "ripperda.vug", code=2)
+        self.model("s.json", "--svg", "s.json", code=2)
+        self.model("s.json", "--list", "0.9", code=2)
+        self.model("s.json", "--edit", "frobnicate 0", "--tree", code=2)
+        before = (self.folder / "s.json").read_bytes()
+        self.model("s.json", "--apply", "0.7 Grid", "-o", "s.json", code=2)
+        self.assertEqual((self.folder / "s.json").read_bytes(), before, "a refused edit keeps the file")
+
+
+class Samples(VugTest):
+    """Sessions that come with us, and what docs/modeller.md says."""
+
+    def test_samples_are_whole(self):
+        sessions = sorted(SESSIONS.glob("*.json"))
+        self.assertTrue(sessions)
+        for session in sessions:
+            photo = json.loads(session.read_text()).get("photo")
+            if photo:
+                self.assertTrue((SESSIONS / photo["file"]).is_file())
+            tree = json.loads(self.expect(0, "facade", "model", session, "--json").out)
+            self.assertFalse([n for n in tree["nodes"] if n.get("stuck")], session)
+            self.assertGreater(len(tree["elements"]), 10)
+            self.expect(0, "facade", "model", session, "-o", "copy.json")
+
+    def test_examples_of_the_page_run(self):
+        page = (SOURCE / "docs/modeller.md").read_text()
+        blocks = re.findall(r"```sh\n(.*?)```", page, re.S)
+        self.assertGreaterEqual(len(blocks), 4)
+        (self.folder / "data").symlink_to(SOURCE / "data")
+        for line in "".join(blocks).replace("\\\n", " ").splitlines():
+            words = [w[1:-1] if w[0] == "'" else w for w in re.findall(r"'[^']*'|\S+", line)]
+            self.assertEqual(words[:3], ["vug", "facade", "model"], line)
+            self.expect(0, *words[1:])
+
+
+if __name__ == "__main__":
+    unittest.main()
