@@ -1,6 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/forest.h>
+#include <vug/fit/json_file.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -226,11 +227,19 @@ nlohmann::json Forest::to_json() const {
 }
 
 Forest::Tree Forest::tree_from_json(const nlohmann::json& text) const {
-  const auto features = text.at("features").get<std::vector<int>>();
-  const auto thresholds = text.at("thresholds").get<std::vector<float>>();
+  constexpr int kNone = -2;
+  std::vector<int> features;
+  for (const nlohmann::json& feature : text.at("features"))
+    features.push_back(whole_number(feature).value_or(kNone));
+  std::vector<float> thresholds;
+  for (const nlohmann::json& threshold : text.at("thresholds")) {
+    const auto value = threshold.get<double>();
+    if (!(std::fabs(value) < 1e30)) return {};
+    thresholds.push_back(static_cast<float>(value));
+  }
   Tree tree;
   for (const nlohmann::json& vote : text.at("votes")) {
-    const auto count = vote.get<int>();
+    const int count = whole_number(vote).value_or(kNone);
     if (count < 1 || count > kMostVotes) return {};
     tree.votes.push_back(static_cast<uint8_t>(count));
   }
@@ -266,8 +275,8 @@ Forest Forest::from_json(const nlohmann::json& text) {
   const Error damaged(ErrorCode::bad_input, "the classifier is damaged", {}, "train it again");
   Forest out;
   try {
-    out.classes_ = text.at("classes");
-    const int features = text.at("features");
+    out.classes_ = whole_number(text.at("classes")).value_or(0);
+    const int features = whole_number(text.at("features")).value_or(0);
     if (out.classes_ < 1 || out.classes_ > 255 || features < 1) throw damaged;
     out.features_ = static_cast<size_t>(features);
     for (const nlohmann::json& from : text.at("trees")) {

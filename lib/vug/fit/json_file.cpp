@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 namespace vug::fit {
 
@@ -21,6 +23,15 @@ nlohmann::json read_json(const std::filesystem::path& file) {
   } catch (const nlohmann::json::exception&) {  // a number beyond all numbers
     throw Error(ErrorCode::bad_input, "this is no JSON that can be used", {file.string(), 0, 0});
   }
+}
+
+std::optional<int> whole_number(const nlohmann::json& value) {
+  constexpr int64_t kMost = std::numeric_limits<int>::max();
+  if (!value.is_number_integer()) return std::nullopt;
+  if (value.is_number_unsigned() ? value.get<uint64_t>() > static_cast<uint64_t>(kMost)
+                                 : value.get<int64_t>() < -kMost)
+    return std::nullopt;
+  return value.get<int>();
 }
 
 }  // namespace vug::fit

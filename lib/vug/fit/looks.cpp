@@ -14,6 +14,8 @@ namespace vug::fit {
 namespace {
 
 constexpr int kVersion = 1;
+/// Beyond that a picture is not looked at: there are more than a hundred features of each pixel.
+constexpr int kMostRows = 4096, kMostPixels = 4'000'000;
 
 Planes joined(Planes a, const Planes& b) {
   a.planes.insert(a.planes.end(), b.planes.begin(), b.planes.end());
@@ -44,17 +46,19 @@ LookModel LookModel::from_json(const nlohmann::json& text) {
   try {
     if (!text.is_object() || text.value("format", "") != "vug looks")
       throw refused("this is no model of looks");
-    if (text.at("version") != kVersion) throw refused("these looks are of another version");
+    if (whole_number(text.at("version")) != kVersion)
+      throw refused("these looks are of another version");
     out.classes_ = classes_from_json(text.at("classes"));
-    out.limits_.height = text.at("working").at("height");
-    out.limits_.pixels = text.at("working").at("pixels");
+    out.limits_.height = whole_number(text.at("working").at("height")).value_or(0);
+    out.limits_.pixels = whole_number(text.at("working").at("pixels")).value_or(0);
     out.first_ = Forest::from_json(text.at("first"));
     out.second_ = Forest::from_json(text.at("second"));
   } catch (const nlohmann::json::exception&) {
     throw refused("the model of looks is damaged");
   }
   const int classes = out.classes_.count();
-  if (out.limits_.height < 1 || out.limits_.pixels < 1 || out.first_.classes() != classes ||
+  if (out.limits_.height < 1 || out.limits_.height > kMostRows || out.limits_.pixels < 1 ||
+      out.limits_.pixels > kMostPixels || out.first_.classes() != classes ||
       out.second_.classes() != classes)
     throw refused("the model of looks is damaged");
   if (out.first_.features() != feature_count() ||
