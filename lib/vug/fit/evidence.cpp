@@ -41,6 +41,7 @@ Evidence Evidence::of_clusters(int width, int height, int lanes,
   if (lanes < 1) throw Error(ErrorCode::bad_input, "there are no clusters");
   std::vector<uint32_t> values(clusters.size() * static_cast<size_t>(lanes), 0);
   for (size_t i = 0; i < clusters.size(); ++i) {
+    if (clusters[i] == kNoEvidence) continue;
     if (clusters[i] >= lanes) throw Error(ErrorCode::bad_input, "a pixel has no such cluster");
     values[i * static_cast<size_t>(lanes) + clusters[i]] = 1;
   }

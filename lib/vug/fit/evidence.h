@@ -9,6 +9,8 @@
 namespace vug::fit {
 
 constexpr int kMostLanes = 8;
+/// Instead of a cluster: a pixel that tells nothing, such as one beside the facade.
+constexpr uint8_t kNoEvidence = 255;
 /// Sums over pixels, one a lane: pixels of each cluster, or code lengths under each look.
 struct alignas(32) Sums {
   std::array<uint32_t, kMostLanes> lane{};
@@ -31,7 +33,7 @@ class Evidence {
   /// `lanes` numbers for each pixel, row after row from the top. Error(bad_input) for sizes that
   /// are not positive or do not fit, Error(too_large) where a lane's sum exceeds 32 bits.
   Evidence(int width, int height, int lanes, const std::vector<uint32_t>& values);
-  /// One lane for each cluster 0..lanes-1, from the clusters of the pixels.
+  /// One lane for each cluster 0..lanes-1, from the clusters of the pixels; kNoEvidence is none.
   static Evidence of_clusters(int width, int height, int lanes,
                               const std::vector<uint8_t>& clusters);
 

@@ -41,6 +41,10 @@ class Polisher {
         better |= extent(i);
       if (is_terminal(shop_, state_, i) && !model_.in_grid(state_.tree[i])) better |= rect(i);
       if (state_.tree[i].production < 0) continue;
+      if (undivided(i) || lifted(i)) {
+        better = true;
+        continue;
+      }
       if (rules.production(state_.tree[i].production).op == Op::grid) {
         better |= polish_type(shop_, state_, i);
         better |= polish_grid(shop_, evidence_, state_, i);
@@ -62,6 +66,44 @@ class Polisher {
     }
     if (better) state_ = std::move(best);
     return better;
+  }
+
+  /// The node as it is before it is rewritten, where that is cheaper.
+  bool undivided(int i) {
+    State other = state_;
+    other.prune(i);
+    other.moved();
+    return take_cheaper(model_, state_, std::move(other));
+  }
+
+  /// A grid that is the only thing in one of the node's parts becomes the node's own, where that is
+  /// cheaper.
+  bool lifted(int i) {
+    const Tree& tree = state_.tree;
+    int full = -1;
+    for (int part = i + 1; part < tree.end(i); part = tree.end(part)) {
+      if (tree[part].production < 0) continue;
+      if (full >= 0) return false;
+      full = part;
+    }
+    const Rules& rules = model_.rules();
+    if (full < 0 || rules.production(tree[full].production).op != Op::grid) return false;
+    const Area &area = state_.area(i), &inner = state_.area(full);
+    if (inner.count != area.count) return false;
+    for (const int way : rules.productions_of(tree[i].symbol)) {
+      const Production& production = rules.production(way);
+      if (production.op != Op::grid || production.parts[0] != tree[full + 1].symbol) continue;
+      std::vector<Node> nodes(tree.nodes.begin() + full, tree.nodes.begin() + tree.end(full));
+      const int16_t size = nodes[0].size;
+      nodes[0] = tree[i];
+      nodes[0].size = size, nodes[0].production = static_cast<int16_t>(way);
+      State other = state_;
+      other.replace(i, nodes);
+      other.moved();
+      shift_content(other, i, state_.frame(inner, 0).x - state_.frame(area, 0).x, inner.y - area.y);
+      return take_cheaper(model_, state_, std::move(other));
+    }
+    return false;
   }
 
   /// Edges of what stands by itself, and the whole of it.

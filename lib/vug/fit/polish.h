@@ -1,4 +1,4 @@
-// The last pixels of a tree: its numbers are made the best there are while its parts stay.
+// The last pixels of a tree: its numbers are made the best there are; parts only go.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -13,7 +13,8 @@ struct Polished {
 
 /// Turns over all nodes until none gets better: lines and sizes of grids by dynamic programming
 /// over all places, the cheapest type of a grid that draws the same, edges of doors and elements
-/// and the lines between parts by trying all places. Stops in between when told to.
+/// and the lines between parts by trying all places; what saves no bits is taken back. Stops in
+/// between when told to.
 Polished polish(const Workshop& shop, const Evidence& evidence, State& state,
                 Progress& progress = Progress::none());
 

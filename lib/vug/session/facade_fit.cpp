@@ -23,11 +23,13 @@ fit::Planes maps_of(const FacadePicture& picture, const FacadeFitOptions& option
 
 fit::Evidence evidence_of(const FacadePicture& picture, const fit::Planes& maps,
                           const FacadeFitOptions& options, RandomKey key) {
-  if (!options.looks)
-    return fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
-                              picture.depth ? &*picture.depth : nullptr, options.clusters, key)
-        .evidence();
-  return fit::look_evidence(maps, options.looks->classes());
+  if (options.looks) return fit::look_evidence(maps, options.looks->classes());
+  fit::ClusterImage clusters =
+      fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
+                         picture.depth ? &*picture.depth : nullptr, options.clusters, key);
+  for (size_t i = 0; i < picture.outside.size(); ++i)
+    if (picture.outside[i]) clusters.of[i] = fit::kNoEvidence;
+  return clusters.evidence();
 }
 
 /// Middle of how far the windows' pixels lie behind the wall; 0 without depth.
@@ -60,6 +62,9 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   FacadeFit out;
   fit::ReadOptions how;
   how.likelihood = options.looks ? "supervised" : options.likelihood;
+  // Depths err along edges, all of them together.
+  if (picture.depth && !options.looks) how.trust = 0.03;
+  if (options.trust > 0) how.trust = options.trust;
   how.sampler = options.sampler;
   out.reading = fit::read(evidence, rules, how, key.at("chains"), progress);
   out.pixel = picture.pixel > 0 ? picture.pixel : options.width / picture.width;

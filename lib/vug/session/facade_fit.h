@@ -15,9 +15,10 @@ namespace vug::session {
 struct FacadeFitOptions {
   std::filesystem::path grammar;  ///< Rules with free sizes.
   std::string likelihood = "kt";  ///< Of fit::likelihood_kinds.
-  fit::ClusterImageOptions clusters;
+  fit::ClusterImageOptions clusters = {.depth_clusters = 4};
   /// Trained looks: pictures of their limits are read by them, with the likelihood `supervised`.
   std::shared_ptr<const fit::LookModel> looks;
+  double trust = 0;   ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
   double width = 12;  ///< Of the facade in metres, where the picture does not tell.
   fit::SamplerOptions sampler;
   uint64_t seed = 0;

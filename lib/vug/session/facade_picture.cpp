@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vug::session {
 namespace {
@@ -77,6 +78,31 @@ std::optional<image::Image> colours_of(const std::filesystem::path& file,
   return out;
 }
 
+/// See FacadePicture::outside.
+std::vector<bool> outside_of(const image::Image& depth) {
+  const int width = depth.width, height = depth.height;
+  std::vector<bool> out(depth.pixel_count(), false);
+  std::vector<std::pair<int, int>> front;
+  const auto visit = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= width || y >= height || std::isfinite(depth.at(x, y))) return;
+    const size_t at = depth.index(x, y);
+    if (!out[at]) out[at] = true, front.emplace_back(x, y);
+  };
+  for (int x = 0; x < width; ++x) visit(x, 0);
+  for (int y = 0; y < height; ++y) visit(0, y), visit(width - 1, y);
+  while (!front.empty()) {
+    const auto [x, y] = front.back();
+    front.pop_back();
+    visit(x - 1, y), visit(x + 1, y), visit(x, y - 1), visit(x, y + 1);
+  }
+  return out;
+}
+
+void set_depth(FacadePicture& picture, const image::Image& depth) {
+  picture.depth = fit::reduced(depth, {picture.width, picture.height});
+  picture.outside = outside_of(*picture.depth);
+}
+
 }  // namespace
 
 FacadePicture read_facade_picture(const std::filesystem::path& photo,
@@ -105,16 +131,16 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
     if (!depth)
       refuse(options.depth, "has no layer of depth", "it is called depth, or Z, in metres");
   }
-  if (depth) out.depth = fit::reduced(*depth, size);
+  if (depth) set_depth(out, *depth);
   return out;
 }
 
 namespace {
 
-image::Image depth_behind(const scan::RangeImage& range, fit::WorkingSize size) {
+image::Image depth_behind(const scan::RangeImage& range) {
   image::Image depth(range.width, range.height, {"depth"});
   for (size_t i = 0; i < depth.pixels.size(); ++i) depth.pixels[i] = -range.depth[i];
-  return fit::reduced(depth, size);
+  return depth;
 }
 
 }  // namespace
@@ -124,7 +150,7 @@ FacadePicture facade_picture(const scan::RangeImage& range, const fit::WorkingLi
   FacadePicture out;
   out.width = size.width, out.height = size.height;
   out.pixel = range.metres_wide() / size.width;
-  out.depth = depth_behind(range, size);
+  set_depth(out, depth_behind(range));
   return out;
 }
 
@@ -137,7 +163,7 @@ void add_depth(FacadePicture& picture, const scan::RangeImage& range) {
                     "the picture",
                     range.metres_wide(), range.metres_high()),
         {}, "cut the picture to the same rectangle, or rectify it");
-  picture.depth = depth_behind(range, {picture.width, picture.height});
+  set_depth(picture, depth_behind(range));
   picture.pixel = range.metres_wide() / picture.width;
 }
 

@@ -197,6 +197,13 @@ Verb facade_fit_verb() {
             ->check(CLI::IsMember({"kt", "paper"}));
         app.add_option("--looks", options->looks,
                        "what 'vug facade train' made of labelled pictures");
+        app.add_option(
+               "--trust", options->fit.trust,
+               "how much a pixel counts: below 1, as neighbours are no independent witnesses")
+            ->transform(number_in(Dimension::none, 1e-4, 10));
+        app.add_option("--depths", options->fit.clusters.depth_clusters,
+                       "how many depths are told apart")
+            ->transform(whole_number_in(2, 7));
         app.add_option("--steps", options->fit.sampler.steps, "of each chain")
             ->transform(whole_number_in(1, 1000000000));
         app.add_option("--chains", options->fit.sampler.chains, "at different temperatures")
