@@ -129,6 +129,8 @@ TEST_F(Figure5, ComplexitiesHaveThePapersOrder) {
   EXPECT_NEAR(bits[1], 3 * symbol + 9, 1e-9) << "the width of the middle";
   EXPECT_NEAR(bits[2], 3 * symbol + 10, 1e-9) << "the height of the ground floor";
   EXPECT_NEAR(bits[3], 7 * symbol + 10 + 2 * (8 + 2 * 9 + 2 * 10) + 2 * (9 + 10), 1e-9);
+  // 12 nodes; a ground floor, its grid and window; a middle with the same; 2 x 3 cells of 2 kinds.
+  EXPECT_NEAR(bits[5], 12 * symbol + 10 + 65 + 9 + 65 + (46 + 6 * 2 + 2 * 19), 1e-9);
   for (size_t i = 1; i < bits.size(); ++i) EXPECT_LT(bits[i - 1], bits[i]) << i;
 }
 
