@@ -1,34 +1,62 @@
+#include <vug/base/error.h>
+#include <vug/fit/naming.h>
 #include <vug/fit/polish.h>
 #include <vug/fit/read.h>
 
+#include <algorithm>
+
 namespace vug::fit {
+namespace {
+
+/// How much of what a seed saves others may be behind the best one.
+constexpr double kWorthARun = 0.05;
+
+}  // namespace
 
 Reading read(const Evidence& evidence, const Rules& rules, const ReadOptions& options,
              RandomKey key, Progress& progress) {
+  if (options.runs < 1) throw Error(ErrorCode::bad_input, "a facade is read by at least one run");
   const LikelihoodPtr likelihood = make_likelihood(options.likelihood, evidence);
   const Model model(rules, options.limits, evidence.width(), evidence.height(), &evidence,
                     likelihood, options.trust);
   const Hints hints =
       likelihood->of_looks() ? Hints::of_looks(evidence) : Hints::of_clusters(evidence);
   const Workshop shop{model, hints};
-  Reading out;
-  State start = model.start();
-  out.seed_bits = out.wall_bits = model.energy(start);
-  for (State& seed : seeds(shop, evidence, likelihood->of_looks(), options.seeds)) {
-    const double bits = model.energy(seed);
-    if (bits >= out.seed_bits) continue;
-    out.seed_bits = bits;
-    start = std::move(seed);
+  std::vector<State> starts = seeds(shop, evidence, likelihood->of_looks(), options.seeds);
+  State wall = model.start();
+  const double wall_bits = model.energy(wall);
+  if (starts.empty()) starts.push_back(wall);
+
+  std::vector<Sampled> runs;
+  State best = starts.front();
+  const double seed_bits = model.energy(best);
+  // Seeds that are much worse are not worth a run of their own.
+  const double worst = seed_bits + kWorthARun * std::max(0.0, wall_bits - seed_bits);
+  while (starts.size() > 1 && model.energy(starts.back()) > worst) starts.pop_back();
+  double chain_bits = seed_bits;
+  for (int run = 0; run < options.runs && !(run > 0 && progress.cancelled()); ++run) {
+    State start = starts[static_cast<size_t>(run) % starts.size()];
+    polish(shop, evidence, start, progress);
+    runs.push_back(sample(shop, options.sampler, key.at("run").at(static_cast<uint64_t>(run)),
+                          progress, &start));
+    State found = runs.back().best;
+    chain_bits = std::min(chain_bits, runs.back().bits);
+    polish(shop, evidence, found, progress);
+    take_cheaper(model, best, std::move(found));
   }
-  out.sampled = sample(shop, options.sampler, key, progress, &start);
-  State best = out.sampled.best;
-  out.chain_bits = out.sampled.bits;
-  out.bits = polish(shop, evidence, best, progress).after;
+  name_elements(model, evidence, best);
+
+  Reading out;
   out.tree = best.tree;
-  out.complexity = model.complexity(out.tree);
   model.each_terminal(best, [&](Look look, int node, const Rect& rect) {
     out.seen.push_back({look, node, rect});
   });
+  out.report = report_of(runs);
+  out.report.bits = model.energy(best);
+  out.report.wall_bits = wall_bits;
+  out.report.seed_bits = seed_bits;
+  out.report.chain_bits = chain_bits;
+  add_score(out.report, model, evidence, best.tree);
   return out;
 }
 

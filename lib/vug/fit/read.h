@@ -1,7 +1,7 @@
 // A facade out of a picture, from evidence to tree: the whole chain with good defaults.
 #pragma once
 
-#include <vug/fit/sampler.h>
+#include <vug/fit/report.h>
 #include <vug/fit/seeds.h>
 
 namespace vug::fit {
@@ -13,6 +13,8 @@ struct ReadOptions {
   Limits limits;
   SeedOptions seeds;
   SamplerOptions sampler;
+  int runs =
+      2;  ///< Independent of each other, from seeds of their own, to hold against each other.
 };
 
 /// What is seen somewhere in the picture.
@@ -26,17 +28,12 @@ struct Seen {
 struct Reading {
   Tree tree;
   std::vector<Seen> seen;  ///< Everywhere, in the order of nodes.
-  double bits = 0;         ///< Of the tree and the pixels under it.
-  double complexity = 0;   ///< c(T): those of the tree alone.
-  double wall_bits = 0;    ///< Of the picture as nothing but wall,
-  double seed_bits = 0;    ///< of the tree that chains began with,
-  double chain_bits = 0;   ///< and of the best they found, before it was polished.
-  Sampled sampled;         ///< What chains tell.
+  Report report;           ///< Of how it was found; its bits are those of the tree.
 };
 
 /// Reads the tree of rules that the evidence is likely to be of: seeds, chains, and a polish.
 /// When told to stop it returns the best so far. The same for any number of threads.
-/// Error(bad_input) for unknown likelihoods and evidence that does not suit them.
+/// Error(bad_input) for unknown likelihoods, evidence that does not suit them and no runs.
 Reading read(const Evidence& evidence, const Rules& rules, const ReadOptions& options,
              RandomKey key, Progress& progress = Progress::none());
 

@@ -48,18 +48,23 @@ Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey ke
   chains.set_scale(1);
   chains.forget_swaps();
   Sampled out;
-  std::map<std::string, int64_t> seen;
+  std::map<std::string, std::vector<size_t>> seen;  // the rounds of each structure
   chains.run(rounds - warm, false, progress, [&](const State& state, double energy) {
     out.trace.push_back(energy);
-    ++seen[structure_of(model.rules(), state.tree)];
+    seen[structure_of(model.rules(), state.tree)].push_back(out.trace.size() - 1);
   });
   out.stopped = progress.cancelled();
   if (!out.stopped) progress.end();
   out.best = chains.best();
   out.bits = chains.best_energy();
-  for (const auto& [text, count] : seen) out.structures.push_back({text, count});
+  for (const auto& [text, when] : seen)
+    out.structures.push_back({text, static_cast<int64_t>(when.size())});
   std::stable_sort(out.structures.begin(), out.structures.end(),
                    [](const Structure& a, const Structure& b) { return a.rounds > b.rounds; });
+  out.visited.resize(out.trace.size());
+  for (size_t i = 0; i < out.structures.size(); ++i)
+    for (const size_t round : seen.at(out.structures[i].text))
+      out.visited[round] = static_cast<int>(i);
   out.swaps = chains.ladder().swaps();
   for (int i = 0; i < options.chains; ++i)
     out.temperatures.push_back(chains.ladder().temperature(i));

@@ -29,7 +29,8 @@ struct Sampled {
   State best;                         ///< Of least energy.
   double bits = 0;                    ///< Its energy.
   std::vector<Structure> structures;  ///< Of the coldest chain, the most frequent first.
-  std::vector<double> trace;          ///< Energies of the coldest chain after each round.
+  std::vector<double> trace;          ///< Energies of the coldest chain after each round,
+  std::vector<int> visited;           ///< and places of its structures in `structures`.
   std::vector<inference::Ladder::Swaps> swaps;
   std::vector<double> temperatures;
   std::vector<inference::MoveCount> moves;  ///< Of the coldest chain, in the order of move_kinds.

@@ -66,4 +66,20 @@ double scale_reduction(const std::vector<Trace>& traces) {
   return std::sqrt(((n - 1) / n * within + between) / within);
 }
 
+double geweke(const Trace& trace) {
+  const auto variance_of_mean = [](const Trace& part) {
+    const double mean = mean_of(part, 0, part.size());
+    return covariance(part, mean, 0) / static_cast<double>(part.size()) / effective_size(part);
+  };
+  const auto tenth = static_cast<std::ptrdiff_t>(trace.size() / 10);
+  if (tenth < 2) return 0;
+  const Trace first(trace.begin(), trace.begin() + tenth);
+  const Trace last(trace.end() - static_cast<std::ptrdiff_t>(trace.size() / 2), trace.end());
+  const double apart = mean_of(first, 0, first.size()) - mean_of(last, 0, last.size());
+  const double variance = variance_of_mean(first) + variance_of_mean(last);
+  if (!(variance > 0))
+    return apart == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), apart);
+  return apart / std::sqrt(variance);
+}
+
 }  // namespace vug::inference

@@ -18,4 +18,8 @@ double effective_size(const Trace& trace);
 /// least 4; 1 where nothing varies at all.
 double scale_reduction(const std::vector<Trace>& traces);
 
+/// Geweke's z-score (cite geweke1992): how many standard errors the means of the first tenth and of
+/// the second half of the trace are apart; beyond 2 it had not warmed up. 0 where nothing varies.
+double geweke(const Trace& trace);
+
 }  // namespace vug::inference

@@ -1,7 +1,7 @@
 // Every move leads back by the choices it tells, with the probabilities it tells, bit for bit.
 #include "toys.h"
 
-#include <vug/fit/move.h>
+#include <vug/fit/sampler.h>
 
 #include <gtest/gtest.h>
 
@@ -153,14 +153,80 @@ TEST(Moves, WhatIsKeptOfAStateHoldsAlways) {
   const Workshop shop{model, hints};
   const inference::Moves<State> all = moves(shop);
   Chain<State> chain(all, [&](State& state) { return model.energy(state); }, model.start(),
-                     RandomKey(4), {.temperature = 200});
-  for (int i = 0; i < 100'000; ++i) {
+                     RandomKey(4), {.temperature = 1000});
+  for (int i = 0; i < 1'000'000; ++i) {
     chain.step();
-    if (i % 10 != 0) continue;
+    if (i % 100 != 0) continue;
     State fresh = model.state_of(chain.state().tree);
     ASSERT_NEAR(model.energy(fresh), chain.energy(), 1e-9);
     ASSERT_TRUE(fresh.areas.size() == chain.state().areas.size());
   }
+}
+
+/// Every pixel's region, painted; -1 where none is.
+std::vector<int> regions_of(const Model& model, const State& state) {
+  std::vector<int> out(static_cast<size_t>(model.width() * model.height()), -1);
+  const Rules& rules = model.rules();
+  const Tree& tree = state.tree;
+  const auto paint = [&](const Rect& r, int region) {
+    for (int y = r.y0; y < r.y1; ++y)
+      for (int x = r.x0; x < r.x1; ++x) out[static_cast<size_t>(y * model.width() + x)] = region;
+  };
+  // Parents come first, so that parts lie on top of what is left over of them.
+  for (int i = 0; i < tree.size(); ++i) {
+    if (rules.symbol(tree[i].symbol).terminal) continue;
+    const Area& area = state.area(i);
+    for (int place = 0; place < area.count; ++place)
+      paint(Model::in_picture(area, state.frame(area, place), 0, 0, area.width, area.height), i);
+  }
+  model.each_terminal(state, [&](Look look, int node, const Rect& r) {
+    // Windows of a grid are one region, whichever their kind.
+    paint(r, 1000 + (look == Look::window && model.in_grid(tree[node]) ? tree.parent(node) * 1000
+                                                                       : node));
+  });
+  return out;
+}
+
+TEST(Model, BitsAreThoseOfEveryPixelCounted) {
+  constexpr int kWidth = 57, kHeight = 43, kClusters = 3;
+  const Rules rules = all_rules();
+  Limits limits;
+  limits.least = 2;
+  const std::vector<uint8_t> clusters = noise(kWidth * kHeight, kClusters);
+  const Evidence evidence = Evidence::of_clusters(kWidth, kHeight, kClusters, clusters);
+  const LikelihoodPtr likelihood = make_likelihood("kt", evidence);
+  const Model model(rules, limits, kWidth, kHeight, &evidence, likelihood, 0.7);
+  const Hints hints = lumpy_hints(kWidth, kHeight);
+  const Workshop shop{model, hints};
+  const inference::Moves<State> all = moves(shop);
+  RandomStream stream{RandomKey(6)};
+  Choices forward, back;
+  State here = model.start();
+  model.energy(here);
+  int large = 0;
+  for (int trees = 0; trees < 1000; ++trees) {
+    if (here.tree.size() > 25) here = model.start();
+    for (int i = 0; i < 30; ++i) {  // a walk that would rather grow
+      State next = here;
+      forward.draw(stream);
+      back.tell();
+      if (all[stream.below(static_cast<uint32_t>(all.size()))].propose(next, forward, back) &&
+          std::isfinite(model.energy(next)) &&
+          (next.tree.size() >= here.tree.size() || stream.uniform() < 0.3))
+        here = std::move(next);
+    }
+    State fresh = model.state_of(here.tree);
+    ASSERT_NEAR(model.energy(fresh), model.energy(here), 1e-9) << structure_of(rules, here.tree);
+    large += here.tree.size() > 5 ? 1 : 0;
+    const std::vector<int> regions = regions_of(model, here);
+    std::map<int, Sums> counts;
+    for (size_t i = 0; i < regions.size(); ++i) ++counts[regions[i]].lane[clusters[i]];
+    double bits = 0;
+    for (const auto& [region, sums] : counts) bits += likelihood->bits(Look::wall, sums);
+    ASSERT_NEAR(model.complexity(here.tree) + 0.7 * bits, model.energy(here), 1e-6)
+        << structure_of(rules, here.tree);
+  }
+  EXPECT_GT(large, 300);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vug/fit/read.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace vug::fit {
 namespace {
@@ -40,7 +41,6 @@ ReadOptions quick(const std::string& likelihood) {
   ReadOptions options;
   options.likelihood = likelihood;
   options.sampler.steps = 20'000;
-  options.sampler.annealing = 3;
   return options;
 }
 
@@ -56,10 +56,13 @@ TEST(Read, WindowsWithEachLikelihood) {
       EXPECT_NEAR(one.rect.y0 % 24, 5, 1);
       EXPECT_NEAR(one.rect.y1 % 24, 19, 1);
     }
-    EXPECT_LE(found.bits, found.chain_bits);
-    EXPECT_LE(found.chain_bits, found.seed_bits);
-    EXPECT_LT(found.seed_bits, found.wall_bits);
-    EXPECT_GT(found.complexity, 0);
+    const Report& report = found.report;
+    EXPECT_LE(report.bits, report.chain_bits);
+    EXPECT_LE(report.chain_bits, report.seed_bits);
+    EXPECT_LT(report.seed_bits, report.wall_bits);
+    EXPECT_GT(report.complexity, 0);
+    EXPECT_GT(report.score, 0);
+    EXPECT_LT(report.score, 1);
   }
 }
 
@@ -95,7 +98,7 @@ TEST(Read, ToldToStopItGivesTheBestSoFar) {
   Progress progress;
   progress.cancel();
   const Reading found = read(pixels(0.2, false), rules(), quick("kt"), RandomKey(1), progress);
-  EXPECT_TRUE(found.sampled.stopped);
+  EXPECT_TRUE(found.report.stopped);
   EXPECT_EQ(found.seen.size(), 12u) << "the seed";
 }
 
@@ -103,6 +106,38 @@ TEST(Read, EvidenceThatDoesNotSuitIsRefused) {
   EXPECT_THROW(read(pixels(0, false), rules(), quick("kl"), RandomKey(1)), Error);
   const Evidence two = Evidence::of_clusters(2, 1, 2, {0, 1});
   EXPECT_THROW(read(two, rules(), quick("supervised"), RandomKey(1)), Error);
+}
+
+TEST(Read, ReportsHowItWasFound) {
+  ReadOptions options = quick("kt");
+  options.runs = 3;
+  const Report report = read(pixels(0.3, false), rules(), options, RandomKey(1)).report;
+  double shares = 0;
+  for (const Share& one : report.posterior) {
+    EXPECT_GE(one.error, 0);
+    EXPECT_LE(one.error, 0.5);
+    shares += one.share;
+  }
+  EXPECT_NEAR(shares, 1, 0.05);
+  EXPECT_EQ(report.traces.size(), 3u);
+  EXPECT_LT(report.scale_reduction, 1.2) << "runs from their own seeds agree";
+  EXPECT_GT(report.effective_size, 20);
+  EXPECT_LT(std::abs(report.geweke), 5);
+  EXPECT_EQ(report.swap_rates.size() + 1, report.temperatures.size());
+  EXPECT_EQ(report.moves.size(), move_kinds().size());
+  EXPECT_GT(report.most_complexity, report.complexity);
+  EXPECT_NEAR(
+      report.score,
+      1 - (report.complexity + report.misfit) / (report.most_complexity + 2.0 * kWidth * kHeight),
+      1e-12);
+  const nlohmann::json json = nlohmann::json::parse(report_json(report));
+  EXPECT_EQ(json["posterior"].size(), report.posterior.size());
+  EXPECT_EQ(json["traces"].size(), 3u);
+  EXPECT_EQ(json["bits"]["all"].get<double>(), report.bits);
+  const std::string drawing = report_svg(report);
+  EXPECT_EQ(drawing.substr(0, 4), "<svg");
+  EXPECT_EQ(drawing.find("nan"), std::string::npos);
+  EXPECT_NE(drawing.find(report.moves.back().name), std::string::npos);
 }
 
 /// Pictures without anything to read are walls.

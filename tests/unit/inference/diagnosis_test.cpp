@@ -42,5 +42,14 @@ TEST(Diagnosis, TracesOfOneDistributionAgree) {
   EXPECT_EQ(scale_reduction({Trace(10, 1.0), Trace(10, 1.0)}), 1);
 }
 
+TEST(Diagnosis, WarmingUpIsSeen) {
+  EXPECT_LT(std::abs(geweke(autoregression(0.5, 5000, 1))), 3);
+  Trace late = autoregression(0.5, 5000, 1);
+  for (size_t i = 0; i < 500; ++i) late[i] += 1;
+  EXPECT_GT(geweke(late), 5);
+  EXPECT_EQ(geweke(Trace(100, 2.0)), 0);
+  EXPECT_EQ(geweke({}), 0);
+}
+
 }  // namespace
 }  // namespace vug::inference

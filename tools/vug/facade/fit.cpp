@@ -161,7 +161,7 @@ int run(Options options) {
              facade::elevation_svg(
                  fit.tree, {.picture = seen_from(
                                 folder, options.photo.empty() ? grey : fs::path(options.photo))}));
-  const bool stopped = fit.reading.sampled.stopped;
+  const bool stopped = fit.reading.report.stopped;
   if (!options.no_carving && !stopped) carve(scene, scene_file, carved, options, progress);
   clear_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");

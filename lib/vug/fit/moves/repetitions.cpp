@@ -12,7 +12,7 @@ bool repetitions(const Workshop& shop, State& state, Choices& forward, Choices& 
   const bool more = forward.flip();
   back.flip(!more);
   tree[i].extent = static_cast<int16_t>(tree[i].extent + (more ? 1 : -1));
-  state.changed(i);
+  state.changed(i), state.changed(tree.parent(i));  // which answers for what is left over
   state.moved();
   return tree[i].extent >= 2 && shop.model.place(state);
 }

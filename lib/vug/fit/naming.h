@@ -1,0 +1,14 @@
+// What elements are called that any name would fit.
+#pragma once
+
+#include <vug/fit/model.h>
+
+namespace vug::fit {
+
+/// Codes of clusters do not care whether an element is a window, a door or a shop. One whose
+/// pixels are cheaper together with those of the windows in grids than by themselves is a window;
+/// of the others those that stand on the ground are doors, or, if they are wider than high, shops.
+/// The tree costs as much as before. Nothing changes where the evidence is of looks.
+void name_elements(const Model& model, const Evidence& evidence, State& state);
+
+}  // namespace vug::fit

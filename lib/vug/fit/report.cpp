@@ -1,0 +1,162 @@
+#include <vug/fit/report.h>
+#include <vug/inference/bits.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::fit {
+namespace {
+
+/// Which rounds of a run had that structure, as a trace of 0 and 1.
+inference::Trace indicator(const Sampled& run, const std::string& structure) {
+  inference::Trace out;
+  out.reserve(run.visited.size());
+  for (const int at : run.visited)
+    out.push_back(run.structures[static_cast<size_t>(at)].text == structure ? 1 : 0);
+  return out;
+}
+
+Share share_of(const std::vector<Sampled>& runs, const std::string& structure) {
+  Share out{structure};
+  double rounds = 0, effective = 0;
+  for (const Sampled& run : runs) {
+    const inference::Trace trace = indicator(run, structure);
+    if (trace.empty()) continue;
+    for (const double there : trace) out.share += there;
+    rounds += static_cast<double>(trace.size());
+    effective += inference::effective_size(trace);
+  }
+  if (rounds > 0) out.share /= rounds;
+  if (effective > 0) out.error = std::sqrt(out.share * (1 - out.share) / effective);
+  return out;
+}
+
+void add_posterior(Report& out, const std::vector<Sampled>& runs) {
+  constexpr size_t kMost = 20;
+  std::map<std::string, int64_t> counts;
+  for (const Sampled& run : runs)
+    for (const Structure& one : run.structures) counts[one.text] += one.rounds;
+  std::vector<std::pair<int64_t, std::string>> order;
+  for (const auto& [text, count] : counts) order.emplace_back(-count, text);
+  std::sort(order.begin(), order.end());
+  for (const auto& [count, text] : order)
+    if (out.posterior.size() < kMost) out.posterior.push_back(share_of(runs, text));
+}
+
+/// The costliest subtree below a symbol.
+class Costliest {
+ public:
+  explicit Costliest(const Model& model) : model_(model), rules_(model.rules()) {}
+
+  double bits(const Node& node, int depth) const { return tree(node, depth).second; }
+
+ private:
+  using Made = std::pair<std::vector<Node>, double>;
+
+  Made tree(const Node& node, int depth) const {
+    Made best = {{node}, 0};
+    best.second = bits_of(best.first);
+    for (const int way : rules_.productions_of(node.symbol)) {
+      const Production& production = rules_.production(way);
+      const bool splits = production.op == Op::rows || production.op == Op::repeat ||
+                          production.op == Op::mirror || production.op == Op::elements;
+      if (splits && depth == 0) continue;
+      Tree made;
+      made.nodes = {node};
+      if (production.op == Op::windows) made[0].cells = {};
+      std::vector<Node> parts;
+      for (const Node& part : parts_of(production, node)) parts.push_back(part);
+      made.grow(0, way, parts);
+      for (int number = made.part_count(0) - 1; number >= 0; --number) {
+        const int at = made.part(0, number);
+        made.replace(at, tree(made[at], depth - (splits ? 1 : 0)).first);
+      }
+      const double bits = bits_of(made.nodes);
+      if (bits > best.second) best = {std::move(made.nodes), bits};
+    }
+    return best;
+  }
+
+  double bits_of(const std::vector<Node>& nodes) const { return model_.complexity(Tree{nodes}); }
+
+  std::vector<Node> parts_of(const Production& production, const Node& above) const {
+    const Limits& limits = model_.limits();
+    std::vector<Node> out;
+    const auto put = [&](size_t number, int extent) {
+      Node node;
+      node.symbol = static_cast<int16_t>(production.parts[number]);
+      node.made_by = static_cast<int8_t>(production.op);
+      node.extent = static_cast<int16_t>(extent);
+      if (rules_.symbol(node.symbol).grid)
+        node.columns = node.rows = static_cast<int16_t>(limits.most_lines);
+      out.push_back(node);
+    };
+    if (production.op == Op::elements) {
+      for (int i = 0; i < limits.most_elements; ++i) put(0, i + 1 < limits.most_elements ? 1 : 0);
+    } else if (production.op == Op::windows) {
+      const bool identical = rules_.symbol(above.symbol).identical;
+      for (int i = 0; i < (identical ? 1 : limits.most_kinds); ++i) put(0, 0);
+      if (production.parts.size() > 1) put(1, 0);
+    } else {
+      const bool first_has_extent = production.op == Op::rows || production.op == Op::repeat;
+      put(0, first_has_extent ? 2 : 0);
+      if (production.parts.size() > 1) put(1, production.op == Op::mirror ? 2 : 0);
+    }
+    return out;
+  }
+
+  const Model& model_;
+  const Rules& rules_;
+};
+
+}  // namespace
+
+double most_complex(const Model& model, int depth) {
+  return Costliest(model).bits(model.start().tree[0], depth);
+}
+
+Report report_of(const std::vector<Sampled>& runs) {
+  Report out;
+  for (const Sampled& run : runs) {
+    out.traces.push_back(run.trace);
+    out.stopped = out.stopped || run.stopped;
+    if (!run.trace.empty()) out.effective_size += inference::effective_size(run.trace);
+    const double z = inference::geweke(run.trace);
+    if (std::fabs(z) > std::fabs(out.geweke)) out.geweke = z;
+    if (out.moves.empty())
+      for (const MoveKind* kind : move_kinds()) out.moves.push_back({kind->info.name, {}});
+    for (size_t i = 0; i < run.moves.size() && i < out.moves.size(); ++i) {
+      out.moves[i].count.tried += run.moves[i].tried;
+      out.moves[i].count.possible += run.moves[i].possible;
+      out.moves[i].count.accepted += run.moves[i].accepted;
+    }
+  }
+  out.scale_reduction = inference::scale_reduction(out.traces);
+  if (!runs.empty()) out.temperatures = runs.front().temperatures;
+  for (size_t pair = 0; !runs.empty() && pair < runs.front().swaps.size(); ++pair) {
+    inference::Ladder::Swaps sum;
+    for (const Sampled& run : runs) {
+      sum.tried += run.swaps[pair].tried;
+      sum.taken += run.swaps[pair].taken;
+    }
+    out.swap_rates.push_back(sum.rate());
+  }
+  add_posterior(out, runs);
+  return out;
+}
+
+void add_score(Report& report, const Model& model, const Evidence& evidence, const Tree& tree) {
+  report.structure = structure_of(model.rules(), tree);
+  report.complexity = model.complexity(tree);
+  report.most_complexity = most_complex(model);
+  const double most = static_cast<double>(evidence.width()) * evidence.height() *
+                      std::max(1.0, inference::log2(evidence.lanes()));
+  const bool of_looks = model.likelihood() && model.likelihood()->of_looks();
+  const Model paper(model.rules(), model.limits(), model.width(), model.height(), &evidence,
+                    make_likelihood(of_looks ? "supervised" : "paper", evidence));
+  State state = paper.state_of(tree);
+  report.misfit = std::min(most, paper.energy(state) - report.complexity);
+  report.score = 1 - (report.complexity + report.misfit) / (report.most_complexity + most);
+}
+
+}  // namespace vug::fit
