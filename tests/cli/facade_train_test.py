@@ -109,6 +109,7 @@ class FacadeTrain(VugTest):
         told("has no labels", "-o", "looks.json")
         (self.folder / "classes.json").write_text("{\n]")
         told("classes.json:2", "-o", "looks.json")
+        self.assertNotIn("while while", self.train("-o", "looks.json", code=2).err)
 
 
 if __name__ == "__main__":

@@ -137,7 +137,7 @@ Classes read_classes(const fs::path& file) {
   try {
     return classes_from_json(read_json(file));
   } catch (Error& error) {
-    throw error.within(fmt::format("while reading '{}'", file.string()));
+    throw error.within(fmt::format("reading '{}'", file.string()));
   }
 }
 

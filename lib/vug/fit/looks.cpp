@@ -71,7 +71,7 @@ LookModel LookModel::read(const std::filesystem::path& file) {
   try {
     return from_json(read_json(file));
   } catch (Error& error) {
-    throw error.within(fmt::format("while reading '{}'", file.string()));
+    throw error.within(fmt::format("reading '{}'", file.string()));
   }
 }
 
