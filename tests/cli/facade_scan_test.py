@@ -134,6 +134,9 @@ class FacadeRectify(VugTest):
         self.expect(0, "facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "both.exr")
         info = self.expect(0, "info", "both.exr").out
         self.assertIn("depth", info)
+        self.assertIn("vug:frame", info)
+        self.expect(0, "facade", "rectify", "photo.pgm", "--onto", "both.exr", "-o", "again.exr")
+        self.assertEqual((self.folder / "again.exr").read_bytes(), (self.folder / "both.exr").read_bytes())
         self.expect(2, "facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "both.png")
 
 

@@ -52,7 +52,7 @@ Mask closed(const Mask& mask, int radius) { return eroded(dilated(mask, radius),
 
 Mask opened(const Mask& mask, int radius) { return dilated(eroded(mask, radius), radius); }
 
-std::vector<Group> groups_of(const Mask& mask, int64_t least) {
+void each_group(const Mask& mask, const std::function<void(const Group&)>& visit) {
   mesh::DisjointSets sets(mask.on.size());
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
@@ -62,34 +62,42 @@ std::vector<Group> groups_of(const Mask& mask, int64_t least) {
       if (y > 0 && mask.at(x, y - 1)) sets.join(i, i - static_cast<uint32_t>(mask.width));
     }
   // Roots are the first pixels of their groups, so groups come in that order.
-  constexpr uint32_t kNone = UINT32_MAX;
-  std::vector<uint32_t> group_of(mask.on.size(), kNone);
-  std::vector<Group> groups;
-  const auto each = [&](const auto& visit) {
-    for (int y = 0; y < mask.height; ++y)
-      for (int x = 0; x < mask.width; ++x)
-        if (mask.at(x, y)) visit(x, y, sets.root(static_cast<uint32_t>(mask.index(x, y))));
+  struct Found {
+    uint32_t root = 0;
+    PixelBox box;
+    int64_t pixels = 0;
   };
-  each([&](int x, int y, uint32_t root) {
-    if (group_of[root] == kNone) {
-      group_of[root] = static_cast<uint32_t>(groups.size());
-      groups.push_back({{x, y, x + 1, y + 1}, {}, 0});
+  std::vector<Found> all;
+  std::vector<uint32_t> group_of(mask.on.size(), 0);
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      if (!mask.at(x, y)) continue;
+      const auto i = static_cast<uint32_t>(mask.index(x, y));
+      const uint32_t root = sets.root(i);
+      if (root == i) {
+        group_of[root] = static_cast<uint32_t>(all.size());
+        all.push_back({root, {x, y, x + 1, y + 1}, 0});
+      }
+      Found& group = all[group_of[root]];
+      PixelBox& box = group.box;
+      box = {std::min(box.x0, x), box.y0, std::max(box.x1, x + 1), y + 1};
+      ++group.pixels;
     }
-    Group& group = groups[group_of[root]];
-    PixelBox& box = group.box;
-    box = {std::min(box.x0, x), box.y0, std::max(box.x1, x + 1), y + 1};
-    ++group.pixels;
-  });
-  for (Group& group : groups)
-    if (group.pixels >= least)
-      group.mask = Mask(group.box.x1 - group.box.x0, group.box.y1 - group.box.y0);
-  each([&](int x, int y, uint32_t root) {
-    Group& group = groups[group_of[root]];
-    if (group.pixels >= least)
-      group.mask.on[group.mask.index(x - group.box.x0, y - group.box.y0)] = 1;
-  });
-  std::erase_if(groups, [&](const Group& group) { return group.pixels < least; });
-  return groups;
+  for (const Found& group : all) {
+    const PixelBox& box = group.box;
+    Group out{box, Mask(box.x1 - box.x0, box.y1 - box.y0), group.pixels};
+    for (int y = box.y0; y < box.y1; ++y)
+      for (int x = box.x0; x < box.x1; ++x)
+        out.mask.on[out.mask.index(x - box.x0, y - box.y0)] =
+            mask.at(x, y) && sets.root(static_cast<uint32_t>(mask.index(x, y))) == group.root;
+    visit(out);
+  }
+}
+
+std::vector<Group> groups_of(const Mask& mask) {
+  std::vector<Group> out;
+  each_group(mask, [&](const Group& group) { out.push_back(group); });
+  return out;
 }
 
 }  // namespace vug::scan

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace vug::scan {
@@ -51,7 +52,9 @@ struct Group {
   Mask mask;  ///< Of the box's size.
   int64_t pixels = 0;
 };
-/// Groups of at least `least` pixels, in the order of their first pixels.
-std::vector<Group> groups_of(const Mask& mask, int64_t least = 1);
+/// In the order of their first pixels. One group at a time is made, as boxes may overlap a lot.
+void each_group(const Mask& mask, const std::function<void(const Group&)>& visit);
+/// All at once.
+std::vector<Group> groups_of(const Mask& mask);
 
 }  // namespace vug::scan

@@ -120,18 +120,22 @@ void require_sound(const OpeningOptions& options) {
 
 std::vector<Opening> openings_of(const Mask& open, const RangeImage& range, const SurfaceMap& map,
                                  const OpeningOptions& options) {
+  // Masks, groups and their parts, at the same time at most.
+  constexpr double kPixelBytes = 16;
+  require_memory(kPixelBytes * static_cast<double>(range.pixel_count()), options.memory,
+                 "the search for openings", "use larger pixels");
   std::vector<PixelBox> boxes;
   const int least = pixels_of(options.least, range.pixel, INT32_MAX);
-  for (const Group& group : groups_of(open)) {
+  each_group(open, [&](const Group& group) {
     if (!options.tidy) {
       boxes.push_back(group.box);
-      continue;
+      return;
     }
     for (const PixelBox& box : taken_apart(group, range, options)) {
       const std::vector<PixelBox> parts = parted(box, range, map, least);
       boxes.insert(boxes.end(), parts.begin(), parts.end());
     }
-  }
+  });
   std::vector<Opening> out;
   for (const PixelBox& box : boxes) {
     const double wide = (box.x1 - box.x0) * range.pixel, high = (box.y1 - box.y0) * range.pixel;

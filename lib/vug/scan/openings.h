@@ -35,6 +35,7 @@ struct OpeningOptions {
   bool tidy = true;
   double bars = 0.2;   ///< Metres; wall within openings that is no wider is none.
   double necks = 0.3;  ///< Metres; openings that hang together by no more are several.
+  uint64_t memory = available_memory();  ///< Bytes that the search may take.
 };
 
 /// By raster, from the ground up: pixels without a point of the wall, gaps closed, connected, and

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <vug/base/error.h>
-#include <vug/image/io.h>
 #include <vug/scan/range_image.h>
 
 #include <cmath>
@@ -38,9 +37,13 @@ image::Image as_image(const RangeImage& range) {
   return out;
 }
 
+image::Metadata metadata_of(const RangeImage& range) {
+  return {{kPixel, fmt::format("{}", range.pixel)}, {kFrame, frame_text(range.frame)}};
+}
+
 void write_range(const std::filesystem::path& exr, const RangeImage& range) {
   image::ExrOptions options;
-  options.metadata = {{kPixel, fmt::format("{}", range.pixel)}, {kFrame, frame_text(range.frame)}};
+  options.metadata = metadata_of(range);
   image::write_exr(exr, as_image(range), options);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/base/memory.h>
-#include <vug/image/image.h>
+#include <vug/image/io.h>
 #include <vug/scan/plane.h>
 
 #include <cstdint>
@@ -59,10 +59,13 @@ RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOpt
 /// in places that are at least so dense.
 double spacing(const Cloud& cloud, const PlaneFrame& frame, const RangeOptions& options = {});
 
-/// Channels "depth" and "count"; write as EXR with 32 bits. `metadata` keeps pixel and frame.
+/// Channels "depth" and "count"; write as EXR with 32 bits.
 image::Image as_image(const RangeImage& range);
+/// What a file tells beside: the size of its pixels and the frame.
+image::Metadata metadata_of(const RangeImage& range);
 void write_range(const std::filesystem::path& exr, const RangeImage& range);
-/// What write_range wrote; of another picture the channel "depth" or else "Z", with `pixel` metres
+/// What write_range wrote, or any EXR with its channels and metadata; of others the channel "depth"
+/// or else "Z", with `pixel` metres
 /// on a side, 1 cm unless told. Error(bad_input).
 RangeImage read_range(const std::filesystem::path& exr, double pixel = 0);
 

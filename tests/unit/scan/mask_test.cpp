@@ -60,7 +60,6 @@ TEST(Mask, GroupsTouchAlongSides) {
   EXPECT_EQ(groups[0].mask.on, mask_of({"#.#", "###"}).on);
   EXPECT_EQ(groups[0].pixels, 5);
   EXPECT_EQ(groups[1].box, (PixelBox{3, 2, 4, 3}));
-  EXPECT_EQ(groups_of(mask_of({"#.#.", "###.", "...#", "#..."}), 2).size(), 1U);
   EXPECT_TRUE(groups_of(Mask(1, 1)).empty());
   EXPECT_EQ(groups_of(Mask(1, 1, true)).size(), 1U);
   EXPECT_TRUE(groups_of(Mask()).empty());

@@ -25,7 +25,8 @@ TEST(Scores, CoveredCountsCommonPartsOnce) {
   RandomStream stream{RandomKey(4)};
   for (int i = 0; i < 30; ++i) {
     const int x = static_cast<int>(stream.below(20)), y = static_cast<int>(stream.below(20));
-    boxes.push_back(box(x, y, x + 1 + stream.below(6), y + 1 + stream.below(6)));
+    const double right = x + 1.0 + stream.below(6), top = y + 1.0 + stream.below(6);
+    boxes.push_back(box(x, y, right, top));
   }
   int cells = 0;
   for (int y = 0; y < 30; ++y)

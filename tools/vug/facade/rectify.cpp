@@ -48,8 +48,8 @@ void write(const std::string& file, const image::Image& picture) {
   image::write_png(file, picture, plain);
 }
 
-image::Image laid_over(const Options& options, const image::Image& photo) {
-  const scan::RangeImage range = scan::read_range(options.onto);
+image::Image laid_over(const scan::RangeImage& range, const Options& options,
+                       const image::Image& photo) {
   if (options.corners.empty()) return scan::laid_over(range, photo);
   const scan::FourPoints corners = points_of(options.corners, "place in the photo, X,Y");
   if (!options.at.empty())
@@ -79,7 +79,10 @@ int run(Options options) {
   }
   const image::Image photo = image::read(options.photo, {.linear = true});
   if (!options.onto.empty()) {
-    write(options.output, laid_over(options, photo));
+    const scan::RangeImage range = scan::read_range(options.onto);
+    image::ExrOptions exr_options;
+    exr_options.metadata = scan::metadata_of(range);
+    image::write_exr(options.output, laid_over(range, options, photo), exr_options);
     return kDone;
   }
   const scan::Rectified out = scan::rectified(

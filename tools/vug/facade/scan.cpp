@@ -66,7 +66,7 @@ int run(Options options) {
     options.plane.scanner = Vec3d(options.scanner[0], options.scanner[1], options.scanner[2]);
   if (options.nearest) options.range.depth = scan::DepthOf::nearest;
   if (options.plain) options.surfaces.bent = options.openings.tidy = false;
-  options.range.memory = options.work.memory_limit();
+  options.range.memory = options.openings.memory = options.work.memory_limit();
 
   const scan::Cloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
                                               {.memory = options.range.memory});
