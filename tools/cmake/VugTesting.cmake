@@ -1,15 +1,16 @@
 # What tests are made of: vug_test, vug_fuzz and vug_bench.
 include(GoogleTest)
 
-# vug_test(NAME SOURCES... LINK modules...): one executable of unit tests, mirroring lib/.
+# vug_test(NAME SOURCES... LINK modules... [LABEL label]): one executable of unit tests, mirroring
+# lib/. `ctest -L label` runs those of a label, -LE all others.
 function(vug_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   list(TRANSFORM ARG_LINK PREPEND vug_)
   target_link_libraries(test_${name} PRIVATE vug_strict ${ARG_LINK} GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     VUG_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" VUG_DATA="${PROJECT_SOURCE_DIR}/data")
-  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABEL}")
 endfunction()
 
 # vug_fuzz(NAME SOURCES... LINK modules...): a fuzz target, i.e. sources with
