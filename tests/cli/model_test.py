@@ -41,6 +41,15 @@ class Modelling(VugTest):
         self.assertIn("- columns(door, wall) [does not fit: the parts do not fit: they need 15m of 12m", said)
         self.assertIn("+ wall", said)
 
+    def test_every_style_can_be_modelled(self):
+        for grammar in sorted((SOURCE / "data/facades").glob("*.vug")):
+            size = ("--width", "12m", "--height", "9m") if grammar.name == "ripperda.vug" else ()
+            self.assertIn("\n  + ", self.model("--grammar", grammar.name, *size, "--list").out)
+        said = self.model("--grammar", "paris_art_deco.vug", "--apply", "0 rows", "--apply", "0.1 mirror",
+                          "--apply", "0.1.0 columns", "--apply", "0.1.0.1 repeat", "--list").out
+        self.assertIn("0.1.0.1.1 Storey(1, 1) 4.35 x 3.1 m at (0.55, 7.1)\n"
+                      "  - rows(wall, Railed, wall) [condition is false: ", said)
+
     def test_undo_redo_and_checkpoints(self):
         trees = [self.model("s.json", "--json").out]
         self.model("s.json", "--act", "0.0 IdenticalGrid columns=5 rows=1", "-o", "t.json")
