@@ -39,17 +39,36 @@ Gains learnt(const Model& model, const Evidence& evidence, const State& state) {
 std::vector<State> seeds(const Workshop& shop, const Evidence& evidence, bool of_looks,
                          const SeedOptions& options) {
   std::vector<std::pair<double, State>> found;
+  std::vector<std::pair<double, Gains>> learnt_gains;
+  ParseOptions quick = options.parse;
+  quick.depth = std::min(quick.depth, 1);
+  const auto look = [&](const Gains& gains, const ParseOptions& how) {
+    State state = parse(shop, evidence, gains, shop.model.start(), 0, how);
+    const double energy = shop.model.energy(state);
+    found.emplace_back(energy, state);
+    return std::pair(energy, std::move(state));
+  };
+  // What windows look like is learnt from quick looks; the best of it is worth thorough ones.
   for (Gains gains : first_gains(evidence, of_looks)) {
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options.rounds; ++round) {
-      State state = parse(shop, evidence, gains, shop.model.start(), 0, options.parse);
-      const double energy = shop.model.energy(state);
+      const auto [energy, state] = look(gains, quick);
       if (!(energy < least)) break;
       least = energy;
       if (!of_looks) gains = learnt(shop.model, evidence, state);
-      found.emplace_back(energy, std::move(state));
+      learnt_gains.emplace_back(energy, gains);
     }
   }
+  std::stable_sort(learnt_gains.begin(), learnt_gains.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::pair<double, State> best = {std::numeric_limits<double>::infinity(), {}};
+  for (int i = 0; i < options.thorough && i < static_cast<int>(learnt_gains.size()); ++i) {
+    auto seen = look(learnt_gains[static_cast<size_t>(i)].second, options.parse);
+    if (seen.first < best.first) best = std::move(seen);
+    if (of_looks) break;
+  }
+  if (!of_looks && best.first < std::numeric_limits<double>::infinity())
+    look(learnt(shop.model, evidence, best.second), options.parse);
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<State> out;

@@ -6,7 +6,8 @@
 namespace vug::fit {
 
 struct SeedOptions {
-  int rounds = 3;  ///< In each what windows look like is learnt anew from the last tree.
+  int rounds = 3;    ///< In each what windows look like is learnt anew from the last tree.
+  int thorough = 2;  ///< How many of what was learnt are looked at in full depth.
   ParseOptions parse;
 };
 
