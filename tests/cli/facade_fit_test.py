@@ -50,6 +50,9 @@ class FacadeFit(VugTest):
         self.assertIn("window(reveal: 0.32m)", (self.folder / "out/photo.vug").read_text())
         self.assertIn('href="../photo.exr"', (self.folder / "out/photo.svg").read_text())
         self.expect(0, "info", "out/photo.vdb")
+        report = json.loads((self.folder / "out/photo.report.json").read_text())
+        self.assertTrue(0 < report["score"]["s"] < 1, report)
+        self.assertIn("<svg", (self.folder / "out/photo.report.svg").read_text())
         again = self.expect(0, "tree", "out/photo.vug", "--elements").out
         self.assertEqual(again.count("window,"), len(windows))
 

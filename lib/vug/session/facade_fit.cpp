@@ -88,7 +88,7 @@ std::string facade_scene(const FacadeFit& fit, const std::string& name,
   return fmt::format(
       "# {}\n\nparam voxel = {}cm  in 5mm..50cm  \"edge of a voxel\"\n\n{}\n"
       "volume stone = level_set({name}, voxel: voxel)\n"
-      "volume panes = level_set(infill({name}), voxel: voxel / 2)\n"
+      "volume panes = level_set(infill({name}), voxel: 1cm)\n"
       "mesh wall_mesh on stone {{}}\nmesh fill_mesh on panes {{}}\n"
       "object wall on wall_mesh {{ material lambert(albedo: (0.6, 0.54, 0.44)) }}\n"
       "object glass on fill_mesh {{ material lambert(albedo: (0.08, 0.09, 0.11)) }}\n\n"

@@ -122,8 +122,9 @@ int run(Options options) {
   const auto file = [&](const char* ending) { return folder / (options.name + ending); };
   const fs::path scene_file = file(".vug"), tree_file = file(".json"), drawing = file(".svg"),
                  carved = file(".vdb"), grey = file(".depth.png"), range = file(".depth.exr"),
-                 labels = file(".labels.png");
-  std::vector<fs::path> outputs = {scene_file, tree_file, drawing};
+                 labels = file(".labels.png"), report = file(".report.json"),
+                 charts = file(".report.svg");
+  std::vector<fs::path> outputs = {scene_file, tree_file, drawing, report, charts};
   if (!options.no_carving) outputs.push_back(carved);
   if (!options.clouds.empty()) outputs.insert(outputs.end(), {range, grey});
   if (!options.looks.empty()) outputs.push_back(labels);
@@ -161,6 +162,8 @@ int run(Options options) {
              facade::elevation_svg(
                  fit.tree, {.picture = seen_from(
                                 folder, options.photo.empty() ? grey : fs::path(options.photo))}));
+  write_text(report, fit::report_json(fit.reading.report));
+  write_text(charts, fit::report_svg(fit.reading.report));
   const bool stopped = fit.reading.report.stopped;
   if (!options.no_carving && !stopped) carve(scene, scene_file, carved, options, progress);
   clear_bar();
