@@ -131,11 +131,12 @@ std::optional<Error> misfit(const PlacePlan& plan, const scene::Declaration& dec
   for (const Places& at : plan.at) {
     const auto* numbered = at->target<NumberedPlaces>();
     if (numbered && numbered->last >= count)
-      return refuse("at",
-                    fmt::format("a place asks for thing number {}, but the last of '{}' is "
-                                "number {}",
-                                numbered->last, declaration.name, count - 1),
-                    "counted from 0; 'diameters' of a grove has one for each thing of 'of'");
+      return refuse(
+          "at",
+          fmt::format("a place asks for thing number {}, but the last of '{}' is "
+                      "number {}",
+                      numbered->last, declaration.name, count - 1),
+          "they are counted from 0, in the order of 'of'; a grove's 'diameters' have one each");
   }
   return std::nullopt;
 }
