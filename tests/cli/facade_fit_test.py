@@ -81,6 +81,24 @@ class FacadeFit(VugTest):
         trees = {(self.folder / f"out{threads}/photo.json").read_bytes() for threads in (1, 2, 7)}
         self.assertEqual(len(trees), 1)
 
+    def test_the_grammar_is_there_to_include(self):
+        self.photo()
+        self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--name", "main", "--steps", 2000)
+        self.expect(0, "check", "out/facade_main_scene.vug")
+        self.write("street.vug", 'include "out/facade_main.vug"\nparam voxel = 20cm\n'
+                   "volume both = level_set(union([facade_main, translate(facade_main, by: (9m, 0, 0))]), voxel: voxel)\n")
+        self.expect(0, "check", "street.vug")
+        grammar = self.folder / "out/facade_main.vug"
+        before = grammar.read_bytes()
+        said = self.expect(2, "facade", "fit", "photo.exr", "-o", "out", "--name", "facade_main", "--grammar", grammar).err
+        self.assertIn("facade_main.vug", said)
+        self.assertEqual(grammar.read_bytes(), before)
+
+    def test_nothing_found_is_said(self):
+        self.write("flat.txt", "\n".join(f"{0.1 * i} 0 {0.1 * j}" for i in range(60) for j in range(40)))
+        said = self.expect(0, "facade", "fit", "--cloud", "flat.txt", "-o", "out", "--steps", 1000, "--no-carving").err
+        self.assertIn("bare wall", said)
+
     def test_bad_input(self):
         self.write("text.png", "no picture")
         self.assertIn("text.png", self.expect(2, "facade", "fit", "text.png", "-o", "out").err)

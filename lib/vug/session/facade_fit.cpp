@@ -77,29 +77,36 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   return out;
 }
 
-std::string facade_scene(const FacadeFit& fit, const std::string& name,
-                         const std::string& comment) {
+std::string facade_grammar(const FacadeFit& fit, const std::string& name) {
   facade::GrammarTextOptions options;
   options.name = name;
   if (fit.reveal > 0.02)
     options.elements["window"] = fmt::format("window(reveal: {:.2f}m)", std::min(fit.reveal, 0.4));
-  const double far = 2 * std::max(fit.tree.width, fit.tree.height);
-  const double half = fit.tree.height / 2;
+  return facade::grammar_text(fit.tree, options);
+}
+
+std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& file) {
+  const double half = fit.tree.height / 2, far = 2 * std::max(fit.tree.width, fit.tree.height);
+  const double longer = std::max(fit.tree.width, fit.tree.height);
+  const auto pixels = [&](double metres) {
+    return std::max(1L, std::lround(800 * metres / longer));
+  };
   return fmt::format(
-      "# {}\n\nparam voxel = {}cm  in 5mm..50cm  \"edge of a voxel\"\n\n{}\n"
-      "volume stone = level_set({name}, voxel: voxel)\n"
-      "volume panes = level_set(infill({name}), voxel: 1cm)\n"
-      "mesh wall_mesh on stone {{}}\nmesh fill_mesh on panes {{}}\n"
-      "object wall on wall_mesh {{ material lambert(albedo: (0.6, 0.54, 0.44)) }}\n"
-      "object glass on fill_mesh {{ material lambert(albedo: (0.08, 0.09, 0.11)) }}\n\n"
+      "include \"{file}\"\n\n"
+      "param voxel = {voxel}cm  in 5mm..50cm  \"edge of a voxel\"\n\n"
+      "volume {name}_stone = level_set({name}, voxel: voxel)\n"
+      "volume {name}_panes = level_set(infill({name}), voxel: 1cm)\n"
+      "mesh {name}_wall on {name}_stone {{}}\nmesh {name}_fill on {name}_panes {{}}\n"
+      "object {name}_shown on {name}_wall {{ material lambert(albedo: (0.6, 0.54, 0.44)) }}\n"
+      "object {name}_glass on {name}_fill {{ material lambert(albedo: (0.08, 0.09, 0.11)) }}\n\n"
       "camera main {{ kind orthographic  eye (0, {half:.3f}, {far:.3f})  target (0, {half:.3f}, 0)"
       "  width {width:.3f}m }}\n"
       "light even = sky(radiance: (1, 1, 1))\n"
       "render main {{ size {across}x{down}  spp 32  layers [\"beauty\", \"Z\"] }}\n",
-      comment, fit.tree.height > 8 ? 4 : 2, facade::grammar_text(fit.tree, options),
+      fmt::arg("file", file), fmt::arg("voxel", fit.tree.height > 8 ? 4 : 2),
       fmt::arg("name", name), fmt::arg("half", half), fmt::arg("far", far),
-      fmt::arg("width", fit.tree.width), fmt::arg("across", 600),
-      fmt::arg("down", std::lround(600 * fit.tree.height / fit.tree.width)));
+      fmt::arg("width", fit.tree.width), fmt::arg("across", pixels(fit.tree.width)),
+      fmt::arg("down", pixels(fit.tree.height)));
 }
 
 }  // namespace vug::session

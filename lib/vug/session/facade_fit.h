@@ -15,7 +15,7 @@ namespace vug::session {
 struct FacadeFitOptions {
   std::filesystem::path grammar;  ///< Rules with free sizes.
   std::string likelihood = "kt";  ///< Of fit::likelihood_kinds.
-  fit::ClusterImageOptions clusters = {.depth_clusters = 4};
+  fit::ClusterImageOptions clusters = {.depth_clusters = 5};
   /// Trained looks: pictures of their limits are read by them, with the likelihood `supervised`.
   std::shared_ptr<const fit::LookModel> looks;
   double trust = 0;   ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
@@ -38,7 +38,12 @@ struct FacadeFit {
 FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& options,
                      Progress& progress = Progress::none());
 
-/// A scene with the facade as a grammar of that name, carved out of a wall, that a camera looks at.
-std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& comment);
+/// The text of a grammar of that name that derives to the facade, windows as deep as they were
+/// seen.
+std::string facade_grammar(const FacadeFit& fit, const std::string& name);
+
+/// A scene that includes the file of that grammar, carves it out of a wall and looks at it. Its own
+/// names but `main`, `even` and `voxel` begin with the grammar's.
+std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& file);
 
 }  // namespace vug::session

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -98,8 +99,29 @@ std::vector<bool> outside_of(const image::Image& depth) {
   return out;
 }
 
+/// Each pixel's middle value of nine, holes counting as deeper than all: edges stay, and pixels
+/// that saw both sides of one take one of them.
+image::Image crisp(const image::Image& depth) {
+  constexpr float kDeepest = std::numeric_limits<float>::infinity();
+  image::Image out = depth;
+  std::array<float, 9> near{};
+  for (int y = 0; y < depth.height; ++y)
+    for (int x = 0; x < depth.width; ++x) {
+      size_t count = 0;
+      for (int v = std::max(0, y - 1); v <= std::min(depth.height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(depth.width - 1, x + 1); ++u) {
+          const float value = depth.at(u, v);
+          near[count++] = std::isfinite(value) ? value : kDeepest;
+        }
+      const auto middle = near.begin() + static_cast<std::ptrdiff_t>(count / 2);
+      std::nth_element(near.begin(), middle, near.begin() + static_cast<std::ptrdiff_t>(count));
+      out.at(x, y) = *middle == kDeepest ? kHole : *middle;
+    }
+  return out;
+}
+
 void set_depth(FacadePicture& picture, const image::Image& depth) {
-  picture.depth = fit::reduced(depth, {picture.width, picture.height});
+  picture.depth = crisp(fit::reduced(depth, {picture.width, picture.height}));
   picture.outside = outside_of(*picture.depth);
 }
 

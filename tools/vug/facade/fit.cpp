@@ -39,12 +39,13 @@ struct Options {
   }
 };
 
-/// A name that scenes can use, of a file's.
-std::string name_of(const fs::path& file) {
+/// A name that scenes can use, of what people call files.
+std::string name_of(const std::string& text) {
   std::string out;
-  for (const char c : file.stem().string())
-    out += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0]))) out = "facade_" + out;
+  for (const char c : text) out += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  const bool own = out == "main" || out == "even" || out == "voxel";  // facade_scene's
+  if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || own)
+    out = "facade_" + out;
   return out;
 }
 
@@ -63,11 +64,13 @@ std::string seen_from(const fs::path& folder, const fs::path& file) {
       .generic_string();
 }
 
-void carve(const std::string& scene, const fs::path& vug, const fs::path& vdb,
+void carve(const std::string& scene, const fs::path& file, const fs::path& vdb,
            const Options& options, Progress& progress) {
-  const session::Loaded loaded = session::load_text(scene, vug.string());
-  if (!loaded.usable())
-    throw Error(ErrorCode::bad_input, "what was found cannot be carved:\n" + loaded.report());
+  const session::Loaded loaded = session::load_text(scene, file.string());
+  if (!loaded.usable()) {
+    fmt::print(stderr, "{}", loaded.report());
+    throw Error(ErrorCode::bad_input, "what was found cannot be carved");
+  }
   session::Builder builder(loaded.shot, options.work.build_options(loaded), progress);
   session::write_volumes(builder, vdb);
 }
@@ -115,22 +118,27 @@ int run(Options options) {
   if (options.photo.empty() && options.clouds.empty())
     throw Error(ErrorCode::bad_input, "there is nothing to read", {},
                 "name a picture, or a scan with --cloud");
+  if (!options.clouds.empty() && !options.picture.depth.empty())
+    throw Error(ErrorCode::bad_input, "--depth and --cloud both tell the depth", {},
+                "leave one of them out");
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar());
   const fs::path folder = options.folder;
-  if (options.name.empty()) options.name = name_of(options.first_input());
+  options.name = name_of(options.name.empty() ? fs::path(options.first_input()).stem().string()
+                                              : options.name);
   const auto file = [&](const char* ending) { return folder / (options.name + ending); };
-  const fs::path scene_file = file(".vug"), tree_file = file(".json"), drawing = file(".svg"),
-                 carved = file(".vdb"), grey = file(".depth.png"), range = file(".depth.exr"),
+  const fs::path grammar_file = file(".vug"), scene_file = file("_scene.vug"),
+                 tree_file = file(".json"), drawing = file(".svg"), carved = file(".vdb"),
+                 grey = file(".depth.png"), range = file(".depth.exr"),
                  labels = file(".labels.png"), report = file(".report.json"),
                  charts = file(".report.svg");
-  std::vector<fs::path> outputs = {scene_file, tree_file, drawing, report, charts};
+  std::vector<fs::path> outputs = {grammar_file, scene_file, tree_file, drawing, report, charts};
   if (!options.no_carving) outputs.push_back(carved);
   if (!options.clouds.empty()) outputs.insert(outputs.end(), {range, grey});
   if (!options.looks.empty()) outputs.push_back(labels);
   std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
-  for (const fs::path& one :
-       {fs::path(options.photo), options.picture.depth, fs::path(options.looks)})
+  for (const fs::path& one : {fs::path(options.photo), options.picture.depth,
+                              fs::path(options.looks), fs::path(options.grammar)})
     if (!one.empty()) inputs.push_back(one);
   require_outputs(outputs, inputs);
 
@@ -142,9 +150,8 @@ int run(Options options) {
   }
   const Input in = read_input(options);
   const session::FacadeFit fit = session::fit_facade(in.picture, options.fit, progress);
-  const std::string scene = session::facade_scene(
-      fit, options.name,
-      fmt::format("Read from {}.", fs::path(options.first_input()).filename().string()));
+  const std::string scene =
+      session::facade_scene(fit, options.name, grammar_file.filename().string());
   if (in.range) {
     scan::write_range(range, *in.range);
     image::write_png(grey, grey_of(*in.range));
@@ -156,6 +163,9 @@ int run(Options options) {
                                      {photo.width, photo.height}),
                       photo.width, photo.height);
   }
+  write_text(grammar_file,
+             fmt::format("# Read from {}.\n{}", fs::path(options.first_input()).filename().string(),
+                         session::facade_grammar(fit, options.name)));
   write_text(scene_file, scene);
   write_text(tree_file, facade::tree_json(fit.tree));
   write_text(drawing,
@@ -168,8 +178,10 @@ int run(Options options) {
   if (!options.no_carving && !stopped) carve(scene, scene_file, carved, options, progress);
   clear_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
+  if (fit.reading.seen.empty())
+    fmt::print(stderr, "nothing was found: the facade is a bare wall\n");
   fmt::print("{}\n", facade::theta(fit.tree));
-  return kDone;
+  return stopped ? kFailed : kDone;
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
+#include <vug/fit/working_size.h>
 #include <vug/image/io.h>
 #include <vug/scan/rectify.h>
 #include <vug/scene/lexer.h>
@@ -75,8 +77,16 @@ int run(Options options) {
   options.rectify.memory = options.work.memory_limit();
   if (!options.size.empty()) {
     const Vec2d size = pair_of(options.size, 'x', "size, as 12mx9m or 4x3");
+    if (!(size.x > 0 && size.y > 0))
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", options.size), {},
+                  "width and height are above 0, as in 12mx9m or 4x3");
     options.rectify.width = size.x, options.rectify.height = size.y;
   }
+  const image::FileInfo info = image::read_info(options.photo);
+  require_memory(fit::reading_bytes(info.width, info.height, info.channels.size()),
+                 options.work.memory_limit(),
+                 fmt::format("reading {} x {} pixels", info.width, info.height),
+                 "make the picture smaller");
   const image::Image photo = image::read(options.photo, {.linear = true});
   if (!options.onto.empty()) {
     const scan::RangeImage range = scan::read_range(options.onto);

@@ -11,6 +11,8 @@
 #include <vug/scan/report.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace vug::cli {
 namespace {
 
@@ -62,6 +64,11 @@ int run(Options options) {
                     {options.clouds.begin(), options.clouds.end()});
   }
   if (options.up == "y") options.plane.up = {0, 1, 0};
+  for (const double c : options.scanner)
+    if (!std::isfinite(c))
+      throw Error(ErrorCode::bad_input, "the scanner stood nowhere", {}, "--scanner is X,Y,Z");
+  if (options.openings.least > options.openings.most)
+    throw Error(ErrorCode::bad_input, "--least is more than --most: no opening would be found");
   if (!options.scanner.empty())
     options.plane.scanner = Vec3d(options.scanner[0], options.scanner[1], options.scanner[2]);
   if (options.nearest) options.range.depth = scan::DepthOf::nearest;
