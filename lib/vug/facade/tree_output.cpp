@@ -1,6 +1,7 @@
 #include <vug/facade/tree_output.h>
 
 #include <fmt/format.h>
+#include <vug/base/xml.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -78,11 +79,11 @@ std::string theta_head(const Tree& tree, const Node& node) {
   return out;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return out;
+/// Its symbol and size; what divided it stands in a second line.
+std::string title_of(const Node& node, const Rect& r) {
+  const std::string rule = node.stuck ? "open" : xml_text(node.rule);
+  return fmt::format("{} {} x {} m{}{}", xml_text(node.text), number_text(r.width),
+                     number_text(r.height), rule.empty() ? "" : "\n", rule);
 }
 
 /// A colour of its own for each kind of element; the same for the same name.
@@ -167,16 +168,12 @@ std::string elevation_svg(const Tree& tree, const SvgOptions& options) {
   if (!options.picture.empty())
     out += fmt::format(
         "<image href=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\"/>\n",
-        escaped(options.picture), number(tree.width), number(tree.height));
+        xml_text(options.picture), number(tree.width), number(tree.height));
   const auto rect = [&](const Rect& r, const std::string& style, const Node& node) {
     out += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}><title>{}</title></rect>\n",
         number(r.x), number(tree.height - r.top()), number(r.width), number(r.height), style,
-        escaped(fmt::format("{} {} x {} m{}", node.text, number_text(r.width),
-                            number_text(r.height),
-                            node.stuck          ? "\nopen"
-                            : node.rule.empty() ? ""
-                                                : "\n" + node.rule)));
+        title_of(node, r));
   };
   for (const Standing& one : standing(tree)) {
     const Node& node = tree.nodes[static_cast<size_t>(one.node)];

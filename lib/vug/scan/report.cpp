@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <vug/base/xml.h>
 #include <vug/scan/report.h>
 
 #include <nlohmann/json.hpp>
@@ -79,13 +80,9 @@ std::string openings_svg(const RangeImage& range, const std::vector<Opening>& op
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
       "{1}\">\n",
       number(range.metres_wide()), number(high));
-  if (!picture.empty()) {
-    std::string name;
-    for (const char c : picture)
-      name += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-    out += fmt::format("<image href=\"{}\" width=\"{}\" height=\"{}\"/>\n", name,
+  if (!picture.empty())
+    out += fmt::format("<image href=\"{}\" width=\"{}\" height=\"{}\"/>\n", xml_text(picture),
                        number(range.metres_wide()), number(high));
-  }
   for (const Opening& o : openings)
     out += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" fill-opacity=\"0.25\" "
