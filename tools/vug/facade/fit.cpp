@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/facade/tree_output.h>
 #include <vug/fit/labelling.h>
@@ -34,9 +33,6 @@ struct Options {
   bool no_carving = false;
 
   const std::string& first_input() const { return photo.empty() ? clouds.front() : photo; }
-  uint64_t memory() const {
-    return work.max_memory.empty() ? available_memory() : parse_bytes(work.max_memory);
-  }
 };
 
 /// A name that scenes can use, of what people call files.
@@ -85,11 +81,11 @@ Input read_input(const Options& options) {
   Input in;
   if (!options.clouds.empty()) {
     const scan::Cloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
-                                                {.memory = options.memory()});
+                                                {.memory = options.work.memory_limit()});
     const RandomKey key = RandomKey(options.fit.seed).at("facade fit");
     const scan::PlaneFit plane = scan::fit_plane(cloud, options.plane, key.at("plane"));
     scan::RangeOptions range;
-    range.memory = options.memory();
+    range.memory = options.work.memory_limit();
     in.range = scan::range_image(cloud, plane, range);
     if (!options.work.quiet) {
       clear_bar();
@@ -143,7 +139,7 @@ int run(Options options) {
   require_outputs(outputs, inputs);
 
   options.fit.grammar = options.grammar.empty() ? default_grammar() : fs::path(options.grammar);
-  options.picture.max_memory = options.memory();
+  options.picture.max_memory = options.work.memory_limit();
   if (!options.looks.empty()) {
     options.fit.looks = std::make_shared<const fit::LookModel>(fit::LookModel::read(options.looks));
     options.picture.limits = options.fit.looks->limits();

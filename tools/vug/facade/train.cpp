@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/confusion.h>
 #include <vug/fit/labelling.h>
@@ -42,8 +41,7 @@ int run(Options options) {
     require_ending(options.output, ".json", "looks are a .json");
     require_outputs({options.output}, {options.classes});
   }
-  options.looks.max_memory = options.work.max_memory.empty() ? available_memory() / 10 * 9
-                                                             : parse_bytes(options.work.max_memory);
+  options.looks.max_memory = options.work.memory_limit();
   const fit::Classes classes = fit::read_classes(options.classes);
   const std::vector<fit::Labelled> pictures = fit::read_labelled_folder(
       options.folder, classes, options.limits, options.looks.max_memory, progress);
