@@ -99,23 +99,30 @@ double reading_bytes(int width, int height, size_t channels) {
   return 1.0 * width * height * (static_cast<double>(channels) + 3) * sizeof(float);
 }
 
-image::Image read_photo(const std::filesystem::path& path, uint64_t max_memory) {
+image::Image read_within(const std::filesystem::path& path, uint64_t max_memory) {
   const image::FileInfo info = image::read_info(path);
   require_memory(reading_bytes(info.width, info.height, info.channels.size()),
                  max_memory ? max_memory : available_memory(),
                  fmt::format("reading {} x {} pixels of {}", info.width, info.height,
                              path.filename().string()),
                  "make the picture smaller");
-  image::Image picture = image::read(path, {.linear = true});
-  if (picture.find_channel("R") >= 0 || picture.channels.size() != 1)
-    return picture.select({"R", "G", "B"});
-  const bool encoded = info.formats[0].rfind("uint", 0) == 0;
+  return image::read(path, {.linear = true});
+}
+
+image::Image colours_of(const image::Image& picture, const image::FileInfo& file) {
+  if (picture.channels.size() > 2) return picture.select({"R", "G", "B"});
+  // Channels called R have been turned to linear light while they were read.
+  const bool encoded = file.formats[0].rfind("uint", 0) == 0 && picture.channels[0] != "R";
   image::Image out(picture.width, picture.height, {"R", "G", "B"});
   for (size_t i = 0; i < out.pixels.size(); ++i) {
-    const float value = picture.pixels[i / 3];
+    const float value = picture.pixels[i / 3 * picture.channels.size()];
     out.pixels[i] = encoded ? static_cast<float>(image::srgb_decode(value)) : value;
   }
   return out;
+}
+
+image::Image read_photo(const std::filesystem::path& path, uint64_t max_memory) {
+  return colours_of(read_within(path, max_memory), image::read_info(path));
 }
 
 }  // namespace vug::fit

@@ -2,7 +2,7 @@
 // than a few pixels of each, and a scan of 100 megapixels shall cost no more than a snapshot.
 #pragma once
 
-#include <vug/image/image.h>
+#include <vug/image/io.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -36,9 +36,15 @@ std::vector<uint8_t> resampled(const std::vector<uint8_t>& marks, WorkingSize fr
 /// Bytes that reading a picture of that many pixels and channels takes, and making it smaller.
 double reading_bytes(int width, int height, size_t channels);
 
-/// A picture's R, G and B as linear light, a grey one's thrice the same. Error(too_large), before
-/// the pixels are read, where that takes more than `max_memory` bytes (0: what is available);
-/// otherwise as image::read.
+/// image::read in linear light. Error(too_large), before the pixels are read, where that and making
+/// it smaller takes more than `max_memory` bytes (0: what is available).
+image::Image read_within(const std::filesystem::path& path, uint64_t max_memory = 0);
+
+/// Linear R, G and B; of a grey picture, of at most two channels, the same three times. `file` is
+/// what it was read from. Error(bad_input) where there are no such channels.
+image::Image colours_of(const image::Image& picture, const image::FileInfo& file);
+
+/// Both: a file's colours.
 image::Image read_photo(const std::filesystem::path& path, uint64_t max_memory = 0);
 
 }  // namespace vug::fit

@@ -1,5 +1,4 @@
 #include <vug/base/error.h>
-#include <vug/base/memory.h>
 #include <vug/image/io.h>
 #include <vug/session/facade_picture.h>
 
@@ -19,15 +18,6 @@ constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why,
                          const std::string& hint = "") {
   throw Error(ErrorCode::bad_input, fmt::format("'{}' {}", file.string(), why), {}, hint);
-}
-
-image::Image read_checked(const std::filesystem::path& file, uint64_t limit) {
-  const image::FileInfo info = image::read_info(file);
-  require_memory(fit::reading_bytes(info.width, info.height, info.channels.size()),
-                 limit ? limit : available_memory(),
-                 fmt::format("reading {} x {} pixels", info.width, info.height),
-                 "make the picture smaller: a few hundred rows are enough");
-  return image::read(file, {.linear = true});
 }
 
 /// Middle of the fullest centimetre; values are metres.
@@ -61,17 +51,14 @@ std::optional<image::Image> depth_of(const std::filesystem::path& file, const im
   return depth;
 }
 
+/// R, G, B with numbers in all pixels; nothing where the picture is of something else, as of
+/// depths.
 std::optional<image::Image> colours_of(const std::filesystem::path& file,
                                        const image::Image& whole) {
-  if (whole.find_channel("R") < 0 && whole.channels.size() > 2) return std::nullopt;
-  if (whole.find_channel("depth") == 0 || whole.find_channel("Z") == 0) return std::nullopt;
-  image::Image out(whole.width, whole.height, {"R", "G", "B"});
-  const bool colour = whole.find_channel("G") >= 0 && whole.find_channel("B") >= 0;
-  for (size_t c = 0; c < 3; ++c) {
-    const auto from = static_cast<size_t>(colour ? whole.find_channel(out.channels[c]) : 0);
-    for (size_t i = 0; i < out.pixel_count(); ++i)
-      out.pixels[3 * i + c] = whole.pixels[i * whole.channels.size() + from];
-  }
+  const bool grey = whole.channels.size() <= 2 && whole.find_channel("depth") != 0 &&
+                    whole.find_channel("Z") != 0;
+  if (whole.find_channel("R") < 0 && !grey) return std::nullopt;
+  image::Image out = fit::colours_of(whole, image::read_info(file));
   const auto finite = [](float v) { return std::isfinite(v); };
   if (std::none_of(out.pixels.begin(), out.pixels.end(), finite))
     refuse(file, "has no pixel with a number in it");
@@ -129,7 +116,7 @@ void set_depth(FacadePicture& picture, const image::Image& depth) {
 
 FacadePicture read_facade_picture(const std::filesystem::path& photo,
                                   const FacadePictureOptions& options) {
-  const image::Image whole = read_checked(photo, options.max_memory);
+  const image::Image whole = fit::read_within(photo, options.max_memory);
   const fit::WorkingSize size = fit::working_size(whole.width, whole.height, options.limits);
   FacadePicture out;
   out.width = size.width, out.height = size.height;
@@ -141,7 +128,7 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
       refuse(photo, "has neither colours nor a layer of depth",
              "its layers are R, G, B, and depth or Z in metres");
   } else {
-    const image::Image other = read_checked(options.depth, options.max_memory);
+    const image::Image other = fit::read_within(options.depth, options.max_memory);
     const double shape =
         static_cast<double>(other.width) / other.height * whole.height / whole.width;
     if (std::abs(shape - 1) > 0.02 || other.width < out.width || other.height < out.height)

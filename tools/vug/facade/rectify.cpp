@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/working_size.h>
 #include <vug/image/io.h>
@@ -82,12 +81,7 @@ int run(Options options) {
                   "width and height are above 0, as in 12mx9m or 4x3");
     options.rectify.width = size.x, options.rectify.height = size.y;
   }
-  const image::FileInfo info = image::read_info(options.photo);
-  require_memory(fit::reading_bytes(info.width, info.height, info.channels.size()),
-                 options.work.memory_limit(),
-                 fmt::format("reading {} x {} pixels", info.width, info.height),
-                 "make the picture smaller");
-  const image::Image photo = image::read(options.photo, {.linear = true});
+  const image::Image photo = fit::read_within(options.photo, options.work.memory_limit());
   if (!options.onto.empty()) {
     const scan::RangeImage range = scan::read_range(options.onto);
     image::ExrOptions exr_options;
