@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vug::scan {
 namespace {
@@ -51,6 +52,25 @@ Mask eroded(const Mask& mask, int radius) { return inverted(dilated(inverted(mas
 Mask closed(const Mask& mask, int radius) { return eroded(dilated(mask, radius), radius); }
 
 Mask opened(const Mask& mask, int radius) { return dilated(eroded(mask, radius), radius); }
+
+Mask outside_of(const Mask& solid) {
+  Mask out(solid.width, solid.height);
+  std::vector<std::pair<int, int>> open;
+  const auto enter = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= solid.width || y >= solid.height) return;
+    if (solid.at(x, y) || out.at(x, y)) return;
+    out.on[out.index(x, y)] = 1;
+    open.emplace_back(x, y);
+  };
+  for (int x = 0; x < solid.width; ++x) enter(x, 0);
+  for (int y = 0; y < solid.height; ++y) enter(0, y), enter(solid.width - 1, y);
+  while (!open.empty()) {
+    const auto [x, y] = open.back();
+    open.pop_back();
+    enter(x - 1, y), enter(x + 1, y), enter(x, y - 1), enter(x, y + 1);
+  }
+  return out;
+}
 
 void each_group(const Mask& mask, const std::function<void(const Group&)>& visit) {
   mesh::DisjointSets sets(mask.on.size());

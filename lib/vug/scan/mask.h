@@ -45,6 +45,9 @@ Mask closed(const Mask& mask, int radius);
 /// Eroded, then dilated: what is on and narrower than the square goes off.
 Mask opened(const Mask& mask, int radius);
 
+/// What is off and touches the left, right or upper border through pixels that are off.
+Mask outside_of(const Mask& solid);
+
 /// Pixels that are on and touch along their sides, by rows: one mask a group, cut out of the box
 /// it lies in.
 struct Group {

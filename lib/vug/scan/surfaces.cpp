@@ -24,26 +24,6 @@ Mask sealed(const Mask& solid, int radius) {
   return out;
 }
 
-/// What is off and touches the left, right or upper border through pixels that are off.
-Mask outside_of(const Mask& solid) {
-  Mask out(solid.width, solid.height);
-  std::vector<std::pair<int, int>> open;
-  const auto enter = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= solid.width || y >= solid.height) return;
-    if (solid.at(x, y) || out.at(x, y)) return;
-    out.on[out.index(x, y)] = 1;
-    open.emplace_back(x, y);
-  };
-  for (int x = 0; x < solid.width; ++x) enter(x, 0);
-  for (int y = 0; y < solid.height; ++y) enter(0, y), enter(solid.width - 1, y);
-  while (!open.empty()) {
-    const auto [x, y] = open.back();
-    open.pop_back();
-    enter(x - 1, y), enter(x + 1, y), enter(x, y - 1), enter(x, y + 1);
-  }
-  return out;
-}
-
 }  // namespace
 
 SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {

@@ -1,5 +1,6 @@
 #include <vug/base/error.h>
 #include <vug/image/io.h>
+#include <vug/scan/mask.h>
 #include <vug/session/facade_picture.h>
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace vug::session {
 namespace {
@@ -66,26 +66,6 @@ std::optional<image::Image> colours_of(const std::filesystem::path& file,
   return out;
 }
 
-/// See FacadePicture::outside.
-std::vector<bool> outside_of(const image::Image& depth) {
-  const int width = depth.width, height = depth.height;
-  std::vector<bool> out(depth.pixel_count(), false);
-  std::vector<std::pair<int, int>> front;
-  const auto visit = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= width || y >= height || std::isfinite(depth.at(x, y))) return;
-    const size_t at = depth.index(x, y);
-    if (!out[at]) out[at] = true, front.emplace_back(x, y);
-  };
-  for (int x = 0; x < width; ++x) visit(x, 0);
-  for (int y = 0; y < height; ++y) visit(0, y), visit(width - 1, y);
-  while (!front.empty()) {
-    const auto [x, y] = front.back();
-    front.pop_back();
-    visit(x - 1, y), visit(x + 1, y), visit(x, y - 1), visit(x, y + 1);
-  }
-  return out;
-}
-
 /// Each pixel's middle value of nine, holes counting as deeper than all: edges stay, and pixels
 /// that saw both sides of one take one of them.
 image::Image crisp(const image::Image& depth) {
@@ -109,7 +89,10 @@ image::Image crisp(const image::Image& depth) {
 
 void set_depth(FacadePicture& picture, const image::Image& depth) {
   picture.depth = crisp(fit::reduced(depth, {picture.width, picture.height}));
-  picture.outside = outside_of(*picture.depth);
+  scan::Mask solid(picture.width, picture.height);
+  for (size_t i = 0; i < solid.on.size(); ++i)
+    solid.on[i] = std::isfinite(picture.depth->pixels[i]);
+  picture.outside = scan::outside_of(solid).on;
 }
 
 }  // namespace

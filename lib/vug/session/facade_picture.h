@@ -14,9 +14,9 @@ struct FacadePicture {
   double pixel = 0;                     ///< Metres on a side; 0: nothing tells.
   std::optional<image::Image> colours;  ///< R, G, B, linear.
   std::optional<image::Image> depth;    ///< One channel: metres behind the plane, NaN in holes.
-  /// Whether a pixel lies beside the facade or above it: in a hole of the depth that reaches the
+  /// 1 for a pixel that lies beside the facade or above it: in a hole of the depth that reaches the
   /// picture's left, right or upper border. Empty without depth.
-  std::vector<bool> outside;
+  std::vector<uint8_t> outside;
 };
 
 struct FacadePictureOptions {
