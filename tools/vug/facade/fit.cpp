@@ -1,5 +1,6 @@
 #include "arguments.h"
 #include "bar.h"
+#include "files.h"
 #include "load.h"
 
 #include <fmt/format.h>
@@ -9,13 +10,12 @@
 #include <vug/fit/labelling.h>
 #include <vug/image/io.h>
 #include <vug/scan/read.h>
+#include <vug/scan/report.h>
 #include <vug/session/data_folders.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/write.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 
 namespace vug::cli {
@@ -50,14 +50,6 @@ fs::path default_grammar() {
     if (fs::exists(folder / "facades/ripperda.vug")) return folder / "facades/ripperda.vug";
   throw Error(ErrorCode::bad_input, "data/facades/ripperda.vug is nowhere to be found", {},
               "name a grammar with --grammar, or set VUG_DATA");
-}
-
-/// As the drawing in `folder` names the file.
-std::string seen_from(const fs::path& folder, const fs::path& file) {
-  return fs::absolute(file)
-      .lexically_normal()
-      .lexically_relative(fs::absolute(folder).lexically_normal())
-      .generic_string();
 }
 
 void carve(const std::string& scene, const fs::path& file, const fs::path& vdb,
@@ -99,17 +91,6 @@ Input read_input(const Options& options) {
   return in;
 }
 
-/// The depth as a grey picture, deeper darker, holes black: what drawings lie over where there is
-/// no photo.
-image::Image grey_of(const scan::RangeImage& range) {
-  image::Image out(range.width, range.height, {"R", "G", "B"});
-  for (size_t i = 0; i < out.pixels.size(); ++i) {
-    const float depth = range.depth[i / 3];
-    out.pixels[i] = std::isfinite(depth) ? std::clamp(0.5F + depth, 0.05F, 1.0F) : 0.0F;
-  }
-  return out;
-}
-
 int run(Options options) {
   if (options.photo.empty() && options.clouds.empty())
     throw Error(ErrorCode::bad_input, "there is nothing to read", {},
@@ -125,12 +106,12 @@ int run(Options options) {
   const auto file = [&](const char* ending) { return folder / (options.name + ending); };
   const fs::path grammar_file = file(".vug"), scene_file = file("_scene.vug"),
                  tree_file = file(".json"), drawing = file(".svg"), carved = file(".vdb"),
-                 grey = file(".depth.png"), range = file(".depth.exr"),
+                 seen = file(".depth.png"), range = file(".depth.exr"),
                  labels = file(".labels.png"), report = file(".report.json"),
                  charts = file(".report.svg");
   std::vector<fs::path> outputs = {grammar_file, scene_file, tree_file, drawing, report, charts};
   if (!options.no_carving) outputs.push_back(carved);
-  if (!options.clouds.empty()) outputs.insert(outputs.end(), {range, grey});
+  if (!options.clouds.empty()) outputs.insert(outputs.end(), {range, seen});
   if (!options.looks.empty()) outputs.push_back(labels);
   std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
   for (const fs::path& one : {fs::path(options.photo), options.picture.depth,
@@ -150,7 +131,7 @@ int run(Options options) {
       session::facade_scene(fit, options.name, grammar_file.filename().string());
   if (in.range) {
     scan::write_range(range, *in.range);
-    image::write_png(grey, grey_of(*in.range));
+    write_plain_png(seen, scan::picture_of(*in.range, scan::surface_map(*in.range)));
   }
   if (!fit.labels.empty()) {
     const image::FileInfo photo = image::read_info(options.photo);
@@ -167,7 +148,7 @@ int run(Options options) {
   write_text(drawing,
              facade::elevation_svg(
                  fit.tree, {.picture = seen_from(
-                                folder, options.photo.empty() ? grey : fs::path(options.photo))}));
+                                folder, options.photo.empty() ? seen : fs::path(options.photo))}));
   write_text(report, fit::report_json(fit.reading.report));
   write_text(charts, fit::report_svg(fit.reading.report));
   const bool stopped = fit.reading.report.stopped;

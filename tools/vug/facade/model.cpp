@@ -2,6 +2,7 @@
 // same with the module modeller.
 #include "arguments.h"
 #include "bar.h"
+#include "files.h"
 #include "load.h"
 #include "model_list.h"
 
@@ -41,14 +42,6 @@ struct Options {
 };
 
 fs::path folder_of(const std::string& file) { return fs::absolute(file).parent_path(); }
-
-/// How a file is named from another folder.
-std::string seen_from(const fs::path& folder, const fs::path& file) {
-  return fs::absolute(file)
-      .lexically_normal()
-      .lexically_relative(folder.lexically_normal())
-      .generic_string();
-}
 
 /// A session of nothing yet. A photo tells the height, or the width, that is not given.
 modeller::Session begun(const Options& options) {

@@ -1,6 +1,7 @@
 // vug facade rectify: a photo taken at a slant becomes a view without perspective.
 #include "arguments.h"
 #include "bar.h"
+#include "files.h"
 #include "load.h"
 
 #include <fmt/format.h>
@@ -43,10 +44,7 @@ scan::FourPoints points_of(const std::vector<std::string>& texts, const char* wh
 
 void write(const std::string& file, const image::Image& picture) {
   if (extension_of(file) == ".exr") return image::write_exr(file, picture);
-  image::ViewOptions plain;
-  plain.transform = image::ViewTransform::srgb;
-  plain.dither = false;
-  image::write_png(file, picture, plain);
+  write_plain_png(file, picture);
 }
 
 image::Image laid_over(const scan::RangeImage& range, const Options& options,

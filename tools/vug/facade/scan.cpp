@@ -1,12 +1,12 @@
 // vug facade scan: from a laser scan to a plane, a range image, and windows and doors.
 #include "arguments.h"
 #include "bar.h"
+#include "files.h"
 #include "load.h"
 #include "print.h"
 
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/image/io.h>
 #include <vug/scan/read.h>
 #include <vug/scan/report.h>
 #include <nlohmann/json.hpp>
@@ -45,10 +45,7 @@ struct Outputs {
 void write(const Outputs& outputs, const scan::RangeImage& range, const scan::SurfaceMap& map,
            const std::vector<scan::Opening>& openings, const std::string& report) {
   scan::write_range(outputs.range, range);
-  image::ViewOptions plain;
-  plain.transform = image::ViewTransform::srgb;
-  plain.dither = false;
-  image::write_png(outputs.picture, scan::picture_of(range, map), plain);
+  write_plain_png(outputs.picture, scan::picture_of(range, map));
   write_text(outputs.drawing,
              scan::openings_svg(range, openings, outputs.picture.filename().string()));
   write_text(outputs.report, report);
