@@ -1,8 +1,7 @@
 #include "diff_limits.h"
 
 #include <fmt/format.h>
-#include <vug/base/atomic_file.h>
-#include <vug/base/error.h>
+#include <vug/base/json_file.h>
 #include <vug/scene/lexer.h>
 #include <nlohmann/json.hpp>
 
@@ -31,19 +30,6 @@ image::Limit parse_limit(const std::string& text, image::Measure::Better better)
   return limit;
 }
 
-nlohmann::ordered_json read_json(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
-  try {
-    return nlohmann::ordered_json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto until =
-        text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(text.begin(), until, '\n');
-    throw Error(ErrorCode::bad_input, "this is no JSON", {file.string(), static_cast<int>(line), 0},
-                "see docs/image_tests.md");
-  }
-}
-
 std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object,
                                     const std::string& where) {
   if (!object.is_object())
@@ -61,7 +47,8 @@ std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object,
 }
 
 std::vector<image::Limit> read_limits(const std::filesystem::path& file) {
-  return limits_of(read_json(file), file.string());
+  return limits_of(read_json<nlohmann::ordered_json>(file, "see docs/image_tests.md"),
+                   file.string());
 }
 
 }  // namespace vug::cli

@@ -19,7 +19,4 @@ image::Limit parse_limit(const std::string& text, image::Measure::Better better)
 std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object, const std::string& where);
 std::vector<image::Limit> read_limits(const std::filesystem::path& file);
 
-/// A JSON file; Error(bad_input) says where it is broken.
-nlohmann::ordered_json read_json(const std::filesystem::path& file);
-
 }  // namespace vug::cli

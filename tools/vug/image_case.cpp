@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/diagnostics.h>
+#include <vug/base/json_file.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -120,7 +121,7 @@ ImageCase read_case(const std::filesystem::path& folder, const std::string& name
   out.reference = out.folder / "reference.exr";
   out.diff.layers = {image::kBeauty};
   const std::filesystem::path file = folder / "case.json";
-  const Json json = read_json(file);
+  const Json json = read_json<Json>(file, "see docs/image_tests.md");
   if (!json.is_object())
     throw Error(ErrorCode::bad_input, "a case is a JSON object", {file.string(), 0, 0},
                 "write {\"scene\": \"cave.vug\"}");

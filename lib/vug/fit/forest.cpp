@@ -1,7 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/forest.h>
-#include <vug/fit/json_file.h>
+#include <vug/fit/whole_number.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include <vug/base/error.h>
+#include <vug/base/json_file.h>
 #include <vug/base/memory.h>
-#include <vug/fit/json_file.h>
 #include <vug/fit/labelled.h>
 #include <vug/image/io.h>
 
@@ -135,7 +135,7 @@ nlohmann::json to_json(const Classes& classes) {
 
 Classes read_classes(const fs::path& file) {
   try {
-    return classes_from_json(read_json(file));
+    return classes_from_json(read_json<nlohmann::json>(file));
   } catch (Error& error) {
     throw error.within(fmt::format("reading '{}'", file.string()));
   }

@@ -1,7 +1,8 @@
 #include <vug/base/error.h>
-#include <vug/fit/json_file.h>
+#include <vug/base/json_file.h>
 #include <vug/fit/likelihood.h>
 #include <vug/fit/looks.h>
+#include <vug/fit/whole_number.h>
 #include <vug/inference/bits.h>
 
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ LookModel LookModel::from_json(const nlohmann::json& text) {
 
 LookModel LookModel::read(const std::filesystem::path& file) {
   try {
-    return from_json(read_json(file));
+    return from_json(read_json<nlohmann::json>(file));
   } catch (Error& error) {
     throw error.within(fmt::format("reading '{}'", file.string()));
   }

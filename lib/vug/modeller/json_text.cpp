@@ -1,4 +1,5 @@
 #include <vug/base/diagnostics.h>
+#include <vug/base/json_file.h>
 #include <vug/modeller/json_text.h>
 
 #include <fmt/format.h>
@@ -10,14 +11,6 @@
 namespace vug::modeller {
 
 namespace {
-
-SourceLocation location(const std::string& text, const std::string& file, size_t at) {
-  const auto until = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
-  const auto line = 1 + std::count(text.begin(), until, '\n');
-  const size_t newline = text.rfind('\n', at == 0 ? 0 : at - 1);
-  const bool first = newline == std::string::npos || newline >= at;
-  return {file, static_cast<int>(line), static_cast<int>(first ? at + 1 : at - newline)};
-}
 
 /// Walks through a text that is known to be JSON.
 class Scanner {
@@ -94,7 +87,7 @@ SourceLocation locate(const std::string& text, const std::string& file,
     if (!scanner.enter(key)) break;
     at = scanner.at();
   }
-  return location(text, file, at);
+  return place_in(text, file, at);
 }
 
 Json JsonValue::parse(const std::string& text, const std::string& file) {
@@ -112,11 +105,11 @@ Json JsonValue::parse(const std::string& text, const std::string& file) {
     if (!twice.empty())
       throw Error(ErrorCode::bad_input,
                   fmt::format("the key '{}' stands twice in one object", twice),
-                  location(text, file, text.rfind('"' + twice + '"')));
+                  place_in(text, file, text.rfind('"' + twice + '"')));
     return out;
   } catch (const Json::parse_error& error) {
     throw Error(ErrorCode::bad_input, "this is no JSON",
-                location(text, file, error.byte == 0 ? 0 : error.byte - 1));
+                place_in(text, file, error.byte == 0 ? 0 : error.byte - 1));
   } catch (const Json::exception&) {
     throw Error(ErrorCode::bad_input, "this is no JSON that can be used: a number is too large",
                 {file, 0, 0});
