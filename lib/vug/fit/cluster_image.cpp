@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/base/median.h>
 #include <vug/fit/cluster_image.h>
 #include <vug/fit/clusters.h>
 
@@ -38,9 +39,7 @@ float middle(Plane values) {
       std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }),
       values.end());
   if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return median(std::move(values));
 }
 
 ClusterImage made(int width, int height, std::vector<uint8_t> of) {

@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/base/median.h>
 #include <vug/scan/openings.h>
 #include <vug/scan/openings_of.h>
 #include <vug/scan/split.h>
@@ -38,11 +39,7 @@ Opening opening_of(const PixelBox& box, const RangeImage& range, const SurfaceMa
     }
   out.empty = empty / static_cast<double>(box.area());
   out.set_back = std::nan("");
-  if (!behind.empty()) {
-    const auto middle = behind.begin() + static_cast<std::ptrdiff_t>(behind.size() / 2);
-    std::nth_element(behind.begin(), middle, behind.end());
-    out.set_back = *middle;
-  }
+  if (!behind.empty()) out.set_back = median(std::move(behind));
   if ((ground(map, range, box) - box.y1) * p <= foot) out.kind = OpeningKind::door;
   return out;
 }

@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/base/median.h>
 #include <vug/base/parallel.h>
 #include <vug/mesh/disjoint_sets.h>
 #include <vug/scan/cells.h>
@@ -116,9 +117,9 @@ double spacing(const Cloud& cloud, const PlaneFrame& frame, const RangeOptions& 
   constexpr uint32_t kEnough = 8;  // points in a cell, for their number to tell a density
   for (double side = 0.05;; side *= 2) {
     std::vector<uint32_t> counts = cells_of(points, side).counts;
-    const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
-    std::nth_element(counts.begin(), middle, counts.end());
-    if (*middle >= kEnough || counts.size() <= 4) return side / std::sqrt(*middle);
+    const size_t cells = counts.size();
+    const uint32_t middle = median(std::move(counts));
+    if (middle >= kEnough || cells <= 4) return side / std::sqrt(middle);
   }
 }
 

@@ -1,3 +1,4 @@
+#include <vug/base/median.h>
 #include <vug/scan/openings.h>
 #include <vug/scan/openings_of.h>
 
@@ -89,9 +90,7 @@ std::vector<Opening> openings_by_triangles(const Cloud& cloud, const RangeImage&
   for (const auto& face : triangulation.finite_face_handles())
     perimeters.push_back(perimeter(*face));
   if (perimeters.empty()) return {};
-  const auto middle = perimeters.begin() + static_cast<std::ptrdiff_t>(perimeters.size() / 2);
-  std::nth_element(perimeters.begin(), middle, perimeters.end());
-  const double most = options.longest * *middle;
+  const double most = options.longest * median(std::move(perimeters));
   Mask open(range.width, range.height);
   for (const auto& face : triangulation.finite_face_handles())
     if (perimeter(*face) > most && inside(*face, range, map)) draw(*face, range, open);

@@ -1,4 +1,5 @@
 #include <vug/base/error.h>
+#include <vug/base/median.h>
 #include <vug/base/parallel.h>
 #include <vug/scan/wall.h>
 
@@ -32,10 +33,8 @@ std::vector<Sample> samples_of(const RangeImage& range, double cell) {
         if (const float d = range.depth[range.index(x, y)]; !std::isnan(d)) depths.push_back(d);
     all[i].depth = std::nan("");
     if (depths.empty()) return;
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::nth_element(depths.begin(), middle, depths.end());
     all[i] = {{(x0 + 0.5 * side) * range.pixel, (range.height - y0 - 0.5 * side) * range.pixel},
-              *middle};
+              median(std::move(depths))};
   });
   std::erase_if(all, [](const Sample& s) { return std::isnan(s.depth); });
   return all;

@@ -1,3 +1,4 @@
+#include <vug/base/median.h>
 #include <vug/facade/grammar_output.h>
 #include <vug/fit/as_facade.h>
 #include <vug/fit/cluster_image.h>
@@ -45,9 +46,7 @@ double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
       }
   }
   if (depths.empty()) return 0;
-  const auto middle = depths.begin() + static_cast<long>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return std::max(0.0, static_cast<double>(*middle));
+  return std::max(0.0, static_cast<double>(median(std::move(depths))));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Random facades of the published grammar, painted, spoilt by noise, and read back.
 #include "random_facade.h"
 
+#include <vug/base/median.h>
 #include <vug/fit/polish.h>
 
 #include <gtest/gtest.h>
@@ -40,12 +41,6 @@ std::vector<Rect> windows_of(const Model& model, const Tree& tree) {
   EXPECT_TRUE(std::isfinite(model.energy(state)));
   model.each_terminal(state, [&](Look, int, const Rect& r) { out.push_back(r); });
   return out;
-}
-
-double median(std::vector<double> all) {
-  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
-                   all.end());
-  return all[all.size() / 2];
 }
 
 TEST(ClosedLoop, CountsStructuresAndEdgesComeBack) {
