@@ -21,7 +21,8 @@ constexpr double kPane = 0.012;
 }  // namespace
 
 fs::path find_grammar(const fs::path& folder, const std::string& file) {
-  std::vector<fs::path> folders = {folder};
+  std::vector<fs::path> folders;
+  if (!folder.empty()) folders.push_back(folder);
   for (const fs::path& data : data_folders()) {
     folders.push_back(data);
     folders.push_back(data / "facades");

@@ -12,7 +12,8 @@ namespace vug::session {
 /// comes with us, in facades/ too. Lets of the grammar's text may hold whatever scenes know.
 modeller::StyleLoader facade_styles(const std::filesystem::path& folder);
 
-/// As facade_styles finds it. Error(bad_input) where there is none.
+/// As facade_styles finds it; without a folder only among the data. Error(bad_input) where there is
+/// none.
 std::filesystem::path find_grammar(const std::filesystem::path& folder, const std::string& file);
 
 struct FacadeCarving {

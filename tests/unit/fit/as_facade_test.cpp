@@ -1,4 +1,4 @@
-#include "toys.h"
+#include "walk.h"
 
 #include <gtest/gtest.h>
 #include <vug/facade/tree_output.h>
@@ -42,21 +42,14 @@ TEST(AsFacade, EverythingStandsWhereTheSamplerSeesIt) {
   const Model model(rules, {}, 211, 307);
   const Hints hints = Hints::none(211, 307);
   const Workshop shop{model, hints};
-  // A walk that would rather grow.
   const inference::Moves<State> all = moves(shop);
   RandomStream stream{RandomKey(5)};
-  Choices forward, back;
   State here = model.start();
   model.energy(here);
   int compared = 0;
   for (int step = 0; step < 20'000; ++step) {
-    State state = here;
-    forward.draw(stream);
-    back.tell();
-    const inference::Move<State>& move = all[stream.below(static_cast<uint32_t>(all.size()))];
-    if (!move.propose(state, forward, back) || !std::isfinite(model.energy(state))) continue;
-    if (state.tree.size() < here.tree.size() && stream.uniform() > 0.3) continue;
-    here = here.tree.size() > 30 ? model.start() : state;
+    if (!step_up(model, all, stream, here)) continue;
+    if (here.tree.size() > 30) here = model.start();
     model.energy(here);
     if (step % 50 == 0) expect_same_places(text, model, here), ++compared;
   }

@@ -1,5 +1,6 @@
 // Every move leads back by the choices it tells, with the probabilities it tells, bit for bit.
 #include "toys.h"
+#include "walk.h"
 
 #include <vug/fit/sampler.h>
 
@@ -200,21 +201,12 @@ TEST(Model, BitsAreThoseOfEveryPixelCounted) {
   const Workshop shop{model, hints};
   const inference::Moves<State> all = moves(shop);
   RandomStream stream{RandomKey(6)};
-  Choices forward, back;
   State here = model.start();
   model.energy(here);
   int large = 0;
   for (int trees = 0; trees < 1000; ++trees) {
     if (here.tree.size() > 25) here = model.start();
-    for (int i = 0; i < 30; ++i) {  // a walk that would rather grow
-      State next = here;
-      forward.draw(stream);
-      back.tell();
-      if (all[stream.below(static_cast<uint32_t>(all.size()))].propose(next, forward, back) &&
-          std::isfinite(model.energy(next)) &&
-          (next.tree.size() >= here.tree.size() || stream.uniform() < 0.3))
-        here = std::move(next);
-    }
+    for (int i = 0; i < 30; ++i) step_up(model, all, stream, here);
     State fresh = model.state_of(here.tree);
     ASSERT_NEAR(model.energy(fresh), model.energy(here), 1e-9) << structure_of(rules, here.tree);
     large += here.tree.size() > 5 ? 1 : 0;

@@ -1,3 +1,4 @@
+#include "../bytes.h"
 #include "faults.h"
 
 #include <gtest/gtest.h>
@@ -9,14 +10,6 @@ namespace vug::mesh {
 namespace {
 
 Mesh read(const std::string& text) { return format_of("x.ply").read(text, "x.ply"); }
-
-template <class T>
-void put(std::string& bytes, T value, bool big) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  if (big) std::reverse(raw, raw + sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
 
 TEST(Ply, ReadsAnyOrderOfPropertiesInText) {
   const Mesh mesh = read(

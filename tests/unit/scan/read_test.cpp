@@ -1,3 +1,5 @@
+#include "../bytes.h"
+
 #include <vug/base/error.h>
 #include <vug/scan/read.h>
 
@@ -79,14 +81,6 @@ TEST(Xyz, FaultsNameTheirPlace) {
     EXPECT_THAT(error.what(), HasSubstr(c.message)) << c.text;
     EXPECT_FALSE(error.hint().empty()) << c.text;
   }
-}
-
-template <class T>
-void put(std::string& bytes, T value, bool big) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  if (big) std::reverse(raw, raw + sizeof(T));
-  bytes.append(raw, sizeof(T));
 }
 
 TEST(PlyCloud, ReadsAllEncodingsInAnyOrder) {

@@ -11,8 +11,8 @@
 #include <vug/image/io.h>
 #include <vug/scan/read.h>
 #include <vug/scan/report.h>
-#include <vug/session/data_folders.h>
 #include <vug/session/facade_fit.h>
+#include <vug/session/facade_model.h>
 #include <vug/session/write.h>
 
 #include <cctype>
@@ -43,13 +43,6 @@ std::string name_of(const std::string& text) {
   if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || own)
     out = "facade_" + out;
   return out;
-}
-
-fs::path default_grammar() {
-  for (const fs::path& folder : session::data_folders())
-    if (fs::exists(folder / "facades/ripperda.vug")) return folder / "facades/ripperda.vug";
-  throw Error(ErrorCode::bad_input, "data/facades/ripperda.vug is nowhere to be found", {},
-              "name a grammar with --grammar, or set VUG_DATA");
 }
 
 void carve(const std::string& scene, const fs::path& file, const fs::path& vdb,
@@ -119,7 +112,8 @@ int run(Options options) {
     if (!one.empty()) inputs.push_back(one);
   require_outputs(outputs, inputs);
 
-  options.fit.grammar = options.grammar.empty() ? default_grammar() : fs::path(options.grammar);
+  options.fit.grammar = options.grammar.empty() ? session::find_grammar({}, "ripperda.vug")
+                                                : fs::path(options.grammar);
   options.picture.max_memory = options.work.memory_limit();
   if (!options.looks.empty()) {
     options.fit.looks = std::make_shared<const fit::LookModel>(fit::LookModel::read(options.looks));
