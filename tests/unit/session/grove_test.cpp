@@ -191,7 +191,7 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
       faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("thing number"),
       std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
-                .find("'diameters' of a grove has one for each thing of 'of'"),
+                .find("hint: they are counted from 0, in the order of 'of'"),
             std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, from: 3m").find("stand 'on'"), std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, on: thick")
