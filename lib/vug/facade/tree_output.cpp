@@ -1,7 +1,7 @@
+#include <vug/base/xml.h>
 #include <vug/facade/tree_output.h>
 
 #include <fmt/format.h>
-#include <vug/base/xml.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -50,7 +50,7 @@ TEST(Tree, DrawingsNameWhatTheyShow) {
   const std::string svg = elevation_svg(s.tree, {.picture = "a&b.png"});
   EXPECT_NE(svg.find("href=\"a&amp;b.png\""), std::string::npos);
   EXPECT_NE(svg.find("<title>door 6 x 9 m</title>"), std::string::npos);
-  EXPECT_NE(svg.find("A -> columns(window, door)</title>"), std::string::npos);
+  EXPECT_NE(svg.find("A -&gt; columns(window, door)</title>"), std::string::npos);
   EXPECT_EQ(elements_csv(s.tree),
             "kind,x,y,width,height,mirrored\nwindow,0,0,6,9,0\ndoor,6,0,6,9,0\n");
 }
