@@ -60,7 +60,7 @@ class Modelling(VugTest):
         self.model("u.json", "--redo", 1, "-o", "v.json")
         self.assertEqual((self.folder / "v.json").read_bytes(), (self.folder / "t.json").read_bytes())
         self.assertEqual(self.model("t.json", "--to", "grid", "--json").out, trees[0])
-        self.assertIn("there are 3 edits to undo, not 9", self.model("s.json", "--undo", 9, "--tree", code=2).err)
+        self.assertIn("the session has 3 edits to undo, not 9", self.model("s.json", "--undo", 9, "--tree", code=2).err)
         self.assertIn("did you mean 'grid'", self.model("s.json", "--to", "grit", "--tree", code=2).err)
 
     def test_forms(self):

@@ -1,4 +1,4 @@
-"""Small pictures for tests, written without any library: Radiance HDR (linear) and PNG (screen)."""
+"""Small pictures for tests, written without any library: Radiance HDR and EXR (linear), PNG (screen)."""
 import math
 import random
 import struct
@@ -14,6 +14,28 @@ def write_png(path, rows):
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
                      + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+
+
+def write_exr(path, channels):
+    """Lines of floats by channel, not compressed: {"R": rows, "Z": rows}."""
+    names = sorted(channels)
+    height, width = len(channels[names[0]]), len(channels[names[0]][0])
+
+    def attribute(name, kind, data):
+        return name + b"\0" + kind + b"\0" + struct.pack("<i", len(data)) + data
+    box = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    listed = b"".join(name.encode() + b"\0" + struct.pack("<4i", 2, 0, 1, 1) for name in names) + b"\0"
+    head = struct.pack("<2i", 20000630, 2) + b"".join(attribute(*each) for each in [
+        (b"channels", b"chlist", listed), (b"compression", b"compression", b"\0"),
+        (b"dataWindow", b"box2i", box), (b"displayWindow", b"box2i", box),
+        (b"lineOrder", b"lineOrder", b"\0"), (b"pixelAspectRatio", b"float", struct.pack("<f", 1)),
+        (b"screenWindowCenter", b"v2f", struct.pack("<2f", 0, 0)),
+        (b"screenWindowWidth", b"float", struct.pack("<f", 1))]) + b"\0"
+    size = 4 * width * len(names)
+    first = len(head) + 8 * height
+    lines = b"".join(struct.pack("<2i", y, size) + b"".join(struct.pack(f"<{width}f", *channels[name][y]) for name in names)
+                     for y in range(height))
+    path.write_bytes(head + b"".join(struct.pack("<Q", first + y * (size + 8)) for y in range(height)) + lines)
 
 
 def rgbe(pixel):

@@ -1,12 +1,11 @@
 """A build that is killed leaves the whole old file or none; one that is asked to stop says so."""
-import os
 import pathlib
 import signal
 import subprocess
 import time
 import unittest
 
-from vug import PROGRAM, SLOW, VugTest, digest
+from vug import PROGRAM, SLOW, Running, VugTest, digest
 
 SCENE = """
 let rough = displace(sphere(2m), noise: fbm(scale: 0.5, octaves: 6), amount: 30cm)
@@ -15,34 +14,6 @@ mesh wall on rock {}
 camera main { eye (0, 0, 6) }
 render main { size 320x180  spp 512 }
 """
-
-
-class Running:
-    """The command, whose progress bar tells what it is doing."""
-
-    def __init__(self, folder, *args):
-        self.process = subprocess.Popen([PROGRAM, *args, "--progress"], cwd=folder,
-                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE)
-        self.said = ""
-
-    def read(self):
-        """More of what it says; False at its end."""
-        text = os.read(self.process.stderr.fileno(), 4096).decode(errors="replace")
-        self.said += text
-        return bool(text)
-
-    def wait_for(self, stage):
-        while stage not in self.said and self.read():
-            pass
-
-    def stop(self, how):
-        """Exit code and standard output after the signal."""
-        self.process.send_signal(how)
-        while self.read():
-            pass
-        out, _ = self.process.communicate(timeout=120)
-        return self.process.returncode, out.decode()
 
 
 class Stopped(VugTest):

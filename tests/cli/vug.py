@@ -6,8 +6,10 @@ import hashlib
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ["VUG"]
@@ -26,6 +28,43 @@ class Result:
 
 def digest(path):
     return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
+
+
+class Running:
+    """The command, whose progress bar tells what it is doing."""
+
+    def __init__(self, folder, *args):
+        self.process = subprocess.Popen([PROGRAM, *map(str, args), "--progress"], cwd=folder,
+                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE)
+        self.said = ""
+
+    def read(self):
+        """More of what it says; False at its end."""
+        text = os.read(self.process.stderr.fileno(), 4096).decode(errors="replace")
+        self.said += text
+        return bool(text)
+
+    def wait_for(self, stage):
+        while stage not in self.said and self.read():
+            pass
+
+    def wait_until_it_heeds_signals(self):
+        """From its very first moments on."""
+        while True:
+            status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+            caught = int(status.split("SigCgt:")[1].split()[0], 16)
+            if caught >> (signal.SIGINT - 1) & 1:
+                return
+            time.sleep(0.001)
+
+    def stop(self, how):
+        """Exit code and standard output after the signal."""
+        self.process.send_signal(how)
+        while self.read():
+            pass
+        out, _ = self.process.communicate(timeout=120)
+        return self.process.returncode, out.decode()
 
 
 class VugTest(unittest.TestCase):

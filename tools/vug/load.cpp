@@ -3,6 +3,7 @@
 #include "arguments.h"
 
 #include <fmt/format.h>
+#include <vug/base/counted.h>
 #include <vug/base/memory.h>
 #include <vug/session/data_folders.h>
 
@@ -105,8 +106,8 @@ void WorkOptions::summarise(const session::Builder& builder) const {
   if (quiet) return;
   for (const session::MeshPtr& plan : session::declared_meshes(builder.shot()))
     if (const size_t pieces = builder.pieces_left_out(plan); pieces > 0)
-      fmt::print(stderr, "mesh '{}': {} piece{} smaller than {} m left out\n", plan->name, pieces,
-                 pieces == 1 ? "" : "s", plan->smallest_piece);
+      fmt::print(stderr, "mesh '{}': {} smaller than {} m left out\n", plan->name,
+                 counted(pieces, "piece"), plan->smallest_piece);
 }
 
 }  // namespace vug::cli

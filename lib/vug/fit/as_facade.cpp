@@ -8,13 +8,13 @@ namespace {
 
 class Bridge {
  public:
-  Bridge(const facade::Rules& text, const Model& model, const State& state, double pixel)
+  Bridge(const facade::Rules& text, const Model& model, const State& state, const Vec2d& pixel)
       : text_(text), model_(model), state_(state), pixel_(pixel) {}
 
   facade::Tree run() {
     out_.name = text_.name;
-    out_.width = model_.width() * pixel_;
-    out_.height = model_.height() * pixel_;
+    out_.width = model_.width() * pixel_.x;
+    out_.height = model_.height() * pixel_.y;
     convert(0, -1);
     return std::move(out_);
   }
@@ -30,8 +30,8 @@ class Bridge {
   }
   facade::Rect metres(const Area& area, int x, int y, int width, int height) const {
     const Rect r = Model::in_picture(area, state_.frame(area, 0), x, y, width, height);
-    return {r.x0 * pixel_, (model_.height() - r.y1) * pixel_, (r.x1 - r.x0) * pixel_,
-            (r.y1 - r.y0) * pixel_};
+    return {r.x0 * pixel_.x, (model_.height() - r.y1) * pixel_.y, (r.x1 - r.x0) * pixel_.x,
+            (r.y1 - r.y0) * pixel_.y};
   }
 
   int add(int i, int parent, const facade::Rect& rect) {
@@ -128,9 +128,10 @@ class Bridge {
     const Area& area = state_.area(i);
     // Lines are told from the top; splits count from the foot, where a row's highest window ends.
     std::vector<double> x, y;
-    for (int c = 0; c < grid.columns; ++c) x.push_back(grid.left[static_cast<size_t>(c)] * pixel_);
+    for (int c = 0; c < grid.columns; ++c)
+      x.push_back(grid.left[static_cast<size_t>(c)] * pixel_.x);
     for (int r = grid.rows; r-- > 0;)
-      y.push_back((area.height - grid.top[static_cast<size_t>(r)] - row_height(i, r)) * pixel_);
+      y.push_back((area.height - grid.top[static_cast<size_t>(r)] - row_height(i, r)) * pixel_.y);
     facade::Numbers out = {{"columns", static_cast<double>(grid.columns)},
                            {"rows", static_cast<double>(grid.rows)},
                            {"x", x[0]},
@@ -156,7 +157,7 @@ class Bridge {
   const facade::Rules& text_;
   const Model& model_;
   const State& state_;
-  double pixel_;
+  Vec2d pixel_;
   facade::Tree out_;
   std::map<std::string, facade::ElementPtr> elements_;
 };
@@ -164,7 +165,7 @@ class Bridge {
 }  // namespace
 
 facade::Tree as_facade(const facade::Rules& text, const Model& model, const State& state,
-                       double pixel) {
+                       const Vec2d& pixel) {
   return Bridge(text, model, state, pixel).run();
 }
 

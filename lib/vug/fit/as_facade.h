@@ -1,17 +1,19 @@
 // From pixels back to metres: a fitted tree as everything else knows facades.
 #pragma once
 
+#include <vug/base/vec.h>
 #include <vug/facade/rules.h>
 #include <vug/facade/tree.h>
 #include <vug/fit/model.h>
 
 namespace vug::fit {
 
-/// The tree with `pixel` metres a pixel; the picture's lower left corner is the origin. `text` is
+/// The tree with pixels of so many metres across and up; the picture's lower left corner is the
+/// origin. `text` is
 /// what the model's rules were compiled from. Elements have the measures that they have by default.
 /// Windows that a door stands before are left out, and so are kinds of windows that stand nowhere.
 /// The state's areas must hold (see Model::place).
 facade::Tree as_facade(const facade::Rules& text, const Model& model, const State& state,
-                       double pixel);
+                       const Vec2d& pixel);
 
 }  // namespace vug::fit

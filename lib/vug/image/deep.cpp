@@ -80,7 +80,7 @@ void write_deep_exr(const std::filesystem::path& path, const std::vector<DeepVie
     output.begin(i);
     output.check(output->write_deep_image(deep_data(views[i], specs[i])));
   }
-  output.check(output->close());
+  output.close();
   file.commit();
 }
 

@@ -4,8 +4,10 @@
 
 #include <vug/image/io.h>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -24,11 +26,16 @@ class ExrOutput {
   void begin(size_t part);
   /// Error(io) unless what was asked of the file went well.
   void check(bool done) const;
+  /// Error(io) unless all of it is in the file.
+  void close();
   OIIO::ImageOutput* operator->() { return output_.get(); }
 
  private:
   std::filesystem::path path_, temporary_;
   const std::vector<OIIO::ImageSpec>& parts_;
+  // OpenImageIO's own way to the file does not see when its last bytes find no room.
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  OIIO::Filesystem::IOFile way_;
   std::unique_ptr<OIIO::ImageOutput> output_;
 };
 

@@ -84,9 +84,14 @@ OIIO::ImageSpec exr_spec(int width, int height, const ExrOptions& options) {
 
 ExrOutput::ExrOutput(const std::filesystem::path& path, const std::filesystem::path& temporary,
                      const std::vector<OIIO::ImageSpec>& parts)
-    : path_(path), temporary_(temporary), parts_(parts) {
+    : path_(path),
+      temporary_(temporary),
+      parts_(parts),
+      file_(std::fopen(temporary.c_str(), "wb"), std::fclose),
+      way_(file_.get(), OIIO::Filesystem::IOProxy::Write) {
+  check(file_ != nullptr);
   output_ = OIIO::ImageOutput::create(temporary.string());  // by its extension
-  check(output_ != nullptr);
+  check(output_ != nullptr && output_->set_ioproxy(&way_));
   check(parts.size() == 1
             ? output_->open(temporary.string(), parts[0])
             : output_->open(temporary.string(), static_cast<int>(parts.size()), parts.data()));
@@ -95,6 +100,13 @@ ExrOutput::ExrOutput(const std::filesystem::path& path, const std::filesystem::p
 void ExrOutput::begin(size_t part) {
   if (part > 0)
     check(output_->open(temporary_.string(), parts_[part], OIIO::ImageOutput::AppendSubimage));
+}
+
+void ExrOutput::close() {
+  check(output_->close());
+  // A flush that has failed before is told by the flag alone.
+  const bool whole = std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0;
+  check(std::fclose(file_.release()) == 0 && whole);
 }
 
 void ExrOutput::check(bool done) const {
@@ -202,7 +214,7 @@ void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& vi
     const std::vector<float> pixels = pixels_of(view.image, parts[i].channels, view.options);
     output.check(output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
   }
-  output.check(output->close());
+  output.close();
   file.commit();
 }
 

@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/scan/range_image.h>
 
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -38,7 +39,21 @@ image::Image as_image(const RangeImage& range) {
 }
 
 image::Metadata metadata_of(const RangeImage& range) {
-  return {{kPixel, fmt::format("{}", range.pixel)}, {kFrame, frame_text(range.frame)}};
+  image::Metadata out = metadata_of_pixel(range.pixel);
+  out.emplace_back(kFrame, frame_text(range.frame));
+  return out;
+}
+
+image::Metadata metadata_of_pixel(double pixel) { return {{kPixel, fmt::format("{}", pixel)}}; }
+
+double told_pixel(const image::Metadata& metadata) {
+  for (const auto& [name, text] : metadata) {
+    if (name != kPixel) continue;
+    double pixel = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), pixel);
+    if (fault == std::errc() && pixel > 0 && std::isfinite(pixel)) return pixel;
+  }
+  return 0;
 }
 
 void write_range(const std::filesystem::path& exr, const RangeImage& range) {
@@ -47,7 +62,16 @@ void write_range(const std::filesystem::path& exr, const RangeImage& range) {
   image::write_exr(exr, as_image(range), options);
 }
 
-RangeImage read_range(const std::filesystem::path& exr, double pixel) {
+RangeImage read_range(const std::filesystem::path& exr, double pixel, uint64_t memory) {
+  const image::FileInfo info = image::read_info(exr);
+  // The file's channels as floats, then a depth and a count.
+  require_memory(
+      1.0 * info.width * info.height *
+          (static_cast<double>(info.channels.size() * sizeof(float)) + sizeof(float) +
+           sizeof(uint16_t)),
+      memory,
+      fmt::format("reading {} x {} pixels of {}", info.width, info.height, exr.filename().string()),
+      "use a range image of larger pixels");
   const image::Image picture = image::read(exr);
   const int named = picture.find_channel("depth");
   const int depth = named >= 0 ? named : picture.find_channel("Z");
@@ -56,13 +80,12 @@ RangeImage read_range(const std::filesystem::path& exr, double pixel) {
                 "a range image has a channel 'depth' or 'Z', in metres");
   RangeImage out;
   out.width = picture.width, out.height = picture.height;
-  out.pixel = pixel > 0 ? pixel : 0.01;
-  for (const auto& [name, text] : image::read_info(exr).metadata) {
+  const double told = pixel > 0 ? pixel : told_pixel(info.metadata);
+  out.pixel = told > 0 ? told : 0.01;
+  for (const auto& [name, text] : info.metadata)
     if (name == kFrame) out.frame = parse_frame(text).value_or(PlaneFrame{});
-    if (name == kPixel && pixel <= 0) out.pixel = std::strtod(text.c_str(), nullptr);
-  }
-  if (!(out.pixel > 0 && std::isfinite(out.pixel)))
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' tells no size of pixels", exr.string()));
+  out.depth.reserve(picture.pixels.size() / picture.channels.size());
+  out.count.reserve(out.depth.capacity());
   const int count = picture.find_channel("count");
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {

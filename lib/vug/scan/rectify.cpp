@@ -1,6 +1,8 @@
 #include <vug/base/error.h>
 #include <vug/scan/rectify.h>
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -141,7 +143,11 @@ Rectified rectified(const image::Image& photo, const FourPoints& corners,
 }
 
 image::Image laid_over(const RangeImage& range, const image::Image& photo,
-                       const FourPoints& in_photo, const FourPoints& on_facade) {
+                       const FourPoints& in_photo, const FourPoints& on_facade, uint64_t memory) {
+  require_memory(static_cast<double>(range.pixel_count()) *
+                     static_cast<double>((2 * photo.channels.size() + 2) * sizeof(float)),
+                 memory, fmt::format("a picture of {} x {} pixels", range.width, range.height),
+                 "use a range image of larger pixels");
   FourPoints pixels = on_facade;
   for (Vec2d& p : pixels) p = {p.x / range.pixel, range.height - p.y / range.pixel};
   const image::Image colours =
@@ -158,10 +164,10 @@ image::Image laid_over(const RangeImage& range, const image::Image& photo,
   return out;
 }
 
-image::Image laid_over(const RangeImage& range, const image::Image& photo) {
+image::Image laid_over(const RangeImage& range, const image::Image& photo, uint64_t memory) {
   const double wide = range.metres_wide(), high = range.metres_high();
   return laid_over(range, photo, corners_of(photo.width, photo.height),
-                   {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)});
+                   {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)}, memory);
 }
 
 }  // namespace vug::scan

@@ -39,10 +39,12 @@ double aspect_of(const FourPoints& corners, int photo_width, int photo_height);
 
 /// The photo in the pixels of a range image: its channels, then "depth" and "count". Places in the
 /// photo are in pixels as above, those on the facade in metres from the range image's lower left
-/// corner, y up. Same errors.
+/// corner, y up. Same errors, and Error(too_large) beyond `memory` bytes.
 image::Image laid_over(const RangeImage& range, const image::Image& photo,
-                       const FourPoints& in_photo, const FourPoints& on_facade);
+                       const FourPoints& in_photo, const FourPoints& on_facade,
+                       uint64_t memory = available_memory());
 /// The same where photo and range image show the same.
-image::Image laid_over(const RangeImage& range, const image::Image& photo);
+image::Image laid_over(const RangeImage& range, const image::Image& photo,
+                       uint64_t memory = available_memory());
 
 }  // namespace vug::scan

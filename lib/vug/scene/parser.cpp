@@ -132,8 +132,11 @@ Document parse(std::string text, const std::string& file, Diagnostics& diagnosti
 
 Document parse_file(const fs::path& file, Diagnostics& diagnostics, const ParseOptions& options) {
   auto text = options.read ? options.read(file) : read_disk(file);
-  if (!text)
-    throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}'", file.generic_string()));
+  if (!text) {
+    const std::string why = options.read ? "" : why_no_file(file);
+    throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}'{}{}", file.generic_string(),
+                                                  why.empty() ? "" : ": ", why));
+  }
   return parse(std::move(*text), file.generic_string(), diagnostics, options);
 }
 

@@ -51,8 +51,24 @@ double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
 
 }  // namespace
 
+Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options) {
+  if (options.width > 0 && options.height > 0) return {options.width, options.height};
+  if (options.width > 0) return {options.width, options.width / picture.shape};
+  if (options.height > 0) return {options.height * picture.shape, options.height};
+  if (picture.metres_wide > 0) return {picture.metres_wide, picture.metres_wide / picture.shape};
+  constexpr double kLowest = 1, kHighest = 100;  // metres
+  const Vec2d usual(kUsualWidth, kUsualWidth / picture.shape);
+  if (usual.y < kLowest || usual.y > kHighest)
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("a facade of this shape that is {} m wide is {:.3g} m high", usual.x, usual.y),
+        {}, "tell its width or its height, or cut the picture to the facade");
+  return usual;
+}
+
 FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& options,
                      Progress& progress) {
+  const Vec2d size = facade_size(picture, options);
   const facade::Rules text = facade::load_rules(options.grammar);
   const fit::Rules rules = fit::compile(text);
   const RandomKey key = RandomKey(options.seed).at("facade fit");
@@ -66,11 +82,10 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   if (options.trust > 0) how.trust = options.trust;
   how.sampler = options.sampler;
   out.reading = fit::read(evidence, rules, how, key.at("chains"), progress);
-  out.pixel = picture.pixel > 0 ? picture.pixel : options.width / picture.width;
   const fit::Model model(rules, how.limits, picture.width, picture.height);
   fit::State state = model.state_of(out.reading.tree);
   model.place(state);
-  out.tree = fit::as_facade(text, model, state, out.pixel);
+  out.tree = fit::as_facade(text, model, state, {size.x / picture.width, size.y / picture.height});
   out.reveal = reveal_of(picture, out.reading);
   if (options.looks) out.labels = fit::labels(maps, options.looks->classes(), out.reading.seen);
   return out;

@@ -12,14 +12,19 @@
 
 namespace vug::session {
 
+/// Of a facade of which nothing tells it, metres.
+constexpr double kUsualWidth = 12;
+
 struct FacadeFitOptions {
   std::filesystem::path grammar;  ///< Rules with free sizes.
   std::string likelihood = "kt";  ///< Of fit::likelihood_kinds.
   fit::ClusterImageOptions clusters = {.depth_clusters = 5};
   /// Trained looks: pictures of their limits are read by them, with the likelihood `supervised`.
   std::shared_ptr<const fit::LookModel> looks;
-  double trust = 0;   ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
-  double width = 12;  ///< Of the facade in metres, where the picture does not tell.
+  double trust = 0;  ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
+  /// Of the facade, metres. Of one that is 0 the picture's shape tells; of both the picture, else
+  /// kUsualWidth.
+  double width = 0, height = 0;
   fit::SamplerOptions sampler;
   uint64_t seed = 0;
 };
@@ -27,11 +32,14 @@ struct FacadeFitOptions {
 struct FacadeFit {
   facade::Tree tree;     ///< Metres.
   fit::Reading reading;  ///< Pixels, and what the chains tell.
-  double pixel = 0;      ///< Metres of one of the picture's.
   double reveal = 0;     ///< How deep windows lie behind the wall, metres; 0: no depth tells.
   /// The class of each of the picture's pixels by looks and tree; none without looks.
   std::vector<uint8_t> labels;
 };
+
+/// Width and height of the facade that the picture shows, metres. Error(bad_input) where nothing
+/// tells them and the shape of the picture is none that facades have.
+Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options);
 
 /// The tree that costs least of those that chains have seen. When the progress is cancelled it is
 /// the best so far. Error(bad_input) for grammars that cannot be fitted.

@@ -35,8 +35,8 @@ fs::path find_grammar(const fs::path& folder, const std::string& file) {
       if (entry.path().extension() == ".vug") names.push_back(entry.path().filename().string());
   }
   const std::string near = nearest_name(file, names);
-  throw Error(ErrorCode::bad_input, fmt::format("there is no grammar '{}'", file), {},
-              near.empty() ? "a file beside the session, or of data/facades"
+  throw Error(ErrorCode::bad_input, fmt::format("there is no grammar '{}': no such file", file), {},
+              near.empty() ? "name a file with its folder, or one of data/facades, as ripperda.vug"
                            : fmt::format("did you mean '{}'?", near));
 }
 

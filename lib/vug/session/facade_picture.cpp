@@ -95,14 +95,36 @@ void set_depth(FacadePicture& picture, const image::Image& depth) {
   picture.outside = scan::outside_of(solid).on;
 }
 
+void require_pixels(int width, int height, const std::string& what) {
+  if (std::min(width, height) >= kLeastPixels) return;
+  throw Error(ErrorCode::bad_input,
+              fmt::format("{} has {} x {} pixels, which show no windows", what, width, height), {},
+              fmt::format("{} each way are the least", kLeastPixels));
+}
+
+bool of_one_colour(const image::Image& picture) {
+  const size_t channels = picture.channels.size();
+  return std::equal(picture.pixels.begin() + static_cast<std::ptrdiff_t>(channels),
+                    picture.pixels.end(), picture.pixels.begin());
+}
+
+/// Metres by the file's header; 0 where it tells nothing.
+double told_width(const std::filesystem::path& file) {
+  const image::FileInfo info = image::read_info(file);
+  return scan::told_pixel(info.metadata) * info.width;
+}
+
 }  // namespace
 
 FacadePicture read_facade_picture(const std::filesystem::path& photo,
                                   const FacadePictureOptions& options) {
+  const image::FileInfo info = image::read_info(photo);
+  require_pixels(info.width, info.height, fmt::format("'{}'", photo.string()));
   const image::Image whole = fit::read_within(photo, options.max_memory);
   const fit::WorkingSize size = fit::working_size(whole.width, whole.height, options.limits);
   FacadePicture out;
   out.width = size.width, out.height = size.height;
+  out.shape = static_cast<double>(whole.width) / whole.height;
   if (const auto colours = colours_of(photo, whole)) out.colours = fit::reduced(*colours, size);
   std::optional<image::Image> depth;
   if (options.depth.empty()) {
@@ -123,7 +145,12 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
     if (!depth)
       refuse(options.depth, "has no layer of depth", "it is called depth, or Z, in metres");
   }
-  if (depth) set_depth(out, *depth);
+  if (depth)
+    set_depth(out, *depth);
+  else if (of_one_colour(*out.colours))
+    refuse(photo, "is of one colour alone", "nothing in it tells windows from walls");
+  out.metres_wide = told_width(options.depth.empty() ? photo : options.depth);
+  if (out.metres_wide == 0) out.metres_wide = told_width(photo);
   return out;
 }
 
@@ -138,17 +165,20 @@ image::Image depth_behind(const scan::RangeImage& range) {
 }  // namespace
 
 FacadePicture facade_picture(const scan::RangeImage& range, const fit::WorkingLimits& limits) {
+  require_pixels(range.width, range.height, "the range image");
   const fit::WorkingSize size = fit::working_size(range.width, range.height, limits);
   FacadePicture out;
   out.width = size.width, out.height = size.height;
-  out.pixel = range.metres_wide() / size.width;
+  out.shape = range.metres_wide() / range.metres_high();
+  out.metres_wide = range.metres_wide();
   set_depth(out, depth_behind(range));
   return out;
 }
 
 void add_depth(FacadePicture& picture, const scan::RangeImage& range) {
-  const double shape = range.metres_wide() / range.metres_high() * picture.height / picture.width;
-  if (std::abs(shape - 1) > 0.05 || range.width < picture.width || range.height < picture.height)
+  const double shape = range.metres_wide() / range.metres_high();
+  if (std::abs(shape / picture.shape - 1) > 0.05 || range.width < picture.width ||
+      range.height < picture.height)
     throw Error(
         ErrorCode::bad_input,
         fmt::format("the scan shows {:.2f} x {:.2f} m of the wall, which has not the shape of "
@@ -156,7 +186,8 @@ void add_depth(FacadePicture& picture, const scan::RangeImage& range) {
                     range.metres_wide(), range.metres_high()),
         {}, "cut the picture to the same rectangle, or rectify it");
   set_depth(picture, depth_behind(range));
-  picture.pixel = range.metres_wide() / picture.width;
+  picture.shape = shape;
+  picture.metres_wide = range.metres_wide();
 }
 
 }  // namespace vug::session

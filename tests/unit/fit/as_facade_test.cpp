@@ -22,7 +22,7 @@ Place place_of(const std::string& name, double x, double y, double width, double
 
 /// What stands in the picture, as the sampler says and as the facade does.
 void expect_same_places(const facade::Rules& text, const Model& model, const State& state) {
-  constexpr double kPixel = 0.05;
+  const Vec2d kPixel(0.05, 0.06);
   const facade::Tree tree = as_facade(text, model, state, kPixel);
   std::multiset<Place> seen, stands;
   model.each_terminal(state, [&](Look, int node, const Rect& r) {
@@ -30,9 +30,9 @@ void expect_same_places(const facade::Rules& text, const Model& model, const Sta
                          r.x1 - r.x0, r.y1 - r.y0));
   });
   for (const facade::Standing& one : standing(tree))
-    stands.insert(place_of(tree.nodes[static_cast<size_t>(one.node)].symbol, one.rect.x / kPixel,
-                           model.height() - one.rect.top() / kPixel, one.rect.width / kPixel,
-                           one.rect.height / kPixel));
+    stands.insert(place_of(tree.nodes[static_cast<size_t>(one.node)].symbol, one.rect.x / kPixel.x,
+                           model.height() - one.rect.top() / kPixel.y, one.rect.width / kPixel.x,
+                           one.rect.height / kPixel.y));
   EXPECT_EQ(seen, stands) << theta(tree);
 }
 

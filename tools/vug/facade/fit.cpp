@@ -84,6 +84,23 @@ Input read_input(const Options& options) {
   return in;
 }
 
+/// Of --grammar, as a session's is found; else the paper's.
+fs::path grammar_of(const Options& options) {
+  if (fs::exists(options.grammar)) return options.grammar;
+  return session::find_grammar({}, options.grammar.empty() ? "ripperda.vug" : options.grammar);
+}
+
+/// Where nobody has told how large the facade is, what it is taken for.
+void tell_size(const Options& options, const session::FacadePicture& picture) {
+  const Vec2d size = session::facade_size(picture, options.fit);
+  if (options.work.quiet || options.fit.width > 0 || options.fit.height > 0 ||
+      picture.metres_wide > 0)
+    return;
+  clear_bar();
+  fmt::print(stderr, "taken for {:.4g} x {:.4g} m; --width or --height tell otherwise\n", size.x,
+             size.y);
+}
+
 int run(Options options) {
   if (options.photo.empty() && options.clouds.empty())
     throw Error(ErrorCode::bad_input, "there is nothing to read", {},
@@ -91,9 +108,14 @@ int run(Options options) {
   if (!options.clouds.empty() && !options.picture.depth.empty())
     throw Error(ErrorCode::bad_input, "--depth and --cloud both tell the depth", {},
                 "leave one of them out");
+  if (!options.clouds.empty() && (options.fit.width > 0 || options.fit.height > 0))
+    throw Error(ErrorCode::bad_input, "a scan tells by itself how large the facade is", {},
+                "leave --width and --height out");
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar());
   const fs::path folder = options.folder;
+  options.fit.grammar = grammar_of(options);
+  const bool named = !options.name.empty();
   options.name = name_of(options.name.empty() ? fs::path(options.first_input()).stem().string()
                                               : options.name);
   const auto file = [&](const char* ending) { return folder / (options.name + ending); };
@@ -108,18 +130,21 @@ int run(Options options) {
   if (!options.looks.empty()) outputs.push_back(labels);
   std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
   for (const fs::path& one : {fs::path(options.photo), options.picture.depth,
-                              fs::path(options.looks), fs::path(options.grammar)})
+                              fs::path(options.looks), options.fit.grammar})
     if (!one.empty()) inputs.push_back(one);
   require_outputs(outputs, inputs);
+  if (options.clouds.size() > 1 && options.photo.empty() && !named && !options.work.quiet)
+    fmt::print(stderr,
+               "{} files are one scan; what is written is named '{}', as --name is not told\n",
+               options.clouds.size(), options.name);
 
-  options.fit.grammar = options.grammar.empty() ? session::find_grammar({}, "ripperda.vug")
-                                                : fs::path(options.grammar);
   options.picture.max_memory = options.work.memory_limit();
   if (!options.looks.empty()) {
     options.fit.looks = std::make_shared<const fit::LookModel>(fit::LookModel::read(options.looks));
     options.picture.limits = options.fit.looks->limits();
   }
   const Input in = read_input(options);
+  tell_size(options, in.picture);
   const session::FacadeFit fit = session::fit_facade(in.picture, options.fit, progress);
   const std::string scene =
       session::facade_scene(fit, options.name, grammar_file.filename().string());
@@ -172,11 +197,14 @@ Verb facade_fit_verb() {
         app.add_option("--name", options->name, "of the files and the grammar; else the photo's");
         app.add_option("--depth", options->picture.depth,
                        "an EXR whose layer depth, or Z, tells how far the wall's parts stand out");
-        app.add_option("--width", options->fit.width, "of the facade, 12m without it")
+        app.add_option("--width", options->fit.width,
+                       "of the facade; without it as the picture's header tells, or 12m")
+            ->transform(number_in(Dimension::length, 0.1, 1e4));
+        app.add_option("--height", options->fit.height, "of the facade; without it in proportion")
             ->transform(number_in(Dimension::length, 0.1, 1e4));
         app.add_option("--rows", options->picture.limits.height,
                        "of pixels that the picture is shrunk to")
-            ->transform(whole_number_in(1, 4096));
+            ->transform(whole_number_in(session::kLeastPixels, 4096));
         app.add_option("--grammar", options->grammar,
                        "a file with a grammar whose sizes are free, in place of ripperda.vug");
         app.add_option("--likelihood", options->fit.likelihood, "kt or paper")

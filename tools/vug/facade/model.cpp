@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/base/counted.h>
 #include <vug/base/parallel.h>
 #include <vug/facade/grammar_output.h>
 #include <vug/facade/tree_output.h>
@@ -37,6 +38,14 @@ struct Options {
   bool edited() const {
     return undo || redo || !to.empty() || !checkpoint.empty() || !in_order.empty();
   }
+  /// The first option that only a session takes that begins; empty: none is told.
+  std::string told_to_begin() const {
+    if (!grammar.empty()) return "--grammar";
+    if (!facade.empty()) return "--facade";
+    if (width > 0) return "--width";
+    if (height > 0) return "--height";
+    return photo.empty() ? "" : "--photo";
+  }
   bool prints() const { return tree || theta || json || list; }
   bool writes() const { return !(svg + scene + carve).empty(); }
 };
@@ -62,11 +71,15 @@ modeller::Session begun(const Options& options) {
 }
 
 modeller::Session read(const Options& options) {
-  if (options.session.empty() == options.grammar.empty())
-    throw Error(ErrorCode::bad_input,
-                options.session.empty() ? "there is no session" : "a session has its grammar", {},
+  if (options.session.empty() && options.grammar.empty())
+    throw Error(ErrorCode::bad_input, "there is no session", {},
                 "name a session, or begin one with --grammar");
   if (options.session.empty()) return begun(options);
+  if (const std::string told = options.told_to_begin(); !told.empty())
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("{} is for a session that begins, and '{}' has begun", told, options.session),
+        {}, "leave it out, or begin another session with --grammar");
   return modeller::read_session(read_text(options.session), options.session,
                                 session::facade_styles(folder_of(options.session)));
 }
@@ -75,8 +88,8 @@ void edit(const Options& options, modeller::Session& session) {
   modeller::History& history = session.history;
   const auto want = [](int steps, size_t had, const char* what) {
     if (had < static_cast<size_t>(steps))
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("there are {} edits to {}, not {}", had, what, steps));
+      throw Error(ErrorCode::bad_input, fmt::format("the session has {} to {}, not {}",
+                                                    counted(had, "edit"), what, steps));
   };
   if (!options.to.empty()) history.go(options.to);
   if (options.undo) want(options.undo, history.undo(static_cast<size_t>(options.undo)), "undo");
@@ -128,8 +141,6 @@ void carve(const Options& options, const modeller::State& state) {
 
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
-  if (options.edited() && options.output.empty() && !options.prints() && !options.writes())
-    throw Error(ErrorCode::bad_input, "what is done would be lost", {}, "-o SESSION.json keeps it");
   std::vector<fs::path> outputs, inputs;
   for (const std::string& file : {options.svg, options.scene, options.carve})
     if (!file.empty()) outputs.emplace_back(file);
@@ -141,6 +152,9 @@ int run(Options options) {
     require_outputs({options.output}, inputs);
   modeller::Session session = read(options);
   edit(options, session);
+  // After what is wrong with the edits themselves.
+  if (options.edited() && options.output.empty() && !options.prints() && !options.writes())
+    throw Error(ErrorCode::bad_input, "what is done would be lost", {}, "-o SESSION.json keeps it");
   const modeller::State& state = session.now();
   if (!options.svg.empty()) draw(options, session);
   if (!options.scene.empty()) write_text(options.scene, facade::grammar_text(state.tree()));

@@ -23,7 +23,7 @@ struct Options {
 };
 
 /// Two numbers around `between`, of lengths or of none.
-Vec2d pair_of(const std::string& text, char between, const char* what) {
+std::pair<Number, Number> pair_of(const std::string& text, char between, const char* what) {
   const size_t cut = text.find(between);
   if (cut != std::string::npos) {
     const auto a = scene::read_number(text.substr(0, cut));
@@ -31,31 +31,39 @@ Vec2d pair_of(const std::string& text, char between, const char* what) {
     const auto sound = [](const std::optional<Number>& n) {
       return n && (n->dimension == Dimension::none || n->dimension == Dimension::length);
     };
-    if (sound(a) && sound(b)) return {a->value, b->value};
+    if (sound(a) && sound(b)) return {*a, *b};
   }
   throw Error(ErrorCode::bad_input, fmt::format("'{}' is no {}", text, what));
 }
 
 scan::FourPoints points_of(const std::vector<std::string>& texts, const char* what) {
   scan::FourPoints out;
-  for (size_t i = 0; i < 4; ++i) out[i] = pair_of(texts[i], ',', what);
+  for (size_t i = 0; i < 4; ++i) {
+    const auto [x, y] = pair_of(texts[i], ',', what);
+    out[i] = {x.value, y.value};
+  }
   return out;
 }
 
-void write(const std::string& file, const image::Image& picture) {
-  if (extension_of(file) == ".exr") return image::write_exr(file, picture);
-  write_plain_png(file, picture);
+/// An EXR tells how large the facade is, if that is known.
+void write(const std::string& file, const scan::Rectified& out, bool metres) {
+  if (extension_of(file) != ".exr") return write_plain_png(file, out.picture);
+  image::ExrOptions options;
+  if (metres) options.metadata = scan::metadata_of_pixel(out.width / out.picture.width);
+  image::write_exr(file, out.picture, options);
 }
 
 image::Image laid_over(const scan::RangeImage& range, const Options& options,
                        const image::Image& photo) {
-  if (options.corners.empty()) return scan::laid_over(range, photo);
+  if (options.corners.empty()) return scan::laid_over(range, photo, options.rectify.memory);
   const scan::FourPoints corners = points_of(options.corners, "place in the photo, X,Y");
   if (!options.at.empty())
-    return scan::laid_over(range, photo, corners, points_of(options.at, "place in metres, X,Y"));
+    return scan::laid_over(range, photo, corners, points_of(options.at, "place in metres, X,Y"),
+                           options.rectify.memory);
   const double wide = range.metres_wide(), high = range.metres_high();
   return scan::laid_over(range, photo, corners,
-                         {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)});
+                         {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)},
+                         options.rectify.memory);
 }
 
 int run(Options options) {
@@ -72,16 +80,18 @@ int run(Options options) {
   if (!options.onto.empty()) inputs.emplace_back(options.onto);
   require_outputs({options.output}, inputs);
   options.rectify.memory = options.work.memory_limit();
+  bool metres = false;
   if (!options.size.empty()) {
-    const Vec2d size = pair_of(options.size, 'x', "size, as 12mx9m or 4x3");
-    if (!(size.x > 0 && size.y > 0))
+    const auto [wide, high] = pair_of(options.size, 'x', "size, as 12mx9m or 4x3");
+    if (!(wide.value > 0 && high.value > 0))
       throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", options.size), {},
                   "width and height are above 0, as in 12mx9m or 4x3");
-    options.rectify.width = size.x, options.rectify.height = size.y;
+    options.rectify.width = wide.value, options.rectify.height = high.value;
+    metres = wide.dimension == Dimension::length && high.dimension == Dimension::length;
   }
   const image::Image photo = fit::read_within(options.photo, options.work.memory_limit());
   if (!options.onto.empty()) {
-    const scan::RangeImage range = scan::read_range(options.onto);
+    const scan::RangeImage range = scan::read_range(options.onto, 0, options.rectify.memory);
     image::ExrOptions exr_options;
     exr_options.metadata = scan::metadata_of(range);
     image::write_exr(options.output, laid_over(range, options, photo), exr_options);
@@ -89,7 +99,7 @@ int run(Options options) {
   }
   const scan::Rectified out = scan::rectified(
       photo, points_of(options.corners, "place in the photo, X,Y"), options.rectify);
-  write(options.output, out.picture);
+  write(options.output, out, metres);
   fmt::print("{} x {} pixels, {:.4g} x {:.4g}{}\n", out.picture.width, out.picture.height,
              out.width, out.height, options.size.empty() ? " (from the perspective)" : "");
   return kDone;

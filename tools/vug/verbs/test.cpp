@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/base/counted.h>
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/base/scratch_folder.h>
@@ -64,8 +65,7 @@ std::string details_of(const Outcome& outcome) {
 
 /// "5 cases in 12.3 s: 4 same, 1 different".
 std::string summary_of(const std::vector<Outcome>& outcomes, double seconds) {
-  std::string out = fmt::format("{} case{} in {:.1f} s", outcomes.size(),
-                                outcomes.size() == 1 ? "" : "s", seconds);
+  std::string out = fmt::format("{} in {:.1f} s", counted(outcomes.size(), "case"), seconds);
   const char* apart = ": ";
   for (const Verdict verdict :
        {Verdict::same, Verdict::different, Verdict::flaky, Verdict::updated, Verdict::unusable}) {

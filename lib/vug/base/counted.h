@@ -1,0 +1,13 @@
+// Numbers of things in sentences.
+#pragma once
+
+#include <string>
+
+namespace vug {
+
+/// "1 edit", "0 edits", "7 edits".
+inline std::string counted(size_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace vug
