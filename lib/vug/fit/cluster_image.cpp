@@ -47,6 +47,19 @@ ClusterImage made(int width, int height, std::vector<uint8_t> of) {
   return {width, height, clusters, std::move(of)};
 }
 
+/// Clusters of one plane, by value: those whose means are nearer than the step to the one before
+/// become one with it.
+void join(const Plane& values, double step, std::vector<uint8_t>& of) {
+  std::array<double, kMostLanes> sum{}, count{};
+  for (size_t i = 0; i < of.size(); ++i) sum[of[i]] += values[i], count[of[i]] += 1;
+  std::array<uint8_t, kMostLanes> now{};
+  for (size_t k = 1; k < now.size() && count[k] > 0; ++k) {
+    const double gap = sum[k] / count[k] - sum[k - 1] / count[k - 1];
+    now[k] = static_cast<uint8_t>(now[k - 1] + (gap < step ? 0 : 1));
+  }
+  for (uint8_t& one : of) one = now[one];
+}
+
 /// Deep ones first, and holes with them: as the first cluster if there are any.
 std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& options,
                                RandomKey key) {
@@ -60,6 +73,7 @@ std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& o
   const bool holes = known.pixels() < depths.size();
   std::vector<uint8_t> found;
   if (known.width > 0) found = cluster(known, {.clusters = options.depth_clusters}, key);
+  if (!found.empty()) join(known.planes[0], options.least_step, found);
   std::vector<uint8_t> out;
   size_t at = 0;
   for (const float depth : depths)

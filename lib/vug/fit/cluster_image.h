@@ -13,6 +13,9 @@ struct ClusterImageOptions {
   /// Depths further than this from the middle one, in metres, are no facade's: interiors that shine
   /// through panes, people, trees.
   double depth_range = 1;
+  /// Depths that are apart by less than this, in metres, as a pane and its frame, are of one
+  /// cluster.
+  double least_step = 0.05;
   /// Where depths deviate by less than this, in metres, the facade is flat, and the photo decides.
   double least_relief = 0.01;
 };

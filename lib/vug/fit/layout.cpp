@@ -112,19 +112,20 @@ bool put_grid(const Workshop& shop, State& state, int i, int way, const Sheet& s
   return true;
 }
 
-/// With a door: there, or from the lowest row down to the ground in the column where that costs
-/// least.
+/// With a door: there, or from some row down to the ground in some column, where that costs least.
 void add_doors(const Workshop& shop, const State& state, int i, const Rect& there,
                std::vector<State>& out) {
   const Rules& rules = shop.model.rules();
   const Node& grid = state.tree[i + 1];
   const int way = way_to_windows(rules, grid.symbol, true);
   if (way < 0) return;
-  const int ground = state.area(i).height, top = grid.top[static_cast<size_t>(grid.rows - 1)];
+  const int ground = state.area(i).height;
   std::vector<Rect> places;
   if (there.x1 > there.x0) places.push_back(there);
   for (size_t column = 0; column < static_cast<size_t>(grid.columns); ++column)
-    places.push_back({grid.left[column], top, grid.left[column] + state.tree[i + 2].width, ground});
+    for (size_t row = 0; row < static_cast<size_t>(grid.rows); ++row)
+      places.push_back(
+          {grid.left[column], grid.top[row], grid.left[column] + state.tree[i + 2].width, ground});
   double least = std::numeric_limits<double>::infinity();
   State best;
   for (const Rect& place : places) {
@@ -147,14 +148,15 @@ void add_doors(const Workshop& shop, const State& state, int i, const Rect& ther
 
 }  // namespace
 
-Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns) {
+Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns, bool rows_first) {
   Layout out;
   const auto find = [&](bool along_x, const std::vector<Segment>& across) {
     const int room = along_x ? sheet.width() : sheet.height();
     return best_segments(before(sheet, along_x, across),
                          {limits.least, room, limits.most_lines, cost});
   };
-  out.columns = find(true, {});
+  if (rows_first) out.rows = find(false, {});
+  out.columns = find(true, out.rows);
   out.rows = find(false, out.columns);
   for (int turn = 0; turn < turns && !out.empty(); ++turn) {
     const Layout last = out;

@@ -11,10 +11,12 @@ namespace vug::fit {
 struct Layout {
   std::vector<Segment> columns, rows;
   bool empty() const { return columns.empty() || rows.empty(); }
+  bool operator==(const Layout&) const = default;
 };
 
-/// The columns that gain most given the rows, then the rows given the columns, in that many turns.
-Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns);
+/// The columns that gain most given the rows, then the rows given the columns, in that many turns;
+/// at first of all of the area, or so the rows where `rows_first` says so.
+Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns, bool rows_first);
 
 /// Node i rewritten into a grid of that layout and its windows: of each type that the rules have,
 /// with windows of one size or of several, with a door and without; each has a finite energy. The

@@ -66,6 +66,12 @@ Model::Model(const Rules& rules, const Limits& limits, int width, int height,
     throw Error(ErrorCode::bad_input, "a facade has between 1 and 32767 pixels in each direction");
   if (limits.least < 1 || limits.most_lines > kMostLines || limits.most_kinds > kMostKinds)
     throw Error(ErrorCode::bad_input, "the limits of facade trees are out of range");
+  for (size_t symbol = 0; symbol < rules.symbols.size(); ++symbol) {
+    const std::vector<int>& ways = rules.of[symbol];
+    elements_.push_back(!ways.empty() && std::all_of(ways.begin(), ways.end(), [&](int way) {
+      return rules.production(way).op == Op::terminal;
+    }));
+  }
   if (!(trust > 0)) throw Error(ErrorCode::bad_input, "the trust in pixels is above 0");
   if (evidence && (evidence->width() != width || evidence->height() != height))
     throw Error(ErrorCode::bad_input, "the evidence has another size than the facade");
@@ -96,6 +102,8 @@ double Model::complexity(const Tree& tree, int i) const {
     case Op::mirror:
     case Op::elements:
       bits = node.extent > 0 ? x_bits_ : 0;
+      if (node.production < 0 && elements_[static_cast<size_t>(node.symbol)])
+        return 2 * symbol_bits_ + bits + 2 * (x_bits_ + y_bits_);
       break;
     case Op::grid:
       bits = 2 * kCountBits + x_bits_ + y_bits_;

@@ -42,7 +42,8 @@ class Model {
 
   /// Bits of the tree and its pixels; computes what is not known.
   double energy(State& state) const;
-  /// c(T): bits of the nodes' symbols and parameters alone.
+  /// c(T): bits of the nodes' symbols and parameters alone. An element in which nothing stands
+  /// costs as much as one with something: being left out is no description.
   double complexity(const Tree& tree) const;
   double complexity(const Tree& tree, int i) const;
   /// Bits of the pixels that node i answers for, in full.
@@ -82,12 +83,17 @@ class Model {
   LikelihoodPtr likelihood_;
   double trust_;
   double symbol_bits_;
+  std::vector<bool> elements_;  ///< Of each symbol: whether it only becomes terminals.
   int x_bits_, y_bits_;
 };
 
 /// Where a part begins that stands side by side `times` times in a room of that width, for the time
 /// `again` from 0; its own width is room / times, so that a pixel may be left over between two.
 inline int repeated_at(int room, int times, int again) { return again * room / times; }
+
+/// How far to the right windows of a grid may reach. At the border of a part that comes again they
+/// would touch themselves: one window, told as two.
+inline int columns_room(const Area& area) { return area.width - (area.count > 1 ? 1 : 0); }
 
 /// Bits that count `range` values.
 int bits_for(int range);

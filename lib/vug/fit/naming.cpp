@@ -1,5 +1,7 @@
 #include <vug/fit/naming.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace vug::fit {
@@ -14,11 +16,59 @@ int way_to(const Rules& rules, int element, Look look) {
   return -1;
 }
 
+/// The most frequent cluster.
+std::ptrdiff_t main_of(const Sums& sums) {
+  return std::max_element(sums.lane.begin(), sums.lane.end()) - sums.lane.begin();
+}
+
+/// Of everything in the area's places.
+Sums sums_of(const Evidence& evidence, const State& state, int i) {
+  const Area& area = state.area(i);
+  Sums out;
+  for (int place = 0; place < area.count; ++place) {
+    const Rect r = Model::in_picture(area, state.frame(area, place), 0, 0, area.width, area.height);
+    out += evidence.sums(r.x0, r.y0, r.x1, r.y1);
+  }
+  return out;
+}
+
+/// An element in which nothing stands, but which does not look like the wall, is something itself;
+/// that costs no bits (see Model::complexity).
+void fill_elements(const Model& model, const Evidence& evidence, State& state) {
+  const Rules& rules = model.rules();
+  const Likelihood& code = *model.likelihood();
+  const auto plain = [&](int i) {
+    return static_cast<Op>(state.tree[i].made_by) == Op::elements && state.tree[i].production < 0;
+  };
+  Sums wall = evidence.sums(0, 0, evidence.width(), evidence.height());
+  model.each_terminal(
+      state, [&](Look, int, const Rect& r) { wall -= evidence.sums(r.x0, r.y0, r.x1, r.y1); });
+  for (int i = 0; i < state.tree.size(); ++i)
+    if (plain(i)) wall -= sums_of(evidence, state, i);
+  for (int i = state.tree.size() - 1; i >= 0; --i) {
+    if (!plain(i)) continue;
+    const Sums own = sums_of(evidence, state, i);
+    Sums together = wall;
+    together += own;
+    const auto bits = [&](const Sums& sums) { return code.bits(Look::wall, sums); };
+    const int way = way_to(rules, state.tree[i].symbol, Look::window);
+    if (way < 0 || state.tree.size() >= model.limits().most_nodes) continue;
+    if (bits(together) <= bits(wall) + bits(own)) continue;
+    Node node;
+    node.symbol = static_cast<int16_t>(rules.production(way).parts[0]);
+    node.made_by = static_cast<int8_t>(Op::terminal);
+    node.width = state.area(i).width, node.height = state.area(i).height;
+    state.grow(i, way, {node});
+    model.place(state);
+  }
+}
+
 }  // namespace
 
 void name_elements(const Model& model, const Evidence& evidence, State& state) {
   const Likelihood* likelihood = model.likelihood();
   if (!likelihood || likelihood->of_looks()) return;
+  fill_elements(model, evidence, state);
   const Rules& rules = model.rules();
   std::vector<Sums> of(state.tree.nodes.size());
   Sums windows;
@@ -27,14 +77,12 @@ void name_elements(const Model& model, const Evidence& evidence, State& state) {
     of[static_cast<size_t>(node)] += sums;
     if (model.in_grid(state.tree[node])) windows += sums;
   });
-  const auto bits = [&](const Sums& sums) { return likelihood->bits(Look::window, sums); };
+  const bool any_windows = !(windows == Sums{});
   for (int i = 0; i < state.tree.size(); ++i) {
     const Node& node = state.tree[i];
     if (static_cast<Op>(node.made_by) != Op::terminal) continue;
     const Sums& own = of[static_cast<size_t>(i)];
-    Sums together = windows;
-    together += own;
-    const bool alike = bits(together) < bits(windows) + bits(own);
+    const bool alike = any_windows && main_of(own) == main_of(windows);
     const bool grounded = node.y + node.height >= state.area(i).height - 1;
     const Look other = node.width > node.height ? Look::shop : Look::door;
     const int above = i - 1;

@@ -5,10 +5,11 @@
 
 namespace vug::fit {
 
-/// Codes of clusters do not care whether an element is a window, a door or a shop. One whose
-/// pixels are cheaper together with those of the windows in grids than by themselves is a window;
-/// of the others those that stand on the ground are doors, or, if they are wider than high, shops.
-/// The tree costs as much as before. Nothing changes where the evidence is of looks.
+/// Codes of clusters do not care whether an element is a window, a door or a shop. One that is
+/// mostly of the cluster of the windows in grids is a window; of the others those that stand on the
+/// ground are doors, or, if they are wider than high, shops. What is left out of a row and does not
+/// look like the wall is something too. The tree costs as much as before. Nothing changes where the
+/// evidence is of looks.
 void name_elements(const Model& model, const Evidence& evidence, State& state);
 
 }  // namespace vug::fit

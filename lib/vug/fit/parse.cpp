@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vug::fit {
 namespace {
@@ -54,20 +55,39 @@ class Parser {
   }
 
  private:
-  /// Of windows, and with a column for what stands between them.
+  /// Of windows, and with a column for what stands between them; of windows beside what stands on
+  /// the ground in any place.
   std::vector<std::pair<Layout, Rect>> layouts(const State& state, int i,
                                                const Sheet& sheet) const {
-    Layout plain = lay_out(sheet, model_.limits(), line_cost_, 6);
-    if (plain.empty()) return {};
-    const Rect door = standing_between(shop_, evidence_, state, i, plain.columns);
-    Layout with = plain;
-    if (door.x1 > door.x0 && static_cast<int>(plain.columns.size()) < model_.limits().most_lines) {
+    std::vector<std::pair<Layout, Rect>> out;
+    const auto add = [&](const Layout& layout, const Rect& door) {
+      const std::pair<Layout, Rect> one(layout, door);
+      if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(one);
+    };
+    const auto lay = [&](const Sheet& on, bool rows_first) {
+      return lay_out(on, model_.limits(), line_cost_, 6, rows_first);
+    };
+    for (const bool rows_first : {false, true}) {
+      const Layout plain = lay(sheet, rows_first);
+      if (plain.empty()) continue;
+      const auto between = standing_between(shop_, evidence_, state, i, plain.columns);
+      add(plain, between.empty() ? Rect{} : between.front());
+      if (between.empty() || static_cast<int>(plain.columns.size()) >= model_.limits().most_lines)
+        continue;
+      const Rect& door = between.front();
+      Layout with = plain;
       const auto at = std::find_if(with.columns.begin(), with.columns.end(),
                                    [&](const Segment& c) { return c.start >= door.x1; });
       with.columns.insert(at, {door.x0, door.x1});
-      return {{plain, door}, {with, door}};
+      add(with, door);
     }
-    return {{plain, door}};
+    std::vector<Rect> anywhere = standing_between(shop_, evidence_, state, i, {});
+    if (anywhere.size() > kStanding) anywhere.resize(kStanding);
+    for (const Rect& standing : anywhere) {
+      const Layout beside = lay(sheet.without(standing), true);
+      if (!beside.empty()) add(beside, standing);
+    }
+    return out;
   }
 
   /// The best so far.
@@ -135,8 +155,7 @@ class Parser {
       if (production.op == Op::mirror && production.parts.size() == 1)
         add(way, {part_of(production, 0)}, true);
       if (production.op == Op::mirror && production.parts.size() == 2)
-        for (const int edge : edges(evidence_, state, area, true, kMiddles)) {
-          const int middle = std::abs(area.width - 2 * edge);
+        for (const int middle : middles(state, area)) {
           if (middle >= least)
             add(way, {part_of(production, 0), part_of(production, 1, middle)}, true);
         }
@@ -144,7 +163,18 @@ class Parser {
     return out;
   }
 
+  /// Widths of middles that end halfway between places where the picture changes, as something
+  /// stands, or nothing, from one to the next.
+  std::set<int> middles(const State& state, const Area& area) const {
+    const std::vector<int> places = edges(evidence_, state, area, true, kMiddles);
+    std::set<int> out;
+    for (size_t i = 0; i + 1 < places.size(); ++i)
+      out.insert(std::abs(area.width - (places[i] + places[i + 1]) / 2 * 2));
+    return out;
+  }
+
   static constexpr int kRows = 12, kMiddles = 24;
+  static constexpr size_t kStanding = 4;
 
   const Workshop& shop_;
   const Model& model_;

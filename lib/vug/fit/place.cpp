@@ -159,7 +159,7 @@ bool Model::fits(const State& state, int i) const {
       const int kind = symbol.identical ? 1 : node.kind(column, row);
       if (kind > 0) stands(column, row, state.tree[i + kind]);
     }
-  return lines_fit(node.left, node.columns, widths, area.width, symbol.regular) &&
+  return lines_fit(node.left, node.columns, widths, columns_room(area), symbol.regular) &&
          lines_fit(node.top, node.rows, heights, area.height, symbol.regular);
 }
 

@@ -15,14 +15,14 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// A grid's windows along x or y, with tables of what each line gains at each place.
 class Axis {
  public:
-  Axis(const Rules& rules, const Tree& tree, int grid, const Sheet& sheet, bool along_x)
+  Axis(const Rules& rules, const Tree& tree, int grid, const Sheet& sheet, int room, bool along_x)
       : tree_(tree),
         grid_(grid),
         sheet_(sheet),
         along_x_(along_x),
         regular_(rules.symbol(tree[grid].symbol).regular),
         identical_(rules.symbol(tree[grid].symbol).identical),
-        room_(along_x ? sheet.width() : sheet.height()),
+        room_(room),
         count_(along_x ? tree[grid].columns : tree[grid].rows) {}
 
   /// The best lines, with windows of kind `kind` of another size; what they gain goes to `gain`.
@@ -172,7 +172,8 @@ bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, i
   for (const bool along_x : {true, false})
     for (int part = grid + 1; part < state.tree.end(grid); ++part) {
       if (!model.in_grid(state.tree[part])) continue;
-      const Axis axis(model.rules(), state.tree, grid, sheet, along_x);
+      const Axis axis(model.rules(), state.tree, grid, sheet,
+                      along_x ? columns_room(state.area(i)) : sheet.height(), along_x);
       constexpr int kReach = 12;
       const int size = along_x ? state.tree[part].width : state.tree[part].height;
       double most = kNever;

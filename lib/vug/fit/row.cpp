@@ -182,8 +182,8 @@ std::vector<int> edges(const Evidence& evidence, const State& state, const Area&
   return order;
 }
 
-Rect standing_between(const Workshop& shop, const Evidence& evidence, const State& state, int i,
-                      const std::vector<Segment>& columns) {
+std::vector<Rect> standing_between(const Workshop& shop, const Evidence& evidence,
+                                   const State& state, int i, const std::vector<Segment>& columns) {
   constexpr int kColumns = 24, kTops = 10;
   const Model& model = shop.model;
   const Likelihood& likelihood = *model.likelihood();
@@ -200,11 +200,11 @@ Rect standing_between(const Workshop& shop, const Evidence& evidence, const Stat
     rest -= sum_of(evidence, state, area, {c.start, 0, c.end, area.height});
   const double wall = likelihood.bits(Look::wall, rest);
   const int least = model.limits().least;
-  double most = 0;
-  Rect best;
-  for (size_t a = 0; a < xs.size(); ++a)
-    for (size_t b = a + 1; b < xs.size() && !inside(xs[a], xs[b]); ++b)
-      for (const int top : tops) {
+  std::vector<std::pair<double, Rect>> found;
+  for (const int top : tops) {
+    std::pair<double, Rect> best;
+    for (size_t a = 0; a < xs.size(); ++a)
+      for (size_t b = a + 1; b < xs.size() && !inside(xs[a], xs[b]); ++b) {
         if (xs[b] - xs[a] < least || area.height - top < least) continue;
         const Rect rect{xs[a], top, xs[b], area.height};
         const Sums sums = sum_of(evidence, state, area, rect);
@@ -212,9 +212,15 @@ Rect standing_between(const Workshop& shop, const Evidence& evidence, const Stat
         left -= sums;
         const double saved =
             wall - likelihood.bits(Look::wall, left) - likelihood.bits(Look::door, sums);
-        if (saved > most) most = saved, best = rect;
+        if (saved > best.first) best = {saved, rect};
       }
-  return best;
+    if (best.first > 0) found.push_back(best);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Rect> out;
+  for (const auto& one : found) out.push_back(one.second);
+  return out;
 }
 
 std::vector<State> rows_of_elements(const Workshop& shop, const Evidence& evidence,

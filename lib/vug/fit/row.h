@@ -12,9 +12,9 @@ std::vector<int> edges(const Evidence& evidence, const State& state, const Area&
                        int most);
 
 /// What stands on the ground of node i's area between the columns of its windows, each of them
-/// `columns`, and saves most bits; width 0 where nothing does.
-Rect standing_between(const Workshop& shop, const Evidence& evidence, const State& state, int i,
-                      const std::vector<Segment>& columns);
+/// `columns`: of each height the one that saves most bits, the best first.
+std::vector<Rect> standing_between(const Workshop& shop, const Evidence& evidence,
+                                   const State& state, int i, const std::vector<Segment>& columns);
 
 /// Node i rewritten into elements with what stands in them, if the rules have any.
 std::vector<State> rows_of_elements(const Workshop& shop, const Evidence& evidence,

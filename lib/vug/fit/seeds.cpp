@@ -12,8 +12,11 @@ std::vector<Gains> first_gains(const Evidence& evidence, bool of_looks) {
   std::vector<Gains> out;
   const Sums all = evidence.sums(0, 0, evidence.width(), evidence.height());
   const double pixels = static_cast<double>(evidence.width()) * evidence.height();
-  // By day windows are among what is darker.
-  for (int cluster = 0; 2 * cluster < evidence.lanes(); ++cluster) {
+  // What is first is most likely (see ClusterImage); else whatever is not the most frequent.
+  const auto lanes = all.lane.begin() + evidence.lanes();
+  const auto most = std::max_element(all.lane.begin(), lanes) - all.lane.begin();
+  for (int cluster = 0; cluster < evidence.lanes(); ++cluster) {
+    if (cluster == most && cluster > 0) continue;
     Sums windows = all;
     // As if a quarter of the picture were windows, and six in ten of their pixels were of it.
     for (uint32_t& n : windows.lane) n = static_cast<uint32_t>(0.1 * n);

@@ -62,6 +62,16 @@ Sheet::Sheet(const GainMap& map, const State& state, const Area& area)
   }
 }
 
+Sheet Sheet::without(const Rect& rect) const {
+  Sheet out = *this;
+  for (int y = rect.y0 + 1; y <= height_; ++y)
+    for (int x = rect.x0 + 1; x <= width_; ++x)
+      out.table_[static_cast<size_t>(y) * static_cast<size_t>(width_ + 1) +
+                 static_cast<size_t>(x)] -=
+          sum(rect.x0, rect.y0, std::min(x, rect.x1), std::min(y, rect.y1));
+  return out;
+}
+
 double Sheet::promise() const {
   constexpr int kSide = 3;
   double out = 0;

@@ -28,6 +28,8 @@ struct GainMap {
 class Sheet {
  public:
   Sheet(const GainMap& map, const State& state, const Area& area);
+  /// The same where the rectangle of the area gains nothing, as something else stands there.
+  Sheet without(const Rect& rect) const;
 
   int width() const { return width_; }
   int height() const { return height_; }

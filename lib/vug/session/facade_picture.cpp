@@ -66,29 +66,51 @@ std::optional<image::Image> colours_of(const std::filesystem::path& file,
   return out;
 }
 
-/// Each pixel's middle value of nine, holes counting as deeper than all: edges stay, and pixels
-/// that saw both sides of one take one of them.
-image::Image crisp(const image::Image& depth) {
-  constexpr float kDeepest = std::numeric_limits<float>::infinity();
+/// Each pixel of its own value and those of the nine around, as far as there are any, in no order.
+template <class Of>
+image::Image from_nine(const image::Image& depth, const Of& of) {
   image::Image out = depth;
   std::array<float, 9> near{};
   for (int y = 0; y < depth.height; ++y)
     for (int x = 0; x < depth.width; ++x) {
       size_t count = 0;
       for (int v = std::max(0, y - 1); v <= std::min(depth.height - 1, y + 1); ++v)
-        for (int u = std::max(0, x - 1); u <= std::min(depth.width - 1, x + 1); ++u) {
-          const float value = depth.at(u, v);
-          near[count++] = std::isfinite(value) ? value : kDeepest;
-        }
-      const auto middle = near.begin() + static_cast<std::ptrdiff_t>(count / 2);
-      std::nth_element(near.begin(), middle, near.begin() + static_cast<std::ptrdiff_t>(count));
-      out.at(x, y) = *middle == kDeepest ? kHole : *middle;
+        for (int u = std::max(0, x - 1); u <= std::min(depth.width - 1, x + 1); ++u)
+          near[count++] = depth.at(u, v);
+      out.at(x, y) =
+          of(depth.at(x, y), near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
     }
   return out;
 }
 
+/// Where the depth steps, pixels that saw both sides are of the nearer one: of the least and the
+/// greatest value around (toggle mapping, cite kramer1975).
+image::Image stepped(const image::Image& depth) {
+  constexpr float kStep = 0.05F;  // metres; less is no step but relief, or noise
+  return from_nine(depth, [&](float own, auto begin, auto end) {
+    if (!std::isfinite(own)) return own;
+    float least = own, most = own;
+    for (auto at = begin; at != end; ++at)
+      if (std::isfinite(*at)) least = std::min(least, *at), most = std::max(most, *at);
+    if (most - least < kStep) return own;
+    return own - least < most - own ? least : most;
+  });
+}
+
+/// Each pixel's middle value of nine, holes counting as deeper than all.
+image::Image smoothed(const image::Image& depth) {
+  constexpr float kDeepest = std::numeric_limits<float>::infinity();
+  return from_nine(depth, [&](float, auto begin, auto end) {
+    for (auto at = begin; at != end; ++at)
+      if (!std::isfinite(*at)) *at = kDeepest;
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end);
+    return *middle == kDeepest ? kHole : *middle;
+  });
+}
+
 void set_depth(FacadePicture& picture, const image::Image& depth) {
-  picture.depth = crisp(fit::reduced(depth, {picture.width, picture.height}));
+  picture.depth = smoothed(stepped(fit::reduced(depth, {picture.width, picture.height})));
   scan::Mask solid(picture.width, picture.height);
   for (size_t i = 0; i < solid.on.size(); ++i)
     solid.on[i] = std::isfinite(picture.depth->pixels[i]);

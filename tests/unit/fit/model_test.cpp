@@ -112,6 +112,47 @@ TEST(Model, RepetitionsCostTheModelOnceAndThePixelsEachTime) {
   EXPECT_NEAR(model.energy(state), complexity + bits, 1e-9);
 }
 
+TEST(Model, AnElementLeftEmptyCostsAsMuchAsOneWithSomething) {
+  const Rules rules =
+      rules_of({"Row elements Element", "Element terminal Window", "Element terminal Door"});
+  const Model model(rules, {}, 40, 20);
+  Node element, window;
+  element.symbol = 1, element.made_by = static_cast<int8_t>(Op::elements), element.extent = 25;
+  Node last = element;
+  last.extent = 0;
+  window.symbol = 2, window.made_by = static_cast<int8_t>(Op::terminal);
+  window.width = 15, window.height = 20;
+  State empty = model.start();
+  empty.grow(0, 0, {element, last});
+  State full = empty;
+  full.grow(2, 1, {window});
+  EXPECT_NEAR(model.energy(empty), model.energy(full), 1e-12);
+  EXPECT_NEAR(model.energy(full), 3 * std::log2(4) + 6 + 2 * (std::log2(4) + 2 * (6 + 5)), 1e-12);
+}
+
+TEST(Model, WindowsOfAPartThatComesAgainDoNotTouchThemselves) {
+  const Rules rules = rules_of({"Facade mirror Side", "Facade grid IdenticalGrid",
+                                "Side grid IdenticalGrid", "IdenticalGrid windows Window"});
+  const Model model(rules, {}, 40, 20);
+  const auto energy = [&](bool mirrored, int left) {
+    Node side, grid, window;
+    side.symbol = 1, side.made_by = static_cast<int8_t>(Op::mirror);
+    grid.symbol = 2, grid.made_by = static_cast<int8_t>(Op::grid);
+    grid.columns = 1, grid.rows = 1;
+    grid.left = {static_cast<int16_t>(left)}, grid.top = {3};
+    window.symbol = 3, window.made_by = static_cast<int8_t>(Op::windows);
+    window.width = 6, window.height = 6;
+    State state = model.start();
+    if (mirrored) state.grow(0, 0, {side});
+    state.grow(mirrored ? 1 : 0, mirrored ? 2 : 1, {grid});
+    state.grow(mirrored ? 2 : 1, 3, {window});
+    return model.energy(state);
+  };
+  EXPECT_TRUE(std::isfinite(energy(true, 13))) << "two pixels apart";
+  EXPECT_FALSE(std::isfinite(energy(true, 14))) << "one window of twice the width";
+  EXPECT_TRUE(std::isfinite(energy(false, 34))) << "at the picture's border";
+}
+
 TEST(Likelihoods, KtIsTheClosedForm) {
   const Evidence pixels = Evidence::of_clusters(2, 2, 2, {0, 0, 1, 0});
   EXPECT_NEAR(make_likelihood("kt", pixels)->bits(Look::wall, pixels.sums(0, 0, 2, 2)),

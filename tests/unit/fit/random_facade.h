@@ -95,6 +95,9 @@ class AsPixels {
       one.columns = static_cast<int16_t>(number(grid.numbers, "columns"));
       one.rows = static_cast<int16_t>(number(grid.numbers, "rows"));
       lines(grid.numbers, "x", one.columns, info.regular, one.left);
+      if (info.regular)
+        one.left = even_lines(
+            one.left[0], one.left[static_cast<size_t>(one.columns - 1)] - one.left[0], one.columns);
       lines(grid.numbers, "y", one.rows, info.regular, one.top);
       Lines top{};
       for (size_t row = 0; row < static_cast<size_t>(one.rows); ++row)
@@ -136,7 +139,7 @@ class AsPixels {
         if (op == Op::elements && child != node.children.back()) one.extent = to(part.rect.width);
         if (op == Op::mirror && name == "SymmetricFacadeMiddle")
           one.extent = static_cast<int16_t>(room - 2 * ((room - to(part.rect.width)) / 2));
-        if (op == Op::terminal) one.width = to(area.width), one.height = to(area.height);
+        if (op == Op::terminal) one.width = out.area(i).width, one.height = out.area(i).height;
         put(child, one);
       }
     }

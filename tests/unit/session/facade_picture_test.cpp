@@ -1,0 +1,46 @@
+// Pictures of facades as they are read: depths at edges.
+#include <vug/image/io.h>
+#include <vug/session/facade_picture.h>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::session {
+namespace {
+
+TEST(FacadePicture, PixelsThatSawBothSidesOfAStepAreOfOne) {
+  constexpr int kSide = 24;
+  constexpr float kWall = 30, kPane = 30.24f;
+  const auto path =
+      std::filesystem::temp_directory_path() / ("vug_steps_" + std::to_string(::getpid()) + ".exr");
+  image::Image depth(kSide, kSide, {"Z"});
+  // A window whose edges lie within pixels: a third of them is its own to the left and above, two
+  // thirds to the right and below, and the wall leans by 2 cm.
+  const auto share = [](int at) {
+    return at == 6 ? 1 / 3.f : at == 15 ? 2 / 3.f : at > 6 && at < 15;
+  };
+  const auto wall = [&](int x) { return kWall + 0.02f * static_cast<float>(x) / kSide; };
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const float of_window = share(x) * share(y);
+      depth.at(x, y) = (1 - of_window) * wall(x) + of_window * kPane;
+    }
+  image::write_exr(path, depth);
+  const FacadePicture read = read_facade_picture(path);
+  ASSERT_TRUE(read.depth);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const bool corner = (x == 7 || x == 15) && (y == 7 || y == 15);
+      if (corner) continue;  // the middle of nine is the wall's
+      const bool inside = x > 6 && x < 16 && y > 6 && y < 16;
+      const float off = read.depth->at(x, y);  // behind the most frequent depth
+      EXPECT_LT(inside ? std::abs(off - 0.24f) : std::abs(off), 0.025f) << x << " " << y;
+    }
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace vug::session
