@@ -1,9 +1,9 @@
 #include <vug/base/error.h>
+#include <vug/flora/crossing.h>
 #include <vug/flora/plot.h>
+#include <vug/flora/turn.h>
 #include <vug/mesh/polygon.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/enum.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,35 +13,7 @@ namespace vug::flora {
 namespace {
 
 constexpr double kFarthest = 1e6;
-constexpr size_t kMostCorners = 20000;  // every side is held against every other
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-CGAL::Orientation turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-  return CGAL::orientation(Kernel::Point_2(a.x, a.y), Kernel::Point_2(b.x, b.y),
-                           Kernel::Point_2(c.x, c.y));
-}
-
-/// Of a point in line with a and b.
-bool lies_between(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
-  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-         p.y <= std::max(a.y, b.y);
-}
-
-bool meet(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
-  const auto abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
-  if (abc != abd && cda != cdb) return true;
-  return (abc == CGAL::COLLINEAR && lies_between(a, b, c)) ||
-         (abd == CGAL::COLLINEAR && lies_between(a, b, d)) ||
-         (cda == CGAL::COLLINEAR && lies_between(c, d, a)) ||
-         (cdb == CGAL::COLLINEAR && lies_between(c, d, b));
-}
-
-Vec2d crossing(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
-  const Vec2d ab = b - a, cd = d - c;
-  const double across = ab.cross(cd);
-  return across != 0 ? a + ab * ((c - a).cross(cd) / across) : c;
-}
+constexpr size_t kMostCorners = 20000;  // every side may be held against every other
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::bad_input, what); }
 
@@ -64,34 +36,15 @@ void require_simple(const Corners& corners) {
     if (a == b)
       refuse(fmt::format("corners {} and {} of the polygon are both at {}", i + 1, (i + 1) % n + 1,
                          to_string(a)));
-    if (turn(a, b, c) == CGAL::COLLINEAR && (b - a).dot(c - b) < 0)
+    if (turn(a, b, c) == 0 && (b - a).dot(c - b) < 0)
       refuse(fmt::format("side {} of the polygon runs back along side {}, from {}", (i + 1) % n + 1,
                          i + 1, to_string(b)));
   }
-  for (size_t i = 0; i < n; ++i)
-    for (size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j == n - 1) continue;  // neighbours
-      const Vec2d &a = corners[i], &b = corners[(i + 1) % n];
-      const Vec2d &d = corners[j], &e = corners[(j + 1) % n];
-      if (meet(a, b, d, e))
-        refuse(fmt::format("sides {} and {} of the polygon cross or touch at {}", i + 1, j + 1,
-                           to_string(crossing(a, b, d, e))));
-    }
-}
-
-/// Corners are told apart in single precision there; here only their numbers are taken.
-std::vector<mesh::Triangle> triangles_of(const Corners& corners, const Vec2d& low,
-                                         const Vec2d& high) {
-  mesh::Mesh plane;
-  std::vector<uint32_t> ring;
-  const Vec2d middle = (low + high) / 2;
-  for (const Vec2d& corner : corners) {
-    ring.push_back(static_cast<uint32_t>(ring.size()));
-    const Vec2d at = corner - middle;
-    plane.positions.emplace_back(static_cast<float>(at.x), static_cast<float>(at.y), 0.0f);
-  }
-  mesh::add_rings(plane, {ring});
-  return plane.triangles;
+  std::vector<Vec3d> level;
+  for (const Vec2d& p : corners) level.emplace_back(p.x, p.y, 0);
+  if (const auto fault = self_crossing(level, Touching::refused))
+    refuse(fmt::format("sides {} and {} of the polygon cross or touch at {}", fault->first,
+                       fault->second, to_string(Vec2d(fault->at.x, fault->at.y))));
 }
 
 }  // namespace
@@ -108,7 +61,7 @@ Plot::Plot(Corners corners) : corners_(std::move(corners)) {
     low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
     high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
   }
-  triangles_ = triangles_of(corners_, low_, high_);
+  triangles_ = mesh::triangles_of({corners_});
   double sum = 0;
   for (const auto& [a, b, c] : triangles_) {
     sum += std::fabs((corners_[b] - corners_[a]).cross(corners_[c] - corners_[a])) / 2;
@@ -122,8 +75,8 @@ bool Plot::contains(const Vec2d& p) const {
   for (size_t i = 0, before = corners_.size() - 1; i < corners_.size(); before = i++) {
     const Vec2d &a = corners_[before], &b = corners_[i];
     if ((a.y > p.y) == (b.y > p.y)) continue;
-    const auto side = a.y < b.y ? turn(a, b, p) : turn(b, a, p);
-    if (side == CGAL::LEFT_TURN) inside = !inside;
+    const int side = a.y < b.y ? turn(a, b, p) : turn(b, a, p);
+    if (side > 0) inside = !inside;
   }
   return inside;
 }
@@ -153,7 +106,7 @@ int Plot::dent() const {
   const size_t n = corners_.size();
   for (size_t i = 0; i < n; ++i)
     turned += (corners_[i] - corners_[0]).cross(corners_[(i + 1) % n] - corners_[0]);
-  const auto wrong = turned > 0 ? CGAL::RIGHT_TURN : CGAL::LEFT_TURN;
+  const int wrong = turned > 0 ? -1 : 1;
   for (size_t i = 0; i < n; ++i)
     if (turn(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]) == wrong)
       return static_cast<int>(i);

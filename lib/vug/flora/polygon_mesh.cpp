@@ -11,7 +11,7 @@ namespace vug::flora {
 namespace {
 
 void require_simple(const lsystem::Polygon& polygon, size_t number) {
-  const std::optional<Crossing> fault = self_crossing(polygon.corners);
+  const std::optional<Crossing> fault = self_crossing(polygon.corners, Touching::allowed);
   if (!fault) return;
   throw Error(
       ErrorCode::bad_input,

@@ -16,4 +16,8 @@ void add_polygon(Mesh& mesh, const std::vector<uint32_t>& polygon);
 /// Error(bad_input) where sides cross, but for common corners; the mesh is then as before.
 void add_rings(Mesh& mesh, const std::vector<std::vector<uint32_t>>& rings);
 
+/// The same in the plane, exactly: constrained Delaunay triangles of corners that are counted over
+/// all rings from 0; of those in one place the first. They turn to the left, from x towards y.
+std::vector<Triangle> triangles_of(const std::vector<std::vector<Vec2d>>& rings);
+
 }  // namespace vug::mesh

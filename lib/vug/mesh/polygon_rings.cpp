@@ -44,6 +44,36 @@ void count_rings(Plane& plane) {
 
 }  // namespace
 
+std::vector<Triangle> triangles_of(const std::vector<std::vector<Vec2d>>& rings) {
+  Plane plane;
+  uint32_t number = 0;
+  try {
+    for (const std::vector<Vec2d>& ring : rings) {
+      std::vector<Plane::Vertex_handle> corners;
+      for (const Vec2d& p : ring) {
+        const size_t before = plane.number_of_vertices();
+        corners.push_back(plane.insert(Kernel::Point_2(p.x, p.y)));
+        if (plane.number_of_vertices() > before) corners.back()->info() = number;
+        ++number;
+      }
+      for (size_t i = 0; i < corners.size(); ++i) {
+        const auto next = corners[(i + 1) % corners.size()];
+        if (corners[i] != next) plane.insert_constraint(corners[i], next);
+      }
+    }
+  } catch (const Plane::Intersection_of_constraints_exception&) {
+    throw Error(ErrorCode::bad_input, "the sides of a polygon cross each other");
+  }
+  std::vector<Triangle> triangles;
+  if (plane.dimension() < 2) return triangles;
+  count_rings(plane);
+  for (const Plane::Face_handle face : plane.finite_face_handles())
+    if (face->info() % 2 == 1)
+      triangles.push_back(
+          {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  return triangles;
+}
+
 void add_rings(Mesh& mesh, const std::vector<std::vector<uint32_t>>& rings) {
   Vec3d normal(0);
   const Vec3d origin(mesh.positions[rings.front().front()]);
@@ -56,30 +86,18 @@ void add_rings(Mesh& mesh, const std::vector<std::vector<uint32_t>>& rings) {
   const Vec3d axis = std::fabs(normal.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
   const Vec3d right = axis.cross(normal).normalized(), up = normal.cross(right);
 
-  Plane plane;
-  try {
-    for (const std::vector<uint32_t>& ring : rings) {
-      std::vector<Plane::Vertex_handle> corners;
-      for (const uint32_t corner : ring) {
-        const Vec3d p = Vec3d(mesh.positions[corner]) - origin;
-        const size_t before = plane.number_of_vertices();
-        corners.push_back(plane.insert(Kernel::Point_2(p.dot(right), p.dot(up))));
-        if (plane.number_of_vertices() > before) corners.back()->info() = corner;
-      }
-      for (size_t i = 0; i < corners.size(); ++i) {
-        const auto next = corners[(i + 1) % corners.size()];
-        if (corners[i] != next) plane.insert_constraint(corners[i], next);
-      }
+  std::vector<std::vector<Vec2d>> flat;
+  std::vector<uint32_t> corners;
+  for (const std::vector<uint32_t>& ring : rings) {
+    flat.emplace_back();
+    for (const uint32_t corner : ring) {
+      const Vec3d p = Vec3d(mesh.positions[corner]) - origin;
+      flat.back().emplace_back(p.dot(right), p.dot(up));
+      corners.push_back(corner);
     }
-  } catch (const Plane::Intersection_of_constraints_exception&) {
-    throw Error(ErrorCode::bad_input, "the sides of a polygon cross each other");
   }
-  if (plane.dimension() < 2) return;
-  count_rings(plane);
-  for (const Plane::Face_handle face : plane.finite_face_handles())
-    if (face->info() % 2 == 1)
-      mesh.triangles.push_back(
-          {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  for (const Triangle& t : triangles_of(flat))
+    mesh.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
 }
 
 }  // namespace vug::mesh

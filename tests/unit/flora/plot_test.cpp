@@ -62,11 +62,46 @@ TEST(Plot, RefusesWhatIsNoSimplePolygonAndSaysWhere) {
             "side 2 of the polygon runs back along side 1, from (2, 0)");
   // A corner on another side: the plot would fall apart there.
   EXPECT_EQ(fault_of({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}),
-            "sides 1 and 3 of the polygon cross or touch at (2, 0)");
+            "sides 1 and 4 of the polygon cross or touch at (2, 0)");
   EXPECT_NE(fault_of({{0, 0}, {1, NAN}, {0, 1}}).find("corner 2"), std::string::npos);
   EXPECT_NE(fault_of({{0, 0}, {1e7, 0}, {0, 1}}).find("1e6 m at most"), std::string::npos);
   EXPECT_NE(fault_of({{0, 0}, {1, 1}, {2, 2}}), "");
   EXPECT_EQ(fault_of(kBent), "");
+}
+
+TEST(Plot, TouchingIsToldExactly) {
+  // The dent's corner on the long side, and next to it by the last digit either way.
+  const auto dented = [](double y) {
+    return Corners{{0, 0}, {1000, 0}, {1000, 1}, {300, y}, {0, 1}};
+  };
+  EXPECT_EQ(fault_of(dented(0)), "sides 1 and 4 of the polygon cross or touch at (300, 0)");
+  EXPECT_EQ(fault_of(dented(5e-324)), "");
+  EXPECT_NE(fault_of(dented(-5e-324)), "");
+  // Sides along one another, which have no one crossing.
+  EXPECT_EQ(fault_of({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {3, 0}, {1, 0}, {1, 2}, {0, 2}}),
+            "sides 1 and 5 of the polygon cross or touch at (3, 0)");
+}
+
+TEST(Plot, TakesWhatIsThinSmallAndLarge) {
+  const auto turned = [](const Corners& corners, double angle) {
+    Corners out;
+    for (const Vec2d& p : corners)
+      out.emplace_back(p.x * std::cos(angle) - p.y * std::sin(angle),
+                       p.x * std::sin(angle) + p.y * std::cos(angle));
+    return out;
+  };
+  // A millimetre across, 10 km long, a bend of a millimetre in 10 km, corners in line.
+  for (const double angle : {0.0, 0.3, 1.0})
+    for (const double across : {1e-3, 1.0}) {
+      const Corners thin = {{0, 0},        {2500, 0},      {5000, 0},
+                            {1e4, across}, {5000, across}, {0, across}};
+      const Plot plot(turned(thin, angle));
+      EXPECT_NEAR(plot.area() / (7500 * across), 1, 1e-6) << angle;
+      RandomStream random(RandomKey(3));
+      for (int i = 0; i < 200; ++i) EXPECT_LT(plot.to_border(plot.point(random)), across);
+    }
+  EXPECT_NEAR(Plot(turned({{0, 0}, {1e-3, 0}, {1e-3, 1e-3}, {0, 1e-3}}, 0.3)).area(), 1e-6, 1e-18);
+  EXPECT_NEAR(Plot(turned({{0, 0}, {1e4, 0}, {1e4, 1e4}, {0, 1e4}}, 0.3)).area(), 1e8, 1e-4);
 }
 
 TEST(Plot, TakesPolygonsThatAreFarAwayAndSmall) {
