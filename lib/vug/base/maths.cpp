@@ -135,10 +135,4 @@ double acos(double x) {
   return atan2(std::sqrt((1 - c) * (1 + c)), c);
 }
 
-double pow(double base, double exponent) {
-  if (exponent == 0) return 1;
-  if (base == 0) return exponent > 0 ? 0 : std::numeric_limits<double>::infinity();
-  return exp(exponent * log(base));
-}
-
 }  // namespace vug::maths

@@ -41,6 +41,22 @@ TEST(Maths, HyperbolicFunctionsAgreeWithTheLibrary) {
   EXPECT_TRUE(std::isnan(maths::atanh(1.5)));
 }
 
+// The library's powers are right to 0.52 units, so both are mostly the nearest number there is.
+TEST(Maths, PowersAreThoseOfTheLibraryInAlmostAllDigits) {
+  RandomStream random(RandomKey(1).at("power"));
+  const int count = 20000;
+  int others = 0;
+  for (int i = 0; i < count; ++i) {
+    const double base = i % 2 ? random.uniform(0, 4) : std::exp(random.uniform(-100, 100));
+    const double exponent = random.uniform(-6, 6);
+    const double library = std::pow(base, exponent), ours = maths::pow(base, exponent);
+    EXPECT_NEAR(ours / library, 1, 2.3e-16) << base << " ^ " << exponent;
+    others += ours != library;
+    EXPECT_NEAR(maths::pow(base, 0.5) / std::sqrt(base), 1, 2.3e-16) << base;
+  }
+  EXPECT_LT(others, count / 100);
+}
+
 TEST(Maths, EdgesAreRight) {
   EXPECT_EQ(maths::log(0), -INFINITY);
   EXPECT_TRUE(std::isnan(maths::log(-1)));
@@ -48,6 +64,13 @@ TEST(Maths, EdgesAreRight) {
   EXPECT_EQ(maths::atan2(0, 0), 0);
   EXPECT_EQ(maths::pow(2, 10), 1024);
   EXPECT_EQ(maths::pow(0, 2), 0);
+  EXPECT_EQ(maths::pow(3, 0.5), 1.7320508075688772);
+  EXPECT_EQ(maths::pow(1e308, 1.1), INFINITY);
+  EXPECT_EQ(maths::pow(1e-308, 1.5), 0);
+  EXPECT_NEAR(maths::pow(1e-200, 1.6) / 1e-320, 1, 1e-3);  // a number that is not normal
+  EXPECT_NEAR(maths::pow(1e-310, 0.5) / 1e-155, 1, 1e-9);
+  EXPECT_EQ(maths::pow(1, 1e300), 1);
+  EXPECT_TRUE(std::isnan(maths::pow(-2, 0.5)));
 }
 
 }  // namespace
