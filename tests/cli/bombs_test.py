@@ -46,6 +46,8 @@ BOMBS = {
 }
 TEXTS = {
     "a block without an axiom": (["A -> B"], "1:9", "grammar 'g' has no axiom"),
+    "a rule without its arrow": (["axiom A", "A B"], "3:1", "a line without '->'"),
+    "a rule without its arrow, between others": (["axiom A", "A -> B", "B F[+F]", "C -> D"], "4:1", "a line without '->'"),
     "a rule without a word": (["axiom A", "A ->"], "3:3", "the rule of 'A' has no modules"),
     "an unknown option": (["stepz 3", "axiom A"], "2:1", "did you mean 'steps'?"),
     "half a step": (["steps 2.5", "axiom A"], "2:1", "'steps'"),

@@ -130,6 +130,90 @@ SYSTEMS = {
             ("", "A(x)", "", "@2 if (0..1) < 0.9", "F(0.5..1)[+(0.1..0.7)A(x*(0.8..1))]A(x)"),
             ("", "A(x)", "", "@1", "F(x)A(0.25..0.75)"),
             ("", "B(x, y)", "", "if y > (2..3)", "A(y)")], seed=99), 12),
+    "right contexts that enter branches of branches": (
+        System("A[B[C]D]E", [
+            ("", "A", "[B[C]D]E", "", "A[B[C]D]E"), ("", "A", "[B]", "", "FA"),
+            ("", "E", "", "", "A[D][B[D][C]D]A"), ("", "B", "[C]", "", "B[C]A"),
+            ("", "B", "D", "", "B[A]"), ("", "C", "", "", "CB"), ("B", "D", "", "", "DE")]), 7),
+    "pipes: widths summed towards the root": (
+        System("I(0)I(0)A(5)", [
+            ("", "A(n)", "", "if n > 0",
+             "[+(17deg)I(0)A(n-1)][-(23deg)I(0)I(0)A(n-2)]I(0)A(n-1)"),
+            ("", "A(n)", "", "if n <= 0", "I(1)"),
+            ("", "I(w)", "[I(a)][I(b)]I(c)", "", "I(w/2 + a + b + c)"),
+            ("", "I(w)", "[I(a)]I(c)", "", "I(a + c)"), ("", "I(w)", "I(c)", "", "I(c)")],
+               ignore="+ -"), 12),
+    "left contexts over branch points, two deep, with numbers": (
+        System("B(1)A(1)[+A(2)[-A(3)]A(4)]A(5)", [
+            ("B(b) A(x)", "A(y)", "", "if x > y/2", "A(y+b)[+A(x)]"),
+            ("A(x)", "A(y)", "A(z)", "if x + z > y", "A((x+z)/2)B(y)"),
+            ("A(x)", "A(y)", "", "", "A(x-y)A(y)"), ("", "B(b)", "", "if b < 9", "B(b*1.5)")],
+               ignore="+ -"), 9),
+    "cuts by signals": (
+        System("SA", [
+            ("S", "A", "", "", "[+BS]SA"), ("", "S", "", "", "X"), ("X", "B", "", "", "BC"),
+            ("", "B", "X", "", "F%"), ("", "C", "", "", "[D%E]S"), ("", "D", "", "", "A%A"),
+            ("", "X", "", "", "XF")], ignore="+ F"), 16),
+    "contexts that consider few names": (
+        System("S[FA[GA]F]FA[F-A]+GA", [
+            ("S", "A", "", "", "SF"), ("", "S", "", "", "[+FA]GA"), ("A", "S", "A", "", "S"),
+            ("", "G", "A", "", "F[-A]S"), ("", "F", "[S]", "", "S")], consider="S A"), 13),
+    "empty branches and branches of branches": (
+        System("A[[B]][+[C]-A]B[]C", [
+            ("A", "B", "", "", "AB"), ("", "A", "[B]", "", "C[B]A"), ("", "C", "", "", "[[A]]"),
+            ("", "B", "C", "", "BC"), ("", "A", "[C]A", "", "B")], ignore="+ -"), 8),
+    "tables with contexts, chance and weights by parameters": (
+        System("A(3)B", [("", "L(t)", "", "if t < 5", "L(t+1)")], tables={
+            "wet": [("", "A(x)", "", "@2", "I[+L(0)]A(x)B"), ("", "A(x)", "", "@x", "IA(x+1)"),
+                    ("A(x)", "B", "", "", "[L(x)]B")],
+            "dry": [("", "A(x)", "", "if (0..1) < 0.4", "IA(0.5..1.5)"),
+                    ("", "L(t)", "", "if t >= 3", "nothing"),
+                    ("", "B", "", "@1", "nothing"), ("", "B", "", "@3", "BI")]},
+               schedule="wet*2 dry*3 wet dry", seed=31), 17),
+    "Penrose's tiling, which forgets": (
+        plain("[N]++[N]++[N]++[N]++[N]", M="OA++PA----NA[-OA----MA]++",
+              N="+OA--PA[---MA--NA]+", O="-MA++NA[+++OA++PA]-", P="--OA++++MA[+PA++++NA]--NA",
+              A="nothing"), 5),
+    "2.7 Aono and Kunii": (
+        System("A(1, 10)", [
+            ("", "A(l, w)", "", "",
+             "!(w)F(l)[&(10deg)B(l*r1,w*wr)]/(180deg)[&(60deg)B(l*r2,w*wr)]"),
+            ("", "B(l, w)", "", "", "!(w)F(l)[+(10deg)$B(l*r1,w*wr)][-(60deg)$B(l*r2,w*wr)]")],
+               lets={"r1": 0.9, "r2": 0.7, "wr": 0.707}), 8),
+    "2.8 ternary branching": (
+        System("!(1)F(200)/(45deg)A", [
+            ("", "A", "", "", "!(vr)F(50)[&(a1)F(50)A]/(d1)[&(a1)F(50)A]/(d2)[&(a1)F(50)A]"),
+            ("", "F(l)", "", "", "F(l*lr)"), ("", "!(w)", "", "", "!(w*vr)")],
+               lets={"vr": 1.732, "lr": 1.109, "a1": "18.95deg", "d1": "94.74deg",
+                     "d2": "132.63deg"}), 5),
+    "3.5 Capsella bursa-pastoris": (
+        System("I(9) a(13)", [
+            ("", "a(t)", "", "if t > 0", "[&(70deg)L]/(137.5deg)I(10) a(t-1)"),
+            ("", "a(t)", "", "if t == 0", "[&(70deg)L]/(137.5deg)I(10)A"),
+            ("", "A", "", "", "[&(18deg) u(4)FFI(10)I(5)X(5)KKKK]/(137.5deg)I(8)A"),
+            ("", "I(t)", "", "if t > 0", "FI(t-1)"), ("", "I(t)", "", "if t == 0", "F"),
+            ("", "u(t)", "", "if t > 0", "&(9deg) u(t-1)"), ("", "u(t)", "", "if t == 0", "&(9deg)"),
+            ("", "L", "", "", "[{.-FI(7)+FI(7)+FI(7)}][{.+FI(7)-FI(7)-FI(7)}]"),
+            ("", "K", "", "", "[&{.+FI(2)--FI(2)}][&(90deg){.+FI(2)--FI(2)}]/(90deg)"),
+            ("", "X(t)", "", "if t > 0", "X(t-1)"),
+            ("", "X(t)", "", "if t == 0", "^(50deg)[[-ffff++[f f++f f]|[f]]%]")]), 30),
+    "4.1 phyllotaxis, by roots": (
+        System("A(0)", [("", "A(n)", "", "", "+(137.5deg)[f(n^0.5)D]A(n+1)")]), 60),
+    "5.6 cordate leaf: polygons that end beyond their branch": (
+        plain("[A][B]", A="[+A{.].C.}", B="[-B{.].C.}", C="GC"), 12),
+    "5.8 simple leaf, with a parameter called like a unit": (
+        System("{.A(0)}", [
+            ("", "A(t)", "", "", "G(LA,RA)[-B(t).][A(t+1)][+B(t).]"),
+            ("", "B(t)", "", "if t > 0", "G(LB,RB)B(t-PD)"),
+            ("", "G(s, r)", "", "if r > 1", "G(s*r, r)")],
+               lets={"LA": 5, "RA": 1.15, "LB": 1.3, "RB": 1.25, "PD": 0.25}), 9),
+    "Lindenmayer's alga": (
+        plain("A", A="B[C]", C="B[+D]", D="E[-C]G", E="D", G="F[A]"), 14),
+    "rule 110": (
+        System("O" * 25 + "IX", [
+            (l, c, r, "", n) for l, c, r, n in (
+                "IIIO", "IOOO", "OOOO", "IOII", "OIOO", "OOII", "IIOI", "OIII", "OIXI", "IIXI",
+                "IOXO")]), 24),
 }
 
 

@@ -109,11 +109,20 @@ def printed(word):
     return "".join(out)
 
 
+def closing_bracket(word, at):
+    depth = 0
+    for i in range(at, len(word)):
+        depth += {"[": 1, "]": -1}.get(word[i][0], 0)
+        if depth == 0:
+            return i
+    raise ValueError(word)
+
+
 class Rule:
     def __init__(self, left, head, right, clauses, successor):
         self.left, self.right = modules(left), modules(right)
         (self.name, self.formals), = modules(head)
-        self.weight = re.search(r"@([\d.]+)", clauses)
+        self.weight = re.search(r"@(\S+)", clauses)
         guard = re.search(r"if (.*)", clauses)
         self.guard = compile(python(guard.group(1)), "guard", "eval") if guard else None
         self.draws = len(DRAW.findall(guard.group(1))) if guard else 0
@@ -128,7 +137,7 @@ class Around:
     """Ways through a word with branches: the module before each one, and the one behind it."""
 
     def __init__(self, word, unseen):
-        self.word, self.before, self.behind = word, {}, {}
+        self.word, self.before, self.behind, self.unseen = word, {}, {}, unseen
         last, waiting, stack = None, [], []
         for i, (name, _) in enumerate(word):
             if name == "[":
@@ -156,13 +165,47 @@ class Around:
         return True
 
     def right(self, at, wanted, env):
-        """Without branches in the pattern."""
-        for one in wanted:
+        """Branches of the pattern one after the other, each in the first side branch that fits."""
+        after = at + 1  # where the next side branch may begin
+        while wanted:
+            if wanted[0][0] == "[":
+                end = closing_bracket(wanted, 0)
+                after = self.entered(after, wanted[1:end], env)
+                if after is None:
+                    return False
+                wanted = wanted[end + 1:]
+                continue
             at = self.behind.get(at)
-            if not self.fits(at, one):
+            if not self.fits(at, wanted[0]):
                 return False
-            env.update(zip(one[1], self.word[at][1]))
+            env.update(zip(wanted[0][1], self.word[at][1]))
+            after, wanted = at + 1, wanted[1:]
         return True
+
+    def entered(self, at, wanted, env):
+        """What follows the first of the side branches from `at` on that begins as wanted."""
+        while at < len(self.word):
+            name = self.word[at][0]
+            if name == "[":
+                inner, trial = Around(self.word[at + 1:closing_bracket(self.word, at)], self.unseen), {}
+                inner.before_first()
+                if inner.right(-1, wanted, trial):
+                    env.update(trial)
+                    return closing_bracket(self.word, at) + 1
+                at = closing_bracket(self.word, at)
+            elif name == "]" or name not in self.unseen:
+                return None
+            at += 1
+        return None
+
+    def before_first(self):
+        """Makes -1 the place before the word's first module."""
+        depth = 0
+        for i, (name, _) in enumerate(self.word):
+            if name not in self.unseen and name not in "[]" and depth == 0:
+                self.behind[-1] = i
+                return
+            depth += {"[": 1, "]": -1}.get(name, 0)
 
 
 class System:
@@ -171,7 +214,10 @@ class System:
     def __init__(self, axiom, rows, ignore="", consider="", lets=(), seed=7, tables=(),
                  schedule="", decompose=(), depth=None):
         self.axiom, self.rows = axiom, [Rule(*row) for row in rows]
-        self.ignore, self.consider, self.lets = ignore.split(), consider.split(), dict(lets)
+        self.ignore, self.consider = ignore.split(), consider.split()
+        self.written, self.lets = dict(lets), {
+            name: eval(python(value), {"pi": math.pi}) if isinstance(value, str) else value
+            for name, value in dict(lets).items()}
         self.tables = {name: [Rule(*row) for row in rows] for name, rows in dict(tables).items()}
         self.schedule, self.seed = schedule.split(), seed
         self.parts, self.depth = [Rule(*row) for row in decompose], depth
@@ -183,7 +229,7 @@ class System:
 
     def text(self):
         """The scene."""
-        lines = [f"let {name} = {value!r}" for name, value in self.lets.items()]
+        lines = [f"let {name} = {value}" for name, value in self.written.items()]
         lines += ["grammar g: lsystem {", f"  seed {self.seed}", f"  axiom {self.axiom}"]
         for word, names in (("ignore", self.ignore), ("consider", self.consider),
                             ("schedule", self.schedule)):
@@ -231,7 +277,7 @@ class System:
 
     def chosen(self, rules, around, at, key):
         lots, drawn = [], 0
-        for rule in sorted(rules, key=self.written):
+        for rule in sorted(rules, key=self.rank):
             rule.first, drawn = drawn, drawn + rule.draws
         for rule in rules:
             env = self.env(zip(rule.formals, around.word[at][1]))
@@ -243,7 +289,7 @@ class System:
                 continue
             if not rule.weight:
                 return rule, env
-            lots.append((float(rule.weight.group(1)), rule, env))
+            lots.append((float(eval(rule.weight.group(1), env)), rule, env))
         dart = sum(lot[0] for lot in lots) * number_of(key, self.key, 0) if lots else 0
         total = 0
         for weight, rule, env in lots:
@@ -252,7 +298,7 @@ class System:
                 return rule, env
         return None, None
 
-    def written(self, rule):
+    def rank(self, rule):
         return self.rows.index(rule) if rule in self.rows else -1
 
     def decomposed(self, word, keys):

@@ -1,4 +1,5 @@
 #include <vug/scene/lsystem_check.h>
+#include <vug/scene/units.h>
 
 #include <fmt/format.h>
 
@@ -13,9 +14,13 @@ namespace {
 void check_formals(const Production& production, const NameAllowed& allowed,
                    Diagnostics& diagnostics) {
   std::set<std::string> names;
+  // Books call parameters s and m, too; within the rule the name is the parameter's.
+  const auto may_be = [&](const Formal& formal) {
+    return (is_unit(formal.name) && formal.name != "in") || allowed(formal.name, formal.where);
+  };
   const auto visit = [&](const Pattern& pattern) {
     for (const Formal& formal : pattern.formals)
-      if (allowed(formal.name, formal.where) && !names.insert(formal.name).second)
+      if (may_be(formal) && !names.insert(formal.name).second)
         diagnostics.error(formal.where,
                           fmt::format("the parameter '{}' twice in one head", formal.name));
   };

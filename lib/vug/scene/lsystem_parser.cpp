@@ -81,6 +81,8 @@ void LSystemParser::entries(const std::string& what, Block& rules, Grammar* gram
 
 void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
   const Token& first = cursor_.peek();
+  const Token& before = cursor_.last();
+  indent_ = before.kind == TokenKind::newline && before.text != ";" ? first.column : 0;
   if (grammar && at_part()) return part(*grammar);
   if (at_rule()) {
     rules.push_back(production());
@@ -303,9 +305,15 @@ ModuleString LSystemParser::word(const std::string& whose) {
   ModuleString word;
   std::vector<const Token*> branches, polygons;
   while (goes_on(!polygons.empty() || !branches.empty())) {
+    const bool next_line = cursor_.peek().kind == TokenKind::newline;
     while (cursor_.peek().kind == TokenKind::newline) cursor_.take();
     const Token& token = cursor_.peek();
     if (token.is("}") && polygons.empty()) break;
+    if (next_line && token.column <= indent_ && branches.empty() && polygons.empty())
+      cursor_.fail(token, "a line without '->'",
+                   fmt::format("rules are written: head -> successor; indented further the line "
+                               "would go on with {}",
+                               whose));
     if (token.is("->"))
       cursor_.fail(token, "a second rule on one line", "put ';' or a line break before it");
     if (!starts_module(token)) {

@@ -44,6 +44,7 @@ class LSystemParser {
   ExprParser exprs_;
   RuleLookahead& lookahead_;
   LSystem* system_ = nullptr;
+  int indent_ = 0;  ///< Column that the rule or the axiom begins at; 0 behind others on its line.
 };
 
 /// The names that letters in a row are: each capital begins one, so FFA is F F A and FlFr is Fl Fr;
