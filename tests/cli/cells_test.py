@@ -59,17 +59,22 @@ class Cells(VugTest):
         self.assertIn("s.vug:4:46: error: 'steps' expects a whole number, not 2.5", self.expect(2, "check", "s.vug").err)
 
     def test_a_misspelt_attribute_in_a_material_is_a_warning(self):
-        for name, told in (("crak", True), ("crack", False), ("my_own", False)):
-            material = f'material surface(color: layer(under: (1, 1, 1), over: (0, 0, 0), mask: attribute(name: "{name}")))'
+        for name, hint in (("crak", "did you mean 'crack'?"), ("crack", None), ("my_own", "there are Cd, "), ('my_own", otherwise: "1', None)):
+            material = f'material surface(color: layer(under: (1, 1, 1), over: (0, 0, 0), mask: attribute(name: "{name}")))'.replace('"1"', "1")
             self.write("s.vug", SCENE % ("wall", GOOD) + "object stone on skin { " + material + " }\n")
             error = self.expect(0, "check", "s.vug").err
-            self.assertEqual("warning: nobody brings an attribute 'crak'" in error, told, error)
-            self.assertEqual("did you mean 'crack'?" in error, told, error)
+            self.assertEqual(f"warning: nobody brings an attribute '{name}'" in error, hint is not None, error)
+            self.assertIn(f"hint: {hint}" if hint else "", error)
+
+    def test_attributes_of_included_looks_may_be_those_of_other_scenes(self):
+        self.write("look.vug", 'material odd = surface(color: layer(under: (1, 1, 1), over: (0, 0, 0), mask: attribute(name: "my_own")))\n')
+        self.write("s.vug", SCENE % ("wall", GOOD) + 'include "look.vug"\nobject stone on skin { material odd }\n')
+        self.assertNotIn("warning", self.expect(0, "check", "s.vug").err)
 
     def test_a_misspelt_attribute_in_a_layer_is_a_warning(self):
-        for name, told in (("crak", True), ("crack", False), ("my_own", False)):
+        for name, told in (("crak", True), ("crack", False), ("my_own", True)):
             self.write("s.vug", SCENE % ("wall", GOOD) + 'render more { layers ["beauty", "attribute_%s"] }\n' % name)
-            self.assertEqual("warning: nobody brings an attribute 'crak'" in self.expect(0, "check", "s.vug").err, told, name)
+            self.assertEqual(f"warning: nobody brings an attribute '{name}'" in self.expect(0, "check", "s.vug").err, told, name)
 
     def test_a_surface_that_folds_is_doubtful(self):
         # Where two balls meet, they grow into each other.

@@ -1,5 +1,6 @@
 #include <vug/cells/onto_mesh.h>
 #include <vug/facade/semantics.h>
+#include <vug/flora/merged.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/misspelt.h>
@@ -7,29 +8,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace vug::session {
 namespace {
 
-std::vector<std::string> carried(const Shot& shot) {
-  std::vector<std::string> names;
+/// What the meshes of a shot carry, and those of the scenes that stand in it.
+std::set<std::string> carried(const Shot& shot) {
+  std::set<std::string> names;
   for (const CellsPtr& cells : declared_cells(shot))
-    names.insert(names.end(), cells->brings.begin(), cells->brings.end());
+    names.insert(cells->brings.begin(), cells->brings.end());
   for (const MeshPtr& mesh : shot.meshes) {
     if (mesh->given)
-      for (const mesh::Attribute& each : mesh->given->attributes) names.push_back(each.name);
+      for (const mesh::Attribute& each : mesh->given->attributes) names.insert(each.name);
     if (mesh->elements.empty()) continue;
     const std::vector<std::string> semantic = facade::semantic_names(mesh->elements);
-    names.insert(names.end(), semantic.begin(), semantic.end());
+    names.insert(semantic.begin(), semantic.end());
   }
-  if (!names.empty()) names.emplace_back(mesh::kColour);
+  for (const PlacePlan& place : shot.places) {
+    names.insert(flora::kCopy);
+    for (const Model& model : place.of)
+      if (model.scene) names.merge(carried(*model.scene));
+  }
+  if (!names.empty()) names.emplace(mesh::kColour);
   return names;
 }
 
 class Search {
  public:
-  Search(const std::vector<std::string>& names, Diagnostics& diagnostics)
-      : names_(names), diagnostics_(diagnostics) {}
+  Search(const std::set<std::string>& names, std::string file, Diagnostics& diagnostics)
+      : names_(names.begin(), names.end()), file_(std::move(file)), diagnostics_(diagnostics) {}
 
   /// For masks and paints that read an attribute.
   void look(const scene::ExprPtr& expr) const {
@@ -61,12 +69,21 @@ class Search {
   void judge(const std::string& name, const SourceLocation& where) const {
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) return;
     const std::string near = nearest_name(name, names_);
-    if (near.empty()) return;
+    if (near.empty() && where.file != file_) return;
     diagnostics_.warning(where, fmt::format("nobody brings an attribute '{}'", name),
-                         fmt::format("did you mean '{}'?", near));
+                         near.empty() ? others() : fmt::format("did you mean '{}'?", near));
   }
 
-  const std::vector<std::string>& names_;
+  std::string others() const {
+    if (names_.empty()) return "cells, stems, leaves, facades and files of meshes bring some";
+    const bool cut = names_.size() > kMostTold;
+    const auto end = names_.begin() + static_cast<std::ptrdiff_t>(cut ? kMostTold : names_.size());
+    return fmt::format("there are {}{}", fmt::join(names_.begin(), end, ", "), cut ? ", ..." : "");
+  }
+
+  static constexpr size_t kMostTold = 20;
+  std::vector<std::string> names_;
+  std::string file_;  ///< The scene's own text: what it includes may be made for other scenes, too.
   Diagnostics& diagnostics_;
 };
 
@@ -74,9 +91,7 @@ class Search {
 
 void warn_of_misspelt_attributes(const scene::Document& document, const Shot& shot,
                                  Diagnostics& diagnostics) {
-  const std::vector<std::string> names = carried(shot);
-  if (names.empty()) return;
-  const Search search(names, diagnostics);
+  const Search search(carried(shot), document.sources.at(0)->file, diagnostics);
   for (const scene::Let& let : document.lets) search.look(let.value);
   for (const scene::Declaration& declaration : document.declarations) {
     search.look(declaration.value);

@@ -1,4 +1,4 @@
-// Attributes that are asked for by a name that nobody brings, but nearly.
+// Attributes that are asked for by a name that nobody brings.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -7,8 +7,9 @@
 
 namespace vug::session {
 
-/// Warns of each `attribute(name: "stian")` where cells or files bring no such name but one like
-/// it. Others may be meant for what else the material is put on, and are left alone.
+/// Warns of each `attribute(name: "stian")` that no mesh of the scene carries, unless it says what
+/// holds `otherwise`. Texts that are included may be made for other scenes, too: of theirs only
+/// what is nearly the name of one that is there.
 void warn_of_misspelt_attributes(const scene::Document& document, const Shot& shot,
                                  Diagnostics& diagnostics);
 

@@ -187,6 +187,8 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
             std::string::npos);
   EXPECT_NE(faults(square + ", distribution: paper(weights: [-1, 1])").find("at least 0"),
             std::string::npos);
+  EXPECT_NE(faults(square + ", distribution: paper(weights: [0, 0])").find("the smaller one first"),
+            std::string::npos);
   EXPECT_NE(
       faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("thing number"),
       std::string::npos);
@@ -194,6 +196,8 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
                 .find("hint: they are counted from 0, in the order of 'of'"),
             std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, from: 3m").find("stand 'on'"), std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, steepest: 20deg").find("stand 'on'"), std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, margin: 3m").find("'avoid'"), std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, on: thick")
                 .find("hint: 'thick' is declared by 'object'; it stands on 'large_mesh'"),
             std::string::npos);

@@ -197,6 +197,21 @@ TEST(Plants, PolygonsDoNotCrossThemselves) {
             std::string::npos);
 }
 
+TEST(Plants, CutsOfMassiveStemsShowNoHollow) {
+  const auto report = [](const std::string& more) {
+    return loaded("grammar g: lsystem {\n axiom F(1, 0.1)\n}\nlet wood = stems(of: g" + more +
+                  ")\n")
+        .report();
+  };
+  EXPECT_NE(report(", open: true")
+                .find("t.vug:4:12: error: 'open' shows the hollow of stems with a "
+                      "'wall'; without one they are massive"),
+            std::string::npos)
+      << report(", open: true");
+  EXPECT_EQ(report(", open: true, wall: 20%"), "");
+  EXPECT_EQ(report(", open: true, wall_least: 1cm"), "");
+}
+
 TEST(Plants, ALittleOfAllCanBeListed) {
   const std::string rest = "\n axiom a(1cm) b(2cm)\n}\n";
   for (const char* list : {"instances a, b", "instances [a, b]"}) {

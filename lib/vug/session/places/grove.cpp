@@ -61,6 +61,8 @@ struct ValueTraits<session::Earth> {
 namespace session {
 namespace {
 
+constexpr double kSteepest = 60 * kPi / 180;
+
 struct Grove {
   std::vector<PlanPoint> polygon;
   flora::DistributionPtr distribution;
@@ -70,7 +72,7 @@ struct Grove {
   std::optional<double> from;
   double spacing = 0;
   paint::Mask where;
-  double steepest = 60 * kPi / 180;
+  std::optional<double> steepest;
   std::vector<field::Field> avoid;
   double margin = 0;
   double headroom = 0;
@@ -97,6 +99,11 @@ struct Grove {
       return "'diameter' needs 'diameters', those of the things that are placed, and they need it";
     if (from && !on.field && !on.mesh)
       return "'from' is where the ground is looked for, but nothing says what they stand 'on'";
+    if (steepest && !on.field && !on.mesh)
+      return "'steepest' is a slope of the ground, but nothing says what they stand 'on'";
+    if (margin > 0 && avoid.empty())
+      return "'margin' is how far away they stand from what they 'avoid', of which there is "
+             "nothing";
     if (diameter_spread > 0 && diameters.empty())
       return "'diameter_spread' is that of the 'diameter', which is not said";
     return "";
@@ -137,7 +144,8 @@ void Grove::describe(Schema<Grove>& s) {
                     "before"))
       .param("where", &Grove::where,
              {.doc = "share of them that stays, by the ground they stand on"})
-      .param("steepest", &Grove::steepest, angle("slope of the ground that they stand on", kPi / 2))
+      .param("steepest", &Grove::steepest,
+             angle("slope of the ground that they stand on; 60deg where none is said", kPi / 2))
       .param("avoid", &Grove::avoid, {.doc = "solids that none stands in: rock, water"})
       .param("margin", &Grove::margin, length("and how far away from these they stand"))
       .param("headroom", &Grove::headroom,
@@ -204,7 +212,7 @@ flora::GroveOptions options_for(const Grove& g, const flora::Plot& plot, Builder
   options.density = g.count > 0 ? g.count / plot.area() : g.density / flora::kHectare;
   options.spacing = g.spacing;
   options.ground = ground_for(g, builder);
-  options.steepest = g.steepest;
+  options.steepest = g.steepest.value_or(kSteepest);
   options.headroom = g.headroom;
   options.avoid = g.avoid;
   options.margin = g.margin;

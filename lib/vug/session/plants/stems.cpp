@@ -68,6 +68,8 @@ struct Stems : flora::SweepOptions, flora::Relief {
   }
   std::string fault() const {
     if (from && to && *from >= *to) return "'to' lies above 'from'";
+    if (open && wall == 0 && wall_least == 0)
+      return "'open' shows the hollow of stems with a 'wall'; without one they are massive";
     return options().fault();
   }
 };
