@@ -6,55 +6,81 @@
 #include <vug/volume/density.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace vug::render {
 
-/// The segment must lie in the density's bounds.
 class BrickWalk {
  public:
+  /// The part of the segment that lies in the density's bricks.
   BrickWalk(const volume::Density& density, const Ray& ray, const Segment& segment)
       : density_(density),
         origin_(density.to_index(ray.origin)),
         direction_(density.direction_to_index(ray.direction)),
         t_(segment.begin),
         end_(segment.end) {
+    Vec3f per(0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float o = origin_[axis], d = direction_[axis], size = density.size()[axis];
+      if (d == 0) {
+        if (!(o >= 0 && o < size)) end_ = t_;
+        continue;
+      }
+      per[axis] = 1 / d;
+      const float low = -o * per[axis], high = (size - o) * per[axis];
+      t_ = std::max(t_, std::min(low, high));
+      end_ = std::min(end_, std::max(low, high));
+    }
+    if (!(t_ < end_)) return;
     const Vec3f at = index(t_);
+    Vec3i brick;
+    const ptrdiff_t strides[] = {1, static_cast<ptrdiff_t>(density.row()),
+                                 static_cast<ptrdiff_t>(density.plane())};
     for (int axis = 0; axis < 3; ++axis) {
       const int last = density.bricks()[axis] - 1;
-      brick_[axis] =
-          std::clamp(static_cast<int>(std::floor(at[axis] / volume::Density::kSize)), 0, last);
+      brick[axis] = std::clamp(static_cast<int>(at[axis] / kSize), 0, last);
       const float d = direction_[axis];
-      step_[axis] = d > 0 ? 1 : -1;
-      const auto edge = static_cast<float>((brick_[axis] + (d > 0)) * volume::Density::kSize);
-      next_[axis] = d != 0 ? (edge - origin_[axis]) / d : kFar;
-      apart_[axis] = d != 0 ? volume::Density::kSize / std::fabs(d) : kFar;
+      step_[axis] = d > 0 ? strides[axis] : -strides[axis];
+      next_[axis] =
+          d != 0 ? (kSize * static_cast<float>(brick[axis] + (d > 0)) - origin_[axis]) * per[axis]
+                 : kFar;
+      apart_[axis] = d != 0 ? kSize * std::fabs(per[axis]) : kFar;
     }
+    at_ = density.brick_index(brick);
   }
   Vec3f index(float t) const { return origin_ + direction_ * t; }
 
-  /// Calls visit(begin, end, range of values) for the parts of the ray in bricks until it returns
-  /// false.
-  template <class Visit>
-  void each(const Visit& visit) {
+  /// The part of the ray in one brick.
+  struct Step {
+    float begin = 0, end = 0;
+    volume::Density::Range range;
+  };
+  /// To the next brick that is not empty; false when there is none. A way that rounding takes out
+  /// of the bricks is in their empty rim, and at its end.
+  bool next(Step& step) {
     while (t_ < end_) {
-      int axis = next_.x < next_.y ? 0 : 1;
-      if (next_.z < next_[axis]) axis = 2;
-      const float leave = std::min(next_[axis], end_);
-      if (leave > t_) {
-        const volume::Density::Range range = density_.range(brick_);
-        if (range.most > 0 && !visit(t_, leave, range)) return;
-        t_ = leave;
-      }
-      brick_[axis] += step_[axis];
-      next_[axis] += apart_[axis];
-      if (brick_[axis] < 0 || brick_[axis] >= density_.bricks()[axis]) return;
+      step = {t_, std::min(std::min(next_.x, next_.y), std::min(next_.z, end_)),
+              density_.range(at_)};
+      // No branch can be foretold here, so there is none.
+      const bool x = next_.x <= next_.y && next_.x <= next_.z, y = !x && next_.y <= next_.z;
+      const bool z = !x && !y;
+      at_ += static_cast<size_t>(x ? step_[0] : y ? step_[1] : step_[2]);
+      next_.x += x ? apart_.x : 0;
+      next_.y += y ? apart_.y : 0;
+      next_.z += z ? apart_.z : 0;
+      t_ = std::max(t_, step.end);
+      if (step.range.most > 0 && step.end > step.begin) return true;
     }
+    return false;
   }
 
  private:
+  static constexpr float kSize = volume::Density::kSize;
   const volume::Density& density_;
   Vec3f origin_, direction_, next_{0, 0, 0}, apart_{0, 0, 0};
-  Vec3i brick_{0, 0, 0}, step_{0, 0, 0};
+  std::array<ptrdiff_t, 3> step_{0, 0, 0};
+  size_t at_ = 0;
   float t_, end_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vug::volume {
@@ -29,6 +30,12 @@ Segment clipped(const Box3f& box, const Ray& ray, float end);
 struct DistanceSample {
   float distance = 0;  ///< From the ray's origin.
   bool scattered = false;
+};
+
+/// A place on a ray, in metres from its origin, and the part of the light that comes through to it.
+struct Mark {
+  float distance = 0;
+  float clear = 1;
 };
 
 /// A cloud for other programs: grids with the names that exchange::Cloud has for them.
@@ -64,9 +71,15 @@ class Medium {
   /// Part of the light that comes through a segment: exact, or an estimate whose mean it is.
   virtual float transmittance(const Ray& ray, const Segment& segment,
                               TrackingNumbers& numbers) const = 0;
-  /// A distance with the density of the first collision.
-  virtual DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
-                                         TrackingNumbers& numbers) const = 0;
+  /// A distance with the density of the first collision. By the way the marks, which lie in the
+  /// segment, are told what `transmittance` would be to them: right in the mean, not independent of
+  /// the distance and of each other.
+  virtual DistanceSample cross(const Ray& ray, const Segment& segment, float u,
+                               std::span<Mark> marks, TrackingNumbers& numbers) const = 0;
+  DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
+                                 TrackingNumbers& numbers) const {
+    return cross(ray, segment, u, {}, numbers);
+  }
   /// Collisions per metre, and which part of the light they scatter instead of swallowing.
   virtual float extinction(const Vec3f& point) const = 0;
   virtual Rgb albedo(const Vec3f& point) const = 0;

@@ -47,9 +47,9 @@ class SpacedMedium final : public Medium {
                       TrackingNumbers& numbers) const override {
     return medium_->transmittance(ray, segment, numbers);
   }
-  DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
-                                 TrackingNumbers& numbers) const override {
-    return medium_->sample_distance(ray, segment, u, numbers);
+  DistanceSample cross(const Ray& ray, const Segment& segment, float u, std::span<Mark> marks,
+                       TrackingNumbers& numbers) const override {
+    return medium_->cross(ray, segment, u, marks, numbers);
   }
   float extinction(const Vec3f& point) const override { return medium_->extinction(point); }
   Rgb albedo(const Vec3f& point) const override { return way_(medium_->albedo(point)); }

@@ -39,6 +39,11 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
   const Coord size = box.max() - origin + Coord(2);
   bricks_ = {(size.x() + kSize - 1) / kSize, (size.y() + kSize - 1) / kSize,
              (size.z() + kSize - 1) / kSize};
+  size_ = Vec3f(bricks_ * kSize);
+  row_ = static_cast<size_t>(bricks_.x) + 2;
+  plane_ = row_ * (static_cast<size_t>(bricks_.y) + 2);
+  slots_.assign(plane_ * (static_cast<size_t>(bricks_.z) + 2), -1);
+  ranges_.assign(slots_.size(), Range{});
   const openvdb::Mat4R matrix = grid.transform().baseMap()->getAffineMap()->getMat4().inverse();
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) world_to_index_[row][column] = matrix(row, column);
@@ -50,7 +55,7 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
       for (int x = 0; x < bricks_.x; ++x) {
         const Coord first = origin + Coord(x * kSize, y * kSize, z * kSize);
         Brick brick;
-        Range range{std::numeric_limits<float>::infinity(), 0};
+        Range range{std::numeric_limits<float>::infinity(), 0, 0};
         size_t i = 0;
         for (int k = 0; k < kStride; ++k)
           for (int j = 0; j < kStride; ++j)
@@ -61,12 +66,14 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
                             fmt::format("the grid '{}' holds values that are not finite", name));
               brick[i] = std::max(value, 0.0f);
               range.least = std::min(range.least, brick[i]);
+              range.mean += brick[i] / static_cast<float>(brick.size());
               range.most = std::max(range.most, brick[i++]);
             }
-        slots_.push_back(range.most > 0 ? static_cast<int32_t>(values_.size()) : -1);
         if (!(range.most > 0)) continue;
+        range.mean = std::clamp(range.mean, range.least, range.most);
+        slots_[brick_index({x, y, z})] = static_cast<int32_t>(values_.size());
+        ranges_[brick_index({x, y, z})] = range;
         values_.push_back(brick);
-        ranges_.push_back(range);
         for (int corner = 0; corner < 8; ++corner) {
           const openvdb::Vec3d at = grid.indexToWorld(openvdb::Vec3d(
               first.x() + (corner & 1 ? kSize : 0), first.y() + (corner & 2 ? kSize : 0),
@@ -77,7 +84,13 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
       }
 }
 
-Vec3f Density::to_index(const Vec3f& world) const { return Vec3f(Vec3d(world) * world_to_index_); }
+Vec3f Density::to_index(const Vec3f& world) const {
+  Vec3d out(world_to_index_[3][0], world_to_index_[3][1], world_to_index_[3][2]);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int from = 0; from < 3; ++from)
+      out[axis] += static_cast<double>(world[from]) * world_to_index_[from][axis];
+  return Vec3f(out);
+}
 
 Vec3f Density::direction_to_index(const Vec3f& world) const {
   Vec3d out;
@@ -86,15 +99,16 @@ Vec3f Density::direction_to_index(const Vec3f& world) const {
 }
 
 float Density::at(const Vec3f& p) const {
-  const Vec3f low(std::floor(p.x), std::floor(p.y), std::floor(p.z));
-  if (!(low.x >= 0 && low.y >= 0 && low.z >= 0)) return 0;
-  const Vec3i cell(static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(low.z));
-  const int32_t slot = slot_of({cell.x / kSize, cell.y / kSize, cell.z / kSize});
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(p[axis] >= 0 && p[axis] < size_[axis])) return 0;
+  const Vec3i cell(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
+  const Vec3i brick(cell.x / kSize, cell.y / kSize, cell.z / kSize);
+  const int32_t slot = slots_[brick_index(brick)];
   if (slot < 0) return 0;
-  const Brick& brick = values_[static_cast<size_t>(slot)];
+  const Vec3i in = cell - brick * kSize;
   const float* v =
-      brick.data() + (cell.z % kSize * kStride + cell.y % kSize) * kStride + cell.x % kSize;
-  const Vec3f f = p - low;
+      values_[static_cast<size_t>(slot)].data() + (in.z * kStride + in.y) * kStride + in.x;
+  const Vec3f f = p - Vec3f(cell);
   const auto along_x = [&](const float* row) { return row[0] + f.x * (row[1] - row[0]); };
   const auto in_plane = [&](const float* plane) {
     const float a = along_x(plane), b = along_x(plane + kStride);
@@ -107,12 +121,12 @@ float Density::at(const Vec3f& p) const {
 float Density::anywhere(const Vec3f& world) const {
   const Vec3f p = to_index(world);
   for (int axis = 0; axis < 3; ++axis)
-    if (!(p[axis] >= 0 && p[axis] < static_cast<float>(kSize * bricks_[axis]))) return background_;
+    if (!(p[axis] >= 0 && p[axis] < size_[axis])) return background_;
   return at(p);
 }
 
 uint64_t Density::bytes() const {
-  return values_.size() * sizeof(Brick) + slots_.size() * sizeof(int32_t);
+  return values_.size() * sizeof(Brick) + slots_.size() * (sizeof(int32_t) + sizeof(Range));
 }
 
 }  // namespace vug::volume

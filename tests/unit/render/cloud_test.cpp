@@ -79,6 +79,42 @@ TEST(Cloud, LetsThroughWhatTheIntegralSays) {
     }
 }
 
+TEST(Cloud, TellsMarksWhatComesThroughToThem) {
+  const Ray ray{{0.1f, 0.2f, -3}, {0, 0, 1}};
+  for (const double extinction : {0.5, 6.0}) {
+    const MediumPtr medium = cloud(extinction, 1);
+    const Segment segment = medium->clip(ray, kFar);
+    // Not in order, of which one lies before the density and one beyond it.
+    const float places[] = {3.1f, segment.begin, 2.2f, segment.end};
+    std::array<double, 4> sum{}, squares{};
+    int met = 0;
+    constexpr int kTrials = 40000;
+    RandomStream random(RandomKey(5));
+    for (int i = 0; i < kTrials; ++i) {
+      const auto u = [&] { return static_cast<float>(random.uniform()); };
+      const float a = u(), b = u();
+      TrackingNumbers numbers(Vec2f(a, b));
+      std::array<Mark, 4> marks;
+      for (size_t m = 0; m < marks.size(); ++m) marks[m].distance = places[m];
+      const DistanceSample sample = medium->cross(ray, segment, u(), marks, numbers);
+      met += sample.scattered && sample.distance < places[0];
+      for (size_t m = 0; m < marks.size(); ++m) {
+        const auto clear = static_cast<double>(marks[m].clear);
+        sum[m] += clear, squares[m] += clear * clear;
+      }
+    }
+    for (size_t m = 0; m < sum.size(); ++m) {
+      const double clear = std::exp(-extinction * integral(ray, 0, static_cast<double>(places[m])));
+      const double mean = sum[m] / kTrials;
+      const double error = std::sqrt(std::max(squares[m] / kTrials - mean * mean, 0.0) / kTrials);
+      EXPECT_NEAR(mean, clear, 4 * error + 1e-4) << extinction << ", mark " << m;
+    }
+    const double before = 1 - std::exp(-extinction * integral(ray, 0, 3.1));
+    EXPECT_NEAR(static_cast<double>(met) / kTrials, before,
+                4 * std::sqrt(before * (1 - before) / kTrials) + 1e-4);
+  }
+}
+
 TEST(Cloud, WhiteCloudVanishesInAWhiteSky) {
   Scene scene;
   scene.camera = view({0, 0, 5}, {0, 0, 0}, 0.3);

@@ -1,8 +1,9 @@
 // Fog whose density is a grid: delta tracking finds collisions, residual ratio tracking what comes
 // through (Novak, Georgiev, Hanika, Jarosz 2018, "Monte Carlo methods for volumetric light
-// transport simulation", novak2018volumes), brick by brick with bounds of its own for each. All
-// colours share one extinction, so that coloured albedo is a weight and needs no tracking of its
-// own.
+// transport simulation", novak2018volumes), brick by brick with bounds and a mean of its own for
+// each (Novak, Selle, Jarosz 2014, "Residual ratio tracking for estimating attenuation in
+// participating media", novak2014residual). All colours share one extinction, so that coloured
+// albedo is a weight and needs no tracking of its own.
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
@@ -86,9 +87,7 @@ void DenseCloud::describe(Schema<DenseCloud>& s) {
 }
 
 /// A step to the next possible collision, in units of the mean free path.
-float free_path(TrackingNumbers& numbers) {
-  return static_cast<float>(-maths::log(1 - static_cast<double>(numbers.next())));
-}
+float free_path(float u) { return static_cast<float>(-maths::log(1 - static_cast<double>(u))); }
 
 /// A place in the air as masks and paints see it.
 paint::Spot spot_at(const Vec3f& point) {
@@ -191,53 +190,71 @@ class CloudMedium final : public Medium {
                       TrackingNumbers& numbers) const override {
     const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return 1;
-    // What every place in a brick swallows is known; only the rest is left to chance.
+    // As if bricks were even; what differs from that is left to chance.
     float through = 1, known = 0;
     BrickWalk walk(*density_, ray, segment);
-    float left = free_path(numbers);
-    walk.each([&](float t, float end, const Range& range) {
-      known += (end - t) * range.least;
-      const float rest = range.most - range.least, bound = rest * extinction_;
-      while (left < (end - t) * bound) {
+    float left = free_path(numbers.next());
+    for (BrickWalk::Step step; walk.next(step);) {
+      const Range& range = step.range;
+      known += (step.end - step.begin) * range.mean;
+      const float most = std::max(range.most - range.mean, range.mean - range.least),
+                  bound = most * extinction_;
+      float t = step.begin;
+      while (left < (step.end - t) * bound) {
         t += left / bound;
-        through *= 1 - (density_->at(walk.index(t)) - range.least) / rest;
+        through *= 1 - (density_->at(walk.index(t)) - range.mean) / most;
         if (through < 0.1f) {
           // Dim light goes on by lot: the mean stays.
-          if (numbers.next() >= 2 * through) {
-            through = 0;
-            return false;
-          }
+          if (numbers.next() >= 2 * through) return 0;
           through = 0.5f;
         }
-        left = free_path(numbers);
+        left = free_path(numbers.next());
       }
-      left -= (end - t) * bound;
-      return true;
-    });
-    return through * static_cast<float>(maths::exp(-static_cast<double>(known * extinction_)));
+      left -= (step.end - t) * bound;
+    }
+    return through * fall(known);
   }
-  DistanceSample sample_distance(const Ray& ray, const Segment& whole, float u,
-                                 TrackingNumbers& numbers) const override {
-    DistanceSample sample;
+  DistanceSample cross(const Ray& ray, const Segment& whole, float u, std::span<Mark> marks,
+                       TrackingNumbers& numbers) const override {
+    for (Mark& mark : marks) mark.clear = 1;
     const Segment segment = within(*density_, ray, whole);
-    if (segment.empty()) return sample;
+    if (segment.empty()) return {};
     BrickWalk walk(*density_, ray, segment);
-    float left = static_cast<float>(-maths::log(1 - static_cast<double>(u)));
-    walk.each([&](float t, float end, const Range& range) {
+    float known = 0, done = -kFar, left = free_path(u);
+    for (BrickWalk::Step step; walk.next(step); done = step.end) {
+      const Range& range = step.range;
+      const auto known_to = [&](float t) {
+        return known + std::max(t - step.begin, 0.0f) * range.mean;
+      };
       const float bound = range.most * extinction_;
-      while (left < (end - t) * bound) {
+      float t = step.begin;
+      while (left < (step.end - t) * bound) {
         t += left / bound;
-        const float lot = numbers.next() * range.most;
-        if (lot < range.least || lot < density_->at(walk.index(t))) {
-          sample = {t, true};
-          return false;
+        left = free_path(numbers.next());
+        const float density = density_->at(walk.index(t));
+        const bool collides = numbers.next() * range.most < density;
+        for (Mark& mark : marks) {
+          if (!(mark.distance > t)) continue;
+          mark.clear *= 1 - (density - range.mean) / range.most;
+          if (collides)
+            mark.clear *= fall(known_to(t)) * transmittance(ray, {t, mark.distance}, numbers);
         }
-        left = free_path(numbers);
+        if (collides) {
+          for (Mark& mark : marks)
+            if (mark.distance > done && mark.distance <= t)
+              mark.clear *= fall(known_to(mark.distance));
+          return {t, true};
+        }
       }
-      left -= (end - t) * bound;
-      return true;
-    });
-    return sample;
+      left -= (step.end - t) * bound;
+      for (Mark& mark : marks)
+        if (mark.distance > done && mark.distance <= step.end)
+          mark.clear *= fall(known_to(mark.distance));
+      known = known_to(step.end);
+    }
+    for (Mark& mark : marks)
+      if (mark.distance > done) mark.clear *= fall(known);
+    return {};
   }
   float extinction(const Vec3f& point) const override {
     return extinction_ * density_->at(density_->to_index(point));
@@ -259,17 +276,16 @@ class CloudMedium final : public Medium {
     const Segment segment = within(*flames_, ray, whole);
     if (segment.empty()) return Rgb(0.0f);
     float all = 0;
-    BrickWalk(*flames_, ray, segment).each([&](float t, float end, const Range& range) {
-      all += (end - t) * range.most;
-      return true;
-    });
+    BrickWalk::Step step;
+    for (BrickWalk walk(*flames_, ray, segment); walk.next(step);)
+      all += (step.end - step.begin) * step.range.most;
     float left = numbers.next() * all, distance = -1, bound = 0;
     BrickWalk walk(*flames_, ray, segment);
-    walk.each([&](float t, float end, const Range& range) {
-      distance = std::min(t + left / range.most, end), bound = range.most;
-      left -= (end - t) * range.most;
-      return left > 0;
-    });
+    while (left > 0 && walk.next(step)) {
+      distance = std::min(step.begin + left / step.range.most, step.end);
+      bound = step.range.most;
+      left -= (step.end - step.begin) * step.range.most;
+    }
     if (!(distance >= 0)) return Rgb(0.0f);
     const float flame = flames_->at(walk.index(distance));
     if (!(flame > 0)) return Rgb(0.0f);
@@ -285,6 +301,10 @@ class CloudMedium final : public Medium {
   }
 
  private:
+  /// Part of the light that comes through a way, as the integral of density along it.
+  float fall(float way) const {
+    return static_cast<float>(maths::exp(-static_cast<double>(way * extinction_)));
+  }
   /// The part of a segment in which a grid has values.
   Segment within(const volume::Density& grid, const Ray& ray, const Segment& whole) const {
     if (!flames_) return whole;  // then the medium is where its density is
@@ -317,7 +337,8 @@ class CloudMedium final : public Medium {
     double sum = 0;
     for (int z = 0; z < n.z; ++z)
       for (int y = 0; y < n.y; ++y)
-        for (int x = 0; x < n.x; ++x) sum += static_cast<double>(density_->range({x, y, z}).most);
+        for (int x = 0; x < n.x; ++x)
+          sum += static_cast<double>(density_->range(density_->brick_index({x, y, z})).most);
     const double bricks = static_cast<double>(n.x) * n.y * n.z;
     usual_ = bricks > 0 ? extinction_ * static_cast<float>(0.5 * sum / bricks) : 0;
   }

@@ -56,8 +56,9 @@ class HazeMedium final : public Medium {
   float transmittance(const Ray&, const Segment& segment, TrackingNumbers&) const override {
     return segment.empty() ? 1 : fall(segment.end - segment.begin);
   }
-  DistanceSample sample_distance(const Ray&, const Segment& segment, float u,
-                                 TrackingNumbers&) const override {
+  DistanceSample cross(const Ray&, const Segment& segment, float u, std::span<Mark> marks,
+                       TrackingNumbers&) const override {
+    for (Mark& mark : marks) mark.clear = fall(mark.distance - segment.begin);
     if (segment.empty() || !(extinction_ > 0)) return {};
     const double t = -maths::log(1 - static_cast<double>(u)) / static_cast<double>(extinction_);
     const float distance = segment.begin + static_cast<float>(t);

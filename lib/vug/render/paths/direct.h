@@ -4,6 +4,9 @@
 #include <vug/render/paths/guided.h>
 #include <vug/render/paths/vertex.h>
 
+#include <array>
+#include <span>
+
 namespace vug::render {
 
 /// Direct light at a surface, scattered towards the viewer, by as many lights as `vertex.odds` asks
@@ -12,13 +15,35 @@ Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, con
                  PathVertex& vertex, float choice, const Vec2f& u, TrackingNumbers& numbers,
                  Tally* tally);
 
-/// Light that is scattered once into the ray, anywhere in a segment of the medium, weighed by the
-/// clear part of the way back to the ray's origin. The place is chosen about each lamp by
-/// equiangular sampling (Kulla and Fajardo 2012, "Importance sampling techniques for path tracing
-/// in participating media", kulla2012media) or by the medium itself, half and half. At most
-/// `samples` lights.
-Rgb scattered_light(const World& world, const Ray& ray, const Segment& segment, float samples,
-                    const Chances& sight, float choice, float where, const Vec2f& u,
-                    TrackingNumbers& numbers, Tally* tally);
+/// Light that is scattered once into a ray, anywhere in a segment of the medium. The places are
+/// chosen about each lamp by equiangular sampling (Kulla and Fajardo 2012, "Importance sampling
+/// techniques for path tracing in participating media", kulla2012media) or by the medium itself,
+/// half and half. At most `samples` lights, of which those in sight are kept.
+class ScatteredLight {
+ public:
+  ScatteredLight(const World& world, const Ray& ray, const Segment& segment, float samples,
+                 const Chances& sight, float choice, float where, const Vec2f& u,
+                 TrackingNumbers& numbers);
+
+  /// Where it is scattered; to be told what comes through to there.
+  std::span<Mark> marks() { return {marks_.data(), size_}; }
+  /// As it comes to the ray's origin, once the marks are told. `tally` may be null.
+  Rgb arriving(Tally* tally) const;
+
+ private:
+  struct Source {
+    LightId light;
+    Vec3f direction;
+    bool sky;
+    Rgb radiance, weight;
+  };
+  void add(const LightChoice& chosen, const Ray& ray, const Segment& segment, float where,
+           const Vec2f& u, TrackingNumbers& numbers);
+
+  const World& world_;
+  std::array<Mark, LightChoices::kMost> marks_;
+  std::array<Source, LightChoices::kMost> sources_;
+  size_t size_ = 0;
+};
 
 }  // namespace vug::render

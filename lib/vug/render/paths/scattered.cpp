@@ -5,14 +5,21 @@
 #include <algorithm>
 
 namespace vug::render {
-namespace {
 
-Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray,
-                   const Segment& segment, float where, const Vec2f& u, TrackingNumbers& numbers,
-                   Tally* tally) {
-  const Medium& medium = *world.medium();
+ScatteredLight::ScatteredLight(const World& world, const Ray& ray, const Segment& segment,
+                               float samples, const Chances& sight, float choice, float where,
+                               const Vec2f& u, TrackingNumbers& numbers)
+    : world_(world) {
+  for (const LightChoice& chosen :
+       world.lights().choose_along(ray, segment, choice, samples, sight))
+    add(chosen, ray, segment, where, u, numbers);
+}
+
+void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segment& segment,
+                         float where, const Vec2f& u, TrackingNumbers& numbers) {
+  const Medium& medium = *world_.medium();
   // Distances from the foot of the perpendicular, which equiangular sampling is about.
-  const Vec3f to = world.lights().centre(chosen.light) - ray.origin;
+  const Vec3f to = world_.lights().centre(chosen.light) - ray.origin;
   const float foot = dot(to, ray.direction);
   const auto height = static_cast<double>(
       std::max(length(to - ray.direction * foot), 1e-4f * (segment.end - segment.begin)));
@@ -38,41 +45,38 @@ Rgb scattered_from(const World& world, const LightChoice& chosen, const Ray& ray
 
   const LitPoint point{ray.at(distance), Vec3f(0.0f)};
   const float extinction = medium.extinction(point.position);
-  if (!(extinction > 0)) return Rgb(0.0f);
-  const LightSample s = world.lights().sample(chosen.light, point, u);
-  if (!(s.pdf > 0) || !(density > 0)) return Rgb(0.0f);
-  const Rgb light = unshadowed(world, s, kNoObject);
+  if (!(extinction > 0)) return;
+  const LightSample s = world_.lights().sample(chosen.light, point, u);
+  if (!(s.pdf > 0) || !(density > 0)) return;
+  const Rgb light = unshadowed(world_, s, kNoObject);
   const Ray shadow{point.position, s.direction};
-  if (is_black(light) || shadowed(world, shadow, s.distance)) return Rgb(0.0f);
+  if (is_black(light) || shadowed(world_, shadow, s.distance)) return;
   // Portals that share a direction share its light.
   float sharing = 1;
   if (s.distance == kFar) {
     sharing = 0;
-    for (const LightId sky : world.lights().sampled_skies())
-      if (sky == chosen.light || world.lights().pdf(sky, point, s.direction) > 0) sharing += 1;
+    for (const LightId sky : world_.lights().sampled_skies())
+      if (sky == chosen.light || world_.lights().pdf(sky, point, s.direction) > 0) sharing += 1;
   }
   const float pdf = chosen.probability * s.pdf * sharing;
-  const float scattered = medium.extinction(point.position) *
-                          medium.phase(dot(ray.direction, s.direction)) *
-                          medium.transmittance(ray, {segment.begin, distance}, numbers) *
-                          clear_part(world, shadow, s.distance, numbers);
-  const Rgb weight = medium.albedo(point.position) * (scattered / (pdf * density));
-  if (tally && s.distance == kFar)
-    tally->note_sky(world, kNoObject, s.direction, weight);
-  else if (tally)
-    tally->note(world.lights().group(chosen.light), light * weight);
-  return light * weight;
+  const float scattered = extinction * medium.phase(dot(ray.direction, s.direction)) *
+                          clear_part(world_, shadow, s.distance, numbers);
+  marks_[size_] = {distance};
+  sources_[size_++] = {chosen.light, s.direction, s.distance == kFar, light,
+                       medium.albedo(point.position) * (scattered / (pdf * density))};
 }
 
-}  // namespace
-
-Rgb scattered_light(const World& world, const Ray& ray, const Segment& segment, float samples,
-                    const Chances& sight, float choice, float where, const Vec2f& u,
-                    TrackingNumbers& numbers, Tally* tally) {
+Rgb ScatteredLight::arriving(Tally* tally) const {
   Rgb sum(0.0f);
-  for (const LightChoice& chosen :
-       world.lights().choose_along(ray, segment, choice, samples, sight))
-    sum += scattered_from(world, chosen, ray, segment, where, u, numbers, tally);
+  for (size_t i = 0; i < size_; ++i) {
+    const Source& from = sources_[i];
+    const Rgb weight = from.weight * marks_[i].clear, light = from.radiance * weight;
+    if (tally && from.sky)
+      tally->note_sky(world_, kNoObject, from.direction, weight);
+    else if (tally)
+      tally->note(world_.lights().group(from.light), light);
+    sum += light;
+  }
   return sum;
 }
 

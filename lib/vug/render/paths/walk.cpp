@@ -120,14 +120,13 @@ class Walk {
     const Segment segment = medium_->clip(ray_, bounce.found ? bounce.hit.distance : kFar);
     if (segment.empty() || !(segment.end < kFar)) return false;
     const Vec2f distance_u = numbers_.pair();
-    const Rgb light = throughput_ * scattered_light(world_, ray_, segment, lights(),
-                                                    learned_.lights, bounce.choice.x, distance_u.x,
-                                                    numbers_.pair(), bounce.tracking, tally_);
-    const Rgb scale = add(light, depth_);
+    ScatteredLight lit(world_, ray_, segment, lights(), learned_.lights, bounce.choice.x,
+                       distance_u.x, numbers_.pair(), bounce.tracking);
+    const DistanceSample collision =
+        medium_->cross(ray_, segment, distance_u.y, lit.marks(), bounce.tracking);
+    const Rgb scale = add(throughput_ * lit.arriving(tally_), depth_);
     if (tally_) tally_->settle_medium(depth_, scale);
     if (medium_->burns()) shine_in_medium(medium_->flames(ray_, segment, bounce.tracking));
-    const DistanceSample collision =
-        medium_->sample_distance(ray_, segment, distance_u.y, bounce.tracking);
     if (!collision.scattered) return false;
     const Vec3f point = ray_.at(collision.distance);
     if (const Rgb glow = medium_->glow(point); !is_black(glow)) shine_in_medium(glow);
