@@ -3,6 +3,7 @@ import json
 import re
 import unittest
 
+from pictures import write_png
 from vug import SOURCE, VugTest
 
 BEGIN = ("facade", "model", "--grammar", "ripperda.vug", "--width", "12m", "--height", "9m")
@@ -97,6 +98,41 @@ class Modelling(VugTest):
         self.model("mine/a.json", "--checkpoint", "end", "-o", "other/b.json")
         self.assertEqual(self.session("other/b.json")["grammar"], "../mine/own.vug")
         self.assertEqual(self.model("other/b.json", "--json").out, self.model("mine/a.json", "--json").out)
+
+    def test_from_a_tree(self):
+        """Of a session, and of a fit."""
+        self.write("tree.json", self.model("s.json", "--json").out)
+        self.assertFalse(self.model("--from", "tree.json", "-o", "back.json").err)
+        windows = [[one["rect"] for one in json.loads(self.model(name, "--json").out)["elements"]]
+                   for name in ("s.json", "back.json")]
+        self.assertEqual(len(windows[0]), len(windows[1]))
+        for was, now in zip(*windows):
+            for a, b in zip(was, now):
+                self.assertAlmostEqual(a, b, delta=0.001)
+        rows = [[(30, 35, 60) if 8 < x % 30 < 22 and 10 < y % 40 < 32 else (190, 170, (x * y) % 9) for x in range(90)]
+                for y in range(120)]
+        write_png(self.folder / "photo.png", rows)
+        self.expect(0, "facade", "fit", "photo.png", "-o", "out", "--no-carving", "--steps", 2000)
+        self.model("--from", "out/photo.json", "--photo", "photo.png", "-o", "fit.json")
+        fitted = json.loads((self.folder / "out/photo.json").read_text())
+        model = json.loads(self.model("fit.json", "--json").out)
+        self.assertEqual((model["width"], model["height"]), (12, 16))
+        self.assertEqual(len(model["elements"]), len(fitted["elements"]))
+        self.assertEqual(self.session("fit.json")["photo"]["file"], "photo.png")
+        self.assertIn("--width", self.model("--from", "tree.json", "--width", "3m", code=2).err)
+        self.assertIn("s.json:1:1: error: this is no tree", self.model("--from", "s.json", code=2).err)
+        self.assertIn("no such file", self.model("--from", "gone.json", code=2).err)
+
+    def test_options_that_begin_a_session(self):
+        for option, value in (("--width", "9m"), ("--height", "9m"), ("--facade", "a"), ("--photo", "a.png"),
+                              ("--from", "a.json"), ("--grammar", "ripperda.vug")):
+            said = self.model("s.json", option, value, "--tree", code=2).err
+            self.assertIn(f"{option} is for a session that begins, and 's.json' has begun", said)
+
+    def test_faults_of_edits_come_first(self):
+        self.assertIn("there is no edit 'frobnicate'", self.model("s.json", "--edit", "frobnicate 0", code=2).err)
+        self.assertIn("the session has 3 edits to undo", self.model("s.json", "--undo", 9, code=2).err)
+        self.assertIn("would be lost", self.model("s.json", "--undo", 1, code=2).err)
 
     def test_broken_sessions_leave_nothing(self):
         text = (self.folder / "s.json").read_text()

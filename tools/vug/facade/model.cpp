@@ -13,6 +13,7 @@
 #include <vug/facade/grammar_output.h>
 #include <vug/facade/tree_output.h>
 #include <vug/image/io.h>
+#include <vug/modeller/retrace.h>
 #include <vug/session/facade_model.h>
 #include <vug/session/write.h>
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string session, output;
-  std::string grammar, facade, photo;
+  std::string grammar, facade, photo, from;
   double width = 0, height = 0;
   std::vector<std::string> edits, applied, acts;
   std::vector<std::pair<std::string, std::string>> in_order;  ///< Kind and text of each edit.
@@ -41,6 +42,7 @@ struct Options {
   /// The first option that only a session takes that begins; empty: none is told.
   std::string told_to_begin() const {
     if (!grammar.empty()) return "--grammar";
+    if (!from.empty()) return "--from";
     if (!facade.empty()) return "--facade";
     if (width > 0) return "--width";
     if (height > 0) return "--height";
@@ -70,11 +72,36 @@ modeller::Session begun(const Options& options) {
   return modeller::new_session(std::move(header), session::facade_styles(folder));
 }
 
+/// What the session cannot say as the tree did.
+void tell_moved(const modeller::Retraced& way) {
+  if (way.missing + way.moved == 0) return;
+  clear_bar();
+  fmt::print(stderr,
+             "the rules come near to the tree, as they leave less free: of {} {} up to {:.2f} m "
+             "off and {} left out\n",
+             counted(way.elements, "element"), way.moved, way.farthest, way.missing);
+}
+
+/// A session that has come to what a file's tree is.
+modeller::Session from_tree(Options options) {
+  if (options.width > 0 || options.height > 0)
+    throw Error(ErrorCode::bad_input, "a tree tells by itself how large the facade is", {},
+                "leave --width and --height out");
+  const facade::Tree tree = modeller::read_tree(read_text(options.from), options.from);
+  if (options.grammar.empty()) options.grammar = tree.name + ".vug";
+  options.width = tree.width, options.height = tree.height;
+  modeller::Session out = begun(options);
+  const modeller::Retraced way = modeller::retraced(out.now(), tree);
+  for (const modeller::Edit& edit : way.edits) out.history.apply(edit);
+  if (!options.work.quiet) tell_moved(way);
+  return out;
+}
+
 modeller::Session read(const Options& options) {
-  if (options.session.empty() && options.grammar.empty())
+  if (options.session.empty() && options.grammar.empty() && options.from.empty())
     throw Error(ErrorCode::bad_input, "there is no session", {},
-                "name a session, or begin one with --grammar");
-  if (options.session.empty()) return begun(options);
+                "name a session, or begin one with --grammar or --from");
+  if (options.session.empty()) return options.from.empty() ? begun(options) : from_tree(options);
   if (const std::string told = options.told_to_begin(); !told.empty())
     throw Error(
         ErrorCode::bad_input,
@@ -144,7 +171,7 @@ int run(Options options) {
   std::vector<fs::path> outputs, inputs;
   for (const std::string& file : {options.svg, options.scene, options.carve})
     if (!file.empty()) outputs.emplace_back(file);
-  for (const std::string& file : {options.session, options.photo, options.grammar})
+  for (const std::string& file : {options.session, options.photo, options.grammar, options.from})
     if (!file.empty()) inputs.emplace_back(file);
   require_outputs(outputs, inputs);
   // A session may be written over itself.
@@ -212,6 +239,8 @@ Verb facade_model_verb() {
         auto* fresh = app.add_option_group("begin", "A session that begins");
         fresh->add_option("--grammar", options->grammar,
                           "a grammar of kind facade, as ripperda.vug");
+        fresh->add_option("--from", options->from,
+                          "a tree to begin with, as vug facade fit or vug tree --json write it");
         fresh->add_option("--facade", options->facade, "which grammar of the file");
         fresh->add_option("--width", options->width, "of the facade")
             ->transform(number_in(Dimension::length, 0.01, 1e5));
