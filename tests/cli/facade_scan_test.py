@@ -100,6 +100,40 @@ class FacadeScan(VugTest):
         self.assertEqual(self.files(), ["broken.xyz", "wall.ply"])
 
 
+class RenderedScan(VugTest):
+    """Figure 1 of the gallery: a house rendered as a scanner sees it, a tree before it."""
+
+    def prepare(self):
+        self.expect(0, "render", SOURCE / "data/scenes/facades/figure1.vug", "-o", "scan.exr", "-D", "voxel=4cm",
+                    "--size", "600x450", "-q")
+
+    def test_what_a_tree_hides_is_lost(self):
+        table = self.expect(0, "tree", SOURCE / "data/scenes/facades/figure1.vug", "--elements").out
+        rows = [line.split(",") for line in table.splitlines()]
+        true = [[float(v) for v in row[1:5]] for row in rows if row[0] in ("window", "door")]
+        self.assertEqual(len(true), 21)
+        for windows in ("raster", "delaunay"):
+            report = json.loads(self.expect(0, "facade", "scan", "scan.exr", "--up", "y", "--plain", "--pixel", "4cm",
+                                            "--windows", windows, "--json", "-q").out)
+            self.assertGreater(report["plane"]["z"][2], 0.999)  # normals tell where the scanner stood
+            left, foot = (-report["plane"]["origin"][axis] - half for axis, half in ((0, 7.5), (1, 0)))
+            found = [[one["rect"][0] - left, one["rect"][1] - foot] + one["rect"][2:] for one in report["openings"]]
+            seen = [max((iou(rect, one) for one in found), default=0) > 0.5 for rect in true]
+            self.assertGreaterEqual(sum(seen), 14, windows)
+            for rect, known in zip(true, seen):
+                behind = 0.4 < rect[0] < 3.7 and 4 < rect[1] < 5
+                self.assertFalse(known and behind, f"{windows}: {rect} stands behind the tree")
+
+    def test_other_pictures_are_no_scans(self):
+        self.write("ball.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh ball on rock {}\nobject shown on ball {}\n"
+                   "camera main { eye (0, 0, 5)  target (0, 0, 0) }\nlight day = sky(radiance: (1, 1, 1))\n")
+        self.expect(0, "render", "ball.vug", "-o", "ball.exr", "--size", "32x32", "--spp", "1", "--layers", "beauty",
+                    "-q")
+        said = self.expect(2, "facade", "scan", "ball.exr").err
+        self.assertIn("no layers P and Z", said)
+        self.expect(2, "facade", "scan", "missing.exr")
+
+
 class FacadeRectify(VugTest):
     def prepare(self):
         rows = []

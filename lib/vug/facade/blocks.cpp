@@ -13,9 +13,6 @@
 namespace vug::facade {
 namespace {
 
-/// How far holes begin before the face, so that nothing of it is left over them.
-constexpr double kBefore = 0.01;
-
 /// A round bar along z.
 field::Field bar(const Vec2d& centre, double radius, double back, double front) {
   const field::Field upright =

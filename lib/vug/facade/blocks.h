@@ -9,6 +9,14 @@ namespace vug::facade {
 /// A box over a rectangle of the face, from z = `back` to `front`; edges rounded by `rounding`.
 field::Field block(const Rect& rect, double back, double front, double rounding = 0);
 
+/// How far holes begin before the face, metres. Nothing of it is left over them, not even after
+/// weather has moved what was carved by half of that.
+inline constexpr double kBefore = 0.1;
+
+/// Thickness of panes. Glass is thinner, but a sheet thinner than a voxel falls between the samples
+/// of a level set; only its front is seen.
+inline constexpr double kPane = 0.06;
+
 /// What closes an opening at its top.
 enum class Head { flat, segmental, round, pointed };
 

@@ -12,7 +12,6 @@ namespace {
 
 /// How far what is joined reaches into the wall behind it.
 constexpr double kJoin = 0.1;
-constexpr double kBefore = 0.01;
 
 class Carver {
  public:

@@ -19,6 +19,10 @@ Cloud read_clouds(const std::vector<std::filesystem::path>& files, const ReadOpt
   if (files.empty()) throw Error(ErrorCode::bad_input, "there is no file to read a cloud from");
   Cloud all;
   for (const auto& file : files) {
+    if (file.extension() == ".exr") {
+      all = joined(std::move(all), read_picture(file, options));
+      continue;
+    }
     std::error_code unreadable;
     const uintmax_t bytes = std::filesystem::file_size(file, unreadable);
     // read_text tells better why a file cannot be read.

@@ -1,4 +1,4 @@
-// Clouds out of files: PLY in any encoding, and texts of numbers.
+// Clouds out of files: PLY in any encoding, texts of numbers, and pictures that `vug render` made.
 #pragma once
 
 #include <vug/base/memory.h>
@@ -21,8 +21,12 @@ struct ReadOptions {
 /// counted.
 Cloud parse_cloud(std::string_view bytes, const std::string& file, const ReadOptions& options = {});
 
-/// All files as one cloud, in the given order.
+/// All files as one cloud, in the given order; those called .exr are pictures.
 Cloud read_clouds(const std::vector<std::filesystem::path>& files, const ReadOptions& options = {});
+
+/// A point for each pixel of an EXR that shows a surface: its layer P, and N where there is one.
+/// Error(bad_input) without P and Z.
+Cloud read_picture(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Vertices of a PLY file [@turk1994] with x, y, z and perhaps red, green, blue, intensity (also
 /// called scalar_intensity, reflectance) and nx, ny, nz, in any order and type; all else is passed

@@ -116,6 +116,16 @@ TEST(Carve, GradientsAreThoseOfTheValues) {
   EXPECT_GT(smooth, 1960) << "all but those on a crease";
 }
 
+TEST(Carve, WeatherLeavesNothingOverHoles) {
+  for (const char* kind :
+       {"window", "door", "doorway", "niche", "panel(depth: 5cm)", "wall(relief: -5cm)"}) {
+    const field::Field f = wall_of(std::string("axiom A\n A -> inset(2m, ") + kind + ")");
+    // Field values there are what a displacement of the carved wall has to stay below.
+    for (double z = 0; z < 1; z += 0.005)
+      ASSERT_GE(f.value({0.3, 4.6, z}), std::min(0.05, z + 0.05) - 1e-9) << kind << ' ' << z;
+  }
+}
+
 TEST(Carve, ElementsSaySoWhereTheirMeasuresLeaveNothing) {
   const Sample s =
       facade_of("axiom A\n A -> columns(10cm, column(base: 3, capital: 3), 1, wall)", 0, 12, 0.3);
@@ -141,7 +151,9 @@ TEST(Carve, ZonesAndInfill) {
   const field::Field windows = zones(s.tree, {"window"}, 0.5, 0.5);
   EXPECT_LT(windows.value({3, 4, 0}), 0);
   EXPECT_GT(windows.value({9, 4, 0}), 0);
-  EXPECT_LT(carve(s.tree).fill.value({9, 4, -0.25}), 0) << "the door's leaf";
+  const field::Field fill = carve(s.tree).fill;
+  EXPECT_LT(fill.value({9, 4, -0.25}), 0) << "the door's leaf";
+  EXPECT_NEAR(fill.value({3, 4, -0.258}), -0.03, 1e-9) << "panes are as thick as voxels are large";
 }
 
 TEST(Outline, DistancesAreExact) {

@@ -1,6 +1,7 @@
 #include "../bytes.h"
 
 #include <vug/base/error.h>
+#include <vug/image/io.h>
 #include <vug/scan/read.h>
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 
 namespace vug::scan {
@@ -137,6 +139,29 @@ TEST(Clouds, MemoryIsToldBeforehand) {
   const Error error = fault_of(text, {.memory = 10000});
   EXPECT_EQ(error.code(), ErrorCode::too_large);
   EXPECT_THAT(error.what(), HasSubstr("the cloud of x would take"));
+}
+
+TEST(Clouds, PicturesThatWereRenderedAreScans) {
+  image::Image picture(3, 1, {"R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z"});
+  picture.pixels = {1, 1, 1, 5,     0, 0, 1, 1, 2, 3,  // a wall
+                    1, 1, 1, 1e10f, 0, 0, 0, 0, 0, 0,  // the sky
+                    1, 1, 1, 6,     0, 1, 0, 4, 5, NAN};
+  const auto folder = std::filesystem::path(testing::TempDir());
+  image::write_exr(folder / "scan.exr", picture);
+  const Cloud cloud = read_clouds({folder / "scan.exr"});
+  ASSERT_EQ(cloud.size(), 1U);
+  EXPECT_EQ(cloud.positions[0], Vec3d(1, 2, 3));
+  EXPECT_EQ(cloud.normals[0], Vec3f(0, 0, 1));
+  EXPECT_EQ(cloud.dropped, 1U);
+  EXPECT_THROW(read_picture(folder / "scan.exr", {.memory = 50}), Error);
+
+  image::write_exr(folder / "flat.exr", image::Image(2, 2, {"R", "G", "B"}));
+  try {
+    read_clouds({folder / "flat.exr"});
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.hint(), HasSubstr("layers"));
+  }
 }
 
 TEST(Clouds, JoinedKeepWhatBothHave) {

@@ -42,7 +42,8 @@ struct Niche : Opening {
                             Transform::translation({radius, shaft, 0}))});
     const field::Field pressed =
         field::transformed(round, Transform::scaling({1, 1, deep / radius}));
-    out.cut.push_back(field::intersect({pressed, block({0, 0, width, height}, -deep - 0.1, 0.01)}));
+    out.cut.push_back(
+        field::intersect({pressed, block({0, 0, width, height}, -deep - 0.1, kBefore)}));
     if (plinth > 0) {
       const double r = 0.55 * radius;
       out.add.push_back(field::transformed(turned({{0, -0.1},

@@ -29,7 +29,8 @@ struct Panel {
     Solids out;
     const Rect field{margin, margin, width - 2 * margin, height - 2 * margin};
     (depth > 0 ? out.cut : out.add)
-        .push_back(headed(field, head, 0, depth > 0 ? -depth : -0.05, depth > 0 ? 0.01 : -depth));
+        .push_back(
+            headed(field, head, 0, depth > 0 ? -depth : -0.05, depth > 0 ? kBefore : -depth));
     return out;
   }
 };

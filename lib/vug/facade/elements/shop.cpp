@@ -36,7 +36,8 @@ struct Shop : Opening {
       panes.push_back(headed({post + i * (wide + post), below, wide, tall}, head, rise, -1e2, 1e2));
     out.add.push_back(
         field::subtract(block({0, 0, width, height}, -back, -0.5 * reveal), std::move(panes)));
-    out.fill.push_back(block({0, below, width, tall}, -reveal - 0.03, -reveal - 0.015));
+    const double glass = -reveal - 0.015;
+    out.fill.push_back(block({0, below, width, tall}, glass - kPane, glass));
     if (above > 0)
       out.add.push_back(moulding({{-back, height - above},
                                   {front, height - 0.9 * above},

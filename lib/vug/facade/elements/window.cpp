@@ -54,7 +54,8 @@ struct Window : Opening {
                             : block(pane, -back - 1, -front + 1));
       }
     out.add.push_back(field::subtract(sheet(width, height, back, front), std::move(holes)));
-    out.fill.push_back(sheet(width, height, back - 0.02, back - 0.032));
+    const double glass = front + 0.028;
+    out.fill.push_back(sheet(width, height, glass + kPane, glass));
     return out;
   }
 };
