@@ -22,6 +22,10 @@ Polished polish(const Workshop& shop, const Evidence& evidence, State& state,
 /// that saved bits; else the state stays as it is.
 bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, int i);
 
+/// Of the grid below node i, if its windows may differ: how many kinds of windows it has, their
+/// sizes and which of them stands in each cell. Likewise.
+bool polish_kinds(const Workshop& shop, State& state, int i);
+
 /// Of node i, which has been rewritten to a grid: the cheapest type of grid. Likewise.
 bool polish_type(const Workshop& shop, State& state, int i);
 

@@ -170,7 +170,7 @@ std::vector<facade::Tree> right_answers(const facade::Tree& derived) {
                          fit::make_likelihood("kt", clean), how.trust);
   const auto add = [&](fit::State state) {
     model.place(state);
-    out.push_back(fit::as_facade(text, model, state, kPixel));
+    out.push_back(fit::as_facade(text, model, state, {kPixel, kPixel}));
   };
   const fit::Reading read = fit::read(clean, rules, how, RandomKey(2));
   const std::optional<fit::Tree> tree = pixels.tree(model);
