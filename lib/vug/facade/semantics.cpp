@@ -24,13 +24,6 @@ const std::string& kind_of(const Node& node) {
   return node.element ? node.element->kind() : wall;
 }
 
-std::vector<std::string> kinds_of(const Facades& facades) {
-  std::set<std::string> kinds{kWall};
-  for (const auto& facade : facades)
-    for (const Node& node : facade->tree->nodes) kinds.insert(kind_of(node));
-  return {kinds.begin(), kinds.end()};
-}
-
 }  // namespace
 
 Semantics::Semantics(Placed placed)
@@ -81,15 +74,23 @@ int Semantics::node_at(const Vec3d& world) const {
   return node;
 }
 
+std::vector<std::string> element_names(const Facades& facades) {
+  if (facades.empty()) return {};
+  std::set<std::string> kinds{kWall};
+  for (const auto& facade : facades)
+    for (const Node& node : facade->tree->nodes) kinds.insert(kind_of(node));
+  return {kinds.begin(), kinds.end()};
+}
+
 std::vector<std::string> semantic_names(const Facades& facades) {
-  std::vector<std::string> names = kinds_of(facades);
+  std::vector<std::string> names = element_names(facades);
   names.emplace_back(kNode);
   return names;
 }
 
 void add_semantics(mesh::Mesh& mesh, const Facades& facades) {
   const size_t count = mesh.positions.size();
-  const std::vector<std::string> kinds = kinds_of(facades);
+  const std::vector<std::string> kinds = element_names(facades);
   std::vector<Semantics> asked;
   for (const auto& facade : facades) asked.emplace_back(*facade);
   std::vector<int> kind_at(count, -1);

@@ -49,7 +49,9 @@ using Facades = std::vector<std::shared_ptr<const Placed>>;
 /// of element that stands in them, and for "wall", 1 where a vertex is of such an element, else 0.
 /// What is of a facade and of no element is wall.
 void add_semantics(mesh::Mesh& mesh, const Facades& facades);
-/// The names of these attributes.
+/// The names of the latter.
+std::vector<std::string> element_names(const Facades& facades);
+/// The names of all these attributes.
 std::vector<std::string> semantic_names(const Facades& facades);
 
 }  // namespace vug::facade

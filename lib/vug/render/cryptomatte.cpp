@@ -30,7 +30,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 bool is_crypto(const std::string& layer) {
-  return layer == kCryptoObject || layer == kCryptoMaterial;
+  return layer == kCryptoObject || layer == kCryptoMaterial || layer == kCryptoElement;
 }
 
 std::vector<std::string> crypto_channels(const std::string& layer) {
@@ -70,6 +70,17 @@ CryptoIds crypto_ids(const std::vector<std::string>& names) {
   return ids;
 }
 
+float* write_ranks(CryptoShares shares, float* to) {
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  shares.resize(kCryptoRanks);
+  for (const auto& [id, share] : shares) {
+    std::memcpy(to++, &id, 4);
+    *to++ = share;
+  }
+  return to;
+}
+
 float* write_crypto(const Coverage& coverage, uint32_t samples, const CryptoIds& ids, float* to) {
   std::vector<std::pair<uint32_t, uint32_t>> shares;  // id, samples
   for (const auto& [object, count] : coverage) {
@@ -81,22 +92,18 @@ float* write_crypto(const Coverage& coverage, uint32_t samples, const CryptoIds&
     else
       shares.emplace_back(id, count);
   }
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  shares.resize(kCryptoRanks);
-  for (const auto& [id, count] : shares) {
-    std::memcpy(to++, &id, 4);
-    *to++ = count > 0 ? static_cast<float>(count) / static_cast<float>(samples) : 0;
-  }
-  return to;
+  CryptoShares parts;
+  for (const auto& [id, count] : shares)
+    parts.emplace_back(id, static_cast<float>(count) / static_cast<float>(samples));
+  return write_ranks(std::move(parts), to);
 }
 
 image::Metadata crypto_metadata(const LayerPlan& plan) {
   image::Metadata all;
-  for (const std::string layer : {kCryptoObject, kCryptoMaterial}) {
-    if (!plan.has(layer)) continue;
+  for (const std::string& layer : plan.names) {
+    if (!is_crypto(layer)) continue;
     const std::string key = fmt::format("cryptomatte/{:08x}", murmur3(layer)).substr(0, 19) + "/";
-    const auto& names = layer == kCryptoObject ? plan.objects : plan.materials;
+    const std::vector<std::string> names = plan.subjects(layer);
     std::string manifest;
     for (const std::string& name : std::set<std::string>(names.begin(), names.end()))
       manifest += fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "" : ",", quoted(name),

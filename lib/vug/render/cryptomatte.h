@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vug::render {
@@ -17,6 +18,8 @@ struct LayerPlan;
 
 inline constexpr const char* kCryptoObject = "CryptoObject";
 inline constexpr const char* kCryptoMaterial = "CryptoMaterial";
+/// Of what objects are divided into: Object::elements.
+inline constexpr const char* kCryptoElement = "CryptoElement";
 bool is_crypto(const std::string& layer);
 /// Objects of a pixel that are told, those that show most; in pairs, R G and B A of a layer.
 constexpr size_t kCryptoRanks = 6;
@@ -30,7 +33,11 @@ uint32_t crypto_id(const std::string& name);
 /// Of the names by their index.
 using CryptoIds = std::vector<uint32_t>;
 CryptoIds crypto_ids(const std::vector<std::string>& names);
-/// Writes id and share of `samples` for each rank, nothing as 0; returns the place behind.
+/// Ids with their shares of a pixel.
+using CryptoShares = std::vector<std::pair<uint32_t, float>>;
+/// Writes id and share for each rank, those that show most, nothing as 0; returns the place behind.
+float* write_ranks(CryptoShares shares, float* to);
+/// The same for shares of `samples`.
 float* write_crypto(const Coverage& coverage, uint32_t samples, const CryptoIds& ids, float* to);
 
 /// What a picture's header must say of its Cryptomatte layers, with the list of names.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 namespace vug::render {
 namespace {
@@ -75,6 +76,8 @@ bool is_part(const std::string& name) {
   return std::find(parts.begin(), parts.end(), name) != parts.end();
 }
 
+bool is_attribute(const std::string& name) { return name.rfind(kAttribute, 0) == 0; }
+
 /// A layer among a film's lights: where it stands, how many numbers it has, and whether these are
 /// means over the samples that met a surface.
 struct Summed {
@@ -123,8 +126,26 @@ std::vector<LayerAttribute> attributes_of(const Scene& scene) {
 std::vector<LayerAttribute> named_attributes(const std::vector<std::string>& names) {
   std::vector<LayerAttribute> out;
   for (const std::string& name : names)
-    if (name.rfind(kAttribute, 0) == 0) out.push_back({name.substr(std::strlen(kAttribute)), 3});
+    if (is_attribute(name)) out.push_back({name.substr(std::strlen(kAttribute)), 3});
   return out;
+}
+
+/// A layer of the Cryptomatte, of objects by coverage or of elements by what was read of each.
+struct Crypto {
+  CryptoIds ids;
+  bool elements;
+};
+
+/// What the samples of a pixel have met of each element; `first`: where these begin in a film's
+/// lights.
+CryptoShares element_shares(const Film& film, int x, int y, size_t first, const CryptoIds& ids) {
+  CryptoShares shares;
+  const double samples = std::max(film.at(x, y).samples, 1u);
+  for (size_t i = 0; i < ids.size(); ++i) {
+    const double share = from_wide(film.lights(x, y)[3 * (first + i)], kLightBits) / samples;
+    if (share > 0) shares.emplace_back(ids[i], static_cast<float>(share));
+  }
+  return shares;
 }
 
 }  // namespace
@@ -156,7 +177,9 @@ std::vector<std::string> LayerPlan::channels() const {
     const auto& known = layers();
     const auto layer = std::find_if(known.begin(), known.end(),
                                     [&](const LayerInfo& info) { return info.name == name; });
-    auto more = layer == known.end() ? colour(name) : layer->channels;
+    auto more = layer != known.end() ? layer->channels
+                : is_crypto(name)    ? crypto_channels(name)
+                                     : colour(name);
     for (const LayerAttribute& attribute : attributes)
       if (kAttribute + attribute.name == name) {
         more.clear();
@@ -175,6 +198,19 @@ Gather LayerPlan::gather() const {
   return gather;
 }
 
+size_t LayerPlan::first_element() const {
+  return static_cast<size_t>(std::count_if(names.begin(), names.end(), is_attribute));
+}
+
+std::vector<std::string> LayerPlan::subjects(const std::string& layer) const {
+  if (layer == kCryptoObject) return objects;
+  if (layer == kCryptoMaterial) return materials;
+  std::vector<std::string> elements;
+  for (size_t i = first_element(); i < attributes.size(); ++i)
+    elements.push_back(attributes[i].name);
+  return elements;
+}
+
 bool LayerPlan::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -182,12 +218,15 @@ bool LayerPlan::has(const std::string& name) const {
 bool LayerPlan::parts() const { return std::any_of(names.begin(), names.end(), is_part); }
 
 LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<std::string>& groups,
-                      const std::vector<LayerAttribute>& attributes) {
+                      const std::vector<LayerAttribute>& attributes,
+                      const std::vector<std::string>& elements) {
   std::vector<std::string> known;
   for (const LayerInfo& layer : layers()) known.push_back(layer.name);
   for (const std::string& group : groups) known.push_back(kLight + group);
   const size_t lights_end = known.size();
   for (const LayerAttribute& attribute : attributes) known.push_back(kAttribute + attribute.name);
+  const size_t attributes_end = known.size();
+  if (!elements.empty()) known.emplace_back(kCryptoElement);
   std::vector<bool> chosen(known.size());
   for (size_t i = 0; i < layers().size(); ++i) chosen[i] = names.empty() && layers()[i].usual;
   for (const std::string& name : names) {
@@ -196,7 +235,8 @@ LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<s
     for (size_t i = 0; i < known.size(); ++i) {
       const bool light = i >= layers().size() && i < lights_end;
       if (!(known[i] == name || name == "all" || (name == "parts" && is_part(known[i])) ||
-            (name == "lights" && light) || (name == "attributes" && i >= lights_end) ||
+            (name == "lights" && light) ||
+            (name == "attributes" && i >= lights_end && i < attributes_end) ||
             (name == "cryptomatte" && is_crypto(known[i]))))
         continue;
       chosen[i] = found = true;
@@ -210,7 +250,9 @@ LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<s
   for (size_t i = 0; i < known.size(); ++i) {
     if (!chosen[i]) continue;
     plan.names.push_back(known[i]);
-    if (i >= lights_end)
+    if (i >= attributes_end)
+      for (const std::string& element : elements) plan.attributes.push_back({element, 1});
+    else if (i >= lights_end)
       plan.attributes.push_back(attributes[i - lights_end]);
     else if (i >= layers().size())
       plan.groups.push_back(groups[i - layers().size()]);
@@ -232,11 +274,14 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
   for (const LightPtr& light : scene.lights)
     if (light) add_group(light->notes().group);
   for (const Object& object : scene.objects) add_group(object.light_group);
+  std::set<std::string> elements;
+  for (const Object& object : scene.objects)
+    elements.insert(object.elements.begin(), object.elements.end());
   const bool made = !scene.objects.empty() &&
                     std::all_of(scene.objects.begin(), scene.objects.end(),
                                 [](const Object& object) { return object.mesh || object.surface; });
-  LayerPlan plan =
-      plan_layers(names, groups, made ? attributes_of(scene) : named_attributes(names));
+  LayerPlan plan = plan_layers(names, groups, made ? attributes_of(scene) : named_attributes(names),
+                               {elements.begin(), elements.end()});
   if (!plan.gather().coverage) return plan;
   for (const Object& object : scene.objects) {
     plan.objects.push_back(object.name);
@@ -248,17 +293,19 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
 void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image) {
   std::vector<void (*)(Out&)> writers;
   std::vector<Summed> colours;
-  std::vector<CryptoIds> cryptos;
+  std::vector<Crypto> cryptos;
   for (const std::string& name : plan.names) {
     const auto kind = std::find_if(kinds().begin(), kinds().end(),
                                    [&](const Kind& k) { return k.info.name == name; });
     if (kind != kinds().end())
       writers.push_back(kind->write);
     else if (is_crypto(name))
-      cryptos.push_back(crypto_ids(name == kCryptoObject ? plan.objects : plan.materials));
+      cryptos.push_back({crypto_ids(plan.subjects(name)), name == kCryptoElement});
     else
       colours.push_back(summed(plan, name));
   }
+  const size_t first_element = film.gather().lights - (plan.has(kMotion) ? 1 : 0) -
+                               plan.attributes.size() + plan.first_element();
   const Region& region = film.region();
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x) {
@@ -270,8 +317,10 @@ void develop(const Film& film, const LayerPlan& plan, const Region& origin, imag
         for (size_t i = 0; i < colour.count; ++i)
           out.put(from_wide(film.lights(x, y)[3 * colour.index + i], kLightBits) * share);
       }
-      for (const CryptoIds& ids : cryptos)
-        out.to = write_crypto(film.coverage(x, y), out.sum.samples, ids, out.to);
+      for (const Crypto& crypto : cryptos)
+        out.to = crypto.elements
+                     ? write_ranks(element_shares(film, x, y, first_element, crypto.ids), out.to)
+                     : write_crypto(film.coverage(x, y), out.sum.samples, crypto.ids, out.to);
     }
 }
 

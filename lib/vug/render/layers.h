@@ -37,9 +37,10 @@ struct LayerAttribute {
 /// The layers of one picture, in the order of `layers()`, then lights by their groups, then
 /// attributes of meshes.
 struct LayerPlan {
-  std::vector<std::string> names;          ///< Of layers(), "light_GROUP" and "attribute_NAME".
-  std::vector<std::string> groups;         ///< Groups of lights that have a layer.
-  std::vector<LayerAttribute> attributes;  ///< Those that have a layer.
+  std::vector<std::string> names;   ///< Of layers(), "light_GROUP" and "attribute_NAME".
+  std::vector<std::string> groups;  ///< Groups of lights that have a layer.
+  /// Those that have a layer, then those of numbers 0 and 1 that CryptoElement is made of.
+  std::vector<LayerAttribute> attributes;
   /// Of the scene's objects, by their index, for the layers of the Cryptomatte.
   std::vector<std::string> objects, materials;
 
@@ -48,20 +49,26 @@ struct LayerPlan {
   /// What a film must gather for it.
   Gather gather() const;
   bool has(const std::string& name) const;
-  bool parts() const;  ///< Any of the parts of the beauty.
+  bool parts() const;            ///< Any of the parts of the beauty.
+  size_t first_element() const;  ///< In `attributes`.
+  /// The names that a layer of the Cryptomatte tells apart, by what it finds them by: the index of
+  /// the object, or that among the elements.
+  std::vector<std::string> subjects(const std::string& layer) const;
 
   bool operator==(const LayerPlan&) const = default;
 };
 
 /// The plan for names as people give them: those of layers(), "light_GROUP", "parts" (all of the
 /// beauty's), "lights" (all groups), "attribute_NAME", "attributes" (all),
-/// "cryptomatte" (both of its) or "all"; none: the usual ones.
-/// Error(bad_input) with the nearest name for any other, or when R, G, B would be missing.
+/// "cryptomatte" (all of its) or "all"; none: the usual ones. Only where there are elements is
+/// there a "CryptoElement". Error(bad_input) with the nearest name for any other, or when R, G, B
+/// would be missing.
 LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<std::string>& groups,
-                      const std::vector<LayerAttribute>& attributes = {});
+                      const std::vector<LayerAttribute>& attributes = {},
+                      const std::vector<std::string>& elements = {});
 
-/// The same with the groups of lights, attributes, objects and materials of the scene. Where
-/// objects have no meshes yet any attribute is taken to be there.
+/// The same with the groups of lights, attributes, elements, objects and materials of the scene.
+/// Where objects have no meshes yet any attribute is taken to be there.
 LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names);
 
 /// Writes the means of a film into the image, whose pixel (0, 0) is `origin` of the film and whose

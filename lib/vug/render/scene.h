@@ -39,6 +39,8 @@ struct Object {
   /// no attributes and cannot shine.
   volume::SurfaceBricksPtr surface = nullptr;
   paint::Paint color = nullptr;  ///< With `surface`: what the vertex colours would be; or null.
+  /// Attributes of the mesh that are 1 where a vertex is of a kind of element and 0 elsewhere.
+  std::vector<std::string> elements = {};
 };
 
 struct Scene {

@@ -3,6 +3,7 @@
 #include <vug/render/placed_light.h>
 #include <vug/session/blame.h>
 #include <vug/session/cast.h>
+#include <vug/session/make_mesh.h>
 #include <vug/session/merge_copies.h>
 #include <vug/session/places.h>
 
@@ -36,6 +37,7 @@ render::Object made(Builder& builder, const ObjectPlan& plan) {
                         plan.light_group,
                         material_name(builder.shot(), plan.material, plan.name),
                         builder.solid(plan.mesh)};
+  if (!plan.direct) object.elements = element_names(*plan.mesh);
   if (plan.direct) {
     object.surface = builder.surface(plan.mesh);
     object.color = plan.mesh->paint;

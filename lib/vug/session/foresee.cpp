@@ -2,6 +2,7 @@
 #include <vug/session/blame.h>
 #include <vug/session/cast.h>
 #include <vug/session/foresee.h>
+#include <vug/session/make_mesh.h>
 
 #include <fmt/format.h>
 
@@ -82,6 +83,8 @@ render::LayerPlan foreseen_layers(const Shot& shot, const RenderPlan& plan) {
   render::Scene lights;
   for (const std::string& group : light_groups(shot))
     lights.objects.emplace_back().light_group = group;
+  for (const MeshPtr& mesh : shot.meshes)
+    lights.objects.emplace_back().elements = element_names(*mesh);
   try {
     return render::scene_layers(lights, plan.layers);
   } catch (const Error& error) {

@@ -44,6 +44,17 @@ mesh::LargePieces make_mesh(const MeshPlan& plan) {
   return pieces;
 }
 
+std::vector<std::string> element_names(const MeshPlan& plan) {
+  std::vector<std::string> names = facade::element_names(plan.elements);
+  const auto add = [&](const MeshPtr& other) {
+    const std::vector<std::string> more = element_names(*other);
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  for (const MeshPtr& part : plan.parts) add(part);
+  if (const MeshPtr under = below(plan)) add(under);
+  return names;
+}
+
 mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts) {
   mesh::Mesh all;
   for (const mesh::MeshPtr& part : parts) {

@@ -84,8 +84,9 @@ image::ExrOptions layered_options(const PictureLook& look, const render::PartHea
   image::ExrOptions options = exr_options(look, header);
   for (const auto& entry : render::crypto_metadata(header.layers))
     options.metadata.push_back(entry);
-  options.full_channels.insert(options.full_channels.end(),
-                               {render::kCryptoObject, render::kCryptoMaterial, render::kMotion});
+  options.full_channels.insert(
+      options.full_channels.end(),
+      {render::kCryptoObject, render::kCryptoMaterial, render::kCryptoElement, render::kMotion});
   for (const render::LayerAttribute& attribute : header.layers.attributes)
     options.full_channels.push_back("attribute_" + attribute.name);
   return options;

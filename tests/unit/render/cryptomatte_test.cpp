@@ -67,5 +67,53 @@ TEST(Cryptomatte, MattesSplitTheAlpha) {
   EXPECT_EQ(std::memcmp(&id, &expected, 4), 0);
 }
 
+// Seen from above, the left half of a floor is a door and the right half a window.
+TEST(Cryptomatte, ElementsOfAMesh) {
+  Scene scene;
+  scene.camera = view({0, 3, 0.01}, {0, 0, 0}, 0.55);
+  mesh::Mesh left = floor_mesh(1), right = floor_mesh(1);
+  for (Vec3f& p : left.positions) p.x -= 1;
+  for (Vec3f& p : right.positions) p.x += 1;
+  const auto mask = [](mesh::Mesh& mesh, const std::string& name, float value) {
+    mesh.attributes.push_back({name, 1, std::vector<float>(mesh.positions.size(), value)});
+  };
+  mask(left, "door", 1), mask(left, "window", 0), mask(right, "door", 0), mask(right, "window", 1);
+  scene.objects = {object(left, 0.5), object(right, 0.5)};
+  EXPECT_THROW(scene_layers(scene, {"beauty", "CryptoElement"}), Error) << "it has no elements";
+  EXPECT_FALSE(scene_layers(scene, {"all"}).has("CryptoElement"));
+  for (Object& object : scene.objects) object.elements = {"window", "door"};
+  EXPECT_TRUE(scene_layers(scene, {"all"}).has("CryptoElement"));
+
+  Options o = options(41, 30, 16, 0);  // the seam goes through the pixels in the middle
+  // Beside layers of the same attributes and what stands behind them in a film.
+  o.layers = scene_layers(
+      scene, {"beauty", "A", "attribute_window", "motion", "wetness", "CryptoElement", "parts"});
+  EXPECT_EQ(o.layers.subjects("CryptoElement"), (std::vector<std::string>{"door", "window"}));
+  const image::Image picture = render(scene, o);
+  const auto at = [&](int x, int y, const std::string& channel) {
+    return picture.at(x, y, static_cast<size_t>(picture.find_channel(channel)));
+  };
+  const auto id_at = [&](int x, int y) {
+    const float value = at(x, y, "CryptoElement00.R");
+    uint32_t id = 0;
+    std::memcpy(&id, &value, 4);
+    return id;
+  };
+  EXPECT_EQ(id_at(10, 15), crypto_id("door"));
+  EXPECT_EQ(id_at(30, 15), crypto_id("window"));
+  EXPECT_EQ(at(30, 15, "CryptoElement00.G"), 1);
+  bool mixed = false;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 41; ++x) {
+      const float first = at(x, y, "CryptoElement00.G"), second = at(x, y, "CryptoElement00.A");
+      ASSERT_NEAR(first + second, at(x, y, "A"), 1e-6);
+      mixed |= second > 0;
+    }
+  EXPECT_TRUE(mixed);
+  const image::Metadata notes = crypto_metadata(o.layers);
+  ASSERT_EQ(notes.size(), 4u);
+  EXPECT_NE(notes[3].second.find("\"door\":"), std::string::npos) << notes[3].second;
+}
+
 }  // namespace
 }  // namespace vug::render
