@@ -223,7 +223,7 @@ void World::Geometry::add(const Object& object, uint32_t number) {
 
 World::Geometry::~Geometry() = default;
 
-bool World::Geometry::intersect(const Ray& ray, float time, Hit& hit) const {
+World::Geometry::Found World::Geometry::find(const Ray& ray, float time) const {
   RTCRayHit query;
   query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
   query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y;
@@ -233,14 +233,28 @@ bool World::Geometry::intersect(const Ray& ray, float time, Hit& hit) const {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID, query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   Search search(*this, ray, time);
   rtcIntersect1(embree_->scene, &search, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  const bool own = query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
-  const Part& part = parts_[own ? query.hit.geomID : query.hit.instID[0]];
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  const bool placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  const uint32_t number = placed ? query.hit.instID[0] : query.hit.geomID;
+  const uint32_t primitive = query.hit.primID;
+  const Part& part = parts_[number];
+  if (part.surface) return {true, placed, number, primitive, search.met};
+  // The corners of a triangle may lie across two lines of memory.
+  const std::array<Vec3f, 3>& corners = (*part.corners)[primitive];
+  __builtin_prefetch(corners.data());
+  __builtin_prefetch(reinterpret_cast<const char*>(&corners + 1) - 1);
+  if (part.normals || part.colours) __builtin_prefetch(&part.mesh->triangles[primitive]);
+  return {true, placed, number, primitive, {}};
+}
+
+bool World::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& hit) const {
+  if (!found.any) return false;
+  const Part& part = parts_[found.part];
   if (part.surface)
-    fill_surface(part, query.hit.primID, search, time, ray, hit);
+    fill_surface(part, found.primitive, found.met, time, ray, hit);
   else
-    fill_mesh(part, query.hit.primID, ray, time, hit);
-  if (!own) set_place(part, time, hit);
+    fill_mesh(part, found.primitive, ray, time, hit);
+  if (found.placed) set_place(part, time, hit);
   return true;
 }
 

@@ -2,6 +2,7 @@
 // Embree.
 #pragma once
 
+#include <vug/render/grid_surface.h>
 #include <vug/render/mesh_slopes.h>
 #include <vug/render/scene.h>
 #include <vug/render/vectors.h>
@@ -23,8 +24,18 @@ struct World::Geometry {
   explicit Geometry(const std::vector<Object>& objects);
   ~Geometry();
 
-  /// `time`: see World::at.
-  bool intersect(const Ray& ray, float time, Hit& hit) const;
+  /// The nearest surface on a ray.
+  struct Found {
+    bool any = false;
+    bool placed = false;  ///< By an instance.
+    uint32_t part = 0;
+    uint32_t primitive = 0;  ///< Triangle or brick.
+    Crossing met;            ///< Of a level set.
+  };
+  /// `time`: see World::at. Orders from memory what `fill` will read.
+  Found find(const Ray& ray, float time) const;
+  /// False when nothing was found.
+  bool fill(const Found& found, const Ray& ray, float time, Hit& hit) const;
   bool occluded(const Ray& ray, float distance, float time) const;
 
   Box3f bounds;
@@ -62,7 +73,7 @@ struct World::Geometry {
   void fill_mesh(const Part& part, uint32_t triangle, const Ray& ray, float time, Hit& hit) const;
   /// What the hit of an instance knows besides.
   static void set_place(const Part& part, float time, Hit& hit);
-  static void fill_surface(const Part& part, uint32_t brick, const Search& search, float time,
+  static void fill_surface(const Part& part, uint32_t brick, const Crossing& seen, float time,
                            const Ray& ray, Hit& hit);
 
   std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.

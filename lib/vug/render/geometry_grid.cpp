@@ -104,17 +104,17 @@ void World::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBric
   check("taking in a level set");
 }
 
-void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Search& search,
+void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Crossing& seen,
                                    float time, const Ray& ray, Hit& hit) {
   const volume::SurfaceBricks& grid = *part.surface;
   const Space space(part.placing.get(), time);
   const Vec3d from = space.point(Vec3d(ray.origin)), way = space.vector(Vec3d(ray.direction));
-  Crossing met = search.met;
+  Crossing met = seen;
   // An instance's ray is Embree's own, whose last bits are the machine's: again, so that they are
   // the same everywhere. It may just miss here what it has met there.
   if (part.placing) {
     const auto again = first_crossing(grid, brick, from, way, 0, kInfinity);
-    met = again ? *again : crossing_near(grid, brick, from, way, search.met.t);
+    met = again ? *again : crossing_near(grid, brick, from, way, seen.t);
   }
   const Vec3d own = from + way * met.t;
   const GridValue sharp = trilinear(grid, brick, met.cell, own);

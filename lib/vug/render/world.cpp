@@ -29,8 +29,10 @@ World::World(const World& other, float time)
 
 World::~World() = default;
 
-bool World::intersect(const Ray& ray, Hit& hit) const {
-  return geometry_->intersect(ray, time_, hit);
+bool World::intersect(const Ray& ray, Hit& hit, void (*work)(const void*), const void* what) const {
+  const Geometry::Found found = geometry_->find(ray, time_);
+  work(what);
+  return geometry_->fill(found, ray, time_, hit);
 }
 bool World::occluded(const Ray& ray, float distance) const {
   return geometry_->occluded(ray, distance, time_);

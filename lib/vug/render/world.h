@@ -41,7 +41,15 @@ class World {
   bool moves() const;
 
   /// False when nothing is hit.
-  bool intersect(const Ray& ray, Hit& hit) const;
+  bool intersect(const Ray& ray, Hit& hit) const {
+    return intersect(ray, hit, [] {});
+  }
+  /// Does `meanwhile`, too, while what is known of the surface is on its way from memory.
+  template <class Work>
+  bool intersect(const Ray& ray, Hit& hit, const Work& meanwhile) const {
+    const auto work = [](const void* what) { (*static_cast<const Work*>(what))(); };
+    return intersect(ray, hit, work, &meanwhile);
+  }
   /// True when a surface lies on the ray before `distance`.
   bool occluded(const Ray& ray, float distance) const;
   const Box3f& bounds() const;
@@ -53,6 +61,7 @@ class World {
  private:
   struct Geometry;
   World(const World& other, float time);
+  bool intersect(const Ray& ray, Hit& hit, void (*work)(const void*), const void* what) const;
 
   std::shared_ptr<const Geometry> geometry_;
   std::shared_ptr<const LightSet> lights_;

@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 
 int main(int argc, char** argv) {
   using namespace vug;  // NOLINT
@@ -63,15 +64,20 @@ int main(int argc, char** argv) {
     using Clock = std::chrono::steady_clock;
     Clock::time_point start = Clock::now();
     double preparing = 0;
+    const auto processor = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    const double before = processor();
     Progress progress([&](const std::string& stage, double fraction) {
       if (stage == "rendering" && fraction == 0)
         preparing = std::chrono::duration<double>(Clock::now() - start).count();
     });
     const image::Image picture = render::render(scene, options, progress);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count() - preparing;
+    const double spent = processor() - before;
     if (!out.empty()) image::write_exr(out, picture);
-    fmt::print("{{\"prepare_s\": {:.3f}, \"render_s\": {:.3f}, \"msamples_per_s\": {:.4f}}}\n",
-               preparing, seconds, 1e-6 * options.width * options.height * options.spp / seconds);
+    fmt::print(
+        "{{\"prepare_s\": {:.3f}, \"render_s\": {:.3f}, \"msamples_per_s\": {:.4f}, "
+        "\"processor_s\": {:.3f}}}\n",
+        preparing, seconds, 1e-6 * options.width * options.height * options.spp / seconds, spent);
   } catch (const Error& error) {
     fmt::print(stderr, "bench_cave: {}\n", error.what());
     return 2;

@@ -47,7 +47,6 @@ class Walk {
       look(bounce);
       gather(bounce);
       if (depth_ > rules_.max_bounces) break;
-      draw(bounce);
       if (!cross_medium(bounce) && !(bounce.found && scatter(bounce))) break;
       if (is_black(throughput_) || !survives(bounce.survive)) break;
     }
@@ -85,7 +84,7 @@ class Walk {
   /// The next surface on the ray.
   void look(Bounce& bounce) {
     Hit& hit = bounce.hit;
-    bounce.found = world_.intersect(ray_, hit);
+    bounce.found = world_.intersect(ray_, hit, [&] { draw(bounce); });
     if (bounce.found) {
       if (within_) carry(unabsorbed(absorption_, hit.distance));
       hit.surface.footprint = width_ + spread_ * hit.distance;
