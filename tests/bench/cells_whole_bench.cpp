@@ -1,6 +1,8 @@
 // Cells from end to end: strewn, harmonised, linked, rewritten and written as points, with the
 // memory that it takes; then read back and compared. Prints a table.
 //   bench_cells_whole [millions]      default: 10
+#include "peak.h"
+
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/cells/as_points.h>
@@ -17,7 +19,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 
 namespace {
 
@@ -27,19 +28,6 @@ using namespace vug::cells;
 constexpr int kSteps = 100;
 constexpr int kRelax = 10;
 
-/// The most that the process has held, in bytes (VmHWM).
-double peak() {
-  std::ifstream status("/proc/self/status");
-  std::string word;
-  while (status >> word)
-    if (word == "VmHWM:") {
-      double kilobytes = 0;
-      status >> kilobytes;
-      return kilobytes * 1024;
-    }
-  return 0;
-}
-
 template <class Work>
 void stage(const char* name, const Work& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -48,7 +36,7 @@ void stage(const char* name, const Work& work) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   fmt::print("{:28} {:7.1f} s, {:6.1f} s of processor time; holds {}, peak so far {}\n", name,
              wall.count(), static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC,
-             bytes_text(static_cast<double>(resident_memory())), bytes_text(peak()));
+             bytes_text(static_cast<double>(resident_memory())), bytes_text(peak_memory()));
   std::fflush(stdout);
 }
 
@@ -104,7 +92,8 @@ int main(int argc, char** argv) {
     return static_cast<double>(std::filesystem::file_size(file)) /
            static_cast<double>(network->size());
   };
-  fmt::print("peak of scatter to file: {}; {:.1f} bytes a point\n", bytes_text(peak()), each());
+  fmt::print("peak of scatter to file: {}; {:.1f} bytes a point\n", bytes_text(peak_memory()),
+             each());
   volume::Points points = as_points(simulation);
   std::erase_if(points.attributes, [](const volume::PointAttribute& a) {
     return a.name != "N" && a.name != "Cd" && a.name != "pscale" && a.name != "id";

@@ -1,6 +1,8 @@
 // Ten thousand solids of every kind that has an end, rotated and displaced by noise, at about
 // 10 and 100 million active voxels: how throughput and memory grow with the grid. Each size runs
 // in a process of its own, so that its peak memory (VmHWM) is its own.
+#include "peak.h"
+
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -17,7 +19,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 
 namespace {
 
@@ -52,16 +53,9 @@ field::Field solid() {
   return field::displaced(field::unite(all), field::make_noise("fbm"), rough);
 }
 
-double peak_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::strtod(line.c_str() + 6, nullptr);
-  return 0;
-}
-
 void run(double target, bool json) {
   const field::Field field = solid();
-  const double before = peak_bytes();  // libraries and the expression
+  const double before = peak_memory();  // libraries and the expression
   volume::VoxelizeOptions options;
   options.voxel = 0.12;  // a coarse grid tells how fine the wanted one is
   const auto coarse = volume::voxelize(field, options).statistics().active_voxels;
@@ -70,7 +64,7 @@ void run(double target, bool json) {
   const volume::LevelSet grid = volume::voxelize(field, options);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const double peak = peak_bytes();
+  const double peak = peak_memory();
   const volume::VoxelizeEstimate estimate = volume::estimate(field, options);
   const volume::Statistics s = grid.statistics();
   const auto active = static_cast<double>(s.active_voxels),

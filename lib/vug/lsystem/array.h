@@ -3,6 +3,7 @@
 
 #include <vug/lsystem/pages.h>
 
+#include <algorithm>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -31,5 +32,17 @@ struct UnsetAllocator : std::allocator<T> {
 
 template <class T>
 using Array = std::vector<T, UnsetAllocator<T>>;
+
+/// As many numbers of unset content. Asks for room in which those of the next steps fit as well:
+/// the system gives large memory page by page, as it is written to (pages.h), and what has been
+/// given once need not be cleared again.
+template <class T>
+void resize_unset(Array<T>& array, size_t size) {
+  constexpr size_t kLarge = (size_t{1} << 20) / sizeof(T), kMostAhead = 256 * kLarge;
+  array.clear();  // nothing is to be carried along
+  if (size > array.capacity())
+    array.reserve(size + std::min((size < kLarge ? 2 : 30) * size, kMostAhead));
+  array.resize(size);
+}
 
 }  // namespace vug::lsystem

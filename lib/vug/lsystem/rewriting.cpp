@@ -212,8 +212,9 @@ bool Rewriter::rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32
   if (system_.cut) cut_branches(system_, word);
   from_ = &word;
   const size_t size = word.word.size();
-  choice_.clear();  // nothing is to be carried along
-  choice_.resize(size);
+  resize_unset(choice_, size);
+  const auto memory = [](auto numbers) { return Memory{numbers.data(), numbers.size_bytes()}; };
+  clear_pages({memory(std::span(choice_))});
   const Surroundings around(system_, word.word, book.contexts);
   std::vector<Chunk> chunks((size + kChunk - 1) / kChunk);
   parallel_for(chunks.size(), [&](size_t c) {
@@ -233,10 +234,8 @@ bool Rewriter::rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32
   if (mode == Mode::passing && !applied) return false;
   require_room(modules, values);
   to_.word.resize(modules, values);
-  to_.keys.clear();
-  to_.keys.resize(system_.random ? modules : 0);
+  resize_unset(to_.keys, system_.random ? modules : 0);
   to_.key = word.key;
-  const auto memory = [](auto numbers) { return Memory{numbers.data(), numbers.size_bytes()}; };
   clear_pages({memory(to_.word.symbols()), memory(to_.word.starts()), memory(to_.word.values()),
                memory(std::span(to_.keys))});
   to_.word.starts()[0] = 0;

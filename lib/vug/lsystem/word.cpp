@@ -16,17 +16,6 @@ void check_room(size_t values) {
     throw Error(ErrorCode::too_large, "a word of more than 2^32 parameters");
 }
 
-/// Does not carry the old content along. Asks for room in which the next words may grow as well:
-/// the system gives large memory page by page, as it is written to (pages.h), and what a word
-/// before has been given need not be cleared again.
-template <class T>
-void resize_unset(Array<T>& array, size_t size) {
-  constexpr size_t kMostAhead = (size_t{256} << 20) / sizeof(T);
-  array.clear();
-  if (size > array.capacity()) array.reserve(size + std::min(2 * size, kMostAhead));
-  array.resize(size);
-}
-
 }  // namespace
 
 void Word::append(SymbolId symbol, std::span<const double> parameters) {

@@ -1,6 +1,8 @@
 // A heavy scene: 40 million triangles of their own and 2,000 instances of stones. Tells what memory
 // and time were promised before, and what they were.
 //   bench_crowd [millions of triangles] [instances] [samples per pixel]
+#include "../peak.h"
+
 #include <vug/base/memory.h>
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
@@ -13,7 +15,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 
 namespace {
 
@@ -22,13 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double peak_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::strtod(line.c_str() + 6, nullptr);
-  return 0;
 }
 
 /// A square of hills of 2 n^2 triangles, 40 m across.
@@ -108,7 +102,7 @@ int main(int argc, char** argv) {
   render::Watch watch;
   watch.estimate = [&](double seconds) { told = seconds, ready = Clock::now(); };
   render::render(scene, options, Progress::none(), watch);
-  const double peak = peak_bytes(), all = seconds_since(start), rendering = seconds_since(ready);
+  const double peak = peak_memory(), all = seconds_since(start), rendering = seconds_since(ready);
   fmt::print("{} at the peak: {:.2f} of what was promised\n", bytes_text(peak), peak / promised);
   fmt::print("{:.1f} s of building; {:.1f} s of rendering, {:.2f} of the {:.1f} s that were told\n",
              all - rendering, rendering, rendering / told, told);

@@ -2,6 +2,8 @@
 // second on one thread. Once for each, as the peak is that of the process.
 //   bench_surface SCENE.vug mesh|direct [NAME=VALUE ...]
 // Rays go from the camera, and from where they end on over four bounces, each with a shadow ray.
+#include "../peak.h"
+
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/base/rng.h>
@@ -14,18 +16,10 @@
 
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 
 namespace {
 
 using namespace vug;
-double peak_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::strtod(line.c_str() + 6, nullptr);
-  return 0;
-}
-
 Vec2f pair(RandomStream& random) {
   const auto x = static_cast<float>(random.uniform());
   return {x, static_cast<float>(random.uniform())};
@@ -83,7 +77,7 @@ int main(int argc, char** argv) {
     const render::Scene scene = session::assemble(builder, session::render_plan(loaded.shot, {}));
     const double made = held();
     const render::World world(scene);
-    const double tree = held(), peak = peak_bytes();
+    const double tree = held(), peak = peak_memory();
     size_t triangles = 0, bricks = 0;
     for (const render::Object& object : scene.objects) {
       if (object.mesh) triangles += object.mesh->triangles.size();

@@ -1,0 +1,52 @@
+// A hectare of bamboo, its culms placed from a few plants: built and rendered with one sample a
+// pixel, and the most memory that the process held on the way. The limit is 500 MB.
+//   bench_hectare [WIDTHxHEIGHT]      default: the scene's size
+#include "peak.h"
+
+#include <vug/base/error.h>
+#include <vug/session/load.h>
+#include <vug/session/long_render.h>
+#include <vug/session/places.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+using namespace vug;
+
+int main(int argc, char** argv) {
+  try {
+    session::RenderOptions options;
+    options.picture.spp = 1;
+    int width = 0, height = 0;
+    if (argc > 1) {
+      if (std::sscanf(argv[1], "%dx%d", &width, &height) != 2)
+        throw Error(ErrorCode::bad_input, fmt::format("'{}' is no WIDTHxHEIGHT", argv[1]));
+      options.picture.size = Vec2i(width, height);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    session::LoadOptions loading;
+    loading.include_folders = {std::filesystem::path(VUG_DATA)};
+    const session::Loaded loaded =
+        session::load(std::filesystem::path(VUG_DATA) / "scenes/bamboo/hectare.vug", loading);
+    if (!loaded.usable()) throw Error(ErrorCode::bad_input, loaded.report());
+    fmt::print("{:24} {:6.1f} s, peak {:5.0f} MB\n", "four plants", seconds(),
+               1e-6 * peak_memory());
+    session::Builder builder(loaded.shot);
+    size_t culms = 0;
+    for (const session::PlacePlan& place : loaded.shot.places)
+      for (const session::Places& at : place.at) culms += (*at)(builder, place.key).size();
+    const session::Rendered picture = session::render_picture(builder, options);
+    fmt::print("{:24} {:6.1f} s, peak {:5.0f} MB (wanted: less than 500)\n",
+               fmt::format("{}x{}, {} culms", picture.image->width, picture.image->height, culms),
+               seconds(), 1e-6 * peak_memory());
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,18 @@
+// The most that a process has held.
+#pragma once
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+namespace vug {
+
+/// Bytes so far (VmHWM); 0 where the system does not tell.
+inline double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::strtod(line.c_str() + 6, nullptr);
+  return 0;
+}
+
+}  // namespace vug
