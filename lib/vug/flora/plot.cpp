@@ -13,6 +13,7 @@ namespace vug::flora {
 namespace {
 
 constexpr double kFarthest = 1e6;
+constexpr double kInLine = 1e-9;        // radians that a side may turn inwards by rounding
 constexpr size_t kMostCorners = 20000;  // every side may be held against every other
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::bad_input, what); }
@@ -106,10 +107,11 @@ int Plot::dent() const {
   const size_t n = corners_.size();
   for (size_t i = 0; i < n; ++i)
     turned += (corners_[i] - corners_[0]).cross(corners_[(i + 1) % n] - corners_[0]);
-  const int wrong = turned > 0 ? -1 : 1;
-  for (size_t i = 0; i < n; ++i)
-    if (turn(corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]) == wrong)
-      return static_cast<int>(i);
+  for (size_t i = 0; i < n; ++i) {
+    const Vec2d &a = corners_[(i + n - 1) % n], &b = corners_[i], &c = corners_[(i + 1) % n];
+    const double inwards = (c - b).cross(b - a) * (turned > 0 ? 1 : -1);
+    if (inwards > kInLine * (b - a).length() * (c - b).length()) return static_cast<int>(i);
+  }
   return -1;
 }
 

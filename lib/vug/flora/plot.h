@@ -31,7 +31,8 @@ class Plot {
   double to_border(const Vec2d& p) const;
   /// A point spread evenly over the plot; takes three numbers of the stream.
   Vec2d point(RandomStream& random) const;
-  /// The first corner that turns the other way than the polygon does; -1 where it is convex.
+  /// The first corner that turns the other way than the polygon does, by more than rounding; -1
+  /// where it is convex.
   int dent() const;
 
  private:

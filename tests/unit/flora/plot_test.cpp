@@ -100,6 +100,17 @@ TEST(Plot, TakesWhatIsThinSmallAndLarge) {
       RandomStream random(RandomKey(3));
       for (int i = 0; i < 200; ++i) EXPECT_LT(plot.to_border(plot.point(random)), across);
     }
+  // What was in line before it was turned is no dent, what is bent by a hair is.
+  const auto bent = [](double by) {
+    return Corners{{0, 0}, {1, by}, {2, by}, {3, 0}, {3, 1}, {1.5, 1}, {0, 1}};
+  };
+  for (int i = 0; i < 50; ++i)
+    for (const double size : {1e-3, 1.0, 1e4}) {
+      Corners corners = turned(bent(0), 0.1 * i);
+      for (Vec2d& p : corners) p *= size;
+      EXPECT_EQ(Plot(corners).dent(), -1) << i;
+    }
+  EXPECT_EQ(Plot(bent(1e-7)).dent(), 1);
   EXPECT_NEAR(Plot(turned({{0, 0}, {1e-3, 0}, {1e-3, 1e-3}, {0, 1e-3}}, 0.3)).area(), 1e-6, 1e-18);
   EXPECT_NEAR(Plot(turned({{0, 0}, {1e4, 0}, {1e4, 1e4}, {0, 1e4}}, 0.3)).area(), 1e8, 1e-4);
 }

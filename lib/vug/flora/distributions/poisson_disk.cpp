@@ -32,10 +32,12 @@ class Darts {
     side_ = size_ = distance / std::sqrt(2.0);
     const Vec2d size = (plot.high() - plot.low()) / side_;
     if (!((size.x + 1) * (size.y + 1) <= kMostSquares))
-      throw Error(ErrorCode::too_large,
-                  fmt::format("a plot of {:.4g} m^2 holds too many plants {:.3g} m apart",
-                              plot.area(), distance),
-                  {}, "use a larger distance");
+      throw Error(
+          ErrorCode::too_large,
+          fmt::format("the box around a plot of {:.4g} m^2 has room for {:.2g} plants {:.3g} m "
+                      "apart; {:.2g} are the most",
+                      plot.area(), size.x * size.y, distance, kMostSquares),
+          {}, "use a larger distance, or several shorter plots");
     columns_ = static_cast<int64_t>(size.x) + 1, rows_ = static_cast<int64_t>(size.y) + 1;
     in_square_.assign(static_cast<size_t>(columns_ * rows_), kNobody);
     for (int64_t row = 0; row < rows_; ++row)
