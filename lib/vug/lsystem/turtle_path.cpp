@@ -79,7 +79,8 @@ void Walker::follow(double length, double begun, double radius, bool drawn) {
     const Vec3d to = pose.position + carried(in_world(next - point) * scale, tangent, heading);
     pose.frame = transported(pose.frame, pose.position, to, carried(ahead, tangent, heading));
     pose.position = to;
-    step(length / steps, begun + (radius - begun) * i / steps, drawn);
+    // The last is the radius itself: by rounding 0 could come out below 0.
+    step(length / steps, i == steps ? radius : begun + (radius - begun) * i / steps, drawn);
     point = next;
     tangent = ahead;
   }
