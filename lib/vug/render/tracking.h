@@ -34,4 +34,21 @@ class TrackingNumbers {
   uint64_t state_;
 };
 
+/// A step to the next possible collision, in units of the mean free path: -log(1 - u) to 1e-7 of
+/// it, with the same bits on every machine.
+inline float free_path(float u) {
+  const float left = 1 - u;
+  uint32_t bits = 0;
+  std::memcpy(&bits, &left, sizeof bits);
+  // left = m 2^e with m in [2/3, 4/3); log m = 2 atanh(s), s = (m - 1) / (m + 1), |s| <= 1/5.
+  const uint32_t shifted = bits - 0x3f2aaaab;
+  const auto e = static_cast<float>(static_cast<int32_t>(shifted) >> 23);
+  bits = (shifted & 0x7fffff) + 0x3f2aaaab;
+  float m = 0;
+  std::memcpy(&m, &bits, sizeof m);
+  const float s = (m - 1) / (m + 1), ss = s * s;
+  const float rest = ss * (1.0f / 3 + ss * (1.0f / 5 + ss * (1.0f / 7 + ss * (1.0f / 9))));
+  return -(e * 0.693147181f + 2 * (s + s * rest));
+}
+
 }  // namespace vug::render

@@ -49,6 +49,15 @@ TEST(Cloud, DensityIsThatOfTheGrid) {
   EXPECT_EQ(ball()->at({-1, 2, 3}), 0);
 }
 
+TEST(Cloud, FreePathsAreLogarithms) {
+  EXPECT_EQ(free_path(0), 0);
+  for (int i = 1; i < 1 << 24; i += 17) {
+    const float u = static_cast<float>(i) * 0x1p-24f;
+    const double path = -std::log1p(-static_cast<double>(u));
+    ASSERT_NEAR(static_cast<double>(free_path(u)), path, 2e-7 * path) << u;
+  }
+}
+
 TEST(Cloud, LetsThroughWhatTheIntegralSays) {
   const Ray rays[] = {{{0.1f, 0.2f, -3}, {0, 0, 1}},
                       {{-2, -1.5f, 0.3f}, normalized(Vec3f(1, 0.8f, 0))},

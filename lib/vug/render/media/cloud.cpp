@@ -86,9 +86,6 @@ void DenseCloud::describe(Schema<DenseCloud>& s) {
               .max = 0.99});
 }
 
-/// A step to the next possible collision, in units of the mean free path.
-float free_path(float u) { return static_cast<float>(-maths::log(1 - static_cast<double>(u))); }
-
 /// A place in the air as masks and paints see it.
 paint::Spot spot_at(const Vec3f& point) {
   paint::Spot spot;
