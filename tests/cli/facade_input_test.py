@@ -103,6 +103,12 @@ class FacadeInput(VugTest):
         self.refused("cannot be fitted", "photo.png", "--grammar", "mine_portal.vug")
         self.fit("photo.png", "--grammar", "ripperda.vug", code=0)
 
+    def test_what_is_no_verb(self):
+        self.assertIn("hint: vug facade fit, ", self.expect(2, "facade").err)
+        error = self.expect(2, "facade", "fitt", "photo.png").err
+        self.assertIn("there is no 'facade fitt'\nhint: did you mean 'fit'?", error)
+        self.assertIn("other.png", self.expect(2, "facade", "fit", "photo.png", "other.png", "-o", "out").err)
+
     def test_empty_clouds(self):
         for name, text in (("empty.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                                          "property float z\nend_header\n"),

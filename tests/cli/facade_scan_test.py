@@ -1,6 +1,7 @@
 """`vug facade scan` and `vug facade rectify`: a made facade is found in its points, a slanted photo made square."""
 import json
 import math
+import random
 import re
 import struct
 import unittest
@@ -76,6 +77,19 @@ class FacadeScan(VugTest):
         self.assertEqual(report["points"], len(rows))
         self.assertEqual(report["dropped"], 1)
         self.assertEqual(len(report["openings"]), len(HOLES))
+
+    def test_what_is_no_facade_is_doubted(self):
+        floor = [f"{0.05 * i:.2f} {0.05 * j:.2f} {0.004 * ((7 * i + 13 * j) % 5 - 2):.3f}" for i in range(120) for j in range(80)]
+        self.write("floor.xyz", "\n".join(floor))
+        draw = random.Random(1)
+        self.write("swarm.xyz", "\n".join(f"{draw.uniform(0, 9)} {draw.uniform(0, 9)} {draw.uniform(0, 9)}" for _ in range(9000)))
+        for name, said in (("floor.xyz", "m high and 5.9"), ("swarm.xyz", "% of the points near the plane lie on it")):
+            result = self.expect(0, "facade", "scan", name, "--json")
+            self.assertRegex(result.err, f"warning: .*{said}")
+            self.assertRegex(json.loads(result.out)["doubts"][0], said)
+        for args in (("wall.ply",), ("floor.xyz", "--up", "y")):
+            result = self.expect(0, "facade", "scan", *args, "--json")
+            self.assertEqual((result.err, json.loads(result.out)["doubts"]), ("", []))
 
     def test_same_bytes_for_any_threads(self):
         for threads in (1, 2, 7):
@@ -153,6 +167,9 @@ class FacadeRectify(VugTest):
         self.expect(0, "facade", "rectify", "photo.pgm", *corners, "-o", "out.png")
         wrong = ["--corners", "30,120", "170,140", "180,30", "20,10"]
         self.assertIn("clockwise", self.expect(2, "facade", "rectify", "photo.pgm", *wrong, "-o", "x.png").err)
+        far = ["--corners", "20,10", "180,30", "170,900", "30,800"]
+        self.assertIn("the corner 170,900 lies far outside of the photo, which has 200 x 150 pixels",
+                      self.expect(2, "facade", "rectify", "photo.pgm", *far, "-o", "x.png").err)
         for bad in (["--size", "8m"], ["--size", "0x3"], ["--pixel", "1e-6m", "--size", "8mx5m"],
                     ["--at", "0,0", "1,0", "1,1", "0,1"]):
             self.expect(2, "facade", "rectify", "photo.pgm", *corners, *bad, "-o", "x.exr")

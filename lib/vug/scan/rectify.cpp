@@ -60,6 +60,18 @@ FourPoints corners_of(double width, double height) {
 
 double length(const FourPoints& p, size_t a, size_t b) { return (p[b] - p[a]).length(); }
 
+/// Corners may lie outside of the photo, but what is seen there is nothing.
+void require_near(const FourPoints& corners, const image::Image& photo) {
+  for (const Vec2d& p : corners)
+    if (p.x < -photo.width || p.y < -photo.height || p.x > 2.0 * photo.width ||
+        p.y > 2.0 * photo.height)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the corner {},{} lies far outside of the photo, which has {} x {} "
+                              "pixels",
+                              p.x, p.y, photo.width, photo.height),
+                  {}, "pixels are counted from its upper left corner");
+}
+
 }  // namespace
 
 image::Homography homography(const FourPoints& from, const FourPoints& to) {
@@ -117,6 +129,7 @@ double aspect_of(const FourPoints& corners, int photo_width, int photo_height) {
 Rectified rectified(const image::Image& photo, const FourPoints& corners,
                     const RectifyOptions& options) {
   require_convex(corners);
+  require_near(corners, photo);
   const bool told = options.width != 0 || options.height != 0;
   for (const double side : {options.width, options.height})
     if (told && !(side > 0 && std::isfinite(side)))
@@ -148,6 +161,7 @@ image::Image laid_over(const RangeImage& range, const image::Image& photo,
                      static_cast<double>((2 * photo.channels.size() + 2) * sizeof(float)),
                  memory, fmt::format("a picture of {} x {} pixels", range.width, range.height),
                  "use a range image of larger pixels");
+  require_near(in_photo, photo);
   FourPoints pixels = on_facade;
   for (Vec2d& p : pixels) p = {p.x / range.pixel, range.height - p.y / range.pixel};
   const image::Image colours =

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <vug/base/xml.h>
+#include <vug/scan/doubts.h>
 #include <vug/scan/report.h>
 
 #include <nlohmann/json.hpp>
@@ -38,6 +39,8 @@ std::string report_json(const Cloud& cloud, const PlaneFit& plane, const RangeIm
                   {"x", vector(range.frame.x)},
                   {"y", vector(range.frame.y)},
                   {"z", vector(range.frame.z)}};
+  out["doubts"] = Json::array();
+  for (const Doubt& doubt : doubts(cloud, plane, range)) out["doubts"].push_back(doubt.message);
   size_t inside = 0, seen = 0, full = 0;
   for (size_t p = 0; p < range.pixel_count(); ++p) {
     inside += range.count[p];

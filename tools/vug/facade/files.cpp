@@ -1,6 +1,12 @@
 #include "files.h"
 
+#include "bar.h"
+
+#include <fmt/format.h>
 #include <vug/image/io.h>
+#include <vug/scan/doubts.h>
+
+#include <cstdio>
 
 namespace vug::cli {
 
@@ -18,6 +24,14 @@ void write_plain_png(const fs::path& file, const image::Image& picture) {
   plain.transform = image::ViewTransform::srgb;
   plain.dither = false;
   image::write_png(file, picture, plain);
+}
+
+void warn_of_doubts(const scan::Cloud& cloud, const scan::PlaneFit& plane,
+                    const scan::RangeImage& range) {
+  for (const scan::Doubt& doubt : scan::doubts(cloud, plane, range)) {
+    clear_bar();
+    fmt::print(stderr, "warning: {}\nhint: {}\n", doubt.message, doubt.hint);
+  }
 }
 
 }  // namespace vug::cli

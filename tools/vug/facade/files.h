@@ -1,7 +1,8 @@
-// What verbs of facades write beside their results.
+// What verbs of facades write and say beside their results.
 #pragma once
 
 #include <vug/image/image.h>
+#include <vug/scan/range_image.h>
 
 #include <filesystem>
 #include <string>
@@ -13,5 +14,9 @@ std::string seen_from(const std::filesystem::path& folder, const std::filesystem
 
 /// A PNG of the picture as it is: no view transform but sRGB, no dither.
 void write_plain_png(const std::filesystem::path& file, const image::Image& picture);
+
+/// What speaks against a facade in a scan, on stderr.
+void warn_of_doubts(const scan::Cloud& cloud, const scan::PlaneFit& plane,
+                    const scan::RangeImage& range);
 
 }  // namespace vug::cli

@@ -87,7 +87,7 @@ int run(Options options) {
       throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", options.size), {},
                   "width and height are above 0, as in 12mx9m or 4x3");
     options.rectify.width = wide.value, options.rectify.height = high.value;
-    metres = wide.dimension == Dimension::length && high.dimension == Dimension::length;
+    metres = wide.dimension == Dimension::length || high.dimension == Dimension::length;
   }
   const image::Image photo = fit::read_within(options.photo, options.work.memory_limit());
   if (!options.onto.empty()) {

@@ -87,6 +87,7 @@ int run(Options options) {
   if (options.windows == "delaunay")
     openings = scan::openings_by_triangles(cloud, range, map, options.openings);
   progress.check();
+  warn_of_doubts(cloud, plane, range);
   const std::string report = scan::report_json(cloud, plane, range, map, openings);
   if (!options.output.empty()) write(Outputs(options.output), range, map, openings, report);
   clear_bar();

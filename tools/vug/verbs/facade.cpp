@@ -1,6 +1,10 @@
 // `vug facade VERB ...`: one file each in facade/, listed in CMakeLists.txt.
 #include "verb.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vug/base/diagnostics.h>
+
 #include <map>
 #include <memory>
 
@@ -10,11 +14,28 @@ namespace vug::cli {
 #include <facade_verbs.inc>
 #undef VUG_FACADE_VERB
 
+namespace {
+
+[[noreturn]] void refuse(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  throw Error(
+      ErrorCode::bad_input,
+      word.empty() ? "there is nothing to do" : fmt::format("there is no 'facade {}'", word), {},
+      word.empty() ? fmt::format("vug facade {}", fmt::join(names, ", "))
+                   : suggestion(word, names));
+}
+
+}  // namespace
+
 Verb facade_verb() {
   return {"facade", "Reads facades out of pictures and scans.", [](CLI::App& app) {
             using Runs = std::map<const CLI::App*, std::function<int()>>;
             auto runs = std::make_shared<Runs>();
-            app.require_subcommand(1);
+            // Takes what is no verb, so that it can be answered.
+            auto unknown = std::make_shared<std::vector<std::string>>();
+            app.add_option("verb", *unknown)->group("")->expected(0, 1000);
+            app.require_subcommand(0, 1);
             for (const Verb& verb : {
 #define VUG_FACADE_VERB(name) facade_##name##_verb(),
 #include <facade_verbs.inc>
@@ -23,7 +44,14 @@ Verb facade_verb() {
               CLI::App* command = app.add_subcommand(verb.name, verb.doc);
               (*runs)[command] = verb.setup(*command);
             }
-            return [&app, runs] { return runs->at(app.get_subcommands().at(0))(); };
+            return [&app, runs, unknown] {
+              if (app.get_subcommands().empty())
+                refuse(app, unknown->empty() ? "" : unknown->front());
+              if (!unknown->empty())
+                throw Error(ErrorCode::bad_input,
+                            fmt::format("there is one argument too many: '{}'", unknown->front()));
+              return runs->at(app.get_subcommands().at(0))();
+            };
           }};
 }
 
