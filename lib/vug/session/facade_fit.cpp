@@ -49,6 +49,21 @@ double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
   return std::max(0.0, static_cast<double>(median(std::move(depths))));
 }
 
+/// Of carved windows; nothing where what was seen is no more than depths err by.
+std::optional<double> window_reveal(const FacadeFit& fit) {
+  constexpr double kLeast = 0.02, kMost = 0.4;  // metres
+  return fit.reveal > kLeast ? std::optional(std::min(fit.reveal, kMost)) : std::nullopt;
+}
+
+void set_reveal(FacadeFit& fit) {
+  const std::optional<double> reveal = window_reveal(fit);
+  if (!reveal) return;
+  const facade::ElementPtr window =
+      make_product(facade::elements(), "window", {{"reveal", *reveal}});
+  for (facade::Node& node : fit.tree.nodes)
+    if (node.element && node.element->kind() == "window") node.element = window;
+}
+
 }  // namespace
 
 Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options) {
@@ -87,15 +102,18 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   model.place(state);
   out.tree = fit::as_facade(text, model, state, {size.x / picture.width, size.y / picture.height});
   out.reveal = reveal_of(picture, out.reading);
+  set_reveal(out);
   if (options.looks) out.labels = fit::labels(maps, options.looks->classes(), out.reading.seen);
   return out;
 }
 
+double facade_voxel(const FacadeFit& fit) { return fit.tree.height > 8 ? 0.04 : 0.02; }
+
 std::string facade_grammar(const FacadeFit& fit, const std::string& name) {
   facade::GrammarTextOptions options;
   options.name = name;
-  if (fit.reveal > 0.02)
-    options.elements["window"] = fmt::format("window(reveal: {:.2f}m)", std::min(fit.reveal, 0.4));
+  if (const std::optional<double> reveal = window_reveal(fit))
+    options.elements["window"] = fmt::format("window(reveal: {:.2f}m)", *reveal);
   return facade::grammar_text(fit.tree, options);
 }
 
@@ -117,10 +135,9 @@ std::string facade_scene(const FacadeFit& fit, const std::string& name, const st
       "  width {width:.3f}m }}\n"
       "light even = sky(radiance: (1, 1, 1))\n"
       "render main {{ size {across}x{down}  spp 32  layers [\"beauty\", \"Z\"] }}\n",
-      fmt::arg("file", file), fmt::arg("voxel", fit.tree.height > 8 ? 4 : 2),
-      fmt::arg("name", name), fmt::arg("half", half), fmt::arg("far", far),
-      fmt::arg("width", fit.tree.width), fmt::arg("across", pixels(fit.tree.width)),
-      fmt::arg("down", pixels(fit.tree.height)));
+      fmt::arg("file", file), fmt::arg("voxel", 100 * facade_voxel(fit)), fmt::arg("name", name),
+      fmt::arg("half", half), fmt::arg("far", far), fmt::arg("width", fit.tree.width),
+      fmt::arg("across", pixels(fit.tree.width)), fmt::arg("down", pixels(fit.tree.height)));
 }
 
 }  // namespace vug::session

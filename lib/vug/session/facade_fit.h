@@ -30,7 +30,7 @@ struct FacadeFitOptions {
 };
 
 struct FacadeFit {
-  facade::Tree tree;     ///< Metres.
+  facade::Tree tree;     ///< Metres. Windows are as deep as they were seen.
   fit::Reading reading;  ///< Pixels, and what the chains tell.
   double reveal = 0;     ///< How deep windows lie behind the wall, metres; 0: no depth tells.
   /// The class of each of the picture's pixels by looks and tree; none without looks.
@@ -46,8 +46,10 @@ Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options)
 FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& options,
                      Progress& progress = Progress::none());
 
-/// The text of a grammar of that name that derives to the facade, windows as deep as they were
-/// seen.
+/// How finely it is carved, metres.
+double facade_voxel(const FacadeFit& fit);
+
+/// The text of a grammar of that name that derives to the facade.
 std::string facade_grammar(const FacadeFit& fit, const std::string& name);
 
 /// A scene that includes the file of that grammar, carves it out of a wall and looks at it. Its own

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Larger voxels cannot hold sheets of glass, metres.
-constexpr double kPane = 0.012;
+/// Larger voxels cannot hold sheets of glass, and walls of larger ones no frames of them; metres.
+constexpr double kPaneVoxel = 0.01, kFramedVoxel = 0.05;
 
 }  // namespace
 
@@ -60,21 +60,21 @@ Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options) {
   out.name = tree.name;
   const auto add = [&](const std::string& name, const field::Field& field, double voxel) {
     VolumePlan plan;
-    plan.name = name;
+    plan.name = options.prefix + name;
     plan.field = field;
     plan.voxel = voxel;
     out.volumes.push_back(std::make_shared<const VolumePlan>(std::move(plan)));
   };
   add("stone", facade::wall(shared, frame, options.thickness), options.voxel);
   const bool filled =
-      options.voxel / 4 <= kPane &&
+      options.voxel <= kFramedVoxel &&
       std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const facade::Node& node) {
         return node.element &&
                !node.element->solids(node.rect.width, node.rect.height).fill.empty();
       });
   if (filled)
     add("panes", field::transformed(facade::carve(tree).fill, frame.transform(tree.width)),
-        options.voxel / 4);
+        std::min(kPaneVoxel, options.voxel));
   return out;
 }
 

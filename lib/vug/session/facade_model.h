@@ -17,13 +17,14 @@ modeller::StyleLoader facade_styles(const std::filesystem::path& folder);
 std::filesystem::path find_grammar(const std::filesystem::path& folder, const std::string& file);
 
 struct FacadeCarving {
-  double voxel = 0.04;     ///< Metres.
-  double thickness = 0.6;  ///< Of the wall, metres.
+  double voxel = 0.04;      ///< Metres.
+  double thickness = 0.6;   ///< Of the wall, metres.
+  std::string prefix = {};  ///< Of the volumes' names.
 };
 
 /// The volumes `stone`, a wall with the facade carved into it, and `panes`, what fills its openings
-/// (with a quarter of the voxels' size; only where that can hold it). Nodes that are
-/// open are plain wall.
+/// (with voxels of a centimetre at most; only where the wall's are fine enough for
+/// their frames). Nodes that are open are plain wall.
 Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options);
 
 }  // namespace vug::session

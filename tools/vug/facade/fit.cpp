@@ -45,13 +45,18 @@ std::string name_of(const std::string& text) {
   return out;
 }
 
-void carve(const std::string& scene, const fs::path& file, const fs::path& vdb,
-           const Options& options, Progress& progress) {
-  const session::Loaded loaded = session::load_text(scene, file.string());
+/// As sessions are carved; the scene is the recipe that the file keeps.
+void carve(const session::FacadeFit& fit, const std::string& scene, const fs::path& file,
+           const fs::path& vdb, const Options& options, Progress& progress) {
+  session::Loaded loaded = session::load_text(scene, file.string());
   if (!loaded.usable()) {
     fmt::print(stderr, "{}", loaded.report());
     throw Error(ErrorCode::bad_input, "what was found cannot be carved");
   }
+  session::Shot shot = session::facade_shot(
+      fit.tree, {.voxel = session::facade_voxel(fit), .prefix = options.name + "_"});
+  shot.recipe = loaded.shot.recipe, shot.seed = loaded.shot.seed;
+  loaded.shot = std::move(shot);
   session::Builder builder(loaded.shot, options.work.build_options(loaded), progress);
   session::write_volumes(builder, vdb);
 }
@@ -72,6 +77,7 @@ Input read_input(const Options& options) {
     scan::RangeOptions range;
     range.memory = options.work.memory_limit();
     in.range = scan::range_image(cloud, plane, range);
+    warn_of_doubts(cloud, plane, *in.range);
     if (!options.work.quiet) {
       clear_bar();
       fmt::print(stderr, "the wall is a plane within {:.1f} cm of {} of {} points\n",
@@ -171,7 +177,7 @@ int run(Options options) {
   write_text(report, fit::report_json(fit.reading.report));
   write_text(charts, fit::report_svg(fit.reading.report));
   const bool stopped = fit.reading.report.stopped;
-  if (!options.no_carving && !stopped) carve(scene, scene_file, carved, options, progress);
+  if (!options.no_carving && !stopped) carve(fit, scene, scene_file, carved, options, progress);
   clear_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
   if (fit.reading.seen.empty())
