@@ -49,7 +49,10 @@ Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey ke
   chains.forget_swaps();
   Sampled out;
   std::map<std::string, std::vector<size_t>> seen;  // the rounds of each structure
-  chains.run(rounds - warm, false, progress, [&](const State& state, double energy) {
+  // The coldest chain's temperature stays, the others move less and less, which leaves what is
+  // sampled in the limit (cite roberts2007). Where they stopped moving before the best basin was
+  // found, hardly anything would come out of it.
+  chains.run(rounds - warm, true, progress, [&](const State& state, double energy) {
     out.trace.push_back(energy);
     seen[structure_of(model.rules(), state.tree)].push_back(out.trace.size() - 1);
   });

@@ -1,6 +1,6 @@
 // Chains at several temperatures that exchange their states (cite geyer1991): the hot ones cross
-// what the cold one cannot. While it warms up the temperatures move to where neighbours exchange
-// equally often (cite vousden2016).
+// what the cold one cannot. Temperatures may move to where neighbours exchange equally often, less
+// and less (cite vousden2016).
 #pragma once
 
 #include <vug/base/parallel.h>
@@ -47,8 +47,8 @@ class Tempering {
       chains_[i].set_temperature(scale_ * ladder_.temperature(static_cast<int>(i)));
   }
 
-  /// Rounds of steps and exchanges. `adapt` moves the temperatures, which is for warming up only;
-  /// `visit` sees the coldest chain's state after each round. Stops, whole, when told to.
+  /// Rounds of steps and exchanges. `adapt` moves the temperatures, all but the coldest; `visit`
+  /// sees the coldest chain's state after each round. Stops, whole, when told to.
   void run(int64_t rounds, bool adapt, Progress& progress = Progress::none(),
            const std::function<void(const S&, double energy)>& visit = {}) {
     for (int64_t round = 0; round < rounds && !progress.cancelled(); ++round) {
