@@ -231,7 +231,7 @@ class Kept(VugTest):
         self.write("scan.txt", "\n".join(f"{0.02 * i:.2f} {0.001 * (i * j % 7):.3f} {0.02 * j:.2f}"
                                          for i in range(400) for j in range(300)))
         before = self.files()
-        for args in (("scan", "scan.txt", "-o", "scan.exr"),
+        for args in (("scan", "scan.txt", "-o", "scan.exr", "--pixel", "2mm"),
                      ("model", "--grammar", "ripperda.vug", "--width", "60m", "--height", "60m", "--carve", "w.vdb",
                       "--voxel", "1cm")):
             running = Running(self.folder, "facade", *args)
