@@ -7,8 +7,6 @@
 namespace vug::render {
 namespace {
 
-/// Through each pixel; with its four neighbours ten rays say what a pixel sees.
-constexpr uint32_t kLooks = 2;
 constexpr uint64_t kSalt = 0x65646765ull;
 /// Beyond this part of the brightest the dimmest is another thing, not a slope of the sky.
 constexpr float kDifference = 0.2f;
@@ -23,8 +21,8 @@ struct Range {
 }  // namespace
 
 BrightEdges::BrightEdges(const World& world, const Region& region, const Vec2i& width_height,
-                         uint64_t seed, const std::function<Ray(const SampleId&)>& camera_ray,
-                         Progress& progress)
+                         uint32_t looks, uint64_t seed,
+                         const std::function<Ray(const SampleId&)>& camera_ray, Progress& progress)
     : region_(region) {
   const Region wide = Region{region.x0 - 1, region.y0 - 1, region.x1 + 1, region.y1 + 1}.overlap(
       {0, 0, width_height.x, width_height.y});
@@ -33,12 +31,12 @@ BrightEdges::BrightEdges(const World& world, const Region& region, const Vec2i& 
   parallel_for(static_cast<size_t>(wide.height()), [&](size_t line) {
     progress.check();
     SampleId id;
-    id.seed = seed ^ kSalt, id.spp = kLooks;
+    id.seed = seed ^ kSalt, id.spp = looks;
     id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(line);
     for (int x = wide.x0; x < wide.x1; ++x) {
       id.x = static_cast<uint32_t>(x);
       Range& own = seen[wide.index(x, static_cast<int>(id.y))];
-      for (id.index = 0; id.index < kLooks; ++id.index) {
+      for (id.index = 0; id.index < looks; ++id.index) {
         TrackingNumbers tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
         const float bright = luminance(seen_by_camera(world, camera_ray(id), tracking, nullptr));
         own.take_in({bright, bright});

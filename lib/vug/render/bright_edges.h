@@ -18,11 +18,12 @@ class BrightEdges {
  public:
   /// None.
   BrightEdges() = default;
-  /// Looks through each pixel of the region, and through those around it, a few times.
+  /// Looks through each pixel of the region, and through those around it, so many times.
   /// `width_height` of the whole picture; `camera_ray` gives the ray of a sample. The same pixels
   /// for any region that they are in. Error(cancelled).
-  BrightEdges(const World& world, const Region& region, const Vec2i& width_height, uint64_t seed,
-              const std::function<Ray(const SampleId&)>& camera_ray, Progress& progress);
+  BrightEdges(const World& world, const Region& region, const Vec2i& width_height, uint32_t looks,
+              uint64_t seed, const std::function<Ray(const SampleId&)>& camera_ray,
+              Progress& progress);
 
   /// Whether a pixel is one; not for pixels outside of the region.
   bool at(int x, int y) const { return !edges_.empty() && edges_[region_.index(x, y)] != 0; }
