@@ -9,10 +9,9 @@
 namespace vug::fit {
 
 /// The tree with pixels of so many metres across and up; the picture's lower left corner is the
-/// origin. `text` is
-/// what the model's rules were compiled from. Elements have the measures that they have by default.
-/// Windows that a door stands before are left out, and so are kinds of windows that stand nowhere.
-/// The state's areas must hold (see Model::place).
+/// origin. `text` is what the model's rules were compiled from. Elements have the measures that
+/// they have by default. Windows that a door stands before are left out, and so are kinds of
+/// windows that stand nowhere. The state's areas must hold (see Model::place).
 facade::Tree as_facade(const facade::Rules& text, const Model& model, const State& state,
                        const Vec2d& pixel);
 

@@ -133,13 +133,18 @@ double Model::complexity(const Tree& tree) const {
   return bits;
 }
 
-Sums Model::sum(const State& state, const Area& area, int x, int y, int width, int height) const {
+Sums sum_of(const Evidence& evidence, const State& state, const Area& area, const Rect& r) {
   Sums out;
   for (int place = 0; place < area.count; ++place) {
-    const Rect rect = in_picture(area, state.frame(area, place), x, y, width, height);
-    out += evidence_->sums(rect.x0, rect.y0, rect.x1, rect.y1);
+    const Rect there =
+        Model::in_picture(area, state.frame(area, place), r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
+    out += evidence.sums(there.x0, there.y0, there.x1, there.y1);
   }
   return out;
+}
+
+Sums sum_of(const Evidence& evidence, const State& state, const Area& area) {
+  return sum_of(evidence, state, area, {0, 0, area.width, area.height});
 }
 
 double Model::pixels(const State& state, int i) const {
@@ -148,7 +153,11 @@ double Model::pixels(const State& state, int i) const {
   const Node& node = tree[i];
   if (rules_->symbol(node.symbol).terminal) return 0;
   const Area& area = state.area(i);
-  const auto whole = [&] { return sum(state, area, 0, 0, area.width, area.height); };
+  const auto whole = [&] { return sum_of(*evidence_, state, area); };
+  const auto own = [&](const Node& part) {
+    return sum_of(*evidence_, state, area,
+                  {part.x, part.y, part.x + part.width, part.y + part.height});
+  };
   if (node.production < 0) return likelihood_->bits(Look::wall, whole());
   switch (rules_->production(node.production).op) {
     case Op::rows:
@@ -162,21 +171,20 @@ double Model::pixels(const State& state, int i) const {
       if (tree.end(i + 1) < tree.end(i)) return 0;
       if (area.width * area.count == part.width * part.count) return 0;
       Sums rest = whole();
-      rest -= sum(state, part, 0, 0, part.width, part.height);
+      rest -= sum_of(*evidence_, state, part);
       return likelihood_->bits(Look::wall, rest);
     }
     case Op::windows: {
       // Windows of a grid look alike, whatever their sizes: one region.
       Sums windows, wall = whole();
-      each_window_of(*rules_, tree, i, [&](int, const Rect& r) {
-        windows += sum(state, area, r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
-      });
+      each_window_of(*rules_, tree, i,
+                     [&](int, const Rect& r) { windows += sum_of(*evidence_, state, area, r); });
       wall -= windows;
       double bits = likelihood_->bits(Look::window, windows);
       const Node& last = tree[tree.end(i) - 1];
       const Look look = rules_->symbol(last.symbol).look;
       if (look != Look::window) {
-        const Sums door = sum(state, area, last.x, last.y, last.width, last.height);
+        const Sums door = own(last);
         bits += likelihood_->bits(look, door);
         wall -= door;
       }
@@ -184,7 +192,7 @@ double Model::pixels(const State& state, int i) const {
     }
     case Op::terminal: {
       const Node& seen = tree[i + 1];
-      const Sums sums = sum(state, area, seen.x, seen.y, seen.width, seen.height);
+      const Sums sums = own(seen);
       Sums wall = whole();
       wall -= sums;
       return likelihood_->bits(rules_->symbol(seen.symbol).look, sums) +

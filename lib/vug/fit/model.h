@@ -74,7 +74,6 @@ class Model {
 
  private:
   bool place_parts(State& state, int i) const;
-  Sums sum(const State& state, const Area& area, int x, int y, int width, int height) const;
 
   const Rules* rules_;
   Limits limits_;
@@ -86,6 +85,11 @@ class Model {
   std::vector<bool> elements_;  ///< Of each symbol: whether it only becomes terminals.
   int x_bits_, y_bits_;
 };
+
+/// What the evidence counts in a rectangle of an area, over all places of the area.
+Sums sum_of(const Evidence& evidence, const State& state, const Area& area, const Rect& r);
+/// The same of all of the area.
+Sums sum_of(const Evidence& evidence, const State& state, const Area& area);
 
 /// Where a part begins that stands side by side `times` times in a room of that width, for the time
 /// `again` from 0; its own width is room / times, so that a pixel may be left over between two.

@@ -21,17 +21,6 @@ std::ptrdiff_t main_of(const Sums& sums) {
   return std::max_element(sums.lane.begin(), sums.lane.end()) - sums.lane.begin();
 }
 
-/// Of everything in the area's places.
-Sums sums_of(const Evidence& evidence, const State& state, int i) {
-  const Area& area = state.area(i);
-  Sums out;
-  for (int place = 0; place < area.count; ++place) {
-    const Rect r = Model::in_picture(area, state.frame(area, place), 0, 0, area.width, area.height);
-    out += evidence.sums(r.x0, r.y0, r.x1, r.y1);
-  }
-  return out;
-}
-
 /// An element in which nothing stands, but which does not look like the wall, is something itself;
 /// that costs no bits (see Model::complexity).
 void fill_elements(const Model& model, const Evidence& evidence, State& state) {
@@ -44,10 +33,10 @@ void fill_elements(const Model& model, const Evidence& evidence, State& state) {
   model.each_terminal(
       state, [&](Look, int, const Rect& r) { wall -= evidence.sums(r.x0, r.y0, r.x1, r.y1); });
   for (int i = 0; i < state.tree.size(); ++i)
-    if (plain(i)) wall -= sums_of(evidence, state, i);
+    if (plain(i)) wall -= sum_of(evidence, state, state.area(i));
   for (int i = state.tree.size() - 1; i >= 0; --i) {
     if (!plain(i)) continue;
-    const Sums own = sums_of(evidence, state, i);
+    const Sums own = sum_of(evidence, state, state.area(i));
     Sums together = wall;
     together += own;
     const auto bits = [&](const Sums& sums) { return code.bits(Look::wall, sums); };

@@ -143,13 +143,7 @@ class Axis {
 /// What windows of the grid look like, as against all else in its area.
 Gains gains_in(const Model& model, const Evidence& evidence, const State& state, int i) {
   if (model.likelihood()->of_looks()) return gains_of_looks();
-  Sums windows, wall;
-  const Area& area = state.area(i);
-  for (int place = 0; place < area.count; ++place) {
-    const Rect all =
-        Model::in_picture(area, state.frame(area, place), 0, 0, area.width, area.height);
-    wall += evidence.sums(all.x0, all.y0, all.x1, all.y1);
-  }
+  Sums windows, wall = sum_of(evidence, state, state.area(i));
   model.each_terminal(state, [&](Look look, int node, const Rect& r) {
     if (node <= i || node >= state.tree.end(i)) return;
     const Sums sums = evidence.sums(r.x0, r.y0, r.x1, r.y1);

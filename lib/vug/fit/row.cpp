@@ -7,17 +7,6 @@
 namespace vug::fit {
 namespace {
 
-/// Over all places of the area.
-Sums sum_of(const Evidence& evidence, const State& state, const Area& area, const Rect& r) {
-  Sums out;
-  for (int place = 0; place < area.count; ++place) {
-    const Rect there =
-        Model::in_picture(area, state.frame(area, place), r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
-    out += evidence.sums(there.x0, there.y0, there.x1, there.y1);
-  }
-  return out;
-}
-
 /// What stands between two places of a row.
 struct Thing {
   double bits = 0;
@@ -36,7 +25,7 @@ class Rows {
         area_(state.area(i)),
         way_(way) {
     element_ = rules_.production(way).parts[0];
-    whole_ = sum_of(evidence, state, area_, {0, 0, area_.width, area_.height});
+    whole_ = sum_of(evidence, state, area_);
     wall_bits_ = model_.likelihood()->bits(Look::wall, whole_);
     xs_ = with_borders(edges(evidence, state, area_, true, kColumns), area_.width);
     ys_ = with_borders(edges(evidence, state, area_, false, kHeights), area_.height);
@@ -194,7 +183,7 @@ std::vector<Rect> standing_between(const Workshop& shop, const Evidence& evidenc
     return std::any_of(columns.begin(), columns.end(),
                        [&](const Segment& c) { return c.start < x1 && x0 < c.end; });
   };
-  const Sums whole = sum_of(evidence, state, area, {0, 0, area.width, area.height});
+  const Sums whole = sum_of(evidence, state, area);
   Sums rest = whole;
   for (const Segment& c : columns)
     rest -= sum_of(evidence, state, area, {c.start, 0, c.end, area.height});

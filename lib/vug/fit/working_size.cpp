@@ -99,8 +99,8 @@ double reading_bytes(int width, int height, size_t channels) {
   return 1.0 * width * height * (static_cast<double>(channels) + 3) * sizeof(float);
 }
 
-image::Image read_within(const std::filesystem::path& path, uint64_t max_memory) {
-  const image::FileInfo info = image::read_info(path);
+image::Image read_within(const std::filesystem::path& path, const image::FileInfo& info,
+                         uint64_t max_memory) {
   require_memory(reading_bytes(info.width, info.height, info.channels.size()),
                  max_memory ? max_memory : available_memory(),
                  fmt::format("reading {} x {} pixels of {}", info.width, info.height,
@@ -122,7 +122,8 @@ image::Image colours_of(const image::Image& picture, const image::FileInfo& file
 }
 
 image::Image read_photo(const std::filesystem::path& path, uint64_t max_memory) {
-  return colours_of(read_within(path, max_memory), image::read_info(path));
+  const image::FileInfo info = image::read_info(path);
+  return colours_of(read_within(path, info, max_memory), info);
 }
 
 }  // namespace vug::fit

@@ -36,9 +36,10 @@ std::vector<uint8_t> resampled(const std::vector<uint8_t>& marks, WorkingSize fr
 /// Bytes that reading a picture of that many pixels and channels takes, and making it smaller.
 double reading_bytes(int width, int height, size_t channels);
 
-/// image::read in linear light. Error(too_large), before the pixels are read, where that and making
-/// it smaller takes more than `max_memory` bytes (0: what is available).
-image::Image read_within(const std::filesystem::path& path, uint64_t max_memory = 0);
+/// image::read in linear light; `info` is the file's. Error(too_large), before the pixels are read,
+/// where that and making it smaller takes more than `max_memory` bytes (0: what is available).
+image::Image read_within(const std::filesystem::path& path, const image::FileInfo& info,
+                         uint64_t max_memory = 0);
 
 /// Linear R, G and B; of a grey picture, of at most two channels, the same three times. `file` is
 /// what it was read from. Error(bad_input) where there are no such channels.

@@ -59,8 +59,8 @@ class Outline {
       }
     size_ = (high - low).length();
     const Vec3d normal = normal_of(corners), along = high - low;
-    int drop =
-        2;  // of an outline in a line, which has no normal, the axis that it is shortest along
+    // Of an outline in a line, which has no normal, the axis that it is shortest along.
+    int drop = 2;
     for (int axis = 0; axis < 2; ++axis) {
       const double more = std::fabs(normal[axis]) - std::fabs(normal[drop]);
       if (more > 0 || (more == 0 && along[axis] < along[drop])) drop = axis;

@@ -52,6 +52,7 @@ double told_pixel(const image::Metadata& metadata) {
     double pixel = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), pixel);
     if (fault == std::errc() && pixel > 0 && std::isfinite(pixel)) return pixel;
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' tells no size of pixels", text));
   }
   return 0;
 }

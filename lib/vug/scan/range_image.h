@@ -63,14 +63,14 @@ double spacing(const Cloud& cloud, const PlaneFrame& frame, const RangeOptions& 
 image::Image as_image(const RangeImage& range);
 /// What a file tells beside: the size of its pixels and the frame.
 image::Metadata metadata_of(const RangeImage& range);
-/// The same of the size of a pixel alone, in metres, and back: 0 where nothing tells.
+/// The same of the size of a pixel alone, in metres, and back: 0 where nothing tells, and
+/// Error(bad_input) where it is no length.
 image::Metadata metadata_of_pixel(double pixel);
 double told_pixel(const image::Metadata& metadata);
 void write_range(const std::filesystem::path& exr, const RangeImage& range);
 /// What write_range wrote, or any EXR with its channels and metadata; of others the channel "depth"
-/// or else "Z", with `pixel` metres
-/// on a side, 1 cm unless told. Error(bad_input); Error(too_large), before the pixels are read,
-/// beyond `memory` bytes.
+/// or else "Z", with `pixel` metres on a side, 1 cm unless told. Error(bad_input);
+/// Error(too_large), before the pixels are read, beyond `memory` bytes.
 RangeImage read_range(const std::filesystem::path& exr, double pixel = 0,
                       uint64_t memory = available_memory());
 

@@ -19,7 +19,7 @@ Cloud read_clouds(const std::vector<std::filesystem::path>& files, const ReadOpt
   if (files.empty()) throw Error(ErrorCode::bad_input, "there is no file to read a cloud from");
   Cloud all;
   for (const auto& file : files) {
-    if (file.extension() == ".exr") {
+    if (extension_of(file) == ".exr") {
       all = joined(std::move(all), read_picture(file, options));
       continue;
     }

@@ -1,8 +1,8 @@
-#include <fmt/format.h>
 #include <vug/base/xml.h>
 #include <vug/scan/doubts.h>
 #include <vug/scan/report.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -118,8 +118,8 @@ std::string facade_grammar(const FacadeFit& fit, const std::string& name) {
 }
 
 std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& file) {
-  const double half = fit.tree.height / 2, far = 2 * std::max(fit.tree.width, fit.tree.height);
   const double longer = std::max(fit.tree.width, fit.tree.height);
+  const double half = fit.tree.height / 2, far = 2 * longer;
   const auto pixels = [&](double metres) {
     return std::max(1L, std::lround(800 * metres / longer));
   };

@@ -23,8 +23,8 @@ struct FacadeCarving {
 };
 
 /// The volumes `stone`, a wall with the facade carved into it, and `panes`, what fills its openings
-/// (with voxels of a centimetre at most; only where the wall's are fine enough for
-/// their frames). Nodes that are open are plain wall.
+/// (with voxels of a centimetre at most; only where the wall's are fine enough for their frames).
+/// Nodes that are open are plain wall.
 Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options);
 
 }  // namespace vug::session

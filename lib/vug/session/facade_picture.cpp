@@ -54,11 +54,11 @@ std::optional<image::Image> depth_of(const std::filesystem::path& file, const im
 /// R, G, B with numbers in all pixels; nothing where the picture is of something else, as of
 /// depths.
 std::optional<image::Image> colours_of(const std::filesystem::path& file,
-                                       const image::Image& whole) {
+                                       const image::FileInfo& info, const image::Image& whole) {
   const bool grey = whole.channels.size() <= 2 && whole.find_channel("depth") != 0 &&
                     whole.find_channel("Z") != 0;
   if (whole.find_channel("R") < 0 && !grey) return std::nullopt;
-  image::Image out = fit::colours_of(whole, image::read_info(file));
+  image::Image out = fit::colours_of(whole, info);
   const auto finite = [](float v) { return std::isfinite(v); };
   if (std::none_of(out.pixels.begin(), out.pixels.end(), finite))
     refuse(file, "has no pixel with a number in it");
@@ -131,8 +131,7 @@ bool of_one_colour(const image::Image& picture) {
 }
 
 /// Metres by the file's header; 0 where it tells nothing.
-double told_width(const std::filesystem::path& file) {
-  const image::FileInfo info = image::read_info(file);
+double told_width(const image::FileInfo& info) {
   return scan::told_pixel(info.metadata) * info.width;
 }
 
@@ -142,12 +141,13 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
                                   const FacadePictureOptions& options) {
   const image::FileInfo info = image::read_info(photo);
   require_pixels(info.width, info.height, fmt::format("'{}'", photo.string()));
-  const image::Image whole = fit::read_within(photo, options.max_memory);
+  const image::Image whole = fit::read_within(photo, info, options.max_memory);
   const fit::WorkingSize size = fit::working_size(whole.width, whole.height, options.limits);
   FacadePicture out;
   out.width = size.width, out.height = size.height;
   out.shape = static_cast<double>(whole.width) / whole.height;
-  if (const auto colours = colours_of(photo, whole)) out.colours = fit::reduced(*colours, size);
+  if (const auto colours = colours_of(photo, info, whole))
+    out.colours = fit::reduced(*colours, size);
   std::optional<image::Image> depth;
   if (options.depth.empty()) {
     depth = depth_of(photo, whole);
@@ -155,7 +155,9 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
       refuse(photo, "has neither colours nor a layer of depth",
              "its layers are R, G, B, and depth or Z in metres");
   } else {
-    const image::Image other = fit::read_within(options.depth, options.max_memory);
+    const image::FileInfo beside = image::read_info(options.depth);
+    const image::Image other = fit::read_within(options.depth, beside, options.max_memory);
+    out.metres_wide = told_width(beside);
     const double shape =
         static_cast<double>(other.width) / other.height * whole.height / whole.width;
     if (std::abs(shape - 1) > 0.02 || other.width < out.width || other.height < out.height)
@@ -171,8 +173,7 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
     set_depth(out, *depth);
   else if (of_one_colour(*out.colours))
     refuse(photo, "is of one colour alone", "nothing in it tells windows from walls");
-  out.metres_wide = told_width(options.depth.empty() ? photo : options.depth);
-  if (out.metres_wide == 0) out.metres_wide = told_width(photo);
+  if (out.metres_wide == 0) out.metres_wide = told_width(info);
   return out;
 }
 

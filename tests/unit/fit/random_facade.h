@@ -30,16 +30,33 @@ class AsPixels {
   }
   int px(double metres) const { return static_cast<int>(std::lround(metres * scale_)); }
 
+  /// An element in whole pixels, y downwards.
+  struct Painted {
+    std::string kind;
+    Rect rect;
+  };
+  std::vector<Painted> painted() const {
+    std::vector<Painted> out;
+    const int down = px(from_.height);
+    for (const facade::Standing& one : facade::standing(from_)) {
+      const facade::Rect& r = one.rect;
+      out.push_back({from_.nodes[static_cast<size_t>(one.node)].element->kind(),
+                     {px(r.x), down - px(r.y + r.height), px(r.x + r.width), down - px(r.y)}});
+    }
+    return out;
+  }
+
+  static double number(const facade::Numbers& numbers, const std::string& name) {
+    for (const auto& [key, value] : numbers)
+      if (key == name) return value;
+    return 0;
+  }
+
  private:
   int symbol(const std::string& name) const {
     for (size_t i = 0; i < rules_.symbols.size(); ++i)
       if (rules_.symbols[i].name == name) return static_cast<int>(i);
     return -1;
-  }
-  static double number(const facade::Numbers& numbers, const std::string& name) {
-    for (const auto& [key, value] : numbers)
-      if (key == name) return value;
-    return 0;
   }
 
   /// Symbols of the node's parts, each once but for elements.
@@ -166,6 +183,12 @@ class AsPixels {
   const double scale_;
 };
 
+inline void paint(std::vector<uint8_t>& picture, int width, const Rect& r, int value) {
+  for (int y = r.y0; y < r.y1; ++y)
+    for (int x = r.x0; x < r.x1; ++x)
+      picture[static_cast<size_t>(y * width + x)] = static_cast<uint8_t>(value);
+}
+
 /// A facade of the published grammar and its picture: 0 wall, 1 windows, 2 doors and shops.
 struct RandomFacade {
   static constexpr int kClasses = 3;
@@ -212,15 +235,9 @@ inline std::optional<RandomFacade> random_facade(uint64_t seed, double scale = 2
       if ((name == "columns" || name == "rows") && value > kMostLines) return std::nullopt;
   AsPixels pixels(made->tree, ripperda(), scale);
   out.classes.assign(static_cast<size_t>(out.width * out.height), 0);
-  for (const facade::Standing& one : facade::standing(made->tree)) {
-    const std::string& kind = made->tree.nodes[static_cast<size_t>(one.node)].element->kind();
-    const int x0 = pixels.px(one.rect.x), x1 = pixels.px(one.rect.x + one.rect.width);
-    const int y1 = out.height - pixels.px(one.rect.y),
-              y0 = out.height - pixels.px(one.rect.y + one.rect.height);
-    if (x1 - x0 < least || y1 - y0 < least) return std::nullopt;
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x)
-        out.classes[static_cast<size_t>(y * out.width + x)] = kind == "window" ? 1 : 2;
+  for (const AsPixels::Painted& one : pixels.painted()) {
+    if (one.rect.x1 - one.rect.x0 < least || one.rect.y1 - one.rect.y0 < least) return std::nullopt;
+    paint(out.classes, out.width, one.rect, one.kind == "window" ? 1 : 2);
   }
   const Model model(ripperda(), {}, out.width, out.height);
   std::optional<Tree> tree = pixels.tree(model);

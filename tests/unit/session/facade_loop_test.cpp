@@ -69,11 +69,7 @@ std::string plain_grammar() {
   return out;
 }
 
-double number(const facade::Numbers& numbers, const std::string& name) {
-  for (const auto& [key, value] : numbers)
-    if (key == name) return value;
-  return 0;
-}
+constexpr auto number = fit::AsPixels::number;
 
 /// What a grid's numbers make it, whatever it is called: of two lines there is one distance, and
 /// windows of one size are alike.
@@ -152,15 +148,10 @@ std::vector<facade::Tree> right_answers(const facade::Tree& derived) {
   const fit::Rules& rules = fit::ripperda();
   fit::AsPixels pixels(derived, rules, 1 / kPixel);
   std::vector<uint8_t> looks(static_cast<size_t>(kAcross * kDown), 0);
-  for (const facade::Standing& one : facade::standing(derived)) {
-    const std::string& kind = derived.nodes[static_cast<size_t>(one.node)].element->kind();
-    const facade::Rect& r = one.rect;
-    for (int y = kDown - pixels.px(r.y + r.height); y < kDown - pixels.px(r.y); ++y)
-      for (int x = pixels.px(r.x); x < pixels.px(r.x + r.width); ++x)
-        looks[static_cast<size_t>(y * kAcross + x)] = kind == "window" ? 1
-                                                      : kind == "door" ? 2
-                                                      : kind == "shop" ? 3
-                                                                       : 4;
+  const std::map<std::string, int> values = {{"window", 1}, {"door", 2}, {"shop", 3}};
+  for (const fit::AsPixels::Painted& one : pixels.painted()) {
+    const auto value = values.find(one.kind);
+    fit::paint(looks, kAcross, one.rect, value == values.end() ? 4 : value->second);
   }
   const fit::Evidence clean = fit::Evidence::of_clusters(kAcross, kDown, 5, looks);
   fit::ReadOptions how;

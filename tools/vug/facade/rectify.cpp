@@ -89,7 +89,8 @@ int run(Options options) {
     options.rectify.width = wide.value, options.rectify.height = high.value;
     metres = wide.dimension == Dimension::length || high.dimension == Dimension::length;
   }
-  const image::Image photo = fit::read_within(options.photo, options.work.memory_limit());
+  const image::Image photo =
+      fit::read_within(options.photo, image::read_info(options.photo), options.work.memory_limit());
   if (!options.onto.empty()) {
     const scan::RangeImage range = scan::read_range(options.onto, 0, options.rectify.memory);
     image::ExrOptions exr_options;
