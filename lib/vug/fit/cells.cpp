@@ -7,6 +7,24 @@ bool has_cells(const Workshop& shop, const State& state, int i) {
          !shop.model.rules().symbol(state.tree[i].symbol).identical;
 }
 
+State with_windows(const Model& model, State state, int grid, const SizeChoice& choice) {
+  const Node window = state.tree[grid + 1];
+  while (state.tree.end(grid) > grid + 1 && model.in_grid(state.tree[grid + 1]))
+    state.erase(grid, grid + 1);
+  for (size_t kind = choice.sizes.size(); kind-- > 0;) {
+    Node one = window;
+    one.width = static_cast<int16_t>(choice.sizes[kind].width);
+    one.height = static_cast<int16_t>(choice.sizes[kind].height);
+    state.insert(grid, grid + 1, one);
+  }
+  Node& node = state.tree[grid];
+  for (int row = 0; row < node.rows; ++row)
+    for (int column = 0; column < node.columns; ++column)
+      node.set_kind(column, row, choice.of[static_cast<size_t>(row * node.columns + column)]);
+  state.changed(grid);
+  return state;
+}
+
 GridAxis::GridAxis(const Workshop& shop, State& state, int i, bool along_x)
     : grid(state.tree[i]),
       lines(along_x ? grid.left : grid.top),

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <vug/fit/move.h>
+#include <vug/fit/sizes.h>
 
 namespace vug::fit {
 
 /// Whether node i is a grid that has windows, which may differ from cell to cell.
 bool has_cells(const Workshop& shop, const State& state, int i);
+
+/// The grid with these windows in its cells, row after row from the top, instead of its own.
+State with_windows(const Model& model, State state, int grid, const SizeChoice& choice);
 
 /// A grid seen along x, where its lines are columns, or along y.
 class GridAxis {

@@ -15,14 +15,6 @@ namespace {
 constexpr int kCountBits = 4;
 static_assert(kMostLines == 1 << kCountBits);
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
-}
-
-Rect rect_of(const Node& node) {
-  return {node.x, node.y, node.x + node.width, node.y + node.height};
-}
-
 template <class Visit>
 void each_window_of(const Rules& rules, const Tree& tree, int i, const Visit& visit) {
   const Node& grid = tree[i];
@@ -154,10 +146,7 @@ double Model::pixels(const State& state, int i) const {
   if (rules_->symbol(node.symbol).terminal) return 0;
   const Area& area = state.area(i);
   const auto whole = [&] { return sum_of(*evidence_, state, area); };
-  const auto own = [&](const Node& part) {
-    return sum_of(*evidence_, state, area,
-                  {part.x, part.y, part.x + part.width, part.y + part.height});
-  };
+  const auto own = [&](const Node& part) { return sum_of(*evidence_, state, area, rect_of(part)); };
   if (node.production < 0) return likelihood_->bits(Look::wall, whole());
   switch (rules_->production(node.production).op) {
     case Op::rows:

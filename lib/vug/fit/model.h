@@ -14,6 +14,15 @@ struct Rect {
   bool operator==(const Rect&) const = default;
 };
 
+inline bool overlap(const Rect& a, const Rect& b) {
+  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+/// Where a terminal stands in its area.
+inline Rect rect_of(const Node& node) {
+  return {node.x, node.y, node.x + node.width, node.y + node.height};
+}
+
 /// Rules, limits and evidence; all the same for all chains.
 class Model {
  public:

@@ -16,6 +16,15 @@ int way_to(const Rules& rules, int element, Look look) {
   return -1;
 }
 
+/// Makes terminal i, an element, the first thing that looks so.
+void rename(const Rules& rules, State& state, int i, Look look) {
+  const int above = i - 1, way = way_to(rules, state.tree[above].symbol, look);
+  if (way < 0) return;
+  state.tree[above].production = static_cast<int16_t>(way);
+  state.tree[i].symbol = static_cast<int16_t>(rules.production(way).parts[0]);
+  state.changed(above), state.changed(i);
+}
+
 /// The most frequent cluster.
 std::ptrdiff_t main_of(const Sums& sums) {
   return std::max_element(sums.lane.begin(), sums.lane.end()) - sums.lane.begin();
@@ -56,8 +65,9 @@ void fill_elements(const Model& model, const Evidence& evidence, State& state) {
 
 void name_elements(const Model& model, const Evidence& evidence, State& state) {
   const Likelihood* likelihood = model.likelihood();
-  if (!likelihood || likelihood->of_looks()) return;
-  fill_elements(model, evidence, state);
+  if (!likelihood) return;
+  const bool of_looks = likelihood->of_looks();
+  if (!of_looks) fill_elements(model, evidence, state);
   const Rules& rules = model.rules();
   std::vector<Sums> of(state.tree.nodes.size());
   Sums windows;
@@ -70,17 +80,14 @@ void name_elements(const Model& model, const Evidence& evidence, State& state) {
   for (int i = 0; i < state.tree.size(); ++i) {
     const Node& node = state.tree[i];
     if (static_cast<Op>(node.made_by) != Op::terminal) continue;
-    const Sums& own = of[static_cast<size_t>(i)];
-    const bool alike = any_windows && main_of(own) == main_of(windows);
+    if (of_looks) {
+      rename(rules, state, i, rules.symbol(node.symbol).look);
+      continue;
+    }
+    const bool alike = any_windows && main_of(of[static_cast<size_t>(i)]) == main_of(windows);
     const bool grounded = node.y + node.height >= state.area(i).height - 1;
     const Look other = node.width > node.height ? Look::shop : Look::door;
-    const int above = i - 1;
-    const int way =
-        way_to(rules, state.tree[above].symbol, alike || !grounded ? Look::window : other);
-    if (way < 0) continue;
-    state.tree[above].production = static_cast<int16_t>(way);
-    state.tree[i].symbol = static_cast<int16_t>(rules.production(way).parts[0]);
-    state.changed(above), state.changed(i);
+    rename(rules, state, i, alike || !grounded ? Look::window : other);
   }
 }
 

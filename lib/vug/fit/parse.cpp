@@ -1,9 +1,11 @@
+#include <vug/base/parallel.h>
 #include <vug/fit/layout.h>
 #include <vug/fit/parse.h>
 #include <vug/fit/row.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace vug::fit {
@@ -39,18 +41,21 @@ class Parser {
     if (has(state, i, Op::elements))
       for (State& row : rows_of_elements(shop_, evidence_, state, i)) found.add(std::move(row));
     if (depth == 0) return std::move(found.state);
-    std::vector<std::pair<double, State>> ways;
-    for (State& split : splits(state, i, sheet)) {
-      State plain = expanded(split, i, 0);
-      ways.emplace_back(model_.energy(plain), std::move(split));
+    std::vector<State> ways = splits(state, i, sheet);
+    std::vector<double> bits;
+    for (State& plain : all_expanded(ways, i, 0)) {
+      bits.push_back(model_.energy(plain));
       found.add(std::move(plain));
     }
     if (depth == 1) return std::move(found.state);
-    std::stable_sort(ways.begin(), ways.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    const size_t breadth = std::min(ways.size(), static_cast<size_t>(options_.breadth));
-    for (size_t way = 0; way < breadth; ++way)
-      found.add(expanded(std::move(ways[way].second), i, depth - 1));
+    std::vector<size_t> order(ways.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return bits[a] < bits[b]; });
+    order.resize(std::min(order.size(), static_cast<size_t>(options_.breadth)));
+    std::vector<State> promising;
+    for (const size_t way : order) promising.push_back(std::move(ways[way]));
+    for (State& deep : all_expanded(promising, i, depth - 1)) found.add(std::move(deep));
     return std::move(found.state);
   }
 
@@ -117,6 +122,12 @@ class Parser {
     for (int number = state.tree.part_count(i) - 1; number >= 0; --number)
       state = best(std::move(state), state.tree.part(i, number), depth);
     return state;
+  }
+
+  std::vector<State> all_expanded(const std::vector<State>& ways, int i, int depth) const {
+    std::vector<State> out(ways.size());
+    parallel_for(ways.size(), [&](size_t way) { out[way] = expanded(ways[way], i, depth); });
+    return out;
   }
 
   static Node part_of(const Production& production, size_t number, int extent = 0) {

@@ -48,7 +48,8 @@ class Polisher {
       if (rules.production(state_.tree[i].production).op == Op::grid) {
         better |= polish_type(shop_, state_, i);
         better |= polish_grid(shop_, evidence_, state_, i);
-        better |= polish_kinds(shop_, state_, i);
+        better |= polish_cells(shop_, evidence_, state_, i);
+        better |= polish_kinds(shop_, evidence_, state_, i);
       }
     }
     return better;

@@ -24,7 +24,11 @@ bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, i
 
 /// Of the grid below node i, if its windows may differ: how many kinds of windows it has, their
 /// sizes and which of them stands in each cell. Likewise.
-bool polish_kinds(const Workshop& shop, State& state, int i);
+bool polish_kinds(const Workshop& shop, const Evidence& evidence, State& state, int i);
+
+/// Likewise where each of its lines stands, as each cell of the line becomes the kind that gains
+/// most there and sizes of kinds follow.
+bool polish_cells(const Workshop& shop, const Evidence& evidence, State& state, int i);
 
 /// Of node i, which has been rewritten to a grid: the cheapest type of grid. Likewise.
 bool polish_type(const Workshop& shop, State& state, int i);

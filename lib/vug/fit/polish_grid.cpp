@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <set>
 
 namespace vug::fit {
 namespace {
@@ -15,6 +17,9 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// A grid's windows along x or y, with tables of what each line gains at each place.
 class Axis {
  public:
+  /// Sizes of kinds along the axis, the first of which is that of kind 1.
+  using Sizes = std::vector<int>;
+
   Axis(const Rules& rules, const Tree& tree, int grid, const Sheet& sheet, int room, bool along_x)
       : tree_(tree),
         grid_(grid),
@@ -25,15 +30,40 @@ class Axis {
         room_(room),
         count_(along_x ? tree[grid].columns : tree[grid].rows) {}
 
-  /// The best lines, with windows of kind `kind` of another size; what they gain goes to `gain`.
-  Lines best(int kind, int size, int least, double& gain) const {
-    std::vector<std::vector<double>> gains;
-    std::vector<int> sizes;
+  /// As they are.
+  Sizes sizes(int kinds) const {
+    Sizes out;
+    for (int kind = 1; kind <= kinds; ++kind)
+      out.push_back(along_x_ ? tree_[grid_ + kind].width : tree_[grid_ + kind].height);
+    return out;
+  }
+
+  /// Kinds that are worth a change of size together, as places of `sizes`: each by itself, those
+  /// that stand in one line, and all.
+  std::set<std::vector<size_t>> groups(size_t kinds) const {
+    std::set<std::vector<size_t>> out;
+    std::vector<size_t> all(kinds);
+    std::iota(all.begin(), all.end(), 0);
+    out.insert(all);
+    for (const size_t kind : all) out.insert({kind});
     for (int line = 0; line < count_; ++line) {
-      sizes.push_back(size_of(line, kind, size, least));
-      gains.push_back(table(line, kind, size, sizes.back()));
+      std::set<size_t> there;
+      for (int other = 0; other < across(); ++other)
+        if (const int kind = kind_of(line, other)) there.insert(static_cast<size_t>(kind) - 1);
+      if (!there.empty()) out.insert({there.begin(), there.end()});
     }
-    return regular_ ? even(gains, sizes, gain) : free(gains, sizes, gain);
+    return out;
+  }
+
+  /// The best lines of windows of these sizes; what they gain goes to `gain`.
+  Lines best(const Sizes& sizes, int least, double& gain) const {
+    std::vector<std::vector<double>> gains;
+    std::vector<int> widest;
+    for (int line = 0; line < count_; ++line) {
+      widest.push_back(size_of(line, sizes, least));
+      gains.push_back(table(line, sizes, widest.back()));
+    }
+    return regular_ ? even(gains, widest, gain) : free(gains, widest, gain);
   }
 
  private:
@@ -42,20 +72,18 @@ class Axis {
     return along_x_ ? tree_[grid_].kind(line, other) : tree_[grid_].kind(other, line);
   }
   int across() const { return along_x_ ? tree_[grid_].rows : tree_[grid_].columns; }
-  int size_of_kind(int kind, int changed, int size) const {
-    const Node& window = tree_[grid_ + kind];
-    return kind == changed ? size : along_x_ ? window.width : window.height;
+  static int size_of_kind(const Sizes& sizes, int kind) {
+    return sizes[static_cast<size_t>(kind) - 1];
   }
   /// Of the line's largest window.
-  int size_of(int line, int changed, int size, int least) const {
+  int size_of(int line, const Sizes& sizes, int least) const {
     int out = least;
     for (int other = 0; other < across(); ++other)
-      if (const int kind = kind_of(line, other))
-        out = std::max(out, size_of_kind(kind, changed, size));
+      if (const int kind = kind_of(line, other)) out = std::max(out, size_of_kind(sizes, kind));
     return out;
   }
 
-  std::vector<double> table(int line, int changed, int size, int widest) const {
+  std::vector<double> table(int line, const Sizes& sizes, int widest) const {
     std::vector<double> out;
     const Node& grid = tree_[grid_];
     for (int at = 0; at + widest <= room_; ++at) {
@@ -63,7 +91,7 @@ class Axis {
       for (int other = 0; other < across(); ++other) {
         const int kind = kind_of(line, other);
         if (kind == 0) continue;
-        const int end = at + size_of_kind(kind, changed, size);
+        const int end = at + size_of_kind(sizes, kind);
         const Node& window = tree_[grid_ + kind];
         const auto o = static_cast<size_t>(other);
         sum += along_x_ ? sheet_.sum(at, grid.top[o], end, grid.top[o] + window.height)
@@ -140,22 +168,10 @@ class Axis {
   const int room_, count_;
 };
 
-/// What windows of the grid look like, as against all else in its area.
-Gains gains_in(const Model& model, const Evidence& evidence, const State& state, int i) {
-  if (model.likelihood()->of_looks()) return gains_of_looks();
-  Sums windows, wall = sum_of(evidence, state, state.area(i));
-  model.each_terminal(state, [&](Look look, int node, const Rect& r) {
-    if (node <= i || node >= state.tree.end(i)) return;
-    const Sums sums = evidence.sums(r.x0, r.y0, r.x1, r.y1);
-    if (look == Look::window) windows += sums;
-    wall -= sums;
-  });
-  return gains_of_regions(windows, wall, evidence.lanes());
-}
-
 }  // namespace
 
 bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, int i) {
+  constexpr int kReach = 12;
   const Model& model = shop.model;
   const int grid = i + 1;
   if (state.tree[grid].production < 0 || !model.likelihood()) return false;
@@ -163,28 +179,40 @@ bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, i
   bool better = false;
   const Gains gains = gains_in(model, evidence, state, i);
   const Sheet sheet(GainMap(evidence, gains), state, state.area(i));
-  for (const bool along_x : {true, false})
-    for (int part = grid + 1; part < state.tree.end(grid); ++part) {
-      if (!model.in_grid(state.tree[part])) continue;
-      const Axis axis(model.rules(), state.tree, grid, sheet,
-                      along_x ? columns_room(state.area(i)) : sheet.height(), along_x);
-      constexpr int kReach = 12;
-      const int size = along_x ? state.tree[part].width : state.tree[part].height;
-      double most = kNever;
+  for (const bool along_x : {true, false}) {
+    int kinds = 0;
+    while (grid + kinds + 1 < state.tree.end(grid) && model.in_grid(state.tree[grid + kinds + 1]))
+      ++kinds;
+    const auto axis = [&] {
+      return Axis(model.rules(), state.tree, grid, sheet,
+                  along_x ? columns_room(state.area(i)) : sheet.height(), along_x);
+    };
+    for (const std::vector<size_t>& group : axis().groups(static_cast<size_t>(kinds))) {
+      const Axis lines = axis();
       State other = state;
-      for (int wide = std::max(least, size - kReach); wide <= size + kReach; ++wide) {
+      double most = kNever;
+      for (int by = -kReach; by <= kReach; ++by) {
+        Axis::Sizes sizes = lines.sizes(kinds);
+        for (const size_t kind : group) sizes[kind] += by;
+        if (*std::min_element(sizes.begin(), sizes.end()) < least) continue;
         double gain = 0;
-        const Lines lines = axis.best(part - grid, wide, least, gain);
+        const Lines found = lines.best(sizes, least, gain);
         if (!(gain > most)) continue;
         most = gain;
-        (along_x ? other.tree[grid].left : other.tree[grid].top) = lines;
-        (along_x ? other.tree[part].width : other.tree[part].height) = static_cast<int16_t>(wide);
+        (along_x ? other.tree[grid].left : other.tree[grid].top) = found;
+        for (const size_t kind : group) {
+          Node& window = other.tree[grid + 1 + static_cast<int>(kind)];
+          (along_x ? window.width : window.height) = static_cast<int16_t>(sizes[kind]);
+        }
       }
-      other.changed(grid);
-      other.changed(part);
-      if (model.fits(other, grid) && model.fits(other, part))
-        better |= take_cheaper(model, state, std::move(other));
+      bool fits = true;
+      for (int node = grid; node <= grid + kinds; ++node) {
+        other.changed(node);
+        fits = fits && model.fits(other, node);
+      }
+      if (fits) better |= take_cheaper(model, state, std::move(other));
     }
+  }
   return better;
 }
 

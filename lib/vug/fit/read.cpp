@@ -1,15 +1,29 @@
 #include <vug/base/error.h>
+#include <vug/base/parallel.h>
 #include <vug/fit/naming.h>
 #include <vug/fit/polish.h>
 #include <vug/fit/read.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace vug::fit {
 namespace {
 
 /// How much of what a seed saves others may be behind the best one.
 constexpr double kWorthARun = 0.05;
+
+/// The first of the seeds, as many as that, that cost no more than `worst` and are no twins.
+void keep_worthy(const Model& model, std::vector<State>& seeds, size_t count, double worst) {
+  std::vector<State> out;
+  for (State& seed : seeds) {
+    if (out.size() == count || (!out.empty() && model.energy(seed) > worst)) break;
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const State& other) { return other.tree == seed.tree; }))
+      out.push_back(std::move(seed));
+  }
+  seeds = std::move(out);
+}
 
 }  // namespace
 
@@ -22,21 +36,27 @@ Reading read(const Evidence& evidence, const Rules& rules, const ReadOptions& op
   const Hints hints =
       likelihood->of_looks() ? Hints::of_looks(evidence) : Hints::of_clusters(evidence);
   const Workshop shop{model, hints};
-  std::vector<State> starts = seeds(shop, evidence, likelihood->of_looks(), options.seeds);
   State wall = model.start();
   const double wall_bits = model.energy(wall);
+  std::vector<State> starts = seeds(shop, evidence, likelihood->of_looks(), options.seeds);
   if (starts.empty()) starts.push_back(wall);
+  const double seed_bits = model.energy(starts.front());
+  keep_worthy(model, starts, static_cast<size_t>(options.runs),
+              seed_bits + kWorthARun * std::max(0.0, wall_bits - seed_bits));
+  std::vector<double> bits(starts.size());
+  parallel_for(starts.size(), [&](size_t start) {
+    bits[start] = polish(shop, evidence, starts[start], progress).after;
+  });
+  std::vector<size_t> order(starts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return bits[a] < bits[b]; });
 
   std::vector<Sampled> runs;
-  State best = starts.front();
-  const double seed_bits = model.energy(best);
-  // Seeds that are much worse are not worth a run of their own.
-  const double worst = seed_bits + kWorthARun * std::max(0.0, wall_bits - seed_bits);
-  while (starts.size() > 1 && model.energy(starts.back()) > worst) starts.pop_back();
+  State best = starts[order.front()];
   double chain_bits = seed_bits;
   for (int run = 0; run < options.runs && !(run > 0 && progress.cancelled()); ++run) {
-    State start = starts[static_cast<size_t>(run) % starts.size()];
-    polish(shop, evidence, start, progress);
+    const State& start = starts[order[static_cast<size_t>(run) % order.size()]];
     runs.push_back(sample(shop, options.sampler, key.at("run").at(static_cast<uint64_t>(run)),
                           progress, &start));
     State found = runs.back().best;

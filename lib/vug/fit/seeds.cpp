@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace vug::fit {
 namespace {
@@ -45,11 +46,17 @@ std::vector<State> seeds(const Workshop& shop, const Evidence& evidence, bool of
   std::vector<std::pair<double, Gains>> learnt_gains;
   ParseOptions quick = options.parse;
   quick.depth = std::min(quick.depth, 1);
+  // Clusters that lead to the same windows lead to the same gains.
+  std::map<std::pair<Gains, int>, std::pair<double, State>> looked_at;
   const auto look = [&](const Gains& gains, const ParseOptions& how) {
-    State state = parse(shop, evidence, gains, shop.model.start(), 0, how);
-    const double energy = shop.model.energy(state);
-    found.emplace_back(energy, state);
-    return std::pair(energy, std::move(state));
+    const auto [at, first] = looked_at.try_emplace({gains, how.depth});
+    auto& [energy, state] = at->second;
+    if (first) {
+      state = parse(shop, evidence, gains, shop.model.start(), 0, how);
+      energy = shop.model.energy(state);
+    }
+    found.push_back(at->second);
+    return at->second;
   };
   // What windows look like is learnt from quick looks; the best of it is worth thorough ones.
   for (Gains gains : first_gains(evidence, of_looks)) {

@@ -25,6 +25,18 @@ Gains gains_of_regions(const Sums& windows, const Sums& wall, int lanes) {
   return out;
 }
 
+Gains gains_in(const Model& model, const Evidence& evidence, const State& state, int i) {
+  if (model.likelihood()->of_looks()) return gains_of_looks();
+  Sums windows, wall = sum_of(evidence, state, state.area(i));
+  model.each_terminal(state, [&](Look look, int node, const Rect& r) {
+    if (node <= i || node >= state.tree.end(i)) return;
+    const Sums sums = evidence.sums(r.x0, r.y0, r.x1, r.y1);
+    if (look == Look::window) windows += sums;
+    wall -= sums;
+  });
+  return gains_of_regions(windows, wall, evidence.lanes());
+}
+
 double gain_of(const Gains& gains, const Sums& sums) {
   double out = 0;
   for (size_t i = 0; i < gains.size(); ++i) out += gains[i] * sums.lane[i];

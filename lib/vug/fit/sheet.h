@@ -14,6 +14,8 @@ using Gains = std::array<double, kMostLanes>;
 Gains gains_of_looks();
 /// Of clusters, from how the pixels of windows and wall of a tree are spread over them.
 Gains gains_of_regions(const Sums& windows, const Sums& wall, int lanes);
+/// Of what the windows of the grid below node i look like, as against all else in its area.
+Gains gains_in(const Model& model, const Evidence& evidence, const State& state, int i);
 double gain_of(const Gains& gains, const Sums& sums);
 
 /// Of each pixel, row after row from the top.

@@ -94,51 +94,6 @@ TEST(Polish, NeverWorseAndBackToWhereItWas) {
   EXPECT_GE(same, 45);
 }
 
-/// Each column has windows of its own kind, some a pixel off, where there are two sizes: four bits
-/// for each cell until only three kinds are left.
-TEST(Polish, KindsOfWindowsAreJoinedWhereOnlyAllOfItSaves) {
-  constexpr int kColumns = 8, kRows = 3, kPitch = 20;
-  constexpr int kAcross = kColumns * kPitch, kDown = kRows * kPitch;
-  const auto wide = [](int column) { return column % 2 == 0 ? 9 : 14; };
-  std::vector<uint8_t> clusters(static_cast<size_t>(kAcross * kDown), 0);
-  for (int y = 0; y < kDown; ++y)
-    for (int x = 0; x < kAcross; ++x)
-      if (x % kPitch >= 3 && x % kPitch < 3 + wide(x / kPitch) && y % kPitch >= 4 &&
-          y % kPitch < 14)
-        clusters[static_cast<size_t>(y * kAcross + x)] = 1;
-  const Evidence evidence = Evidence::of_clusters(kAcross, kDown, 2, clusters);
-  const Rules few = rules_of({"Facade grid Grid", "Grid windows Window"});
-  const Model model(few, {}, kAcross, kDown, &evidence, make_likelihood("kt", evidence), 0.05);
-  const Hints hints = Hints::of_clusters(evidence);
-  const auto with = [&](int kinds, bool off) {
-    Node grid;
-    grid.symbol = 1, grid.made_by = static_cast<int8_t>(Op::grid);
-    grid.columns = kColumns, grid.rows = kRows;
-    std::vector<Node> windows(static_cast<size_t>(kinds));
-    for (int column = 0; column < kColumns; ++column) {
-      grid.left[static_cast<size_t>(column)] = static_cast<int16_t>(column * kPitch + 3);
-      Node& window = windows[static_cast<size_t>(column % kinds)];
-      window.symbol = 2, window.made_by = static_cast<int8_t>(Op::windows);
-      window.width = static_cast<int16_t>(wide(column) + (off && column > 4 ? 1 : 0));
-      window.height = 10;
-    }
-    for (int row = 0; row < kRows; ++row) {
-      grid.top[static_cast<size_t>(row)] = static_cast<int16_t>(row * kPitch + 4);
-      for (int column = 0; column < kColumns; ++column)
-        grid.set_kind(column, row, column % kinds + 1);
-    }
-    State state = model.start();
-    state.grow(0, 0, {grid});
-    state.grow(1, 1, windows);
-    EXPECT_TRUE(std::isfinite(model.energy(state)));
-    return state;
-  };
-  State best = with(2, false), spoilt = with(8, true);
-  EXPECT_TRUE(polish_kinds({model, hints}, spoilt, 0));
-  EXPECT_NEAR(model.energy(spoilt), model.energy(best), 1e-9);
-  EXPECT_FALSE(polish_kinds({model, hints}, best, 0)) << "nothing is left to be done";
-}
-
 TEST(Read, ToldToStopItGivesTheBestSoFar) {
   Progress progress;
   progress.cancel();

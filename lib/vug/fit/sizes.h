@@ -1,0 +1,42 @@
+// A few sizes of windows for many cells: which sizes, and which of them each cell has.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace vug::fit {
+
+struct WindowSize {
+  int width = 0, height = 0;  ///< Pixels.
+  bool operator==(const WindowSize&) const = default;
+};
+
+/// What a window gains in each cell, at each size from `least` to `most`.
+struct SizeGains {
+  WindowSize least, most;
+  std::vector<std::vector<double>> cells;  ///< Of each cell the sizes, row after row of widths;
+                                           ///< 0 for those that have no room there.
+
+  size_t count() const {
+    return static_cast<size_t>((most.width - least.width + 1) * (most.height - least.height + 1));
+  }
+  WindowSize size(size_t at) const {
+    const auto across = static_cast<size_t>(most.width - least.width + 1);
+    return {least.width + static_cast<int>(at % across),
+            least.height + static_cast<int>(at / across)};
+  }
+};
+
+struct SizeChoice {
+  std::vector<WindowSize> sizes;
+  std::vector<int> of;  ///< Of each cell: 0 nothing, else one more than the place of its size.
+  double gain = 0;      ///< Of all cells.
+};
+
+/// For one size, two, and so on up to `most`, as long as another could gain more than `cost`: sizes
+/// of which none can be changed alone such that the cells, each with what gains most there, gain
+/// more. Each begins with the last ones and the size that adds most (k-medians, where centres are
+/// found one by one and exchanged; cite kaufman1990).
+std::vector<SizeChoice> choose_sizes(const SizeGains& gains, int most, double cost);
+
+}  // namespace vug::fit
