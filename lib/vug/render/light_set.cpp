@@ -30,12 +30,16 @@ struct LightSet::AtPoint {
     const Light& light = *set.lights_[id];
     return (light.is_portal() ? set.sky_scale_ : 1) * light.importance(point);
   }
-  float branch(const LightTree& tree, uint32_t node) const {
-    if (&tree == &set.lamp_tree_ && tree.is_leaf(node)) {
-      const LightId id = tree.light(node);
-      return set.reaches(id, point.object) ? set.lights_[id]->importance(point) : 0;
+  LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
+    if (&tree != &set.lamp_tree_) return LightTree::importance(fork, point);
+    LightTree::Weights weights{};
+    if (!fork.ends()) weights = LightTree::importance(fork, point);
+    for (size_t lane = 0; lane < LightTree::kWidth; ++lane) {
+      if (!fork.is_leaf(lane)) continue;
+      const LightId id = fork.light(lane);
+      weights[lane] = set.reaches(id, point.object) ? set.lights_[id]->importance(point) : 0;
     }
-    return tree.importance(node, point);
+    return weights;
   }
 };
 
@@ -57,10 +61,15 @@ struct LightSet::AlongRay {
     return (light.is_portal() ? set.sky_scale_ : 1) *
            light.importance_along(ray, segment.begin, segment.end);
   }
-  float branch(const LightTree& tree, uint32_t node) const {
-    if (&tree == &set.lamp_tree_ && tree.is_leaf(node))
-      return set.lights_[tree.light(node)]->importance_along(ray, segment.begin, segment.end);
-    return tree.importance_along(node, ray, segment.begin, segment.end);
+  LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
+    const float begin = segment.begin, end = segment.end;
+    if (&tree != &set.lamp_tree_) return LightTree::importance_along(fork, ray, begin, end);
+    LightTree::Weights weights{};
+    if (!fork.ends()) weights = LightTree::importance_along(fork, ray, begin, end);
+    for (size_t lane = 0; lane < LightTree::kWidth; ++lane)
+      if (fork.is_leaf(lane))
+        weights[lane] = set.lights_[fork.light(lane)]->importance_along(ray, begin, end);
+    return weights;
   }
 };
 
@@ -90,7 +99,9 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
   emitter_tree_ = LightTree(emitters_.size(), lamp_ids(),
                             [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
-    for (const uint32_t node : tree->cut()) branches_.push_back({tree, node, tree->centre(node)});
+    for (uint32_t i = 0; i < tree->branches(); ++i)
+      branches_.push_back(
+          {tree, i, tree->fork(i / LightTree::kWidth).centre(i % LightTree::kWidth)});
   link(objects);
   size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
 }
@@ -133,30 +144,52 @@ uint32_t LightSet::group_of(const std::string& name) {
 template <class Weight>
 float LightSet::weight_of(size_t branch, const Weight& weight) const {
   const Branch& b = branches_[branch];
-  const float importance = b.tree ? weight.branch(*b.tree, b.node) : weight.sky(b.node);
+  const auto in_tree = [&] {
+    const LightTree::Fork& fork = b.tree->fork(b.index / LightTree::kWidth);
+    return weight.fork(*b.tree, fork)[b.index % LightTree::kWidth];
+  };
+  const float importance = b.tree ? in_tree() : weight.sky(b.index);
   return importance > 0 ? importance * weight.seen(branch) : 0;
+}
+
+/// `weight_of` all branches.
+template <class Weight>
+void LightSet::weigh(const Weight& weight, float* weights) const {
+  size_t branch = 0;
+  const auto put = [&](float importance) {
+    weights[branch] = importance > 0 ? importance * weight.seen(branch) : 0;
+    ++branch;
+  };
+  for (const LightId sky : sampled_skies_) put(weight.sky(sky));
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
+    for (size_t i = 0; i < tree->branches(); i += LightTree::kWidth) {
+      const LightTree::Weights importances = weight.fork(*tree, tree->fork(i / LightTree::kWidth));
+      const size_t lanes = std::min(LightTree::kWidth, tree->branches() - i);
+      for (size_t lane = 0; lane < lanes; ++lane) put(importances[lane]);
+    }
 }
 
 template <class Weight>
 LightChoice LightSet::choose_in(const Branch& branch, double u, const Weight& weight) const {
-  if (!branch.tree) return {branch.node, 1};
+  if (!branch.tree) return {branch.index, 1};
   const LightTree::Found found = branch.tree->descend(
-      branch.node, u, [&](uint32_t node) { return weight.branch(*branch.tree, node); });
+      branch.index, u,
+      [&](const LightTree::Fork& fork) { return weight.fork(*branch.tree, fork); });
   return {found.light, found.probability};
 }
 
 template <class Weight>
 LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds) const {
-  constexpr size_t kUsual = 2 * LightTree::kCutSize + 16;
+  constexpr size_t kUsual = 2 * LightTree::kMostBranches + 16;
   std::array<float, kUsual> few;
   std::vector<float> many;
   if (branches_.size() > kUsual) many.resize(branches_.size());
   float* const weights = many.empty() ? few.data() : many.data();
+  weigh(weight, weights);
   double total = 0, count = 0;
   for (size_t i = 0; i < branches_.size(); ++i) {
-    const float w = weights[i] = weight_of(i, weight);
-    if (!(w > 0)) continue;
-    total += static_cast<double>(w);
+    if (!(weights[i] > 0)) continue;
+    total += static_cast<double>(weights[i]);
     count += 1;
   }
   LightChoices choices;
@@ -204,12 +237,12 @@ float LightSet::share(LightId light, const LitPoint& point, const LightOdds& odd
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_}) {
     if (tree->holds(light)) {
       const LightTree::Place place =
-          tree->place(light, [&](uint32_t node) { return weight.branch(*tree, node); });
+          tree->place(light, [&](const LightTree::Fork& fork) { return weight.fork(*tree, fork); });
       return place.probability > 0
                  ? place.probability * odds.of(weight_of(branch + place.branch, weight))
                  : 0;
     }
-    branch += tree->cut().size();
+    branch += tree->branches();
   }
   for (size_t i = 0; i < sampled_skies_.size(); ++i)
     if (sampled_skies_[i] == light) return odds.of(weight_of(i, weight));

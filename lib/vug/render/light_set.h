@@ -144,7 +144,7 @@ class LightSet {
   /// What is weighed one by one: a sky, or a branch of a tree.
   struct Branch {
     const LightTree* tree;  ///< Null for a sky.
-    uint32_t node;          ///< Or the sky's id.
+    uint32_t index;         ///< In the tree; or the sky's id.
     Vec3f centre;           ///< Meaningless for whole skies.
   };
   struct AtPoint;
@@ -154,6 +154,8 @@ class LightSet {
   LightId lamp_ids() const { return static_cast<LightId>(lights_.size()); }
   template <class Weight>
   float weight_of(size_t branch, const Weight& weight) const;
+  template <class Weight>
+  void weigh(const Weight& weight, float* weights) const;
   template <class Weight>
   LightChoices choose_by(float u, const Weight& weight, LightOdds& odds) const;
   template <class Weight>

@@ -16,15 +16,6 @@ constexpr int kDeepest = 44;
 
 float safe_root(float x) { return std::sqrt(std::max(0.0f, x)); }
 
-/// Cosine and sine of max(0, a - b) for angles in [0, pi].
-struct Angle {
-  float cos, sin;
-};
-Angle minus(const Angle& a, const Angle& b) {
-  if (a.cos > b.cos) return {1, 0};
-  return {a.cos * b.cos + a.sin * b.sin, a.sin * b.cos - a.cos * b.sin};
-}
-
 Vec3f any_perpendicular(const Vec3f& v) { return Frame(v).x; }
 
 /// The part of a branch's cost that its directions make: the integral of the cosine beyond the
@@ -87,6 +78,32 @@ struct LightTree::Item {
   LightId light = 0;
 };
 
+/// Of the tree of pairs that is made first.
+struct LightTree::Node {
+  LightBounds bounds;
+  uint32_t child = 0;  ///< The first of a pair of nodes; of a leaf: its light.
+  bool leaf = false;
+
+  float radius() const { return 0.5f * length(bounds.box.size()); }
+  /// How much is to be had from weighing its two sides apart.
+  float gain() const { return leaf ? -1 : bounds.strength * radius() * radius(); }
+};
+
+class LightTree::Builder {
+ public:
+  explicit Builder(std::vector<Item> items) : items_(std::move(items)), nodes_(2 * items_.size()) {
+    build(0, items_.size(), 0, 2, 0);
+  }
+  /// Pairs at 2i and 2i + 1; the root is 0, and 1 is not used.
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+ private:
+  void build(size_t begin, size_t end, uint32_t node, uint32_t below, int depth);
+
+  std::vector<Item> items_;
+  std::vector<Node> nodes_;
+};
+
 LightTree::LightTree(size_t count, LightId first,
                      const std::function<LightBounds(size_t)>& bounds_of)
     : first_(first), leaves_(count, kNowhere) {
@@ -97,16 +114,12 @@ LightTree::LightTree(size_t count, LightId first,
       items.push_back({bounds, bounds.box.center(), first + static_cast<LightId>(i)});
   }
   size_ = items.size();
-  if (items.empty()) return;
-  nodes_.resize(2 * items.size());
-  build(items, 0, items.size(), 0, 2, 0);
-  nodes_[0].parent &= kLeaf;
-  make_cut();
+  if (!items.empty()) spread_out(Builder(std::move(items)).nodes());
 }
 
 /// Node `node` for the items [begin, end); the nodes below it begin at `below`.
-void LightTree::build(std::vector<Item>& items, size_t begin, size_t end, uint32_t node,
-                      uint32_t below, int depth) {
+void LightTree::Builder::build(size_t begin, size_t end, uint32_t node, uint32_t below, int depth) {
+  std::vector<Item>& items = items_;
   const size_t count = end - begin;
   LightBounds all;
   Box3f middles;
@@ -114,21 +127,11 @@ void LightTree::build(std::vector<Item>& items, size_t begin, size_t end, uint32
     all = united(all, items[i].bounds);
     middles.extendBy(items[i].middle);
   }
-  Node& out = nodes_[node];
-  const uint32_t parent = out.parent;
-  out = {};
-  out.box = all.box, out.axis = all.axis, out.strength = all.strength;
-  out.cos_spread = all.cos_spread, out.cos_reach = all.cos_reach;
-  out.sin_spread = safe_root(1 - all.cos_spread * all.cos_spread);
-  const Vec3f half = all.box.size() * 0.5f;
-  out.radius = length(half);
-  out.parent = parent;
   if (count == 1) {
-    out.child = items[begin].light;
-    out.parent |= kLeaf;
-    leaves_[out.child - first_] = node;
+    nodes_[node] = {all, items[begin].light, true};
     return;
   }
+  nodes_[node] = {all, below, false};
 
   size_t middle = begin + count / 2;
   int axis = -1;
@@ -177,14 +180,12 @@ void LightTree::build(std::vector<Item>& items, size_t begin, size_t end, uint32
                                   : a.light < b.light;
                      });
   }
-  out.child = below;
-  nodes_[below].parent = nodes_[below + 1].parent = node;
   const auto left_size = static_cast<uint32_t>(2 * (middle - begin) - 2);
   const auto side = [&](size_t which) {
     if (which == 0)
-      build(items, begin, middle, below, below + 2, depth + 1);
+      build(begin, middle, below, below + 2, depth + 1);
     else
-      build(items, middle, end, below + 1, below + 2 + left_size, depth + 1);
+      build(middle, end, below + 1, below + 2 + left_size, depth + 1);
   };
   if (count > kLarge) {
     parallel_for(2, side);
@@ -194,64 +195,133 @@ void LightTree::build(std::vector<Item>& items, size_t begin, size_t end, uint32
   }
 }
 
-/// From the root on, the strongest and widest branch is replaced by its two sides.
-void LightTree::make_cut() {
-  cut_ = {0};
-  while (cut_.size() < kCutSize) {
-    size_t best = cut_.size();
-    float most = -1;
-    for (size_t i = 0; i < cut_.size(); ++i) {
-      const Node& node = nodes_[cut_[i]];
-      const float gain = node.strength * node.radius * node.radius;
-      if (!is_leaf(cut_[i]) && gain > most) best = i, most = gain;
+/// Forks of the tree of pairs: of each, the node that gains most by it is parted until there are
+/// enough.
+void LightTree::spread_out(const std::vector<Node>& nodes) {
+  const auto part = [&](std::vector<uint32_t>& among, size_t enough) {
+    while (among.size() < enough) {
+      const auto best = std::max_element(among.begin(), among.end(), [&](uint32_t a, uint32_t b) {
+        return nodes[a].gain() < nodes[b].gain();
+      });
+      if (nodes[*best].leaf) break;
+      const uint32_t child = nodes[*best].child;
+      *best = child;
+      among.push_back(child + 1);
     }
-    if (best == cut_.size()) break;
-    const uint32_t child = nodes_[cut_[best]].child;
-    cut_[best] = child;
-    cut_.push_back(child + 1);
-  }
-  for (size_t i = 0; i < cut_.size(); ++i) {
-    Node& node = nodes_[cut_[i]];
-    node.parent = (node.parent & kLeaf) | kCut | static_cast<uint32_t>(i);
-  }
-}
-
-float LightTree::importance(uint32_t index, const LitPoint& point) const {
-  const Node& node = nodes_[index];
-  const Vec3f to = (node.box.min + node.box.max) * 0.5f - point.position;
-  const float squared = dot(to, to);
-  if (!(squared > node.radius * node.radius))
-    return node.strength / std::max(node.radius * node.radius, 1e-12f);
-  const float inverse = 1 / std::sqrt(squared);
-  // The ball around the box fills this angle; all that is sure is measured less it.
-  const float sine = node.radius * inverse;
-  const Angle ball{safe_root(1 - sine * sine), sine};
-  const auto angle = [](float cosine) {
-    const float c = std::clamp(cosine, -1.0f, 1.0f);
-    return Angle{c, safe_root(1 - c * c)};
   };
-  constexpr float kRounding = 1e-4f;
-  float weight = node.strength * inverse * inverse;
-  if (node.cos_spread > -1) {
-    const Angle off = minus(
-        minus(angle(-dot(node.axis, to) * inverse), {node.cos_spread, node.sin_spread}), ball);
-    if (off.cos < node.cos_reach - kRounding) return 0;
-    weight *= std::max(off.cos, 0.05f);
+  std::vector<uint32_t> among{0};
+  part(among, kMostBranches);
+  branches_ = among.size();
+  forks_.resize((branches_ + kWidth - 1) / kWidth);
+  parents_.resize(forks_.size());
+  std::vector<uint32_t> source;  // The node of each lane, fork by fork.
+  const auto fill = [&](size_t fork) {
+    Fork& out = forks_[fork];
+    for (size_t lane = 0; lane < std::min(among.size(), kWidth); ++lane) {
+      const Node& node = nodes[among[lane]];
+      const LightBounds& b = node.bounds;
+      const Vec3f centre = b.box.center();
+      out.x[lane] = centre.x, out.y[lane] = centre.y, out.z[lane] = centre.z;
+      out.radius[lane] = node.radius();
+      out.axis_x[lane] = b.axis.x, out.axis_y[lane] = b.axis.y, out.axis_z[lane] = b.axis.z;
+      out.cos_spread[lane] = b.cos_spread, out.cos_reach[lane] = b.cos_reach;
+      out.sin_spread[lane] = safe_root(1 - b.cos_spread * b.cos_spread);
+      out.strength[lane] = b.strength;
+      const auto here = static_cast<uint32_t>(fork * kWidth + lane);
+      if (node.leaf) {
+        out.child[lane] = node.child | kLeaf;
+        leaves_[node.child - first_] = here;
+      }
+    }
+    among.resize(kWidth);
+    source.insert(source.end(), among.begin(), among.end());
+  };
+  std::vector<uint32_t> tops = among;
+  for (size_t fork = 0; fork * kWidth < branches_; ++fork) {
+    const auto begin = tops.begin() + static_cast<std::ptrdiff_t>(fork * kWidth);
+    among.assign(begin,
+                 begin + static_cast<std::ptrdiff_t>(std::min(kWidth, branches_ - fork * kWidth)));
+    fill(fork);
   }
-  if (point.on_surface()) {
-    const Angle height = minus(angle(dot(point.normal, to) * inverse), ball);
-    if (height.cos < -kRounding) return 0;
-    weight *= std::max(height.cos, 0.02f);
-  }
-  return weight;
+  for (size_t fork = 0; fork < forks_.size(); ++fork)
+    for (size_t lane = 0; lane < kWidth; ++lane) {
+      if (!(forks_[fork].strength[lane] > 0) || forks_[fork].is_leaf(lane)) continue;
+      among = {source[fork * kWidth + lane]};
+      part(among, kWidth);
+      const size_t below = forks_.size();
+      forks_[fork].child[lane] = static_cast<uint32_t>(below);
+      forks_.emplace_back();
+      parents_.push_back(static_cast<uint32_t>(fork * kWidth + lane));
+      fill(below);
+    }
 }
 
-float LightTree::importance_along(uint32_t index, const Ray& ray, float begin, float end) const {
-  const Node& node = nodes_[index];
-  const Vec3f middle = (node.box.min + node.box.max) * 0.5f;
-  const float t = std::clamp(dot(middle - ray.origin, ray.direction), begin, end);
-  // Integrated over the ray, 1 / distance^2 gives about 1 / (nearest distance).
-  return node.strength / std::max(length(middle - ray.at(t)), std::max(node.radius, 1e-6f));
+LightTree::Weights LightTree::importance(const Fork& fork, const LitPoint& point) {
+  constexpr float kRounding = 1e-4f;
+  const Vec3f p = point.position, n = point.normal;
+  const float least_height = point.on_surface() ? -kRounding : -kFar;
+  Weights out;
+  for (size_t i = 0; i < kWidth; ++i) {
+    const float x = fork.x[i] - p.x, y = fork.y[i] - p.y, z = fork.z[i] - p.z;
+    const float squared = x * x + y * y + z * z, within = fork.radius[i] * fork.radius[i];
+    const float inverse = 1 / std::sqrt(std::max(squared, 1e-30f));
+    // The ball around the box fills this angle; all that is sure is measured less it.
+    const float sin_ball = fork.radius[i] * inverse;
+    const float cos_ball = std::sqrt(std::max(0.0f, 1 - sin_ball * sin_ball));
+    // The least angle off the axis, less the spread of normals, then less the ball; each stops at
+    // zero.
+    const float turned = (fork.axis_x[i] * x + fork.axis_y[i] * y + fork.axis_z[i] * z) * -inverse;
+    const float cos_axis = std::min(std::max(turned, -1.0f), 1.0f);
+    const float sin_axis = std::sqrt(std::max(0.0f, 1 - cos_axis * cos_axis));
+    const float cos_spread = fork.cos_spread[i], sin_spread = fork.sin_spread[i];
+    const bool spread = cos_axis > cos_spread;
+    const float cos_off = spread ? 1 : cos_axis * cos_spread + sin_axis * sin_spread;
+    const float sin_off = spread ? 0 : sin_axis * cos_spread - cos_axis * sin_spread;
+    const float cos_leave = cos_off > cos_ball ? 1 : cos_off * cos_ball + sin_off * sin_ball;
+    // The least angle off the normal, where there is one.
+    const float raised = (n.x * x + n.y * y + n.z * z) * inverse;
+    const float cos_normal = std::min(std::max(raised, -1.0f), 1.0f);
+    const float sin_normal = std::sqrt(std::max(0.0f, 1 - cos_normal * cos_normal));
+    const float cos_arrive =
+        cos_normal > cos_ball ? 1 : cos_normal * cos_ball + sin_normal * sin_ball;
+    const float strength = fork.strength[i];
+    const float facing = std::max(cos_leave, 0.05f) * std::max(cos_arrive, 0.02f);
+    const float outside = strength * inverse * inverse * facing;
+    const bool dark = (cos_leave < fork.cos_reach[i] - kRounding) | (cos_arrive < least_height);
+    const float inside = strength / std::max(within, 1e-12f);
+    const float seen = dark ? 0.0f : outside;
+    out[i] = squared > within ? seen : inside;
+  }
+  return out;
+}
+
+LightTree::Weights LightTree::importance_along(const Fork& fork, const Ray& ray, float begin,
+                                               float end) {
+  const Vec3f o = ray.origin, d = ray.direction;
+  Weights out;
+  for (size_t i = 0; i < kWidth; ++i) {
+    const float x = fork.x[i] - o.x, y = fork.y[i] - o.y, z = fork.z[i] - o.z;
+    const float t = std::min(std::max(x * d.x + y * d.y + z * d.z, begin), end);
+    const float dx = x - d.x * t, dy = y - d.y * t, dz = z - d.z * t;
+    // Integrated over the ray, 1 / distance^2 gives about 1 / (nearest distance).
+    const float nearest = std::sqrt(dx * dx + dy * dy + dz * dz);
+    out[i] = fork.strength[i] / std::max(nearest, std::max(fork.radius[i], 1e-6f));
+  }
+  return out;
+}
+
+std::array<bool, LightTree::kWidth> LightTree::meets(const Fork& fork, const Ray& ray, float end) {
+  constexpr float kRounding = 1e-5f;
+  const Vec3f o = ray.origin, d = ray.direction;
+  std::array<bool, kWidth> out;
+  for (size_t i = 0; i < kWidth; ++i) {
+    const float x = fork.x[i] - o.x, y = fork.y[i] - o.y, z = fork.z[i] - o.z;
+    const float t = std::min(std::max(x * d.x + y * d.y + z * d.z, 0.0f), end);
+    const float dx = x - d.x * t, dy = y - d.y * t, dz = z - d.z * t;
+    const float reach = fork.radius[i] + kRounding * (t + fork.radius[i]);
+    out[i] = (fork.strength[i] > 0) & (dx * dx + dy * dy + dz * dz <= reach * reach);
+  }
+  return out;
 }
 
 }  // namespace vug::render

@@ -1,13 +1,15 @@
 // A tree over many lamps: whole branches are weighed at once, so that one lamp of n is chosen in
 // log n steps. Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive
 // tree splitting" (cite conty2018lights); the bounds of a branch as in Pharr, Jakob, Humphreys
-// 2023, "Physically based rendering", section 12.6.3 (cite pharr2023pbr).
+// 2023, "Physically based rendering", section 12.6.3 (cite pharr2023pbr). Eight branches part at
+// each fork, and are weighed side by side.
 #pragma once
 
 #include <vug/render/light.h>
 #include <vug/render/vectors.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <vector>
@@ -23,22 +25,35 @@ LightBounds united(const LightBounds& a, const LightBounds& b);
 
 class LightTree {
  public:
-  /// A branch, or one light.
-  struct alignas(64) Node {
-    Box3f box;
-    Vec3f axis;
-    float cos_spread, sin_spread, cos_reach;
-    float strength;
-    float radius;     ///< Of the ball around the box.
-    uint32_t child;   ///< The first of a pair of branches; of a leaf: its light.
-    uint32_t parent;  ///< With kCut: the place in `cut` instead.
+  static constexpr size_t kWidth = 8;
+  static constexpr uint32_t kLeaf = 1u << 31;
+  /// Branches or single lights that part at one place, an array for each of their properties, so
+  /// that they are weighed together. Lanes that are left have no strength.
+  struct alignas(64) Fork {
+    std::array<float, kWidth> x{}, y{}, z{}, radius{};  ///< Of the ball around the box.
+    std::array<float, kWidth> axis_x{}, axis_y{}, axis_z{};
+    std::array<float, kWidth> cos_spread{}, sin_spread{}, cos_reach{};
+    std::array<float, kWidth> strength{};
+    std::array<uint32_t, kWidth> child;  ///< Another fork, or kLeaf and a light.
+
+    Fork() { child.fill(kLeaf); }
+    /// It parts into single lights only.
+    bool ends() const {
+      uint32_t all = kLeaf;
+      for (const uint32_t c : child) all &= c;
+      return all != 0;
+    }
+    bool is_leaf(size_t lane) const { return strength[lane] > 0 && (child[lane] & kLeaf) != 0; }
+    /// The light of a leaf.
+    LightId light(size_t lane) const { return child[lane] & ~kLeaf; }
+    Vec3f centre(size_t lane) const { return {x[lane], y[lane], z[lane]}; }
   };
+  using Weights = std::array<float, kWidth>;
   struct Found {
     LightId light = kNoLight;
     float probability = 0;
   };
-  /// A light's branch, by its place in `cut`, and the probability with which `descend` finds the
-  /// light there.
+  /// A light's branch and the probability with which `descend` finds the light there.
   struct Place {
     uint32_t branch = 0;
     float probability = 0;
@@ -53,87 +68,84 @@ class LightTree {
   bool holds(LightId id) const {
     return id >= first_ && id - first_ < leaves_.size() && leaves_[id - first_] != kNowhere;
   }
-  bool is_leaf(uint32_t node) const { return (nodes_[node].parent & kLeaf) != 0; }
-  Vec3f centre(uint32_t node) const { return nodes_[node].box.center(); }
-  /// The light of a leaf.
-  LightId light(uint32_t node) const { return nodes_[node].child; }
 
-  /// A few branches that together hold every light once: single lights, when there are at most
-  /// kCutSize.
-  const std::vector<uint32_t>& cut() const { return cut_; }
+  /// A few branches together hold every light once: single lights, when there are at most
+  /// kMostBranches. Branch i is lane i % kWidth of the fork i / kWidth.
+  size_t branches() const { return branches_; }
+  const Fork& fork(size_t index) const { return forks_[index]; }
 
   /// About strength over squared distance, times what cosines are sure; 0 only where no light of
-  /// the branch can shine.
-  float importance(uint32_t node, const LitPoint& point) const;
-  float importance_along(uint32_t node, const Ray& ray, float begin, float end) const;
+  /// a branch can shine.
+  static Weights importance(const Fork& fork, const LitPoint& point);
+  static Weights importance_along(const Fork& fork, const Ray& ray, float begin, float end);
 
-  /// From a branch down to a light, at each fork by the weights of the two sides; no light where
-  /// both weigh nothing.
-  template <class Weight>
-  Found descend(uint32_t node, double u, const Weight& weight) const {
-    Found found;
-    double probability = 1;
+  /// From a branch down to a light, at each fork by the weights, 8 floats from `weigh`; no light
+  /// where all weigh nothing.
+  template <class Weigh>
+  Found descend(size_t branch, double u, const Weigh& weigh) const {
+    uint32_t child = forks_[branch / kWidth].child[branch % kWidth];
+    float probability = 1;
     bool fresh = false;
-    while (!is_leaf(node)) {
-      const uint32_t left = nodes_[node].child;
-      const auto a = static_cast<double>(weight(left)), b = static_cast<double>(weight(left + 1));
-      if (!(a + b > 0)) return found;
-      const double part = a / (a + b);
-      const bool goes_left = u < part;
-      node = goes_left ? left : left + 1;
-      u = goes_left ? u / part : (u - part) / (1 - part);
-      probability *= goes_left ? part : 1 - part;
-      // The number came with 24 bits; deep down, where few are left, the branch scrambles them.
-      if (!fresh && probability < 0x1p-10) {
-        u = scrambled(u, node);
+    while (!(child & kLeaf)) {
+      const Fork& fork = forks_[child];
+      const Weights weights = weigh(fork);
+      const float all = sum(weights);
+      if (!(all > 0)) return {};
+      const float target = static_cast<float>(u) * all;
+      float passed = 0;
+      size_t lane = 0;
+      for (size_t i = 0; i < kWidth; ++i) {
+        if (!(weights[i] > 0)) continue;
+        lane = i;
+        if (target < passed + weights[i]) break;
+        passed += weights[i];
+      }
+      u = (u * static_cast<double>(all) - static_cast<double>(passed)) /
+          static_cast<double>(weights[lane]);
+      u = std::clamp(u, 0.0, 0x1.fffffffffffffp-1);
+      probability *= weights[lane] / all;
+      // The number came with 24 bits; deep down, where few are left, the fork scrambles them.
+      if (!fresh && probability < 0x1p-10f) {
+        u = scrambled(u, child);
         fresh = true;
       }
+      child = fork.child[lane];
     }
-    return {light(node), static_cast<float>(probability)};
+    return {child & ~kLeaf, probability};
   }
-  template <class Weight>
-  Place place(LightId light, const Weight& weight) const {
-    uint32_t node = leaves_[light - first_];
-    double probability = 1;
-    while (!(nodes_[node].parent & kCut)) {
-      const auto own = static_cast<double>(weight(node));
-      if (!(own > 0)) return {};
-      probability *= own / (own + static_cast<double>(weight(node ^ 1u)));
-      node = nodes_[node].parent & ~kLeaf;
+  template <class Weigh>
+  Place place(LightId light, const Weigh& weigh) const {
+    uint32_t at = leaves_[light - first_];
+    float probability = 1;
+    for (; at >= branches_; at = parents_[at / kWidth]) {
+      const Weights weights = weigh(forks_[at / kWidth]);
+      if (!(weights[at % kWidth] > 0)) return {};
+      probability *= weights[at % kWidth] / sum(weights);
     }
-    return {nodes_[node].parent & ~(kCut | kLeaf), static_cast<float>(probability)};
+    return {at, probability};
   }
 
-  /// Calls visit(light) for each light whose box the ray meets before `end`, and perhaps a few
+  /// Calls visit(light) for each light whose ball the ray meets before `end`, and perhaps a few
   /// that it barely misses.
   template <class Visit>
   void each_on(const Ray& ray, float end, const Visit& visit) const {
-    if (nodes_.empty()) return;
-    const Vec3f inverse(1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z);
-    uint32_t stack[64];
-    size_t height = 0;
-    stack[height++] = 0;
-    while (height > 0) {
-      const uint32_t node = stack[--height];
-      if (!meets(nodes_[node].box, ray.origin, inverse, end)) continue;
-      if (is_leaf(node)) {
-        visit(light(node));
-      } else if (height + 2 <= 64) {
-        stack[height++] = nodes_[node].child + 1;
-        stack[height++] = nodes_[node].child;
-      }
-    }
+    for (size_t top = 0; top * kWidth < branches_; ++top) each_on(forks_[top], ray, end, visit);
   }
 
-  static constexpr size_t kCutSize = 16;
+  static constexpr size_t kMostBranches = 16;
 
  private:
-  static constexpr uint32_t kNowhere = ~0u, kCut = 1u << 31, kLeaf = 1u << 30;
+  static constexpr uint32_t kNowhere = ~0u;
   struct Item;
-  void build(std::vector<Item>& items, size_t begin, size_t end, uint32_t node, uint32_t below,
-             int depth);
-  void make_cut();
+  struct Node;
+  class Builder;
+  void spread_out(const std::vector<Node>& nodes);
 
+  static float sum(const Weights& weights) {
+    float all = 0;
+    for (const float weight : weights) all += weight;
+    return all;
+  }
   static double scrambled(double u, uint32_t node) {
     uint64_t bits;
     std::memcpy(&bits, &u, sizeof bits);
@@ -142,22 +154,25 @@ class LightTree {
     bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
     return static_cast<double>((bits ^ (bits >> 31)) >> 11) * 0x1p-53;
   }
-  static bool meets(const Box3f& box, const Vec3f& origin, const Vec3f& inverse, float end) {
-    float from = 0, to = end;
-    for (int i = 0; i < 3; ++i) {
-      const float a = (box.min[i] - origin[i]) * inverse[i];
-      const float b = (box.max[i] - origin[i]) * inverse[i];
-      // A ray inside a face gives 0 * infinity, which these leave out.
-      from = std::max(from, std::min(a, b) * 0.999999f);
-      to = std::min(to, std::max(a, b) * 1.000001f);
+  template <class Visit>
+  void each_on(const Fork& fork, const Ray& ray, float end, const Visit& visit) const {
+    const std::array<bool, kWidth> met = meets(fork, ray, end);
+    for (size_t lane = 0; lane < kWidth; ++lane) {
+      if (!met[lane]) continue;
+      if (fork.child[lane] & kLeaf)
+        visit(fork.light(lane));
+      else
+        each_on(forks_[fork.child[lane]], ray, end, visit);
     }
-    return from <= to;
   }
+  static std::array<bool, kWidth> meets(const Fork& fork, const Ray& ray, float end);
 
   LightId first_ = 0;
-  size_t size_ = 0;
-  std::vector<Node> nodes_;  ///< Pairs at 2i and 2i + 1; the root is 0, and 1 is not used.
-  std::vector<uint32_t> leaves_, cut_;
+  size_t size_ = 0, branches_ = 0;
+  std::vector<Fork> forks_;  ///< First those of the branches.
+  std::vector<uint32_t>
+      parents_;                   ///< Of each fork but those: the fork above times eight, and lane.
+  std::vector<uint32_t> leaves_;  ///< Of each light: its fork times eight, and lane.
 };
 
 }  // namespace vug::render

@@ -209,7 +209,7 @@ TEST(Lights, BranchesKnowWhereLampsShine) {
       if (point.on_surface() && !(dot(point.normal, s.direction) > 1e-3f)) continue;
       ++shines;
       EXPECT_GT(lamp->importance(point), 0);
-      EXPECT_GT(tree.importance(0, point), 0);
+      EXPECT_GT(LightTree::importance(tree.fork(0), point)[0], 0);
     }
     EXPECT_GT(shines, 100);
   }
