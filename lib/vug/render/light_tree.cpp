@@ -227,11 +227,8 @@ void LightTree::spread_out(const std::vector<Node>& nodes) {
       out.cos_spread[lane] = b.cos_spread, out.cos_reach[lane] = b.cos_reach;
       out.sin_spread[lane] = safe_root(1 - b.cos_spread * b.cos_spread);
       out.strength[lane] = b.strength;
-      const auto here = static_cast<uint32_t>(fork * kWidth + lane);
-      if (node.leaf) {
-        out.child[lane] = node.child | kLeaf;
-        leaves_[node.child - first_] = here;
-      }
+      out.child[lane] = node.leaf ? node.child | kLeaf : kNowhere & ~kLeaf;
+      if (node.leaf) leaves_[node.child - first_] = static_cast<uint32_t>(fork * kWidth + lane);
     }
     among.resize(kWidth);
     source.insert(source.end(), among.begin(), among.end());
