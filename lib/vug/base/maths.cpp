@@ -2,7 +2,10 @@
 // precision; argument reduction by Cody and Waite (1980).
 #include <vug/base/maths.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 namespace vug::maths {
@@ -99,7 +102,12 @@ double exp(double x) {
   q = q * zz + 2.52448340349684104192e-3;
   q = q * zz + 2.27265548208155028766e-1;
   q = q * zz + 2.00000000000000000005;
-  return std::ldexp(1.0 + 2.0 * (p / (q - p)), static_cast<int>(n));
+  const double part = 1.0 + 2.0 * (p / (q - p));
+  const auto power = static_cast<int>(n);
+  // As std::ldexp, which is slow, wherever 2^n and the product are normal numbers.
+  return std::abs(power) <= 1020
+             ? part * std::bit_cast<double>(static_cast<uint64_t>(power + 1023) << 52)
+             : std::ldexp(part, power);
 }
 
 double log(double x) {
