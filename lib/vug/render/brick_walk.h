@@ -13,9 +13,10 @@ namespace vug::render {
 
 class BrickWalk {
  public:
-  /// The part of the segment that lies in the density's bricks.
-  BrickWalk(const volume::Density& density, const Ray& ray, const Segment& segment)
-      : density_(density),
+  /// The part of the segment that lies in the density; through its bricks of one size.
+  BrickWalk(const volume::Density& density, const volume::Bricks& bricks, const Ray& ray,
+            const Segment& segment)
+      : bricks_(bricks),
         origin_(density.to_index(ray.origin)),
         direction_(density.direction_to_index(ray.direction)),
         t_(segment.begin),
@@ -33,35 +34,36 @@ class BrickWalk {
       end_ = std::min(end_, std::max(low, high));
     }
     if (!(t_ < end_)) return;
+    const auto side = static_cast<float>(bricks.size());
     const Vec3f at = index(t_);
     Vec3i brick;
-    const ptrdiff_t strides[] = {1, static_cast<ptrdiff_t>(density.row()),
-                                 static_cast<ptrdiff_t>(density.plane())};
+    const ptrdiff_t strides[] = {1, static_cast<ptrdiff_t>(bricks.row()),
+                                 static_cast<ptrdiff_t>(bricks.plane())};
     for (int axis = 0; axis < 3; ++axis) {
-      const int last = density.bricks()[axis] - 1;
-      brick[axis] = std::clamp(static_cast<int>(at[axis] / kSize), 0, last);
+      const int last = bricks.count()[axis] - 1;
+      brick[axis] = std::clamp(static_cast<int>(at[axis] / side), 0, last);
       const float d = direction_[axis];
       step_[axis] = d > 0 ? strides[axis] : -strides[axis];
       next_[axis] =
-          d != 0 ? (kSize * static_cast<float>(brick[axis] + (d > 0)) - origin_[axis]) * per[axis]
+          d != 0 ? (side * static_cast<float>(brick[axis] + (d > 0)) - origin_[axis]) * per[axis]
                  : kFar;
-      apart_[axis] = d != 0 ? kSize * std::fabs(per[axis]) : kFar;
+      apart_[axis] = d != 0 ? side * std::fabs(per[axis]) : kFar;
     }
-    at_ = density.brick_index(brick);
+    at_ = bricks.index(brick);
   }
   Vec3f index(float t) const { return origin_ + direction_ * t; }
 
   /// The part of the ray in one brick.
   struct Step {
     float begin = 0, end = 0;
-    volume::Density::Range range;
+    volume::Bricks::Range range;
   };
   /// To the next brick that is not empty; false when there is none. A way that rounding takes out
   /// of the bricks is in their empty rim, and at its end.
   bool next(Step& step) {
     while (t_ < end_) {
       step = {t_, std::min(std::min(next_.x, next_.y), std::min(next_.z, end_)),
-              density_.range(at_)};
+              bricks_.range(at_)};
       // No branch can be foretold here, so there is none.
       const bool x = next_.x <= next_.y && next_.x <= next_.z, y = !x && next_.y <= next_.z;
       const bool z = !x && !y;
@@ -76,8 +78,7 @@ class BrickWalk {
   }
 
  private:
-  static constexpr float kSize = volume::Density::kSize;
-  const volume::Density& density_;
+  const volume::Bricks& bricks_;
   Vec3f origin_, direction_, next_{0, 0, 0}, apart_{0, 0, 0};
   std::array<ptrdiff_t, 3> step_{0, 0, 0};
   size_t at_ = 0;

@@ -82,6 +82,8 @@ class Medium {
   }
   /// Collisions per metre, and which part of the light they scatter instead of swallowing.
   virtual float extinction(const Vec3f& point) const = 0;
+  /// Calls from memory what `extinction` will ask for there.
+  virtual void expect(const Vec3f& point) const { (void)point; }
   virtual Rgb albedo(const Vec3f& point) const = 0;
   /// Collisions per metre as a round number, to share samples out along rays.
   virtual float usual_extinction() const = 0;

@@ -28,6 +28,18 @@ class TrackingNumbers {
     const uint32_t bits = (mixed >> turn) | (mixed << ((32 - turn) & 31));
     return static_cast<float>(bits >> 8) * 0x1p-24f;
   }
+  /// Three such numbers of 21 bits each; by the permutation RXS-M-XS of the same paper.
+  Vec3f triple() {
+    const uint64_t old = state_;
+    state_ = old * kFactor + kStep;
+    const uint64_t mixed = ((old >> ((old >> 59) + 5)) ^ old) * 12605985483714917081ull;
+    const uint64_t bits = (mixed >> 43) ^ mixed;
+    constexpr uint64_t kMask = (1 << 21) - 1;
+    const auto part = [&](int shift) {
+      return static_cast<float>((bits >> shift) & kMask) * 0x1p-21f;
+    };
+    return {part(1), part(22), part(43)};
+  }
 
  private:
   static constexpr uint64_t kFactor = 6364136223846793005ull, kStep = 1442695040888963407ull;

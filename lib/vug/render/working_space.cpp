@@ -52,6 +52,7 @@ class SpacedMedium final : public Medium {
     return medium_->cross(ray, segment, u, marks, numbers);
   }
   float extinction(const Vec3f& point) const override { return medium_->extinction(point); }
+  void expect(const Vec3f& point) const override { medium_->expect(point); }
   Rgb albedo(const Vec3f& point) const override { return way_(medium_->albedo(point)); }
   float usual_extinction() const override { return medium_->usual_extinction(); }
   Rgb glow(const Vec3f& point) const override { return way_(medium_->glow(point)); }

@@ -14,6 +14,26 @@ namespace {
 
 using openvdb::Coord;
 
+constexpr float kSteps = 65535;
+constexpr int kLargest = 64;  // voxels along a brick
+
+/// Of the values in one brick of a block, with the first ones of the next.
+Bricks::Range range_of(const std::vector<float>& block, int stride, const Vec3i& first, int size) {
+  Bricks::Range range{std::numeric_limits<float>::infinity(), 0, 0};
+  double sum = 0;
+  for (int z = first.z; z <= first.z + size; ++z)
+    for (int y = first.y; y <= first.y + size; ++y)
+      for (int x = first.x; x <= first.x + size; ++x) {
+        const float value = block[static_cast<size_t>((z * stride + y) * stride + x)];
+        range.least = std::min(range.least, value);
+        range.most = std::max(range.most, value);
+        sum += static_cast<double>(value);
+      }
+  const int side = size + 1;
+  range.mean = std::clamp(static_cast<float>(sum / (side * side * side)), range.least, range.most);
+  return range;
+}
+
 }  // namespace
 
 Density::Density(const Grid& source, int part) {
@@ -37,25 +57,24 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
   // A voxel reaches half-way, by interpolation, to all of its neighbours.
   const Coord origin = box.min() - Coord(1);
   const Coord size = box.max() - origin + Coord(2);
-  bricks_ = {(size.x() + kSize - 1) / kSize, (size.y() + kSize - 1) / kSize,
-             (size.z() + kSize - 1) / kSize};
-  size_ = Vec3f(bricks_ * kSize);
-  row_ = static_cast<size_t>(bricks_.x) + 2;
-  plane_ = row_ * (static_cast<size_t>(bricks_.y) + 2);
-  slots_.assign(plane_ * (static_cast<size_t>(bricks_.z) + 2), -1);
-  ranges_.assign(slots_.size(), Range{});
+  const Vec3i reach(size.x(), size.y(), size.z());
+  size_ = Vec3f(reach);
+  const Vec3i blocks = (reach + Vec3i(kSize - 1)) / kSize;
+  row_ = static_cast<size_t>(blocks.x) + 1;
+  plane_ = row_ * (static_cast<size_t>(blocks.y) + 1);
+  blocks_.resize(plane_ * (static_cast<size_t>(blocks.z) + 1));
   const openvdb::Mat4R matrix = grid.transform().baseMap()->getAffineMap()->getMat4().inverse();
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) world_to_index_[row][column] = matrix(row, column);
   for (int axis = 0; axis < 3; ++axis)
     world_to_index_[3][axis] -= origin[static_cast<size_t>(axis)];
   const auto accessor = grid.getConstAccessor();
-  for (int z = 0; z < bricks_.z; ++z)
-    for (int y = 0; y < bricks_.y; ++y)
-      for (int x = 0; x < bricks_.x; ++x) {
+  std::vector<float> own(std::tuple_size_v<Values>);
+  Bricks finest(kSize / 2, reach);
+  for (int z = 0; z < blocks.z; ++z)
+    for (int y = 0; y < blocks.y; ++y)
+      for (int x = 0; x < blocks.x; ++x) {
         const Coord first = origin + Coord(x * kSize, y * kSize, z * kSize);
-        Brick brick;
-        Range range{std::numeric_limits<float>::infinity(), 0, 0};
         size_t i = 0;
         for (int k = 0; k < kStride; ++k)
           for (int j = 0; j < kStride; ++j)
@@ -64,24 +83,39 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
               if (!std::isfinite(value))
                 throw Error(ErrorCode::bad_input,
                             fmt::format("the grid '{}' holds values that are not finite", name));
-              brick[i] = std::max(value, 0.0f);
-              range.least = std::min(range.least, brick[i]);
-              range.mean += brick[i] / static_cast<float>(brick.size());
-              range.most = std::max(range.most, brick[i++]);
+              own[i++] = std::max(value, 0.0f);
             }
-        if (!(range.most > 0)) continue;
-        range.mean = std::clamp(range.mean, range.least, range.most);
-        slots_[brick_index({x, y, z})] = static_cast<int32_t>(values_.size());
-        ranges_[brick_index({x, y, z})] = range;
-        values_.push_back(brick);
-        for (int corner = 0; corner < 8; ++corner) {
-          const openvdb::Vec3d at = grid.indexToWorld(openvdb::Vec3d(
-              first.x() + (corner & 1 ? kSize : 0), first.y() + (corner & 2 ? kSize : 0),
-              first.z() + (corner & 4 ? kSize : 0)));
-          bounds_.extendBy(Vec3f(static_cast<float>(at.x()), static_cast<float>(at.y()),
-                                 static_cast<float>(at.z())));
+        const auto [low, high] = std::minmax_element(own.begin(), own.end());
+        if (!(*high > 0)) continue;
+        Block& block = blocks_[static_cast<size_t>(x) + row_ * static_cast<size_t>(y) +
+                               plane_ * static_cast<size_t>(z)];
+        block = {*low, (*high - *low) / kSteps, static_cast<int32_t>(values_.size())};
+        Values& values = values_.emplace_back();
+        for (i = 0; i < own.size(); ++i) {
+          const float steps = block.step > 0 ? (own[i] - block.least) / block.step : 0;
+          values[i] = static_cast<uint16_t>(std::min(std::round(steps), kSteps));
+          own[i] = block.least + block.step * values[i];
+        }
+        for (int part = 0; part < 8; ++part) {
+          const Vec3i half(part & 1, part >> 1 & 1, part >> 2), brick = Vec3i(x, y, z) * 2 + half;
+          const Bricks::Range range = range_of(own, kStride, half * (kSize / 2), kSize / 2);
+          if (brick.x >= finest.count().x || brick.y >= finest.count().y ||
+              brick.z >= finest.count().z || !(range.most > 0))
+            continue;
+          finest.set(brick, range);
+          for (int corner = 0; corner < 8; ++corner) {
+            const Vec3i at = (brick + Vec3i(corner & 1, corner >> 1 & 1, corner >> 2)) * kSize / 2;
+            const openvdb::Vec3d world =
+                grid.indexToWorld((origin + Coord(std::min(at.x, reach.x), std::min(at.y, reach.y),
+                                                  std::min(at.z, reach.z)))
+                                      .asVec3d());
+            bounds_.extendBy(Vec3f(static_cast<float>(world.x()), static_cast<float>(world.y()),
+                                   static_cast<float>(world.z())));
+          }
         }
       }
+  bricks_.push_back(std::move(finest));
+  while (bricks_.back().size() < kLargest) bricks_.push_back(bricks_.back().doubled());
 }
 
 Vec3f Density::to_index(const Vec3f& world) const {
@@ -98,35 +132,48 @@ Vec3f Density::direction_to_index(const Vec3f& world) const {
   return Vec3f(out);
 }
 
+bool Density::within(const Vec3f& p) const {
+  return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < size_.x && p.y < size_.y && p.z < size_.z;
+}
+
 float Density::at(const Vec3f& p) const {
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(p[axis] >= 0 && p[axis] < size_[axis])) return 0;
+  if (!within(p)) return 0;
   const Vec3i cell(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
-  const Vec3i brick(cell.x / kSize, cell.y / kSize, cell.z / kSize);
-  const int32_t slot = slots_[brick_index(brick)];
-  if (slot < 0) return 0;
-  const Vec3i in = cell - brick * kSize;
-  const float* v =
-      values_[static_cast<size_t>(slot)].data() + (in.z * kStride + in.y) * kStride + in.x;
+  const Block& b = block(cell / kSize);
+  if (b.slot < 0) return 0;
+  const uint16_t* v = cell_of(b, cell);
   const Vec3f f = p - Vec3f(cell);
-  const auto along_x = [&](const float* row) { return row[0] + f.x * (row[1] - row[0]); };
-  const auto in_plane = [&](const float* plane) {
-    const float a = along_x(plane), b = along_x(plane + kStride);
-    return a + f.y * (b - a);
+  const auto along_x = [&](const uint16_t* row) {
+    const float first = row[0], second = row[1];
+    return first + f.x * (second - first);
   };
-  const float a = in_plane(v), b = in_plane(v + kStride * kStride);
-  return a + f.z * (b - a);
+  const auto in_plane = [&](const uint16_t* plane) {
+    const float first = along_x(plane), second = along_x(plane + kStride);
+    return first + f.y * (second - first);
+  };
+  const float first = in_plane(v), second = in_plane(v + kStride * kStride);
+  return b.least + b.step * (first + f.z * (second - first));
+}
+
+void Density::expect(const Vec3f& p) const {
+  if (!within(p)) return;
+  const Vec3i cell(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
+  const Block& b = block(cell / kSize);
+  if (b.slot < 0) return;
+  const uint16_t* v = cell_of(b, cell);
+  for (const int row : {0, kStride, kStride * kStride, kStride * kStride + kStride})
+    __builtin_prefetch(v + row);
 }
 
 float Density::anywhere(const Vec3f& world) const {
   const Vec3f p = to_index(world);
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(p[axis] >= 0 && p[axis] < size_[axis])) return background_;
-  return at(p);
+  return within(p) ? at(p) : background_;
 }
 
 uint64_t Density::bytes() const {
-  return values_.size() * sizeof(Brick) + slots_.size() * (sizeof(int32_t) + sizeof(Range));
+  uint64_t sum = values_.size() * sizeof(Values) + blocks_.size() * sizeof(Block);
+  for (const Bricks& bricks : bricks_) sum += bricks.bytes();
+  return sum;
 }
 
 }  // namespace vug::volume

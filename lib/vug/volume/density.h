@@ -1,69 +1,86 @@
-// A fog's values in plain bricks, for fast lookups along rays.
+// A fog's values in plain blocks, for fast lookups along rays.
 #pragma once
 
-#include <vug/base/vec.h>
+#include <vug/volume/bricks.h>
 #include <vug/volume/grid.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace vug::volume {
 
 /// Trilinear samples of a grid of floats, or of one part of a grid of vectors. Space is cut into
-/// bricks of 8^3 voxels; of those with nothing but 0 in reach no values are stored. Values below 0
-/// count as 0. Index coordinates are those of the grid minus `origin`; lattice points have whole
-/// numbers. Immutable, thread-safe.
+/// blocks of 16^3 voxels; of those with nothing but 0 in reach no values are stored. What lookups
+/// wait for is the memory, so a value takes 16 bits: one of 65535 steps from its block's least to
+/// its greatest. Values below 0 count as 0. Index coordinates are those of the grid minus `origin`;
+/// lattice points have whole numbers. Immutable, thread-safe.
 class Density {
  public:
   /// `part`: of a vector, 0 to 2. Error(bad_input): neither floats nor vectors of floats, or values
   /// that are not finite.
   explicit Density(const Grid& grid, int part = 0);
 
-  static constexpr int kSize = 8;  ///< Voxels along a brick.
-
   /// World to index coordinates; directions without the shift.
   Vec3f to_index(const Vec3f& world) const;
   Vec3f direction_to_index(const Vec3f& world) const;
-  /// Bricks along each axis: index coordinates from 0 to kSize times that.
-  const Vec3i& bricks() const { return bricks_; }
+  /// Voxels along each axis: index coordinates from 0 to that.
   const Vec3f& size() const { return size_; }
   /// Box in world space of all that is not 0.
   const Box3f& bounds() const { return bounds_; }
-
-  /// Bounds of all values in a brick, and about their mean.
-  struct Range {
-    float least = 0, mean = 0, most = 0;
-  };
-  /// Bricks lie in rows of x, those in planes, with a rim of empty bricks about all.
-  size_t brick_index(const Vec3i& brick) const {
-    return static_cast<size_t>(brick.x + 1) + row_ * static_cast<size_t>(brick.y + 1) +
-           plane_ * static_cast<size_t>(brick.z + 1);
-  }
-  size_t row() const { return row_; }
-  size_t plane() const { return plane_; }
-  const Range& range(size_t brick_index) const { return ranges_[brick_index]; }
+  /// Bounds of the values in bricks of 8, 16, 32 and 64 voxels; none when all is 0.
+  const std::vector<Bricks>& bricks() const { return bricks_; }
 
   /// The interpolated value; 0 outside.
   float at(const Vec3f& index) const;
-  /// The same in world space; outside what the grid holds where nothing was stored.
+  /// The value of one of the eight lattice points about a place, chosen by numbers in [0, 1) such
+  /// that the mean is the interpolated value: for estimates that are linear in the density, with
+  /// one look into memory instead of eight. The place may lie outside by less than a voxel.
+  float one_at(const Vec3f& index, const Vec3f& u) const;
+  /// Calls from memory what `at` will ask for.
+  void expect(const Vec3f& index) const;
+  /// The same as `at` in world space; outside what the grid holds where nothing was stored.
   float anywhere(const Vec3f& world) const;
   uint64_t bytes() const;
 
  private:
-  static constexpr int kStride = kSize + 1;  ///< Bricks hold the first voxels of the next.
-  using Brick = std::array<float, kStride * kStride * kStride>;
+  static constexpr int kSize = 16;
+  static constexpr int kStride = kSize + 1;  ///< Blocks hold the first voxels of the next.
+  using Values = std::array<uint16_t, kStride * kStride * kStride>;
+  struct Block {
+    float least = 0, step = 0;
+    int32_t slot = -1;  ///< Where its values are; -1: nowhere, all are 0.
+  };
+  const Block& block(const Vec3i& at) const {
+    return blocks_[static_cast<size_t>(at.x) + row_ * static_cast<size_t>(at.y) +
+                   plane_ * static_cast<size_t>(at.z)];
+  }
+  const uint16_t* cell_of(const Block& block, const Vec3i& cell) const {
+    const auto in = [&](int axis) { return cell[axis] & (kSize - 1); };
+    return values_[static_cast<size_t>(block.slot)].data() + (in(2) * kStride + in(1)) * kStride +
+           in(0);
+  }
+  bool within(const Vec3f& index) const;
   template <class Source, class Value>
   void fill(const Source& grid, const std::string& name, const Value& value_of);
 
   Mat44d world_to_index_;
   float background_ = 0;
-  Vec3i bricks_{0, 0, 0};
-  Vec3f size_{0, 0, 0};  ///< In voxels.
+  Vec3f size_{0, 0, 0};
   Box3f bounds_;
+  std::vector<Bricks> bricks_;
   size_t row_ = 0, plane_ = 0;
-  std::vector<int32_t> slots_;  ///< By brick_index; where in `values_`, or -1.
-  std::vector<Range> ranges_;   ///< By brick_index.
-  std::vector<Brick> values_;
+  std::vector<Block> blocks_;  ///< In rows of x, those in planes, an empty one at the end of each.
+  std::vector<Values> values_;
 };
+
+inline float Density::one_at(const Vec3f& p, const Vec3f& u) const {
+  const Vec3i cell(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
+  const Block& b = block(cell / kSize);
+  if (b.slot < 0) return 0;
+  const auto next = [&](int axis) { return u[axis] < p[axis] - static_cast<float>(cell[axis]); };
+  const int corner = next(0) + kStride * (next(1) + kStride * next(2));
+  return b.least + b.step * cell_of(b, cell)[corner];
+}
 
 }  // namespace vug::volume

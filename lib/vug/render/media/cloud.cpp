@@ -20,7 +20,10 @@
 namespace vug::render {
 namespace {
 
-using Range = volume::Density::Range;
+using Range = volume::Bricks::Range;
+/// To pass a brick takes this part of the time of a look at the density.
+constexpr double kPassing = 0.2;
+
 using DensityPtr = std::shared_ptr<const volume::Density>;
 
 struct DenseCloud {
@@ -189,7 +192,7 @@ class CloudMedium final : public Medium {
     if (segment.empty()) return 1;
     // As if bricks were even; what differs from that is left to chance.
     float through = 1, known = 0;
-    BrickWalk walk(*density_, ray, segment);
+    BrickWalk walk(*density_, *bricks_, ray, segment);
     float left = free_path(numbers.next());
     for (BrickWalk::Step step; walk.next(step);) {
       const Range& range = step.range;
@@ -199,7 +202,7 @@ class CloudMedium final : public Medium {
       float t = step.begin;
       while (left < (step.end - t) * bound) {
         t += left / bound;
-        through *= 1 - (density_->at(walk.index(t)) - range.mean) / most;
+        through *= 1 - (density_->one_at(walk.index(t), numbers.triple()) - range.mean) / most;
         if (through < 0.1f) {
           // Dim light goes on by lot: the mean stays.
           if (numbers.next() >= 2 * through) return 0;
@@ -216,7 +219,7 @@ class CloudMedium final : public Medium {
     for (Mark& mark : marks) mark.clear = 1;
     const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return {};
-    BrickWalk walk(*density_, ray, segment);
+    BrickWalk walk(*density_, *bricks_, ray, segment);
     float known = 0, done = -kFar, left = free_path(u);
     for (BrickWalk::Step step; walk.next(step); done = step.end) {
       const Range& range = step.range;
@@ -228,7 +231,7 @@ class CloudMedium final : public Medium {
       while (left < (step.end - t) * bound) {
         t += left / bound;
         left = free_path(numbers.next());
-        const float density = density_->at(walk.index(t));
+        const float density = density_->one_at(walk.index(t), numbers.triple());
         const bool collides = numbers.next() * range.most < density;
         for (Mark& mark : marks) {
           if (!(mark.distance > t)) continue;
@@ -256,6 +259,7 @@ class CloudMedium final : public Medium {
   float extinction(const Vec3f& point) const override {
     return extinction_ * density_->at(density_->to_index(point));
   }
+  void expect(const Vec3f& point) const override { density_->expect(density_->to_index(point)); }
   Rgb albedo(const Vec3f& point) const override {
     const Rgb own = p_.albedo.varying ? p_.albedo.at(spot_at(point)) : Rgb(p_.albedo.constant);
     if (!colour_[0]) return own;
@@ -274,10 +278,10 @@ class CloudMedium final : public Medium {
     if (segment.empty()) return Rgb(0.0f);
     float all = 0;
     BrickWalk::Step step;
-    for (BrickWalk walk(*flames_, ray, segment); walk.next(step);)
+    for (BrickWalk walk(*flames_, flames_->bricks().front(), ray, segment); walk.next(step);)
       all += (step.end - step.begin) * step.range.most;
     float left = numbers.next() * all, distance = -1, bound = 0;
-    BrickWalk walk(*flames_, ray, segment);
+    BrickWalk walk(*flames_, flames_->bricks().front(), ray, segment);
     while (left > 0 && walk.next(step)) {
       distance = std::min(step.begin + left / step.range.most, step.end);
       bound = step.range.most;
@@ -304,6 +308,7 @@ class CloudMedium final : public Medium {
   }
   /// The part of a segment in which a grid has values.
   Segment within(const volume::Density& grid, const Ray& ray, const Segment& whole) const {
+    if (grid.bricks().empty()) return {0, 0};
     if (!flames_) return whole;  // then the medium is where its density is
     if (grid.bounds().isEmpty()) return {0, 0};
     const Segment part = clipped(grid.bounds(), ray, whole.end);
@@ -330,19 +335,27 @@ class CloudMedium final : public Medium {
     density_ = std::move(density);
     bounds_ = density_->bounds();
     if (flames_ && !flames_->bounds().isEmpty()) bounds_.extendBy(flames_->bounds());
-    const Vec3i n = density_->bricks();
-    double sum = 0;
-    for (int z = 0; z < n.z; ++z)
-      for (int y = 0; y < n.y; ++y)
-        for (int x = 0; x < n.x; ++x)
-          sum += static_cast<double>(density_->range(density_->brick_index({x, y, z})).most);
-    const double bricks = static_cast<double>(n.x) * n.y * n.z;
-    usual_ = bricks > 0 ? extinction_ * static_cast<float>(0.5 * sum / bricks) : 0;
+    bricks_ = nullptr, usual_ = 0;
+    const std::vector<volume::Bricks>& bricks = density_->bricks();
+    if (bricks.empty()) return;
+    const double voxels = static_cast<double>(density_->size().x) *
+                          static_cast<double>(density_->size().y) *
+                          static_cast<double>(density_->size().z);
+    usual_ = extinction_ * static_cast<float>(0.5 * bricks.front().bound() / voxels);
+    // Large bricks are few to pass, small ones have tighter bounds: fewer looks at densities.
+    const double voxel = 1 / static_cast<double>(length(density_->direction_to_index({1, 0, 0})));
+    double least = 0;
+    for (const volume::Bricks& each : bricks) {
+      const double looks = static_cast<double>(extinction_) * each.bound() / voxels;
+      const double cost = looks + kPassing / (voxel * each.size());
+      if (!bricks_ || cost < least) bricks_ = &each, least = cost;
+    }
   }
 
   DenseCloud p_;
   float extinction_, usual_ = 0;
   DensityPtr density_, heat_, flames_;
+  const volume::Bricks* bricks_ = nullptr;  ///< Of the density, that walks take least time through.
   std::array<DensityPtr, 3> colour_;
   Box3f bounds_;
 };

@@ -44,11 +44,12 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
   const float distance = static_cast<float>(t) + foot;
 
   const LitPoint point{ray.at(distance), Vec3f(0.0f)};
-  const float extinction = medium.extinction(point.position);
-  if (!(extinction > 0)) return;
+  medium.expect(point.position);
   const LightSample s = world_.lights().sample(chosen.light, point, u);
   if (!(s.pdf > 0) || !(density > 0)) return;
   const Rgb light = unshadowed(world_, s, kNoObject);
+  const float extinction = medium.extinction(point.position);
+  if (!(extinction > 0)) return;
   const Ray shadow{point.position, s.direction};
   if (is_black(light) || shadowed(world_, shadow, s.distance)) return;
   // Portals that share a direction share its light.

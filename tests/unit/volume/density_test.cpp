@@ -1,0 +1,103 @@
+// What walks through fog know of it: its values, chosen ones of them, and bounds.
+#include "solids.h"
+
+#include <vug/base/rng.h>
+#include <vug/volume/density.h>
+#include <vug/volume/fog.h>
+#include <vug/volume/sampled.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vug::volume {
+namespace {
+
+/// Rough fog in a ball of some 100 voxels across, so in several bricks of 64.
+const Density& rough() {
+  static const Density density = [] {
+    VoxelizeOptions options;
+    options.voxel = 0.02;
+    return Density(sampled(fog(voxelize(sphere_at({0.3, 0, 0}, 1), options)), [](const Vec3f& p) {
+      RandomStream random(RandomKey(3)
+                              .at(std::lround(p.x * 50))
+                              .at(std::lround(p.y * 50))
+                              .at(std::lround(p.z * 50)));
+      return static_cast<float>(random.uniform());
+    }));
+  }();
+  return density;
+}
+
+Vec3f place(RandomStream& random, const Vec3f& size) {
+  Vec3f p;
+  for (int axis = 0; axis < 3; ++axis)
+    p[axis] = static_cast<float>(random.uniform(0, static_cast<double>(size[axis])));
+  return p;
+}
+
+TEST(Density, OneOfEightValuesIsTheInterpolatedOneInTheMean) {
+  const Density& density = rough();
+  RandomStream random(RandomKey(1).at("places"));
+  int rough_places = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3f p = place(random, density.size());
+    double sum = 0, squares = 0;
+    constexpr int kTrials = 20000;
+    for (int k = 0; k < kTrials; ++k) {
+      const auto value = static_cast<double>(density.one_at(p, place(random, Vec3f(1.0f))));
+      sum += value, squares += value * value;
+    }
+    const double mean = sum / kTrials;
+    const double error = std::sqrt(std::max(squares / kTrials - mean * mean, 0.0) / kTrials);
+    EXPECT_NEAR(mean, static_cast<double>(density.at(p)), 4.5 * error + 1e-6);
+    rough_places += error > 1e-4;
+  }
+  EXPECT_GT(rough_places, 10);
+  // On a lattice point there is nothing to choose, and beyond the grid there is nothing.
+  const Vec3f lattice(40, 50, 60);
+  EXPECT_GT(density.at(lattice), 0);
+  EXPECT_EQ(density.one_at(lattice, Vec3f(0.0f)), density.at(lattice));
+  EXPECT_EQ(density.one_at(density.size(), Vec3f(0.0f)), 0);
+  EXPECT_EQ(density.one_at(Vec3f(-0.5f), Vec3f(0.0f)), 0);
+}
+
+TEST(Density, BricksOfEverySizeBoundIt) {
+  const Density& density = rough();
+  std::vector<int> sizes;
+  double bound = 0;
+  for (const Bricks& bricks : density.bricks()) {
+    sizes.push_back(bricks.size());
+    const auto side = static_cast<float>(bricks.size());
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_GE(static_cast<float>(bricks.count()[axis]) * side, density.size()[axis]);
+      EXPECT_LT(static_cast<float>(bricks.count()[axis] - 1) * side, density.size()[axis]);
+    }
+    RandomStream random(RandomKey(2).at("places"));
+    double mean = 0, known = 0;
+    constexpr int kTrials = 200000;
+    for (int k = 0; k < kTrials; ++k) {
+      const Vec3f p = place(random, density.size());
+      const Bricks::Range& range = bricks.range(bricks.index(Vec3i(p / side)));
+      const float value = density.at(p);
+      ASSERT_GE(value, range.least - 1e-6f);
+      ASSERT_LE(value, range.most + 1e-6f);
+      mean += static_cast<double>(value), known += static_cast<double>(range.mean);
+    }
+    EXPECT_NEAR(known, mean, 0.06 * mean) << bricks.size();
+    EXPECT_GE(bricks.bound(), bound);  // larger bricks know less
+    bound = bricks.bound();
+  }
+  EXPECT_EQ(sizes, (std::vector<int>{8, 16, 32, 64}));
+}
+
+TEST(Density, NothingHasNoBricks) {
+  const Grid where = fog(voxelize(sphere_at({0, 0, 0}, 1), {}));
+  const Density none(sampled(where, [](const Vec3f&) { return 0.0f; }));
+  EXPECT_EQ(none.anywhere(Vec3f(0.0f)), 0);
+  EXPECT_TRUE(none.bounds().isEmpty());
+  for (const Bricks& bricks : none.bricks()) EXPECT_EQ(bricks.bound(), 0);
+}
+
+}  // namespace
+}  // namespace vug::volume
