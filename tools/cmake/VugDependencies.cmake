@@ -26,6 +26,7 @@ vug_needs(OpenImageIO CONFIG)
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES ${OpenImageIO_INCLUDE_DIR})
 vug_needs(embree 3 CONFIG)
+vug_needs(boost_context CONFIG)
 vug_needs(PkgConfig)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(log4cplus REQUIRED IMPORTED_TARGET log4cplus)

@@ -1,10 +1,9 @@
 // For geometry.cpp and geometry_grid.cpp only: what Embree holds.
 #pragma once
 
+#include <vug/render/embree_device.h>
 #include <vug/render/geometry.h>
 #include <vug/render/grid_surface.h>
-
-#include <embree3/rtcore.h>
 
 #include <map>
 #include <set>
@@ -28,16 +27,15 @@ struct World::Geometry::Embree {
   /// The tree of a mesh or a surface that instances share.
   struct Shape {
     RTCScene scene = nullptr;
-    std::shared_ptr<const Corners> corners;
+    std::shared_ptr<const std::vector<Corners>> corners;
     Box3f box;
   };
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  EmbreeDevice device;
+  RTCScene scene = nullptr;             ///< Null where all is in Geometry::triangles_.
   std::map<const void*, Shape> shapes;  ///< By mesh or surface.
   std::set<const mesh::Mesh*> cut;      ///< Meshes of objects that rays may pass through.
 
   ~Embree();
-  void check(const char* doing) const;
   RTCScene new_scene() const;
   void attach(RTCScene to, RTCGeometry geometry, size_t number) const;
   void add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const;

@@ -2,6 +2,7 @@
 #include <vug/base/rng.h>
 #include <vug/render/embree.h>
 #include <vug/render/kinds.h>
+#include <vug/render/tracing/together.h>
 
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
@@ -72,19 +73,10 @@ World::Geometry::Embree::~Embree() {
   if (scene) rtcReleaseScene(scene);
   for (const auto& each : shapes)
     if (each.second.scene) rtcReleaseScene(each.second.scene);
-  if (device) rtcReleaseDevice(device);
-}
-
-void World::Geometry::Embree::check(const char* doing) const {
-  const RTCError code = rtcGetDeviceError(device);
-  if (code == RTC_ERROR_NONE) return;
-  throw Error(
-      code == RTC_ERROR_OUT_OF_MEMORY ? ErrorCode::too_large : ErrorCode::internal,
-      fmt::format("{} failed in the ray tracing library (code {})", doing, static_cast<int>(code)));
 }
 
 RTCScene World::Geometry::Embree::new_scene() const {
-  RTCScene made = rtcNewScene(device);
+  RTCScene made = rtcNewScene(device.get());
   rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_MEDIUM);
   return made;
@@ -99,11 +91,11 @@ void World::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry, size_t n
 void World::Geometry::Embree::build(RTCScene what) const {
   tbb::task_arena arena(kBuildSlots);
   arena.execute([&] { rtcJoinCommitScene(what); });
-  check("building the tree of triangles");
+  device.check("building the tree of triangles");
 }
 
 void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   // Copies, because Embree reads 16 bytes at the last vertex.
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            sizeof(Vec3f), mesh.positions.size());
@@ -116,12 +108,12 @@ void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size
     rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
   }
   attach(to, geometry, number);
-  check("taking in a mesh");
+  device.check("taking in a mesh");
 }
 
 void World::Geometry::Embree::add_instance(const Shape& shape, const Placing& placing,
                                            size_t number) const {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, shape.scene);
   rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(placing.steps().size()));
   for (size_t step = 0; step < placing.steps().size(); ++step) {
@@ -132,7 +124,7 @@ void World::Geometry::Embree::add_instance(const Shape& shape, const Placing& pl
                             columns);
   }
   attach(scene, geometry, number);
-  check("placing an instance");
+  device.check("placing an instance");
 }
 
 const World::Geometry::Embree::Shape& World::Geometry::Embree::shape(const Object& object) {
@@ -157,19 +149,21 @@ const World::Geometry::Embree::Shape& World::Geometry::Embree::shape(const Objec
 
 World::Geometry::Geometry(const std::vector<Object>& objects)
     : embree_(std::make_unique<Embree>()) {
-  // One instruction set everywhere: wider ones would choose other triangles at exact ties.
-  embree_->device = rtcNewDevice("isa=avx2,set_affinity=0,start_threads=0,verbose=0");
-  if (!embree_->device)
-    throw Error(ErrorCode::internal, "the ray tracing library does not start on this machine");
   embree_->scene = embree_->new_scene();
   bounds.makeEmpty();
   for (const Object& object : objects)
     if (object.material && object.material->cut_out()) embree_->cut.insert(object.mesh.get());
-  for (const Object& object : objects) add(object, static_cast<uint32_t>(&object - objects.data()));
-  embree_->build(embree_->scene);
+  std::vector<RayTree::Part> still;
+  for (const Object& object : objects)
+    add(object, static_cast<uint32_t>(&object - objects.data()), still);
+  triangles_ = RayTree(still);
+  const bool all = still.size() == parts_.size();
+  if (!all) embree_->build(embree_->scene);
+  rest_ = !all;
 }
 
-void World::Geometry::add(const Object& object, uint32_t number) {
+void World::Geometry::add(const Object& object, uint32_t number,
+                          std::vector<RayTree::Part>& still) {
   if (!object.mesh && !object.surface)
     throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
   Part part;
@@ -214,9 +208,13 @@ void World::Geometry::add(const Object& object, uint32_t number) {
     embree_->add_surface(embree_->scene, *object.surface, parts_.size());
     bounds.extendBy(box_of(*object.surface));
   } else {
-    part.corners = corners_of(*object.mesh);
-    embree_->add_mesh(embree_->scene, *object.mesh, parts_.size());
     bounds.extendBy(box_of(*object.mesh));
+    if (embree_->cut.count(object.mesh.get())) {
+      part.corners = corners_of(*object.mesh);
+      embree_->add_mesh(embree_->scene, *object.mesh, parts_.size());
+    } else {
+      still.push_back({object.mesh, static_cast<uint32_t>(parts_.size())});
+    }
   }
   parts_.push_back(std::move(part));
 }
@@ -224,27 +222,35 @@ void World::Geometry::add(const Object& object, uint32_t number) {
 World::Geometry::~Geometry() = default;
 
 World::Geometry::Found World::Geometry::find(const Ray& ray, float time) const {
+  Found found;
+  RaySearch still(triangles_, ray, kFar, RaySearch::Aim::nearest);
+  finish(still);
+  if (still.found()) found = {true, false, still.part(), still.triangle(), still.corners(), {}};
+  if (rest_) find_before(ray, time, still.distance(), found);
+  if (found.any && !parts_[found.part].surface) {
+    const Part& part = parts_[found.part];
+    if (part.normals || part.colours) __builtin_prefetch(&part.mesh->triangles[found.primitive]);
+  }
+  return found;
+}
+
+void World::Geometry::find_before(const Ray& ray, float time, float distance, Found& found) const {
   RTCRayHit query;
   query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
   query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y;
   query.ray.dir_z = ray.direction.z;
-  query.ray.tnear = 0, query.ray.tfar = kFar, query.ray.time = time;
+  query.ray.tnear = 0, query.ray.tfar = distance, query.ray.time = time;
   query.ray.mask = ~0u, query.ray.id = 0, query.ray.flags = 0;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID, query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   Search search(*this, ray, time);
   rtcIntersect1(embree_->scene, &search, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
   const bool placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   const uint32_t number = placed ? query.hit.instID[0] : query.hit.geomID;
-  const uint32_t primitive = query.hit.primID;
-  const Part& part = parts_[number];
-  if (part.surface) return {true, placed, number, primitive, search.met};
-  // The corners of a triangle may lie across two lines of memory.
-  const std::array<Vec3f, 3>& corners = (*part.corners)[primitive];
-  __builtin_prefetch(corners.data());
-  __builtin_prefetch(reinterpret_cast<const char*>(&corners + 1) - 1);
-  if (part.normals || part.colours) __builtin_prefetch(&part.mesh->triangles[primitive]);
-  return {true, placed, number, primitive, {}};
+  found.any = true, found.placed = placed;
+  found.part = number, found.primitive = query.hit.primID;
+  found.met = search.met;
+  if (!parts_[number].surface) found.corners = (*parts_[number].corners)[query.hit.primID];
 }
 
 bool World::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& hit) const {
@@ -253,12 +259,15 @@ bool World::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& 
   if (part.surface)
     fill_surface(part, found.primitive, found.met, time, ray, hit);
   else
-    fill_mesh(part, found.primitive, ray, time, hit);
+    fill_mesh(part, found.primitive, found.corners, ray, time, hit);
   if (found.placed) set_place(part, time, hit);
   return true;
 }
 
 bool World::Geometry::occluded(const Ray& ray, float distance, float time) const {
+  RaySearch still(triangles_, ray, distance, RaySearch::Aim::any);
+  finish(still);
+  if (still.found() || !rest_) return still.found();
   RTCRay query;
   query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
   query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
@@ -269,12 +278,12 @@ bool World::Geometry::occluded(const Ray& ray, float distance, float time) const
   return query.tfar < 0;
 }
 
-void World::Geometry::fill_mesh(const Part& part, uint32_t triangle, const Ray& ray, float time,
-                                Hit& hit) const {
+void World::Geometry::fill_mesh(const Part& part, uint32_t triangle, const Corners& corners,
+                                const Ray& ray, float time, Hit& hit) const {
   if (part.placing)
-    fill(part, triangle, PlacedSpace(*part.placing, time), ray, hit);
+    fill(part, triangle, corners, PlacedSpace(*part.placing, time), ray, hit);
   else
-    fill(part, triangle, OwnSpace(), ray, hit);
+    fill(part, triangle, corners, OwnSpace(), ray, hit);
 }
 
 void World::Geometry::set_place(const Part& part, float time, Hit& hit) {
@@ -287,7 +296,7 @@ bool World::Geometry::passes(uint32_t number, uint32_t triangle, const Search& s
   const Part& part = parts_[number];
   if (!part.cut) return false;
   Hit hit;
-  fill_mesh(part, triangle, search.ray, search.time, hit);
+  fill_mesh(part, triangle, (*part.corners)[triangle], search.ray, search.time, hit);
   if (part.placing) set_place(part, search.time, hit);
   const float opacity = part.material->opacity(hit.surface);
   if (opacity <= 0 || opacity >= 1) return opacity <= 0;
@@ -309,10 +318,9 @@ void World::Geometry::Embree::pass_holes(const RTCFilterFunctionNArguments* args
 }
 
 template <class Space>
-void World::Geometry::fill(const Part& part, uint32_t triangle, const Space& space, const Ray& ray,
-                           Hit& hit) const {
+void World::Geometry::fill(const Part& part, uint32_t triangle, const Corners& own,
+                           const Space& space, const Ray& ray, Hit& hit) const {
   const mesh::Triangle& corner = part.mesh->triangles[triangle];
-  const std::array<Vec3f, 3>& own = (*part.corners)[triangle];
   const Vec3f a = space.point(own[0]), b = space.point(own[1]), c = space.point(own[2]);
   const Vec3f ab = b - a, ac = c - a, n = cross(ab, ac) * space.turn();
 

@@ -1,10 +1,11 @@
-// What stands in a scene, as rays meet it. Only this, geometry_grid.cpp and embree.h speak to
-// Embree.
+// What stands in a scene, as rays meet it. Only this, geometry_grid.cpp, embree.h and the builder
+// of RayTree speak to Embree.
 #pragma once
 
 #include <vug/render/grid_surface.h>
 #include <vug/render/mesh_slopes.h>
 #include <vug/render/scene.h>
+#include <vug/render/tracing/ray_tree.h>
 #include <vug/render/vectors.h>
 #include <vug/render/world.h>
 
@@ -15,24 +16,27 @@
 
 namespace vug::render {
 
-/// All triangles and level sets of a scene. Objects that stand in the scene itself make one tree;
-/// each mesh of instances has a tree of its own, whose places stand in that one. Trees are built by
-/// a fixed plan, so that they are the same for any number of threads; Embree only tells which
-/// triangle is nearest, and distance and place on it are computed here, so that they have the same
-/// bits on every machine.
+/// All triangles and level sets of a scene. Solid meshes that stand in the scene itself make a
+/// RayTree. All else is Embree's: level sets and meshes with holes make a second tree, and each
+/// mesh of instances has one of its own, whose places stand in that. Trees are built by a fixed
+/// plan, so that they are the same for any number of threads; they only tell which triangle is
+/// nearest, and distance and place on it are computed here, so that they have the same bits on
+/// every machine.
 struct World::Geometry {
   explicit Geometry(const std::vector<Object>& objects);
   ~Geometry();
 
+  using Corners = std::array<Vec3f, 3>;
   /// The nearest surface on a ray.
   struct Found {
     bool any = false;
     bool placed = false;  ///< By an instance.
     uint32_t part = 0;
     uint32_t primitive = 0;  ///< Triangle or brick.
+    Corners corners;         ///< Of the triangle, in its mesh's space.
     Crossing met;            ///< Of a level set.
   };
-  /// `time`: see World::at. Orders from memory what `fill` will read.
+  /// `time`: see World::at. Calls for what `fill` will read.
   Found find(const Ray& ray, float time) const;
   /// False when nothing was found.
   bool fill(const Found& found, const Ray& ray, float time, Hit& hit) const;
@@ -44,11 +48,11 @@ struct World::Geometry {
  private:
   struct Embree;
   struct Search;
-  /// Of each triangle, side by side: a hit waits for one place in memory, not for four in turn.
-  using Corners = std::vector<std::array<Vec3f, 3>>;
   struct Part {
     mesh::MeshPtr mesh;
-    std::shared_ptr<const Corners> corners;
+    /// Of each triangle that Embree has, side by side: a hit waits for one place in memory, not for
+    /// four in turn.
+    std::shared_ptr<const std::vector<Corners>> corners;
     const Vec3f* normals = nullptr;
     const float* colours = nullptr;
     const MeshSlopes* slopes = nullptr;
@@ -63,14 +67,18 @@ struct World::Geometry {
     paint::Paint color;
     bool flat = false;
   };
-  void add(const Object& object, uint32_t number);
+  /// What is to stand in the RayTree joins `still`.
+  void add(const Object& object, uint32_t number, std::vector<RayTree::Part>& still);
+  /// What Embree finds before that distance.
+  void find_before(const Ray& ray, float time, float distance, Found& found) const;
   /// Whether the ray goes on through a triangle that has holes: by its opacity there, with a chance
   /// that hangs on the ray and the triangle only.
   bool passes(uint32_t part, uint32_t triangle, const Search& search) const;
   template <class Space>
-  void fill(const Part& part, uint32_t triangle, const Space& space, const Ray& ray,
-            Hit& hit) const;
-  void fill_mesh(const Part& part, uint32_t triangle, const Ray& ray, float time, Hit& hit) const;
+  void fill(const Part& part, uint32_t triangle, const Corners& own, const Space& space,
+            const Ray& ray, Hit& hit) const;
+  void fill_mesh(const Part& part, uint32_t triangle, const Corners& corners, const Ray& ray,
+                 float time, Hit& hit) const;
   /// What the hit of an instance knows besides.
   static void set_place(const Part& part, float time, Hit& hit);
   static void fill_surface(const Part& part, uint32_t brick, const Crossing& seen, float time,
@@ -78,7 +86,9 @@ struct World::Geometry {
 
   std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.
   std::map<const mesh::Mesh*, std::unique_ptr<const MeshSlopes>> slopes_;
+  RayTree triangles_;
   std::unique_ptr<Embree> embree_;
+  bool rest_ = false;  ///< Embree holds something.
 };
 
 /// A point of a triangle moved off it along the normal. Interpolated points are exact to about 3

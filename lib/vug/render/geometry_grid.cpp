@@ -94,14 +94,14 @@ float largest_coordinate(const Vec3f& p) {
 
 void World::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBricks& surface,
                                           size_t number) const {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(surface.bricks().size()));
   rtcSetGeometryUserData(geometry, const_cast<volume::SurfaceBricks*>(&surface));
   rtcSetGeometryBoundsFunction(geometry, bounds_of, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersect_brick<Search>);
   rtcSetGeometryOccludedFunction(geometry, occlude_brick);
   attach(to, geometry, number);
-  check("taking in a level set");
+  device.check("taking in a level set");
 }
 
 void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Crossing& seen,

@@ -3,6 +3,7 @@
 #include <vug/render/kinds.h>
 #include <vug/render/paths/openings.h>
 #include <vug/render/shooter.h>
+#include <vug/render/tracing/together.h>
 
 #include <fmt/format.h>
 
@@ -169,21 +170,31 @@ PathResult Shooter::sample(int x, int y, uint32_t index, Tally& tally) const {
 Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end,
                     image::DeepImage* deep) const {
   Film film(region, options_.layers.gather());
-  Tally tally(tally_);
   DeepPixel depths(options_.deep.value_or(DeepOptions()));
-  for (int y = region.y0; y < region.y1; ++y) {
-    progress_.check();
-    for (int x = region.x0; x < region.x1; ++x) {
-      for (uint32_t index = begin; index < end; ++index) {
-        const PathResult result = sample(x, y, index, tally);
-        film.add(x, y, result, *scene_.camera, tally.colours().data());
-        if (deep)
-          depths.add(result, static_cast<double>(
-                                 scene_.camera->depth_at(result.time, result.first.position)));
-      }
-      if (deep) deep->at(x - wanted_.x0, y - wanted_.y0) = depths.finish();
-    }
-  }
+  std::vector<Tally> tallies(kMostAhead, Tally(tally_));
+  std::vector<PathResult> results(kMostAhead);
+  const size_t each = end - begin, row = each * static_cast<size_t>(region.width());
+  const auto pixel = [&](size_t number) {
+    return std::pair(region.x0 + static_cast<int>(number % row / each),
+                     region.y0 + static_cast<int>(number / row));
+  };
+  work_together(
+      row * static_cast<size_t>(region.height()),
+      [&](size_t number) {
+        if (number % row == 0) progress_.check();
+        const auto [x, y] = pixel(number);
+        const size_t at = number % kMostAhead;
+        results[at] = sample(x, y, begin + static_cast<uint32_t>(number % each), tallies[at]);
+      },
+      [&](size_t number) {
+        const auto [x, y] = pixel(number);
+        const PathResult& result = results[number % kMostAhead];
+        film.add(x, y, result, *scene_.camera, tallies[number % kMostAhead].colours().data());
+        if (!deep) return;
+        depths.add(result, static_cast<double>(
+                               scene_.camera->depth_at(result.time, result.first.position)));
+        if ((number + 1) % each == 0) deep->at(x - wanted_.x0, y - wanted_.y0) = depths.finish();
+      });
   return film;
 }
 
@@ -207,8 +218,11 @@ double Shooter::seconds(double samples) const {
           const double u = step * 0.6180339887498949, v = step * 0.7548776662466927;
           const int x = wanted_.x0 + static_cast<int>((u - std::floor(u)) * wanted_.width());
           const int y = wanted_.y0 + static_cast<int>((v - std::floor(v)) * wanted_.height());
-          Tally tally(tally_);
-          for (uint32_t index = 0; index < each; ++index) sample(x, y, index, tally);
+          std::vector<Tally> tallies(each, Tally(tally_));
+          work_together(
+              each,
+              [&](size_t index) { sample(x, y, static_cast<uint32_t>(index), tallies[index]); },
+              [](size_t) {});
           busy += std::chrono::nanoseconds(Clock::now() - begin).count();
         },
         4);

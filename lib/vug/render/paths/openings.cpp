@@ -1,9 +1,9 @@
-#include <vug/base/parallel.h>
 #include <vug/render/camera.h>
 #include <vug/render/kinds.h>
 #include <vug/render/paths/exits.h>
 #include <vug/render/paths/openings.h>
 #include <vug/render/sampling.h>
+#include <vug/render/tracing/together.h>
 #include <vug/render/world.h>
 
 #include <algorithm>
@@ -28,21 +28,18 @@ struct Place {
 
 std::vector<Place> places(const Rehearsal& rehearsal, Progress& progress) {
   std::vector<Place> all(kPaths * kPlaces);
-  parallel_for(
-      kPaths,
-      [&](size_t path) {
-        SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + 0, path, kPaths));
-        const Vec2f film = numbers.pair(), lens = numbers.pair();
-        Ray ray = rehearsal.camera.ray(film, rehearsal.aspect, lens);
-        Hit hit;
-        for (size_t i = 0; i < kPlaces && rehearsal.world.intersect(ray, hit); ++i) {
-          const Vec3f& normal = hit.surface.geometric_normal;
-          all[path * kPlaces + i] = {hit.origin, normal};
-          ray = {hit.origin, Frame(normal).to_world(sample_cosine_hemisphere(numbers.pair()))};
-        }
-        progress.check();
-      },
-      64);
+  parallel_together(kPaths, [&](size_t path) {
+    SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + 0, path, kPaths));
+    const Vec2f film = numbers.pair(), lens = numbers.pair();
+    Ray ray = rehearsal.camera.ray(film, rehearsal.aspect, lens);
+    Hit hit;
+    for (size_t i = 0; i < kPlaces && rehearsal.world.intersect(ray, hit); ++i) {
+      const Vec3f& normal = hit.surface.geometric_normal;
+      all[path * kPlaces + i] = {hit.origin, normal};
+      ray = {hit.origin, Frame(normal).to_world(sample_cosine_hemisphere(numbers.pair()))};
+    }
+    progress.check();
+  });
   return all;
 }
 
@@ -50,23 +47,20 @@ std::vector<Place> places(const Rehearsal& rehearsal, Progress& progress) {
 double look_around(const Rehearsal& rehearsal, const std::vector<Place>& from, Exits& exits,
                    Progress& progress) {
   std::atomic<uint64_t> sent{0}, out{0};
-  parallel_for(
-      from.size(),
-      [&](size_t i) {
-        const Place& place = from[i];
-        if (place.normal == Vec3f(0.0f)) return;
-        for (size_t ray = 0; ray < kRays; ++ray) {
-          SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + 1, i * kRays + ray,
-                                                                      from.size() * kRays));
-          const Vec3f way = Frame(place.normal).to_world(sample_cosine_hemisphere(numbers.pair()));
-          if (rehearsal.world.occluded({place.origin, way}, kFar)) continue;
-          exits.count({place.origin, way});
-          out.fetch_add(1, std::memory_order_relaxed);
-        }
-        sent.fetch_add(kRays, std::memory_order_relaxed);
-        progress.check();
-      },
-      256);
+  parallel_together(from.size(), [&](size_t i) {
+    const Place& place = from[i];
+    if (place.normal == Vec3f(0.0f)) return;
+    for (size_t ray = 0; ray < kRays; ++ray) {
+      SampleCursor numbers(rehearsal.sampler,
+                           rehearsal.sample_id(kSalt + 1, i * kRays + ray, from.size() * kRays));
+      const Vec3f way = Frame(place.normal).to_world(sample_cosine_hemisphere(numbers.pair()));
+      if (rehearsal.world.occluded({place.origin, way}, kFar)) continue;
+      exits.count({place.origin, way});
+      out.fetch_add(1, std::memory_order_relaxed);
+    }
+    sent.fetch_add(kRays, std::memory_order_relaxed);
+    progress.check();
+  });
   return sent > 0 ? static_cast<double>(out) / static_cast<double>(sent) : 0;
 }
 
@@ -74,22 +68,18 @@ double look_around(const Rehearsal& rehearsal, const std::vector<Place>& from, E
 void look_closer(const Rehearsal& rehearsal, const std::vector<Place>& from,
                  const std::vector<RectangleParams>& known, Exits& exits, Progress& progress) {
   std::vector<Rectangle> shapes(known.begin(), known.end());
-  parallel_for(
-      from.size(),
-      [&](size_t i) {
-        const Place& place = from[i];
-        if (place.normal == Vec3f(0.0f)) return;
-        for (size_t k = 0; k < shapes.size(); ++k) {
-          SampleCursor numbers(rehearsal.sampler,
-                               rehearsal.sample_id(kSalt + 2 + k, i, from.size()));
-          const LightSample s = shapes[k].sample(place.origin, numbers.pair());
-          if (!(s.pdf > 0) || !(dot(s.direction, place.normal) > 0)) continue;
-          const Ray ray{place.origin, s.direction};
-          if (!rehearsal.world.occluded(ray, kFar)) exits.count(ray);
-        }
-        progress.check();
-      },
-      256);
+  parallel_together(from.size(), [&](size_t i) {
+    const Place& place = from[i];
+    if (place.normal == Vec3f(0.0f)) return;
+    for (size_t k = 0; k < shapes.size(); ++k) {
+      SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + 2 + k, i, from.size()));
+      const LightSample s = shapes[k].sample(place.origin, numbers.pair());
+      if (!(s.pdf > 0) || !(dot(s.direction, place.normal) > 0)) continue;
+      const Ray ray{place.origin, s.direction};
+      if (!rehearsal.world.occluded(ray, kFar)) exits.count(ray);
+    }
+    progress.check();
+  });
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 #include <vug/render/paths/rehearsal.h>
 #include <vug/render/paths/vertex.h>
 #include <vug/render/sampling.h>
+#include <vug/render/tracing/together.h>
 #include <vug/render/world.h>
 
 #include <algorithm>
+#include <array>
 
 namespace vug::render {
 namespace {
@@ -39,13 +41,22 @@ void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Learne
   std::vector<std::vector<Sighting>> chunks((paths + kChunk - 1) / kChunk);
   parallel_for(chunks.size(), [&](size_t chunk) {
     progress.check();
-    const size_t end = std::min(paths, (chunk + 1) * kChunk);
-    for (size_t index = chunk * kChunk; index < end; ++index) {
-      SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, index, paths));
-      const Vec2f film = numbers.pair(), lens = numbers.pair();
-      Trail trail(chunks[chunk]);
-      gather(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers, learned, trail);
-    }
+    std::array<std::vector<Sighting>, kMostAhead> seen;
+    const size_t begin = chunk * kChunk;
+    work_together(
+        std::min(paths - begin, kChunk),
+        [&](size_t i) {
+          SampleCursor numbers(rehearsal.sampler,
+                               rehearsal.sample_id(kSalt + salt, begin + i, paths));
+          const Vec2f film = numbers.pair(), lens = numbers.pair();
+          Trail trail(seen[i % kMostAhead]);
+          gather(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers, learned, trail);
+        },
+        [&](size_t i) {
+          std::vector<Sighting>& path = seen[i % kMostAhead];
+          chunks[chunk].insert(chunks[chunk].end(), path.begin(), path.end());
+          path.clear();
+        });
   });
   for (const std::vector<Sighting>& chunk : chunks)
     sightings.insert(sightings.end(), chunk.begin(), chunk.end());
@@ -60,34 +71,30 @@ std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64
   const size_t places = sightings.size() / step;
   const std::vector<BrightPatch>& patches = guide.patches();
   std::vector<Glance> glances(2 * places, Glance{{0, 0, 0}, kNothing, false});
-  parallel_for(
-      places,
-      [&](size_t place) {
-        progress.check();
-        const Sighting& at = sightings[place * step];
-        SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
-        const Cones cones = guide.at(at.point, at.normal);
-        for (size_t i = 2 * place; i < 2 * place + 2; ++i) {
-          const Vec2f which = numbers.pair(), u = numbers.pair();
-          auto patch = static_cast<uint32_t>(which.x * static_cast<float>(patches.size()));
-          if (i % 2 == 0) {
-            if (cones.size() == 0) continue;
-            patch = cones.name(cones.choose(which.x));
-          }
-          const Vec3f to = patches[patch].centre - at.point;
-          const float distance = length(to), radius = patches[patch].radius;
-          if (!(distance > radius)) continue;
-          const float sine = radius / distance, rim = one_minus_cosine(sine * sine);
-          const Vec3f direction = Frame(to / distance).to_world(direction_off_axis(rim * u.x, u.y));
-          if (!(dot(direction, at.normal) > 0)) continue;
-          Hit hit;
-          const bool found = rehearsal.world.intersect({at.point, direction}, hit);
-          const bool reached =
-              found && length(hit.surface.position - patches[patch].centre) <= radius;
-          glances[i] = {at.point, patch, reached};
-        }
-      },
-      64);
+  parallel_together(places, [&](size_t place) {
+    progress.check();
+    const Sighting& at = sightings[place * step];
+    SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
+    const Cones cones = guide.at(at.point, at.normal);
+    for (size_t i = 2 * place; i < 2 * place + 2; ++i) {
+      const Vec2f which = numbers.pair(), u = numbers.pair();
+      auto patch = static_cast<uint32_t>(which.x * static_cast<float>(patches.size()));
+      if (i % 2 == 0) {
+        if (cones.size() == 0) continue;
+        patch = cones.name(cones.choose(which.x));
+      }
+      const Vec3f to = patches[patch].centre - at.point;
+      const float distance = length(to), radius = patches[patch].radius;
+      if (!(distance > radius)) continue;
+      const float sine = radius / distance, rim = one_minus_cosine(sine * sine);
+      const Vec3f direction = Frame(to / distance).to_world(direction_off_axis(rim * u.x, u.y));
+      if (!(dot(direction, at.normal) > 0)) continue;
+      Hit hit;
+      const bool found = rehearsal.world.intersect({at.point, direction}, hit);
+      const bool reached = found && length(hit.surface.position - patches[patch].centre) <= radius;
+      glances[i] = {at.point, patch, reached};
+    }
+  });
   return taken(std::move(glances));
 }
 
@@ -107,28 +114,25 @@ std::vector<Glance> glance_at_lights(const Rehearsal& rehearsal, size_t most, ui
   const size_t step = std::max<size_t>(1, sightings.size() / std::max<size_t>(most, 1));
   const size_t places = sightings.size() / step;
   std::vector<Glance> glances(each * places, Glance{{0, 0, 0}, kNothing, false});
-  parallel_for(
-      places,
-      [&](size_t place) {
-        progress.check();
-        const Sighting& at = sightings[place * step];
-        SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
-        LitPoint point{at.point, at.normal};
-        if (world.medium() && place % 2 == 1) point = in_the_air(world, at, numbers);
-        for (size_t i = each * place; i < each * (place + 1); ++i) {
-          const float which = numbers.single();
-          const Vec2f u = numbers.pair();
-          const LightChoice chosen = world.lights().choose_in(i % branches, point, which);
-          if (chosen.light == kNoLight) continue;
-          const LightSample s = world.lights().sample(chosen.light, point, u);
-          if (!(s.pdf > 0) || (point.on_surface() && !(dot(s.direction, point.normal) > 0)) ||
-              is_black(unshadowed(world, s, kNoObject)))
-            continue;
-          glances[i] = {point.position, static_cast<uint32_t>(i % branches),
-                        !shadowed(world, {point.position, s.direction}, s.distance)};
-        }
-      },
-      64);
+  parallel_together(places, [&](size_t place) {
+    progress.check();
+    const Sighting& at = sightings[place * step];
+    SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
+    LitPoint point{at.point, at.normal};
+    if (world.medium() && place % 2 == 1) point = in_the_air(world, at, numbers);
+    for (size_t i = each * place; i < each * (place + 1); ++i) {
+      const float which = numbers.single();
+      const Vec2f u = numbers.pair();
+      const LightChoice chosen = world.lights().choose_in(i % branches, point, which);
+      if (chosen.light == kNoLight) continue;
+      const LightSample s = world.lights().sample(chosen.light, point, u);
+      if (!(s.pdf > 0) || (point.on_surface() && !(dot(s.direction, point.normal) > 0)) ||
+          is_black(unshadowed(world, s, kNoObject)))
+        continue;
+      glances[i] = {point.position, static_cast<uint32_t>(i % branches),
+                    !shadowed(world, {point.position, s.direction}, s.distance)};
+    }
+  });
   return taken(std::move(glances));
 }
 

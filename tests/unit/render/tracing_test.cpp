@@ -1,0 +1,246 @@
+// Rays through a RayTree against a loop over all triangles, and paths that wait together.
+#include <vug/base/parallel.h>
+#include <vug/base/rng.h>
+#include <vug/mesh/shapes.h>
+#include <vug/render/sampling.h>
+#include <vug/render/tracing/quads.h>
+#include <vug/render/tracing/together.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+namespace vug::render {
+namespace {
+
+float number(RandomStream& random) { return static_cast<float>(random.uniform(-1, 1)); }
+Vec3f point(RandomStream& random) {
+  const float x = number(random), y = number(random);
+  return {x, y, number(random)};
+}
+Vec3f direction(RandomStream& random) {
+  const auto u = static_cast<float>(random.uniform());
+  return sample_sphere({u, static_cast<float>(random.uniform())});
+}
+
+/// Triangles here and there; each third shares an edge with the one before it.
+mesh::MeshPtr strewn(size_t count, uint64_t seed) {
+  auto mesh = std::make_shared<mesh::Mesh>();
+  RandomStream random{RandomKey(seed)};
+  for (size_t i = 0; i < count; ++i) {
+    const auto first = static_cast<uint32_t>(mesh->positions.size());
+    const Vec3f middle = point(random);
+    if (i % 3 == 2) {
+      mesh->positions.push_back(middle);
+      const mesh::Triangle before = mesh->triangles.back();
+      mesh->triangles.push_back({before[2], before[1], first});
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) mesh->positions.push_back(middle + point(random) * 0.2f);
+    mesh->triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+struct Nearest {
+  double distance = 1e30;
+  uint32_t part = 0, triangle = 0;
+};
+/// In double precision, one triangle after the other.
+Nearest by_hand(const std::vector<RayTree::Part>& parts, const Ray& ray) {
+  Nearest nearest;
+  const Vec3d o(ray.origin), d(ray.direction);
+  for (const RayTree::Part& part : parts)
+    for (uint32_t i = 0; i < part.mesh->triangles.size(); ++i) {
+      const auto [a, b, c] = mesh::corners(*part.mesh, i);
+      const Vec3d ab = b - a, ac = c - a, p = d.cross(ac), s = o - a, q = s.cross(ab);
+      const double volume = p.dot(ab);
+      const double u = p.dot(s) / volume, v = q.dot(d) / volume, t = q.dot(ac) / volume;
+      if (u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t < nearest.distance)
+        nearest = {t, part.number, i};
+    }
+  return nearest;
+}
+
+TEST(Quads, HoldEachTriangleOnceInItsOrder) {
+  const mesh::MeshPtr strewn_mesh = strewn(1000, 1);
+  const mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 4);
+  for (const mesh::Mesh* mesh : {strewn_mesh.get(), &ball}) {
+    const std::vector<Quad> quads = paired(*mesh);
+    std::set<uint32_t> seen;
+    for (const Quad& quad : quads)
+      for (size_t half = 0; half < 2; ++half) {
+        const auto [triangle, turn] = quad.halves[half];
+        if (triangle == Quad::kNoTriangle) continue;
+        EXPECT_TRUE(seen.insert(triangle).second);
+        const auto& c = quad.corners;
+        const std::array<uint32_t, 3> begun = half == 0 ? std::array<uint32_t, 3>{c[0], c[1], c[3]}
+                                                        : std::array<uint32_t, 3>{c[2], c[3], c[1]};
+        for (size_t k = 0; k < 3; ++k)
+          EXPECT_EQ(begun[k], mesh->triangles[triangle][(k + turn) % 3]);
+      }
+    EXPECT_EQ(seen.size(), mesh->triangles.size());
+  }
+  // A closed mesh leaves few without a partner.
+  EXPECT_LT(static_cast<double>(paired(ball).size()),
+            0.56 * static_cast<double>(ball.triangles.size()));
+}
+
+TEST(RayTree, FindsWhatALoopOverAllTrianglesFinds) {
+  const std::vector<RayTree::Part> parts{{strewn(700, 1), 3}, {strewn(500, 2), 7}};
+  const RayTree tree(parts);
+  RandomStream random{RandomKey(3)};
+  int found = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Ray ray{point(random) * 1.5f, direction(random)};
+    // Along the axes, too, and from so far away that planes of boxes are rounded off.
+    if (i % 10 == 0) ray.direction = Vec3f(0.0f), ray.direction[i / 10 % 3] = i % 20 ? 1.f : -1.f;
+    if (i % 10 == 1) ray.origin -= ray.direction * 30;
+    const Nearest wanted = by_hand(parts, ray);
+    RaySearch search(tree, ray, kFar, RaySearch::Aim::nearest);
+    search.go();
+    ASSERT_EQ(search.found(), wanted.distance < 1e30) << i;
+    if (!search.found()) continue;
+    ++found;
+    EXPECT_EQ(search.part(), wanted.part);
+    EXPECT_EQ(search.triangle(), wanted.triangle) << i;
+    EXPECT_NEAR(static_cast<double>(search.distance()), wanted.distance,
+                2e-5 * (1 + wanted.distance));
+    const mesh::Mesh& mesh = *parts[search.part() == 3 ? 0 : 1].mesh;
+    for (size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(search.corners()[k], mesh.positions[mesh.triangles[search.triangle()][k]]);
+
+    const auto blocked = [&](double part) {
+      RaySearch any(tree, ray, static_cast<float>(wanted.distance * part), RaySearch::Aim::any);
+      any.go();
+      return any.found();
+    };
+    EXPECT_FALSE(blocked(0.999));
+    EXPECT_TRUE(blocked(1.001));
+  }
+  EXPECT_GT(found, 1000);
+}
+
+TEST(RayTree, LetsNoRayOutOfAClosedMesh) {
+  const auto ball = std::make_shared<mesh::Mesh>(mesh::sphere_mesh(Vec3d(0), 1, 5));
+  const RayTree tree({{ball, 0}});
+  RandomStream random{RandomKey(4)};
+  for (int i = 0; i < 200000; ++i) {
+    // At corners and at edges, where triangles meet.
+    const mesh::Triangle& t =
+        ball->triangles[random.below(static_cast<uint32_t>(ball->triangles.size()))];
+    const float part = i % 2 ? 0 : static_cast<float>(random.uniform());
+    const Vec3f at = ball->positions[t[0]] * (1 - part) + ball->positions[t[1]] * part;
+    const Vec3f from = point(random) * 0.5f;
+    RaySearch search(tree, {from, normalized(at - from)}, kFar, RaySearch::Aim::nearest);
+    search.go();
+    ASSERT_TRUE(search.found()) << i;
+  }
+}
+
+TEST(RayTree, OfNothingOfOneAndOfManyInOnePlace) {
+  const Ray down{{0.2f, 1, 0.2f}, {0, -1, 0}};
+  const auto hits = [&](const RayTree& tree) {
+    RaySearch search(tree, down, kFar, RaySearch::Aim::nearest);
+    search.go();
+    return search.found();
+  };
+  EXPECT_FALSE(hits(RayTree()));
+  EXPECT_FALSE(hits(RayTree(std::vector<RayTree::Part>())));
+  auto mesh = std::make_shared<mesh::Mesh>();
+  mesh->positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+  mesh->triangles = {{0, 1, 2}};
+  EXPECT_TRUE(hits(RayTree({{mesh, 0}})));
+  mesh->triangles.assign(5000, {0, 1, 2});
+  EXPECT_TRUE(hits(RayTree({{mesh, 0}})));
+  mesh->triangles.assign(3, {0, 0, 0});  // no area
+  EXPECT_FALSE(hits(RayTree({{mesh, 0}})));
+}
+
+TEST(RayTree, IsTheSameForAnyNumberOfThreads) {
+  const std::vector<RayTree::Part> parts{{strewn(20000, 5), 0}};
+  const auto told = [&](int threads) {
+    const ThreadLimit limit(threads);
+    const RayTree tree(parts);
+    std::vector<std::pair<uint32_t, float>> all;
+    RandomStream random{RandomKey(6)};
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3f from = point(random);
+      RaySearch search(tree, {from, direction(random)}, kFar, RaySearch::Aim::nearest);
+      search.go();
+      all.emplace_back(search.found() ? search.triangle() : ~0u, search.distance());
+    }
+    return std::pair(tree.bytes(), all);
+  };
+  EXPECT_EQ(told(1), told(7));
+}
+
+TEST(Together, WorkIsWhatALoopDoes) {
+  const RayTree tree({{strewn(2000, 7), 0}});
+  // Paths of different lengths that turn where they meet something.
+  const auto path = [&](size_t index) {
+    RandomStream random{RandomKey(index)};
+    Vec3f at = point(random);
+    float length = 0;
+    for (size_t k = 0; k <= index % 13; ++k) {
+      const Vec3f way = direction(random);
+      const auto aim = k % 3 == 2 ? RaySearch::Aim::any : RaySearch::Aim::nearest;
+      RaySearch search(tree, {at, way}, 1, aim);
+      finish(search);
+      length += search.found() ? 0.5f * search.distance() : 1;
+      at += way * (0.5f * search.distance());
+    }
+    return length;
+  };
+  for (const size_t count : {0u, 1u, 5u, 16u, 1000u}) {
+    std::array<float, kMostAhead> results{};
+    std::vector<float> in_order;
+    work_together(
+        count, [&](size_t i) { results[i % kMostAhead] = path(i); },
+        [&](size_t i) {
+          EXPECT_EQ(i, in_order.size());
+          in_order.push_back(results[i % kMostAhead]);
+        });
+    ASSERT_EQ(in_order.size(), count);
+    std::vector<float> parallel(count);
+    parallel_together(count, [&](size_t i) { parallel[i] = path(i); });
+    for (size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(in_order[i], path(i));
+      EXPECT_EQ(parallel[i], path(i));
+    }
+  }
+}
+
+TEST(Together, ThrowsWhatWorkThrows) {
+  const RayTree tree({{strewn(2000, 7), 0}});
+  const auto look = [&](size_t i) {
+    RandomStream random{RandomKey(i)};
+    const Vec3f from = point(random);
+    RaySearch search(tree, {from, direction(random)}, kFar, RaySearch::Aim::nearest);
+    finish(search);
+  };
+  std::vector<size_t> came_back;
+  const auto work = [&](size_t i) {
+    look(i);
+    if (i == 40) throw std::runtime_error("no more");
+    look(i);
+  };
+  EXPECT_THROW(work_together(1000, work, [&](size_t i) { came_back.push_back(i); }),
+               std::runtime_error);
+  std::vector<size_t> before(40);
+  std::iota(before.begin(), before.end(), size_t{0});
+  EXPECT_EQ(came_back, before);
+  EXPECT_THROW(work_together(1000, look, [](size_t) { throw std::runtime_error("full"); }),
+               std::runtime_error);
+  // And all is as before.
+  came_back.clear();
+  work_together(100, look, [&](size_t i) { came_back.push_back(i); });
+  EXPECT_EQ(came_back.size(), 100u);
+}
+
+}  // namespace
+}  // namespace vug::render
