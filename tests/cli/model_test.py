@@ -85,6 +85,23 @@ class Modelling(VugTest):
                    "--carve", "small.vdb")
         self.assertIn("panes", self.expect(0, "info", "small.vdb").out)
 
+    def test_what_is_carved_keeps_a_recipe_with_all_measures(self):
+        self.write("own.vug", "grammar own: facade {\n width 2m\n height 2m\n axiom A\n"
+                              " A -> inset(50cm, window(panes: [1, 1], head: round))\n}\n")
+        begin = ("--grammar", "own.vug", "--apply", "0 inset")
+        self.model(*begin, "--scene", "again.vug", "--carve", "own.vdb", "--thickness", "80cm")
+        window = "window(panes: [1, 1], head: round)"
+        self.assertIn(window, (self.folder / "again.vug").read_text())
+        recipe = self.expect(0, "recipe", "own.vdb").out
+        self.assertIn(window, recipe)
+        self.assertIn("thickness 0.8m", recipe)
+        self.write("recipe.vug", recipe)
+        self.expect(0, "build", "recipe.vug", "-o", "rebuilt")
+        first, second = (json.loads(self.expect(0, "info", name, "--json").out)
+                         for name in ("own.vdb", "rebuilt/recipe.vdb"))
+        self.assertEqual([g["active_voxels"] for g in first["grids"]],
+                         [g["active_voxels"] for g in second["grids"]])
+
     def test_edits_in_the_order_of_the_command(self):
         self.model(*BEGIN[2:], "--edit", "apply 0 rows", "--apply", "0.1 repeat count=3",
                    "--edit", "retract 0.1", "--act", "0.1 Grid", "-o", "o.json")

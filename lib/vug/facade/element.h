@@ -23,15 +23,17 @@ struct Solids {
 /// A window, a door, ... of a kind, with its measures. Shared and immutable.
 class Element {
  public:
-  explicit Element(std::string kind) : kind_(std::move(kind)) {}
+  Element(std::string kind, std::string text) : kind_(std::move(kind)), text_(std::move(text)) {}
   virtual ~Element() = default;
   /// The kind's name: "window".
   const std::string& kind() const { return kind_; }
+  /// As scenes write it, with the measures that were told: "window(reveal: 20cm)".
+  const std::string& text() const { return text_; }
   /// In a rectangle of that size in metres. Error(bad_input) where the measures leave nothing.
   virtual Solids solids(double width, double height) const = 0;
 
  private:
-  std::string kind_;
+  std::string kind_, text_;
 };
 using ElementPtr = std::shared_ptr<const Element>;
 
@@ -39,20 +41,30 @@ using ElementKind = Kind<ElementPtr>;
 /// Made from the list in CMakeLists.txt.
 const Kinds<ElementPtr>& elements();
 
+/// An element of that kind with arguments that its schema has accepted, as scenes write it.
+std::string element_text(const KindInfo& kind, const Arguments& arguments);
+
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
 /// `Solids solids(double width, double height) const`.
 template <class P>
 ElementKind element_kind(const std::string& name) {
   struct Made final : Element {
-    Made(const std::string& kind, const P& p) : Element(kind), params(p) {}
+    Made(const KindInfo& kind, const Arguments& arguments, const P& p)
+        : Element(kind.name, element_text(kind, arguments)), params(p) {}
     Solids solids(double width, double height) const override {
       return params.solids(width, height);
     }
     P params;
   };
-  return make_kind<ElementPtr, P>(name, "element", [name](const P& params) -> ElementPtr {
-    return std::make_shared<const Made>(name, params);
-  });
+  Schema<P> schema(name, "element");
+  P::describe(schema);
+  return {schema.info(),
+          [schema](const Arguments& arguments, const SourceLocation& where,
+                   Diagnostics& diagnostics) -> std::optional<ElementPtr> {
+            const std::optional<P> params = schema.bind(arguments, where, diagnostics);
+            if (!params) return std::nullopt;
+            return std::make_shared<const Made>(schema.info(), arguments, *params);
+          }};
 }
 
 }  // namespace vug::facade

@@ -46,9 +46,11 @@ class Writer {
     for (size_t i = 0; i < tree_.nodes.size(); ++i)
       if (tree_.nodes[i].parent < 0) axiom += fmt::format(" {}", part(static_cast<int>(i)));
     if (axiom.empty()) axiom = " wall";
-    std::string out = fmt::format("grammar {}: facade {{\n  width {}\n  height {}\n  axiom{}\n",
+    std::string out = fmt::format("grammar {}: facade {{\n  width {}\n  height {}\n",
                                   options_.name.empty() ? tree_.name : options_.name,
-                                  length(tree_.width), length(tree_.height), axiom);
+                                  length(tree_.width), length(tree_.height));
+    if (options_.thickness > 0) out += fmt::format("  thickness {}\n", length(options_.thickness));
+    out += fmt::format("  axiom{}\n", axiom);
     // Written from the leaves up; read from the axiom down.
     for (size_t i = rules_.size(); i-- > 0;) out += fmt::format("\n  {}\n", rules_[i]);
     return out + "}\n";
@@ -60,10 +62,7 @@ class Writer {
   /// What stands for the node in a rule: an element, or a symbol whose rule is written.
   std::string part(int i) {
     const Node& it = node(i);
-    if (it.element) {
-      const auto found = options_.elements.find(it.element->kind());
-      return found == options_.elements.end() ? it.element->kind() : found->second;
-    }
+    if (it.element) return it.element->text();
     if (it.children.empty()) return "wall";
     const std::string items = body(i);
     std::string base = it.symbol;

@@ -4,20 +4,18 @@
 
 #include <vug/facade/tree.h>
 
-#include <map>
 #include <string>
 
 namespace vug::facade {
 
 struct GrammarTextOptions {
-  std::string name;  ///< Of the grammar; empty: the tree's.
-  /// What to write for elements of a kind, such as "window(reveal: 20cm)"; without an entry its
-  /// name, which means the kind's usual measures.
-  std::map<std::string, std::string> elements;
+  std::string name;      ///< Of the grammar; empty: the tree's.
+  double thickness = 0;  ///< Of a wall that it is carved into, metres; 0: as is usual.
 };
 
 /// `grammar NAME: facade { ... }` with all sizes, in millimetres. It derives to the same elements
-/// at the same places, within a millimetre. Trees without nodes are a bare wall.
+/// with the measures that they were told, at the same places within a millimetre. Trees without
+/// nodes are a bare wall.
 std::string grammar_text(const Tree& tree, const GrammarTextOptions& options = {});
 
 }  // namespace vug::facade

@@ -49,17 +49,19 @@ double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
   return std::max(0.0, static_cast<double>(median(std::move(depths))));
 }
 
-/// Of carved windows; nothing where what was seen is no more than depths err by.
+/// Of carved windows, in whole centimetres; nothing where what was seen is no more than depths err
+/// by.
 std::optional<double> window_reveal(const FacadeFit& fit) {
   constexpr double kLeast = 0.02, kMost = 0.4;  // metres
-  return fit.reveal > kLeast ? std::optional(std::min(fit.reveal, kMost)) : std::nullopt;
+  if (!(fit.reveal > kLeast)) return std::nullopt;
+  return std::round(100 * std::min(fit.reveal, kMost)) / 100;
 }
 
 void set_reveal(FacadeFit& fit) {
   const std::optional<double> reveal = window_reveal(fit);
   if (!reveal) return;
   const facade::ElementPtr window =
-      make_product(facade::elements(), "window", {{"reveal", *reveal}});
+      make_product(facade::elements(), "window", {{"reveal", Number{*reveal, Dimension::length}}});
   for (facade::Node& node : fit.tree.nodes)
     if (node.element && node.element->kind() == "window") node.element = window;
 }
@@ -110,11 +112,7 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
 double facade_voxel(const FacadeFit& fit) { return fit.tree.height > 8 ? 0.04 : 0.02; }
 
 std::string facade_grammar(const FacadeFit& fit, const std::string& name) {
-  facade::GrammarTextOptions options;
-  options.name = name;
-  if (const std::optional<double> reveal = window_reveal(fit))
-    options.elements["window"] = fmt::format("window(reveal: {:.2f}m)", *reveal);
-  return facade::grammar_text(fit.tree, options);
+  return facade::grammar_text(fit.tree, {.name = name});
 }
 
 std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& file) {

@@ -1,4 +1,5 @@
 #include <vug/facade/carve.h>
+#include <vug/facade/grammar_output.h>
 #include <vug/field/affine.h>
 #include <vug/scene/parser.h>
 #include <vug/session/data_folders.h>
@@ -75,6 +76,24 @@ Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options) {
   if (filled)
     add("panes", field::transformed(facade::carve(tree).fill, frame.transform(tree.width)),
         std::min(kPaneVoxel, options.voxel));
+  return out;
+}
+
+Loaded load_carving(const facade::Tree& tree, const FacadeCarving& options, std::string scene,
+                    const std::string& file) {
+  Shot shot = facade_shot(tree, options);
+  if (scene.empty()) {
+    scene = facade::grammar_text(tree, {.name = tree.name, .thickness = options.thickness});
+    for (const auto& volume : shot.volumes)
+      scene += fmt::format(
+          "\nvolume {} = level_set({}, voxel: {}m)\n", volume->name,
+          volume == shot.volumes.front() ? tree.name : fmt::format("infill({})", tree.name),
+          volume->voxel);
+  }
+  Loaded out = load_text(std::move(scene), file);
+  if (!out.usable()) return out;
+  shot.recipe = out.shot.recipe, shot.seed = out.shot.seed;
+  out.shot = std::move(shot);
   return out;
 }
 

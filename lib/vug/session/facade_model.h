@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/modeller/session.h>
-#include <vug/session/shot.h>
+#include <vug/session/load.h>
 
 #include <filesystem>
 
@@ -26,5 +26,10 @@ struct FacadeCarving {
 /// (with voxels of a centimetre at most; only where the wall's are fine enough for their frames).
 /// Nodes that are open are plain wall.
 Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options);
+
+/// The same with the recipe of a scene that carves it, and what was said of that scene. `scene` is
+/// its text, empty for one of the tree alone; `file` names it.
+Loaded load_carving(const facade::Tree& tree, const FacadeCarving& options, std::string scene,
+                    const std::string& file);
 
 }  // namespace vug::session

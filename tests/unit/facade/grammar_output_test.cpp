@@ -57,12 +57,26 @@ TEST(GrammarText, KeepsWhatWasDrawn) {
 }
 
 TEST(GrammarText, IsShortWhereTheFacadeIs) {
-  const Sample sample = facade_of("axiom A\nA -> grid(window, columns: 4, rows: 3, gap: 1m)");
-  EXPECT_EQ(
-      grammar_text(sample.tree, {.name = "front", .elements = {{"window", "window(sash: 0)"}}}),
-      "grammar front: facade {\n  width 12m\n  height 9m\n  axiom A\n\n"
-      "  A -> grid(window(sash: 0), columns: 4, rows: 3, gap: [1m, 1m], "
-      "margin: [0m, 0m, 0m, 0m])\n}\n");
+  const Sample sample =
+      facade_of("axiom A\nA -> grid(window(sash: 0), columns: 4, rows: 3, gap: 1m)");
+  EXPECT_EQ(grammar_text(sample.tree, {.name = "front", .thickness = 1.25}),
+            "grammar front: facade {\n  width 12m\n  height 9m\n  thickness 1.25m\n  axiom A\n\n"
+            "  A -> grid(window(sash: 0), columns: 4, rows: 3, gap: [1m, 1m], "
+            "margin: [0m, 0m, 0m, 0m])\n}\n");
+}
+
+TEST(GrammarText, TellsTheMeasuresOfElements) {
+  const std::string rules =
+      "axiom A\nA -> columns(1, window(12cm, panes: [1, 2]), 1, W, 1, door(panels: 0))\n"
+      "W -> window(head: round, reveal: 33cm)";
+  const Sample first = facade_of(rules);
+  const std::string text = grammar_text(first.tree);
+  EXPECT_NE(text.find("window(sash: 0.12m, panes: [1, 2])"), std::string::npos) << text;
+  EXPECT_NE(text.find("window(head: round, reveal: 0.33m)"), std::string::npos) << text;
+  EXPECT_NE(text.find("door(panels: 0)"), std::string::npos) << text;
+  const Sample again(text, 0, first.tree.width, first.tree.height);
+  EXPECT_EQ(again.said, "") << text;
+  EXPECT_EQ(grammar_text(again.tree), text);
 }
 
 TEST(GrammarText, OfNothingIsAWall) {

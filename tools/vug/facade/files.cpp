@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <vug/image/io.h>
 #include <vug/scan/doubts.h>
+#include <vug/session/write.h>
 
 #include <cstdio>
 
@@ -24,6 +25,15 @@ void write_plain_png(const fs::path& file, const image::Image& picture) {
   plain.transform = image::ViewTransform::srgb;
   plain.dither = false;
   image::write_png(file, picture, plain);
+}
+
+void write_carving(const session::Loaded& loaded, const WorkOptions& work, const fs::path& vdb) {
+  if (!loaded.usable()) {
+    fmt::print(stderr, "{}", loaded.report());
+    throw Error(ErrorCode::bad_input, "the facade cannot be carved");
+  }
+  session::Builder builder(loaded.shot, work.build_options(loaded), terminal_progress(work.bar()));
+  session::write_volumes(builder, vdb);
 }
 
 void warn_of_doubts(const scan::Cloud& cloud, const scan::PlaneFit& plane,

@@ -1,6 +1,8 @@
 // What verbs of facades write and say beside their results.
 #pragma once
 
+#include "load.h"
+
 #include <vug/image/image.h>
 #include <vug/scan/range_image.h>
 
@@ -14,6 +16,11 @@ std::string seen_from(const std::filesystem::path& folder, const std::filesystem
 
 /// A PNG of the picture as it is: no view transform but sRGB, no dither.
 void write_plain_png(const std::filesystem::path& file, const image::Image& picture);
+
+/// Builds and writes the volumes of a facade that is carved, with its recipe. Error(bad_input)
+/// where its scene cannot be used, after that was told.
+void write_carving(const session::Loaded& loaded, const WorkOptions& work,
+                   const std::filesystem::path& vdb);
 
 /// What speaks against a facade in a scan, on stderr.
 void warn_of_doubts(const scan::Cloud& cloud, const scan::PlaneFit& plane,

@@ -13,7 +13,6 @@
 #include <vug/scan/report.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
-#include <vug/session/write.h>
 
 #include <cctype>
 #include <cstdio>
@@ -43,22 +42,6 @@ std::string name_of(const std::string& text) {
   if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || own)
     out = "facade_" + out;
   return out;
-}
-
-/// As sessions are carved; the scene is the recipe that the file keeps.
-void carve(const session::FacadeFit& fit, const std::string& scene, const fs::path& file,
-           const fs::path& vdb, const Options& options, Progress& progress) {
-  session::Loaded loaded = session::load_text(scene, file.string());
-  if (!loaded.usable()) {
-    fmt::print(stderr, "{}", loaded.report());
-    throw Error(ErrorCode::bad_input, "what was found cannot be carved");
-  }
-  session::Shot shot = session::facade_shot(
-      fit.tree, {.voxel = session::facade_voxel(fit), .prefix = options.name + "_"});
-  shot.recipe = loaded.shot.recipe, shot.seed = loaded.shot.seed;
-  loaded.shot = std::move(shot);
-  session::Builder builder(loaded.shot, options.work.build_options(loaded), progress);
-  session::write_volumes(builder, vdb);
 }
 
 /// What is to be read, and with a cloud what the scanner saw of it.
@@ -177,7 +160,11 @@ int run(Options options) {
   write_text(report, fit::report_json(fit.reading.report));
   write_text(charts, fit::report_svg(fit.reading.report));
   const bool stopped = fit.reading.report.stopped;
-  if (!options.no_carving && !stopped) carve(fit, scene, scene_file, carved, options, progress);
+  if (!options.no_carving && !stopped)
+    write_carving(session::load_carving(
+                      fit.tree, {.voxel = session::facade_voxel(fit), .prefix = options.name + "_"},
+                      scene, scene_file.string()),
+                  options.work, carved);
   clear_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
   if (fit.reading.seen.empty())

@@ -15,7 +15,6 @@
 #include <vug/image/io.h>
 #include <vug/modeller/retrace.h>
 #include <vug/session/facade_model.h>
-#include <vug/session/write.h>
 
 namespace vug::cli {
 namespace {
@@ -157,15 +156,6 @@ void draw(const Options& options, const modeller::Session& session) {
   write_text(options.svg, facade::elevation_svg(session.now().tree(), drawing));
 }
 
-void carve(const Options& options, const modeller::State& state) {
-  session::Loaded loaded;
-  loaded.shot = session::facade_shot(state.tree(), options.carving);
-  session::Builder builder(loaded.shot, options.work.build_options(loaded),
-                           terminal_progress(options.work.bar()));
-  session::write_volumes(builder, options.carve);
-  clear_bar();
-}
-
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   std::vector<fs::path> outputs, inputs;
@@ -185,7 +175,12 @@ int run(Options options) {
   const modeller::State& state = session.now();
   if (!options.svg.empty()) draw(options, session);
   if (!options.scene.empty()) write_text(options.scene, facade::grammar_text(state.tree()));
-  if (!options.carve.empty()) carve(options, state);
+  if (!options.carve.empty()) {
+    const fs::path scene = fs::path(options.carve).replace_extension(".vug");
+    write_carving(session::load_carving(state.tree(), options.carving, {}, scene.string()),
+                  options.work, options.carve);
+    clear_bar();
+  }
   if (!options.output.empty()) save(options, session);
   if (options.list) fmt::print("{}", list_text(state, *options.list));
   if (options.theta) fmt::print("{}\n", facade::theta(state.tree()));
