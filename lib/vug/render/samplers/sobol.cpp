@@ -8,6 +8,8 @@
 // instead of its base-4 tree: 8 of 24 orders of each quad occur, at a fraction of the cost.
 #include <vug/render/kind.h>
 
+#include <immintrin.h>
+
 namespace vug::render {
 namespace {
 
@@ -46,13 +48,9 @@ uint32_t times_pascal(uint32_t v) {
   return v ^ (v >> 16);
 }
 
-uint64_t spread(uint32_t v) {  // a zero between every two bits
-  uint64_t x = v;
-  x = (x | (x << 16)) & 0x0000ffff0000ffffull;
-  x = (x | (x << 8)) & 0x00ff00ff00ff00ffull;
-  x = (x | (x << 4)) & 0x0f0f0f0f0f0f0f0full;
-  x = (x | (x << 2)) & 0x3333333333333333ull;
-  return (x | (x << 1)) & 0x5555555555555555ull;
+/// Bits of x and y in turn: the place on the Morton curve.
+uint64_t interleaved(uint32_t x, uint32_t y) {
+  return _pdep_u64(x, 0x5555555555555555ull) | _pdep_u64(y, 0xaaaaaaaaaaaaaaaaull);
 }
 
 uint64_t mix(uint64_t v) {  // finaliser of SplitMix64 (Steele et al. 2014)
@@ -87,7 +85,7 @@ class SobolSampler final : public Sampler {
   /// goes into the seed.
   static Place locate(const SampleId& id, uint32_t dimension) {
     const int bits = id.spp > 1 ? 32 - __builtin_clz(id.spp - 1) : 0;
-    const uint64_t along = ((spread(id.x) | spread(id.y) << 1) << bits) | id.index;
+    const uint64_t along = (interleaved(id.x, id.y) << bits) | id.index;
     const uint64_t a = mix(id.seed + 0x9e3779b97f4a7c15ull * (dimension + 1) +
                            (along >> 32) * 0xd1342543de82ef95ull);
     const uint64_t b = mix(a + 0x9e3779b97f4a7c15ull);
