@@ -208,6 +208,7 @@ LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds)
       const double rest = std::clamp((tooth - passed) / width, 0.0, 0x1.fffffffffffffp-1);
       LightChoice choice = choose_in(branches_[i], rest, weight);
       choice.probability *= expected;
+      choice.seen = weight.seen(i);
       if (choice.light != kNoLight) choices.add(choice);
       tooth += 1;
     }

@@ -35,6 +35,7 @@ struct LightOdds {
 struct LightChoice {
   LightId light = kNoLight;
   float probability = 0;
+  float seen = 1;  ///< The factor of its branch, by how often that is in sight.
 };
 
 /// The lights that one place turns to.

@@ -1,6 +1,7 @@
 // Direct light on a white floor against closed forms: radiance = irradiance / pi.
 #include "scenes.h"
 
+#include <vug/base/rng.h>
 #include <vug/image/io.h>
 
 #include <gtest/gtest.h>
@@ -134,6 +135,43 @@ TEST(Irradiance, SkyImageIsTheRightWayUpAndRound) {
   const double pyramid = std::pow(std::sin(w) / w, 2);
   expect_radiance(lit({light}, 1024),
                   100 * texel * std::sin(polar) * std::cos(polar) * pyramid / kPi);
+}
+
+/// Lambert's formula for the irradiance of a polygon above the horizon, by its edges.
+double irradiance(const std::vector<Vec3d>& corners, const Vec3d& normal) {
+  double sum = 0;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const Vec3d a = corners[i].normalized(), b = corners[(i + 1) % corners.size()].normalized();
+    const Vec3d edge = a.cross(b);
+    sum += std::atan2(edge.length(), a.dot(b)) * edge.normalized().dot(normal);
+  }
+  return std::fabs(sum) / 2;
+}
+
+/// A few thousand small triangles under a ceiling, as a tree chooses them and the exact sum.
+TEST(Irradiance, OfManyTrianglesIsExactAndHasLittleNoise) {
+  RandomStream random{RandomKey(17)};
+  mesh::Mesh mesh;
+  double exact = 0;
+  for (uint32_t i = 0; i < 3000; ++i) {
+    const double x = random.uniform(-3, 3), z = random.uniform(-3, 3),
+                 r = random.uniform(0.01, 0.04);
+    const std::vector<Vec3d> corners = {{x, 1, z}, {x + r, 1, z}, {x, 1, z + r}};
+    for (const Vec3d& corner : corners) mesh.positions.push_back(Vec3f(corner));
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    exact += irradiance(corners, {0, 1, 0});
+  }
+  Scene scene;
+  scene.objects.push_back(object(floor_mesh(5), 0.5));
+  scene.objects.push_back(object(std::move(mesh), 0));
+  scene.objects.back().emission = Rgb(1);
+  scene.camera = view({4, 0.9, 0}, {0, 0, 0}, 0.001);
+  const image::Image picture = render(scene, options(48, 48, 16, 0));
+  const Mean mean = mean_of(picture, "G");
+  EXPECT_NEAR(mean.value, 0.5 / kPi * exact, 4 * mean.error);
+  // Of one sample, over the mean.
+  const double noise = mean.error * 48 * std::sqrt(16.0) / mean.value;
+  EXPECT_LT(noise, 0.08);  // 0.17 without weighing a few lights for each ray, 0.05 with it
 }
 
 }  // namespace

@@ -1,44 +1,92 @@
 #include <vug/render/paths/direct.h>
 #include <vug/render/tally.h>
 
+#include <algorithm>
+
 namespace vug::render {
 namespace {
 
-Rgb light_from(const World& world, const LightChoice& chosen, const Hit& hit,
-               const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex, const Vec2f& u,
-               TrackingNumbers& numbers, Tally* tally) {
+/// Lights that are weighed for each shadow ray where a tree chooses them: that costs a part of the
+/// ray, and knows the surface, the lamp's shape and its direction as no tree does. Few lamps are
+/// chosen well enough by what they tell themselves.
+constexpr float kCandidates = 3;
+/// Part of the shadow rays that go to candidates evenly: what is thought to be hidden may be seen.
+constexpr float kEven = 0.05f;
+
+/// Light that arrives unless a wall or the medium keeps it back.
+struct Candidate {
+  LightId from = kNoLight;
+  Ray ray;
+  float distance = 0;
+  /// Scattered towards the viewer for each unit of light, over the density; and its diffuse part.
+  Rgb scattering{0, 0, 0}, diffuse{0, 0, 0};
+  Rgb light{0, 0, 0};
+  float weight = 0;  ///< What is expected of its shadow ray.
+};
+
+Candidate candidate(const World& world, const LightChoice& chosen, const Hit& hit,
+                    const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex,
+                    const Vec2f& u) {
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
   const bool behind = !(dot(s.direction, hit.surface.geometric_normal) > 0);
-  if (!(s.pdf > 0) || (behind && vertex.point.on_surface())) return Rgb(0.0f);
+  if (!(s.pdf > 0) || (behind && vertex.point.on_surface())) return {};
   const Vec3f in = frame.to_local(s.direction);
-  if (behind ? !(in.z < 0) : !(in.z > 0)) return Rgb(0.0f);
+  if (behind ? !(in.z < 0) : !(in.z > 0)) return {};
   const Scattering scattering = bsdf.evaluate(in, s.direction);
   const Rgb f = scattering.total();
   const Rgb light = unshadowed(world, s, hit.object);
-  const Ray ray{behind ? hit.behind : hit.origin, s.direction};
-  if (is_black(f) || is_black(light) || shadowed(world, ray, s.distance)) return Rgb(0.0f);
   const float direct = s.distance == kFar
                            ? world.lights().sky_pdf(vertex.point, vertex.odds, s.direction)
                            : chosen.probability * s.pdf;
   const float density = direct + scattering.pdf;
-  if (!(density > 0)) return Rgb(0.0f);
-  const float weight = clear_part(world, ray, s.distance, numbers) / density;
-  if (tally && s.distance == kFar)
-    tally->note_sky(world, hit.object, s.direction, f * weight, scattering.diffuse * weight);
+  if (is_black(f) || is_black(light) || !(density > 0)) return {};
+  Candidate c{chosen.light, {behind ? hit.behind : hit.origin, s.direction}, s.distance};
+  c.scattering = f * (1 / density), c.diffuse = scattering.diffuse * (1 / density);
+  c.light = light;
+  c.weight = luminance(c.scattering * light) * chosen.seen;
+  return c;
+}
+
+Rgb arriving(const World& world, const Candidate& c, const Hit& hit, float probability,
+             TrackingNumbers& numbers, Tally* tally) {
+  if (shadowed(world, c.ray, c.distance)) return Rgb(0.0f);
+  const float part = clear_part(world, c.ray, c.distance, numbers) / probability;
+  if (tally && c.distance == kFar)
+    tally->note_sky(world, hit.object, c.ray.direction, c.scattering * part, c.diffuse * part);
   else if (tally)
-    tally->note(world.lights().group(chosen.light), f * light * weight,
-                scattering.diffuse * light * weight);
-  return f * light * weight;
+    tally->note(world.lights().group(c.from), c.scattering * c.light * part,
+                c.diffuse * c.light * part);
+  return c.scattering * c.light * part;
 }
 
 }  // namespace
 
 Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
-                 PathVertex& vertex, float choice, const Vec2f& u, TrackingNumbers& numbers,
+                 PathVertex& vertex, const Vec2f& choice, const Vec2f& u, TrackingNumbers& numbers,
                  Tally* tally) {
+  const float rays = vertex.odds.samples;
+  if (world.lights().branches() < world.lights().size())
+    vertex.odds.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMost));
+  std::array<Candidate, LightChoices::kMost> candidates;
+  size_t size = 0;
+  float all = 0;
+  for (const LightChoice& chosen : world.lights().choose(vertex.point, choice.x, vertex.odds)) {
+    candidates[size] = candidate(world, chosen, hit, bsdf, frame, vertex, u);
+    if (candidates[size].weight > 0) all += candidates[size++].weight;
+  }
+  // Systematic sampling, as where lights are chosen.
+  const auto count = static_cast<float>(size);
+  const float proportional = rays * (1 - kEven) / all, even = rays * kEven / count;
   Rgb sum(0.0f);
-  for (const LightChoice& chosen : world.lights().choose(vertex.point, choice, vertex.odds))
-    sum += light_from(world, chosen, hit, bsdf, frame, vertex, u, numbers, tally);
+  float passed = 0, tooth = choice.y;
+  for (size_t i = 0; i < size; ++i) {
+    const float probability =
+        count <= rays ? 1 : std::min(1.0f, proportional * candidates[i].weight + even);
+    passed += probability;
+    if (!(tooth < passed)) continue;
+    tooth += 1;
+    sum += arriving(world, candidates[i], hit, probability, numbers, tally);
+  }
   return sum;
 }
 

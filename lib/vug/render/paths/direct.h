@@ -9,10 +9,14 @@
 
 namespace vug::render {
 
-/// Direct light at a surface, scattered towards the viewer, by as many lights as `vertex.odds` asks
-/// for; the odds are told the rest. `tally` may be null.
+/// Direct light at a surface, scattered towards the viewer, by as many shadow rays as `vertex.odds`
+/// asks for samples. A few times as many lights are weighed for it by what they would give if
+/// nothing stood in between (resampled importance sampling: Talbot, Cline, Egbert 2005,
+/// "Importance resampling for global illumination", cite talbot2005resampling); the odds are told
+/// how these were chosen, by which rays that meet a light are weighed. `choice`: of lights to
+/// weigh, and of those that get a ray. `tally` may be null.
 Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
-                 PathVertex& vertex, float choice, const Vec2f& u, TrackingNumbers& numbers,
+                 PathVertex& vertex, const Vec2f& choice, const Vec2f& u, TrackingNumbers& numbers,
                  Tally* tally);
 
 /// Light that is scattered once into a ray, anywhere in a segment of the medium. The places are

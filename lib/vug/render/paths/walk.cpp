@@ -48,7 +48,7 @@ class Walk {
       gather(bounce);
       if (depth_ > rules_.max_bounces) break;
       if (!cross_medium(bounce) && !(bounce.found && scatter(bounce))) break;
-      if (is_black(throughput_) || !survives(bounce.survive)) break;
+      if (is_black(throughput_) || !survives(bounce.last.x)) break;
     }
     return result_;
   }
@@ -60,7 +60,7 @@ class Walk {
     bool found = false;
     Vec2f choice{0, 0};  ///< Which light, which lobe.
     Vec2f light{0, 0}, scatter{0, 0};
-    float survive = 0;
+    Vec2f last{0, 0};  ///< Whether the path goes on, which light it looks at.
   };
 
   Bounce begin() {
@@ -78,7 +78,7 @@ class Walk {
     bounce.choice = numbers_.pair();
     bounce.light = numbers_.pair();
     bounce.scatter = numbers_.pair();
-    bounce.survive = numbers_.single();
+    bounce.last = numbers_.pair();
   }
 
   /// The next surface on the ray.
@@ -158,8 +158,9 @@ class Walk {
     leave_from(hit, lights());
     // Then light arrives from both sides.
     if (own.lit_from_behind()) from_.point.normal = Vec3f(0.0f);
-    const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_, bounce.choice.x,
-                                                 bounce.light, bounce.tracking, tally_);
+    const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_,
+                                                 {bounce.choice.x, bounce.last.y}, bounce.light,
+                                                 bounce.tracking, tally_);
     const Rgb scale = add(light, depth_);
     if (tally_) tally_->settle_surface(depth_, scale);
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
@@ -200,7 +201,7 @@ class Walk {
     const Cones bright = learned_.guide.at(hit.surface.position, hit.surface.shading_normal);
     const GuidedBsdf bsdf(*leaving, frame, bright);
     leave_from(hit, 1);
-    const float which = next_float(random);
+    const Vec2f which = next_pair(random);
     const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_, which,
                                                  next_pair(random), bounce.tracking, tally_);
     const Rgb scale = add(light, depth_ + 1);
