@@ -167,6 +167,9 @@ class FacadeRectify(VugTest):
         self.expect(0, "facade", "rectify", "photo.pgm", *corners, "-o", "out.png")
         wrong = ["--corners", "30,120", "170,140", "180,30", "20,10"]
         self.assertIn("clockwise", self.expect(2, "facade", "rectify", "photo.pgm", *wrong, "-o", "x.png").err)
+        said = self.expect(2, "facade", "rectify", "photo.pgm", "--corners", "20,10,180,30", "-o", "x.png").err
+        self.assertIn("a rectangle has four corners, and one is told: '20,10,180,30'", said)
+        self.assertIn("0,0 90,0 90,120 0,120", said)
         far = ["--corners", "20,10", "180,30", "170,900", "30,800"]
         self.assertIn("the corner 170,900 lies far outside of the photo, which has 200 x 150 pixels",
                       self.expect(2, "facade", "rectify", "photo.pgm", *far, "-o", "x.png").err)

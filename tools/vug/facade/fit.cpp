@@ -166,7 +166,9 @@ int run(Options options) {
                       scene, scene_file.string()),
                   options.work, carved);
   clear_bar();
-  if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
+  if (stopped)
+    fmt::print(stderr, "stopped: this is the best tree so far; it is not carved{}\n",
+               fs::exists(carved) ? fmt::format(", and '{}' is of another", carved.string()) : "");
   if (fit.reading.seen.empty())
     fmt::print(stderr, "nothing was found: the facade is a bare wall\n");
   fmt::print("{}\n", facade::theta(fit.tree));

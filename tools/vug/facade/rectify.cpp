@@ -5,6 +5,7 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/working_size.h>
@@ -38,6 +39,12 @@ std::pair<Number, Number> pair_of(const std::string& text, char between, const c
 
 scan::FourPoints points_of(const std::vector<std::string>& texts, const char* what) {
   scan::FourPoints out;
+  if (texts.size() != out.size())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("a rectangle has four corners, and {} told: '{}'",
+                            texts.size() == 1 ? "one is" : fmt::format("{} are", texts.size()),
+                            fmt::join(texts, " ")),
+                {}, "four of X,Y with blanks between them, as 0,0 90,0 90,120 0,120");
   for (size_t i = 0; i < 4; ++i) {
     const auto [x, y] = pair_of(texts[i], ',', what);
     out[i] = {x.value, y.value};
@@ -117,7 +124,7 @@ Verb facade_rectify_verb() {
         app.add_option("--corners", o->corners,
                        "X,Y X,Y X,Y X,Y: of a rectangle on the facade, in pixels from the photo's "
                        "upper left corner, clockwise from the rectangle's")
-            ->expected(4);
+            ->expected(1, 4);
         app.add_option("--size", o->size,
                        "of that rectangle, 12mx9m, or only the ratio of its sides, 4x3; without it "
                        "the ratio follows from the perspective");
@@ -130,7 +137,7 @@ Verb facade_rectify_verb() {
         app.add_option("--at", o->at,
                        "X,Y X,Y X,Y X,Y: where the corners lie on the range image, in metres from "
                        "its lower left corner; without it they are its corners")
-            ->expected(4)
+            ->expected(1, 4)
             ->needs(onto);
         o->work.add_to(app);
         return [o] { return run(*o); };
