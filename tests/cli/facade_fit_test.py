@@ -49,7 +49,9 @@ class FacadeFit(VugTest):
         self.assertLess(area(windows), 1.1 * area(true), said.out)
         self.assertIn("window(reveal: 0.32m)", (self.folder / "out/photo.vug").read_text())
         self.assertIn('href="../photo.exr"', (self.folder / "out/photo.svg").read_text())
-        self.expect(0, "info", "out/photo.vdb")
+        recipe = self.expect(0, "recipe", "out/photo.vdb").out
+        self.assertIn("window(reveal: 0.32m)", recipe)
+        self.assertNotIn("include", recipe, "it stands alone")
         report = json.loads((self.folder / "out/photo.report.json").read_text())
         self.assertTrue(0 < report["score"]["s"] < 1, report)
         self.assertIn("<svg", (self.folder / "out/photo.report.svg").read_text())

@@ -102,6 +102,18 @@ class Modelling(VugTest):
         self.assertEqual([g["active_voxels"] for g in first["grids"]],
                          [g["active_voxels"] for g in second["grids"]])
 
+    def test_nothing_that_a_session_stands_on_is_written_over(self):
+        self.write("mine/own.vug", "grammar own: facade {\n width 5m\n height 4m\n axiom A\n A -> window\n}\n")
+        write_png(self.folder / "photo.png", [[(9, 9, 9)] * 10] * 8)
+        photo = (self.folder / "photo.png").read_bytes()
+        self.model("--grammar", "mine/own.vug", "--photo", "photo.png", "-o", "kept/k.json")
+        for wrong in (("--svg", "photo.png"), ("--scene", "mine/own.vug"), ("--overlay", "photo.png", "--svg", "photo.png"),
+                      ("--apply", "0 window", "-o", "two.json", "--svg", "two.json"), ("--carve", "k.obj")):
+            self.model("kept/k.json", *wrong, code=2)
+        self.assertEqual((self.folder / "photo.png").read_bytes(), photo)
+        self.assertIn("A -> window", (self.folder / "mine/own.vug").read_text())
+        self.assertFalse((self.folder / "two.json").exists())
+
     def test_edits_in_the_order_of_the_command(self):
         self.model(*BEGIN[2:], "--edit", "apply 0 rows", "--apply", "0.1 repeat count=3",
                    "--edit", "retract 0.1", "--act", "0.1 Grid", "-o", "o.json")

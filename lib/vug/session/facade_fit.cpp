@@ -122,7 +122,7 @@ std::string facade_scene(const FacadeFit& fit, const std::string& name, const st
     return std::max(1L, std::lround(800 * metres / longer));
   };
   return fmt::format(
-      "include \"{file}\"\n\n"
+      "{grammar}\n"
       "param voxel = {voxel}cm  in 5mm..50cm  \"edge of a voxel\"\n\n"
       "volume {name}_stone = level_set({name}, voxel: voxel)\n"
       "volume {name}_panes = level_set(infill({name}), voxel: 1cm)\n"
@@ -133,8 +133,10 @@ std::string facade_scene(const FacadeFit& fit, const std::string& name, const st
       "  width {width:.3f}m }}\n"
       "light even = sky(radiance: (1, 1, 1))\n"
       "render main {{ size {across}x{down}  spp 32  layers [\"beauty\", \"Z\"] }}\n",
-      fmt::arg("file", file), fmt::arg("voxel", 100 * facade_voxel(fit)), fmt::arg("name", name),
-      fmt::arg("half", half), fmt::arg("far", far), fmt::arg("width", fit.tree.width),
+      fmt::arg("grammar",
+               file.empty() ? facade_grammar(fit, name) : fmt::format("include \"{}\"\n", file)),
+      fmt::arg("voxel", 100 * facade_voxel(fit)), fmt::arg("name", name), fmt::arg("half", half),
+      fmt::arg("far", far), fmt::arg("width", fit.tree.width),
       fmt::arg("across", pixels(fit.tree.width)), fmt::arg("down", pixels(fit.tree.height)));
 }
 

@@ -52,8 +52,9 @@ double facade_voxel(const FacadeFit& fit);
 /// The text of a grammar of that name that derives to the facade.
 std::string facade_grammar(const FacadeFit& fit, const std::string& name);
 
-/// A scene that includes the file of that grammar, carves it out of a wall and looks at it. Its own
-/// names but `main`, `even` and `voxel` begin with the grammar's.
+/// A scene that includes the file of that grammar, or has its text where `file` is empty, carves it
+/// out of a wall and looks at it. Its own names but `main`, `even` and `voxel` begin with the
+/// grammar's.
 std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& file);
 
 }  // namespace vug::session

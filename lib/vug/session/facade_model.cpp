@@ -31,7 +31,9 @@ fs::path find_grammar(const fs::path& folder, const std::string& file) {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const fs::path& each : folders) {
-    if (fs::is_regular_file(each / file, ignored)) return each / file;
+    // Also from a folder that is yet to be made.
+    const fs::path there = (each / file).lexically_normal();
+    if (fs::is_regular_file(there, ignored)) return there;
     for (const fs::directory_entry& entry : fs::directory_iterator(each, ignored))
       if (entry.path().extension() == ".vug") names.push_back(entry.path().filename().string());
   }

@@ -105,8 +105,11 @@ int run(Options options) {
   const fs::path folder = options.folder;
   options.fit.grammar = grammar_of(options);
   const bool named = !options.name.empty();
-  options.name = name_of(options.name.empty() ? fs::path(options.first_input()).stem().string()
-                                              : options.name);
+  const std::string wanted = named ? options.name : fs::path(options.first_input()).stem().string();
+  options.name = name_of(wanted);
+  if (options.name != wanted && !options.work.quiet)
+    fmt::print(stderr, "what is written is named '{}', as scenes can use no '{}'\n", options.name,
+               wanted);
   const auto file = [&](const char* ending) { return folder / (options.name + ending); };
   const fs::path grammar_file = file(".vug"), scene_file = file("_scene.vug"),
                  tree_file = file(".json"), drawing = file(".svg"), carved = file(".vdb"),
@@ -163,12 +166,12 @@ int run(Options options) {
   if (!options.no_carving && !stopped)
     write_carving(session::load_carving(
                       fit.tree, {.voxel = session::facade_voxel(fit), .prefix = options.name + "_"},
-                      scene, scene_file.string()),
+                      session::facade_scene(fit, options.name, {}), scene_file.string()),
                   options.work, carved);
   clear_bar();
-  if (stopped)
-    fmt::print(stderr, "stopped: this is the best tree so far; it is not carved{}\n",
-               fs::exists(carved) ? fmt::format(", and '{}' is of another", carved.string()) : "");
+  if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
+  if ((stopped || options.no_carving) && fs::exists(carved))
+    fmt::print(stderr, "warning: '{}' is of an earlier fit\n", carved.string());
   if (fit.reading.seen.empty())
     fmt::print(stderr, "nothing was found: the facade is a bare wall\n");
   fmt::print("{}\n", facade::theta(fit.tree));

@@ -156,18 +156,36 @@ void draw(const Options& options, const modeller::Session& session) {
   write_text(options.svg, facade::elevation_svg(session.now().tree(), drawing));
 }
 
+/// Files that the session stands on.
+std::vector<fs::path> files_of(const Options& options, const modeller::Session& session) {
+  const fs::path folder =
+      options.session.empty() && options.output.empty()
+          ? fs::current_path()
+          : folder_of(options.session.empty() ? options.output : options.session);
+  std::vector<fs::path> out;
+  const fs::path grammar = (folder / session.header.grammar).lexically_normal();
+  if (fs::exists(grammar)) out.push_back(grammar);
+  if (session.header.photo) out.push_back((folder / session.header.photo->file).lexically_normal());
+  return out;
+}
+
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
+  if (!options.carve.empty() && extension_of(options.carve) != ".vdb")
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no .vdb", options.carve), {},
+                "--scene and 'vug build' make meshes of it");
   std::vector<fs::path> outputs, inputs;
   for (const std::string& file : {options.svg, options.scene, options.carve})
     if (!file.empty()) outputs.emplace_back(file);
-  for (const std::string& file : {options.session, options.photo, options.grammar, options.from})
-    if (!file.empty()) inputs.emplace_back(file);
-  require_outputs(outputs, inputs);
   // A session may be written over itself.
   if (!options.output.empty() && options.output != options.session)
-    require_outputs({options.output}, inputs);
+    outputs.emplace_back(options.output);
+  for (const std::string& file :
+       {options.session, options.photo, options.overlay, options.grammar, options.from})
+    if (!file.empty()) inputs.emplace_back(file);
+  require_outputs(outputs, inputs);
   modeller::Session session = read(options);
+  require_outputs(outputs, files_of(options, session));
   edit(options, session);
   // After what is wrong with the edits themselves.
   if (options.edited() && options.output.empty() && !options.prints() && !options.writes())
