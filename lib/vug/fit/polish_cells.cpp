@@ -1,8 +1,8 @@
 // Lines of a grid whose windows may differ: a line that moves may be worth it only if its cells
 // become other kinds with it, and sizes of kinds follow.
 #include <vug/fit/cells.h>
+#include <vug/fit/grid_gains.h>
 #include <vug/fit/polish.h>
-#include <vug/fit/sheet.h>
 
 #include <algorithm>
 #include <set>
@@ -13,19 +13,13 @@ namespace {
 constexpr double kTiny = 1e-9;
 
 /// The sizes that a grid's windows have, and what its cells gain by them.
-class CellGains {
+class WindowCells {
  public:
-  CellGains(const Model& model, const Evidence& evidence, const State& state, int grid)
-      : least_(model.limits().least),
-        area_(state.area(grid)),
-        sheet_(GainMap(evidence, gains_in(model, evidence, state, grid - 1)), state, area_) {
-    for (int part = grid + 1; part < state.tree.end(grid); ++part) {
-      const Node& node = state.tree[part];
-      if (model.in_grid(node))
+  WindowCells(const Model& model, const Evidence& evidence, const State& state, int grid)
+      : least_(model.limits().least), windows_(model, evidence, state, grid) {
+    for (int part = grid + 1; part < state.tree.end(grid); ++part)
+      if (const Node& node = state.tree[part]; model.in_grid(node))
         sizes_.push_back({node.width, node.height});
-      else
-        door_ = rect_of(node);
-    }
   }
 
   /// Each cell with what gains most there.
@@ -54,7 +48,7 @@ class CellGains {
     return chosen(grid, sizes);
   }
 
-  int room(bool along_x) const { return along_x ? columns_room(area_) : area_.height; }
+  int room(bool along_x) const { return windows_.room(along_x); }
   int least() const { return least_; }
 
  private:
@@ -64,21 +58,12 @@ class CellGains {
       for (int column = 0; column < grid.columns; ++column) visit(column, row);
   }
 
-  double gain(const Node& grid, int column, int row, const WindowSize& size) const {
-    const auto c = static_cast<size_t>(column), r = static_cast<size_t>(row);
-    const int x = grid.left[c], y = grid.top[r];
-    const Rect rect{x, y, x + size.width, y + size.height};
-    const int right = column + 1 < grid.columns ? grid.left[c + 1] - 1 : room(true);
-    const int bottom = row + 1 < grid.rows ? grid.top[r + 1] - 1 : room(false);
-    if (rect.x1 > right || rect.y1 > bottom || overlap(rect, door_)) return 0;
-    return sheet_.sum(rect.x0, rect.y0, rect.x1, rect.y1);
-  }
-
   std::vector<double> gains_of(const Node& grid, const std::vector<WindowSize>& sizes) const {
     std::vector<double> out;
     each(grid, [&](int column, int row) {
       double best = 0;
-      for (const WindowSize& size : sizes) best = std::max(best, gain(grid, column, row, size));
+      for (const WindowSize& size : sizes)
+        best = std::max(best, windows_.gain(grid, column, row, size));
       out.push_back(best);
     });
     return out;
@@ -89,7 +74,7 @@ class CellGains {
     double out = 0;
     size_t cell = 0;
     each(grid, [&](int column, int row) {
-      out += std::max(beside[cell++], gain(grid, column, row, size));
+      out += std::max(beside[cell++], windows_.gain(grid, column, row, size));
     });
     return out;
   }
@@ -101,7 +86,7 @@ class CellGains {
       double most = 0;
       int best = 0;
       for (size_t k = 0; k < sizes.size(); ++k)
-        if (const double here = gain(grid, column, row, sizes[k]); here > most)
+        if (const double here = windows_.gain(grid, column, row, sizes[k]); here > most)
           most = here, best = static_cast<int>(k) + 1;
       out.of.push_back(best);
       out.gain += most;
@@ -109,15 +94,13 @@ class CellGains {
     return out;
   }
 
-  const int least_;
-  const Area area_;
-  const Sheet sheet_;
+  int least_;
+  GridGains windows_;
   std::vector<WindowSize> sizes_;
-  Rect door_{};
 };
 
 /// Places for a line: near to where it is, and where most is gained without other sizes.
-std::set<int> places(const CellGains& cells, const Node& grid, bool along_x, int line) {
+std::set<int> places(const WindowCells& cells, const Node& grid, bool along_x, int line) {
   constexpr int kReach = 4;
   const Lines& lines = along_x ? grid.left : grid.top;
   const int count = along_x ? grid.columns : grid.rows, now = lines[static_cast<size_t>(line)];
@@ -145,10 +128,10 @@ bool polish_cells(const Workshop& shop, const Evidence& evidence, State& state, 
   if (!has_cells(shop, state, grid) || !model.likelihood()) return false;
   if (model.rules().symbol(state.tree[grid].symbol).regular) return false;
   bool better = false;
+  WindowCells cells(model, evidence, state, grid);
   for (const bool along_x : {true, false})
     for (int line = 0; line < (along_x ? state.tree[grid].columns : state.tree[grid].rows);
          ++line) {
-      const CellGains cells(model, evidence, state, grid);
       const Node now = state.tree[grid];
       Node best = now;
       SizeChoice choice = cells.chosen(now);
@@ -160,7 +143,10 @@ bool polish_cells(const Workshop& shop, const Evidence& evidence, State& state, 
       }
       State other = state;
       other.tree[grid].left = best.left, other.tree[grid].top = best.top;
-      better |= take_cheaper(model, state, with_windows(model, std::move(other), grid, choice));
+      if (!take_cheaper(model, state, with_windows(model, std::move(other), grid, choice)))
+        continue;
+      cells = WindowCells(model, evidence, state, grid);
+      better = true;
     }
   return better;
 }

@@ -2,46 +2,31 @@
 // each cell. Bits of cells grow only where the kinds pass a power of two, so that chains, which
 // walk by single steps, are held back by what costs nothing further on.
 #include <vug/fit/cells.h>
+#include <vug/fit/grid_gains.h>
 #include <vug/fit/polish.h>
-#include <vug/fit/sheet.h>
-#include <vug/fit/sizes.h>
 
 #include <algorithm>
 
 namespace vug::fit {
 namespace {
 
-/// How far windows of each line may reach: to the next line, or to the border.
-std::vector<int> rooms(const Lines& lines, int count, int border) {
-  std::vector<int> out;
-  for (int line = 0; line < count; ++line) {
-    const auto at = static_cast<size_t>(line);
-    out.push_back((line + 1 < count ? lines[at + 1] - 1 : border) - lines[at]);
-  }
-  return out;
-}
-
 /// Of the grid's cells, row after row from the top.
-SizeGains size_gains(const Sheet& sheet, const Node& grid, const Area& area, const Rect& door,
-                     int least) {
-  const std::vector<int> across = rooms(grid.left, grid.columns, columns_room(area));
-  const std::vector<int> down = rooms(grid.top, grid.rows, area.height);
+SizeGains size_gains(const GridGains& windows, const Node& grid, int least) {
   SizeGains out;
-  out.least = {least, least};
-  out.most = {*std::max_element(across.begin(), across.end()),
-              *std::max_element(down.begin(), down.end())};
-  for (size_t row = 0; row < down.size(); ++row)
-    for (size_t column = 0; column < across.size(); ++column) {
-      std::vector<double>& cell = out.cells.emplace_back(out.count(), 0.0);
-      const int x = grid.left[column], y = grid.top[row];
-      size_t at = 0;
-      for (int height = least; height <= out.most.height; ++height)
-        for (int width = least; width <= out.most.width; ++width, ++at) {
-          if (width > across[column] || height > down[row]) continue;
-          const Rect rect{x, y, x + width, y + height};
-          if (!overlap(rect, door)) cell[at] = sheet.sum(rect.x0, rect.y0, rect.x1, rect.y1);
-        }
-    }
+  out.least = out.most = {least, least};
+  const auto each = [&](const auto& visit) {
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) visit(column, row);
+  };
+  each([&](int column, int row) {
+    const WindowSize most = windows.most(grid, column, row);
+    out.most = {std::max(out.most.width, most.width), std::max(out.most.height, most.height)};
+  });
+  each([&](int column, int row) {
+    std::vector<double>& cell = out.cells.emplace_back();
+    for (size_t at = 0; at < out.count(); ++at)
+      cell.push_back(windows.gain(grid, column, row, out.size(at)));
+  });
   return out;
 }
 
@@ -54,11 +39,8 @@ bool polish_kinds(const Workshop& shop, const Evidence& evidence, State& state, 
   bool any = false;
   for (bool better = true; better;) {
     better = false;
-    const Sheet sheet(GainMap(evidence, gains_in(model, evidence, state, i)), state, state.area(i));
-    const Node& last = state.tree[state.tree.end(grid) - 1];
-    const Rect door = model.in_grid(last) ? Rect{} : rect_of(last);
     const SizeGains gains =
-        size_gains(sheet, state.tree[grid], state.area(i), door, model.limits().least);
+        size_gains(GridGains(model, evidence, state, grid), state.tree[grid], model.limits().least);
     // A kind costs its node; that cells may take more bits too is for the model to tell.
     const double cost = model.complexity(state.tree, grid + 1) / model.trust();
     State best = state;
