@@ -141,22 +141,30 @@ std::string why_none(Builder& builder, const PlacePlan& plan) {
   return "its places are all masked out, or what they come from is empty";
 }
 
-/// The way of each place through the moments.
+bool same(const Transform& a, const Transform& b) {
+  return a.origin() == b.origin() && a.column(0) == b.column(0) && a.column(1) == b.column(1) &&
+         a.column(2) == b.column(2);
+}
+
+/// The way of each place through the moments; a single transform where it stands still, whatever
+/// else of the declaration moves.
 std::vector<Way> ways_of(Builder& builder, const PlacePlan& plan, const std::vector<Place>& places,
                          const Moments& moments) {
   std::vector<Way> still, ways(places.size());
   for (const Place& place : places) still.push_back({place.transform});
-  bool moves = false;
   for (const auto& moment : moments) {
     const auto other = std::find_if(moment->places.begin(), moment->places.end(),
                                     [&](const PlacePlan& each) { return each.name == plan.name; });
     if (other == moment->places.end()) return still;
-    moves = moves || other->at != plan.at;
     const std::vector<Place> there = other->at == plan.at ? places : places_of(builder, *other);
     if (there.size() != places.size()) return still;
     for (size_t i = 0; i < ways.size(); ++i) ways[i].push_back(there[i].transform);
   }
-  return moves ? ways : still;
+  if (moments.empty()) return still;
+  for (Way& way : ways)
+    if (std::all_of(way.begin(), way.end(), [&](const auto& each) { return same(each, way[0]); }))
+      way.resize(1);
+  return ways;
 }
 
 void put_all(Builder& builder, const PlacePlan& plan, const Moments& moments, Cast& cast) {

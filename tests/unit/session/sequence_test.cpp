@@ -103,8 +103,10 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
       "mesh round on ball {}\n"
       "object stone on round {}\n"
       "object rock on round {}\n"
+      "object ember on round { emission (frame, 1, 1) }\n"
       "place rolling { of stone  at [(0, 0, 0), (2 * frame, 0, 0)] }\n"
       "place lying { of rock  at (0, 1, 0) }\n"
+      "place glowing { of ember  at (0, 2, 0) }\n"
       "camera main { shutter 0.5 }\n"
       "render main { size 4x4  spp 1  layers [\"beauty\", \"motion\"] }\n";
   Still still;
@@ -115,7 +117,7 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
   };
   Builder builder(loaded.shot);
   const PictureJob job = prepare_picture(builder, options, false);
-  ASSERT_EQ(job.scene.objects.size(), 3u);
+  ASSERT_EQ(job.scene.objects.size(), 4u);
   const auto x_at = [&](size_t object, float time) {
     return job.scene.objects[object].placing->at(time).origin.x;
   };
@@ -123,7 +125,9 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
   EXPECT_FLOAT_EQ(x_at(1, 0), 6);
   EXPECT_FLOAT_EQ(x_at(1, 0.5f), 6.5f);
   EXPECT_FLOAT_EQ(x_at(1, 1), 7);
-  EXPECT_FALSE(job.scene.objects[2].placing->moves());
+  // Beside one that rolls, in a declaration of its own, and of a thing whose light alone changes.
+  for (const size_t at_rest : {0u, 2u, 3u})
+    EXPECT_FALSE(job.scene.objects[at_rest].placing->moves()) << at_rest;
   ASSERT_TRUE(job.options.step);
   ASSERT_TRUE(job.options.step->places.count(1));
   EXPECT_FLOAT_EQ(job.options.step->places.at(1).first.origin.x, 6);
