@@ -32,6 +32,11 @@ class ImageTests(VugTest):
                                      r".*\nnew:\n  hint: [^\n]*--update --reason")
         self.assertRegex(result.out, r"same +lamp  identical")
         self.assertFalse((self.folder / "looks/new/reference.exr").exists())
+        kept = self.vug("test", "looks", "--filter", "new", "--output", "kept")
+        self.assertEqual(kept.code, 2)
+        self.assertRegex(kept.out, r"hint: look at \S*kept/new/test\.png, then")
+        self.assertTrue((self.folder / "kept/new/test.exr").exists())
+        self.assertIn('href="new/test.png"', (self.folder / "kept/index.html").read_text())
 
     def test_updates_need_a_reason_and_record_it(self):
         history = self.folder / "looks/lamp/reference.history"

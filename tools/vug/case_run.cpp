@@ -99,15 +99,30 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
   out.hint.clear();
 }
 
+/// There is nothing to compare with yet; what a reference could be is made where it is kept.
+[[noreturn]] void refuse_without_reference(const ImageCase& image_case, const CaseOptions& options,
+                                           const fs::path& room, const std::string& name,
+                                           Outcome& out) {
+  std::string look = "look at what it makes (--output keeps it)";
+  if (options.kept) {
+    fs::path picture = make_picture(image_case, options, room, {});
+    if (const fs::path shown = fs::path(picture).replace_extension(".png"); fs::exists(shown))
+      picture = shown;
+    look = fmt::format("look at {}", picture.string());
+    out.page = fs::path(name) / picture.filename();
+  }
+  throw Error(
+      ErrorCode::bad_input,
+      fmt::format("its reference '{}' is missing", image_case.reference.filename().string()), {},
+      look + ", then: vug test --update --reason \"...\"");
+}
+
 void run_in(const fs::path& room, const CaseFolder& folder, const CaseOptions& options,
             Outcome& out) {
   const ImageCase image_case = read_case(folder.folder, folder.name);
   const bool missing = !fs::exists(image_case.reference);
   if (missing && !options.update)
-    throw Error(
-        ErrorCode::bad_input,
-        fmt::format("its reference '{}' is missing", image_case.reference.filename().string()), {},
-        "look at what it makes, then: vug test --update --reason \"...\"");
+    refuse_without_reference(image_case, options, room, folder.name, out);
   if (!missing && !options.update) require_recorded(image_case.reference);
   const fs::path picture = make_picture(image_case, options, room, {});
   if (missing) return update(image_case, options, picture, out);

@@ -9,6 +9,7 @@ namespace vug::cli {
 
 struct CaseOptions {
   std::filesystem::path output;  ///< Each case's folder is made below it.
+  bool kept = false;             ///< `output` is there for someone to look at afterwards.
   int jobs = 1;                  ///< Cases at the same time.
   int threads = 1;               ///< For each of them.
   int reseed = 0;                ///< Runs with other samples, to find verdicts that change.
@@ -25,7 +26,8 @@ struct Outcome {
   std::string message;  ///< One line: why.
   std::string hint;     ///< What to do about it; may be empty.
   double seconds = 0;
-  std::filesystem::path page;  ///< Its report, seen from the output folder; empty without one.
+  /// Its report, or its picture if it has no reference, seen from the output folder; may be empty.
+  std::filesystem::path page;
 };
 
 const char* to_text(Verdict verdict);

@@ -106,6 +106,7 @@ int run(Options options) {
   std::optional<ScratchFolder> scratch;
   if (options.output.empty()) scratch.emplace("vug_test");
   options.cases.output = scratch ? scratch->path() : std::filesystem::path(options.output);
+  options.cases.kept = !scratch;
   if (!scratch) require_writable(options.cases.output / "index.html");
   if (!options.junit.empty()) require_writable(options.junit);
   options.cases.progress = &terminal_progress(BarShown::never);
