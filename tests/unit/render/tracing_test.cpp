@@ -215,6 +215,51 @@ TEST(Together, WorkIsWhatALoopDoes) {
   }
 }
 
+struct Level {
+  const Level* above;
+  std::array<char, 512> own{};
+};
+/// Goes down so many levels, all of which stay on the stack, and counts them there.
+size_t levels_counted(size_t levels, const Level* above = nullptr) {
+  const Level level{above};
+  if (levels > 1) return levels_counted(levels - 1, &level);
+  size_t count = 0;
+  for (const Level* at = &level; at; at = at->above) ++count;
+  return count;
+}
+
+TEST(Together, PathsGoAsDeepAsThreads) {
+  std::array<size_t, kMostAhead> depths{};
+  work_together(
+      kMostAhead, [&](size_t i) { depths[i] = levels_counted(5000); }, [](size_t) {});
+  EXPECT_THAT(depths, testing::Each(5000u));
+}
+
+TEST(Together, WorkMayThrowAndCatch) {
+  const RayTree tree({{strewn(2000, 7), 0}});
+  // With arrays on the stack, which the address sanitizer fences in, and others' turns between.
+  const auto work = [&](size_t i, const auto& deeper) -> float {
+    std::array<float, 50> own;
+    own.fill(static_cast<float>(i));
+    RandomStream random{RandomKey(i)};
+    const Vec3f from = point(random);
+    RaySearch search(tree, {from, direction(random)}, kFar, RaySearch::Aim::nearest);
+    finish(search);
+    if (i % 7 == 0) throw std::runtime_error("enough");
+    try {
+      own[i % 50] = deeper(i - 1, deeper);
+    } catch (const std::runtime_error&) {
+      own[i % 50] = search.distance();
+    }
+    return std::accumulate(own.begin(), own.end(), 0.f);
+  };
+  const auto caught = [&](size_t i) { return i % 7 == 0 ? 0 : work(i, work); };
+  std::vector<float> results(1000);
+  work_together(
+      results.size(), [&](size_t i) { results[i] = caught(i); }, [](size_t) {});
+  for (size_t i = 0; i < results.size(); ++i) EXPECT_EQ(results[i], caught(i));
+}
+
 TEST(Together, ThrowsWhatWorkThrows) {
   const RayTree tree({{strewn(2000, 7), 0}});
   const auto look = [&](size_t i) {

@@ -66,6 +66,7 @@ __m128 area(const Corner& from, const Corner& to) {
 
 }  // namespace
 
+// NOLINTNEXTLINE: what waits is written before it is read, all else below
 RaySearch::RaySearch(const RayTree& tree, const Ray& ray, float distance, Aim aim)
     : tree_(tree),
       far_(distance),
@@ -243,7 +244,7 @@ inline void RaySearch::meet(uint32_t number) {
   const __m128 ahead = _mm_and_ps(_mm_cmp_ps(distance, zero, _CMP_GE_OQ),
                                   _mm_cmp_ps(distance, _mm_broadcast_ss(&far_), _CMP_LT_OQ));
   const __m128 met = _mm_and_ps(_mm_and_ps(inside, ahead), _mm_cmp_ps(all, zero, _CMP_NEQ_OQ));
-  alignas(16) std::array<float, 4> distances;
+  alignas(16) std::array<float, 4> distances{};
   _mm_store_ps(distances.data(), distance);
   for (auto mask = static_cast<unsigned>(_mm_movemask_ps(met)); mask != 0; mask &= mask - 1) {
     const auto lane = static_cast<uint32_t>(std::countr_zero(mask));

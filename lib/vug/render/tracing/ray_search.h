@@ -65,7 +65,7 @@ class RaySearch {
   uint32_t waiting_ = 0;
   Stage stage_;
   // Children that the ray meets, the nearest last, and where it does.
-  std::array<uint32_t, RayTree::kMostWaiting> children_;  // NOLINT: only what waits is read
+  std::array<uint32_t, RayTree::kMostWaiting> children_;
   std::array<int32_t, RayTree::kMostWaiting> distances_;  ///< Bits of floats, which compare alike.
 };
 

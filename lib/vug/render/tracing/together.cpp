@@ -1,10 +1,12 @@
 #include <vug/base/parallel.h>
 #include <vug/render/tracing/together.h>
+#include <vug/render/tracing/watched_stack.h>
 
 #include <boost/context/fiber.hpp>
 #include <boost/context/protected_fixedsize_stack.hpp>
 
 #include <alloca.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
@@ -15,20 +17,12 @@
 namespace vug::render {
 namespace {
 
-// Sanitizers know nothing of stacks that change.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kTogether = false;
-#elif defined(__has_feature)
-constexpr bool kTogether = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
-#else
-constexpr bool kTogether = true;
-#endif
-
 namespace context = boost::context;
 
 constexpr size_t kPaths = RayBatch::kMost;
-/// Touched as far as it is needed only.
-constexpr size_t kStack = size_t{512} << 10;
+/// As deep as those of TBB's threads: paints and fields may lie in each other some thousand times.
+/// Touched as far as it is needed only, which pages of 2 MiB would defeat.
+constexpr size_t kStack = size_t{4} << 20;
 /// Stacks begin at pages; so far apart within one, the tops of all do not fight for the same few
 /// places of the first cache.
 constexpr size_t kApart = 4096 / kPaths + 64;
@@ -43,7 +37,11 @@ class Stacks {
     for (context::stack_context& stack : free_) system_.deallocate(stack);
   }
   context::stack_context take() {
-    if (free_.empty()) return system_.allocate();
+    if (free_.empty()) {
+      const context::stack_context made = system_.allocate();
+      madvise(static_cast<char*>(made.sp) - made.size, made.size, MADV_NOHUGEPAGE);  // a wish
+      return made;
+    }
     const context::stack_context stack = free_.back();
     free_.pop_back();
     return stack;
@@ -56,9 +54,8 @@ class Stacks {
 };
 thread_local Stacks stacks;
 
-/// What boost asks for stacks.
+/// What boost gives a stack back to.
 struct KeptStacks {
-  context::stack_context allocate() { return stacks.take(); }
   void deallocate(const context::stack_context& stack) { stacks.give_back(stack); }
 };
 
@@ -66,6 +63,15 @@ struct KeptStacks {
 struct Lane {
   context::fiber path, home;
   RaySearch* search = nullptr;
+  WatchedStack stack;
+  WatchedStack* home_stack = nullptr;
+
+  /// Called on the path's stack: back to the one that it was resumed from, until it is again.
+  void wait() {
+    stack.leave_for(*home_stack);
+    home = std::move(home).resume();
+    stack.arrive_from(*home_stack);
+  }
 };
 thread_local Lane* current = nullptr;  // whose stack this is
 
@@ -81,15 +87,7 @@ class Team {
     size_t size = 0;
     for (Lane& lane : lanes) {
       if (size == count_) break;
-      const size_t apart = kApart * size;
-      lane.path = context::fiber(std::allocator_arg, KeptStacks(),
-                                 [this, &lane, apart](context::fiber&& home) {
-                                   lane.home = std::move(home);
-                                   static_cast<volatile char*>(alloca(apart + 1))[0] = 0;
-                                   take_turns(lane);
-                                   return std::move(lane.home);
-                                 });
-      ++size;
+      prepare(lane, kApart * size++);
     }
     // Those that wait for others' results, and those whose search has come to its end.
     std::vector<size_t> idle, back(size);
@@ -114,10 +112,35 @@ class Team {
   }
 
  private:
-  static void resume(Lane& lane) {
+  void prepare(Lane& lane, size_t apart) {
+    const context::stack_context memory = stacks.take();
+    lane.stack.begin(static_cast<char*>(memory.sp) - memory.size, memory.size);
+    lane.home_stack = &home_stack_;
+    // Boost goes over to the new stack and back.
+    home_stack_.leave_for(lane.stack);
+    lane.stack.arrive_from(home_stack_);
+    lane.path =
+        context::fiber(std::allocator_arg, context::preallocated(memory.sp, memory.size, memory),
+                       KeptStacks(), [this, &lane, apart](context::fiber&& home) {
+                         lane.stack.arrive_from(home_stack_);
+                         lane.home = std::move(home);
+                         static_cast<volatile char*>(alloca(apart + 1))[0] = 0;
+                         take_turns(lane);
+                         return std::move(lane.home);
+                       });
+    lane.stack.leave_for(home_stack_);
+    home_stack_.arrive_from(lane.stack);
+  }
+
+  void resume(Lane& lane) {
     lane.search = nullptr;
     current = &lane;
+    home_stack_.leave_for(lane.stack);
     lane.path = std::move(lane.path).resume();
+    const bool ended = !lane.path;  // and did not say that it left
+    if (ended) lane.stack.leave_for(home_stack_, true);
+    home_stack_.arrive_from(lane.stack);
+    if (ended) lane.stack.end();
     current = nullptr;
   }
 
@@ -125,7 +148,7 @@ class Team {
   void take_turns(Lane& lane) {
     while (next_ < count_) {
       if (next_ - begun_ >= kMostAhead) {
-        lane.home = std::move(lane.home).resume();
+        lane.wait();
         continue;
       }
       const size_t index = next_++;
@@ -146,6 +169,7 @@ class Team {
   size_t count_;
   const std::function<void(size_t)>& work_;
   const std::function<void(size_t)>& done_;
+  WatchedStack home_stack_;
   size_t next_ = 0, begun_ = 0;  ///< The next to begin, and the first that is not done.
   std::array<bool, kMostAhead> back_{};
   std::exception_ptr error_;
@@ -155,7 +179,7 @@ class Team {
 
 void work_together(size_t count, const std::function<void(size_t)>& work,
                    const std::function<void(size_t)>& done) {
-  if (kTogether && !current && count > 1) {
+  if (!current && count > 1) {
     Team(count, work, done).go();
     return;
   }
@@ -175,7 +199,7 @@ void finish(RaySearch& search) {
   if (!current) return search.go();
   if (search.stage() == RaySearch::ended) return;
   current->search = &search;
-  current->home = std::move(current->home).resume();
+  current->wait();
 }
 
 }  // namespace vug::render
