@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace vug::modeller {
@@ -27,10 +29,25 @@ std::vector<double> all_of(const facade::Numbers& numbers, const std::string& na
 
 /// How one axis of a grid's cells is called.
 struct Axis {
-  const char *count, *first, *steps;
-  double Rect::*edge;
+  const char *count, *first, *steps, *size;
+  double Rect::*edge, Rect::*extent;
 };
-constexpr Axis kAcross{"columns", "x", "dx", &Rect::x}, kUp{"rows", "y", "dy", &Rect::y};
+constexpr Axis kAcross{"columns", "x", "dx", "width", &Rect::x, &Rect::width},
+    kUp{"rows", "y", "dy", "height", &Rect::y, &Rect::height};
+
+/// How large cells may be that begin there, of one size, in so much room.
+double most_room(const std::vector<double>& begins, double room) {
+  double out = std::min(room / static_cast<double>(begins.size()), room - begins.back());
+  for (size_t i = 1; i < begins.size(); ++i) out = std::min(out, begins[i] - begins[i - 1]);
+  return out;
+}
+
+/// facade::grammar_text numbers symbols whose parts differ: "Bay", "Bay2".
+std::string without_number(std::string symbol) {
+  while (!symbol.empty() && std::isdigit(static_cast<unsigned char>(symbol.back())))
+    symbol.pop_back();
+  return symbol;
+}
 
 size_t nearest(const std::vector<double>& begins, double at) {
   size_t best = 0;
@@ -68,7 +85,10 @@ class Walk {
   }
 
   void follow(const Node& from, const std::string& path) {
-    Edit edit{"apply", path, rule_of(from), told(from)};
+    const std::optional<int> here = found(path);
+    if (!here || state_.node(*here).element) return;  // what is above could not be followed
+    Edit edit{"apply", path, rule_of(from, state_.node(*here).symbol),
+              told(from, state_.node(*here).rect)};
     while (!done(edit)) {
       // A number that the rule does not leave free, or that does not fit: it is as usual then.
       const std::string number = refused_.rfind("numbers/", 0) == 0 ? refused_.substr(8) : "";
@@ -77,13 +97,26 @@ class Walk {
     if (from.split == "grid") take_away(from, path);
   }
 
-  std::string rule_of(const Node& from) const {
+  std::optional<int> found(const std::string& path) const {
+    try {
+      return state_.find(path);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+
+  /// The rule of that text; else, of a grammar that was written from a tree, the only one that
+  /// there is.
+  std::string rule_of(const Node& from, const std::string& symbol) const {
     const Style& style = state_.style();
     for (const int rule : style.rules_of(from.symbol))
       if (to_string(style.rule(rule)) == from.rule) return style.rule_name(rule);
+    const auto only = style.rules_of(symbol);
+    if (only.size() == 1 && without_number(symbol) == without_number(from.symbol))
+      return style.rule_name(only[0]);
     throw Error(ErrorCode::bad_input,
                 fmt::format("the grammar '{}' has no rule '{}'", style.name(), from.rule), {},
-                "name the grammar that the tree is of with --grammar");
+                fmt::format("the tree is of '{}': name that grammar with --grammar", tree_.name));
   }
 
   bool done(const Edit& edit) {
@@ -144,7 +177,7 @@ class Walk {
   }
 
   /// What the split of a node may have left free, as its parts tell.
-  facade::Told told(const Node& from) const {
+  facade::Told told(const Node& from, const Rect& room) const {
     facade::Told out;
     if (from.children.empty()) return out;
     const Node& first = node(from.children[0]);
@@ -159,20 +192,12 @@ class Walk {
         out[upright ? "heights" : "widths"] = sizes(from, upright);
       }
     }
-    if (from.split == "grid") tell_grid(from, out);
+    if (from.split == "grid") tell_grid(from, room, out);
     std::erase_if(out, [](const auto& each) { return each.second.empty(); });
     return out;
   }
 
-  void tell_grid(const Node& from, facade::Told& out) const {
-    for (const Axis& axis : {kAcross, kUp}) {
-      const std::vector<double> at = begins(from, axis);
-      if (at.empty()) continue;
-      out[axis.count] = {static_cast<double>(at.size())};
-      out[axis.first] = {at[0]};
-      const size_t told = std::min(all_of(from.numbers, axis.steps).size(), at.size() - 1);
-      for (size_t k = 0; k < told; ++k) out[axis.steps].push_back(at[k + 1] - at[k]);
-    }
+  void tell_grid(const Node& from, const Rect& room, facade::Told& out) const {
     // One size for all: that of the most.
     const Node* most = nullptr;
     const std::string& cell = node(from.children[0]).symbol;
@@ -184,8 +209,18 @@ class Walk {
       else if (!most || each.copies.size() > most->copies.size())
         most = &each;
     }
-    out["width"] = {most->rect.width - kRounding};
-    out["height"] = {most->rect.height - kRounding};
+    for (const Axis& axis : {kAcross, kUp}) {
+      out[axis.size] = {most->rect.*axis.extent - kRounding};
+      const std::vector<double> at = begins(from, axis);
+      if (at.empty()) continue;
+      out[axis.count] = {static_cast<double>(at.size())};
+      out[axis.first] = {at[0]};
+      const size_t told = std::min(all_of(from.numbers, axis.steps).size(), at.size() - 1);
+      for (size_t k = 0; k < told; ++k) out[axis.steps].push_back(at[k + 1] - at[k]);
+      // Where it does not fit everywhere it gives way: places tell more of a facade than sizes do.
+      const double fits = most_room(at, room.*axis.extent) - kRounding;
+      if (fits > 0) out[axis.size][0] = std::min(out[axis.size][0], fits);
+    }
   }
 
   /// Cells of a grid in which nothing of the tree stands.

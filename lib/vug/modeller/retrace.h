@@ -16,7 +16,8 @@ struct Retraced {
 /// The rules of the tree's nodes applied again, with the sizes and counts that its rectangles tell
 /// and cells of grids taken away. Where a rule of the style leaves less free than the tree's maker
 /// took (one size for all windows of a grid, elements that fill their part) it comes as near as the
-/// rules do, and says how near. Error(bad_input) for a tree of another grammar.
+/// rules do, and says how near; places of a grid's cells go before their size. The grammar that
+/// facade::grammar_text writes of the tree will do too. Error(bad_input) for a tree of another one.
 Retraced retraced(const State& start, const facade::Tree& tree);
 
 /// A tree from the JSON that facade::tree_json writes. Error(bad_input) with line, column, the

@@ -1,5 +1,6 @@
 #include "desk.h"
 
+#include <vug/facade/grammar_output.h>
 #include <vug/modeller/retrace.h>
 
 namespace vug::modeller {
@@ -40,6 +41,36 @@ TEST(Retrace, SaysWhatTheRulesCannot) {
   EXPECT_EQ(way.missing, 0u);
   EXPECT_GE(way.moved, 1u);
   EXPECT_NEAR(way.farthest, 0.3, 0.16);
+}
+
+TEST(Retrace, PlacesOfUnevenGridsStayWhereSizesDoNotFit) {
+  const State state = after(
+      blank(), {"act 0 IdenticalGrid columns=4 rows=1 width=1 height=1 x=1 dx=1.5,1.5,6.9999"});
+  facade::Tree tree = state.tree();
+  for (facade::Node& node : tree.nodes)
+    if (node.element) node.rect.width = 2;  // wider than it is to the next, and beyond the border
+  const Retraced way = retraced(blank(), tree);
+  State back = blank();
+  for (const Edit& edit : way.edits) back = edited(back, edit);
+  const std::vector<facade::Rect> at = rects(back);
+  ASSERT_EQ(at.size(), 4u);
+  const double begins[] = {1, 2.5, 4, 10.9999};
+  for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(at[i].x, begins[i], 1e-6);
+  EXPECT_NEAR(at[0].width, 1, 0.01);
+  EXPECT_NEAR(way.farthest, 1, 0.01);
+}
+
+TEST(Retrace, IntoTheGrammarThatWasWrittenFromTheTree) {
+  const State state =
+      after(blank(), {"apply 0 rows heights=3", "apply 0.0 repeat count=3 widths=2.5,4",
+                      "apply 0.0.0 window", "apply 0.0.1 door", "apply 0.0.2 window",
+                      "act 0.1 Grid columns=3 rows=2 dx=2,5"});
+  const StylePtr own = style_of(facade::grammar_text(state.tree(), {.name = "own"}));
+  const Retraced way = retraced(State(own, state.sheet()), state.tree());
+  EXPECT_EQ(way.elements, facade::standing(state.tree()).size());
+  EXPECT_EQ(way.moved + way.missing, 0u) << way.farthest;
+  const StylePtr other = style_of("grammar other: facade {\n axiom A\n A -> window\n}\n");
+  EXPECT_THROW(retraced(State(other, state.sheet()), state.tree()), Error);
 }
 
 /// "line:column: message (hint)"
