@@ -60,7 +60,15 @@ class Frames(VugTest):
         self.expect(0, "merge", "t1.5.part", "t2.5.part", "-o", "joint.exr")
         self.render("-o", "whole.exr", "--frame", "5")
         self.assertEqual(digest(self.folder / "joint.exr"), digest(self.folder / "whole.exr"))
-        self.assertIn("error: ", self.expect(2, "merge", "t1.4.part", "t2.5.part", "-o", "x.exr").err)
+        self.assertIn("'t1.4.part' and 't2.5.part' are of different frames, 4 and 5",
+                      self.expect(2, "merge", "t1.4.part", "t2.5.part", "-o", "x.exr").err)
+
+    def test_a_preview_of_each_frame_or_of_the_one_that_is_rendered(self):
+        self.render("-o", "a.#.exr", "--frames", "3,4", "--preview", "so_far.##.png")
+        self.render("-o", "a.#.exr", "--frames", "3,4", "--preview", "so_far.png")
+        for preview, frame in (("so_far.03", 3), ("so_far.04", 4), ("so_far", 4)):
+            self.assertEqual(digest(self.folder / f"{preview}.png"), digest(self.folder / f"a.{frame}.png"))
+        self.assertNotIn("so_far.##.png", self.files())
 
     def test_refusals(self):
         self.assertIn("####", self.render("-o", "a.exr", "--frames", "1..3", code=2).err)

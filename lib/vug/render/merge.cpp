@@ -60,6 +60,14 @@ void require_cover(const std::vector<Named>& parts) {
 }  // namespace
 
 std::string difference(const PartHeader& a, const PartHeader& b) {
+  // Each frame has a seed of its own, which would say nothing to people.
+  const auto frame = [](const PartHeader& header) {
+    for (const auto& [name, value] : header.notes)
+      if (name.ends_with("vug:frame")) return value;
+    return std::string();
+  };
+  if (!frame(a).empty() && !frame(b).empty() && frame(a) != frame(b))
+    return fmt::format("frames, {} and {}", frame(a), frame(b));
   if (a.width != b.width || a.height != b.height)
     return fmt::format("sizes, {} x {} and {} x {}", a.width, a.height, b.width, b.height);
   if (a.seed != b.seed) return fmt::format("seeds, {} and {}", a.seed, b.seed);

@@ -100,6 +100,10 @@ std::filesystem::path at_frame(const std::filesystem::path& pattern, int frame) 
   return pattern.parent_path() / name;
 }
 
+bool has_frame(const std::filesystem::path& pattern) {
+  return !places(pattern.filename().string()).empty();
+}
+
 bool is_finished(const std::filesystem::path& exr, const Shot& shot,
                  const PictureOptions& options) {
   if (!why_no_file(exr).empty() || !why_no_file(png_beside(exr)).empty()) return false;

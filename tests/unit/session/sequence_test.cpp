@@ -163,6 +163,8 @@ TEST(Sequence, NamesWithTheFrame) {
   EXPECT_EQ(at_frame("c%d.exr", 7), "c7.exr");
   EXPECT_EQ(at_frame("50%_#.exr", 3), "50%_3.exr");
   EXPECT_EQ(at_frame("c.###.exr", -3), "c.-03.exr");
+  EXPECT_TRUE(has_frame("out/c.#.png") && has_frame("c%04d.png"));
+  EXPECT_FALSE(has_frame("out.#/c.png") || has_frame("c50%.png"));
   for (const char* bad : {"cave.exr", "####/cave.exr", "a#b#.exr"})
     EXPECT_THROW(at_frame(bad, 1), Error) << bad;
 }

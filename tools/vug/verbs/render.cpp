@@ -151,7 +151,9 @@ Options at_frame(const Options& options, int frame) {
   Options out = options;
   for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products})
     if (!path->empty()) *path = session::at_frame(*path, frame).string();
+  if (session::has_frame(out.preview)) out.preview = session::at_frame(out.preview, frame).string();
   out.render.part = out.part, out.render.checkpoint = out.checkpoint;
+  out.render.preview = out.preview;
   if (out.checkpoint.empty()) out.render.resume = false;  // nothing but whole frames is kept
   return out;
 }
