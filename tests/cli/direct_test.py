@@ -75,8 +75,11 @@ class Direct(VugTest):
         self.write("holes.vug", "volume v = level_set(sphere(1m), voxel: 20cm)\nmesh skin on v {}\n"
                                 "object sieve on skin { direct true  material surface(opacity: 0.5) }\n"
                                 "camera main { eye (0, 0, 4) }\nrender main { size 8x6  spp 1 }\n")
-        error = self.expect(2, "render", "holes.vug", "-o", "holes.exr").err
-        self.assertIn("'sieve' has holes by its material's opacity, but no mesh to cut them in", error)
+        for args in (("check", "holes.vug"), ("render", "holes.vug", "-o", "holes.exr")):
+            self.assertIn("holes.vug:3:8: error: 'sieve' has holes by its material's opacity, for which it needs a mesh",
+                          self.expect(2, *args).err)
+        self.write("holes.vug", (self.folder / "holes.vug").read_text().replace("direct true", "emission (1, 1, 1)"))
+        self.assertIn("holes.vug:3:8: error: 'sieve' shines and has holes", self.expect(2, "check", "holes.vug").err)
         self.assertNotIn("holes.exr", self.files())
 
     def test_what_is_no_level_set_is_not_traced(self):

@@ -27,14 +27,26 @@ Schema<Block> schema() {
   return s;
 }
 
-/// A fault of what the object asks of its mesh; empty where there is none.
-std::string fault(const ObjectPlan& plan, const std::string& name) {
+/// A fault of what the object asks of its mesh and material, and its hint; empty where there is
+/// none.
+std::pair<std::string, std::string> fault(const ObjectPlan& plan, const std::string& name) {
   const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->shines());
-  const char* what = !plan.direct ? "" : shines ? "shines" : plan.mesh->cells ? "wears cells" : "";
-  if (plan.direct && plan.mesh->given)
-    return fmt::format("'{}' is to be traced, but '{}' is a mesh of no level set", name,
-                       plan.mesh->name);
-  return *what ? fmt::format("'{}' {}, for which it needs a mesh", name, what) : "";
+  const bool holes = plan.material && plan.material->cut_out();
+  if (shines && holes)
+    return {fmt::format("'{}' shines and has holes by its material's opacity", name),
+            "make it of two objects, or use emission_mask"};
+  if (!plan.direct) return {};
+  const std::string hint = "leave out 'direct'";
+  if (plan.mesh->given)
+    return {fmt::format("'{}' is to be traced, but '{}' is a mesh of no level set", name,
+                        plan.mesh->name),
+            hint};
+  const char* what = shines             ? "shines"
+                     : holes            ? "has holes by its material's opacity"
+                     : plan.mesh->cells ? "wears cells"
+                                        : nullptr;
+  if (!what) return {};
+  return {fmt::format("'{}' {}, for which it needs a mesh", name, what), hint};
 }
 
 /// The parts of the mesh to show; none, with a diagnostic, where `of` is none of them.
@@ -64,8 +76,8 @@ const DeclarationKind& object_declaration() {
           ObjectPlan plan = *block;
           plan.name = declaration.name;
           plan.mesh = part;
-          if (const std::string told = fault(plan, plan.name); !told.empty()) {
-            reading.diagnostics.error(declaration.where, told, "leave out 'direct'");
+          if (const auto [told, hint] = fault(plan, plan.name); !told.empty()) {
+            reading.diagnostics.error(declaration.where, told, hint);
             return Value();
           }
           reading.shot.objects.push_back(std::move(plan));
