@@ -96,6 +96,15 @@ class FacadeFit(VugTest):
         self.assertIn("facade_main.vug", said)
         self.assertEqual(grammar.read_bytes(), before)
 
+    def test_panes_follow_the_voxels(self):
+        self.photo()
+        self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--width", "6m", "--steps", 20000, "--no-carving")
+        for voxel, pane in (("10cm", 0.025), ("40cm", 0.03), ("3cm", 0.01)):
+            self.expect(0, "build", "out/photo_scene.vug", "-D", f"voxel={voxel}", "-o", "built")
+            grids = json.loads(self.expect(0, "info", "built/photo_scene.vdb", "--json").out)["grids"]
+            sizes = {grid["name"]: grid["voxel_size"][0] for grid in grids}
+            self.assertAlmostEqual(sizes["photo_panes"], pane)
+
     def test_nothing_found_is_said(self):
         self.write("flat.txt", "\n".join(f"{0.1 * i} 0 {0.1 * j}" for i in range(60) for j in range(40)))
         said = self.expect(0, "facade", "fit", "--cloud", "flat.txt", "-o", "out", "--steps", 1000, "--no-carving").err

@@ -102,6 +102,29 @@ class Modelling(VugTest):
         self.assertEqual([g["active_voxels"] for g in first["grids"]],
                          [g["active_voxels"] for g in second["grids"]])
 
+    def test_what_is_carved_has_the_sizes_of_its_recipe(self):
+        """Texts tell tenths of a millimetre; a third of a metre is none."""
+        self.model("--grammar", "ripperda.vug", "--width", "2m", "--height", "2m", "--act",
+                   "0 RegularIdenticalGrid columns=1 rows=1 x=0.33335 y=0.33335 width=1.33335 height=1.33335", "--carve",
+                   "a.vdb", "--voxel", "2cm")
+        self.write("again.vug", self.expect(0, "recipe", "a.vdb").out)
+        self.expect(0, "build", "again.vug", "-o", "out")
+        ids = [json.loads(self.expect(0, "info", name, "--json").out)["id"] for name in ("a.vdb", "out/again.vdb")]
+        self.assertEqual(*ids)
+
+    def test_thin_walls_are_told(self):
+        begin = ("--grammar", "ripperda.vug", "--width", "2m", "--height", "2m", "--carve", "a.vdb")
+        said = self.model(*begin, "--thickness", "3cm").err
+        self.assertIn("warning: a wall of 0.03m is thinner than two voxels of 0.04m", said)
+        self.assertIn("hint: --voxel 0.015m, or --thickness 0.08m", said)
+        self.assertFalse(self.model(*begin, "--thickness", "8cm").err)
+
+    def test_scenes_are_named_as_their_files(self):
+        for name, grammar in (("front", "front"), ("my front 2", "my_front_2"), ("panes", "facade_panes")):
+            self.model("s.json", "--scene", f"out/{name}.vug")
+            self.assertIn(f"grammar {grammar}: facade {{", (self.folder / f"out/{name}.vug").read_text())
+            self.expect(0, "check", f"out/{name}.vug")
+
     def test_nothing_that_a_session_stands_on_is_written_over(self):
         self.write("mine/own.vug", "grammar own: facade {\n width 5m\n height 4m\n axiom A\n A -> window\n}\n")
         write_png(self.folder / "photo.png", [[(9, 9, 9)] * 10] * 8)

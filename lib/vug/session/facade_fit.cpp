@@ -5,6 +5,7 @@
 #include <vug/fit/compile.h>
 #include <vug/fit/labelling.h>
 #include <vug/session/facade_fit.h>
+#include <vug/session/facade_model.h>
 
 #include <fmt/format.h>
 
@@ -125,7 +126,7 @@ std::string facade_scene(const FacadeFit& fit, const std::string& name, const st
       "{grammar}\n"
       "param voxel = {voxel}cm  in 5mm..50cm  \"edge of a voxel\"\n\n"
       "volume {name}_stone = level_set({name}, voxel: voxel)\n"
-      "volume {name}_panes = level_set(infill({name}), voxel: 1cm)\n"
+      "volume {name}_panes = level_set(infill({name}), voxel: {panes})\n"
       "mesh {name}_wall on {name}_stone {{}}\nmesh {name}_fill on {name}_panes {{}}\n"
       "object {name}_shown on {name}_wall {{ material lambert(albedo: (0.6, 0.54, 0.44)) }}\n"
       "object {name}_glass on {name}_fill {{ material lambert(albedo: (0.08, 0.09, 0.11)) }}\n\n"
@@ -135,9 +136,10 @@ std::string facade_scene(const FacadeFit& fit, const std::string& name, const st
       "render main {{ size {across}x{down}  spp 32  layers [\"beauty\", \"Z\"] }}\n",
       fmt::arg("grammar",
                file.empty() ? facade_grammar(fit, name) : fmt::format("include \"{}\"\n", file)),
-      fmt::arg("voxel", 100 * facade_voxel(fit)), fmt::arg("name", name), fmt::arg("half", half),
-      fmt::arg("far", far), fmt::arg("width", fit.tree.width),
-      fmt::arg("across", pixels(fit.tree.width)), fmt::arg("down", pixels(fit.tree.height)));
+      fmt::arg("voxel", 100 * facade_voxel(fit)), fmt::arg("panes", pane_voxel("voxel")),
+      fmt::arg("name", name), fmt::arg("half", half), fmt::arg("far", far),
+      fmt::arg("width", fit.tree.width), fmt::arg("across", pixels(fit.tree.width)),
+      fmt::arg("down", pixels(fit.tree.height)));
 }
 
 }  // namespace vug::session

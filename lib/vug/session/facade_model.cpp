@@ -1,6 +1,4 @@
-#include <vug/facade/carve.h>
 #include <vug/facade/grammar_output.h>
-#include <vug/field/affine.h>
 #include <vug/scene/parser.h>
 #include <vug/session/data_folders.h>
 #include <vug/session/facade_model.h>
@@ -16,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Larger voxels cannot hold sheets of glass, and walls of larger ones no frames of them; metres.
-constexpr double kPaneVoxel = 0.01, kFramedVoxel = 0.05;
+/// Walls of larger voxels hold no frames of panes; metres.
+constexpr double kFramedVoxel = 0.05;
 
 }  // namespace
 
@@ -56,19 +54,15 @@ modeller::StyleLoader facade_styles(const fs::path& folder) {
   };
 }
 
-Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options) {
-  const auto shared = std::make_shared<const facade::Tree>(tree);
-  const facade::Frame frame;
-  Shot out;
-  out.name = tree.name;
-  const auto add = [&](const std::string& name, const field::Field& field, double voxel) {
-    VolumePlan plan;
-    plan.name = options.prefix + name;
-    plan.field = field;
-    plan.voxel = voxel;
-    out.volumes.push_back(std::make_shared<const VolumePlan>(std::move(plan)));
-  };
-  add("stone", facade::wall(shared, frame, options.thickness), options.voxel);
+std::string pane_voxel(const std::string& voxel) {
+  return fmt::format("min({0}, clamp({0} / 4, 1cm, 3cm))", voxel);
+}
+
+std::string carving_scene(const facade::Tree& tree, const FacadeCarving& options) {
+  const std::string& name = options.name.empty() ? tree.name : options.name;
+  const std::string voxel = fmt::format("{}m", options.voxel);
+  std::string out = facade::grammar_text(tree, {.name = name, .thickness = options.thickness});
+  out += fmt::format("\nvolume stone = level_set({}, voxel: {})\n", name, voxel);
   const bool filled =
       options.voxel <= kFramedVoxel &&
       std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const facade::Node& node) {
@@ -76,26 +70,8 @@ Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options) {
                !node.element->solids(node.rect.width, node.rect.height).fill.empty();
       });
   if (filled)
-    add("panes", field::transformed(facade::carve(tree).fill, frame.transform(tree.width)),
-        std::min(kPaneVoxel, options.voxel));
-  return out;
-}
-
-Loaded load_carving(const facade::Tree& tree, const FacadeCarving& options, std::string scene,
-                    const std::string& file) {
-  Shot shot = facade_shot(tree, options);
-  if (scene.empty()) {
-    scene = facade::grammar_text(tree, {.name = tree.name, .thickness = options.thickness});
-    for (const auto& volume : shot.volumes)
-      scene += fmt::format(
-          "\nvolume {} = level_set({}, voxel: {}m)\n", volume->name,
-          volume == shot.volumes.front() ? tree.name : fmt::format("infill({})", tree.name),
-          volume->voxel);
-  }
-  Loaded out = load_text(std::move(scene), file);
-  if (!out.usable()) return out;
-  shot.recipe = out.shot.recipe, shot.seed = out.shot.seed;
-  out.shot = std::move(shot);
+    out +=
+        fmt::format("volume panes = level_set(infill({}), voxel: {})\n", name, pane_voxel(voxel));
   return out;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <vug/modeller/session.h>
-#include <vug/session/load.h>
 
 #include <filesystem>
 
@@ -17,19 +16,19 @@ modeller::StyleLoader facade_styles(const std::filesystem::path& folder);
 std::filesystem::path find_grammar(const std::filesystem::path& folder, const std::string& file);
 
 struct FacadeCarving {
-  double voxel = 0.04;      ///< Metres.
-  double thickness = 0.6;   ///< Of the wall, metres.
-  std::string prefix = {};  ///< Of the volumes' names.
+  double voxel = 0.04;     ///< Metres.
+  double thickness = 0.6;  ///< Of the wall, metres.
+  std::string name = {};   ///< Of the grammar; empty: the tree's.
 };
 
-/// The volumes `stone`, a wall with the facade carved into it, and `panes`, what fills its openings
-/// (with voxels of a centimetre at most; only where the wall's are fine enough for their frames).
-/// Nodes that are open are plain wall.
-Shot facade_shot(const facade::Tree& tree, const FacadeCarving& options);
+/// A scene of the volumes `stone`, a wall with the facade carved into it, and `panes`, what fills
+/// its openings (only where the wall's voxels are fine enough for their frames). What is carved is
+/// built from this text, so that its recipe tells the very sizes. Nodes that are open are plain
+/// wall.
+std::string carving_scene(const facade::Tree& tree, const FacadeCarving& options);
 
-/// The same with the recipe of a scene that carves it, and what was said of that scene. `scene` is
-/// its text, empty for one of the tree alone; `file` names it.
-Loaded load_carving(const facade::Tree& tree, const FacadeCarving& options, std::string scene,
-                    const std::string& file);
+/// The voxels of what fills openings, as an expression of the wall's: finer, as panes are sheets of
+/// 6 cm, but not so fine that they take longer than the wall.
+std::string pane_voxel(const std::string& voxel);
 
 }  // namespace vug::session

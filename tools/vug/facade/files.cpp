@@ -7,7 +7,9 @@
 #include <vug/scan/doubts.h>
 #include <vug/session/write.h>
 
+#include <cctype>
 #include <cstdio>
+#include <set>
 
 namespace vug::cli {
 
@@ -18,6 +20,15 @@ std::string seen_from(const fs::path& folder, const fs::path& file) {
       .lexically_normal()
       .lexically_relative(fs::absolute(folder).lexically_normal())
       .generic_string();
+}
+
+std::string scene_name(const std::string& text) {
+  static const std::set<std::string> taken = {"main", "even", "voxel", "stone", "panes"};
+  std::string out;
+  for (const char c : text) out += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || taken.count(out))
+    out = "facade_" + out;
+  return out;
 }
 
 void write_plain_png(const fs::path& file, const image::Image& picture) {

@@ -14,6 +14,9 @@ namespace vug::cli {
 /// How a file is named from another folder, as in a drawing over a picture.
 std::string seen_from(const std::filesystem::path& folder, const std::filesystem::path& file);
 
+/// A name that the texts of scenes can use for a grammar, of what people call files.
+std::string scene_name(const std::string& text);
+
 /// A PNG of the picture as it is: no view transform but sRGB, no dither.
 void write_plain_png(const std::filesystem::path& file, const image::Image& picture);
 

@@ -13,8 +13,8 @@
 #include <vug/scan/report.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
+#include <vug/session/load.h>
 
-#include <cctype>
 #include <cstdio>
 
 namespace vug::cli {
@@ -33,16 +33,6 @@ struct Options {
 
   const std::string& first_input() const { return photo.empty() ? clouds.front() : photo; }
 };
-
-/// A name that scenes can use, of what people call files.
-std::string name_of(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  const bool own = out == "main" || out == "even" || out == "voxel";  // facade_scene's
-  if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || own)
-    out = "facade_" + out;
-  return out;
-}
 
 /// What is to be read, and with a cloud what the scanner saw of it.
 struct Input {
@@ -106,7 +96,7 @@ int run(Options options) {
   options.fit.grammar = grammar_of(options);
   const bool named = !options.name.empty();
   const std::string wanted = named ? options.name : fs::path(options.first_input()).stem().string();
-  options.name = name_of(wanted);
+  options.name = scene_name(wanted);
   if (options.name != wanted && !options.work.quiet)
     fmt::print(stderr, "what is written is named '{}', as scenes can use no '{}'\n", options.name,
                wanted);
@@ -164,10 +154,9 @@ int run(Options options) {
   write_text(charts, fit::report_svg(fit.reading.report));
   const bool stopped = fit.reading.report.stopped;
   if (!options.no_carving && !stopped)
-    write_carving(session::load_carving(
-                      fit.tree, {.voxel = session::facade_voxel(fit), .prefix = options.name + "_"},
-                      session::facade_scene(fit, options.name, {}), scene_file.string()),
-                  options.work, carved);
+    write_carving(
+        session::load_text(session::facade_scene(fit, options.name, {}), scene_file.string()),
+        options.work, carved);
   clear_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
   if ((stopped || options.no_carving) && fs::exists(carved))

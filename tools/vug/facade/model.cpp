@@ -15,6 +15,7 @@
 #include <vug/image/io.h>
 #include <vug/modeller/retrace.h>
 #include <vug/session/facade_model.h>
+#include <vug/session/load.h>
 
 namespace vug::cli {
 namespace {
@@ -169,6 +170,17 @@ std::vector<fs::path> files_of(const Options& options, const modeller::Session& 
   return out;
 }
 
+/// Of a wall too thin for its voxels, which hold it here and there.
+void warn_of_shreds(const session::FacadeCarving& carving) {
+  if (carving.thickness >= 2 * carving.voxel) return;
+  const auto length = [](double metres) { return quantity_text(metres, Dimension::length); };
+  fmt::print(stderr,
+             "warning: a wall of {} is thinner than two voxels of {}, and may come out in shreds\n"
+             "hint: --voxel {}, or --thickness {}\n",
+             length(carving.thickness), length(carving.voxel), length(carving.thickness / 2),
+             length(2 * carving.voxel));
+}
+
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   if (!options.carve.empty() && extension_of(options.carve) != ".vdb")
@@ -192,11 +204,17 @@ int run(Options options) {
     throw Error(ErrorCode::bad_input, "what is done would be lost", {}, "-o SESSION.json keeps it");
   const modeller::State& state = session.now();
   if (!options.svg.empty()) draw(options, session);
-  if (!options.scene.empty()) write_text(options.scene, facade::grammar_text(state.tree()));
+  if (!options.scene.empty())
+    write_text(
+        options.scene,
+        facade::grammar_text(state.tree(), {.name = scene_name(fs::path(options.scene).stem())}));
   if (!options.carve.empty()) {
+    warn_of_shreds(options.carving);
     const fs::path scene = fs::path(options.carve).replace_extension(".vug");
-    write_carving(session::load_carving(state.tree(), options.carving, {}, scene.string()),
-                  options.work, options.carve);
+    options.carving.name = scene_name(state.tree().name);
+    write_carving(
+        session::load_text(session::carving_scene(state.tree(), options.carving), scene.string()),
+        options.work, options.carve);
     clear_bar();
   }
   if (!options.output.empty()) save(options, session);
@@ -274,7 +292,8 @@ Verb facade_model_verb() {
         app.add_option("--svg", options->svg,
                        "draws the rectangles, over the photo if there is one");
         app.add_option("--overlay", options->overlay, "another picture to draw over");
-        app.add_option("--scene", options->scene, "writes it as a grammar with all sizes, a .vug");
+        app.add_option("--scene", options->scene,
+                       "writes it as a grammar with all sizes, a .vug, named as the file");
         app.add_option("--carve", options->carve, "writes a wall with the facade carved, a .vdb");
         app.add_option("--voxel", options->carving.voxel, "of the carved wall, 4cm without it")
             ->transform(number_in(Dimension::length, 1e-4, 10));
