@@ -63,6 +63,23 @@ class ImageTests(VugTest):
         self.assertEqual({channel.split()[0] for channel in channels},
                          {"R", "G", "B", "variance.R", "variance.G", "variance.B", "samples"})
 
+    def test_both_views_of_a_picture_for_stereo_are_guarded(self):
+        both = ROOM.replace("camera main {", "camera main { interaxial 20cm ")
+        self.assertNotEqual(both, ROOM)
+        self.write("looks/both.vug", both)
+        self.case("both", {**SCENE, "scene": "../both.vug"})
+        only = ("test", "looks", "--filter", "both")
+        self.expect(0, *only, "--update", "--reason", "two eyes")
+        channels = json.loads(self.expect(0, "info", "looks/both/reference.exr", "--json").out)["channels"]
+        self.assertEqual({channel.split()[0] for channel in channels},
+                         {view + name for view in ("", "right.")
+                          for name in ("R", "G", "B", "variance.R", "variance.G", "variance.B", "samples")})
+        self.expect(0, *only)
+        self.expect(0, *only, "--flaky", "2")
+        # Both eyes move, and both are told of.
+        self.write("looks/both.vug", both.replace("interaxial 20cm", "interaxial 60cm"))
+        self.assertIn("right: ", self.vug(*only).out)
+
     def test_reports(self):
         self.write("looks/room.vug", ROOM.replace("LIGHT = 9", "LIGHT = 5"))
         self.case("broken", {"scene": "no.vug"})

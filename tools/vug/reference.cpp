@@ -5,6 +5,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/hash.h>
+#include <vug/image/views.h>
 
 #include <algorithm>
 
@@ -29,9 +30,14 @@ bool kept(const image::Layer& layer, const std::vector<std::string>& compared) {
 void store(const image::Subject& subject, const image::FileInfo& info,
            const ImageCase& image_case) {
   std::vector<std::string> channels;
-  for (const image::Layer& layer : image::layers_of(subject.image.channels))
-    if (kept(layer, image_case.diff.layers))
-      channels.insert(channels.end(), layer.channels.begin(), layer.channels.end());
+  for (const image::View& view : image::views_of(subject.image.channels)) {
+    std::vector<std::string> compared;
+    for (const std::string& layer : image_case.diff.layers)
+      compared.push_back(image::layer_in(view, layer).value_or(""));
+    for (const image::Layer& layer : image::layers_of(view.channels))
+      if (kept(layer, compared))
+        for (const std::string& channel : layer.channels) channels.push_back(view.full(channel));
+  }
   image::ExrOptions options;
   options.half = std::find(info.formats.begin(), info.formats.end(), "half") != info.formats.end();
   for (const auto& entry : subject.metadata)
@@ -59,9 +65,14 @@ void replace_reference(const ImageCase& image_case, const std::filesystem::path&
                        const std::string& reason) {
   const image::Subject subject = image::read_subject(picture);
   for (const std::string& name : image_case.diff.layers) {
-    const auto layers = image::layers_of(subject.image.channels);
-    if (std::none_of(layers.begin(), layers.end(),
-                     [&](const image::Layer& layer) { return layer.name == name; }))
+    const auto views = image::views_of(subject.image.channels);
+    const bool there = std::any_of(views.begin(), views.end(), [&](const image::View& view) {
+      const auto layers = image::layers_of(view.channels);
+      const auto own = image::layer_in(view, name);
+      return std::any_of(layers.begin(), layers.end(),
+                         [&](const image::Layer& layer) { return layer.name == own; });
+    });
+    if (!there)
       throw Error(ErrorCode::bad_input,
                   fmt::format("the picture of '{}' has no layer '{}'", image_case.name, name), {},
                   "name its layers in case.json");

@@ -1,6 +1,6 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
-#include <vug/image/diff.h>
+#include <vug/image/diff_view.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -180,7 +180,8 @@ NoisyPicture noisy(const Subject& subject) {
 }
 
 std::optional<Significance> significance_of(const std::vector<Chosen>& chosen, const Subject& a,
-                                            const Subject& b, const DiffOptions& options) {
+                                            const Subject& b, const DiffOptions& options,
+                                            double alarm) {
   const bool beauty = std::any_of(chosen.begin(), chosen.end(), [](const Chosen& each) {
     return each.layer.name == kBeauty && each.layer.colour();
   });
@@ -188,8 +189,7 @@ std::optional<Significance> significance_of(const std::vector<Chosen>& chosen, c
   if (beauty) {
     const NoisyPicture noisy_a = noisy(a), noisy_b = noisy(b);
     if (noisy_a.variance || noisy_b.variance)
-      return test_significance(noisy_a, noisy_b, options.mask,
-                               {.alarm = options.alarm.value_or(kAlarm)});
+      return test_significance(noisy_a, noisy_b, options.mask, {.alarm = alarm});
     why = fmt::format("neither '{}' nor '{}' tells the variance of its pixels", a.name, b.name);
   }
   if (options.alarm)
@@ -270,7 +270,8 @@ Limit limit_of(const std::string& name, double value) {
   return out;
 }
 
-Diff diff(const Subject& reference, const Subject& test, const DiffOptions& options) {
+Diff diff_view(const Subject& reference, const Subject& test, const DiffOptions& options,
+               double alarm) {
   if (reference.image.width != test.image.width || reference.image.height != test.image.height)
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' has {} x {} pixels and '{}' {} x {}", reference.name,
@@ -299,7 +300,7 @@ Diff diff(const Subject& reference, const Subject& test, const DiffOptions& opti
   if (!screen)
     out.exposure = options.exposure.value_or(
         exposure_of(comparison_of(main->layer, reference, test, options, 0)));
-  out.significance = significance_of(chosen, reference, test, options);
+  out.significance = significance_of(chosen, reference, test, options, alarm);
   const std::vector<Limit> limits = limits_for(chosen, options, out.significance.has_value());
   const auto of_beauty = [&](const Chosen& each) {
     return each.layer.name == kBeauty &&

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vug::image {
@@ -79,6 +80,8 @@ struct Diff {
   std::vector<Row> rows;  ///< Layer by layer; of identical ones that are not main only limits.
   std::vector<std::string> identical;  ///< Layers without a difference, the main ones aside.
   std::optional<Significance> significance;
+  /// The same of a stereo picture's other views, with their names.
+  std::vector<std::pair<std::string, Significance>> other_views;
   bool tested = false;                ///< Whether the verdict heeds `significance`.
   size_t not_finite = 0;              ///< Values in either picture, among those that count.
   std::vector<std::string> unjudged;  ///< Layers that differ but no limit or test speaks about.
@@ -94,7 +97,8 @@ struct Diff {
 
 /// Error(bad_input) with a hint: different sizes or colour spaces, channels that one picture lacks,
 /// layers, measures or limits that do not exist, a test of significance without variance. Swapping
-/// the pictures swaps signs and roles, but never the verdict.
+/// the pictures swaps signs and roles, but never the verdict. Of pictures for stereo both views are
+/// compared, and share the rate of false alarms; "right.N" names a layer of one, "N" that of both.
 Diff diff(const Subject& reference, const Subject& test, const DiffOptions& options = {});
 
 /// "beauty.rmse" or "rmse", with its value; Error(bad_input) for an unknown measure.

@@ -52,6 +52,17 @@ Json to_json(const Significance& s, bool heeded) {
   return out;
 }
 
+std::string to_text(const Significance& s, const std::string& layer) {
+  std::string out = fmt::format(
+      "\nsignificance of {}, {} blocks of {} x {} pixels: mean z {:.3f}, std z {:.3f}, |z| > 3 in "
+      "{:.2f} %, brightness {:+.3f} %\n",
+      layer, s.blocks, s.block, s.block, s.mean_z, s.std_z, 100 * s.beyond_3, 100 * s.bias);
+  for (const Finding& f : s.findings)
+    out += fmt::format("  {:<8} {:>10.4g} in {}   chance {:<10.3g} {}\n", f.name, f.value,
+                       f.channel, f.chance, f.different ? "FAILED" : "");
+  return out;
+}
+
 }  // namespace
 
 std::string verdict_text(const Diff& diff) {
@@ -75,16 +86,8 @@ std::string to_table(const Diff& diff) {
   for (const Row& row : diff.rows) out += row_text(row);
   if (!diff.identical.empty())
     out += fmt::format("\nidentical: {}\n", fmt::join(diff.identical, ", "));
-  if (diff.significance) {
-    const Significance& s = *diff.significance;
-    out += fmt::format(
-        "\nsignificance of the beauty, {} blocks of {} x {} pixels: mean z {:.3f}, std z {:.3f}, "
-        "|z| > 3 in {:.2f} %, brightness {:+.3f} %\n",
-        s.blocks, s.block, s.block, s.mean_z, s.std_z, 100 * s.beyond_3, 100 * s.bias);
-    for (const Finding& f : s.findings)
-      out += fmt::format("  {:<8} {:>10.4g} in {}   chance {:<10.3g} {}\n", f.name, f.value,
-                         f.channel, f.chance, f.different ? "FAILED" : "");
-  }
+  if (diff.significance) out += to_text(*diff.significance, "the beauty");
+  for (const auto& [view, significance] : diff.other_views) out += to_text(significance, view);
   if (diff.not_finite > 0) out += fmt::format("\n{} values are not finite\n", diff.not_finite);
   if (!diff.unjudged.empty())
     out +=
@@ -110,6 +113,8 @@ std::string to_json(const Diff& diff, const std::string& reference, const std::s
     if (row.limit) entry["limit"] = *row.limit, entry["passed"] = row.passed;
   }
   if (diff.significance) out["significance"] = to_json(*diff.significance, diff.tested);
+  for (const auto& [view, significance] : diff.other_views)
+    out["other_views"][view] = to_json(significance, diff.tested);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

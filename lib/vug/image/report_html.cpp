@@ -119,12 +119,12 @@ void add_measures(const Diff& diff, std::string& out) {
   out += "</section>\n";
 }
 
-void add_significance(const Significance& s, bool heeded, std::string& out) {
+void add_significance(const Significance& s, const std::string& of, bool heeded, std::string& out) {
   out += fmt::format(
-      "<section><h2>Significance</h2><p>{} blocks of {} × {} pixels: mean z {:.3f}, standard "
+      "<section><h2>Significance{}</h2><p>{} blocks of {} × {} pixels: mean z {:.3f}, standard "
       "deviation {:.3f}, |z| > 3 in {:.2f} % (noise: 0.27 %), brightness {:+.3f} %.{}</p>\n"
       "<table><tr><th>finding</th><th>channel</th><th>value</th><th>chance by noise</th></tr>\n",
-      s.blocks, s.block, s.block, s.mean_z, s.std_z, 100 * s.beyond_3, 100 * s.bias,
+      of, s.blocks, s.block, s.block, s.mean_z, s.std_z, 100 * s.beyond_3, 100 * s.bias,
       heeded ? "" : " The verdict rests on limits instead.");
   for (const Finding& f : s.findings)
     out += fmt::format(
@@ -151,7 +151,9 @@ std::string to_html(const Diff& diff, const std::string& title, const std::strin
   add_pictures(diff, out);
   out += "<div class=\"columns\">\n";
   add_measures(diff, out);
-  if (diff.significance) add_significance(*diff.significance, diff.tested, out);
+  if (diff.significance) add_significance(*diff.significance, "", diff.tested, out);
+  for (const auto& [view, significance] : diff.other_views)
+    add_significance(significance, " of " + xml_text(view), diff.tested, out);
   out += "</div>\n";
   return out + page_script() + page_foot();
 }

@@ -167,5 +167,62 @@ TEST(Diff, RefusalsAreSentencesWithHints) {
   EXPECT_NE(refusal([&] { diff(bare, bare, options); }).find("variance"), std::string::npos);
 }
 
+/// Both eyes of a picture, the right one with a gain of its own.
+Subject stereo(uint64_t seed, bool variance, double right_gain = 1) {
+  Subject out = subject(seed, variance);
+  const Subject right = subject(seed + 100, variance, right_gain);
+  std::vector<std::string> channels = out.image.channels;
+  for (const std::string& channel : right.image.channels) channels.push_back("right." + channel);
+  const size_t own = out.image.channels.size();
+  Image both(out.image.width, out.image.height, channels);
+  for (size_t p = 0; p < both.pixel_count(); ++p)
+    for (size_t c = 0; c < own; ++c) {
+      both.pixels[2 * own * p + c] = out.image.pixels[own * p + c];
+      both.pixels[2 * own * p + own + c] = right.image.pixels[own * p + c];
+    }
+  out.image = std::move(both);
+  return out;
+}
+
+TEST(Diff, BothViewsOfAPictureForStereoAreJudged) {
+  const Diff noise = diff(stereo(1, true), stereo(2, true));
+  EXPECT_TRUE(noise.same);
+  ASSERT_EQ(noise.other_views.size(), 1u);
+  EXPECT_EQ(noise.other_views[0].first, "right");
+  EXPECT_GE(value_of(noise, "right", "rmse"), 0.05);
+  const Diff darker = diff(stereo(1, true), stereo(2, true, 0.98));
+  EXPECT_FALSE(darker.same);
+  for (const std::string& reason : darker.reasons) EXPECT_EQ(reason.rfind("right: ", 0), 0u);
+  EXPECT_FALSE(darker.significance->different);
+  EXPECT_TRUE(darker.other_views[0].second.different);
+
+  // Without variance: by rounding; and a limit is one for both views, or for the one it names.
+  EXPECT_FALSE(diff(stereo(1, false), stereo(1, false, 0.98)).same);
+  DiffOptions options;
+  options.limits = {limit_of("max", 1e-9)};
+  EXPECT_FALSE(diff(stereo(1, false), stereo(1, false, 0.98), options).same);
+  options.limits = {limit_of("left.max", 1e-9), limit_of("right.max", 0.5)};
+  EXPECT_TRUE(diff(stereo(1, false), stereo(1, false, 0.98), options).same);
+  options.limits = {limit_of("right.max", 1e-9)};
+  EXPECT_FALSE(diff(stereo(1, false), stereo(1, false, 0.98), options).same);
+  options = {};
+  options.layers = {"left", "right.albedo"};
+  EXPECT_TRUE(diff(stereo(1, false), stereo(1, false, 0.98), options).same);
+  options.layers = {"right"};
+  EXPECT_FALSE(diff(stereo(1, false), stereo(1, false, 0.98), options).same);
+  EXPECT_EQ(diff(stereo(3, true), stereo(3, true)).basis, Basis::identical);
+  EXPECT_NE(refusal([] { diff(stereo(1, true), subject(1, true)); }).find("two eyes"),
+            std::string::npos);
+}
+
+TEST(Diff, ViewsShareTheRateOfFalseAlarms) {
+  int alarms = 0;
+  DiffOptions options;
+  options.alarm = 0.1;
+  for (uint64_t seed = 0; seed < 100; ++seed)
+    if (!diff(stereo(1000 + seed, true), stereo(2000 + seed, true), options).same) ++alarms;
+  EXPECT_LE(alarms, 20) << "10 are expected at most";
+}
+
 }  // namespace
 }  // namespace vug::image

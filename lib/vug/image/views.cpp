@@ -1,0 +1,52 @@
+#include <vug/image/layers.h>
+#include <vug/image/views.h>
+
+#include <algorithm>
+
+namespace vug::image {
+namespace {
+
+constexpr const char* kNames[] = {"", "left", "right"};
+
+/// The view that a name begins with; empty without one.
+std::string view_in(const std::string& name) {
+  for (const std::string view : {"left", "right"})
+    if (name == view || name.rfind(view + ".", 0) == 0) return view;
+  return "";
+}
+
+std::string without_view(const std::string& name) {
+  const size_t length = view_in(name).size();
+  return length == 0 ? name : length == name.size() ? "" : name.substr(length + 1);
+}
+
+}  // namespace
+
+std::vector<View> views_of(const std::vector<std::string>& channels) {
+  std::vector<View> out;
+  for (const std::string name : kNames) {
+    View view{name, {}};
+    for (const std::string& channel : channels)
+      if (view_in(channel) == name) view.channels.push_back(without_view(channel));
+    if (!view.channels.empty()) out.push_back(std::move(view));
+  }
+  return out;
+}
+
+Image extract(const Image& picture, const View& view) {
+  std::vector<std::string> names;
+  for (const std::string& channel : view.channels) names.push_back(view.full(channel));
+  Image out = picture.select(names);
+  out.channels = view.channels;
+  return out;
+}
+
+std::optional<std::string> layer_in(const View& view, const std::string& layer) {
+  const std::string named = view_in(layer);
+  if (named.empty()) return layer;
+  if (named != (view.name.empty() ? "left" : view.name)) return {};
+  const std::string rest = without_view(layer);
+  return rest.empty() ? kBeauty : rest;
+}
+
+}  // namespace vug::image
