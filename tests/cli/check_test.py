@@ -37,6 +37,8 @@ class Check(VugTest):
         self.both("", 0, link='except: ["heap/2"]')
         self.both("'heap/a'", link='only: ["heap/a"]')
         self.both("'heap/1/stone'", link='only: ["heap/1/stone"]')
+        self.write("s.vug", SCENE.replace("apart true", "").replace("{link}", 'only: ["heap/2"]').replace("{render}", ""))
+        self.assertIn("write 'apart true' in the place 'heap'", self.expect(2, "check", "s.vug").err)
 
     def test_a_shining_object_has_a_layer_of_light(self):
         glow = SCENE.replace(", {link}", "").replace("ball on skin {}", 'ball on skin { emission (1, 1, 1)  light_group "glow" }')

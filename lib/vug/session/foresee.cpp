@@ -47,6 +47,11 @@ std::string link_hint(const Shot& shot, const std::string& name) {
   for (const ObjectPlan& object : shown_objects(shot)) names.push_back(object.name);
   for (const PlacePlan& place : shot.places) {
     names.push_back(place.name);
+    PlacePlan told_apart = place;
+    told_apart.apart = true;
+    if (const auto rest = behind(name, place.name); rest && holds(told_apart, *rest))
+      return fmt::format("write 'apart true' in the place '{}' to tell its copies apart",
+                         place.name);
     for (const Model& model : place.of)
       if (model.name == name)
         return fmt::format("where it stands '{}' goes by the name of its place: '{}'", name,
