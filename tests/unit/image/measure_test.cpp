@@ -69,6 +69,8 @@ TEST(Measures, PsnrOfAConstantOffsetOnTheScreen) {
   const auto light = [](double shown) { return static_cast<float>(srgb_decode(shown)); };
   const Comparison pair = as_shown(flat(light(0.5)), flat(light(0.6)));
   EXPECT_NEAR(measure_of("psnr").measure(pair).value, 20, 1e-4);
+  const double black_and_white = measure_of("psnr").measure(as_shown(flat(0), flat(1))).value;
+  EXPECT_TRUE(black_and_white == 0 && !std::signbit(black_and_white)) << "not -0";
 }
 
 TEST(Measures, SsimOfFlatPicturesIsTheLuminanceTerm) {

@@ -12,7 +12,7 @@ Measured psnr(const Comparison& pair) {
   shown.test = display(pair.test, pair.view);
   shown.mask = pair.mask;
   const double squares = differences(shown).squares;
-  return {squares > 0 ? -10 * maths::log(squares) / kLog10 : kInfinity, {}};
+  return {squares > 0 ? 10 * maths::log(1 / squares) / kLog10 : kInfinity, {}};
 }
 
 }  // namespace
