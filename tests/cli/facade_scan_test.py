@@ -162,7 +162,7 @@ class FacadeRectify(VugTest):
         corners = ["--corners", "20,10", "180,30", "170,140", "30,120"]
         said = self.expect(0, "facade", "rectify", "photo.pgm", *corners, "--size", "8mx5m", "--pixel", "2cm",
                            "-o", "out.exr")
-        self.assertEqual(said.out, "400 x 250 pixels, 8 x 5\n")
+        self.assertEqual(said.out, "400 x 250 pixels, 8 x 5 m\n")
         self.assertIn("400", self.expect(0, "info", "out.exr").out)
         self.expect(0, "facade", "rectify", "photo.pgm", *corners, "-o", "out.png")
         wrong = ["--corners", "30,120", "170,140", "180,30", "20,10"]
@@ -181,6 +181,26 @@ class FacadeRectify(VugTest):
         self.expect(2, "facade", "rectify", "photo.pgm", *corners, "-o", "x.jpg")
         self.expect(2, "facade", "rectify", "missing.png", *corners, "-o", "x.png")
         self.assertNotIn("x.png", self.files())
+
+    def test_sizes_are_metres_or_a_ratio(self):
+        corners = ["--corners", "20,10", "180,30", "170,140", "30,120"]
+
+        def rectify(*args, code=2):
+            result = self.expect(code, "facade", "rectify", "photo.pgm", *args, "-o", "x.exr")
+            return result.err if code else result.out
+        self.assertIn("8 x 5 m\n", rectify(*corners, "--size", "800cm x 5m", code=0))
+        self.assertIn("8 x 5 (the ratio)\n", rectify(*corners, "--size", "8x5", code=0))
+        (self.folder / "x.exr").unlink()
+        for size in ("8mx5", "8x5m"):
+            error = rectify(*corners, "--size", size)
+            self.assertIn(f"'{size}' has a unit at one side only\nhint: 12mx9m are metres, 4x3 is the ratio", error)
+        for bad in ("8m x", "8degx5deg", "8x5x2", "m x m", " x "):
+            self.assertIn("is no size, as 12mx9m or 4x3", rectify(*corners, "--size", bad))
+        for size in ((), ("--size", "8x5")):
+            self.assertIn("hint: --size does, in metres", rectify(*corners, *size, "--pixel", "1cm"))
+        error = rectify("--corners", "20m,10m", *corners[2:], "--size", "8mx5m")
+        self.assertIn("'20m,10m' is no place in the photo, X,Y in pixels without a unit", error)
+        self.assertNotIn("x.exr", self.files())
 
     def test_lies_over_a_range_image(self):
         self.write("wall.ply", ply(points()))

@@ -23,21 +23,34 @@ struct Options {
   WorkOptions work;
 };
 
-/// Two numbers around `between`, of lengths or of none.
-std::pair<Number, Number> pair_of(const std::string& text, char between, const char* what) {
+constexpr const char* kInPhoto = "place in the photo, X,Y in pixels without a unit";
+
+/// What two numbers may be told in.
+enum class In { pixels, lengths };
+
+/// A number without blanks around it.
+std::optional<Number> number_of(std::string_view text) {
+  const size_t first = text.find_first_not_of(' ');
+  if (first == text.npos) return std::nullopt;
+  return scene::read_number(text.substr(first, text.find_last_not_of(' ') + 1 - first));
+}
+
+/// Two numbers around `between`: plain ones, or lengths where these are taken.
+std::pair<Number, Number> pair_of(const std::string& text, char between, In in, const char* what) {
   const size_t cut = text.find(between);
   if (cut != std::string::npos) {
-    const auto a = scene::read_number(text.substr(0, cut));
-    const auto b = scene::read_number(text.substr(cut + 1));
-    const auto sound = [](const std::optional<Number>& n) {
-      return n && (n->dimension == Dimension::none || n->dimension == Dimension::length);
+    const auto a = number_of(std::string_view(text).substr(0, cut));
+    const auto b = number_of(std::string_view(text).substr(cut + 1));
+    const auto sound = [in](const std::optional<Number>& n) {
+      return n && (n->dimension == Dimension::none ||
+                   (in == In::lengths && n->dimension == Dimension::length));
     };
     if (sound(a) && sound(b)) return {*a, *b};
   }
   throw Error(ErrorCode::bad_input, fmt::format("'{}' is no {}", text, what));
 }
 
-scan::FourPoints points_of(const std::vector<std::string>& texts, const char* what) {
+scan::FourPoints points_of(const std::vector<std::string>& texts, In in, const char* what) {
   scan::FourPoints out;
   if (texts.size() != out.size())
     throw Error(ErrorCode::bad_input,
@@ -46,7 +59,7 @@ scan::FourPoints points_of(const std::vector<std::string>& texts, const char* wh
                             fmt::join(texts, " ")),
                 {}, "four of X,Y with blanks between them, as 0,0 90,0 90,120 0,120");
   for (size_t i = 0; i < 4; ++i) {
-    const auto [x, y] = pair_of(texts[i], ',', what);
+    const auto [x, y] = pair_of(texts[i], ',', in, what);
     out[i] = {x.value, y.value};
   }
   return out;
@@ -63,14 +76,29 @@ void write(const std::string& file, const scan::Rectified& out, bool metres) {
 image::Image laid_over(const scan::RangeImage& range, const Options& options,
                        const image::Image& photo) {
   if (options.corners.empty()) return scan::laid_over(range, photo, options.rectify.memory);
-  const scan::FourPoints corners = points_of(options.corners, "place in the photo, X,Y");
+  const scan::FourPoints corners = points_of(options.corners, In::pixels, kInPhoto);
   if (!options.at.empty())
-    return scan::laid_over(range, photo, corners, points_of(options.at, "place in metres, X,Y"),
+    return scan::laid_over(range, photo, corners,
+                           points_of(options.at, In::lengths, "place in metres, X,Y"),
                            options.rectify.memory);
   const double wide = range.metres_wide(), high = range.metres_high();
   return scan::laid_over(range, photo, corners,
                          {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)},
                          options.rectify.memory);
+}
+
+/// True where the size is in metres, not only a ratio, or nothing.
+bool set_size(const std::string& text, scan::RectifyOptions& to) {
+  if (text.empty()) return false;
+  const auto [wide, high] = pair_of(text, 'x', In::lengths, "size, as 12mx9m or 4x3");
+  if (!(wide.value > 0 && high.value > 0))
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", text), {},
+                "width and height are above 0, as in 12mx9m or 4x3");
+  if (wide.dimension != high.dimension)
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' has a unit at one side only", text), {},
+                "12mx9m are metres, 4x3 is the ratio of the sides");
+  to.width = wide.value, to.height = high.value;
+  return wide.dimension == Dimension::length;
 }
 
 int run(Options options) {
@@ -87,15 +115,11 @@ int run(Options options) {
   if (!options.onto.empty()) inputs.emplace_back(options.onto);
   require_outputs({options.output}, inputs);
   options.rectify.memory = options.work.memory_limit();
-  bool metres = false;
-  if (!options.size.empty()) {
-    const auto [wide, high] = pair_of(options.size, 'x', "size, as 12mx9m or 4x3");
-    if (!(wide.value > 0 && high.value > 0))
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", options.size), {},
-                  "width and height are above 0, as in 12mx9m or 4x3");
-    options.rectify.width = wide.value, options.rectify.height = high.value;
-    metres = wide.dimension == Dimension::length || high.dimension == Dimension::length;
-  }
+  const bool metres = set_size(options.size, options.rectify);
+  if (options.onto.empty() && options.rectify.pixel > 0 && !metres)
+    throw Error(ErrorCode::bad_input,
+                "--pixel is a length, and nothing tells how large the facade is", {},
+                "--size does, in metres: 12mx9m");
   const image::Image photo =
       fit::read_within(options.photo, image::read_info(options.photo), options.work.memory_limit());
   if (!options.onto.empty()) {
@@ -105,11 +129,14 @@ int run(Options options) {
     image::write_exr(options.output, laid_over(range, options, photo), exr_options);
     return kDone;
   }
-  const scan::Rectified out = scan::rectified(
-      photo, points_of(options.corners, "place in the photo, X,Y"), options.rectify);
+  const scan::Rectified out =
+      scan::rectified(photo, points_of(options.corners, In::pixels, kInPhoto), options.rectify);
   write(options.output, out, metres);
   fmt::print("{} x {} pixels, {:.4g} x {:.4g}{}\n", out.picture.width, out.picture.height,
-             out.width, out.height, options.size.empty() ? " (from the perspective)" : "");
+             out.width, out.height,
+             options.size.empty() ? " (the ratio, from the perspective)"
+             : metres             ? " m"
+                                  : " (the ratio)");
   return kDone;
 }
 
@@ -128,8 +155,10 @@ Verb facade_rectify_verb() {
         app.add_option("--size", o->size,
                        "of that rectangle, 12mx9m, or only the ratio of its sides, 4x3; without it "
                        "the ratio follows from the perspective");
-        app.add_option("--pixel", o->rectify.pixel,
-                       "size of the picture's pixels; without it as fine as the photo")
+        app.add_option(
+               "--pixel", o->rectify.pixel,
+               "size of the picture's pixels, where --size is in metres; without it as fine as the "
+               "photo")
             ->transform(number_in(Dimension::length, 1e-6, 1e3));
         auto* onto = app.add_option("--onto", o->onto,
                                     "a range image of vug facade scan: the photo is laid over it, "
