@@ -61,14 +61,17 @@ void settle(State& state, double noise) {
   }
   const int across = (region.width() + State::kBlock - 1) / State::kBlock;
   const int down = static_cast<int>(noises.size()) / across;
+  const auto number = [&](int x, int y) {
+    return static_cast<size_t>(y) * static_cast<size_t>(across) + static_cast<size_t>(x);
+  };
   for (int y = 0; y < down; ++y)
     for (int x = 0; x < across; ++x) {
-      const auto block = static_cast<size_t>(y * across + x);
+      const size_t block = number(x, y);
       if (state.settled[block] || state.done[block] - state.begin < kFewestSamples) continue;
       double near = 0, count = 0;
       for (int v = std::max(0, y - 1); v <= std::min(down - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(across - 1, x + 1); ++u) {
-          const auto neighbour = static_cast<size_t>(v * across + u);
+          const size_t neighbour = number(u, v);
           near += noises[neighbour], count += pixels[neighbour];
         }
       if (near <= noise * noise * count) state.settled[block] = 1;

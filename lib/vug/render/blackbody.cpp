@@ -51,8 +51,8 @@ struct ThermalTable {
   static constexpr size_t kSteps = 1024;
   static constexpr double kHottest = 40000, kCoolest = 300;
   static constexpr double kFirst = 1 / kHottest, kStep = (1 / kCoolest - kFirst) / (kSteps - 1);
-  std::array<Rgb, kSteps> colour;
-  std::array<double, kSteps> log_luminance;
+  std::array<Rgb, kSteps> colour{};
+  std::array<double, kSteps> log_luminance{};
 
   ThermalTable() {
     constexpr double kFirstRadiation = 1.191042972e-16;  // 2 h c^2 in W m^2 / sr

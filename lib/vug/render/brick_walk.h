@@ -43,7 +43,7 @@ class BrickWalk {
       const int last = bricks.count()[axis] - 1;
       brick[axis] = std::clamp(static_cast<int>(at[axis] / side), 0, last);
       const float d = direction_[axis];
-      step_[axis] = d > 0 ? strides[axis] : -strides[axis];
+      step_[static_cast<size_t>(axis)] = d > 0 ? strides[axis] : -strides[axis];
       next_[axis] =
           d != 0 ? (side * static_cast<float>(brick[axis] + (d > 0)) - origin_[axis]) * per[axis]
                  : kFar;

@@ -14,7 +14,7 @@ namespace vug::render {
 /// those of instances into their own space.
 struct World::Geometry::Search : RTCIntersectContext {
   Search(const Geometry& geometry, const Ray& world_ray, float when)
-      : of(geometry), ray(world_ray), time(when) {
+      : RTCIntersectContext{}, of(geometry), ray(world_ray), time(when) {
     rtcInitIntersectContext(this);
   }
   const Geometry& of;

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace vug::render {
 namespace {
@@ -99,7 +98,8 @@ void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size
   // Copies, because Embree reads 16 bytes at the last vertex.
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            sizeof(Vec3f), mesh.positions.size());
-  if (vertices) std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3f));
+  if (vertices)
+    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3f*>(vertices));
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              mesh.triangles.data(), 0, sizeof(mesh::Triangle),
                              mesh.triangles.size());
@@ -235,7 +235,7 @@ World::Geometry::Found World::Geometry::find(const Ray& ray, float time) const {
 }
 
 void World::Geometry::find_before(const Ray& ray, float time, float distance, Found& found) const {
-  RTCRayHit query;
+  RTCRayHit query{};
   query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
   query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y;
   query.ray.dir_z = ray.direction.z;
@@ -268,7 +268,7 @@ bool World::Geometry::occluded(const Ray& ray, float distance, float time) const
   RaySearch still(triangles_, ray, distance, RaySearch::Aim::any);
   finish(still);
   if (still.found() || !rest_) return still.found();
-  RTCRay query;
+  RTCRay query{};
   query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
   query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
   query.tnear = 0, query.tfar = distance, query.time = time;

@@ -20,7 +20,7 @@ double at(const Cubic& c, double s) { return ((c[3] * s + c[2]) * s + c[1]) * s 
 /// The values at the corners of a cell, and what follows from them for places within, 0 to 1 along
 /// each axis. Values are whole numbers: at 0 and 1 a corner's comes out exactly.
 struct Cell {
-  double v[2][2][2];
+  double v[2][2][2] = {};
 
   Cell(const Brick& brick, int i, int j, int k) {
     for (int a = 0; a < 2; ++a)

@@ -34,7 +34,7 @@ class LightTree {
     std::array<float, kWidth> axis_x{}, axis_y{}, axis_z{};
     std::array<float, kWidth> cos_spread{}, sin_spread{}, cos_reach{};
     std::array<float, kWidth> strength{};
-    std::array<uint32_t, kWidth> child;  ///< Another fork, or kLeaf and a light.
+    std::array<uint32_t, kWidth> child{};  ///< Another fork, or kLeaf and a light.
 
     Fork() { child.fill(kLeaf); }
     /// It parts into single lights only.

@@ -82,7 +82,7 @@ class RayBatch {
 
  private:
   struct Queue {
-    std::array<uint8_t, kMost> slots;
+    std::array<uint8_t, kMost> slots{};
     size_t size = 0;
   };
   template <RaySearch::Stage stage>
