@@ -2,6 +2,7 @@
 #include "bar.h"
 #include "files.h"
 #include "load.h"
+#include "together.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -80,6 +81,68 @@ void tell_size(const Options& options, const session::FacadePicture& picture) {
              size.y);
 }
 
+/// Files of that name in a folder.
+struct Outputs {
+  fs::path grammar, scene, tree, drawing, carved, seen, range, labels, report, charts;
+
+  Outputs(const fs::path& folder, const std::string& name) {
+    const auto file = [&](const char* ending) { return folder / (name + ending); };
+    grammar = file(".vug"), scene = file("_scene.vug"), tree = file(".json");
+    drawing = file(".svg"), carved = file(".vdb");
+    seen = file(".depth.png"), range = file(".depth.exr"), labels = file(".labels.png");
+    report = file(".report.json"), charts = file(".report.svg");
+  }
+};
+
+/// All but what is carved. Pictures are named as seen from `folder`.
+void write_found(const Options& options, const Input& in, const session::FacadeFit& fit,
+                 const Outputs& to, const fs::path& folder) {
+  if (in.range) {
+    scan::write_range(to.range, *in.range);
+    write_plain_png(to.seen, scan::picture_of(*in.range, scan::surface_map(*in.range)));
+  }
+  if (!fit.labels.empty()) {
+    const image::FileInfo photo = image::read_info(options.photo);
+    fit::write_labels(to.labels,
+                      fit::resampled(fit.labels, {in.picture.width, in.picture.height},
+                                     {photo.width, photo.height}),
+                      photo.width, photo.height);
+  }
+  write_text(to.grammar,
+             fmt::format("# Read from {}.\n{}", fs::path(options.first_input()).filename().string(),
+                         session::facade_grammar(fit, options.name)));
+  write_text(to.scene, session::facade_scene(fit, options.name, to.grammar.filename().string()));
+  write_text(to.tree, facade::tree_json(fit.tree));
+  const std::string picture =
+      options.photo.empty() ? to.seen.filename().string() : seen_from(folder, options.photo);
+  write_text(to.drawing, facade::elevation_svg(fit.tree, {.picture = picture}));
+  write_text(to.report, fit::report_json(fit.reading.report));
+  write_text(to.charts, fit::report_svg(fit.reading.report));
+}
+
+/// All files at once: a disk that is full for one of them gets none. A carving that somebody stops,
+/// or that is too large, is left out.
+void write(const Options& options, const Input& in, const session::FacadeFit& fit,
+           const Outputs& files, bool carve) {
+  Together together(options.folder, options.name);
+  const Outputs hidden(together.path(), options.name);
+  try {
+    write_found(options, in, fit, hidden, options.folder);
+    if (carve)
+      write_carving(
+          session::load_text(session::facade_scene(fit, options.name, {}), files.scene.string()),
+          options.work, hidden.carved);
+  } catch (Error& error) {
+    if (error.code() != ErrorCode::io && fs::exists(hidden.charts)) {
+      together.commit();
+      throw;
+    }
+    error.within("writing what was found, of which nothing is kept");
+    throw;
+  }
+  together.commit();
+}
+
 int run(Options options) {
   if (options.photo.empty() && options.clouds.empty())
     throw Error(ErrorCode::bad_input, "there is nothing to read", {},
@@ -100,16 +163,12 @@ int run(Options options) {
   if (options.name != wanted && !options.work.quiet)
     fmt::print(stderr, "what is written is named '{}', as scenes can use no '{}'\n", options.name,
                wanted);
-  const auto file = [&](const char* ending) { return folder / (options.name + ending); };
-  const fs::path grammar_file = file(".vug"), scene_file = file("_scene.vug"),
-                 tree_file = file(".json"), drawing = file(".svg"), carved = file(".vdb"),
-                 seen = file(".depth.png"), range = file(".depth.exr"),
-                 labels = file(".labels.png"), report = file(".report.json"),
-                 charts = file(".report.svg");
-  std::vector<fs::path> outputs = {grammar_file, scene_file, tree_file, drawing, report, charts};
-  if (!options.no_carving) outputs.push_back(carved);
-  if (!options.clouds.empty()) outputs.insert(outputs.end(), {range, seen});
-  if (!options.looks.empty()) outputs.push_back(labels);
+  const Outputs files(folder, options.name);
+  std::vector<fs::path> outputs = {files.grammar, files.scene,  files.tree,
+                                   files.drawing, files.report, files.charts};
+  if (!options.no_carving) outputs.push_back(files.carved);
+  if (!options.clouds.empty()) outputs.insert(outputs.end(), {files.range, files.seen});
+  if (!options.looks.empty()) outputs.push_back(files.labels);
   std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
   for (const fs::path& one : {fs::path(options.photo), options.picture.depth,
                               fs::path(options.looks), options.fit.grammar})
@@ -128,39 +187,12 @@ int run(Options options) {
   const Input in = read_input(options);
   tell_size(options, in.picture);
   const session::FacadeFit fit = session::fit_facade(in.picture, options.fit, progress);
-  const std::string scene =
-      session::facade_scene(fit, options.name, grammar_file.filename().string());
-  if (in.range) {
-    scan::write_range(range, *in.range);
-    write_plain_png(seen, scan::picture_of(*in.range, scan::surface_map(*in.range)));
-  }
-  if (!fit.labels.empty()) {
-    const image::FileInfo photo = image::read_info(options.photo);
-    fit::write_labels(labels,
-                      fit::resampled(fit.labels, {in.picture.width, in.picture.height},
-                                     {photo.width, photo.height}),
-                      photo.width, photo.height);
-  }
-  write_text(grammar_file,
-             fmt::format("# Read from {}.\n{}", fs::path(options.first_input()).filename().string(),
-                         session::facade_grammar(fit, options.name)));
-  write_text(scene_file, scene);
-  write_text(tree_file, facade::tree_json(fit.tree));
-  write_text(drawing,
-             facade::elevation_svg(
-                 fit.tree, {.picture = seen_from(
-                                folder, options.photo.empty() ? seen : fs::path(options.photo))}));
-  write_text(report, fit::report_json(fit.reading.report));
-  write_text(charts, fit::report_svg(fit.reading.report));
   const bool stopped = fit.reading.report.stopped;
-  if (!options.no_carving && !stopped)
-    write_carving(
-        session::load_text(session::facade_scene(fit, options.name, {}), scene_file.string()),
-        options.work, carved);
+  write(options, in, fit, files, !options.no_carving && !stopped);
   clear_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
-  if ((stopped || options.no_carving) && fs::exists(carved))
-    fmt::print(stderr, "warning: '{}' is of an earlier fit\n", carved.string());
+  if ((stopped || options.no_carving) && fs::exists(files.carved))
+    fmt::print(stderr, "warning: '{}' is of an earlier fit\n", files.carved.string());
   if (fit.reading.seen.empty())
     fmt::print(stderr, "nothing was found: the facade is a bare wall\n");
   fmt::print("{}\n", facade::theta(fit.tree));

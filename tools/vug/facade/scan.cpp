@@ -4,6 +4,7 @@
 #include "files.h"
 #include "load.h"
 #include "print.h"
+#include "together.h"
 
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
@@ -42,13 +43,17 @@ struct Outputs {
         report(fs::path(exr).replace_extension(".json")) {}
 };
 
-void write(const Outputs& outputs, const scan::RangeImage& range, const scan::SurfaceMap& map,
+/// All of them, or none.
+void write(const fs::path& exr, const scan::RangeImage& range, const scan::SurfaceMap& map,
            const std::vector<scan::Opening>& openings, const std::string& report) {
+  Together together(exr.parent_path(), exr.stem().string());
+  const Outputs outputs(together.path() / exr.filename());
   scan::write_range(outputs.range, range);
   write_plain_png(outputs.picture, scan::picture_of(range, map));
   write_text(outputs.drawing,
              scan::openings_svg(range, openings, outputs.picture.filename().string()));
   write_text(outputs.report, report);
+  together.commit();
 }
 
 int run(Options options) {
@@ -89,7 +94,7 @@ int run(Options options) {
   progress.check();
   warn_of_doubts(cloud, plane, range);
   const std::string report = scan::report_json(cloud, plane, range, map, openings);
-  if (!options.output.empty()) write(Outputs(options.output), range, map, openings, report);
+  if (!options.output.empty()) write(options.output, range, map, openings, report);
   clear_bar();
   print_report(nlohmann::ordered_json::parse(report), options.json);
   return kDone;
