@@ -93,6 +93,11 @@ class FacadeTrain(VugTest):
         tree = json.loads((self.folder / "out/f2.json").read_text())
         self.assertEqual(sum(one["kind"] == "window" for one in tree["elements"]), 16)
 
+    def test_the_help_says_what_is_needed(self):
+        said = " ".join(self.expect(0, "facade", "train", "--help").out.split())
+        self.assertIn("this or --folds is needed", said)
+        self.assertIn("this or -o is needed", said)
+
     def test_what_cannot_be_is_told(self):
         def told(part, *more):
             said = self.train(*more, code=2)

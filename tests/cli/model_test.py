@@ -64,6 +64,12 @@ class Modelling(VugTest):
         self.assertIn("the session has 3 edits to undo, not 9", self.model("s.json", "--undo", 9, "--tree", code=2).err)
         self.assertIn("did you mean 'grid'", self.model("s.json", "--to", "grit", "--tree", code=2).err)
 
+    def test_a_checkpoint_that_moves_is_told(self):
+        said = self.model("s.json", "--act", "0.0 IdenticalGrid", "--checkpoint", "grid", "-o", "t.json").err
+        self.assertIn("the checkpoint 'grid' was after 3 edits and is now after 4", said)
+        self.assertFalse(self.model("t.json", "--checkpoint", "grid", "-o", "t.json").err)
+        self.assertFalse(self.model("t.json", "--undo", 1, "--checkpoint", "other", "-o", "u.json").err)
+
     def test_forms(self):
         self.assertIn("0.0 FacadeRow 12 x 3 m at (0, 0)  open", self.model("s.json").out)
         self.assertTrue(self.model("s.json", "--theta").out.startswith("Facade(0, 0, 12, 9, (FacadeRow(3), "))

@@ -111,6 +111,15 @@ modeller::Session read(const Options& options) {
                                 session::facade_styles(folder_of(options.session)));
 }
 
+/// Tells where an earlier one of that name was.
+void set_checkpoint(const Options& options, modeller::History& history) {
+  const auto had = history.checkpoints().find(options.checkpoint);
+  if (had != history.checkpoints().end() && had->second != history.done() && !options.work.quiet)
+    fmt::print(stderr, "the checkpoint '{}' was after {} and is now after {}\n", options.checkpoint,
+               counted(had->second, "edit"), history.done());
+  history.set_checkpoint(options.checkpoint);
+}
+
 void edit(const Options& options, modeller::Session& session) {
   modeller::History& history = session.history;
   const auto want = [](int steps, size_t had, const char* what) {
@@ -129,7 +138,7 @@ void edit(const Options& options, modeller::Session& session) {
       throw;
     }
   }
-  if (!options.checkpoint.empty()) history.set_checkpoint(options.checkpoint);
+  if (!options.checkpoint.empty()) set_checkpoint(options, history);
 }
 
 /// Writes the session where it is asked for; names in it are seen from there.

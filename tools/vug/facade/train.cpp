@@ -79,10 +79,11 @@ Verb facade_train_verb() {
                            "a file that names them: {\"0\": \"door\", \"1\": \"window\", ...}")
                 ->required();
             app.add_option("-o,--output", options->output,
-                           "the .json for `vug facade fit --looks`");
-            app.add_option("--folds", options->folds,
-                           "tells how right looks are that are trained without a part of the "
-                           "pictures, on that part, for each of so many parts")
+                           "the .json for `vug facade fit --looks`; this or --folds is needed");
+            app.add_option(
+                   "--folds", options->folds,
+                   "tells how right looks are that are trained without a part of the "
+                   "pictures, on that part, for each of so many parts; this or -o is needed")
                 ->transform(whole_number_in(2, 1000));
             app.add_option("--rows", options->limits.height,
                            "of pixels that pictures are shrunk to, 360 without it")
