@@ -242,6 +242,13 @@ class Kept(VugTest):
             self.assertIn("error: stopped on request", running.said)
             self.assertEqual(self.files(), before)
 
+    def test_a_carving_that_is_too_large_leaves_what_was_found(self):
+        said = self.expect(2, "facade", "fit", "photo.png", "-o", "out", "--width", "60m", "--steps", "1000",
+                           "--max-memory", "60M").err
+        self.assertIn("more than the limit of 60 MiB", said)
+        self.outcome()
+        self.assertFalse([name for name in self.files() if ".part" in name])
+
     def test_a_full_disk(self):
         """A limit on the size of files fails writes as a full disk does: in the middle."""
         def small_files():
