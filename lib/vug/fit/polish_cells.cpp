@@ -80,18 +80,11 @@ class WindowCells {
   }
 
   SizeChoice chosen(const Node& grid, const std::vector<WindowSize>& sizes) const {
-    SizeChoice out;
-    out.sizes = sizes;
-    each(grid, [&](int column, int row) {
-      double most = 0;
-      int best = 0;
-      for (size_t k = 0; k < sizes.size(); ++k)
-        if (const double here = windows_.gain(grid, column, row, sizes[k]); here > most)
-          most = here, best = static_cast<int>(k) + 1;
-      out.of.push_back(best);
-      out.gain += most;
+    const int across = grid.columns;
+    return best_of_each(sizes, static_cast<size_t>(grid.rows * across), [&](size_t cell, size_t k) {
+      const int at = static_cast<int>(cell);
+      return windows_.gain(grid, at % across, at / across, sizes[k]);
     });
-    return out;
   }
 
   int least_;

@@ -47,18 +47,11 @@ double exchange(const SizeGains& gains, std::vector<size_t>& sizes, double gain)
   return gain;
 }
 
-SizeChoice chosen(const SizeGains& gains, const std::vector<size_t>& sizes, double gain) {
-  SizeChoice out;
-  out.gain = gain;
-  for (const size_t size : sizes) out.sizes.push_back(gains.size(size));
-  for (const std::vector<double>& cell : gains.cells) {
-    int best = 0;
-    double most = 0;
-    for (size_t k = 0; k < sizes.size(); ++k)
-      if (cell[sizes[k]] > most) most = cell[sizes[k]], best = static_cast<int>(k) + 1;
-    out.of.push_back(best);
-  }
-  return out;
+SizeChoice chosen(const SizeGains& gains, const std::vector<size_t>& sizes) {
+  std::vector<WindowSize> all;
+  for (const size_t size : sizes) all.push_back(gains.size(size));
+  return best_of_each(std::move(all), gains.cells.size(),
+                      [&](size_t cell, size_t k) { return gains.cells[cell][sizes[k]]; });
 }
 
 }  // namespace
@@ -75,7 +68,7 @@ std::vector<SizeChoice> choose_sizes(const SizeGains& gains, int most, double co
     if (!sizes.empty() && !(with > gain + kTiny)) break;
     sizes.push_back(size);
     gain = exchange(gains, sizes, with);
-    out.push_back(chosen(gains, sizes, gain));
+    out.push_back(chosen(gains, sizes));
   }
   return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace vug::fit {
@@ -32,6 +33,24 @@ struct SizeChoice {
   std::vector<int> of;  ///< Of each cell: 0 nothing, else one more than the place of its size.
   double gain = 0;      ///< Of all cells.
 };
+
+/// The sizes with, for each cell, what gains most there: `gain(cell, k)` is that of sizes[k], and
+/// nothing gains 0.
+template <class Gain>
+SizeChoice best_of_each(std::vector<WindowSize> sizes, size_t cells, const Gain& gain) {
+  SizeChoice out;
+  out.sizes = std::move(sizes);
+  for (size_t cell = 0; cell < cells; ++cell) {
+    int best = 0;
+    double most = 0;
+    for (size_t k = 0; k < out.sizes.size(); ++k)
+      if (const double here = gain(cell, k); here > most)
+        most = here, best = static_cast<int>(k) + 1;
+    out.of.push_back(best);
+    out.gain += most;
+  }
+  return out;
+}
 
 /// For one size, two, and so on up to `most`, as long as another could gain more than `cost`: sizes
 /// of which none can be changed alone such that the cells, each with what gains most there, gain
