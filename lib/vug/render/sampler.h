@@ -3,6 +3,7 @@
 
 #include <vug/base/vec.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -17,6 +18,8 @@ struct SampleId {
   uint64_t seed = 0;
 };
 
+using FourPairs = std::array<Vec2f, 4>;
+
 /// Stateless: the same id and dimension give the same bits, in any order and on any thread.
 class Sampler {
  public:
@@ -27,6 +30,11 @@ class Sampler {
   virtual float single(const SampleId& id, uint32_t dimension) const {
     return pair(id, dimension).x;
   }
+  /// Those of this dimension pair and of the next three.
+  virtual FourPairs four_pairs(const SampleId& id, uint32_t dimension) const {
+    return {pair(id, dimension), pair(id, dimension + 1), pair(id, dimension + 2),
+            pair(id, dimension + 3)};
+  }
 };
 using SamplerPtr = std::shared_ptr<const Sampler>;
 
@@ -35,6 +43,10 @@ class SampleCursor {
  public:
   SampleCursor(const Sampler& sampler, const SampleId& id) : sampler_(sampler), id_(id) {}
   Vec2f pair() { return sampler_.pair(id_, dimension_++); }
+  FourPairs four_pairs() {
+    dimension_ += 4;
+    return sampler_.four_pairs(id_, dimension_ - 4);
+  }
   float single() { return sampler_.single(id_, dimension_++); }
   /// Goes to the first dimension of a bounce, so that a branch taken or not taken earlier on the
   /// path does not shift the numbers that follow.

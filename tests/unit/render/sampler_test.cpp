@@ -27,6 +27,19 @@ TEST(Samplers, GiveTheSameBitsInAnyOrder) {
   }
 }
 
+TEST(Samplers, FourPairsAreThoseOfFourDimensions) {
+  for (const auto* kind : samplers()) {
+    SCOPED_TRACE(kind->info.name);
+    const SamplerPtr sampler = make_sampler(kind->info.name);
+    for (uint32_t i = 0; i < 64; ++i)
+      for (const uint32_t first : {0u, 2u, 1001u, 0xfffffff0u}) {
+        const SampleId id = place(60000 + i, 3 * i, i, 100);
+        const FourPairs four = sampler->four_pairs(id, first);
+        for (uint32_t d = 0; d < 4; ++d) EXPECT_EQ(four[d], sampler->pair(id, first + d));
+      }
+  }
+}
+
 TEST(Samplers, LieInTheUnitSquareWithTheRightMoments) {
   for (const auto* kind : samplers()) {
     SCOPED_TRACE(kind->info.name);

@@ -20,8 +20,15 @@ struct Sobol {
   }
 };
 
-uint32_t reverse_bits(uint32_t v) {
-  v = __builtin_bswap32(v);
+// Of four dimensions at once: the same steps for all lanes.
+using Lanes32 = uint32_t __attribute__((vector_size(16)));
+using Lanes64 = uint64_t __attribute__((vector_size(32)));
+
+// Of a number of 32 bits, or of each lane.
+template <class V>
+V reverse_bits(V v) {
+  v = (v >> 16) | (v << 16);
+  v = ((v >> 8) & 0x00ff00ffu) | ((v & 0x00ff00ffu) << 8);
   v = ((v >> 4) & 0x0f0f0f0fu) | ((v & 0x0f0f0f0fu) << 4);
   v = ((v >> 2) & 0x33333333u) | ((v & 0x33333333u) << 2);
   return ((v >> 1) & 0x55555555u) | ((v & 0x55555555u) << 1);
@@ -29,7 +36,8 @@ uint32_t reverse_bits(uint32_t v) {
 
 /// A permutation in which each bit depends only on lower ones: on reversed bits, an Owen
 /// scrambling.
-uint32_t scramble_upwards(uint32_t v, uint32_t seed) {
+template <class V>
+V scramble_upwards(V v, V seed) {
   v ^= v * 0x3d20adeau;
   v += seed;
   v *= (seed >> 16) | 1u;
@@ -40,7 +48,8 @@ uint32_t scramble_upwards(uint32_t v, uint32_t seed) {
 
 /// The second Sobol dimension of index v, bits reversed: v times the Pascal matrix modulo 2, which
 /// is a Kronecker power, so five steps do it (ahmed2024sobol).
-uint32_t times_pascal(uint32_t v) {
+template <class V>
+V times_pascal(V v) {
   v ^= (v >> 1) & 0x55555555u;
   v ^= (v >> 2) & 0x33333333u;
   v ^= (v >> 4) & 0x0f0f0f0fu;
@@ -53,7 +62,8 @@ uint64_t interleaved(uint32_t x, uint32_t y) {
   return _pdep_u64(x, 0x5555555555555555ull) | _pdep_u64(y, 0xaaaaaaaaaaaaaaaaull);
 }
 
-uint64_t mix(uint64_t v) {  // finaliser of SplitMix64 (Steele et al. 2014)
+template <class V>
+V mix(V v) {  // finaliser of SplitMix64 (Steele et al. 2014)
   v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9ull;
   v = (v ^ (v >> 27)) * 0x94d049bb133111ebull;
   return v ^ (v >> 31);
@@ -66,32 +76,46 @@ class SobolSampler final : public Sampler {
   explicit SobolSampler(const Sobol&) {}
 
   Vec2f pair(const SampleId& id, uint32_t dimension) const override {
-    const Place place = locate(id, dimension);
-    return {to_unit(reverse_bits(scramble_upwards(place.index, place.seed_x))),
-            to_unit(reverse_bits(scramble_upwards(times_pascal(place.index), place.seed_y)))};
+    const auto [low, high] = locate(id);
+    const uint64_t a = mix(key(id, high) + kStep * (dimension + 1)), b = mix(a + kStep);
+    const auto seed_x = static_cast<uint32_t>(b), seed_y = static_cast<uint32_t>(b >> 32);
+    const uint32_t index = shuffled(low, static_cast<uint32_t>(a));
+    return {to_unit(reverse_bits(scramble_upwards(index, seed_x))),
+            to_unit(reverse_bits(scramble_upwards(times_pascal(index), seed_y)))};
   }
-  float single(const SampleId& id, uint32_t dimension) const override {
-    const Place place = locate(id, dimension);
-    return to_unit(reverse_bits(scramble_upwards(place.index, place.seed_x)));
+  FourPairs four_pairs(const SampleId& id, uint32_t dimension) const override {
+    const auto [low, high] = locate(id);
+    const Lanes64 dimensions = Lanes64{1, 2, 3, 4} + uint64_t{dimension};
+    const Lanes64 a = mix(key(id, high) + kStep * dimensions), b = mix(a + kStep);
+    const auto seed_x = __builtin_convertvector(b, Lanes32);
+    const auto seed_y = __builtin_convertvector(b >> 32, Lanes32);
+    const Lanes32 index =
+        shuffled(Lanes32{low, low, low, low}, __builtin_convertvector(a, Lanes32));
+    const Lanes32 x = reverse_bits(scramble_upwards(index, seed_x));
+    const Lanes32 y = reverse_bits(scramble_upwards(times_pascal(index), seed_y));
+    FourPairs out;
+    for (size_t i = 0; i < out.size(); ++i) out[i] = {to_unit(x[i]), to_unit(y[i])};
+    return out;
   }
 
  private:
-  struct Place {
-    uint32_t index, seed_x, seed_y;
-  };
+  static constexpr uint64_t kStep = 0x9e3779b97f4a7c15ull;
 
-  /// Each dimension pair visits the same points in an order of its own. A pixel owns an aligned
-  /// block of 2^k >= spp indices, so its points are a (0,k,2)-net. What exceeds 32 bits of index
-  /// goes into the seed.
-  static Place locate(const SampleId& id, uint32_t dimension) {
+  /// The sample's place in the sequence. A pixel owns an aligned block of 2^k >= spp indices, so
+  /// its points are a (0,k,2)-net.
+  static std::pair<uint32_t, uint32_t> locate(const SampleId& id) {
     const int bits = id.spp > 1 ? 32 - __builtin_clz(id.spp - 1) : 0;
     const uint64_t along = (interleaved(id.x, id.y) << bits) | id.index;
-    const uint64_t a = mix(id.seed + 0x9e3779b97f4a7c15ull * (dimension + 1) +
-                           (along >> 32) * 0xd1342543de82ef95ull);
-    const uint64_t b = mix(a + 0x9e3779b97f4a7c15ull);
-    const auto low = static_cast<uint32_t>(along);
-    return {reverse_bits(scramble_upwards(reverse_bits(low), static_cast<uint32_t>(a))),
-            static_cast<uint32_t>(b), static_cast<uint32_t>(b >> 32)};
+    return {static_cast<uint32_t>(along), static_cast<uint32_t>(along >> 32)};
+  }
+  /// What exceeds 32 bits of index goes into the seed.
+  static uint64_t key(const SampleId& id, uint32_t high) {
+    return id.seed + high * 0xd1342543de82ef95ull;
+  }
+  /// Each dimension pair visits the same points in an order of its own.
+  template <class V>
+  static V shuffled(V index, V seed) {
+    return reverse_bits(scramble_upwards(reverse_bits(index), seed));
   }
 };
 
