@@ -265,11 +265,12 @@ Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {
   return sum;
 }
 
-float LightSet::sky_pdf(const LitPoint& point, const LightOdds& odds,
-                        const Vec3f& direction) const {
+float LightSet::sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3f& direction,
+                        LightId known) const {
   float sum = 0;
   const AtPoint weight{*this, point, odds.sight};
   for (size_t i = 0; i < sampled_skies_.size(); ++i) {
+    if (sampled_skies_[i] == known) continue;
     const float samples = odds.of(weight_of(i, weight));
     if (samples > 0) sum += samples * lights_[sampled_skies_[i]]->pdf(point, direction);
   }

@@ -138,8 +138,10 @@ class LightSet {
   /// no portals all skies that sample directions.
   const std::vector<LightId>& sampled_skies() const { return sampled_skies_; }
   const Light& sky(LightId id) const { return *lights_[id]; }
-  /// Density with which sampling lights by these odds turns to the sky in a direction.
-  float sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3f& direction) const;
+  /// Density with which sampling lights by these odds turns to the sky in a direction; without one
+  /// that the caller knows of.
+  float sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3f& direction,
+                LightId known = kNoLight) const;
 
  private:
   /// What is weighed one by one: a sky, or a branch of a tree.

@@ -39,9 +39,9 @@ Rectangle::Rectangle(const RectangleParams& p)
   y_ = Vec3f(z.cross(x));
 }
 
-/// The distance at which 1 / distance^2 varies by about a quarter over the rectangle.
+/// The distance at which 1 / distance^2 varies by about a half over the rectangle.
 bool Rectangle::is_far(const Vec3f& to_center) const {
-  return dot(to_center, to_center) > 64 * (width_ * width_ + height_ * height_);
+  return dot(to_center, to_center) > 16 * (width_ * width_ + height_ * height_);
 }
 
 /// Corner (x0, y0, z), opposite corner (x1, y1, z) with z < 0, and the angles of the spherical

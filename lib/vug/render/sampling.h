@@ -5,6 +5,8 @@
 #include <vug/render/vectors.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace vug::render {
 
@@ -20,16 +22,13 @@ inline SinCos sincos_turns(float turns) {
   const float s =
       x * (1 + xx * (-1 / 6.0f + xx * (1 / 120.0f + xx * (-1 / 5040.0f + xx / 362880.0f))));
   const float c = 1 + xx * (-0.5f + xx * (1 / 24.0f + xx * (-1 / 720.0f + xx * (1 / 40320.0f))));
-  switch (static_cast<int>(quarter) & 3) {
-    case 0:
-      return {s, c};
-    case 1:
-      return {c, -s};
-    case 2:
-      return {-s, -c};
-    default:
-      return {-c, s};
-  }
+  // Which of the four quarters it is cannot be guessed, so nothing branches by it.
+  const auto turn = static_cast<uint32_t>(static_cast<int>(quarter));
+  const bool across = (turn & 1) != 0;
+  const auto with_sign = [](float v, uint32_t sign) {
+    return std::bit_cast<float>(std::bit_cast<uint32_t>(v) ^ (sign << 31));
+  };
+  return {with_sign(across ? c : s, turn >> 1 & 1), with_sign(across ? s : c, (turn + 1) >> 1 & 1)};
 }
 
 /// The angle of (x, y) in turns, [0, 1); error below 1e-7 (Abramowitz and Stegun 1964, 4.4.49).
@@ -53,8 +52,8 @@ inline Vec2f sample_disk(const Vec2f& u) {
   const float a = 2 * u.x - 1, b = 2 * u.y - 1;
   if (a == 0 && b == 0) return {0, 0};
   const bool wide = std::fabs(a) > std::fabs(b);
-  const float r = wide ? a : b;
-  const SinCos sc = sincos_turns(wide ? 0.125f * (b / a) : 0.25f - 0.125f * (a / b));
+  const float r = wide ? a : b, turn = 0.125f * ((wide ? b : a) / r);
+  const SinCos sc = sincos_turns(wide ? turn : 0.25f - turn);
   return {r * sc.cos, r * sc.sin};
 }
 

@@ -44,7 +44,11 @@ TEST(Guide, TurnsAreAngles) {
 TEST(Cones, SampleTheirDensity) {
   Cones cones;
   const auto add = [&](const Vec3f& to, float radius, float share, uint32_t name) {
-    cones.add(normalized(to), one_minus_cosine(radius * radius / dot(to, to)), share, name);
+    const Vec3f axis = normalized(to);
+    const auto all = [](float v) { return _mm256_set1_ps(v); };
+    cones.add({all(axis.x), all(axis.y), all(axis.z),
+               all(one_minus_cosine(radius * radius / dot(to, to))), all(share), name},
+              1);
   };
   add({0.5f, 2, -1}, 0.9f, 3, 7);
   add({0.2f, 1.5f, -1}, 0.8f, 1, 4);  // overlaps the first

@@ -32,7 +32,8 @@ class Guide {
   Cones at(const Vec3f& point, const Vec3f& normal) const;
 
  private:
-  using Row = std::array<float, Cones::kMost>;  ///< A value for each patch.
+  /// A value for each patch; zeros where there is none.
+  struct alignas(32) Row : std::array<float, Cones::kMost> {};
 
   std::vector<BrightPatch> patches_;
   // Of patches, each value in a row of its own, so that a place weighs eight at a time.

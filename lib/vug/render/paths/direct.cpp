@@ -35,10 +35,9 @@ Candidate candidate(const World& world, const LightChoice& chosen, const Hit& hi
   const Scattering scattering = bsdf.evaluate(in, s.direction);
   const Rgb f = scattering.total();
   const Rgb light = unshadowed(world, s, hit.object);
-  const float direct = s.distance == kFar
-                           ? world.lights().sky_pdf(vertex.point, vertex.odds, s.direction)
-                           : chosen.probability * s.pdf;
-  const float density = direct + scattering.pdf;
+  float density = chosen.probability * s.pdf + scattering.pdf;
+  if (s.distance == kFar)
+    density += world.lights().sky_pdf(vertex.point, vertex.odds, s.direction, chosen.light);
   if (is_black(f) || is_black(light) || !(density > 0)) return {};
   Candidate c{chosen.light, {behind ? hit.behind : hit.origin, s.direction}, s.distance};
   c.scattering = f * (1 / density), c.diffuse = scattering.diffuse * (1 / density);

@@ -1,23 +1,11 @@
+#include <vug/render/lanes.h>
 #include <vug/render/tracing/ray_search.h>
-
-#include <immintrin.h>
 
 #include <bit>
 #include <cmath>
 
 namespace vug::render {
 namespace {
-
-/// Children i of those that a ray meets, by the bits of the mask, in order; eight bytes each.
-constexpr std::array<uint64_t, 256> kChosen = [] {
-  std::array<uint64_t, 256> all{};
-  for (uint64_t mask = 0; mask < 256; ++mask) {
-    int at = 0;
-    for (uint64_t i = 0; i < 8; ++i)
-      if (mask >> i & 1) all[mask] |= i << 8 * at++;
-  }
-  return all;
-}();
 
 /// Exchanges lanes that are out of order, the lesser to the lanes of the mask.
 template <int lanes>
@@ -201,7 +189,7 @@ inline void RaySearch::enter(const RayTree::Node& node) {
       _mm256_min_ps(_mm256_min_ps(out_x, out_y), _mm256_min_ps(out_z, _mm256_broadcast_ss(&far_)));
   const __m256 met = _mm256_cmp_ps(enters, leaves, _CMP_LE_OQ);
   const auto mask = static_cast<unsigned>(_mm256_movemask_ps(met));
-  __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<int64_t>(kChosen[mask])));
+  __m256i order = chosen_lanes(mask);
   if (aim == Aim::nearest) {
     // The number of the child stands in the last bits of the distance, so that it is sorted along.
     order = _mm256_and_si256(_mm256_castps_si256(enters), _mm256_set1_epi32(~7));
