@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <vug/base/rng.h>
+#include <vug/render/guiding/brightness.h>
 #include <vug/render/guiding/guide.h>
 #include <vug/render/sampling.h>
 
@@ -133,6 +134,33 @@ TEST(Chances, AreCountedRegionByRegion) {
   const Chances same(kRoom, 2, 2, backwards);
   EXPECT_EQ(same.at({-3, 1, 0})[0], chances.at({-3, 1, 0})[0]);
   EXPECT_TRUE(Chances().empty());
+}
+
+TEST(Brightness, IsToldApartByPlaceAndFacing) {
+  const Vec3f up(0, 1, 0), down(0, -1, 0);
+  std::vector<Sighting> sightings;
+  for (int i = 0; i < 400; ++i) {
+    const bool found = i % 4 == 0;  // a quarter of the paths comes to light of 4
+    sightings.push_back({{-3, 1, 0}, up, found ? 5.0f : 1.0f, true, found ? 4.0f : 0.0f});
+    sightings.push_back({{-3, 1, 0}, down, 0.1f, true, 0.1f});
+    sightings.push_back({{3, 1, 0}, up, 100, false, 0});
+  }
+  const Brightness known(sightings, kRoom, 2);
+  // The mean over all places counts half a sighting.
+  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).all, 0.1f, 0.05f);
+  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).later, 0.1f, 0.05f);
+  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, up).later, 2, 0.01f) << "sqrt(16 / 4)";
+  EXPECT_NEAR(known.at({3, 1, 0}, up).later, 0, 0.1f);
+  // The camera sees 2 and 0.1, as often: nothing is worth less because something brighter is near.
+  EXPECT_FLOAT_EQ(known.at({-3, 1, 0}, up).all, 1.05f);
+  EXPECT_FLOAT_EQ(known.at({3, 1, 0}, up).all, 1.05f);
+  // Of three places with as many paths: in the first a quarter finds 5 and the rest 1, with a mean
+  // that is not taken for more than the picture's.
+  EXPECT_GT(known.noise(), 0);
+  EXPECT_LT(known.noise(), 1);
+  // Where none looked, anything may still come.
+  EXPECT_GT(known.at({0, 7, 7}, up).later, 0.5f);
+  EXPECT_TRUE(Brightness().empty());
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // A guide makes paths find light sooner; it does not change what they find.
 #include "scenes.h"
 
+#include <vug/render/tally.h>
+
 #include <gtest/gtest.h>
 
 namespace vug::render {
@@ -19,9 +21,12 @@ Scene hidden_lamp() {
   return scene;
 }
 
-image::Image picture(const char* guide, uint64_t seed, int spp, int threads = 0) {
+image::Image picture(const char* guide, uint64_t seed, int spp, int threads = 0,
+                     bool roulette = true) {
   Options o = options(16, 12, spp, 6);
-  o.integrator = make_integrator("path", {{"max_bounces", 6}, {"guide", Value::Name{guide}}});
+  o.layers = plan_layers({"beauty", "parts"}, {});
+  o.integrator = make_integrator(
+      "path", {{"max_bounces", 6}, {"guide", Value::Name{guide}}, {"roulette", roulette}});
   o.seed = seed;
   o.threads = threads;
   return render(hidden_lamp(), o);
@@ -29,19 +34,38 @@ image::Image picture(const char* guide, uint64_t seed, int spp, int threads = 0)
 
 TEST(GuidedPath, HasTheSameMean) {
   constexpr int kRuns = 12;
-  double mean[2] = {0, 0}, square[2] = {0, 0};
+  enum { plain, led, led_to_the_end, count };
+  double mean[count] = {}, square[count] = {};
   for (int run = 0; run < kRuns; ++run)
-    for (int led = 0; led < 2; ++led) {
-      const double m =
-          mean_of(picture(led ? "on" : "off", static_cast<uint64_t>(run + 1), 256), "R").value;
-      mean[led] += m / kRuns;
-      square[led] += m * m / kRuns;
+    for (int way = 0; way < count; ++way) {
+      const auto seed = static_cast<uint64_t>(run + 1);
+      const image::Image taken =
+          picture(way == plain ? "off" : "on", seed, 256, 0, way != led_to_the_end);
+      const double m = mean_of(taken, "R").value;
+      mean[way] += m / kRuns;
+      square[way] += m * m / kRuns;
     }
-  double variance = 0;
-  for (int led = 0; led < 2; ++led) variance += (square[led] - mean[led] * mean[led]) / (kRuns - 1);
-  EXPECT_GT(mean[0], 0);
-  EXPECT_LT(std::fabs(mean[1] - mean[0]), 4 * std::sqrt(variance));
-  EXPECT_LT(std::sqrt(variance), 0.01 * mean[0]);
+  double variance[count] = {};
+  for (int way = 0; way < count; ++way)
+    variance[way] = (square[way] - mean[way] * mean[way]) / (kRuns - 1);
+  EXPECT_GT(mean[plain], 0);
+  for (const int way : {plain, led_to_the_end}) {
+    const double error = std::sqrt(variance[led] + variance[way]);
+    EXPECT_LT(std::fabs(mean[led] - mean[way]), 4 * error) << way;
+    EXPECT_LT(error, 0.01 * mean[way]);
+  }
+}
+
+/// Light that is looked for by chance counts alike in the whole and in its parts.
+TEST(GuidedPath, PartsSumToTheBeauty) {
+  const image::Image taken = picture("on", 3, 64);
+  double whole = 0, sum = 0;
+  for (const char* c : {"R", "G", "B"}) {
+    whole += mean_of(taken, c).value;
+    for (const std::string& part : part_names()) sum += mean_of(taken, part + "." + c).value;
+  }
+  EXPECT_GT(mean_of(taken, "diffuse_indirect.R").value, 0);
+  EXPECT_NEAR(sum, whole, 1e-5 * whole);
 }
 
 /// A hall under a narrow shaft in its ceiling that a lamp shines into: all that comes down has been

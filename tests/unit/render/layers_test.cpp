@@ -52,12 +52,13 @@ TEST(Layers, PartsSumToTheBeauty) {
   }
 }
 
-// Direct light is what a path without bounces brings.
+// Direct light is what a path without bounces brings; none that a bounce finds is left to chance here.
 TEST(Layers, DirectLightIsThatOfAShortPath) {
   Scene scene = corner();
   scene.medium = nullptr;
   Options o = options(40, 30, 64, 4);
   o.layers = plan_layers({"beauty", "parts"}, {});
+  o.integrator = make_integrator("path", {{"max_bounces", 4.0}, {"roulette", false}});
   const image::Image longer = render(scene, o);
   o.integrator = make_integrator("path", {{"max_bounces", 0.0}});
   const image::Image direct = render(scene, o);

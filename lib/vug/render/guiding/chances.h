@@ -1,9 +1,8 @@
 // How often things are in sight, from where: counted region by region.
 #pragma once
 
-#include <vug/render/vectors.h>
+#include <vug/render/guiding/regions.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,15 +31,11 @@ class Chances {
   /// with chance p, and then gives E, choosing it in proportion to E sqrt(p) makes the expected
   /// square of the estimate least: the sum of p E^2 over the share of choices.
   const float* at(const Vec3f& point) const {
-    return roots_.data() + things_ * row_of_[region(point)];
+    return roots_.data() + things_ * row_of_[regions_.at(point)];
   }
 
  private:
-  size_t region(const Vec3f& point) const;
-
-  Box3f bounds_;
-  float regions_per_metre_ = 1;
-  std::array<int, 3> regions_{1, 1, 1};
+  Regions regions_;
   size_t things_ = 0;
   std::vector<uint32_t> row_of_;  ///< Of each region; 0: none took a glance from there.
   std::vector<float> roots_;      ///< Rows of things.

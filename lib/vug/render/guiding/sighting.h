@@ -14,6 +14,8 @@ struct Sighting {
   Vec3f point;
   Vec3f normal;  ///< Geometric, unit, on the path's side.
   float luminance = 0;
+  bool first = false;  ///< The camera sees it.
+  float later = 0;     ///< The part of it that did not come straight from lights that were chosen.
 };
 
 inline double mean_luminance(const std::vector<Sighting>& sightings) {

@@ -24,7 +24,8 @@ struct Path {
         .param("max_bounces", &Path::max_bounces,
                {.doc = "A path scatters at most once more than this.", .min = 0, .max = 1000})
         .param("roulette", &Path::roulette,
-               {.doc = "Ends dim paths at random; without it noise is less and time more."})
+               {.doc = "Ends paths that would add little, at random; without it noise is less and "
+                       "time more."})
         .param("clamp", &Path::clamp,
                {.doc = "Cuts light that comes over more than one surface to this radiance: fewer "
                        "fireflies, and a darker, no longer exact picture. Not cut when not given.",

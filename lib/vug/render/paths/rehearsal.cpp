@@ -160,6 +160,9 @@ Learned learn(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gat
           glance_about(rehearsal, places, salt + 2, learned.guide, sightings, progress));
     progress.advance();
   }
+  // Not before: paths that ended by it would tell less of what they end by.
+  learned.surfaces =
+      Brightness(sightings, bounds, kRegion * std::max(length(bounds.size()), 1e-3f));
   progress.end();
   return learned;
 }

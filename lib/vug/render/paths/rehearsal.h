@@ -1,6 +1,7 @@
 // What paths can learn of a scene before the picture begins.
 #pragma once
 
+#include <vug/render/guiding/brightness.h>
 #include <vug/render/guiding/guide.h>
 #include <vug/render/integrator.h>
 #include <vug/render/paths/trail.h>
@@ -11,8 +12,9 @@ namespace vug::render {
 
 /// What paths are led by.
 struct Learned {
-  Guide guide;     ///< To bright surfaces; empty where none is much brighter than others.
-  Chances lights;  ///< That branches of lights are in sight; empty where lights are no choice.
+  Guide guide;          ///< To bright surfaces; empty where none is much brighter than others.
+  Chances lights;       ///< That branches of lights are in sight; empty where lights are no choice.
+  Brightness surfaces;  ///< How much is worth looking for.
 };
 
 /// How a path gathers light, led by what may be nothing yet; it tells the trail.

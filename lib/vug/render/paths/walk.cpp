@@ -20,6 +20,12 @@ constexpr float kBlur = 0.05f;
 /// Where the camera looks, a few lights at once are cheaper than more paths.
 constexpr float kLightsSeen = 2;
 
+/// Paths end by chance where what they may still add is less than so many times what single paths
+/// are off by (Brightness::noise) where the camera looks; but none with more than the other part of
+/// all chances, for what is known of the light may err. Both, and the root of the two, were chosen
+/// by variance times time (docs/decisions/0030-worth-of-paths.md).
+constexpr float kNegligible = 10, kLeastSurvival = 0.5f;
+
 Rgb albedo_of(const Hit& hit, const Ray& ray) {
   const Frame frame(hit.surface.shading_normal);
   BsdfMemory memory;
@@ -48,7 +54,7 @@ class Walk {
       gather(bounce);
       if (depth_ > rules_.max_bounces) break;
       if (!cross_medium(bounce) && !(bounce.found && scatter(bounce))) break;
-      if (is_black(throughput_) || !survives(bounce.last.x)) break;
+      if (is_black(throughput_) || !(bounce.weighed || survives(bounce.last.x))) break;
     }
     return result_;
   }
@@ -60,7 +66,8 @@ class Walk {
     bool found = false;
     Vec2f choice{0, 0};  ///< Which light, which lobe.
     Vec2f light{0, 0}, scatter{0, 0};
-    Vec2f last{0, 0};  ///< Whether the path goes on, which light it looks at.
+    Vec2f last{0, 0};      ///< Whether the path goes on, which light it looks at.
+    bool weighed = false;  ///< Whether the path goes on has been decided.
   };
 
   Bounce begin() {
@@ -75,10 +82,9 @@ class Walk {
   }
 
   void draw(Bounce& bounce) {
-    bounce.choice = numbers_.pair();
-    bounce.light = numbers_.pair();
-    bounce.scatter = numbers_.pair();
-    bounce.last = numbers_.pair();
+    const FourPairs four = numbers_.four_pairs();
+    bounce.choice = four[0], bounce.light = four[1], bounce.scatter = four[2],
+    bounce.last = four[3];
   }
 
   /// The next surface on the ray.
@@ -162,7 +168,13 @@ class Walk {
                                                  {bounce.choice.x, bounce.last.y}, bounce.light,
                                                  bounce.tracking, tally_);
     const Rgb scale = add(light, depth_);
+    if (trail_) trail_->lit(result_.radiance);
     if (tally_) tally_->settle_surface(depth_, scale);
+    // Of faces that mirror or let through, what is known of a region tells nothing.
+    if (rules_.roulette && !learned_.surfaces.empty() && own.guided() > 0) {
+      bounce.weighed = true;
+      if (!is_worth_following(hit, bounce.last.x)) return false;
+    }
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
     if (!(s.scattered.pdf > 0)) return false;
     const bool through = s.scattered.direction.z < 0;
@@ -220,7 +232,19 @@ class Walk {
     // What the first surface sends on is seen as it is: an even sky would be grain there.
     if (!rules_.roulette || depth_ == 0) return true;
     // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
-    const float survival = std::sqrt(largest(unled_));
+    return survives_by(std::sqrt(largest(unled_)), u);
+  }
+  /// By what the path may still add beside the lights it has chosen here (Vorba and Krivanek 2016,
+  /// "Adjoint-driven Russian roulette and splitting in light transport simulation", cite
+  /// vorba2016adjoint), against what the camera sees and how noisy that is anyway (Rath et al.
+  /// 2022, "EARS: Efficiency-aware Russian roulette and splitting", cite rath2022ears).
+  bool is_worth_following(const Hit& hit, float u) {
+    const Returned& light = learned_.surfaces.at(hit.origin, hit.surface.geometric_normal);
+    if (!(negligible_ > 0)) negligible_ = kNegligible * learned_.surfaces.noise() * light.all;
+    const float worth = luminance(throughput_) * light.later / negligible_;
+    return survives_by(std::max(kLeastSurvival, std::sqrt(worth)), u);
+  }
+  bool survives_by(float survival, float u) {
     if (!(survival < 1)) return true;
     if (!(u < survival)) return false;
     carry(Rgb(1 / survival));
@@ -266,6 +290,7 @@ class Walk {
   Rgb throughput_{1, 1, 1};
   Rgb unled_{1, 1, 1};  ///< The throughput that would be left without a guide.
   PathVertex from_;
+  float negligible_ = 0;      ///< See kNegligible; 0: not known.
   float width_ = 0, spread_;  ///< Of the cone that the path looks along.
   float blur_ = 0;            ///< Least roughness of what it sees.
   bool within_ = false;       ///< A clear body, which swallows this:

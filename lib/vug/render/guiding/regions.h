@@ -1,0 +1,44 @@
+// Cubes that a scene's box is cut into: places in the same one share what is learned of them.
+#pragma once
+
+#include <vug/render/vectors.h>
+
+#include <algorithm>
+#include <array>
+
+namespace vug::render {
+
+class Regions {
+ public:
+  /// One, everywhere.
+  Regions() = default;
+  /// Cubes of that edge, in metres; places outside of the box belong to the cube next to them.
+  Regions(const Box3f& box, float edge) : origin_(box.min), per_metre_(1 / edge) {
+    for (int axis = 0; axis < 3; ++axis)
+      counts_[static_cast<size_t>(axis)] =
+          std::max(1, static_cast<int>(std::ceil(box.size()[axis] * per_metre_)));
+  }
+
+  size_t count() const {
+    return static_cast<size_t>(counts_[0]) * static_cast<size_t>(counts_[1]) *
+           static_cast<size_t>(counts_[2]);
+  }
+  /// A number below `count`.
+  size_t at(const Vec3f& point) const {
+    size_t index = 0;
+    for (int axis = 2; axis >= 0; --axis) {
+      const int count = counts_[static_cast<size_t>(axis)];
+      const float along = std::floor((point[axis] - origin_[axis]) * per_metre_);
+      const float kept = std::clamp(along, 0.0f, static_cast<float>(count - 1));
+      index = index * static_cast<size_t>(count) + static_cast<size_t>(kept);
+    }
+    return index;
+  }
+
+ private:
+  Vec3f origin_{0, 0, 0};
+  float per_metre_ = 1;
+  std::array<int, 3> counts_{1, 1, 1};
+};
+
+}  // namespace vug::render
