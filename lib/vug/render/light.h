@@ -30,8 +30,8 @@ struct LitPoint {
 };
 
 struct LightSample {
-  Vec3f direction;     ///< Unit, from the point towards the light.
-  float distance = 0;  ///< To the light; kFar for the sky.
+  Vec3f direction{0, 0, 0};  ///< Unit, from the point towards the light.
+  float distance = 0;        ///< To the light; kFar for the sky.
   Rgb radiance{0, 0, 0};
   float pdf = 0;  ///< Over solid angle at the point; 0 means: nothing was sampled.
 };
