@@ -24,7 +24,7 @@ constexpr float kLightsSeen = 2;
 /// are off by (Brightness::noise) where the camera looks; but none with more than the other part of
 /// all chances, for what is known of the light may err. Both, and the root of the two, were chosen
 /// by variance times time (docs/decisions/0030-worth-of-paths.md).
-constexpr float kNegligible = 10, kLeastSurvival = 0.5f;
+constexpr float kNegligible = 20, kLeastSurvival = 0.5f;
 
 Rgb albedo_of(const Hit& hit, const Ray& ray) {
   const Frame frame(hit.surface.shading_normal);
@@ -171,10 +171,8 @@ class Walk {
     if (trail_) trail_->lit(result_.radiance);
     if (tally_) tally_->settle_surface(depth_, scale);
     // Of faces that mirror or let through, what is known of a region tells nothing.
-    if (rules_.roulette && !learned_.surfaces.empty() && own.guided() > 0) {
-      bounce.weighed = true;
-      if (!is_worth_following(hit, bounce.last.x)) return false;
-    }
+    bounce.weighed = rules_.roulette && !learned_.surfaces.empty() && own.guided() > 0;
+    if (bounce.weighed && !is_worth_following(hit, bounce.last.x)) return false;
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
     if (!(s.scattered.pdf > 0)) return false;
     const bool through = s.scattered.direction.z < 0;
@@ -228,8 +226,8 @@ class Walk {
     return true;
   }
 
+  // What the first surface sends on is seen as it is: an even sky would be grain there.
   bool survives(float u) {
-    // What the first surface sends on is seen as it is: an even sky would be grain there.
     if (!rules_.roulette || depth_ == 0) return true;
     // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
     return survives_by(std::sqrt(largest(unled_)), u);
@@ -241,6 +239,7 @@ class Walk {
   bool is_worth_following(const Hit& hit, float u) {
     const Returned& light = learned_.surfaces.at(hit.origin, hit.surface.geometric_normal);
     if (!(negligible_ > 0)) negligible_ = kNegligible * learned_.surfaces.noise() * light.all;
+    if (depth_ == 0) return true;
     const float worth = luminance(throughput_) * light.later / negligible_;
     return survives_by(std::max(kLeastSurvival, std::sqrt(worth)), u);
   }
