@@ -15,6 +15,10 @@ namespace {
 constexpr const char* kReserved[] = {"and", "or",   "not",   "if", "in",
                                      "on",  "true", "false", "pi", "frame"};
 
+bool is_reserved(const std::string& name) {
+  return std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
+}
+
 class NameChecker {
  public:
   explicit NameChecker(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -48,15 +52,12 @@ class NameChecker {
 
  private:
   bool allowed(const std::string& name, const SourceLocation& where) {
-    const bool unit = is_unit(name);
-    const bool word =
-        std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
-    if (unit || word)
-      diagnostics_.error(where,
-                         fmt::format("'{}' is {} and can name nothing else", name,
-                                     unit ? "a unit" : "a word of the language"),
-                         fmt::format("call it for instance '{}1'", name));
-    return !unit && !word;
+    if (may_name(name)) return true;
+    diagnostics_.error(where,
+                       fmt::format("'{}' is {} and can name nothing else", name,
+                                   is_unit(name) ? "a unit" : "a word of the language"),
+                       fmt::format("call it for instance '{}1'", name));
+    return false;
   }
 
   void twice(const char* what, const std::string& name, const SourceLocation& where,
@@ -199,6 +200,8 @@ class NameCollector {
 };
 
 }  // namespace
+
+bool may_name(const std::string& name) { return !is_unit(name) && !is_reserved(name); }
 
 void check_names(Document& document, Diagnostics& diagnostics) {
   NameChecker(diagnostics).run(document);

@@ -4,7 +4,12 @@
 #include <vug/base/diagnostics.h>
 #include <vug/scene/document.h>
 
+#include <string>
+
 namespace vug::scene {
+
+/// True for a name that is neither a unit nor a word of the language.
+bool may_name(const std::string& name);
 
 /// Names given twice, names that are units, symbols of a grammar without a rule, calls of
 /// symbols with the wrong number of arguments; marks what is in doubt by that. `parse` runs it.

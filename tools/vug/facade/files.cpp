@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <vug/image/io.h>
 #include <vug/scan/doubts.h>
+#include <vug/scene/check.h>
 #include <vug/session/write.h>
 
 #include <cctype>
@@ -26,7 +27,8 @@ std::string scene_name(const std::string& text) {
   static const std::set<std::string> taken = {"main", "even", "voxel", "stone", "panes"};
   std::string out;
   for (const char c : text) out += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || taken.count(out))
+  if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || taken.count(out) ||
+      !scene::may_name(out))
     out = "facade_" + out;
   return out;
 }
