@@ -52,7 +52,8 @@ TEST(Layers, PartsSumToTheBeauty) {
   }
 }
 
-// Direct light is what a path without bounces brings; none that a bounce finds is left to chance here.
+// Direct light is what a path without bounces brings; none that a bounce finds is left to chance
+// here.
 TEST(Layers, DirectLightIsThatOfAShortPath) {
   Scene scene = corner();
   scene.medium = nullptr;
