@@ -19,8 +19,8 @@ namespace vug::render {
 /// Index of an object in a scene.
 inline constexpr uint32_t kNoObject = ~0u;
 
-/// A point that asks for light: on a surface (normal of unit length, light arrives from the
-/// normal's side only) or in a medium (normal zero).
+/// A point that asks for light: on a surface (its shading normal, from whose side alone light
+/// arrives) or in a medium (normal zero).
 struct LitPoint {
   Vec3f position;
   Vec3f normal{0, 0, 0};

@@ -28,10 +28,13 @@ Candidate candidate(const World& world, const LightChoice& chosen, const Hit& hi
                     const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex,
                     const Vec2f& u) {
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
-  const bool behind = !(dot(s.direction, hit.surface.geometric_normal) > 0);
-  if (!(s.pdf > 0) || (behind && vertex.point.on_surface())) return {};
+  if (!(s.pdf > 0)) return {};
+  // The side is that of the smooth surface, from which rays leave; the facet's own would cut light
+  // off that grazes it.
   const Vec3f in = frame.to_local(s.direction);
-  if (behind ? !(in.z < 0) : !(in.z > 0)) return {};
+  const bool behind = !(in.z > 0);
+  if (behind && (vertex.point.on_surface() || dot(s.direction, hit.surface.geometric_normal) > 0))
+    return {};
   const Scattering scattering = bsdf.evaluate(in, s.direction);
   const Rgb f = scattering.total();
   const Rgb light = unshadowed(world, s, hit.object);

@@ -176,7 +176,7 @@ class Walk {
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
     if (!(s.scattered.pdf > 0)) return false;
     const bool through = s.scattered.direction.z < 0;
-    if ((dot(s.direction, hit.surface.geometric_normal) > 0) == through) return false;
+    if (through && dot(s.direction, hit.surface.geometric_normal) > 0) return false;
     if (tally_ && depth_ == 0)
       tally_->turned_at_surface(through && !s.scattered.beneath, s.scattered.weight,
                                 s.scattered.diffuse);
@@ -218,9 +218,7 @@ class Walk {
     if (tally_) tally_->settle_surface(depth_ + 1, scale);
     const float lobe = next_float(random);
     const GuidedBsdf::Sample s = bsdf.sample(lobe, next_pair(random));
-    if (!(s.scattered.pdf > 0) || !(s.scattered.direction.z > 0) ||
-        !(dot(s.direction, hit.surface.geometric_normal) > 0))
-      return false;
+    if (!(s.scattered.pdf > 0) || !(s.scattered.direction.z > 0)) return false;
     carry(s);
     ray_ = {hit.origin, s.direction};
     return true;
@@ -255,7 +253,7 @@ class Walk {
   void leave_from(const Hit& hit, float samples) {
     const float* sight = learned_.lights.empty() ? nullptr : learned_.lights.at(hit.origin);
     from_ = {PathVertex::surface,
-             {hit.origin, hit.surface.geometric_normal, hit.object},
+             {hit.origin, hit.surface.shading_normal, hit.object},
              0,
              {samples, sight}};
   }
