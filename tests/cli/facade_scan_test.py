@@ -4,6 +4,7 @@ import math
 import random
 import re
 import struct
+import subprocess
 import unittest
 
 from vug import SOURCE, VugTest
@@ -212,6 +213,18 @@ class FacadeRectify(VugTest):
         self.expect(0, "facade", "rectify", "photo.pgm", "--onto", "both.exr", "-o", "again.exr")
         self.assertEqual((self.folder / "again.exr").read_bytes(), (self.folder / "both.exr").read_bytes())
         self.expect(2, "facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "both.png")
+
+    def test_what_a_killed_run_left_goes_with_the_next(self):
+        self.write("wall.ply", ply(points()))
+        with subprocess.Popen(["true"]) as process:
+            process.wait()
+        left = f"out/.wall.{process.pid}.part"
+        for name in (f"{left}/wall.exr", "out/.wall.1.part/wall.exr", f"out/.other.{process.pid}.part/a.exr"):
+            self.write(name, "half of it")
+        self.expect(0, "facade", "scan", "wall.ply", "-o", "out/wall.exr", "--pixel", "5cm")
+        self.assertEqual([name for name in self.files() if "/." in name],
+                         sorted((f"out/.other.{process.pid}.part/a.exr", "out/.wall.1.part/wall.exr")))
+        self.assertFalse((self.folder / left).exists())
 
 
 class Documented(VugTest):

@@ -1,5 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/hidden.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,8 +9,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -34,17 +33,6 @@ fs::path followed(fs::path path) {
   return path;
 }
 
-/// The folder and those above it that are not there, the innermost first.
-std::vector<fs::path> missing_folders(fs::path folder) {
-  std::vector<fs::path> missing;
-  std::error_code code;
-  while (!folder.empty() && fs::status(folder, code).type() == fs::file_type::not_found) {
-    missing.push_back(folder);
-    folder = folder.parent_path();
-  }
-  return missing;
-}
-
 /// The same text for all names of a file, be it there or not.
 std::string identity(const fs::path& path) {
   std::error_code code;
@@ -59,18 +47,9 @@ std::optional<mode_t> mode_of(const fs::path& path) {
   return status.st_mode & 0777;
 }
 
-/// Names of temporary files, ".STEM.ID.part.EXTENSION": they tell writers the format.
-std::string before_id(const fs::path& target) {
-  return fmt::format(".{}.", target.stem().string());
-}
-std::string after_id(const fs::path& target) {
-  return fmt::format(".part{}", target.extension().string());
-}
-
-/// True where the process that made the file is gone and no other holds it. On a folder that
-/// machines share, or seen from a container, the lock tells; else the process does.
-bool is_stale(const fs::path& temporary, pid_t maker) {
-  if (::kill(maker, 0) == 0 || errno != ESRCH) return false;
+/// True where nobody holds the file. On a folder that machines share, or seen from a container,
+/// only the lock tells that its process lives.
+bool is_free(const fs::path& temporary) {
   const int file = ::open(temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0) return false;
   const bool free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
@@ -79,22 +58,10 @@ bool is_stale(const fs::path& temporary, pid_t maker) {
 }
 
 void remove_stale(const fs::path& target) {
-  const std::string before = before_id(target), after = after_id(target);
-  std::error_code code;
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
-       entry.increment(code)) {
-    const std::string name = entry->path().filename().string();
-    if (name.size() <= before.size() + after.size() || name.compare(0, before.size(), before) != 0)
-      continue;
-    const std::string id = name.substr(before.size(), name.size() - before.size() - after.size());
-    if (name.compare(before.size() + id.size(), after.size(), after) != 0) continue;
-    pid_t maker = 0;
-    const auto read = std::from_chars(id.data(), id.data() + id.size(), maker);
-    if (read.ec != std::errc() || read.ptr != id.data() + id.size() || maker <= 0) continue;
-    std::error_code ignored;
-    if (is_stale(entry->path(), maker)) fs::remove(entry->path(), ignored);
-  }
+  std::error_code ignored;
+  for (const fs::path& each :
+       left_by_the_dead(target.parent_path(), target.stem().string(), target.extension().string()))
+    if (is_free(each)) fs::remove(each, ignored);
 }
 
 }  // namespace
@@ -102,17 +69,11 @@ void remove_stale(const fs::path& target) {
 AtomicFile::AtomicFile(const fs::path& target) : target_(followed(target)) {
   std::error_code code;
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  made_folders_ = missing_folders(folder);
-  fs::create_directories(folder, code);
-  if (code) {
-    discard();
-    throw Error(ErrorCode::io,
-                fmt::format("cannot make folder '{}': {}", folder.string(), code.message()));
-  }
+  made_folders_ = make_folders(folder);
   if (fs::exists(target_, code))
     if (const std::string why = why_no_file(target_); !why.empty()) fail(why);
   const fs::path temporary =
-      folder / fmt::format("{}{}{}", before_id(target_), getpid(), after_id(target_));
+      folder / hidden_name(target_.stem().string(), target_.extension().string());
   const mode_t mode = mode_of(target_).value_or(0666) | 0600;  // what is private stays so
   lock_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode & 0666);
   if (lock_ < 0) fail(std::strerror(errno));
@@ -128,7 +89,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::discard() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
-  for (const fs::path& folder : made_folders_) fs::remove(folder, ignored);  // only empty ones go
+  remove_empty(made_folders_);
 }
 
 void AtomicFile::fail(const std::string& why) {

@@ -1,13 +1,10 @@
 #include "together.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/hidden.h>
 
-#include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <memory>
 #include <vector>
 
@@ -15,47 +12,20 @@ namespace vug::cli {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr std::string_view kEnd = ".part";
-
-/// Hidden folders of that name whose process is gone.
-void remove_stale(const fs::path& folder, const std::string& begin) {
-  std::error_code ignored;
-  std::vector<fs::path> stale;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(begin) || !name.ends_with(kEnd) || !entry.is_directory(ignored)) continue;
-    const char* last = name.data() + name.size() - kEnd.size();
-    pid_t maker = 0;
-    const auto read = std::from_chars(name.data() + begin.size(), last, maker);
-    if (read.ec == std::errc() && read.ptr == last && maker > 0 && ::kill(maker, 0) != 0 &&
-        errno == ESRCH)
-      stale.push_back(entry.path());
-  }
-  for (const fs::path& each : stale) fs::remove_all(each, ignored);
-}
-
-}  // namespace
-
 Together::Together(fs::path folder, const std::string& name)
     : folder_(folder.empty() ? "." : std::move(folder)) {
-  const std::string begin = fmt::format(".{}.", name);
-  hidden_ = folder_ / fmt::format("{}{}{}", begin, ::getpid(), kEnd);
-  std::error_code code;
-  for (fs::path up = folder_; !up.empty() && !fs::exists(up, code); up = up.parent_path())
-    made_.push_back(up);
-  remove_stale(folder_, begin);
-  fs::create_directories(hidden_, code);
-  if (code)
-    throw Error(ErrorCode::io,
-                fmt::format("cannot make folder '{}': {}", hidden_.string(), code.message()));
+  std::error_code ignored;
+  for (const fs::path& each : left_by_the_dead(folder_, name))
+    if (fs::is_directory(each, ignored)) fs::remove_all(each, ignored);
+  hidden_ = folder_ / hidden_name(name);
+  fs::remove_all(hidden_, ignored);  // of a process that had the same number
+  made_ = make_folders(hidden_);
 }
 
 Together::~Together() {
   std::error_code ignored;
   fs::remove_all(hidden_, ignored);
-  for (const fs::path& each : made_) fs::remove(each, ignored);  // only empty ones go
+  remove_empty(made_);
 }
 
 void Together::commit() {

@@ -25,7 +25,7 @@ class Together {
 
  private:
   std::filesystem::path folder_, hidden_;
-  std::vector<std::filesystem::path> made_;  ///< Folders above, the innermost first.
+  std::vector<std::filesystem::path> made_;  ///< Folders, the innermost first.
 };
 
 }  // namespace vug::cli

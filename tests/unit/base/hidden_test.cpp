@@ -1,0 +1,70 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/base/hidden.h>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vug {
+namespace {
+namespace fs = std::filesystem;
+
+fs::path fresh(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+/// The number of a process that has been.
+std::string a_dead_process() {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  return std::to_string(child);
+}
+
+TEST(Hidden, NamesOfTheDeadAreTold) {
+  const fs::path folder = fresh("vug_hidden_names");
+  const std::string dead = a_dead_process();
+  const fs::path file = folder / (".a." + dead + ".part.exr"),
+                 bare = folder / (".a." + dead + ".part");
+  for (const fs::path& each :
+       {file, bare, folder / hidden_name("a", ".exr"), folder / (".b." + dead + ".part.exr"),
+        folder / (".a.x" + dead + ".part.exr"), folder / (".a.-" + dead + ".part.exr"),
+        folder / ".a..part.exr", folder / ".a.part.exr", folder / ".a.1.part.exr"})
+    write_text(each, "");
+  using Paths = std::vector<fs::path>;
+  EXPECT_EQ(left_by_the_dead(folder, "a", ".exr"), Paths{file});
+  EXPECT_EQ(left_by_the_dead(folder, "a"), Paths{bare});
+  EXPECT_TRUE(left_by_the_dead(folder / "none", "a").empty());
+  EXPECT_EQ(hidden_name("a", ".exr"), ".a." + std::to_string(getpid()) + ".part.exr");
+}
+
+TEST(Hidden, FoldersThatAreMadeAreKnown) {
+  const fs::path folder = fresh("vug_hidden_folders");
+  EXPECT_TRUE(make_folders(folder).empty());
+  EXPECT_TRUE(make_folders("").empty());
+  const std::vector<fs::path> made = make_folders(folder / "a" / "b");
+  EXPECT_EQ(made, (std::vector<fs::path>{folder / "a" / "b", folder / "a"}));
+  write_text(folder / "a" / "file", "somebody's");
+  remove_empty(made);
+  EXPECT_FALSE(fs::exists(folder / "a" / "b"));
+  EXPECT_TRUE(fs::exists(folder / "a" / "file"));
+}
+
+TEST(Hidden, FoldersThatCannotBeMadeLeaveNone) {
+  const fs::path folder = fresh("vug_hidden_failure");
+  const fs::path deep = folder / "a" / std::string(300, 'x');
+  try {
+    make_folders(deep);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), "cannot make folder '" + deep.string() + "': File name too long");
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace vug
