@@ -50,7 +50,7 @@ void write_labels(const std::filesystem::path& path, const std::vector<uint8_t>&
   image::Image out(width, height, {"Y"});
   for (size_t i = 0; i < labels.size(); ++i)
     out.pixels[i] = static_cast<float>(image::srgb_decode(labels[i] / 255.0));
-  image::write_png(path, out, {.transform = image::ViewTransform::srgb, .dither = false});
+  image::write_png(path, out, image::plain_view());
 }
 
 }  // namespace vug::fit

@@ -64,9 +64,8 @@ Image as_grey(const Image& layer, double low, double high) {
 
 void add_pictures(const Diff& diff, std::string& out) {
   Image a = diff.shown.reference, b = diff.shown.test;
-  ViewOptions view = diff.shown.view, plain;
-  plain.transform = ViewTransform::srgb;
-  plain.dither = false;
+  const ViewOptions plain = plain_view();
+  ViewOptions view = diff.shown.view;
   if (diff.heat_measure != "flip") {
     double low = kInfinity, high = -kInfinity;
     for (const Image* image : {&a, &b})

@@ -77,6 +77,13 @@ void each_luminance(const Image& linear, WorkingSpace space, const Take& take) {
 
 }  // namespace
 
+ViewOptions plain_view() {
+  ViewOptions plain;
+  plain.transform = ViewTransform::srgb;
+  plain.dither = false;
+  return plain;
+}
+
 double srgb_encode(double linear) {
   const double v = std::clamp(linear, 0.0, 1.0);
   return v <= 0.0031308 ? 12.92 * v : 1.055 * maths::pow(v, 1 / 2.4) - 0.055;

@@ -25,6 +25,9 @@ struct ViewOptions {
   bool dither = true;  ///< A fixed +-1/2 code pattern against bands in dark gradients (8 bit).
 };
 
+/// For pictures that are no light, as labels, masks and charts: sRGB without dither.
+ViewOptions plain_view();
+
 /// Display-referred R, G, B in [0, 1] with the transfer function of the display (sRGB's unless a
 /// configuration says otherwise); other channels dropped.
 /// A picture without R, G, B but one channel is shown as grey. NaN shows as black.

@@ -59,7 +59,7 @@ TEST(WorkingSize, GreyPhotosAndPhotosBeyondTheMemory) {
   const auto path = std::filesystem::temp_directory_path() / "vug_grey_photo.png";
   image::Image grey(4, 3, {"Y"});
   for (float& v : grey.pixels) v = 0.25f;
-  image::write_png(path, grey, {.transform = image::ViewTransform::srgb, .dither = false});
+  image::write_png(path, grey, image::plain_view());
   const image::Image read = read_photo(path);
   EXPECT_EQ(read.channels, (std::vector<std::string>{"R", "G", "B"}));
   for (const float v : read.pixels) EXPECT_NEAR(v, 0.25, 0.01);

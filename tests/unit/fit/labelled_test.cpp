@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const Classes kClasses{{"door", "shop", "window", "stone", "sky"}};
-const image::ViewOptions kData{.transform = image::ViewTransform::srgb, .dither = false};
+const image::ViewOptions kData = image::plain_view();
 
 /// What the error says; "" where there is none.
 std::string fault_of(const std::function<void()>& work) {

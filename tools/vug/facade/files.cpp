@@ -33,13 +33,6 @@ std::string scene_name(const std::string& text) {
   return out;
 }
 
-void write_plain_png(const fs::path& file, const image::Image& picture) {
-  image::ViewOptions plain;
-  plain.transform = image::ViewTransform::srgb;
-  plain.dither = false;
-  image::write_png(file, picture, plain);
-}
-
 void write_carving(const session::Loaded& loaded, const WorkOptions& work, const fs::path& vdb) {
   if (!loaded.usable()) {
     fmt::print(stderr, "{}", loaded.report());

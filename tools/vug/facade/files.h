@@ -17,9 +17,6 @@ std::string seen_from(const std::filesystem::path& folder, const std::filesystem
 /// A name that the texts of scenes can use for a grammar, of what people call files.
 std::string scene_name(const std::string& text);
 
-/// A PNG of the picture as it is: no view transform but sRGB, no dither.
-void write_plain_png(const std::filesystem::path& file, const image::Image& picture);
-
 /// Builds and writes the volumes of a facade that is carved, with its recipe. Error(bad_input)
 /// where its scene cannot be used, after that was told.
 void write_carving(const session::Loaded& loaded, const WorkOptions& work,

@@ -99,7 +99,8 @@ void write_found(const Options& options, const Input& in, const session::FacadeF
                  const Outputs& to, const fs::path& folder) {
   if (in.range) {
     scan::write_range(to.range, *in.range);
-    write_plain_png(to.seen, scan::picture_of(*in.range, scan::surface_map(*in.range)));
+    image::write_png(to.seen, scan::picture_of(*in.range, scan::surface_map(*in.range)),
+                     image::plain_view());
   }
   if (!fit.labels.empty()) {
     const image::FileInfo photo = image::read_info(options.photo);

@@ -67,7 +67,7 @@ scan::FourPoints points_of(const std::vector<std::string>& texts, In in, const c
 
 /// An EXR tells how large the facade is, if that is known.
 void write(const std::string& file, const scan::Rectified& out, bool metres) {
-  if (extension_of(file) != ".exr") return write_plain_png(file, out.picture);
+  if (extension_of(file) != ".exr") return image::write_png(file, out.picture, image::plain_view());
   image::ExrOptions options;
   if (metres) options.metadata = scan::metadata_of_pixel(out.width / out.picture.width);
   image::write_exr(file, out.picture, options);

@@ -8,6 +8,7 @@
 
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
+#include <vug/image/io.h>
 #include <vug/scan/read.h>
 #include <vug/scan/report.h>
 #include <nlohmann/json.hpp>
@@ -49,7 +50,7 @@ void write(const fs::path& exr, const scan::RangeImage& range, const scan::Surfa
   Together together(exr.parent_path(), exr.stem().string());
   const Outputs outputs(together.path() / exr.filename());
   scan::write_range(outputs.range, range);
-  write_plain_png(outputs.picture, scan::picture_of(range, map));
+  image::write_png(outputs.picture, scan::picture_of(range, map), image::plain_view());
   write_text(outputs.drawing,
              scan::openings_svg(range, openings, outputs.picture.filename().string()));
   write_text(outputs.report, report);

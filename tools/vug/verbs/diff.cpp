@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
+#include <vug/image/io.h>
 #include <vug/image/report.h>
 
 namespace vug::cli {
@@ -70,12 +71,8 @@ int run(Options options) {
   if (!options.html.empty())
     write_text(options.html, to_html(diff, std::filesystem::path(options.test).filename().string(),
                                      reference.name, test.name));
-  if (!options.heat.empty()) {
-    image::ViewOptions plain;
-    plain.transform = image::ViewTransform::srgb;
-    plain.dither = false;
-    image::write_png(options.heat, heat_picture(diff), plain);
-  }
+  if (!options.heat.empty())
+    image::write_png(options.heat, heat_picture(diff), image::plain_view());
   return diff.same ? kDone : kAnswerNo;
 }
 
