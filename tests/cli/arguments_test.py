@@ -60,6 +60,7 @@ class Arguments(VugTest):
         error = self.refused("error: there is no verb\n")
         for verb in ("build", "check", "render"):
             self.assertRegex(error, rf"hint: .*\b{verb}\b")
+        self.refused("error: there is no verb\n", "")
 
     def test_numbers_that_are_none(self):
         for noise in ("3cm", "nan", "inf", "", "3 %", "much", "0x1p-3", "1x2"):

@@ -104,9 +104,10 @@ class FacadeInput(VugTest):
         self.fit("photo.png", "--grammar", "ripperda.vug", code=0)
 
     def test_what_is_no_verb(self):
-        self.assertIn("hint: vug facade fit, ", self.expect(2, "facade").err)
+        self.assertRegex(self.expect(2, "facade").err,
+                         "^error: there is no verb\nhint: say what to do: vug facade fit, .*; 'vug facade --help' tells more\n$")
         error = self.expect(2, "facade", "fitt", "photo.png").err
-        self.assertIn("there is no 'facade fitt'\nhint: did you mean 'fit'?", error)
+        self.assertIn("there is no verb 'facade fitt'\nhint: did you mean 'fit'?", error)
         self.assertIn("other.png", self.expect(2, "facade", "fit", "photo.png", "other.png", "-o", "out").err)
 
     def test_empty_clouds(self):

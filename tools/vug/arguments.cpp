@@ -1,8 +1,9 @@
 #include "arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vug/base/atomic_file.h>
-#include <vug/base/error.h>
+#include <vug/base/diagnostics.h>
 #include <vug/scene/lexer.h>
 
 #include <charconv>
@@ -54,6 +55,17 @@ CLI::Validator seed_number() {
     return read_whole(text, number) ? "" : fmt::format("'{}' is no whole number from 0 on", text);
   };
   return CLI::Validator(check, "");
+}
+
+Error no_such_verb(const std::string& word, const std::vector<std::string>& verbs,
+                   const std::string& before) {
+  const std::string after = before.empty() ? "" : before + " ";
+  if (word.empty())
+    return Error(ErrorCode::bad_input, "there is no verb", {},
+                 fmt::format("say what to do: vug {}{}; 'vug {}--help' tells more", after,
+                             fmt::join(verbs, ", "), after));
+  return Error(ErrorCode::bad_input, fmt::format("there is no verb '{}{}'", after, word), {},
+               suggestion(word, verbs));
 }
 
 void require_ending(const std::string& file, const std::string& ending, const std::string& hint) {

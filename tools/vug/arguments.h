@@ -3,9 +3,11 @@
 
 #include "verb.h"
 
+#include <vug/base/error.h>
 #include <vug/base/value.h>
 
 #include <string>
+#include <vector>
 
 namespace vug::cli {
 
@@ -15,6 +17,11 @@ CLI::Validator number_in(Dimension dimension, double low, double high);
 CLI::Validator whole_number_in(int low, int high);
 /// From 0 to 2^64 - 1.
 CLI::Validator seed_number();
+
+/// The answer to a command without a verb (the word is empty) or with one that there is not.
+/// `before` is what stands before the verb: "facade", or nothing.
+Error no_such_verb(const std::string& word, const std::vector<std::string>& verbs,
+                   const std::string& before = "");
 
 /// Error(bad_input) unless the file's name is one with that ending (with its dot, in small
 /// letters).

@@ -1,11 +1,10 @@
 // vug: caves and terrain out of grammars. Parses arguments and hands over to a verb.
+#include "arguments.h"
 #include "bar.h"
 #include "report.h"
 #include "verb.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <vug/base/diagnostics.h>
 #include <vug/session/plugin.h>
 
 #include <algorithm>
@@ -50,15 +49,9 @@ void refuse_empty_values(CLI::App& command) {
 void require_verb(const std::optional<std::string>& first) {
   std::vector<std::string> names;
   for (const Verb& verb : verbs()) names.push_back(verb.name);
-  if (!first)
-    throw Error(
-        ErrorCode::bad_input, "there is no verb", {},
-        fmt::format("say what to do: vug {}; 'vug --help' tells more", fmt::join(names, ", ")));
-  const std::string& word = *first;
-  if (word.empty() || word[0] == '-') return;
-  if (std::find(names.begin(), names.end(), word) == names.end())
-    throw Error(ErrorCode::bad_input, fmt::format("there is no verb '{}'", word), {},
-                suggestion(word, names));
+  const std::string word = first.value_or("");
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw no_such_verb(word, names);
 }
 
 /// One that does not fit says so and is done without: a scene that needs its words fails by itself.

@@ -1,9 +1,8 @@
 // `vug facade VERB ...`: one file each in facade/, listed in CMakeLists.txt.
+#include "arguments.h"
 #include "verb.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <vug/base/diagnostics.h>
 
 #include <map>
 #include <memory>
@@ -19,11 +18,7 @@ namespace {
 [[noreturn]] void refuse(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
-  throw Error(
-      ErrorCode::bad_input,
-      word.empty() ? "there is nothing to do" : fmt::format("there is no 'facade {}'", word), {},
-      word.empty() ? fmt::format("vug facade {}", fmt::join(names, ", "))
-                   : suggestion(word, names));
+  throw no_such_verb(word, names, app.get_name());
 }
 
 }  // namespace
