@@ -94,8 +94,19 @@ class Colour(VugTest):
         self.assertNotEqual(dim, self.png("--ocio", "studio.ocio", "--view", "Raw"))
         self.assertEqual(self.png("--ocio", "studio.ocio", "--view", "filmic"),
                          digest(self.folder / "plain.png"))
-        said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--ocio", "nowhere.ocio").err
-        self.assertIn("nowhere.ocio", said)
+        self.write("bad.ocio", STUDIO[:200])
+        self.write("seen.vug", SCENE.replace("spp 4 ", 'spp 4  view "Dim"'))
+        for scene in ("s.vug", "seen.vug"):  # what the text says of views is not at fault
+            for name in ("nowhere.ocio", "bad.ocio"):
+                cause = f"error: {{}}: the colour configuration '{name}' cannot be used: "
+                said = self.expect(2, "render", scene, "-o", "no.exr", "--ocio", name).err
+                self.assertTrue(said.startswith(cause.format("--ocio")), said)
+                said = self.expect(2, "render", scene, "-o", "no.exr", env=dict(os.environ, OCIO=name)).err
+                self.assertTrue(said.startswith(cause.format("$OCIO")), said)
+        self.expect(0, "render", "seen.vug", "-o", "seen.exr", "--ocio", "studio.ocio")
+        self.write("seen.vug", SCENE.replace("spp 4 ", 'spp 4  view "Dimm"'))
+        self.assertIn("seen.vug:7:8: error: there is no view 'Dimm' in 'studio.ocio'",
+                      self.expect(2, "render", "seen.vug", "-o", "no.exr", "--ocio", "studio.ocio").err)
         said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--ocio", "studio.ocio", "--display",
                            "Screen").err
         self.assertIn("Wall", said)

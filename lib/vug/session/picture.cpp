@@ -124,6 +124,23 @@ std::string view_option(const PictureOptions& options) {
   return options.display.empty() ? "--view" : "--view and --display";
 }
 
+/// How a picture is shown. A configuration that shows nothing of the space by itself is at fault
+/// itself, whatever view is asked of it.
+image::ViewChoice view_choice(const RenderPlan& plan, const PictureOptions& options) {
+  const image::ViewChoice choice{plan.view, plan.display, options.config};
+  try {
+    image::view_options(choice, plan.working_space);
+  } catch (const Error& error) {
+    try {
+      image::view_options({{}, {}, options.config}, plan.working_space);
+    } catch (const Error&) {
+      throw at_cause(error, options.config == image::environment_config() ? "$OCIO" : "--ocio", {});
+    }
+    throw at_cause(error, view_option(options), plan.where);
+  }
+  return choice;
+}
+
 /// Of all that the scene may have, before meshes are made of it.
 render::LayerPlan early_layers(const Shot& shot, const RenderPlan& plan,
                                const PictureOptions& options) {
@@ -268,12 +285,7 @@ PictureJob prepare_picture(Builder& builder, const PictureOptions& options, bool
                 "--denoise: a picture without the layer 'variance' cannot be denoised", {},
                 "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
   job.look.space = plan.working_space;
-  job.look.view = {plan.view, plan.display, options.config};
-  try {
-    image::view_options(job.look.view, plan.working_space);
-  } catch (const Error& error) {
-    throw at_cause(error, view_option(options), plan.where);
-  }
+  job.look.view = view_choice(plan, options);
   require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
   if (render.layers.has(render::kMotion)) render.step = frame_step(builder, options, at_frame);
