@@ -213,6 +213,13 @@ class FacadeRectify(VugTest):
         self.expect(0, "facade", "rectify", "photo.pgm", "--onto", "both.exr", "-o", "again.exr")
         self.assertEqual((self.folder / "again.exr").read_bytes(), (self.folder / "both.exr").read_bytes())
         self.expect(2, "facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "both.png")
+        onto = ("facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "no.exr")
+        corners = ("--corners", "20,10", "180,30", "170,140", "30,120")
+        for option, value in (("--size", "8mx5m"), ("--pixel", "1cm")):
+            self.assertIn(f"error: {option} is for a picture of its own", self.expect(2, *onto, *corners, option, value).err)
+        self.assertIn("error: --at tells where corners lie, and none are named",
+                      self.expect(2, *onto, "--at", "0,0", "1,0", "1,1", "0,1").err)
+        self.assertNotIn("no.exr", self.files())
 
     def test_what_a_killed_run_left_goes_with_the_next(self):
         self.write("wall.ply", ply(points()))

@@ -101,6 +101,22 @@ bool set_size(const std::string& text, scan::RectifyOptions& to) {
   return wide.dimension == Dimension::length;
 }
 
+/// A range image has a size, and where the photo lies on it is told by places.
+void require_use(const Options& options) {
+  if (options.onto.empty()) return;
+  for (const auto& [name, told] :
+       {std::pair("--size", !options.size.empty()), {"--pixel", options.rectify.pixel > 0}})
+    if (told)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("{} is for a picture of its own: --onto gives it the size and the "
+                              "pixels of the range image",
+                              name),
+                  {}, "leave it out; --at tells where --corners lie on the range image");
+  if (!options.at.empty() && options.corners.empty())
+    throw Error(ErrorCode::bad_input, "--at tells where corners lie, and none are named", {},
+                "name them with --corners, in pixels of the photo");
+}
+
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   const bool exr = extension_of(options.output) == ".exr";
@@ -111,12 +127,13 @@ int run(Options options) {
   if (options.onto.empty() && options.corners.empty())
     throw Error(ErrorCode::bad_input, "the corners of the facade are missing", {},
                 "name them with --corners: upper left, upper right, lower right, lower left");
+  require_use(options);
   std::vector<std::filesystem::path> inputs = {options.photo};
   if (!options.onto.empty()) inputs.emplace_back(options.onto);
   require_outputs({options.output}, inputs);
   options.rectify.memory = options.work.memory_limit();
   const bool metres = set_size(options.size, options.rectify);
-  if (options.onto.empty() && options.rectify.pixel > 0 && !metres)
+  if (options.rectify.pixel > 0 && !metres)
     throw Error(ErrorCode::bad_input,
                 "--pixel is a length, and nothing tells how large the facade is", {},
                 "--size does, in metres: 12mx9m");
