@@ -181,6 +181,13 @@ class Modelling(VugTest):
         self.assertIn("--width", self.model("--from", "tree.json", "--width", "3m", code=2).err)
         self.assertIn("s.json:1:1: error: this is no tree", self.model("--from", "s.json", code=2).err)
         self.assertIn("no such file", self.model("--from", "gone.json", code=2).err)
+        self.write("mine/house.vug", (SOURCE / "data/facades/ripperda.vug").read_text().replace("grammar ripperda", "grammar house"))
+        self.expect(0, "facade", "model", "--grammar", "mine/house.vug", "--width", "12m", "--height", "9m", "-o", "h.json")
+        self.write("house.json", self.expect(0, "facade", "model", "h.json", "--json").out)
+        self.assertRegex(self.model("--from", "house.json", code=2).err,
+                         "error: there is no grammar 'house.vug': no such file\nhint: 'house.json' is of a grammar 'house': "
+                         "name its file with --grammar")
+        self.model("--from", "house.json", "--grammar", "mine/house.vug")
 
     def test_options_that_begin_a_session(self):
         for option, value in (("--width", "9m"), ("--height", "9m"), ("--facade", "a"), ("--photo", "a.png"),

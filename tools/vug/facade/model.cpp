@@ -82,13 +82,29 @@ void tell_moved(const modeller::Retraced& way) {
              counted(way.elements, "element"), way.moved, way.farthest, way.missing);
 }
 
+/// The file of the tree's name, which a session finds without being told.
+std::string grammar_named(const facade::Tree& tree, const Options& options) {
+  std::string file = tree.name + ".vug";
+  const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
+  try {
+    session::find_grammar(folder, file);
+  } catch (const Error& error) {
+    throw Error(
+        error.code(), error.what(), {},
+        fmt::format("'{}' is of a grammar '{}': name its file with --grammar, as in --grammar "
+                    "out/{}",
+                    options.from, tree.name, file));
+  }
+  return file;
+}
+
 /// A session that has come to what a file's tree is.
 modeller::Session from_tree(Options options) {
   if (options.width > 0 || options.height > 0)
     throw Error(ErrorCode::bad_input, "a tree tells by itself how large the facade is", {},
                 "leave --width and --height out");
   const facade::Tree tree = modeller::read_tree(read_text(options.from), options.from);
-  if (options.grammar.empty()) options.grammar = tree.name + ".vug";
+  if (options.grammar.empty()) options.grammar = grammar_named(tree, options);
   options.width = tree.width, options.height = tree.height;
   modeller::Session out = begun(options);
   const modeller::Retraced way = modeller::retraced(out.now(), tree);
