@@ -247,8 +247,14 @@ class Kept(VugTest):
         said = self.expect(2, "facade", "fit", "photo.png", "-o", "out", "--width", "60m", "--steps", "1000",
                            "--max-memory", "60M").err
         self.assertIn("more than the limit of 60 MiB", said)
+        self.assertNotIn("earlier", said)
         self.outcome()
         self.assertFalse([name for name in self.files() if ".part" in name])
+        self.write("out/photo.vdb", "older")
+        said = self.expect(2, "facade", "fit", "photo.png", "-o", "out", "--width", "60m", "--steps", "1000",
+                           "--max-memory", "60M").err
+        self.assertIn("warning: 'out/photo.vdb' is of an earlier fit\n", said)
+        self.assertEqual((self.folder / "out/photo.vdb").read_text(), "older")
 
     def test_a_full_disk(self):
         """A limit on the size of files fails writes as a full disk does: in the middle."""

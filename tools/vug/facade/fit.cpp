@@ -121,6 +121,12 @@ void write_found(const Options& options, const Input& in, const session::FacadeF
   write_text(to.charts, fit::report_svg(fit.reading.report));
 }
 
+void warn_of_earlier(const fs::path& carved) {
+  if (!fs::exists(carved)) return;
+  clear_bar();
+  fmt::print(stderr, "warning: '{}' is of an earlier fit\n", carved.string());
+}
+
 /// All files at once: a disk that is full for one of them gets none. A carving that somebody stops,
 /// or that is too large, is left out.
 void write(const Options& options, const Input& in, const session::FacadeFit& fit,
@@ -136,6 +142,7 @@ void write(const Options& options, const Input& in, const session::FacadeFit& fi
   } catch (Error& error) {
     if (error.code() != ErrorCode::io && fs::exists(hidden.charts)) {
       together.commit();
+      warn_of_earlier(files.carved);
       throw;
     }
     error.within("writing what was found, of which nothing is kept");
@@ -192,8 +199,7 @@ int run(Options options) {
   write(options, in, fit, files, !options.no_carving && !stopped);
   clear_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
-  if ((stopped || options.no_carving) && fs::exists(files.carved))
-    fmt::print(stderr, "warning: '{}' is of an earlier fit\n", files.carved.string());
+  if (stopped || options.no_carving) warn_of_earlier(files.carved);
   if (fit.reading.seen.empty())
     fmt::print(stderr, "nothing was found: the facade is a bare wall\n");
   fmt::print("{}\n", facade::theta(fit.tree));
