@@ -40,6 +40,7 @@ class Depth {
 
 Value Evaluator::evaluate(const Expr& expr, const Context& context) {
   const Depth depth(depth_);
+  deepest_ = std::max(deepest_, depth_);
   if (depth_ > kMaxDepth) return site(expr).fault("the values depend on each other too deeply");
   switch (expr.kind) {
     case ExprKind::number:
@@ -79,7 +80,10 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
     return options_.frame;
   }
   if (const auto unit = with_unit(1, expr.text)) return *unit;
-  if (auto value = resolver_.name(expr.text, expr.where, diagnostics_)) return *std::move(value);
+  const int deepest = deepest_;  // declarations have limits of their own
+  auto declared = resolver_.name(expr.text, expr.where, diagnostics_);
+  deepest_ = deepest;
+  if (declared) return *std::move(declared);
   if (document_.lost.may_declare(expr.text)) return {};
   return Value::Name{expr.text};
 }

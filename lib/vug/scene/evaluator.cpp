@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vug::scene {
 
@@ -119,7 +120,7 @@ std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope
 Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
   if (global.value) {
     if (global.moves) resolver_.use_frame();
-    return *global.value;
+    return upon(global, where);
   }
   const auto first = std::find(pending_.begin(), pending_.end(), name);
   if (first != pending_.end()) {
@@ -133,13 +134,28 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
         fmt::format("more than {} names depend on each other in a row", Resolver::kMostPending));
   pending_.push_back(name);
   const uint64_t uses = resolver_.frame_uses();
+  const int deepest = std::exchange(deepest_, depth_);
   Value value = global.param ? param(*global.param, root().at("param").at(name))
                              : evaluate(*global.let->value, {root().at("let").at(name), nullptr});
   pending_.pop_back();
+  if (value.get<Object>() || value.get<List>()) global.height = deepest_ - depth_;
+  deepest_ = deepest;
   if (document_.lost.doubtful.count(name)) value = {};
   global.value = value;
   global.moves = resolver_.frame_uses() > uses;
-  return value;
+  return upon(global, where);
+}
+
+/// The value, to go on from: what is computed with it takes its part of the stack for each step.
+Value Evaluator::upon(const Global& global, const SourceLocation& where) {
+  constexpr int kHighest = 10000;
+  const int height = depth_ + global.height;
+  if (height > kHighest)
+    return Site{where, diagnostics_}.fault(
+        fmt::format("more than {} steps upon each other", kHighest),
+        "make what can stand side by side so: union([a, b, c])");
+  deepest_ = std::max(deepest_, height);
+  return *global.value;
 }
 
 Value Evaluator::param(ParamValue& param, RandomKey key) {

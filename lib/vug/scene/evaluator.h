@@ -101,6 +101,9 @@ class Evaluator {
     ParamValue* param = nullptr;
     std::optional<Value> value;
     bool moves = false;  ///< It depends on the frame.
+    /// How deep calls in calls are that made the value, with names in place of what they stand for;
+    /// 0 of a number or a text, which keeps nothing of what it was made of.
+    int height = 0;
   };
 
   void read_overrides();
@@ -118,6 +121,7 @@ class Evaluator {
   Value keys(const Expr& expr, const Context& context);
   std::optional<bool> truth(const Expr& expr, const Context& context);
   Value global(const std::string& name, Global& global, const SourceLocation& where);
+  Value upon(const Global& global, const SourceLocation& where);
   Value param(ParamValue& param, RandomKey key);
   Value like(const Value& fallback, Value given, const std::string& name,
              const SourceLocation& where);
@@ -138,6 +142,7 @@ class Evaluator {
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> pending_;  ///< Globals being evaluated, to find circles.
   int depth_ = 0;
+  int deepest_ = 0;  ///< That depth_ has been, with heights of the names there.
 };
 
 }  // namespace vug::scene

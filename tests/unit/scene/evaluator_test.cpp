@@ -187,5 +187,33 @@ TEST(Evaluator, LongChainsOfLetsAreRefused) {
             "! more than 200 names depend on each other in a row");
 }
 
+/// What is wrong with lets of which each is made of the one before, as `# + 1`.
+std::vector<Diagnostic> faults_of_chain(int lets, const std::string& first,
+                                        const std::string& next) {
+  std::string text = "let a0 = " + first + "\n";
+  for (int i = 1; i < lets; ++i) {
+    text.append("let a").append(std::to_string(i)).append(" = ").append(next);
+    text.replace(text.rfind('#'), 1, 'a' + std::to_string(i - 1)).append("\n");
+  }
+  Diagnostics diagnostics;
+  const Document document = parse(text, "t.vug", diagnostics);
+  FakeResolver resolver;
+  Evaluator evaluator(document, resolver, diagnostics, {});
+  evaluator.check_all();
+  return diagnostics.all();
+}
+
+TEST(Evaluator, ValuesUponEachOtherHaveAHighest) {
+  EXPECT_TRUE(faults_of_chain(20000, "1", "# + 1").empty());  // a number keeps nothing
+  EXPECT_TRUE(faults_of_chain(5000, "[1]", "[#]").empty());
+  EXPECT_TRUE(faults_of_chain(2500, "[1]", "[[[#]]]").empty());
+  for (const auto& [lets, next] : {std::pair(5001, "[#]"), {2502, "[[[#]]]"}, {9000, "[#]"}}) {
+    const std::vector<Diagnostic> found = faults_of_chain(lets, "[1]", next);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].message, "more than 10000 steps upon each other");
+    EXPECT_EQ(found[0].where.line, std::string(next) == "[#]" ? 5001 : 2501);
+  }
+}
+
 }  // namespace
 }  // namespace vug::scene
