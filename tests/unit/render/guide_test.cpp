@@ -117,7 +117,7 @@ TEST(Chances, AreCountedRegionByRegion) {
     glances.push_back({{3, 1, 0}, 0, true});
     glances.push_back({{3, 1, 0}, 1, false});
   }
-  const Chances chances(kRoom, 2, 2, glances);
+  const Chances chances(kRoom, 2 / diagonal_of(kRoom), 2, glances);
   const auto part = [&](const Vec3f& at, size_t thing) {
     const float root = chances.at(at)[thing];
     return root * root;
@@ -131,7 +131,7 @@ TEST(Chances, AreCountedRegionByRegion) {
   EXPECT_EQ(chances.at({100, 1, 0}), chances.at({7.9f, 1, 0}));
   EXPECT_GT(part({3, 1, 0}, 1), 0) << "nothing is ruled out";
   std::vector<Glance> backwards(glances.rbegin(), glances.rend());
-  const Chances same(kRoom, 2, 2, backwards);
+  const Chances same(kRoom, 2 / diagonal_of(kRoom), 2, backwards);
   EXPECT_EQ(same.at({-3, 1, 0})[0], chances.at({-3, 1, 0})[0]);
   EXPECT_TRUE(Chances().empty());
 }
@@ -145,7 +145,7 @@ TEST(Brightness, IsToldApartByPlaceAndFacing) {
     sightings.push_back({{-3, 1, 0}, down, 0.1f, true, 0.1f});
     sightings.push_back({{3, 1, 0}, up, 100, false, 0});
   }
-  const Brightness known(sightings, kRoom, 2);
+  const Brightness known(sightings, kRoom, 2 / diagonal_of(kRoom));
   // The mean over all places counts half a sighting.
   EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).all, 0.1f, 0.05f);
   EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).later, 0.1f, 0.05f);

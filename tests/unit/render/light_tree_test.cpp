@@ -58,7 +58,7 @@ Chances some_chances(size_t branches) {
   std::vector<Glance> glances;
   for (uint32_t i = 0; i < 20 * branches; ++i)
     glances.push_back({{0, 0, 0}, i % static_cast<uint32_t>(branches), i % 7 < 3});
-  return Chances(Box3f(Vec3f(-1), Vec3f(1)), 10, branches, glances);
+  return Chances(Box3f(Vec3f(-1), Vec3f(1)), 3, branches, glances);
 }
 
 /// The estimate of sum 1 over the lights that can shine, 1 / p each time, must be their number.

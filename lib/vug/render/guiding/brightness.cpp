@@ -20,9 +20,9 @@ struct Sum {
     const double part = other.count > 0 ? weight / other.count : 0;
     count += part * other.count, all += part * other.all, square += part * other.square;
   }
-  Returned mean() const {
-    if (!(count > 0)) return {};
-    return {static_cast<float>(all / count), static_cast<float>(std::sqrt(square / count))};
+  float mean() const { return count > 0 ? static_cast<float>(all / count) : 0; }
+  float root_mean_square() const {
+    return count > 0 ? static_cast<float>(std::sqrt(square / count)) : 0;
   }
 };
 
@@ -37,17 +37,16 @@ Brightness::Brightness(const std::vector<Sighting>& sightings, const Box3f& boun
     if (s.first) first.add(s);
     sums[place(s.point, s.normal)].add(s);
   }
-  const float usual = first.mean().all;
+  const float usual = first.mean();
   for (Sum& sum : sums) {
     sum.add(whole, kPrior);
-    returned_.push_back(sum.mean());
-    returned_.back().all = std::min(returned_.back().all, usual);
+    returned_.push_back({std::min(sum.mean(), usual), sum.root_mean_square()});
   }
   double off = 0;
   for (const Sighting& s : sightings) {
     if (!s.first) continue;
     const size_t at = place(s.point, s.normal);
-    off += static_cast<double>(std::fabs(s.luminance - sums[at].mean().all) / returned_[at].all);
+    off += static_cast<double>(std::fabs(s.luminance - sums[at].mean()) / returned_[at].all);
   }
   off = std::min(1.0, off / first.count);
   noise_ = static_cast<float>(off * off);

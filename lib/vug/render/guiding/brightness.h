@@ -19,7 +19,7 @@ class Brightness {
  public:
   /// Knows nothing.
   Brightness() = default;
-  /// For regions of that edge, in metres.
+  /// `edge`: see Regions.
   Brightness(const std::vector<Sighting>& sightings, const Box3f& bounds, float edge);
 
   /// The mean absolute distance of what single paths of the camera find from the mean of its place,

@@ -23,7 +23,7 @@ class Chances {
  public:
   /// Knows nothing.
   Chances() = default;
-  /// Of `things`, for regions of that edge, in metres. The order of glances does not matter.
+  /// Of `things`; `edge`: see Regions. The order of glances does not matter.
   Chances(const Box3f& bounds, float edge, size_t things, const std::vector<Glance>& glances);
 
   bool empty() const { return things_ == 0; }

@@ -18,12 +18,10 @@ constexpr float kFaint = 0.02f;
 /// Patches are weighed so many at a time.
 constexpr size_t kLanes = 8;
 
-float edge_of(const Box3f& bounds) { return std::max(length(bounds.size()), 1e-3f); }
-
 }  // namespace
 
 Guide::Guide(const std::vector<Sighting>& sightings, const Box3f& bounds)
-    : patches_(find_bright_patches(sightings, kCube * edge_of(bounds), Cones::kMost)),
+    : patches_(find_bright_patches(sightings, kCube * diagonal_of(bounds), Cones::kMost)),
       bounds_(bounds) {
   elsewhere_ = kPif * static_cast<float>(mean_luminance(sightings));
   for (size_t i = 0; i < patches_.size(); ++i) {
@@ -33,7 +31,7 @@ Guide::Guide(const std::vector<Sighting>& sightings, const Box3f& bounds)
 }
 
 void Guide::learn(const std::vector<Glance>& glances) {
-  chances_ = Chances(bounds_, kRegion * edge_of(bounds_), Cones::kMost, glances);
+  chances_ = Chances(bounds_, kRegion, Cones::kMost, glances);
 }
 
 Cones Guide::at(const Vec3f& point, const Vec3f& normal) const {

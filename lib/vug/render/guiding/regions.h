@@ -8,12 +8,17 @@
 
 namespace vug::render {
 
+/// In metres; never 0.
+inline float diagonal_of(const Box3f& box) { return std::max(length(box.size()), 1e-3f); }
+
 class Regions {
  public:
   /// One, everywhere.
   Regions() = default;
-  /// Cubes of that edge, in metres; places outside of the box belong to the cube next to them.
-  Regions(const Box3f& box, float edge) : origin_(box.min), per_metre_(1 / edge) {
+  /// Cubes of that edge, in parts of the box's diagonal; places outside of the box belong to the
+  /// cube next to them.
+  Regions(const Box3f& box, float edge)
+      : origin_(box.min), per_metre_(1 / (edge * diagonal_of(box))) {
     for (int axis = 0; axis < 3; ++axis)
       counts_[static_cast<size_t>(axis)] =
           std::max(1, static_cast<int>(std::ceil(box.size()[axis] * per_metre_)));

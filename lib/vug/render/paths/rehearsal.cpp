@@ -22,7 +22,7 @@ constexpr size_t kChunk = 256;
 constexpr double kPlaces = 0.5;
 /// From each at so many lights.
 constexpr size_t kLightsAtOnce = 4;
-/// Edge of the regions that share what they see of lights, in parts of the scene's diagonal.
+/// Edge of the regions that share what they see of lights, and how bright they are: see Regions.
 constexpr float kRegion = 1.0f / 32;
 
 constexpr uint32_t kNothing = ~0u;
@@ -152,7 +152,7 @@ Learned learn(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gat
           progress, sightings);
     progress.advance();
     if (branches > 1)
-      learned.lights = Chances(bounds, kRegion * std::max(length(bounds.size()), 1e-3f), branches,
+      learned.lights = Chances(bounds, kRegion, branches,
                                glance_at_lights(rehearsal, places, salt + 1, sightings, progress));
     learned.guide = Guide(sightings, bounds);
     if (!learned.guide.empty())
@@ -161,8 +161,7 @@ Learned learn(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gat
     progress.advance();
   }
   // Not before: paths that ended by it would tell less of what they end by.
-  learned.surfaces =
-      Brightness(sightings, bounds, kRegion * std::max(length(bounds.size()), 1e-3f));
+  learned.surfaces = Brightness(sightings, bounds, kRegion);
   progress.end();
   return learned;
 }
