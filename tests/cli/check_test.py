@@ -40,6 +40,15 @@ class Check(VugTest):
         self.write("s.vug", SCENE.replace("apart true", "").replace("{link}", 'only: ["heap/2"]').replace("{render}", ""))
         self.assertIn("write 'apart true' in the place 'heap'", self.expect(2, "check", "s.vug").err)
 
+    def test_a_portal_without_a_sky(self):
+        text = "volume rock = level_set(sphere(1m), voxel: 20cm)\nlight mouth = portal(center: (0, 3, 0))\n%srender main { size 8x8  spp 1 }\n"
+        dark = "s.vug:2:7: warning: nothing shines through the portal 'mouth': there is no sky\nlight mouth"
+        for more, warned in (("", True), ("light day = sun()\n", True), ("light lamp = sphere(center: (0, 3, 0))\n", True),
+                             ("light day = sky()\n", False), ("light day = daylight()\n", False)):
+            self.write("s.vug", text % more)
+            for verb in (("check", "s.vug"), ("render", "s.vug", "-o", "s.exr")):
+                self.assertEqual(dark in self.expect(0, *verb).err, warned, (more, verb))
+
     def test_a_shining_object_has_a_layer_of_light(self):
         glow = SCENE.replace(", {link}", "").replace("ball on skin {}", 'ball on skin { emission (1, 1, 1)  light_group "glow" }')
         self.write("s.vug", glow.replace("{render}", 'layers ["beauty", "light_glow"]'))

@@ -35,7 +35,7 @@ bool holds(const PlacePlan& place, std::string rest) {
   });
 }
 
-/// Of the light that has a link to nothing.
+/// Where the light is declared.
 SourceLocation where_of(const std::string& light, const scene::Document& document) {
   for (const scene::Declaration& made : document.declarations)
     if (made.kind == "light" && made.name == light) return made.where;
@@ -66,6 +66,22 @@ bool is_declared(const std::string& name, const scene::Document& document) {
   return document.lost.may_declare(first) ||
          std::any_of(document.declarations.begin(), document.declarations.end(),
                      [&](const scene::Declaration& made) { return made.name == first; });
+}
+
+/// A portal adds no light, and a sun is found without.
+void warn_of_dark_portals(const Shot& shot, const scene::Document& document,
+                          Diagnostics& diagnostics) {
+  const auto shines_through = [](const auto& named) {
+    const render::Light& light = *named.second;
+    return light.is_sky() && !light.is_portal() && !light.beside_portals();
+  };
+  if (std::any_of(shot.lights.begin(), shot.lights.end(), shines_through)) return;
+  for (const auto& [name, light] : shot.lights)
+    if (light->is_portal())
+      diagnostics.warning(
+          where_of(name, document),
+          fmt::format("nothing shines through the portal '{}': there is no sky", name),
+          "a portal adds no light of its own: declare a sky, as light NAME = daylight()");
 }
 
 }  // namespace
@@ -125,6 +141,7 @@ void foresee(const Shot& shot, const scene::Document& document, Diagnostics& dia
                           linked),
               link_hint(shot, linked));
   if (!whole) return;
+  warn_of_dark_portals(shot, document, diagnostics);
   for (const RenderPlan& plan : shot.renders) try {
       require_sound(shot, plan);
     } catch (const Error& error) {
