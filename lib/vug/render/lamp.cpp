@@ -8,13 +8,6 @@
 #include <cmath>
 
 namespace vug::render {
-namespace {
-
-/// W/sr/m^2: what leaves single precision room for areas, for squares of distances and for sums.
-constexpr double kMostRadiance = 1e30;
-
-}  // namespace
-
 Rgb finite_radiance(const Vec3d& radiance, const std::string& hint) {
   const double most = std::max({radiance.x, radiance.y, radiance.z});
   if (most <= kMostRadiance) return Rgb(radiance);

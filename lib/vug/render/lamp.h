@@ -24,6 +24,12 @@ struct LampParams : LightNotes {
   std::optional<double> watts() const;
 };
 
+/// What the parameters of a kind of light say of it beside its shape and brightness.
+inline const LightNotes& notes_of(const LightNotes& params) { return params; }
+
+/// W/sr/m^2: what leaves single precision room for areas, for squares of distances and for sums.
+inline constexpr double kMostRadiance = 1e30;
+
 /// The radiance in single precision. Error(bad_input) with `hint` where it is so large that sums of
 /// it would not be finite there.
 Rgb finite_radiance(const Vec3d& radiance, const std::string& hint = {});

@@ -181,7 +181,7 @@ LightChoice LightSet::choose_in(const Branch& branch, double u, const Weight& we
 template <class Weight>
 LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds) const {
   constexpr size_t kUsual = 2 * LightTree::kMostBranches + 16;
-  std::array<float, kUsual> few;
+  std::array<float, kUsual> few;  // NOLINT: weigh fills what is read
   std::vector<float> many;
   if (branches_.size() > kUsual) many.resize(branches_.size());
   float* const weights = many.empty() ? few.data() : many.data();

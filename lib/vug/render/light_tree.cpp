@@ -310,7 +310,7 @@ LightTree::Weights LightTree::importance_along(const Fork& fork, const Ray& ray,
 std::array<bool, LightTree::kWidth> LightTree::meets(const Fork& fork, const Ray& ray, float end) {
   constexpr float kRounding = 1e-5f;
   const Vec3f o = ray.origin, d = ray.direction;
-  std::array<bool, kWidth> out;
+  std::array<bool, kWidth> out{};
   for (size_t i = 0; i < kWidth; ++i) {
     const float x = fork.x[i] - o.x, y = fork.y[i] - o.y, z = fork.z[i] - o.z;
     const float t = std::min(std::max(x * d.x + y * d.y + z * d.z, 0.0f), end);

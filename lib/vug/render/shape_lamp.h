@@ -27,7 +27,7 @@ template <class Shape, class Profile = EvenProfile>
 class ShapeLamp : public Light {
  public:
   ShapeLamp(Shape shape, const LampParams& p, const Rgb& radiance, Profile profile = {})
-      : Light(p),
+      : Light(notes_of(p)),
         shape_(std::move(shape)),
         profile_(std::move(profile)),
         radiance_(radiance),

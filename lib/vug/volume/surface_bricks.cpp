@@ -111,19 +111,21 @@ SurfaceBricks::SurfaceBricks(const LevelSet& level_set, double smallest_piece)
 void SurfaceBricks::Brick::find_crossed() {
   mask.fill(0), low.fill(kSize), high.fill(0);
   for (int i = 0; i < kSize; ++i)
-    for (int j = 0; j < kSize; ++j)
+    for (int j = 0; j < kSize; ++j) {
+      const int row = i * kSize + j;
       for (int k = 0; k < kSize; ++k) {
         int inside = 0;
         for (int corner = 0; corner < 8; ++corner)
           inside += at(i + (corner >> 2), j + (corner >> 1 & 1), k + (corner & 1)) < 0;
         if (inside == 0 || inside == 8) continue;
-        mask[static_cast<size_t>(i * kSize + j)] |= static_cast<uint8_t>(1 << k);
+        mask[static_cast<size_t>(row)] |= static_cast<uint8_t>(1 << k);
         const int cell[] = {i, j, k};
         for (size_t axis = 0; axis < 3; ++axis) {
           low[axis] = std::min(low[axis], static_cast<uint8_t>(cell[axis]));
           high[axis] = std::max(high[axis], static_cast<uint8_t>(cell[axis] + 1));
         }
       }
+    }
 }
 
 Box3d SurfaceBricks::box(size_t number) const {

@@ -35,10 +35,12 @@ class SurfaceBricks {
 
     /// Counted from the first cell's first corner: -1 to 9.
     double at(int i, int j, int k) const {
-      return values[static_cast<size_t>(((i + 1) * kStride + j + 1) * kStride + k + 1)];
+      const int place = ((i + 1) * kStride + j + 1) * kStride + k + 1;
+      return values[static_cast<size_t>(place)];
     }
     bool crossed(int i, int j, int k) const {
-      return mask[static_cast<size_t>(i * kSize + j)] >> k & 1;
+      const int row = i * kSize + j;
+      return mask[static_cast<size_t>(row)] >> k & 1;
     }
     bool any_crossed() const { return high[0] > 0; }
     void find_crossed();  ///< Sets `mask`, `low` and `high` by the values.

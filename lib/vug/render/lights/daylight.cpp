@@ -80,8 +80,8 @@ class Preetham {
 
  private:
   Vec3d sun_;
-  Perez forms_[3];
-  double zenith_[3];
+  Perez forms_[3] = {};
+  double zenith_[3] = {};
 };
 
 constexpr size_t kWidth = 512, kHeight = 256;
@@ -109,7 +109,8 @@ std::vector<Rgb> texels(const Daylight& p) {
 
 class DaylightLight final : public SkyPicture {
  public:
-  explicit DaylightLight(const Daylight& p) : SkyPicture(p, kWidth, kHeight, texels(p), 0) {}
+  explicit DaylightLight(const Daylight& p)
+      : SkyPicture(notes_of(p), kWidth, kHeight, texels(p), 0) {}
 };
 
 }  // namespace

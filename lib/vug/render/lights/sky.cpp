@@ -20,7 +20,7 @@ struct Sky : LightNotes {
 
 class SkyLight final : public Light {
  public:
-  explicit SkyLight(const Sky& p) : Light(p), radiance_(finite_radiance(p.radiance)) {}
+  explicit SkyLight(const Sky& p) : Light(notes_of(p)), radiance_(finite_radiance(p.radiance)) {}
 
   LightSample sample(const LitPoint&, const Vec2f&) const override { return {}; }
   float pdf(const LitPoint&, const Vec3f&) const override { return 0; }

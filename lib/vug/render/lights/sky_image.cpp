@@ -55,8 +55,8 @@ class SkyImageLight final : public SkyPicture {
 
  private:
   SkyImageLight(const SkyImage& p, const image::Image& picture)
-      : SkyPicture(p, static_cast<size_t>(picture.width), static_cast<size_t>(picture.height),
-                   texels(p, picture), p.turn) {}
+      : SkyPicture(notes_of(p), static_cast<size_t>(picture.width),
+                   static_cast<size_t>(picture.height), texels(p, picture), p.turn) {}
 };
 
 }  // namespace

@@ -35,7 +35,7 @@ struct Sun : SunParams, LightNotes {
 
 class SunLight final : public Light {
  public:
-  explicit SunLight(const Sun& p) : Light(p), axes_(Vec3f(p.direction())) {
+  explicit SunLight(const Sun& p) : Light(notes_of(p)), axes_(Vec3f(p.direction())) {
     const double cosine = maths::cos(p.angle / 2), sine = maths::sin(p.angle / 2);
     part_ = static_cast<float>(sine * sine / (1 + cosine));
     const Vec3d irradiance = p.irradiance.value_or(sun_irradiance(p.direction(), p.turbidity));

@@ -18,8 +18,8 @@ class AlbedoSheet {
   float at(float cosine, float roughness) const;
   float mean(float roughness) const;
 
-  std::array<std::array<float, kCosines>, kRoughnesses> values;
-  std::array<float, kRoughnesses> means;
+  std::array<std::array<float, kCosines>, kRoughnesses> values{};
+  std::array<float, kRoughnesses> means{};
 };
 
 /// Share of light that perfectly reflecting facets scatter once and out.
