@@ -58,6 +58,26 @@ class Check(VugTest):
         self.write("s.vug", glow.replace("{render}", 'layers ["beauty", "light_glwo"]'))
         self.assertIn("'light_glow'", self.expect(2, "check", "s.vug").err)
 
+    def test_light_beyond_what_can_be_computed_with(self):
+        glow = SCENE.replace(", {link}", "").replace("{render}", "")
+        for made, place in (("object ball on skin { emission (1, %s, 1) }", "3:23"),
+                            ("material hot = surface(emission_radiance: %s)", "3:24")):
+            for radiance, code in (("1e30", 0), ("2e30", 2)):
+                self.write("s.vug", glow.replace("object ball on skin {}", made % radiance))
+                error = self.expect(code, "check", "s.vug").err
+                self.assertEqual(f"s.vug:{place}: error: " in error, code == 2, error)
+
+    def test_what_shines_and_moves(self):
+        """Only the picture knows: what `at` says is computed by then."""
+        text = ("volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh skin on rock {}\n"
+                "object ball on skin { emission (1, 1, 1) }\nplace fall { of ball at [pose(position: keys(1: (0, 0, 0), 2: (0, 1, 0)))] }\n"
+                "camera main { eye (0, 0, 4)  shutter %s }\nrender main { size 8x8  spp 1 }\n")
+        self.write("s.vug", text % "0.5")
+        self.assertIn("s.vug:4:7: error: object 'fall' shines and moves, which cannot be rendered",
+                      self.expect(2, "render", "s.vug", "-o", "s.exr").err)
+        self.write("s.vug", text % "0")
+        self.expect(0, "render", "s.vug", "-o", "s.exr")
+
     def test_what_is_counted(self):
         self.write("s.vug", SCENE.replace(", {link}", "").replace("{render}", ""))
         self.assertEqual(self.expect(0, "check", "s.vug").out,

@@ -6,6 +6,7 @@
 #include <vug/exchange/look.h>
 #include <vug/render/input.h>
 #include <vug/render/kind.h>
+#include <vug/render/lamp.h>
 #include <vug/render/lobes/eon.h>
 #include <vug/render/lobes/film.h>
 #include <vug/render/lobes/fuzz.h>
@@ -106,7 +107,8 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
       .param("emission_radiance", &P::emission_radiance,
              {.doc = "Radiance (W/sr/m^2) that the outside sends out where its colour and mask are "
                      "1: such objects are lamps.",
-              .min = 0})
+              .min = 0,
+              .max = kMostRadiance})
       .param("emission", &P::emission, share("Colour of that light."))
       .param("emission_mask", &P::emission_mask, share("Part of that light: cracks of lava."))
       .param("bump", &P::bump, share("Height of small forms, as a part of bump_height."))

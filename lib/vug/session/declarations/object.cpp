@@ -1,3 +1,4 @@
+#include <vug/render/lamp.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/reader.h>
 
@@ -17,9 +18,10 @@ Schema<Block> schema() {
       .param("flat", &Block::flat, {.doc = "shade every face flat"})
       .param("direct", &Block::direct,
              {.doc = "trace the level set itself and make no mesh: a fraction of the memory"})
-      .param(
-          "emission", &Block::emission,
-          {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside", .min = 0})
+      .param("emission", &Block::emission,
+             {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside",
+              .min = 0,
+              .max = render::kMostRadiance})
       .param("light_group", &Block::light_group,
              {.doc = "group of its light in the picture's layers of lights"})
       .param("of", &Block::of,
