@@ -33,6 +33,9 @@ class Frames(VugTest):
             self.assertEqual(digest(self.folder / f"a.0007.{end}"),
                              digest(self.folder / f"alone.{end}"))
         self.assertNotEqual(digest(self.folder / "a.0005.exr"), digest(self.folder / "a.0007.exr"))
+        self.assertEqual(self.render("-o", "b.####.exr", "--frame", "7", "--preview", "b.png").out.split(),
+                         ["b.0007.exr", "b.0007.png"])
+        self.assertEqual(digest(self.folder / "b.0007.exr"), digest(self.folder / "alone.exr"))
         part, = exr.read(self.folder / "alone.exr")
         self.assertEqual(part.text("vug:frame"), "7")
         self.assertIn("--frame 7", part.text("vug:recipe"))

@@ -14,6 +14,7 @@
 
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -146,14 +147,22 @@ void require_outputs(const Options& options, const session::Loaded& loaded) {
   vug::require_outputs(outputs, session::files_named(loaded));
 }
 
-/// The options for one picture of a sequence.
-Options at_frame(const Options& options, int frame) {
+/// Puts the frame's number where names have a place for it.
+Options with_number(const Options& options, int frame) {
   Options out = options;
-  for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products})
-    if (!path->empty()) *path = session::at_frame(*path, frame).string();
-  if (session::has_frame(out.preview)) out.preview = session::at_frame(out.preview, frame).string();
+  for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview})
+    if (session::has_frame(*path)) *path = session::at_frame(*path, frame).string();
   out.render.part = out.part, out.render.checkpoint = out.checkpoint;
   out.render.preview = out.preview;
+  return out;
+}
+
+/// The options for one picture of a sequence.
+Options at_frame(const Options& options, int frame) {
+  for (const std::string* path :
+       {&options.output, &options.part, &options.checkpoint, &options.products})
+    if (!path->empty()) session::at_frame(*path, frame);  // refuses a name that all would share
+  Options out = with_number(options, frame);
   if (out.checkpoint.empty()) out.render.resume = false;  // nothing but whole frames is kept
   return out;
 }
@@ -216,6 +225,9 @@ int run(Options options) {
   session::Still still;
   options.render.picture.moment = options.scene.moments(still);
   if (!options.frames.empty()) return run_frames(options, still, progress);
+  if (const auto& frame = options.scene.frame;
+      frame && *frame == std::floor(*frame) && std::fabs(*frame) < 1e9)
+    options = with_number(options, static_cast<int>(*frame));
   Moment moment(options.scene.load(options.scene.frame.value_or(1), still), options.work, progress);
   require_outputs(options, moment.loaded);
   render_one(options, moment.builder);
