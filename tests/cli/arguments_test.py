@@ -62,6 +62,15 @@ class Arguments(VugTest):
             self.assertRegex(error, rf"hint: .*\b{verb}\b")
         self.refused("error: there is no verb\n", "")
 
+    def test_options_that_there_are_none_of(self):
+        for args, said in (((*RENDER, "--sppp", "3"), "no option '--sppp'\nhint: did you mean '--spp'?\n"),
+                           ((*RENDER, "--max-memry=3G"), "no option '--max-memry'\nhint: did you mean '--max-memory'?\n"),
+                           ((*RENDER, "--unheard-of"), "no option '--unheard-of'\nhint: 'vug render --help' tells what it takes\n"),
+                           (("facade", "model", "--gramar", "x"), "no option '--gramar'\nhint: did you mean '--grammar'?\n")):
+            self.refused("error: there is " + said, *args)
+        self.refused("error: there is one argument too many: 'extra'\nhint: 'vug render --help'", *RENDER, "extra")
+        self.refused("error: there are arguments too many: 'x', '8'\n", "render", "ball.vug", "-o", "a.exr", "--size", "8", "x", "8")
+
     def test_numbers_that_are_none(self):
         for noise in ("3cm", "nan", "inf", "", "3 %", "much", "0x1p-3", "1x2"):
             self.refused("--noise: ", *RENDER, "--noise", noise)

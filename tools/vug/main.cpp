@@ -5,6 +5,8 @@
 #include "verb.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vug/base/diagnostics.h>
 #include <vug/session/plugin.h>
 
 #include <algorithm>
@@ -54,6 +56,45 @@ void require_verb(const std::optional<std::string>& first) {
   throw no_such_verb(word, names);
 }
 
+/// Options that the command takes, with those of its groups and of the commands above it.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  const auto add = [&](const CLI::App& from) {
+    for (const CLI::Option* option : from.get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  };
+  for (const CLI::App* at = &command; at; at = at->get_parent()) {
+    add(*at);
+    for (const CLI::App* group : at->get_subcommands(nullptr))
+      if (group->get_name().empty()) add(*group);
+  }
+  return names;
+}
+
+/// What is said of words that the command has no use for.
+Error unexpected(const CLI::App& app) {
+  const CLI::App* command = &app;
+  std::string called = app.get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    called += " " + command->get_name();
+  }
+  const std::vector<std::string> words = app.remaining(true);
+  const auto option = std::find_if(words.begin(), words.end(),
+                                   [](const std::string& word) { return word.starts_with('-'); });
+  const std::string help = fmt::format("'{} --help' tells what it takes", called);
+  if (option == words.end())
+    return Error(ErrorCode::bad_input,
+                 words.size() == 1
+                     ? fmt::format("there is one argument too many: '{}'", words.front())
+                     : fmt::format("there are arguments too many: '{}'", fmt::join(words, "', '")),
+                 {}, help);
+  const std::string name = option->substr(0, option->find('='));
+  const std::string near = nearest_name(name, option_names(*command));
+  return Error(ErrorCode::bad_input, fmt::format("there is no option '{}'", name), {},
+               near.empty() ? help : fmt::format("did you mean '{}'?", near));
+}
+
 /// One that does not fit says so and is done without: a scene that needs its words fails by itself.
 void load_plugins_in_path() {
   for (const auto& plugin : session::plugins_in_path()) try {
@@ -87,6 +128,8 @@ int run(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    throw unexpected(app);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
