@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <vug/image/diff.h>
 #include <vug/image/report.h>
+#include <vug/image/views.h>
 
 #include <map>
 #include <variant>
@@ -26,7 +27,9 @@ image::Subject subject(const Picture& given, const std::string& name) {
   const session::PictureLook look = session::from_notes(rendered.part().header.notes);
   image::Subject out;
   out.name = name;
-  out.image = rendered.image();
+  out.image = rendered.in_stereo()
+                  ? image::in_stereo(rendered.image(), *rendered.rendered->at(1).image)
+                  : rendered.image();
   out.metadata = look.metadata;
   out.left = rendered.part().header.crop.x0;
   out.top = rendered.part().header.crop.y0;

@@ -64,16 +64,17 @@ py::dict metadata(const Image& self) {
 }
 
 py::dict views(const Image& self) {
-  if (self.rendered->size() == 1) return py::dict();
+  if (!self.in_stereo()) return py::dict();
   return py::dict("left"_a = Image{self.rendered, 0, self.checkpoint},
                   "right"_a = Image{self.rendered, 1, self.checkpoint});
 }
 
 void save(const Image& self, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
-  session::write_picture_file(file, session::views_of(*self.rendered));
+  const std::vector<session::PictureView> all = session::views_of(*self.rendered);
+  session::write_picture_file(file, self.view ? std::vector{all[*self.view]} : all);
   std::error_code ignored;
-  if (extension_of(file) == ".exr" && !self.checkpoint.empty())
+  if (extension_of(file) == ".exr" && !self.view && !self.checkpoint.empty())
     std::filesystem::remove(self.checkpoint, ignored);
 }
 
@@ -107,7 +108,8 @@ void bind_image(py::module_& module) {
       .def("save", &save, "file"_a,
            "Writes NAME.exr with all layers, NAME.png as an eye sees it, or NAME.deep.exr of a "
            "deep\n"
-           "picture: the files of `vug render`. Of a stereo picture both views.")
+           "picture: the files of `vug render`. Of a stereo picture both views, of one of its\n"
+           "`views` that alone.")
       .def("__repr__", [](const Image& i) {
         return fmt::format("<vug.Image {}x{}, {} channels>", i.image().width, i.image().height,
                            i.image().channels.size());

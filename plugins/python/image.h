@@ -6,17 +6,19 @@
 #include <vug/session/views.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vug::python {
 
-/// What was rendered, and which view of it this is. Immutable; its arrays share what it points to.
+/// What was rendered, or one view of it. Immutable; its arrays share what it points to.
 struct Image {
   std::shared_ptr<const std::vector<session::Rendered>> rendered;
-  size_t view = 0;
+  std::optional<size_t> view = {};        ///< None: all, of which arrays show the left one.
   std::filesystem::path checkpoint = {};  ///< Of its rendering; needed until it is in a file.
 
-  const session::Rendered& part() const { return (*rendered)[view]; }
+  const session::Rendered& part() const { return (*rendered)[view.value_or(0)]; }
+  bool in_stereo() const { return !view && rendered->size() > 1; }
   const image::Image& image() const { return *part().image; }
 };
 

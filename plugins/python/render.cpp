@@ -149,7 +149,7 @@ Image render(Build& build, const session::RenderOptions& options) {
     *rendered = session::render_views(builder, options);
     session::warn_of_exposure(builder, rendered->front());
   });
-  return {rendered, 0, options.checkpoint};
+  return {rendered, {}, options.checkpoint};
 }
 
 }  // namespace vug::python

@@ -144,6 +144,22 @@ class Chain(Case):
         left = self.scene.render(camera="eyes", noise=0.3, eye="left")
         self.assertTrue(numpy.array_equal(left["beauty"], image["beauty"]))
         self.assertEqual(left.views, {})
+        image.views["left"].save("left.exr")
+        self.assertTrue(vug.diff("left.exr", left).same)
+
+    def test_both_views_of_stereo_pictures_are_compared(self):
+        options = dict(camera="eyes", layers=["beauty", "variance"], full_float=True)
+        one, other = self.scene.render(**options), self.scene.render(seed=99, **options)
+        one.save("one.exr")
+        other.save("other.exr")
+        said = self.vug("diff", "one.exr", "other.exr")
+        for pair in ((one, other), ("one.exr", other), (one, "other.exr")):
+            self.assertEqual(str(vug.diff(*pair)), said)
+        self.assertIn("\nsignificance of right, ", said)
+        self.assertTrue(vug.diff("one.exr", one).same)
+        self.assertNotIn("of right", str(vug.diff(one.views["right"], other.views["right"])))
+        with self.assertRaisesRegex(vug.Error, "has the views of two eyes"):
+            vug.diff(one, other.views["left"])
 
     def test_export(self):
         for program in [kind.name for kind in vug.catalogue.find("program")]:

@@ -41,6 +41,25 @@ Image extract(const Image& picture, const View& view) {
   return out;
 }
 
+Image joined(const Image& a, const Image& b) {
+  std::vector<std::string> channels = a.channels;
+  channels.insert(channels.end(), b.channels.begin(), b.channels.end());
+  Image out(a.width, a.height, channels);
+  float* to = out.pixels.data();
+  for (size_t p = 0; p < a.pixel_count(); ++p) {
+    to = std::copy_n(&a.pixels[p * a.channels.size()], a.channels.size(), to);
+    to = std::copy_n(&b.pixels[p * b.channels.size()], b.channels.size(), to);
+  }
+  return out;
+}
+
+Image in_stereo(const Image& left, const Image& right) {
+  Image out = joined(left, right);
+  for (size_t c = left.channels.size(); c < out.channels.size(); ++c)
+    out.channels[c] = "right." + out.channels[c];
+  return out;
+}
+
 std::optional<std::string> layer_in(const View& view, const std::string& layer) {
   const std::string named = view_in(layer);
   if (named.empty()) return layer;

@@ -27,6 +27,13 @@ std::vector<View> views_of(const std::vector<std::string>& channels);
 /// The pixels of one view.
 Image extract(const Image& picture, const View& view);
 
+/// The channels of both pictures, which are of one size.
+Image joined(const Image& a, const Image& b);
+
+/// What both eyes see as one picture, as it is read from a file: the right eye's channels with
+/// "right." before their names.
+Image in_stereo(const Image& left, const Image& right);
+
 /// Which layer of `view` a name means: "right.N" is N of the right view, "right" its beauty, and
 /// "N" that of every view. None where the name is of another view.
 std::optional<std::string> layer_in(const View& view, const std::string& layer);

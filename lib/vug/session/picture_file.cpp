@@ -1,5 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/image/denoise.h>
+#include <vug/image/views.h>
 #include <vug/render/cryptomatte.h>
 #include <vug/session/picture_file.h>
 
@@ -43,18 +44,6 @@ std::array<float, 16> read_matrix(const std::string& text) {
 image::Image as_colour(image::Image smooth) {
   smooth.channels = {"R", "G", "B"};
   return smooth;
-}
-
-image::Image joined(const image::Image& a, const image::Image& b) {
-  std::vector<std::string> channels = a.channels;
-  channels.insert(channels.end(), b.channels.begin(), b.channels.end());
-  image::Image out(a.width, a.height, channels);
-  float* to = out.pixels.data();
-  for (size_t p = 0; p < a.pixel_count(); ++p) {
-    to = std::copy_n(&a.pixels[p * a.channels.size()], a.channels.size(), to);
-    to = std::copy_n(&b.pixels[p * b.channels.size()], b.channels.size(), to);
-  }
-  return out;
 }
 
 void write_png(const std::filesystem::path& png, const image::Image& image,
@@ -112,7 +101,7 @@ std::vector<Denoised> denoised(const std::vector<PictureView>& views) {
   for (size_t i = 0; i < views.size(); ++i) {
     if (!from_notes(views[i].header.notes).denoise) continue;
     image::Image smooth = image::denoise(views[i].image);
-    out[i].layers = joined(views[i].image, smooth);
+    out[i].layers = image::joined(views[i].image, smooth);
     out[i].shown = as_colour(std::move(smooth));
   }
   return out;

@@ -1,6 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
 #include <vug/image/diff.h>
+#include <vug/image/views.h>
 
 #include <gtest/gtest.h>
 
@@ -171,17 +172,20 @@ TEST(Diff, RefusalsAreSentencesWithHints) {
 Subject stereo(uint64_t seed, bool variance, double right_gain = 1) {
   Subject out = subject(seed, variance);
   const Subject right = subject(seed + 100, variance, right_gain);
-  std::vector<std::string> channels = out.image.channels;
-  for (const std::string& channel : right.image.channels) channels.push_back("right." + channel);
-  const size_t own = out.image.channels.size();
-  Image both(out.image.width, out.image.height, channels);
-  for (size_t p = 0; p < both.pixel_count(); ++p)
-    for (size_t c = 0; c < own; ++c) {
-      both.pixels[2 * own * p + c] = out.image.pixels[own * p + c];
-      both.pixels[2 * own * p + own + c] = right.image.pixels[own * p + c];
-    }
-  out.image = std::move(both);
+  out.image = in_stereo(out.image, right.image);
   return out;
+}
+
+TEST(Diff, ViewsOfAPictureForStereoAreThoseItIsMadeOf) {
+  const Image left = subject(1, true).image, right = subject(2, true).image;
+  const Image both = in_stereo(left, right);
+  const std::vector<View> views = views_of(both.channels);
+  ASSERT_EQ(views.size(), 2u);
+  EXPECT_EQ(views[1].name, "right");
+  for (const auto& [view, one] : {std::pair(views[0], left), {views[1], right}}) {
+    EXPECT_EQ(view.channels, one.channels);
+    EXPECT_EQ(extract(both, view).pixels, one.pixels);
+  }
 }
 
 TEST(Diff, BothViewsOfAPictureForStereoAreJudged) {
