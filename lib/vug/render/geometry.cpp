@@ -356,9 +356,13 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Corners& o
   surface.solid = part.solid.get();
   Vec3f origin = surface.position;
   if (part.normals) {
-    const Vec3f na = space.normal(part.normals[corner[0]]) * side;
-    const Vec3f nb = space.normal(part.normals[corner[1]]) * side;
-    const Vec3f nc = space.normal(part.normals[corner[2]]) * side;
+    // On fins as thin as a voxel, and in broken files, normals may point through their triangle:
+    // rays would leave from behind it, and see what lies outside.
+    const auto normal_at = [&](uint32_t vertex) {
+      const Vec3f normal = space.normal(part.normals[vertex]) * side;
+      return dot(normal, surface.geometric_normal) > 0 ? normal : surface.geometric_normal;
+    };
+    const Vec3f na = normal_at(corner[0]), nb = normal_at(corner[1]), nc = normal_at(corner[2]);
     const auto rise = [&](const Vec3f& vertex, const Vec3f& normal) {
       return normal * std::max(0.0f, -dot(surface.position - vertex, normal));
     };

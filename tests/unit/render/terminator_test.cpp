@@ -63,5 +63,27 @@ TEST(Terminator, KeepsAllLightOfAnEvenSky) {
   EXPECT_LT(mean.error, 1e-3);
 }
 
+/// Every third normal points the other way, as where a mesh is thinner than a voxel.
+mesh::Mesh with_wrong_normals(mesh::Mesh mesh) {
+  mesh = with_radial_normals(std::move(mesh), 1);
+  for (size_t i = 0; i < mesh.normals.size(); i += 3) mesh.normals[i] = -mesh.normals[i];
+  return mesh;
+}
+
+TEST(Terminator, NoLightLeaksByNormalsThatPointThroughTheirTriangles) {
+  Scene scene = only(object(with_wrong_normals(mesh::sphere_mesh({0, 0, 0}, 3, 3)), 0.8));
+  scene.camera = view({0.1, 0.2, 0}, {1, 0, 0.3}, 2);
+  scene.lights = {make_light("sky")};
+  EXPECT_EQ(mean_of(render(scene, options(64, 48, 16, 8)), "G").value, 0);
+}
+
+TEST(Terminator, KeepsAllLightWithSuchNormals) {
+  Scene scene = only(object(with_wrong_normals(mesh::sphere_mesh({0, 0, 0}, 1, 2)), kAlbedo));
+  scene.camera = view({0, 0, 8}, {0, 0, 0}, 0.1);
+  scene.lights = {make_light("sky")};
+  const Mean mean = mean_of(render(scene, options(32, 32, 256, 4)), "G");
+  EXPECT_NEAR(mean.value, kAlbedo, 4 * mean.error + 5e-4);
+}
+
 }  // namespace
 }  // namespace vug::render
