@@ -68,6 +68,9 @@ class Arguments(VugTest):
                            ((*RENDER, "--unheard-of"), "no option '--unheard-of'\nhint: 'vug render --help' tells what it takes\n"),
                            (("facade", "model", "--gramar", "x"), "no option '--gramar'\nhint: did you mean '--grammar'?\n")):
             self.refused("error: there is " + said, *args)
+        self.refused("error: there is no option '--vesion'\nhint: did you mean '--version'?\n", "--vesion")
+        self.refused("error: there is no verb 'rendr'\nhint: did you mean 'render'?\n", "--plugin", "p.so", "rendr", "ball.vug")
+        self.refused("error: there is no verb\nhint: say what to do: vug build, ", "--plugin", "p.so")
         self.refused("error: there is one argument too many: 'extra'\nhint: 'vug render --help'", *RENDER, "extra")
         self.refused("error: there are arguments too many: 'x', '8'\n", "render", "ball.vug", "-o", "a.exr", "--size", "8", "x", "8")
 

@@ -47,10 +47,15 @@ void refuse_empty_values(CLI::App& command) {
   }
 }
 
-/// What does not start with a dash in the first place must be a verb.
-void require_verb(const std::optional<std::string>& first) {
+std::vector<std::string> verb_names() {
   std::vector<std::string> names;
   for (const Verb& verb : verbs()) names.push_back(verb.name);
+  return names;
+}
+
+/// What does not start with a dash in the first place must be a verb.
+void require_verb(const std::optional<std::string>& first) {
+  const std::vector<std::string> names = verb_names();
   const std::string word = first.value_or("");
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw no_such_verb(word, names);
@@ -95,6 +100,14 @@ Error unexpected(const CLI::App& app) {
                near.empty() ? help : fmt::format("did you mean '{}'?", near));
 }
 
+/// What is said where options alone stand before the verb that is missing or unknown.
+Error without_verb(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining();
+  if (words.empty()) return no_such_verb("", verb_names());
+  return words.front().starts_with('-') ? unexpected(app)
+                                        : no_such_verb(words.front(), verb_names());
+}
+
 /// One that does not fit says so and is done without: a scene that needs its words fails by itself.
 void load_plugins_in_path() {
   for (const auto& plugin : session::plugins_in_path()) try {
@@ -131,6 +144,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ExtrasError&) {
     throw unexpected(app);
   } catch (const CLI::ParseError& error) {
+    const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (lacks && app.get_subcommands().empty()) throw without_verb(app);
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
   load_plugins_in_path();
