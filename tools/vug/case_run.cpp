@@ -103,6 +103,12 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
 [[noreturn]] void refuse_without_reference(const ImageCase& image_case, const CaseOptions& options,
                                            const fs::path& room, const std::string& name,
                                            Outcome& out) {
+  if (!image_case.scene.empty())
+    if (const std::string why = why_no_file(image_case.scene); !why.empty())
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("its scene '{}' cannot be read: {}",
+                              image_case.scene.lexically_relative(image_case.folder).string(), why),
+                  {}, "\"scene\" is a path from the case's folder");
   std::string look = "look at what it makes (--output keeps it)";
   if (options.kept) {
     fs::path picture = make_picture(image_case, options, room, {});

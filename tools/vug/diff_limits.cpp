@@ -41,7 +41,13 @@ std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object,
       throw Error(ErrorCode::bad_input,
                   fmt::format("the limit '{}' in '{}' is no number", name, where), {},
                   "write {\"rmse\": 0.01, \"N.max\": 0.1}");
-    out.push_back(image::limit_of(name, value.get<double>()));
+    const image::Limit limit = image::limit_of(name, value.get<double>());
+    if (image::measure_of(limit.measure).better == image::Measure::Better::low &&
+        !(limit.value >= 0))
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format("the limit '{}' in '{}' is below 0, which nothing keeps", name, where));
+    out.push_back(limit);
   }
   return out;
 }
