@@ -7,7 +7,8 @@ The same camera and lamps, Lambertian rock of varying colour. Says how far the m
 differ, and how many blocks of 20x20 pixels lie beyond three standard errors, which come from the spread
 between runs with other seeds; writes both pictures side by side. Exit code 1 where they differ by more than
 1 % or more than 1 % of the blocks lie beyond. `cave` is lit by three lamps, none of which is in the picture,
-`open` by a sky that is.
+`open` by a sky that is. The cave's rock is flat: light between a facet's horizon and that of its smooth normal,
+which Cycles cuts off and Vug follows, is half a percent there.
 """
 import argparse
 import os
@@ -32,7 +33,7 @@ let walls = shell(displace(box(size: (7, 4, 8), rounding: 1), noise: fbm(scale: 
 let pillar = displace(cylinder(radius: 0.5, height: 6), noise: fbm(scale: 1), amount: 20cm)
 volume rock = level_set(walls + pillar.translate((-1.2, 0, -1)) + pillar.translate((1.4, 0, -2)), voxel: 6cm)
 mesh wall on rock { paint layer(under: (0.5, 0.3, 0.2), over: (0.3, 0.45, 0.6), mask: height(from: -1, to: 1)) }
-object wall on wall { material lambert(albedo: (0.9, 0.9, 0.9)) }
+object wall on wall { flat true  material lambert(albedo: (0.9, 0.9, 0.9)) }
 light lamp = sphere(center: (2.3, 0.4, 1.5), radius: 12cm, power: 60)
 light window = rect(center: (-2, 1.2, 1.8), normal: (0.5, -0.6, -1), width: 80cm, height: 50cm, radiance: (6, 9, 14))
 light panel = disk(center: (0.6, 1.4, 0.8), normal: (-0.3, -1, -0.4), radius: 30cm, radiance: (12, 7, 4))

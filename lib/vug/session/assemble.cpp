@@ -37,10 +37,10 @@ class Collector {
 
  private:
   /// Objects that share a mesh and a look share a part.
-  using Key = std::tuple<const void*, const void*, float, float, float>;
+  using Key = std::tuple<const void*, const void*, bool, float, float, float>;
   static Key key_of(const render::Object& object) {
     const Vec3f& light = object.emission;
-    return {object.mesh.get(), object.material.get(), light.x, light.y, light.z};
+    return {object.mesh.get(), object.material.get(), object.flat, light.x, light.y, light.z};
   }
 
   void add(const render::Object& object) {

@@ -96,6 +96,7 @@ Baked bake_as_it_is(const render::Object& object, bool solid) {
           channel.attribute == mesh::kColour ? out.attributes.begin() : out.attributes.end(),
           std::move(found[c]));
   }
+  if (object.flat) out.normals.clear();
   baked.mesh = std::make_shared<const mesh::Mesh>(std::move(out));
   return baked;
 }

@@ -7,7 +7,8 @@
 namespace vug::session {
 
 struct Baked {
-  mesh::MeshPtr mesh;   ///< With an attribute for each channel of the look that varies.
+  /// With an attribute for each channel of the look that varies; of a flat object without normals.
+  mesh::MeshPtr mesh;
   exchange::Look look;  ///< Elsewhere the mean.
 };
 

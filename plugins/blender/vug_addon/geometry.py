@@ -40,7 +40,7 @@ def fill(mesh, surface):
     mesh.polygons.foreach_set("loop_start", numpy.arange(0, 3 * triangles, 3, dtype=numpy.int32))
     if bpy.app.version < (4, 0):  # it follows from the starts later on
         mesh.polygons.foreach_set("loop_total", numpy.full(triangles, 3, numpy.int32))
-    mesh.polygons.foreach_set("use_smooth", numpy.ones(triangles, bool))
+    mesh.polygons.foreach_set("use_smooth", numpy.full(triangles, surface.normals is not None))
     mesh.update(calc_edges=True)
     for name, values in surface.attributes.items():
         add_attribute(mesh, name, values)

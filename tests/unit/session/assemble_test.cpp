@@ -86,6 +86,21 @@ TEST(Assemble, LooksAreBakedAtTheVertices) {
   }
 }
 
+TEST(Assemble, FlatObjectsHaveNoNormals) {
+  const Made made(R"(
+volume ball = level_set(sphere(30cm), voxel: 10cm)
+mesh skin on ball {}
+object even on skin {}
+object edged on skin { flat true }
+camera main { eye (0, 2, 6) fov 60deg }
+)");
+  const std::vector<exchange::Part>& parts = made.out.assembly.parts;
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].mesh->normals.size(), parts[0].mesh->positions.size());
+  EXPECT_TRUE(parts[1].mesh->normals.empty());
+  EXPECT_EQ(parts[1].mesh->positions.size(), parts[0].mesh->positions.size());
+}
+
 TEST(Assemble, WhatShinesSaysSo) {
   const Made made;
   const exchange::Part& glow = made.out.assembly.parts[1];
