@@ -2,6 +2,7 @@
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
 #include <vug/render/emitters.h>
+#include <vug/render/require_still.h>
 
 #include <fmt/format.h>
 
@@ -92,11 +93,7 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
       throw Error(ErrorCode::too_large,
                   fmt::format("object '{}' brings the triangles that shine to more than {}",
                               object.name, 1u << 28));
-    if (object.placing && object.placing->moves())
-      throw Error(
-          ErrorCode::bad_input,
-          fmt::format("object '{}' shines and moves, which cannot be rendered", object.name), {},
-          "keep it still, or take its emission away");
+    require_still(object);
     first_[i] = static_cast<uint32_t>(count_);
     parts_.push_back({object.mesh, object.emission, static_cast<uint32_t>(i),
                       static_cast<uint32_t>(count_), object.placing, object.looks_by_place});

@@ -1,6 +1,7 @@
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
 #include <vug/render/placed_light.h>
+#include <vug/render/require_still.h>
 #include <vug/session/blame.h>
 #include <vug/session/cast.h>
 #include <vug/session/make_mesh.h>
@@ -79,15 +80,6 @@ render::PlacingPtr moved(Way way, const render::PlacingPtr& own) {
   return std::make_shared<const render::Placing>(way);
 }
 
-/// Triangles that shine are lamps, which have one place.
-void require_still(const render::Object& object) {
-  const bool shines = object.emission != Vec3f(0) || (object.material && object.material->shines());
-  if (shines && object.placing && object.placing->moves())
-    throw Error(ErrorCode::bad_input,
-                fmt::format("object '{}' shines and moves, which cannot be rendered", object.name),
-                {}, "keep it still, take its emission away, or close the camera's shutter");
-}
-
 /// Puts all of a model where it belongs, under the name of the place.
 void put(const Cast& model, const Place& place, const Way& way, const PlacePlan& plan,
          const std::string& name, const std::string& material, Cast& cast) {
@@ -102,7 +94,7 @@ void put(const Cast& model, const Place& place, const Way& way, const PlacePlan&
       here.material_name = material;
       here.looks_by_place = true;
     }
-    require_still(here);
+    render::require_still(here);
     cast.objects.push_back(std::move(here));
   }
   for (const render::LightPtr& light : model.lights) {
