@@ -36,7 +36,8 @@ class Arguments(VugTest):
     def test_limits_that_nothing_keeps_or_that_are_told_twice(self):
         self.expect(0, *RENDER)
         diff = ("diff", "a.exr", "a.exr")
-        self.refused("'--max rmse=-1' sets a limit below 0", *diff, "--max", "rmse=-1")
+        self.refused("nothing keeps the limit -1 of rmse", *diff, "--max", "rmse=-1")
+        self.refused("equal pictures have 1", *diff, "--min", "ssim=2")
         self.expect(0, *diff, "--max", "rmse=0", "--max", "albedo.rmse=0", "--min", "psnr=-1")
         self.refused("there are two limits of rmse\n", *diff, "--max", "rmse=1", "--max", "rmse=2")
         self.refused("there are two limits of albedo.rmse\n", *diff, "--max", "albedo.rmse=1", "--max", "rmse=2",

@@ -157,6 +157,7 @@ class Unusable(VugTest):
         self.assertIn("error: --max-memory: the value is empty\n",
                       self.refused(*build, "--max-memory", ""))
         self.refused(*build, "--max-memory=")
+        self.assertIn("'=a.exr' begins with '='", self.refused("render", "ball.vug", "-o=a.exr"))
         self.assertIn("error: --seed: '-1' is no whole number from 0 on\n",
                       self.refused(*build, "--seed", "-1"))
         self.assertEqual(self.files(), ["ball.vug"])

@@ -24,9 +24,6 @@ image::Limit parse_limit(const std::string& text, image::Measure::Better better)
     throw Error(ErrorCode::bad_input,
                 fmt::format("{} is better the {} it is", limit.measure, low ? "higher" : "lower"),
                 {}, fmt::format("write {} {}", low ? "--min" : "--max", text));
-  if (low && !(limit.value >= 0))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("'{} {}' sets a limit below 0, which nothing keeps", option, text));
   return limit;
 }
 
@@ -41,13 +38,12 @@ std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object,
       throw Error(ErrorCode::bad_input,
                   fmt::format("the limit '{}' in '{}' is no number", name, where), {},
                   "write {\"rmse\": 0.01, \"N.max\": 0.1}");
-    const image::Limit limit = image::limit_of(name, value.get<double>());
-    if (image::measure_of(limit.measure).better == image::Measure::Better::low &&
-        !(limit.value >= 0))
-      throw Error(
-          ErrorCode::bad_input,
-          fmt::format("the limit '{}' in '{}' is below 0, which nothing keeps", name, where));
-    out.push_back(limit);
+    try {
+      out.push_back(image::limit_of(name, value.get<double>()));
+    } catch (Error& error) {
+      error.within(fmt::format("reading the limits in '{}'", where));
+      throw;
+    }
   }
   return out;
 }

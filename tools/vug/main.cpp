@@ -34,16 +34,20 @@ std::vector<Verb> verbs() {
   };
 }
 
-/// No option takes an empty text: it is what a script's unset variable leaves behind.
-std::string refuse_empty(std::string& text) { return text.empty() ? "the value is empty" : ""; }
+/// No option takes an empty text, which is what a script's unset variable leaves behind, nor one
+/// that begins with the = of "-o=file", which is no way to write a short option.
+std::string refuse_slip(std::string& text) {
+  if (text.empty()) return "the value is empty";
+  return text.starts_with('=') ? fmt::format("'{}' begins with '=', leave that out", text) : "";
+}
 
 /// Of the command and those below it; first of all, before ranges are checked.
-void refuse_empty_values(CLI::App& command) {
+void refuse_slips(CLI::App& command) {
   for (CLI::Option* option : command.get_options())
-    option->transform(CLI::Validator(refuse_empty, ""));
+    option->transform(CLI::Validator(refuse_slip, ""));
   for (CLI::App* below : command.get_subcommands(nullptr)) {
     below->fallthrough();
-    refuse_empty_values(*below);
+    refuse_slips(*below);
   }
 }
 
@@ -137,7 +141,7 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs()) {
     CLI::App* command = app.add_subcommand(verb.name, verb.doc)->fallthrough();
     runs[command] = verb.setup(*command);
-    refuse_empty_values(*command);
+    refuse_slips(*command);
   }
   try {
     app.parse(argc, argv);

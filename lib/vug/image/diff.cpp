@@ -266,7 +266,11 @@ Limit limit_of(const std::string& name, double value) {
   if (dot != std::string::npos) out.layer = name.substr(0, dot);
   out.measure = dot == std::string::npos ? name : name.substr(dot + 1);
   out.value = value;
-  measure_of(out.measure);
+  const Measure& measure = measure_of(out.measure);
+  if (!passes(measure, measure.equal, value))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("nothing keeps the limit {} of {}: equal pictures have {}", value, name,
+                            measure.equal));
   return out;
 }
 

@@ -101,7 +101,8 @@ struct Diff {
 /// compared, and share the rate of false alarms; "right.N" names a layer of one, "N" that of both.
 Diff diff(const Subject& reference, const Subject& test, const DiffOptions& options = {});
 
-/// "beauty.rmse" or "rmse", with its value; Error(bad_input) for an unknown measure.
+/// "beauty.rmse" or "rmse", with its value; Error(bad_input) for an unknown measure, or
+/// where not even equal pictures pass.
 Limit limit_of(const std::string& name, double value);
 
 /// From black over red to pale yellow, light rising with t in [0, 1]: linear channels R, G, B.
