@@ -1,8 +1,9 @@
-# vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...])
+# vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...]
+#            [OPTIONS of the compiler...] [HEADERS to precompile...])
 # A module is lib/vug/NAME; every .cpp at its top and in FOLDERS is compiled. Folders of kinds below it are
 # added by vug_kinds, which is the one place where a kind's name is listed.
 function(vug_module name)
-  cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS;PUBLIC;PRIVATE;OPTIONS;HEADERS" ${ARGN})
   list(TRANSFORM ARG_FOLDERS APPEND /*.cpp)
   list(TRANSFORM ARG_FOLDERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${ARG_FOLDERS})
@@ -12,6 +13,12 @@ function(vug_module name)
   list(TRANSFORM ARG_DEPENDS PREPEND vug_)
   target_link_libraries(vug_${name} PUBLIC vug_contract ${ARG_DEPENDS} ${ARG_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:vug_strict> ${ARG_PRIVATE})
+  target_compile_options(vug_${name} PRIVATE ${ARG_OPTIONS})
+  set(group modules)
+  if(ARG_OPTIONS OR ARG_HEADERS)
+    set(group ${name})
+  endif()
+  vug_precompile(vug_${name} ${group} ${ARG_HEADERS})
   set_property(GLOBAL APPEND PROPERTY VUG_MODULES vug_${name})
 endfunction()
 

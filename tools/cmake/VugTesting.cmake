@@ -7,9 +7,10 @@ function(vug_test name)
   cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   list(TRANSFORM ARG_LINK PREPEND vug_)
-  target_link_libraries(test_${name} PRIVATE vug_strict ${ARG_LINK} GTest::gtest_main)
+  target_link_libraries(test_${name} PRIVATE vug_strict vug_light ${ARG_LINK} GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     VUG_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" VUG_DATA="${PROJECT_SOURCE_DIR}/data")
+  vug_precompile(test_${name} tests <gtest/gtest.h>)
   gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABEL}")
 endfunction()
 

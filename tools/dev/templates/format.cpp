@@ -28,7 +28,7 @@ Mesh read_new_kind(std::string_view bytes, const std::string& file) {
       }
       mesh.triangles.push_back(triangle);
     } else {
-      scan.fail(fmt::format("'{}' is neither v nor t", quoted(word)));
+      scan.fail(fmt::format("'{}' is neither v nor t", shown(word)));
     }
   }
   return mesh;

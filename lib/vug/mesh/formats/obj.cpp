@@ -109,7 +109,7 @@ struct Reader {
     if (keyword == "vn") return normal();
     if (keyword == "f" || keyword == "fo") return face();
     if (std::find(std::begin(kIgnored), std::end(kIgnored), keyword) == std::end(kIgnored))
-      scan.fail(fmt::format("'{}' begins no OBJ statement", mesh::quoted(keyword)),
+      scan.fail(fmt::format("'{}' begins no OBJ statement", mesh::shown(keyword)),
                 "is this an OBJ file?");
   }
 

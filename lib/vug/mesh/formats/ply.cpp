@@ -196,7 +196,7 @@ std::vector<std::string> property_names(const Attribute& attribute) {
                                  [](char c) { return c > ' ' && c <= '~'; });
   if (attribute.name.empty() || !plain)
     throw Error(ErrorCode::bad_input, fmt::format("'{}' cannot be the name of a PLY property",
-                                                  mesh::quoted(attribute.name)));
+                                                  mesh::shown(attribute.name)));
   if (attribute.arity == 1) return {attribute.name};
   std::vector<std::string> names;
   for (int k = 0; k < attribute.arity; ++k)

@@ -49,7 +49,7 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
     if (word != wanted)
       scan.fail(word.empty()
                     ? fmt::format("the file ends where '{}' should stand", wanted)
-                    : fmt::format("'{}' stands where '{}' should", mesh::quoted(word), wanted),
+                    : fmt::format("'{}' stands where '{}' should", mesh::shown(word), wanted),
                 "the file may be cut off");
   };
   const auto triple = [&] {
@@ -63,7 +63,7 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
   };
   for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
     if (word != "solid")
-      scan.fail(fmt::format("'{}' stands where 'solid' should", mesh::quoted(word)));
+      scan.fail(fmt::format("'{}' stands where 'solid' should", mesh::shown(word)));
     scan.rest_of_line();  // The solid's name.
     for (word = scan.word(); word == "facet"; word = scan.word()) {
       expect("normal");
@@ -78,9 +78,8 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
       expect("endfacet");
     }
     if (word != "endsolid")
-      scan.fail(word.empty()
-                    ? "the file ends inside a solid"
-                    : fmt::format("'{}' is neither facet nor endsolid", mesh::quoted(word)),
+      scan.fail(word.empty() ? "the file ends inside a solid"
+                             : fmt::format("'{}' is neither facet nor endsolid", mesh::shown(word)),
                 "the file may be cut off");
     scan.rest_of_line();
   }
