@@ -14,5 +14,14 @@ function(vug_precompile target group)
   else()
     target_precompile_headers(${target} PRIVATE ${VUG_COMMON_HEADERS} ${ARGN})
     set_property(GLOBAL PROPERTY VUG_HEADERS_OF_${group} ${target})
+    # What the compiler makes of them hangs on the folder of the build. For ccache they are what
+    # they are made from, so that one build finds what another has compiled.
+    set(source "${CMAKE_CXX_COMPILER_VERSION} ${VUG_COMMON_HEADERS} ${ARGN}\n")
+    get_property(packages GLOBAL PROPERTY PACKAGES_FOUND)
+    foreach(package ${packages})
+      string(APPEND source "${package} ${${package}_VERSION}\n")
+    endforeach()
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx.gch.sum
+      CONTENT "${source}" @ONLY)
   endif()
 endfunction()

@@ -13,7 +13,7 @@ find_program(VUG_CCACHE ccache)
 if(VUG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # It looks into precompiled headers only when it is told to.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${VUG_CCACHE})
+    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 ${VUG_CCACHE})
 endif()
 
 add_library(vug_contract INTERFACE)
