@@ -1,4 +1,4 @@
-// Embree, started: for geometry*.cpp and tracing/ray_tree.cpp only.
+// Embree, started: for geometry*.cpp and tracing/tree_plan.h only.
 #pragma once
 
 #include <embree3/rtcore.h>

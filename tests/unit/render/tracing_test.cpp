@@ -5,6 +5,7 @@
 #include <vug/render/sampling.h>
 #include <vug/render/tracing/quads.h>
 #include <vug/render/tracing/together.h>
+#include <vug/render/tracing/tree_plan.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,6 +65,71 @@ Nearest by_hand(const std::vector<RayTree::Part>& parts, const Ray& ray) {
         nearest = {t, part.number, i};
     }
   return nearest;
+}
+
+/// What a plan is, looked at from its root.
+struct Planned {
+  std::multiset<uint32_t> boxes;
+  size_t nodes = 0, children = 0, deepest = 0;
+};
+void look_at(const TreePlan::Part& part, size_t depth, Planned& out) {
+  out.deepest = std::max(out.deepest, depth);
+  if (part.quads > 0) {
+    const auto& leaf = static_cast<const TreePlan::Leaf&>(part);
+    for (size_t i = 0; i < leaf.quads; ++i) out.boxes.insert(leaf.quad[i].second);
+    return;
+  }
+  const TreePlan::Children children = TreePlan::children(part);
+  ++out.nodes, out.children += children.count;
+  EXPECT_GE(children.count, 2u);
+  for (const TreePlan::Part* child : children) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_GE(child->box.min[axis], part.box.min[axis]);
+      EXPECT_LE(child->box.max[axis], part.box.max[axis]);
+    }
+    look_at(*child, depth + 1, out);
+  }
+}
+Planned planned(const std::vector<RTCBuildPrimitive>& boxes) {
+  const TreePlan plan(boxes);
+  Planned out;
+  look_at(*plan.root(), 0, out);
+  EXPECT_EQ(out.boxes.size(), boxes.size());
+  EXPECT_EQ(std::set<uint32_t>(out.boxes.begin(), out.boxes.end()).size(), boxes.size());
+  EXPECT_LE(out.deepest, size_t{TreePlan::kDepth});
+  return out;
+}
+RTCBuildPrimitive box_at(const Vec3f& p, float size, size_t number) {
+  return {p.x, p.y, p.z, 0, p.x + size, p.y + size, p.z + size, static_cast<uint32_t>(number)};
+}
+
+TEST(TreePlan, HoldsEachBoxOnce) {
+  RandomStream random{RandomKey(3)};
+  std::vector<RTCBuildPrimitive> boxes;
+  for (size_t i = 0; i < 20000; ++i) boxes.push_back(box_at(direction(random), 0.01f, i));
+  EXPECT_LE(planned(boxes).deepest, 8u);
+}
+
+/// 128 leaves in a row. From the top down, always the largest in two, a root has eight nodes of
+/// eight pairs: 73 nodes. With 16 leaves made into a full node, a pair and six leaves it is 25, and
+/// a little more where Embree parts a row beside its middle.
+TEST(TreePlan, FillsItsNodes) {
+  std::vector<RTCBuildPrimitive> row;
+  for (size_t i = 0; i < 256; ++i) row.push_back(box_at({static_cast<float>(i), 0, 0}, 1, i));
+  EXPECT_LE(planned(row).nodes, 30u);
+}
+
+/// Of all sizes that numbers have, and all in one place: what ends builders that part by middles.
+TEST(TreePlan, TakesBoxesOfAllSizesAndAllInOnePlace) {
+  std::vector<RTCBuildPrimitive> shrinking, same;
+  for (size_t i = 0; i < 20000; ++i) {
+    const float size = std::ldexp(1.0f, static_cast<int>(i % 250) - 125);
+    shrinking.push_back(box_at(Vec3f(size), size, i));
+    same.push_back(box_at(Vec3f(1), 1, i));
+  }
+  planned(shrinking);
+  planned(same);
+  EXPECT_EQ(TreePlan({}).root(), nullptr);
 }
 
 TEST(Quads, HoldEachTriangleOnceInItsOrder) {

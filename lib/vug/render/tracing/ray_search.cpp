@@ -25,6 +25,18 @@ __m256i sorted(__m256i v) {
   return exchanged<0b01010100>(v, _mm256_setr_epi32(0, 2, 1, 4, 3, 6, 5, 7));
 }
 
+template <int lanes>
+__m128i exchanged(__m128i v, __m128i other) {
+  return _mm_blend_epi32(_mm_max_epi32(v, other), _mm_min_epi32(v, other), lanes);
+}
+/// The same of the first four lanes, of which only `count` are there: half the steps.
+__m128i sorted(__m128i v, int count) {
+  v = _mm_or_si128(v, _mm_cmpgt_epi32(_mm_setr_epi32(1, 2, 3, 4), _mm_set1_epi32(count)));
+  v = exchanged<0b1010>(v, _mm_shuffle_epi32(v, 0b10110001));
+  v = exchanged<0b1100>(v, _mm_shuffle_epi32(v, 0b00011011));
+  return exchanged<0b1010>(v, _mm_shuffle_epi32(v, 0b10110001));
+}
+
 template <int lane>
 __m256 everywhere(__m128 v) {
   return _mm256_broadcastss_ps(_mm_permute_ps(v, lane * 0x55));
@@ -189,19 +201,25 @@ inline void RaySearch::enter(const RayTree::Node& node) {
       _mm256_min_ps(_mm256_min_ps(out_x, out_y), _mm256_min_ps(out_z, _mm256_broadcast_ss(&far_)));
   const __m256 met = _mm256_cmp_ps(enters, leaves, _CMP_LE_OQ);
   const auto mask = static_cast<unsigned>(_mm256_movemask_ps(met));
+  const int count = std::popcount(mask);
   __m256i order = chosen_lanes(mask);
   if (aim == Aim::nearest) {
     // The number of the child stands in the last bits of the distance, so that it is sorted along.
-    order = _mm256_and_si256(_mm256_castps_si256(enters), _mm256_set1_epi32(~7));
-    order = _mm256_or_si256(order, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-    order = _mm256_blendv_epi8(_mm256_set1_epi32(-1), order, _mm256_castps_si256(met));
-    order = sorted(order);
+    __m256i all = _mm256_and_si256(_mm256_castps_si256(enters), _mm256_set1_epi32(~7));
+    all = _mm256_or_si256(all, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    if (count <= 4) [[likely]] {
+      const __m256i few = _mm256_permutevar8x32_epi32(all, order);
+      order = _mm256_zextsi128_si256(sorted(_mm256_castsi256_si128(few), count));
+    } else {
+      const __m256i none = _mm256_set1_epi32(-1);
+      order = sorted(_mm256_blendv_epi8(none, all, _mm256_castps_si256(met)));
+    }
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(&distances_[waiting_]), order);
   }
   const __m256i children = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child.data()));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(&children_[waiting_]),
                       _mm256_permutevar8x32_epi32(children, order));
-  waiting_ += static_cast<uint32_t>(std::popcount(mask));
+  waiting_ += static_cast<uint32_t>(count);
 }
 
 /// Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection" (cite woop2013watertight): by

@@ -1,12 +1,9 @@
 #include <vug/base/error.h>
-#include <vug/render/embree_device.h>
 #include <vug/render/tracing/quads.h>
 #include <vug/render/tracing/ray_tree.h>
+#include <vug/render/tracing/tree_plan.h>
 
-#include <embree3/rtcore.h>
-#include <fmt/format.h>
 #include <sys/mman.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +13,8 @@
 namespace vug::render {
 namespace {
 
-constexpr unsigned kChildren = 8, kQuads = 2, kDepth = 24;
+constexpr size_t kChildren = TreePlan::kChildren, kQuads = TreePlan::kQuads;
+static_assert(TreePlan::kDepth * (kChildren - 1) + kChildren <= RayTree::kMostWaiting);
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 /// Pages of 2 MiB where it is worth it.
@@ -31,52 +29,6 @@ T* lines(size_t count) {
   return static_cast<T*>(memory);
 }
 
-struct Box {
-  std::array<float, 3> min, max;
-};
-Box box_of(const RTCBounds& b) {
-  return {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
-}
-
-/// What Embree's builder makes: a few quads or some boxes.
-struct Draft {
-  unsigned quads = 0;  ///< 0: it is a branch.
-};
-struct DraftLeaf : Draft {
-  std::array<std::pair<uint32_t, uint32_t>, kQuads> quad;  ///< Part and quad.
-};
-struct DraftBranch : Draft {
-  unsigned count = 0;
-  std::array<Box, kChildren> boxes;
-  std::array<const Draft*, kChildren> children;
-};
-
-template <class T>
-T* draft(RTCThreadLocalAllocator allocator) {
-  return new (rtcThreadLocalAlloc(allocator, sizeof(T), 16)) T();
-}
-void* new_branch(RTCThreadLocalAllocator allocator, unsigned count, void*) {
-  auto* made = draft<DraftBranch>(allocator);
-  made->count = count;
-  return static_cast<Draft*>(made);
-}
-void set_children(void* branch, void** children, unsigned count, void*) {
-  auto& made = static_cast<DraftBranch&>(*static_cast<Draft*>(branch));
-  for (unsigned i = 0; i < count; ++i) made.children[i] = static_cast<Draft*>(children[i]);
-}
-void set_boxes(void* branch, const RTCBounds** boxes, unsigned count, void*) {
-  auto& made = static_cast<DraftBranch&>(*static_cast<Draft*>(branch));
-  for (unsigned i = 0; i < count; ++i) made.boxes[i] = box_of(*boxes[i]);
-}
-void* new_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* all, size_t count,
-               void* leaves) {
-  auto* made = draft<DraftLeaf>(allocator);
-  made->quads = static_cast<unsigned>(count);
-  for (size_t i = 0; i < count; ++i) made->quad[i] = {all[i].geomID, all[i].primID};
-  ++*static_cast<size_t*>(leaves);
-  return static_cast<Draft*>(made);
-}
-
 }  // namespace
 
 void RayTree::Free::operator()(void* memory) const { std::free(memory); }
@@ -85,13 +37,8 @@ class RayTree::Builder {
  public:
   Builder(RayTree& tree, const std::vector<Part>& parts) : tree_(tree), parts_(parts) {
     for (const Part& part : parts) quads_.push_back(paired(*part.mesh));
-    EmbreeDevice device;
-    const RTCBVH drafts = rtcNewBVH(device.get());
-    const auto release = [](RTCBVH all) { rtcReleaseBVH(all); };
-    const std::unique_ptr<std::remove_pointer_t<RTCBVH>, decltype(release)> held(drafts, release);
-    const Draft* const root = draw(drafts);
-    device.check("building the tree of triangles");
-    if (root) write(root);
+    const TreePlan plan(boxes());
+    if (plan.root()) write(plan);
   }
 
  private:
@@ -120,80 +67,48 @@ class RayTree::Builder {
     return all;
   }
 
-  const Draft* draw(RTCBVH drafts) {
-    std::vector<RTCBuildPrimitive> all = boxes();
-    if (all.empty()) return nullptr;
-    RTCBuildArguments plan = rtcDefaultBuildArguments();
-    plan.bvh = drafts;
-    plan.maxBranchingFactor = kChildren, plan.maxDepth = kDepth;
-    plan.sahBlockSize = plan.minLeafSize = plan.maxLeafSize = kQuads;
-    plan.primitives = all.data(), plan.primitiveCount = plan.primitiveArrayCapacity = all.size();
-    plan.createNode = new_branch, plan.setNodeChildren = set_children;
-    plan.setNodeBounds = set_boxes, plan.createLeaf = new_leaf;
-    plan.userPtr = &leaves_;
-    tbb::task_arena alone(1);  // one thread makes the same drafts in the same order
-    void* root = nullptr;
-    alone.execute([&] { root = rtcBuildBVH(&plan); });
-    return static_cast<const Draft*>(root);
-  }
+  /// Nodes that wait to be written, and where.
+  using Todo = std::vector<std::pair<const TreePlan::Part*, size_t>>;
 
-  void write(const Draft* root) {
-    const size_t branches = count(root);
-    tree_.leaves_.reset(lines<Leaf>(leaves_ + 1));
-    tree_.nodes_.reset(lines<Node>(branches));
+  void write(const TreePlan& plan) {
+    const TreePlan::Part& root = *plan.root();
+    tree_.leaves_.reset(lines<Leaf>(plan.leaves() + 1));
+    tree_.nodes_.reset(lines<Node>(count(root)));
     write_leaf({});
     // Depth first, so that what lies together in space does in memory, too.
-    std::vector<std::pair<const Draft*, size_t>> todo;
+    Todo todo;
     tree_.node_count_ = 1;
-    if (root->quads > 0) {
-      DraftBranch around;
-      around.count = 1;
-      around.boxes[0] = box(static_cast<const DraftLeaf&>(*root));
-      around.children[0] = root;
-      write_node(around, 0, todo);
-      return;
-    }
-    todo.emplace_back(root, 0);
+    if (root.quads > 0) return write_node({{&root}, 1}, 0, todo);
+    todo.emplace_back(&root, 0);
     while (!todo.empty()) {
-      const auto [branch, at] = todo.back();
+      const auto [node, at] = todo.back();
       todo.pop_back();
-      write_node(static_cast<const DraftBranch&>(*branch), at, todo);
+      write_node(TreePlan::children(*node), at, todo);
     }
   }
 
-  static size_t count(const Draft* root) {
-    if (root->quads > 0) return 1;
-    size_t branches = 0;
-    std::vector<const Draft*> todo{root};
+  /// Nodes; one for a leaf alone.
+  static size_t count(const TreePlan::Part& root) {
+    size_t nodes = 1;
+    if (root.quads > 0) return nodes;
+    std::vector<const TreePlan::Part*> todo{&root};
     while (!todo.empty()) {
-      const auto& branch = static_cast<const DraftBranch&>(*todo.back());
+      const TreePlan::Part& node = *todo.back();
       todo.pop_back();
-      ++branches;
-      for (unsigned i = 0; i < branch.count; ++i)
-        if (branch.children[i]->quads == 0) todo.push_back(branch.children[i]);
+      for (const TreePlan::Part* child : TreePlan::children(node))
+        if (child->quads == 0) ++nodes, todo.push_back(child);
     }
-    return branches;
+    return nodes;
   }
 
-  Box box(const DraftLeaf& leaf) const {
-    Box3f around;
-    for (unsigned i = 0; i < leaf.quads; ++i) {
-      const auto [part, quad] = leaf.quad[i];
-      for (const uint32_t corner : quads_[part][quad].corners)
-        around.extendBy(parts_[part].mesh->positions[corner]);
-    }
-    return {{around.min.x, around.min.y, around.min.z}, {around.max.x, around.max.y, around.max.z}};
-  }
-
-  void write_node(const DraftBranch& branch, size_t at,
-                  std::vector<std::pair<const Draft*, size_t>>& todo) {
+  void write_node(const TreePlan::Children& children, size_t at, Todo& todo) {
     Node& node = tree_.nodes_[at];
     node = {};
     for (size_t axis = 0; axis < 3; ++axis) {
-      float least = branch.boxes[0].min[axis], greatest = branch.boxes[0].max[axis];
-      for (unsigned i = 1; i < branch.count; ++i) {
-        least = std::min(least, branch.boxes[i].min[axis]);
-        greatest = std::max(greatest, branch.boxes[i].max[axis]);
+      float least = children.all[0]->box.min[axis], greatest = children.all[0]->box.max[axis];
+      for (const TreePlan::Part* child : children) {
+        least = std::min(least, child->box.min[axis]);
+        greatest = std::max(greatest, child->box.max[axis]);
       }
       const double size = static_cast<double>(greatest) - static_cast<double>(least);
       node.origin[axis] = least;
@@ -202,20 +117,20 @@ class RayTree::Builder {
         return (static_cast<double>(place) - static_cast<double>(least)) /
                static_cast<double>(node.step[axis]);
       };
-      for (unsigned i = 0; i < branch.count; ++i) {
-        const double low = std::floor(planes_off(branch.boxes[i].min[axis]));
-        const double high = std::ceil(planes_off(branch.boxes[i].max[axis]));
+      for (size_t i = 0; i < children.count; ++i) {
+        const double low = std::floor(planes_off(children.all[i]->box.min[axis]));
+        const double high = std::ceil(planes_off(children.all[i]->box.max[axis]));
         node.planes[axis][i] = static_cast<uint8_t>(std::clamp(low, 0.0, 255.0));
         node.planes[axis + 3][i] = static_cast<uint8_t>(std::clamp(high, 0.0, 255.0));
       }
-      for (unsigned i = branch.count; i < kChildren; ++i) node.planes[axis][i] = 255;
+      for (size_t i = children.count; i < kChildren; ++i) node.planes[axis][i] = 255;
     }
     // No ray meets a child that is not there; but for rounding, where all boxes are one point.
     node.child.fill(kLeaf);
-    for (unsigned i = 0; i < branch.count; ++i) {
-      const Draft* const child = branch.children[i];
+    for (size_t i = 0; i < children.count; ++i) {
+      const TreePlan::Part* const child = children.all[i];
       if (child->quads > 0) {
-        node.child[i] = write_leaf(static_cast<const DraftLeaf&>(*child));
+        node.child[i] = write_leaf(static_cast<const TreePlan::Leaf&>(*child));
       } else {
         node.child[i] = static_cast<uint32_t>(tree_.node_count_);
         todo.emplace_back(child, tree_.node_count_++);
@@ -223,7 +138,7 @@ class RayTree::Builder {
     }
   }
 
-  uint32_t write_leaf(const DraftLeaf& from) {
+  uint32_t write_leaf(const TreePlan::Leaf& from) {
     Leaf& leaf = tree_.leaves_[tree_.leaf_count_];
     for (size_t axis = 0; axis < 3; ++axis)
       leaf.start[axis].fill(kNothing), leaf.second[axis].fill(kNothing);
@@ -250,7 +165,6 @@ class RayTree::Builder {
   RayTree& tree_;
   const std::vector<Part>& parts_;
   std::vector<std::vector<Quad>> quads_;
-  size_t leaves_ = 0;
 };
 
 RayTree::RayTree(const std::vector<Part>& parts) { Builder(*this, parts); }

@@ -39,7 +39,7 @@ class RayTree {
   static constexpr uint32_t kLeaf = 1u << 31;
   static constexpr uint32_t kTurn = 30;
   /// Children to look at on the way to the deepest leaf are at most so many.
-  static constexpr size_t kMostWaiting = 256;
+  static constexpr size_t kMostWaiting = 512;
 
   /// Empty.
   RayTree() = default;
