@@ -1,6 +1,6 @@
-#include <vug/base/parallel.h>
 #include <vug/render/bright_edges.h>
 #include <vug/render/paths/vertex.h>
+#include <vug/render/tracing/together.h>
 
 #include <algorithm>
 
@@ -28,21 +28,19 @@ BrightEdges::BrightEdges(const World& world, const Region& region, const Vec2i& 
       {0, 0, width_height.x, width_height.y});
   std::vector<Range> seen(wide.pixels());
   progress.begin("looking for bright edges", static_cast<uint64_t>(wide.height()));
-  parallel_for(static_cast<size_t>(wide.height()), [&](size_t line) {
-    progress.check();
+  const auto width = static_cast<size_t>(wide.width());
+  parallel_together(wide.pixels(), [&](size_t pixel) {
+    if (pixel % width == 0) progress.check();
     SampleId id;
     id.seed = seed ^ kSalt, id.spp = looks;
-    id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(line);
-    for (int x = wide.x0; x < wide.x1; ++x) {
-      id.x = static_cast<uint32_t>(x);
-      Range& own = seen[wide.index(x, static_cast<int>(id.y))];
-      for (id.index = 0; id.index < looks; ++id.index) {
-        TrackingNumbers tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
-        const float bright = luminance(seen_by_camera(world, camera_ray(id), tracking, nullptr));
-        own.take_in({bright, bright});
-      }
+    id.x = static_cast<uint32_t>(wide.x0) + static_cast<uint32_t>(pixel % width);
+    id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(pixel / width);
+    for (id.index = 0; id.index < looks; ++id.index) {
+      TrackingNumbers tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
+      const float bright = luminance(seen_by_camera(world, camera_ray(id), tracking, nullptr));
+      seen[pixel].take_in({bright, bright});
     }
-    progress.advance();
+    if (pixel % width == width - 1) progress.advance();
   });
   progress.end();
   edges_.resize(region.pixels());

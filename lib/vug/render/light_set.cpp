@@ -25,20 +25,15 @@ struct LightSet::AtPoint {
 
   bool knows() const { return sight; }
   float seen(size_t branch) const { return sight ? sight[branch] : 1; }
-  float sky(LightId id) const {
-    if (!set.reaches(id, point.object)) return 0;
-    const Light& light = *set.lights_[id];
-    return (light.is_portal() ? set.sky_scale_ : 1) * light.importance(point);
+  float light(LightId id) const {
+    return set.reaches(id, point.object) ? set.lights_[id]->importance(point) : 0;
   }
   LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
     if (&tree != &set.lamp_tree_) return LightTree::importance(fork, point);
     LightTree::Weights weights{};
     if (!fork.ends()) weights = LightTree::importance(fork, point);
-    for (size_t lane = 0; lane < LightTree::kWidth; ++lane) {
-      if (!fork.is_leaf(lane)) continue;
-      const LightId id = fork.light(lane);
-      weights[lane] = set.reaches(id, point.object) ? set.lights_[id]->importance(point) : 0;
-    }
+    for (size_t lane = 0; lane < LightTree::kWidth; ++lane)
+      if (fork.is_leaf(lane)) weights[lane] = light(fork.light(lane));
     return weights;
   }
 };
@@ -56,10 +51,8 @@ struct LightSet::AlongRay {
     const float nearest = dot(set.branches_[branch].centre - ray.origin, ray.direction);
     return sight.at(ray.at(std::clamp(nearest, segment.begin, segment.end)))[branch];
   }
-  float sky(LightId id) const {
-    const Light& light = *set.lights_[id];
-    return (light.is_portal() ? set.sky_scale_ : 1) *
-           light.importance_along(ray, segment.begin, segment.end);
+  float light(LightId id) const {
+    return set.lights_[id]->importance_along(ray, segment.begin, segment.end);
   }
   LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
     const float begin = segment.begin, end = segment.end;
@@ -67,8 +60,7 @@ struct LightSet::AlongRay {
     LightTree::Weights weights{};
     if (!fork.ends()) weights = LightTree::importance_along(fork, ray, begin, end);
     for (size_t lane = 0; lane < LightTree::kWidth; ++lane)
-      if (fork.is_leaf(lane))
-        weights[lane] = set.lights_[fork.light(lane)]->importance_along(ray, begin, end);
+      if (fork.is_leaf(lane)) weights[lane] = light(fork.light(lane));
     return weights;
   }
 };
@@ -91,7 +83,7 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
         (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.beside_portals()))
       continue;
     sampled_skies_.push_back(id);
-    branches_.push_back({nullptr, id, light.centre()});
+    branches_.push_back({nullptr, 0, id, light.is_portal() ? sky_scale_ : 1, light.centre()});
   }
   lamp_tree_ = LightTree(lights_.size(), 0, [&](size_t i) {
     return lights_[i]->is_sky() ? LightBounds{} : lights_[i]->bounds();
@@ -99,9 +91,13 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
   emitter_tree_ = LightTree(emitters_.size(), lamp_ids(),
                             [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
-    for (uint32_t i = 0; i < tree->branches(); ++i)
-      branches_.push_back(
-          {tree, i, tree->fork(i / LightTree::kWidth).centre(i % LightTree::kWidth)});
+    for (uint32_t i = 0; i < tree->branches(); ++i) {
+      const LightTree::Fork& fork = tree->fork(i / LightTree::kWidth);
+      const size_t lane = i % LightTree::kWidth;
+      const bool alone = tree == &lamp_tree_ && fork.is_leaf(lane);
+      branches_.push_back({tree, i, alone ? fork.light(lane) : kNoLight, 1, fork.centre(lane)});
+      all_alone_ = all_alone_ && alone;
+    }
   link(objects);
   size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
 }
@@ -148,19 +144,24 @@ float LightSet::weight_of(size_t branch, const Weight& weight) const {
     const LightTree::Fork& fork = b.tree->fork(b.index / LightTree::kWidth);
     return weight.fork(*b.tree, fork)[b.index % LightTree::kWidth];
   };
-  const float importance = b.tree ? in_tree() : weight.sky(b.index);
+  const float importance = b.alone != kNoLight ? weight.light(b.alone) * b.scale : in_tree();
   return importance > 0 ? importance * weight.seen(branch) : 0;
 }
 
 /// `weight_of` all branches.
 template <class Weight>
 void LightSet::weigh(const Weight& weight, float* weights) const {
+  if (all_alone_) {
+    for (size_t i = 0; i < branches_.size(); ++i) weights[i] = weight_of(i, weight);
+    return;
+  }
   size_t branch = 0;
   const auto put = [&](float importance) {
     weights[branch] = importance > 0 ? importance * weight.seen(branch) : 0;
     ++branch;
   };
-  for (const LightId sky : sampled_skies_) put(weight.sky(sky));
+  while (branch < sampled_skies_.size())
+    put(weight.light(branches_[branch].alone) * branches_[branch].scale);
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
     for (size_t i = 0; i < tree->branches(); i += LightTree::kWidth) {
       const LightTree::Weights importances = weight.fork(*tree, tree->fork(i / LightTree::kWidth));
@@ -171,7 +172,7 @@ void LightSet::weigh(const Weight& weight, float* weights) const {
 
 template <class Weight>
 LightChoice LightSet::choose_in(const Branch& branch, double u, const Weight& weight) const {
-  if (!branch.tree) return {branch.index, 1};
+  if (branch.alone != kNoLight) return {branch.alone, 1};
   const LightTree::Found found = branch.tree->descend(
       branch.index, u,
       [&](const LightTree::Fork& fork) { return weight.fork(*branch.tree, fork); });

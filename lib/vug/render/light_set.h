@@ -146,9 +146,11 @@ class LightSet {
  private:
   /// What is weighed one by one: a sky, or a branch of a tree.
   struct Branch {
-    const LightTree* tree;  ///< Null for a sky.
-    uint32_t index;         ///< In the tree; or the sky's id.
-    Vec3f centre;           ///< Meaningless for whole skies.
+    const LightTree* tree = nullptr;  ///< Null for a sky.
+    uint32_t index = 0;               ///< In the tree.
+    LightId alone = kNoLight;         ///< The sky, or the lamp that is all of the branch,
+    float scale = 1;                  ///< and what its importance stands against others' with.
+    Vec3f centre;                     ///< Meaningless for whole skies.
   };
   struct AtPoint;
   struct AlongRay;
@@ -170,6 +172,7 @@ class LightSet {
   std::vector<Branch> branches_;
   std::vector<LightId> skies_, sampled_skies_;
   float sky_scale_ = 0;
+  bool all_alone_ = true;               ///< No branch is more than one light.
   std::vector<std::vector<bool>> lit_;  ///< Of each light: by object; empty for all of them.
   bool linked_ = false;
   std::vector<std::string> group_names_;

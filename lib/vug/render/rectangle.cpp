@@ -37,11 +37,15 @@ Rectangle::Rectangle(const RectangleParams& p)
   normal_ = Vec3f(z);
   x_ = Vec3f(x);
   y_ = Vec3f(z.cross(x));
+  half_x_ = x_ * (0.5f * width_), half_y_ = y_ * (0.5f * height_);
 }
 
-/// The distance at which 1 / distance^2 varies by about a half over the rectangle.
+/// Where 1 / distance^2 varies by at most a half over the rectangle: its middle is eight times as
+/// far as it is deep along the way there, and 1.5 diagonals.
 bool Rectangle::is_far(const Vec3f& to_center) const {
-  return dot(to_center, to_center) > 16 * (width_ * width_ + height_ * height_);
+  const float squared = dot(to_center, to_center);
+  const float depth = std::fabs(dot(half_x_, to_center)) + std::fabs(dot(half_y_, to_center));
+  return 8 * depth < squared && squared > 9 * radius_squared();
 }
 
 /// Corner (x0, y0, z), opposite corner (x1, y1, z) with z < 0, and the angles of the spherical
@@ -130,11 +134,10 @@ float Rectangle::pdf(const Vec3f& point, const Vec3f& direction) const {
 
 LightBounds Rectangle::bounds(float luminance) const {
   LightBounds out;
-  const Vec3f hx = x_ * (0.5f * width_), hy = y_ * (0.5f * height_);
-  out.box.extendBy(center_ - hx - hy);
-  out.box.extendBy(center_ - hx + hy);
-  out.box.extendBy(center_ + hx - hy);
-  out.box.extendBy(center_ + hx + hy);
+  out.box.extendBy(center_ - half_x_ - half_y_);
+  out.box.extendBy(center_ - half_x_ + half_y_);
+  out.box.extendBy(center_ + half_x_ - half_y_);
+  out.box.extendBy(center_ + half_x_ + half_y_);
   out.axis = normal_;
   out.cos_spread = 1;
   out.strength = luminance * area();
@@ -146,20 +149,18 @@ float Rectangle::importance(const LitPoint& point) const {
   const float squared = dot(to, to);
   const float front = -dot(to, normal_);
   if (!(front > 0)) return 0;
-  const Vec3f hx = x_ * (0.5f * width_), hy = y_ * (0.5f * height_);
-  const float radius_squared = dot(hx, hx) + dot(hy, hy);
   float surface_cosine = 1;
   if (point.on_surface()) {
     // The corner highest above the horizon decides.
-    const float height =
-        dot(point.normal, to) + std::fabs(dot(point.normal, hx)) + std::fabs(dot(point.normal, hy));
+    const float height = dot(point.normal, to) + std::fabs(dot(point.normal, half_x_)) +
+                         std::fabs(dot(point.normal, half_y_));
     if (!(height > 0)) return 0;
-    surface_cosine = std::min(1.0f, height / std::sqrt(squared + radius_squared));
+    surface_cosine = std::min(1.0f, height / std::sqrt(squared + radius_squared()));
   }
   const float light_cosine = std::min(1.0f, front / std::sqrt(squared));
   // Close by, the solid angle is at most a half space, whatever area over distance says.
   return surface_cosine * std::min(2 * kPif, area() * std::max(light_cosine, 0.05f) /
-                                                 std::max(squared, 0.25f * radius_squared));
+                                                 std::max(squared, 0.25f * radius_squared()));
 }
 
 float Rectangle::importance_along(const Ray& ray, float begin, float end) const {

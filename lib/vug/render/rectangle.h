@@ -56,14 +56,16 @@ class Rectangle {
   const Vec3f& center() const { return center_; }
   float area() const { return width_ * height_; }
   /// To its corners.
-  float radius() const { return 0.5f * std::sqrt(width_ * width_ + height_ * height_); }
+  float radius() const { return std::sqrt(radius_squared()); }
 
  private:
+  float radius_squared() const { return 0.25f * (width_ * width_ + height_ * height_); }
   struct View;  ///< The rectangle in coordinates of its own around a point.
   bool is_far(const Vec3f& to_center) const;
 
   Vec3f center_, normal_, x_, y_;
   float width_, height_;
+  Vec3f half_x_, half_y_;  ///< From its middle to its edges.
 };
 
 }  // namespace vug::render

@@ -116,7 +116,8 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
 
 Ray Shooter::camera_ray(const SampleId& id, float time) const {
   SampleCursor numbers(*sampler_, id);
-  const Vec2f inside = numbers.pair(), lens = numbers.pair();
+  const FourPairs four = numbers.four_pairs();  // hardly dearer than two pairs
+  const Vec2f inside = four[0], lens = four[1];
   const float width = static_cast<float>(options_.width);
   const float height = static_cast<float>(options_.height);
   const Vec2f place((static_cast<float>(id.x) + inside.x) / width,
