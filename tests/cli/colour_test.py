@@ -13,7 +13,7 @@ material ochre = lambert(albedo: (0.7, 0.35, 0.1))
 object cave on wall { material ochre }
 camera main { eye (-1.2, 0.3, 0.4)  target (1, 0, 0)  fov 70deg }
 light lamp = sphere(center: (0.5, 0.6, 0.3), radius: 10cm, radiance: (60, 60, 60))
-render main { size 32x20  spp 4  integrator path(roulette: false) }
+render main { size 32x20  spp 4  integrator path(roulette: off) }
 """
 
 STUDIO = """ocio_profile_version: 2

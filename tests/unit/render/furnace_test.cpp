@@ -75,7 +75,7 @@ TEST(Furnace, ConvexBodiesDoNotHitThemselves) {
     scene.objects = {object(mesh::sphere_mesh(centre, radius, 3), 0.5)};
     scene.lights = {make_light("sky")};
     Options o = options(48, 48, 16, 8);
-    o.integrator = make_integrator("path", {{"roulette", false}});
+    o.integrator = make_integrator("path", {{"roulette", Value::Name{"off"}}});
     EXPECT_LT(largest_error(render(scene, o), 0.5), 1e-5);
   }
 }

@@ -22,11 +22,13 @@ Scene hidden_lamp() {
 }
 
 image::Image picture(const char* guide, uint64_t seed, int spp, int threads = 0,
-                     bool roulette = true) {
+                     const char* roulette = "worth", int light_samples = 2) {
   Options o = options(16, 12, spp, 6);
   o.layers = plan_layers({"beauty", "parts"}, {});
-  o.integrator = make_integrator(
-      "path", {{"max_bounces", 6}, {"guide", Value::Name{guide}}, {"roulette", roulette}});
+  o.integrator = make_integrator("path", {{"max_bounces", 6},
+                                          {"guide", Value::Name{guide}},
+                                          {"roulette", Value::Name{roulette}},
+                                          {"light_samples", light_samples}});
   o.seed = seed;
   o.threads = threads;
   return render(hidden_lamp(), o);
@@ -34,14 +36,25 @@ image::Image picture(const char* guide, uint64_t seed, int spp, int threads = 0,
 
 TEST(GuidedPath, HasTheSameMean) {
   constexpr int kRuns = 12;
-  enum { plain, led, led_to_the_end, count };
+  enum { plain, led, led_to_the_end, led_by_throughput, plain_of_one_light, count };
+  const auto taken_by = [](int way, uint64_t seed) {
+    switch (way) {
+      case plain:
+        return picture("off", seed, 256);
+      case led:
+        return picture("on", seed, 256);
+      case led_to_the_end:
+        return picture("on", seed, 256, 0, "off");
+      case led_by_throughput:
+        return picture("on", seed, 256, 0, "throughput", 4);
+      default:
+        return picture("off", seed, 256, 0, "throughput", 1);
+    }
+  };
   double mean[count] = {}, square[count] = {};
   for (int run = 0; run < kRuns; ++run)
     for (int way = 0; way < count; ++way) {
-      const auto seed = static_cast<uint64_t>(run + 1);
-      const image::Image taken =
-          picture(way == plain ? "off" : "on", seed, 256, 0, way != led_to_the_end);
-      const double m = mean_of(taken, "R").value;
+      const double m = mean_of(taken_by(way, static_cast<uint64_t>(run + 1)), "R").value;
       mean[way] += m / kRuns;
       square[way] += m * m / kRuns;
     }
@@ -49,7 +62,7 @@ TEST(GuidedPath, HasTheSameMean) {
   for (int way = 0; way < count; ++way)
     variance[way] = (square[way] - mean[way] * mean[way]) / (kRuns - 1);
   EXPECT_GT(mean[plain], 0);
-  for (const int way : {plain, led_to_the_end}) {
+  for (const int way : {plain, led_to_the_end, led_by_throughput, plain_of_one_light}) {
     const double error = std::sqrt(variance[led] + variance[way]);
     EXPECT_LT(std::fabs(mean[led] - mean[way]), 4 * error) << way;
     EXPECT_LT(error, 0.01 * mean[way]);

@@ -59,7 +59,7 @@ TEST(Layers, DirectLightIsThatOfAShortPath) {
   scene.medium = nullptr;
   Options o = options(40, 30, 64, 4);
   o.layers = plan_layers({"beauty", "parts"}, {});
-  o.integrator = make_integrator("path", {{"max_bounces", 4.0}, {"roulette", false}});
+  o.integrator = make_integrator("path", {{"max_bounces", 4.0}, {"roulette", Value::Name{"off"}}});
   const image::Image longer = render(scene, o);
   o.integrator = make_integrator("path", {{"max_bounces", 0.0}});
   const image::Image direct = render(scene, o);

@@ -148,7 +148,8 @@ TEST(WorkingSpace, PicturesOfWhiteLightAreTheSame) {
     lit.lights.push_back(make_light("sky", {{"radiance", light}}));
     Options o = options(8, 8, 16, 0);
     // Which paths roulette ends depends on their colour in numbers.
-    o.integrator = make_integrator("path", {{"max_bounces", 0.0}, {"roulette", false}});
+    o.integrator =
+        make_integrator("path", {{"max_bounces", 0.0}, {"roulette", Value::Name{"off"}}});
     return render(in_space(lit, space), o).select({"R", "G", "B"});
   };
   const auto furthest = [&](const Vec3d& light) {

@@ -13,7 +13,8 @@ enum class Guided { automatic, on, off };
 
 struct Path {
   int max_bounces = 8;
-  bool roulette = true;
+  Roulette roulette = Roulette::worth;
+  int light_samples = 2;
   Guided guide = Guided::automatic;
   std::optional<double> clamp;
   double regularize = 0;
@@ -23,9 +24,18 @@ struct Path {
         .cite("veach1997")
         .param("max_bounces", &Path::max_bounces,
                {.doc = "A path scatters at most once more than this.", .min = 0, .max = 1000})
-        .param("roulette", &Path::roulette,
-               {.doc = "Ends paths that would add little, at random; without it noise is less and "
-                       "time more."})
+        .choice("roulette", &Path::roulette,
+                {{"worth", Roulette::worth},
+                 {"throughput", Roulette::throughput},
+                 {"off", Roulette::off}},
+                "Which paths end at random, and count for more where they go on: worth ends those "
+                "that would add little to the picture, behind the first surface; throughput all "
+                "by the root of what they carry, from the first surface on, as most path tracers "
+                "do: more samples a second, more noise in each; off none: less noise, more time.")
+        .param("light_samples", &Path::light_samples,
+               {.doc = "Lights that the first surface a path meets looks at; others look at one.",
+                .min = 1,
+                .max = static_cast<double>(LightChoices::kMost)})
         .param("clamp", &Path::clamp,
                {.doc = "Cuts light that comes over more than one surface to this radiance: fewer "
                        "fireflies, and a darker, no longer exact picture. Not cut when not given.",
@@ -54,8 +64,8 @@ constexpr uint64_t kFewestPaths = 1u << 12, kMostPaths = 1u << 18;
 class PathIntegrator final : public Integrator {
  public:
   explicit PathIntegrator(const Path& p)
-      : rules_{p.max_bounces, p.roulette, p.clamp ? static_cast<float>(*p.clamp) : kFar,
-               static_cast<float>(p.regularize)},
+      : rules_{p.max_bounces, p.roulette, static_cast<float>(p.light_samples),
+               p.clamp ? static_cast<float>(*p.clamp) : kFar, static_cast<float>(p.regularize)},
         guided_(p.guide) {}
 
   std::string inexact() const override {

@@ -17,9 +17,6 @@ constexpr uint32_t kTrackingDimension = 7;  // of a bounce's
 /// of it needs no fine detail.
 constexpr float kBlur = 0.05f;
 
-/// Where the camera looks, a few lights at once are cheaper than more paths.
-constexpr float kLightsSeen = 2;
-
 /// Paths end by chance where what they may still add is less than so many times what single paths
 /// are off by (Brightness::noise) where the camera looks; but none with more than the other part of
 /// all chances, for what is known of the light may err. Both, and the root of the two, were chosen
@@ -171,7 +168,8 @@ class Walk {
     if (trail_) trail_->lit(result_.radiance);
     if (tally_) tally_->settle_surface(depth_, scale);
     // Of faces that mirror or let through, what is known of a region tells nothing.
-    bounce.weighed = rules_.roulette && !learned_.surfaces.empty() && own.guided() > 0;
+    bounce.weighed =
+        rules_.roulette == Roulette::worth && !learned_.surfaces.empty() && own.guided() > 0;
     if (bounce.weighed && !is_worth_following(hit, bounce.last.x)) return false;
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
     if (!(s.scattered.pdf > 0)) return false;
@@ -224,9 +222,10 @@ class Walk {
     return true;
   }
 
-  // What the first surface sends on is seen as it is: an even sky would be grain there.
   bool survives(float u) {
-    if (!rules_.roulette || depth_ == 0) return true;
+    if (rules_.roulette == Roulette::off) return true;
+    // What the first surface sends on is seen as it is: an even sky would be grain there.
+    if (rules_.roulette == Roulette::worth && depth_ == 0) return true;
     // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
     return survives_by(std::sqrt(largest(unled_)), u);
   }
@@ -248,7 +247,7 @@ class Walk {
     return true;
   }
 
-  float lights() const { return depth_ == 0 ? kLightsSeen : 1; }
+  float lights() const { return depth_ == 0 ? rules_.lights_seen : 1; }
 
   void leave_from(const Hit& hit, float samples) {
     const float* sight = learned_.lights.empty() ? nullptr : learned_.lights.at(hit.origin);

@@ -8,11 +8,19 @@
 
 namespace vug::render {
 
+/// What decides at random whether a path goes on.
+enum class Roulette {
+  off,         ///< All do.
+  throughput,  ///< By the root of what it carries, from the first surface on.
+  worth        ///< By what it may still add to the picture, behind the first surface.
+};
+
 struct WalkRules {
-  int max_bounces = 8;   ///< A path scatters at most once more than this.
-  bool roulette = true;  ///< Ends dim paths at random.
-  float most = kFar;     ///< Light of one vertex beyond the first is cut to this radiance.
-  float regularize = 0;  ///< Least roughness of faces that are seen by way of matte ones.
+  int max_bounces = 8;  ///< A path scatters at most once more than this.
+  Roulette roulette = Roulette::worth;
+  float lights_seen = 2;  ///< Lights that the first surface looks at; others look at one.
+  float most = kFar;      ///< Light of one vertex beyond the first is cut to this radiance.
+  float regularize = 0;   ///< Least roughness of faces that are seen by way of matte ones.
 };
 
 /// The light that a camera ray gathers. `tally` and `trail` may be null; for `beside` see
