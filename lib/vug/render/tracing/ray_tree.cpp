@@ -1,13 +1,9 @@
-#include <vug/base/error.h>
 #include <vug/render/tracing/quads.h>
 #include <vug/render/tracing/ray_tree.h>
 #include <vug/render/tracing/tree_plan.h>
 
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace vug::render {
@@ -17,21 +13,7 @@ constexpr size_t kChildren = TreePlan::kChildren, kQuads = TreePlan::kQuads;
 static_assert(TreePlan::kDepth * (kChildren - 1) + kChildren <= RayTree::kMostWaiting);
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
-/// Pages of 2 MiB where it is worth it.
-template <class T>
-T* lines(size_t count) {
-  constexpr size_t kPage = size_t{2} << 20;
-  const size_t line = count * sizeof(T) < kPage ? alignof(T) : kPage;
-  const size_t bytes = (count * sizeof(T) + line - 1) / line * line;
-  void* const memory = std::aligned_alloc(line, bytes);
-  if (!memory) throw Error(ErrorCode::too_large, "no memory for the tree of triangles");
-  if (line == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish
-  return static_cast<T*>(memory);
-}
-
 }  // namespace
-
-void RayTree::Free::operator()(void* memory) const { std::free(memory); }
 
 class RayTree::Builder {
  public:
@@ -72,8 +54,8 @@ class RayTree::Builder {
 
   void write(const TreePlan& plan) {
     const TreePlan::Part& root = *plan.root();
-    tree_.leaves_.reset(lines<Leaf>(plan.leaves() + 1));
-    tree_.nodes_.reset(lines<Node>(count(root)));
+    tree_.leaves_ = pages<Leaf>(plan.leaves() + 1);
+    tree_.nodes_ = pages<Node>(count(root));
     write_leaf({});
     // Depth first, so that what lies together in space does in memory, too.
     Todo todo;

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <vug/mesh/mesh.h>
+#include <vug/render/tracing/pages.h>
 #include <vug/render/vectors.h>
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace vug::render {
@@ -56,14 +56,8 @@ class RayTree {
 
  private:
   class Builder;
-  struct Free {
-    void operator()(void* memory) const;
-  };
-  template <class T>
-  using Lines = std::unique_ptr<T[], Free>;
-
-  Lines<Node> nodes_;
-  Lines<Leaf> leaves_;  ///< The first is empty: where nodes have no child.
+  Pages<Node> nodes_;
+  Pages<Leaf> leaves_;  ///< The first is empty: where nodes have no child.
   size_t node_count_ = 0, leaf_count_ = 0;
   float extent_ = 0;
 };
