@@ -7,7 +7,7 @@
 // parameter cost one block. Eight blocks are made at once.
 #pragma once
 
-#include <vug/lsystem/array.h>
+#include <vug/base/array.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -4,6 +4,7 @@
 #include <vug/lsystem/clear_pages.h>
 #include <vug/lsystem/cut.h>
 #include <vug/lsystem/draws.h>
+#include <vug/lsystem/resize_unset.h>
 #include <vug/lsystem/rewriting.h>
 
 #include <fmt/format.h>

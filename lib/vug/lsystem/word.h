@@ -2,8 +2,8 @@
 // all others, named as ABOP writes them: "[", "]", "%", "{", "}", ".".
 #pragma once
 
+#include <vug/base/array.h>
 #include <vug/lsystem/alphabet.h>
-#include <vug/lsystem/array.h>
 
 #include <span>
 #include <string>

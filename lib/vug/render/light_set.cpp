@@ -94,9 +94,8 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
     for (uint32_t i = 0; i < tree->branches(); ++i) {
       const LightTree::Fork& fork = tree->fork(i / LightTree::kWidth);
       const size_t lane = i % LightTree::kWidth;
-      const bool alone = tree == &lamp_tree_ && fork.is_leaf(lane);
+      const bool alone = tree == &lamp_tree_ && fork.ends();
       branches_.push_back({tree, i, alone ? fork.light(lane) : kNoLight, 1, fork.centre(lane)});
-      all_alone_ = all_alone_ && alone;
     }
   link(objects);
   size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
@@ -151,23 +150,19 @@ float LightSet::weight_of(size_t branch, const Weight& weight) const {
 /// `weight_of` all branches.
 template <class Weight>
 void LightSet::weigh(const Weight& weight, float* weights) const {
-  if (all_alone_) {
-    for (size_t i = 0; i < branches_.size(); ++i) weights[i] = weight_of(i, weight);
-    return;
-  }
-  size_t branch = 0;
-  const auto put = [&](float importance) {
-    weights[branch] = importance > 0 ? importance * weight.seen(branch) : 0;
-    ++branch;
-  };
-  while (branch < sampled_skies_.size())
-    put(weight.light(branches_[branch].alone) * branches_[branch].scale);
-  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
-    for (size_t i = 0; i < tree->branches(); i += LightTree::kWidth) {
-      const LightTree::Weights importances = weight.fork(*tree, tree->fork(i / LightTree::kWidth));
-      const size_t lanes = std::min(LightTree::kWidth, tree->branches() - i);
-      for (size_t lane = 0; lane < lanes; ++lane) put(importances[lane]);
+  const LightTree::Fork* known = nullptr;
+  LightTree::Weights importances;  // NOLINT: of the fork that is known
+  for (size_t i = 0; i < branches_.size(); ++i) {
+    const Branch& b = branches_[i];
+    if (b.alone != kNoLight) {
+      weights[i] = weight_of(i, weight);
+      continue;
     }
+    const LightTree::Fork& fork = b.tree->fork(b.index / LightTree::kWidth);
+    if (&fork != known) importances = weight.fork(*b.tree, fork), known = &fork;
+    const float importance = importances[b.index % LightTree::kWidth];
+    weights[i] = importance > 0 ? importance * weight.seen(i) : 0;
+  }
 }
 
 template <class Weight>

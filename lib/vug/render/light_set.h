@@ -148,7 +148,7 @@ class LightSet {
   struct Branch {
     const LightTree* tree = nullptr;  ///< Null for a sky.
     uint32_t index = 0;               ///< In the tree.
-    LightId alone = kNoLight;         ///< The sky, or the lamp that is all of the branch,
+    LightId alone = kNoLight;         ///< The sky, or a lamp whose fork has lamps only,
     float scale = 1;                  ///< and what its importance stands against others' with.
     Vec3f centre;                     ///< Meaningless for whole skies.
   };
@@ -172,7 +172,6 @@ class LightSet {
   std::vector<Branch> branches_;
   std::vector<LightId> skies_, sampled_skies_;
   float sky_scale_ = 0;
-  bool all_alone_ = true;               ///< No branch is more than one light.
   std::vector<std::vector<bool>> lit_;  ///< Of each light: by object; empty for all of them.
   bool linked_ = false;
   std::vector<std::string> group_names_;

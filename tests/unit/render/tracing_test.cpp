@@ -70,7 +70,7 @@ Nearest by_hand(const std::vector<RayTree::Part>& parts, const Ray& ray) {
 /// What a plan is, looked at from its root.
 struct Planned {
   std::multiset<uint32_t> boxes;
-  size_t nodes = 0, children = 0, deepest = 0;
+  size_t nodes = 0, deepest = 0;
 };
 void look_at(const TreePlan::Part& part, size_t depth, Planned& out) {
   out.deepest = std::max(out.deepest, depth);
@@ -80,7 +80,7 @@ void look_at(const TreePlan::Part& part, size_t depth, Planned& out) {
     return;
   }
   const TreePlan::Children children = TreePlan::children(part);
-  ++out.nodes, out.children += children.count;
+  ++out.nodes;
   EXPECT_GE(children.count, 2u);
   for (const TreePlan::Part* child : children) {
     for (size_t axis = 0; axis < 3; ++axis) {

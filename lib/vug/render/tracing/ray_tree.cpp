@@ -54,12 +54,12 @@ class RayTree::Builder {
 
   void write(const TreePlan& plan) {
     const TreePlan::Part& root = *plan.root();
-    tree_.leaves_ = pages<Leaf>(plan.leaves() + 1);
-    tree_.nodes_ = pages<Node>(count(root));
+    tree_.leaves_.reserve(plan.leaves() + 1);
+    tree_.nodes_.reserve(plan.leaves());  // each has two children or more: enough, even for a leaf
     write_leaf({});
     // Depth first, so that what lies together in space does in memory, too.
     Todo todo;
-    tree_.node_count_ = 1;
+    tree_.nodes_.resize(1);
     if (root.quads > 0) return write_node({{&root}, 1}, 0, todo);
     todo.emplace_back(&root, 0);
     while (!todo.empty()) {
@@ -67,20 +67,6 @@ class RayTree::Builder {
       todo.pop_back();
       write_node(TreePlan::children(*node), at, todo);
     }
-  }
-
-  /// Nodes; one for a leaf alone.
-  static size_t count(const TreePlan::Part& root) {
-    size_t nodes = 1;
-    if (root.quads > 0) return nodes;
-    std::vector<const TreePlan::Part*> todo{&root};
-    while (!todo.empty()) {
-      const TreePlan::Part& node = *todo.back();
-      todo.pop_back();
-      for (const TreePlan::Part* child : TreePlan::children(node))
-        if (child->quads == 0) ++nodes, todo.push_back(child);
-    }
-    return nodes;
   }
 
   void write_node(const TreePlan::Children& children, size_t at, Todo& todo) {
@@ -114,14 +100,16 @@ class RayTree::Builder {
       if (child->quads > 0) {
         node.child[i] = write_leaf(static_cast<const TreePlan::Leaf&>(*child));
       } else {
-        node.child[i] = static_cast<uint32_t>(tree_.node_count_);
-        todo.emplace_back(child, tree_.node_count_++);
+        node.child[i] = static_cast<uint32_t>(tree_.nodes_.size());
+        todo.emplace_back(child, tree_.nodes_.size());
+        tree_.nodes_.emplace_back();
       }
     }
   }
 
   uint32_t write_leaf(const TreePlan::Leaf& from) {
-    Leaf& leaf = tree_.leaves_[tree_.leaf_count_];
+    const size_t at = tree_.leaves_.size();
+    Leaf& leaf = tree_.leaves_.emplace_back();
     for (size_t axis = 0; axis < 3; ++axis)
       leaf.start[axis].fill(kNothing), leaf.second[axis].fill(kNothing);
     leaf.triangle.fill(0), leaf.part.fill(0);
@@ -141,7 +129,7 @@ class RayTree::Builder {
         leaf.part[lane] = part.number | quad.halves[half].turn << kTurn;
       }
     }
-    return kLeaf | static_cast<uint32_t>(tree_.leaf_count_++);
+    return kLeaf | static_cast<uint32_t>(at);
   }
 
   RayTree& tree_;

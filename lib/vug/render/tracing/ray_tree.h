@@ -1,8 +1,8 @@
 // A tree of triangles for rays that are traced several at a time.
 #pragma once
 
+#include <vug/base/array.h>
 #include <vug/mesh/mesh.h>
-#include <vug/render/tracing/pages.h>
 #include <vug/render/vectors.h>
 
 #include <array>
@@ -47,18 +47,17 @@ class RayTree {
   /// Error(too_large) when memory runs out.
   explicit RayTree(const std::vector<Part>& parts);
 
-  bool empty() const { return node_count_ == 0; }
-  const Node& node(uint32_t number) const { return nodes_.get()[number]; }
-  const Leaf& leaf(uint32_t number) const { return leaves_.get()[number & ~kLeaf]; }
+  bool empty() const { return nodes_.empty(); }
+  const Node& node(uint32_t number) const { return nodes_[number]; }
+  const Leaf& leaf(uint32_t number) const { return leaves_[number & ~kLeaf]; }
   /// The largest coordinate of any corner.
   float extent() const { return extent_; }
-  size_t bytes() const { return node_count_ * sizeof(Node) + leaf_count_ * sizeof(Leaf); }
+  size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }
 
  private:
   class Builder;
-  Pages<Node> nodes_;
-  Pages<Leaf> leaves_;  ///< The first is empty: where nodes have no child.
-  size_t node_count_ = 0, leaf_count_ = 0;
+  Array<Node> nodes_;
+  Array<Leaf> leaves_;  ///< The first is empty: where nodes have no child.
   float extent_ = 0;
 };
 

@@ -1,0 +1,22 @@
+#include <vug/base/pages.h>
+#include <vug/base/parallel.h>
+#include <vug/lsystem/clear_pages.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace vug::lsystem {
+
+void clear_pages(std::initializer_list<Memory> all) {
+  std::vector<volatile char*> pages;
+  for (const Memory& one : all) {
+    const auto begin = reinterpret_cast<uintptr_t>(one.place), end = begin + one.bytes;
+    if (!has_pages(one.bytes)) continue;
+    for (uintptr_t page = begin / kLargePage * kLargePage; page < end; page += kLargePage)
+      pages.push_back(static_cast<char*>(one.place) + (std::max(page, begin) - begin));
+  }
+  parallel_for(pages.size(), [&](size_t i) { *pages[i] = 0; });
+}
+
+}  // namespace vug::lsystem
