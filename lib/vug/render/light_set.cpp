@@ -97,6 +97,11 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
       const bool alone = tree == &lamp_tree_ && fork.ends();
       branches_.push_back({tree, i, alone ? fork.light(lane) : kNoLight, 1, fork.centre(lane)});
     }
+  for (const LightId sky : sampled_skies_)
+    if (lights_[sky]->importance({Vec3f(0.0f)}) > 0) all_.push_back(sky);
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
+    for (LightId id = 0; id < lamp_ids() + emitters_.size(); ++id)
+      if (tree->holds(id)) all_.push_back(id);
   link(objects);
   size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
 }
@@ -213,12 +218,32 @@ LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds)
   return choices;
 }
 
+/// A comb, too, whose teeth meet parts of one width.
+LightChoices LightSet::choose_evenly(float u, uint32_t object, LightOdds& odds) const {
+  LightChoices choices;
+  if (all_.empty()) return choices;
+  const auto count = static_cast<float>(all_.size());
+  odds.proportional = 0, odds.even = std::min(1.0f, odds.samples / count);
+  for (float tooth = u; tooth < count * odds.even; tooth += 1) {
+    const size_t i = std::min(static_cast<size_t>(tooth / odds.even), all_.size() - 1);
+    if (reaches(all_[i], object)) choices.add({all_[i], odds.even});
+  }
+  return choices;
+}
+
+bool LightSet::can_choose(LightId light, uint32_t object) const {
+  return reaches(light, object) &&
+         (lamp_tree_.holds(light) || emitter_tree_.holds(light) ||
+          std::find(sampled_skies_.begin(), sampled_skies_.end(), light) != sampled_skies_.end());
+}
+
 LightChoices LightSet::choose(const LitPoint& point, float u, LightOdds& odds) const {
+  if (odds.sampler == LightSampler::uniform) return choose_evenly(u, point.object, odds);
   return choose_by(u, AtPoint{*this, point, odds.sight}, odds);
 }
-LightChoices LightSet::choose_along(const Ray& ray, const Segment& segment, float u, float samples,
+LightChoices LightSet::choose_along(const Ray& ray, const Segment& segment, float u, LightOdds odds,
                                     const Chances& sight) const {
-  LightOdds odds{samples};
+  if (odds.sampler == LightSampler::uniform) return choose_evenly(u, kNoObject, odds);
   return choose_by(u, AlongRay{*this, ray, segment, sight}, odds);
 }
 LightChoice LightSet::choose_in(size_t branch, const LitPoint& point, float u) const {
@@ -229,6 +254,7 @@ LightChoice LightSet::choose_in(size_t branch, const LitPoint& point, float u) c
 }
 
 float LightSet::share(LightId light, const LitPoint& point, const LightOdds& odds) const {
+  if (odds.sampler == LightSampler::uniform) return can_choose(light, point.object) ? odds.even : 0;
   const AtPoint weight{*this, point, odds.sight};
   size_t branch = sampled_skies_.size();
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_}) {
@@ -267,7 +293,9 @@ float LightSet::sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3
   const AtPoint weight{*this, point, odds.sight};
   for (size_t i = 0; i < sampled_skies_.size(); ++i) {
     if (sampled_skies_[i] == known) continue;
-    const float samples = odds.of(weight_of(i, weight));
+    const float samples = odds.sampler == LightSampler::uniform
+                              ? reaches(sampled_skies_[i], point.object) * odds.even
+                              : odds.of(weight_of(i, weight));
     if (samples > 0) sum += samples * lights_[sampled_skies_[i]]->pdf(point, direction);
   }
   return sum;

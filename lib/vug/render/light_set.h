@@ -4,55 +4,13 @@
 #include <vug/render/emitters.h>
 #include <vug/render/guiding/chances.h>
 #include <vug/render/light.h>
+#include <vug/render/light_choice.h>
 #include <vug/render/light_tree.h>
 #include <vug/render/medium.h>
 
-#include <algorithm>
-#include <array>
 #include <vector>
 
 namespace vug::render {
-
-/// How next-event estimation at one place shares its samples out between branches of lights.
-struct LightOdds {
-  float samples = 1;  ///< At most so many lights are chosen, none twice.
-  /// Of each branch a factor of its importance, by how often it is in sight (see Chances); null
-  /// where nothing is known.
-  const float* sight = nullptr;
-  float proportional = 0;  ///< Samples to expect for each unit of weight,
-  float even = 0;          ///< and beside these for each branch that matters.
-
-  /// Samples to expect for a branch of that weight, at most 1. Importance knows nothing of walls,
-  /// so a light behind one must not take the choices from the one that shines: the even part
-  /// keeps any branch's share above a least one (a defensive mixture: Hesterberg 1995, "Weighted
-  /// average importance sampling and defensive mixture distributions", cite hesterberg1995).
-  float of(float weight) const {
-    return weight > 0 ? std::min(1.0f, proportional * weight + even) : 0;
-  }
-};
-
-/// Which light next-event estimation turns to, and with what probability.
-struct LightChoice {
-  LightId light = kNoLight;
-  float probability = 0;
-  float seen = 1;  ///< The factor of its branch, by how often that is in sight.
-};
-
-/// The lights that one place turns to.
-class LightChoices {
- public:
-  static constexpr size_t kMost = 8;
-  void add(const LightChoice& choice) {
-    if (size_ < kMost) choices_[size_++] = choice;
-  }
-  size_t size() const { return size_; }
-  const LightChoice* begin() const { return choices_.data(); }
-  const LightChoice* end() const { return choices_.data() + size_; }
-
- private:
-  std::array<LightChoice, kMost> choices_;
-  size_t size_ = 0;
-};
 
 /// Ids: first the scene's lights in order, then triangles that shine. Skies and portals, and the
 /// upper branches of a tree of lamps and of one of triangles, are weighed one by one; from a
@@ -72,8 +30,9 @@ class LightSet {
   /// Chooses lights with one uniform number: `odds` tells how many and what is known, and is told
   /// the rest.
   LightChoices choose(const LitPoint& point, float u, LightOdds& odds) const;
-  /// For a place that is yet to be chosen on a ray: at most `samples` lights; `sight` may be empty.
-  LightChoices choose_along(const Ray& ray, const Segment& segment, float u, float samples,
+  /// For a place that is yet to be chosen on a ray; `sight`, which may be empty, in place of the
+  /// odds' own.
+  LightChoices choose_along(const Ray& ray, const Segment& segment, float u, LightOdds odds,
                             const Chances& sight) const;
   /// A light of one branch; none where the branch cannot shine.
   LightChoice choose_in(size_t branch, const LitPoint& point, float u) const;
@@ -157,6 +116,8 @@ class LightSet {
   void link(const std::vector<Object>& objects);
   uint32_t group_of(const std::string& name);
   LightId lamp_ids() const { return static_cast<LightId>(lights_.size()); }
+  LightChoices choose_evenly(float u, uint32_t object, LightOdds& odds) const;
+  bool can_choose(LightId light, uint32_t object) const;
   template <class Weight>
   float weight_of(size_t branch, const Weight& weight) const;
   template <class Weight>
@@ -171,6 +132,7 @@ class LightSet {
   LightTree lamp_tree_, emitter_tree_;
   std::vector<Branch> branches_;
   std::vector<LightId> skies_, sampled_skies_;
+  std::vector<LightId> all_;  ///< That may shine somewhere, for choices that know no more.
   float sky_scale_ = 0;
   std::vector<std::vector<bool>> lit_;  ///< Of each light: by object; empty for all of them.
   bool linked_ = false;

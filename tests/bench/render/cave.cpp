@@ -3,6 +3,7 @@
 //   bench_cave [SCENE.json OUT.exr] [--size WxH] [--spp N] [--threads N] [--seed N] [--portal]
 //              [--mesh FILE.ply] [--sky R,G,B] [--no-lamps] [--lamps N] [--bounces N]
 //              [--noise PART] [--guide HOW] [--roulette HOW] [--light-samples N]
+//              [--light-sampler HOW]
 // Without a scene it takes the reference cave of the bench data, which is no part of this
 // repository (-DVUG_BENCH_DATA=FOLDER), and skips where there is none.
 #include "bench_scene.h"
@@ -23,7 +24,7 @@ int main(int argc, char** argv) {
   using namespace vug;  // NOLINT
   CLI::App app("Renders a bench scene");
   std::string file = VUG_BENCH_DATA "/cave_scene.json", out, size = "320x180", mesh_file, sky,
-              guide = "auto", roulette = "worth";
+              guide = "auto", roulette = "worth", light_sampler = "tree";
   int light_samples = 2;
   render::Options options;
   bool portal = false, no_lamps = false;
@@ -48,12 +49,15 @@ int main(int argc, char** argv) {
   app.add_option("--guide", guide, "auto, on or off");
   app.add_option("--roulette", roulette, "worth, throughput or off");
   app.add_option("--light-samples", light_samples, "lights the first surface looks at");
+  app.add_option("--light-sampler", light_sampler, "tree or uniform");
   app.add_flag("--no-lamps", no_lamps);
   CLI11_PARSE(app, argc, argv);
-  options.integrator = render::make_integrator("path", {{"max_bounces", options.max_bounces},
-                                                        {"guide", Value::Name{guide}},
-                                                        {"roulette", Value::Name{roulette}},
-                                                        {"light_samples", light_samples}});
+  options.integrator =
+      render::make_integrator("path", {{"max_bounces", options.max_bounces},
+                                       {"guide", Value::Name{guide}},
+                                       {"roulette", Value::Name{roulette}},
+                                       {"light_samples", light_samples},
+                                       {"light_sampler", Value::Name{light_sampler}}});
   const std::filesystem::path mesh = mesh_file.empty()
                                          ? std::filesystem::path(file).parent_path() / "cave.ply"
                                          : std::filesystem::path(mesh_file);

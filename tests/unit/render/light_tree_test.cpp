@@ -73,6 +73,7 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
     for (int trial = 0; trial < 12; ++trial) {
       const LitPoint point = somewhere(random);
       LightOdds odds{trial % 3 == 2 ? 3.0f : 1.0f,
+                     trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree,
                      trial % 2 == 1 ? chances.at(point.position) : nullptr};
       SCOPED_TRACE(testing::Message() << count << " lamps, trial " << trial);
       constexpr int kDraws = 60000;
@@ -123,11 +124,12 @@ TEST(LightTree, EveryLightIsChosenWithItsProbabilityAlongRays) {
     for (int trial = 0; trial < 8; ++trial) {
       const Ray ray{Vec3f(place(random)), Vec3f(place(random).normalized())};
       constexpr int kDraws = 60000;
+      const LightOdds odds{trial % 3 == 2 ? 3.0f : 1.0f,
+                           trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree};
       std::map<LightId, std::pair<int, float>> seen;
       for (int i = 0; i < kDraws; ++i)
-        for (const LightChoice& c :
-             set.choose_along(ray, {0.5f, 3}, one(random), trial % 3 == 2 ? 3.0f : 1.0f,
-                              trial % 2 == 1 ? chances : Chances())) {
+        for (const LightChoice& c : set.choose_along(ray, {0.5f, 3}, one(random), odds,
+                                                     trial % 2 == 1 ? chances : Chances())) {
           auto& [times, probability] = seen[c.light];
           if (times++ > 0) {
             ASSERT_NEAR(probability, c.probability, 1e-4f * probability);
@@ -153,7 +155,7 @@ TEST(LightTree, LightsInSightAreChosenMore) {
   for (uint32_t i = 0; i < 500; ++i) glances.push_back({{0, 0, 0}, i % 5, i % 5 == 2});
   const Chances chances(Box3f(Vec3f(-1), Vec3f(1)), 1, 5, glances);
   const LitPoint point{{0, 0, 0}};
-  LightOdds blind, knowing{1, chances.at(point.position)};
+  LightOdds blind, knowing{1, LightSampler::tree, chances.at(point.position)};
   set.choose(point, 0.5f, blind), set.choose(point, 0.5f, knowing);
   const LightId seen = set.choose_in(2, point, 0.5f).light;
   ASSERT_NE(seen, kNoLight);

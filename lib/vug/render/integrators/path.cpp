@@ -15,6 +15,7 @@ struct Path {
   int max_bounces = 8;
   Roulette roulette = Roulette::worth;
   int light_samples = 2;
+  LightSampler light_sampler = LightSampler::tree;
   Guided guide = Guided::automatic;
   std::optional<double> clamp;
   double regularize = 0;
@@ -36,6 +37,11 @@ struct Path {
                {.doc = "Lights that the first surface a path meets looks at; others look at one.",
                 .min = 1,
                 .max = static_cast<double>(LightChoices::kMost)})
+        .choice("light_sampler", &Path::light_sampler,
+                {{"tree", LightSampler::tree}, {"uniform", LightSampler::uniform}},
+                "How a surface chooses its lights: tree by what they may give it, thousands as "
+                "readily as ten; uniform any of them alike, which costs less and is noisy as soon "
+                "as lights are of different use.")
         .param("clamp", &Path::clamp,
                {.doc = "Cuts light that comes over more than one surface to this radiance: fewer "
                        "fireflies, and a darker, no longer exact picture. Not cut when not given.",
@@ -64,8 +70,12 @@ constexpr uint64_t kFewestPaths = 1u << 12, kMostPaths = 1u << 18;
 class PathIntegrator final : public Integrator {
  public:
   explicit PathIntegrator(const Path& p)
-      : rules_{p.max_bounces, p.roulette, static_cast<float>(p.light_samples),
-               p.clamp ? static_cast<float>(*p.clamp) : kFar, static_cast<float>(p.regularize)},
+      : rules_{p.max_bounces,
+               p.roulette,
+               static_cast<float>(p.light_samples),
+               p.light_sampler,
+               p.clamp ? static_cast<float>(*p.clamp) : kFar,
+               static_cast<float>(p.regularize)},
         guided_(p.guide) {}
 
   std::string inexact() const override {

@@ -22,10 +22,10 @@ Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, con
 /// Light that is scattered once into a ray, anywhere in a segment of the medium. The places are
 /// chosen about each lamp by equiangular sampling (Kulla and Fajardo 2012, "Importance sampling
 /// techniques for path tracing in participating media", kulla2012media) or by the medium itself,
-/// half and half. At most `samples` lights, of which those in sight are kept.
+/// half and half. Of the lights that the odds choose those in sight are kept.
 class ScatteredLight {
  public:
-  ScatteredLight(const World& world, const Ray& ray, const Segment& segment, float samples,
+  ScatteredLight(const World& world, const Ray& ray, const Segment& segment, const LightOdds& odds,
                  const Chances& sight, float choice, float where, const Vec2f& u,
                  TrackingNumbers& numbers);
 

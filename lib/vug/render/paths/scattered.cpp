@@ -7,11 +7,10 @@
 namespace vug::render {
 
 ScatteredLight::ScatteredLight(const World& world, const Ray& ray, const Segment& segment,
-                               float samples, const Chances& sight, float choice, float where,
-                               const Vec2f& u, TrackingNumbers& numbers)
+                               const LightOdds& odds, const Chances& sight, float choice,
+                               float where, const Vec2f& u, TrackingNumbers& numbers)
     : world_(world) {
-  for (const LightChoice& chosen :
-       world.lights().choose_along(ray, segment, choice, samples, sight))
+  for (const LightChoice& chosen : world.lights().choose_along(ray, segment, choice, odds, sight))
     add(chosen, ray, segment, where, u, numbers);
 }
 

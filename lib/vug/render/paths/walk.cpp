@@ -122,8 +122,8 @@ class Walk {
     const Segment segment = medium_->clip(ray_, bounce.found ? bounce.hit.distance : kFar);
     if (segment.empty() || !(segment.end < kFar)) return false;
     const Vec2f distance_u = numbers_.pair();
-    ScatteredLight lit(world_, ray_, segment, lights(), learned_.lights, bounce.choice.x,
-                       distance_u.x, numbers_.pair(), bounce.tracking);
+    ScatteredLight lit(world_, ray_, segment, {lights(), rules_.light_sampler}, learned_.lights,
+                       bounce.choice.x, distance_u.x, numbers_.pair(), bounce.tracking);
     const DistanceSample collision =
         medium_->cross(ray_, segment, distance_u.y, lit.marks(), bounce.tracking);
     const Rgb scale = add(throughput_ * lit.arriving(tally_), depth_);
@@ -254,7 +254,7 @@ class Walk {
     from_ = {PathVertex::surface,
              {hit.origin, hit.surface.shading_normal, hit.object},
              0,
-             {samples, sight}};
+             {samples, rules_.light_sampler, sight}};
   }
   void carry(const Rgb& part) { throughput_ *= part, unled_ *= part; }
   void carry(const GuidedBsdf::Sample& s) {

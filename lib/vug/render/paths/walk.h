@@ -19,8 +19,9 @@ struct WalkRules {
   int max_bounces = 8;  ///< A path scatters at most once more than this.
   Roulette roulette = Roulette::worth;
   float lights_seen = 2;  ///< Lights that the first surface looks at; others look at one.
-  float most = kFar;      ///< Light of one vertex beyond the first is cut to this radiance.
-  float regularize = 0;   ///< Least roughness of faces that are seen by way of matte ones.
+  LightSampler light_sampler = LightSampler::tree;
+  float most = kFar;     ///< Light of one vertex beyond the first is cut to this radiance.
+  float regularize = 0;  ///< Least roughness of faces that are seen by way of matte ones.
 };
 
 /// The light that a camera ray gathers. `tally` and `trail` may be null; for `beside` see
