@@ -249,7 +249,9 @@ class Unusable(VugTest):
         lets = "".join(f"let a{i} = a{i - 1}.offset(1mm)\n" for i in range(1, 40001))
         self.write("deep.vug", "let a0 = sphere(1)\n" + lets +
                    "volume rock = level_set(a40000, voxel: 1m)\n")
-        self.assertIn("steps upon each other", self.refused("build", "deep.vug", "-o", "out"))
+        said = self.refused("build", "deep.vug", "-o", "out")
+        self.assertTrue(said.startswith("deep.vug:40002:8: error: "), said)
+        self.assertIn("steps upon each other", said)
 
     def test_a_solid_that_doubles_itself_without_end(self):
         lets = "".join(f"let a{i} = a{i - 1} + a{i - 1}.translate((1, 0, 0))\n"

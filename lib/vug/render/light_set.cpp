@@ -14,6 +14,9 @@ namespace {
 /// there is less to be missed, and where it is known what is in sight.
 constexpr double kEvenFew = 0.5, kEvenMany = 0.25, kEvenKnown = 0.05;
 
+/// Of a whole sky: it chooses no directions.
+bool is_plain(const Light& sky) { return !(sky.importance({Vec3f(0.0f)}) > 0); }
+
 }  // namespace
 
 /// Importances at a point: of skies, of lamps as they tell it themselves, of triangles and
@@ -98,7 +101,7 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
       branches_.push_back({tree, i, alone ? fork.light(lane) : kNoLight, 1, fork.centre(lane)});
     }
   for (const LightId sky : sampled_skies_)
-    if (lights_[sky]->importance({Vec3f(0.0f)}) > 0) all_.push_back(sky);
+    if (lights_[sky]->is_portal() || !is_plain(*lights_[sky])) all_.push_back(sky);
   for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
     for (LightId id = 0; id < lamp_ids() + emitters_.size(); ++id)
       if (tree->holds(id)) all_.push_back(id);
@@ -273,10 +276,9 @@ float LightSet::share(LightId light, const LitPoint& point, const LightOdds& odd
 }
 
 bool LightSet::sky_is_plain() const {
-  const LitPoint anywhere{Vec3f(0.0f)};
   return std::all_of(sampled_skies_.begin(), sampled_skies_.end(), [&](LightId id) {
     const Light& sky = *lights_[id];
-    return !sky.is_portal() && (sky.beside_portals() || !(sky.importance(anywhere) > 0));
+    return !sky.is_portal() && (sky.beside_portals() || is_plain(sky));
   });
 }
 

@@ -42,6 +42,13 @@ std::string why_empty(const VolumePlan& plan) {
   return "its solid is empty or thinner than a voxel";
 }
 
+/// What a volume fails by: its line where the text is at fault, else while `doing` what.
+Error of_volume(const VolumePlan& plan, Error& error, std::string doing) {
+  if (error.code() == ErrorCode::bad_input && !error.where().known())
+    return blamed_on(plan.where, error);
+  return error.within(std::move(doing));
+}
+
 /// The plan and all that it is made of.
 void add_with_parts(const MeshPtr& plan, std::vector<MeshPtr>& meshes) {
   meshes.push_back(plan);
@@ -143,9 +150,7 @@ const volume::LevelSet& Builder::level_set(const VolumePtr& plan) {
            why_empty(*plan));
     return made;
   } catch (Error& error) {
-    if (plan->of && error.code() == ErrorCode::bad_input && !error.where().known())
-      throw blamed_on(plan->where, error);
-    throw error.within(fmt::format("making the volume '{}'", plan->name));
+    throw of_volume(*plan, error, fmt::format("making the volume '{}'", plan->name));
   }
 }
 
@@ -172,7 +177,7 @@ void Builder::require_room(const MeshPtr& plan) const {
     require_memory(estimate.bytes + meshing_bytes(estimate.active_voxels, band), room(),
                    fmt::format("a mesh and its grid with voxels of {} m", volume.voxel));
   } catch (Error& error) {
-    throw error.within(fmt::format("making the mesh '{}'", plan->name));
+    throw of_volume(volume, error, fmt::format("making the mesh '{}'", plan->name));
   }
 }
 
@@ -278,7 +283,7 @@ void Builder::require_surface_room(const MeshPtr& plan) const {
     require_memory(estimate.bytes + surface_bytes(estimate.surface_area, volume.voxel), room(),
                    fmt::format("a surface and its grid with voxels of {} m", volume.voxel));
   } catch (Error& error) {
-    throw error.within(fmt::format("making the surface of '{}'", plan->name));
+    throw of_volume(volume, error, fmt::format("making the surface of '{}'", plan->name));
   }
 }
 
