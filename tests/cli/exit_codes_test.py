@@ -246,12 +246,13 @@ class Unusable(VugTest):
             self.assertIn("are larger than", self.refused("build", "vast.vug", "-o", "out"))
 
     def test_a_solid_of_too_many_steps(self):
-        lets = "".join(f"let a{i} = a{i - 1}.offset(1mm)\n" for i in range(1, 40001))
-        self.write("deep.vug", "let a0 = sphere(1)\n" + lets +
-                   "volume rock = level_set(a40000, voxel: 1m)\n")
-        said = self.refused("build", "deep.vug", "-o", "out")
-        self.assertTrue(said.startswith("deep.vug:40002:8: error: "), said)
-        self.assertIn("steps upon each other", said)
+        for word, where in [("let", "5001:13"), ("field", "10102:8")]:
+            steps = "".join(f"{word} a{i} = a{i - 1}.offset(1mm)\n" for i in range(1, 10101))
+            self.write("deep.vug", f"{word} a0 = sphere(1)\n" + steps +
+                       "volume rock = level_set(a10100, voxel: 1m)\n")
+            said = self.refused("build", "deep.vug", "-o", "out")
+            self.assertTrue(said.startswith(f"deep.vug:{where}: error: "), said)
+            self.assertIn("steps upon each other", said)
 
     def test_a_solid_that_doubles_itself_without_end(self):
         lets = "".join(f"let a{i} = a{i - 1} + a{i - 1}.translate((1, 0, 0))\n"
