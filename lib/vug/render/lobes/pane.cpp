@@ -3,6 +3,16 @@
 
 namespace vug::render {
 
+float mean_pane_reflectance(float ior) {
+  constexpr int kSteps = 256;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double cosine = (i + 0.5) / kSteps;
+    sum += 2 * cosine * static_cast<double>(pane_reflectance(static_cast<float>(cosine), ior));
+  }
+  return static_cast<float>(sum / kSteps);
+}
+
 PaneLobe::PaneLobe(const Rgb& color, float roughness, float ior, float mean, const Vec3f& out)
     : color_(color), ggx_(roughness), out_(out), roughness_(roughness), ior_(ior), mean_(mean) {
   missing_ = std::max(1 - facet_albedo().mean(roughness), 1e-6f);

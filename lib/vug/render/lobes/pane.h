@@ -14,9 +14,12 @@ inline float pane_reflectance(float cosine, float ior) {
   return 2 * once / (1 + once);
 }
 
+/// The same over even light.
+float mean_pane_reflectance(float ior);
+
 class PaneLobe {
  public:
-  /// `mean`: pane_reflectance over even light. `color`: of the light that is let through.
+  /// `mean`: mean_pane_reflectance. `color`: of the light that is let through.
   PaneLobe(const Rgb& color, float roughness, float ior, float mean, const Vec3f& out);
 
   Scattering evaluate(const Vec3f& in) const;

@@ -7,17 +7,9 @@
 #include <vug/render/input.h>
 #include <vug/render/kind.h>
 #include <vug/render/lamp.h>
-#include <vug/render/lobes/eon.h>
-#include <vug/render/lobes/film.h>
-#include <vug/render/lobes/fuzz.h>
-#include <vug/render/lobes/glass.h>
-#include <vug/render/lobes/metal.h>
-#include <vug/render/lobes/pane.h>
-#include <vug/render/lobes/sheet.h>
+#include <vug/render/lobes/leaving.h>
+#include <vug/render/lobes/mixture.h>
 #include <vug/render/placing.h>
-
-#include <array>
-#include <variant>
 
 namespace vug::render {
 namespace {
@@ -115,140 +107,12 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
       .param("bump_height", &P::bump_height, any_length("Height of the bump where it is 1."));
 }
 
-using Lobe = std::variant<EonLobe, FilmLobe, MetalLobe, FuzzLobe, GlassLobe, PaneLobe, SheetLobe>;
-
 /// The albedo of single collisions for which a deep body of that colour reflects it: the inverse
 /// of van de Hulst's fit 1980 (cite vandehulst1980), exact for white and black.
 float single_albedo(float color) {
   const float b = 1.139f + 1.17f * color;
   const float s = 2 * (1 - color) / (b + std::sqrt(b * b - 0.556f * (1 - color)));
   return std::max(0.0f, 1 - s * s);
-}
-
-class SurfaceBsdf final : public Bsdf {
- public:
-  SurfaceBsdf() {}  // NOLINT: leaves raw_ as it is
-  void add(float weight, const Lobe& lobe) {
-    if (!(weight > 0)) return;
-    const Rgb albedo = std::visit([](const auto& l) { return l.albedo(); }, lobe);
-    const float odds = weight * std::max(largest(albedo), 0.05f);
-    push(weight, lobe, odds);
-    if (!std::holds_alternative<MetalLobe>(lobe) && !std::holds_alternative<GlassLobe>(lobe) &&
-        !std::holds_alternative<PaneLobe>(lobe))
-      broad_ += odds;
-  }
-  /// A face whose body is a cloud.
-  void add_cloud(float weight, const FilmLobe& face, const Cloud& cloud, const Rgb& color) {
-    if (!(weight > 0)) return;
-    add(weight, face);
-    beneath_ = cloud;
-    into_ = weight * face.clear();
-    cloud_color_ = color;
-    into_odds_ = into_ * std::max(largest(color), 0.05f);
-    total_ += into_odds_;
-  }
-  void set_thin() { thin_ = true; }
-  void set_lit_from_behind() { behind_ = true; }
-  void set_absorption(const Rgb& absorption) { absorption_ = absorption; }
-
-  Scattering evaluate(const Vec3f& in) const override {
-    Scattering sum;
-    for (size_t i = 0; i < count_; ++i) {
-      const Scattering s = std::visit([&](const auto& l) { return l.evaluate(in); }, part(i).lobe);
-      sum.diffuse += s.diffuse * part(i).weight;
-      sum.specular += s.specular * part(i).weight;
-      sum.pdf += s.pdf * (part(i).odds / total_);
-    }
-    return sum;
-  }
-  BsdfSample sample(float lobe, const Vec2f& u) const override {
-    float rest = lobe * total_;
-    for (size_t i = 0; i < count_; ++i) {
-      const float odds = part(i).odds;
-      if (!(rest < odds) && (i + 1 < count_ || into_odds_ > 0)) {
-        rest -= odds;
-        continue;
-      }
-      const float within = std::min(rest / odds, 0x1.fffffep-1f);
-      const Vec3f in = std::visit([&](const auto& l) { return l.sample(within, u); }, part(i).lobe);
-      if (in.z == 0) return {};
-      const Scattering s = evaluate(in);
-      if (!(s.pdf > 0)) return {};
-      return {in, s.total() * (1 / s.pdf), s.diffuse * (1 / s.pdf), s.pdf};
-    }
-    Vec3f in = sample_cosine_hemisphere(u);
-    in.z = -in.z;
-    const Rgb weight(into_ * total_ / into_odds_);
-    return {in, weight, weight, -in.z / kPif * into_odds_ / total_, this, true};
-  }
-  Rgb albedo() const override {
-    Rgb sum = cloud_color_ * into_;
-    for (size_t i = 0; i < count_; ++i)
-      sum += std::visit([](const auto& l) { return l.albedo(); }, part(i).lobe) * part(i).weight;
-    return sum;
-  }
-  float guided() const override { return into_ > 0 ? 0 : 0.5f * broad_ / total_; }
-  Rgb absorption() const override { return absorption_; }
-  Cloud beneath() const override { return beneath_; }
-  bool thin() const override { return thin_; }
-  bool lit_from_behind() const override { return thin_ || behind_; }
-
- private:
-  struct Part {
-    Lobe lobe;
-    float weight, odds;
-  };
-  static constexpr size_t kMost = 8;
-  void push(float weight, const Lobe& lobe, float odds) {
-    new (raw_ + sizeof(Part) * count_++) Part{lobe, weight, odds};
-    total_ += odds;
-  }
-
-  Part& part(size_t i) { return *std::launder(reinterpret_cast<Part*>(raw_) + i); }
-  const Part& part(size_t i) const {
-    return *std::launder(reinterpret_cast<const Part*>(raw_) + i);
-  }
-
-  size_t count_ = 0;
-  float total_ = 0, broad_ = 0;
-  float into_ = 0, into_odds_ = 0;  ///< Light that goes beneath.
-  bool thin_ = false, behind_ = false;
-  Cloud beneath_;
-  Rgb cloud_color_{0, 0, 0}, absorption_{0, 0, 0};
-  alignas(Part) std::byte raw_[kMost * sizeof(Part)];  // parts are made when added
-};
-
-/// Light that comes out of a body through its face, as if it were even within.
-class LeavingBsdf final : public Bsdf {
- public:
-  LeavingBsdf(float roughness, const FaceTable& face) : face_(roughness, face, {0, 0, 1}) {}
-
-  Scattering evaluate(const Vec3f& in) const override {
-    if (!(in.z > 0)) return {};
-    const float even = in.z / kPif;
-    return {Rgb(face_.lets_in(in.z) / (1 - face_.mean) * even), Rgb(0.0f), even};
-  }
-  BsdfSample sample(float, const Vec2f& u) const override {
-    const Vec3f in = sample_cosine_hemisphere(u);
-    const Scattering s = evaluate(in);
-    if (!(s.pdf > 0)) return {};
-    return {in, s.diffuse * (1 / s.pdf), s.diffuse * (1 / s.pdf), s.pdf};
-  }
-  Rgb albedo() const override { return Rgb(1.0f); }
-
- private:
-  FaceShare face_;
-};
-
-/// Of a pane, over even light.
-float mean_reflectance(float ior) {
-  constexpr int kSteps = 256;
-  double sum = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double cosine = (i + 0.5) / kSteps;
-    sum += 2 * cosine * static_cast<double>(pane_reflectance(static_cast<float>(cosine), ior));
-  }
-  return static_cast<float>(sum / kSteps);
 }
 
 class SurfaceMaterial final : public Material {
@@ -258,14 +122,14 @@ class SurfaceMaterial final : public Material {
         face_(&FaceTable::of(static_cast<float>(p.ior))),
         film_(&FaceTable::of(static_cast<float>(p.coat_ior))) {
     const bool clear = p.transmission.varying || p.transmission.constant > 0;
-    if (clear && p.thin) pane_mean_ = mean_reflectance(face_->ior());
+    if (clear && p.thin) pane_mean_ = mean_pane_reflectance(face_->ior());
     if (clear && !p.thin) glass_ = &GlassTable::of(face_->ior());
     for (int c = 0; c < 3; ++c)
       absorption_[c] = static_cast<float>(-maths::log(p.tint[c]) / p.tint_depth);
   }
 
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override;
-  size_t memory_bytes() const override { return BsdfMemory::bytes<SurfaceBsdf>(); }
+  size_t memory_bytes() const override { return BsdfMemory::bytes<LobeMixture>(); }
   bool bump(Surface& surface) const override;
   bool thin() const override { return p_.thin; }
   bool cut_out() const override { return p_.opacity.varying || p_.opacity.constant < 1; }
@@ -340,7 +204,7 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
                                 BsdfMemory& memory) const {
   const SurfaceSpot place(surface);
   const paint::Spot& spot = place.spot();
-  SurfaceBsdf& bsdf = memory.make<SurfaceBsdf>();
+  LobeMixture& bsdf = memory.make<LobeMixture>();
   const Rgb color = p_.color.at(spot, surface.color);
   const float roughness = std::max(face_roughness(spot), surface.blur);
   const float metal = p_.metal.at(spot), clear = p_.transmission.at(spot) * (1 - metal);
