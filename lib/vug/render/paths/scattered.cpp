@@ -51,14 +51,12 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
   if (!(extinction > 0)) return;
   const Ray shadow{point.position, s.direction};
   if (is_black(light) || shadowed(world_, shadow, s.distance)) return;
-  // Portals that share a direction share its light.
-  float sharing = 1;
-  if (s.distance == kFar) {
-    sharing = 0;
+  // Suns and portals that share a direction share its light, by the balance heuristic.
+  float directions = s.pdf;
+  if (s.distance == kFar)
     for (const LightId sky : world_.lights().sampled_skies())
-      if (sky == chosen.light || world_.lights().pdf(sky, point, s.direction) > 0) sharing += 1;
-  }
-  const float pdf = chosen.probability * s.pdf * sharing;
+      if (sky != chosen.light) directions += world_.lights().pdf(sky, point, s.direction);
+  const float pdf = chosen.probability * directions;
   const float scattered = extinction * medium.phase(dot(ray.direction, s.direction)) *
                           clear_part(world_, shadow, s.distance, numbers);
   marks_[size_] = {distance};
