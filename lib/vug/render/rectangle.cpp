@@ -14,9 +14,10 @@ constexpr double kParallel = 1e-6;
 }  // namespace
 
 std::string RectangleParams::fault() const {
-  if (!(normal.length() > 0)) return "the rectangle's normal has no length";
+  if (!is_direction(normal))
+    return "the rectangle's normal is no direction: zero, or beyond all numbers";
   if (!up) return "";
-  if (!(up->length() > 0)) return "the rectangle's up has no length";
+  if (!is_direction(*up)) return "the rectangle's up is no direction: zero, or beyond all numbers";
   return up->normalized().cross(normal.normalized()).length() < kParallel
              ? "the rectangle's up is parallel to its normal"
              : "";

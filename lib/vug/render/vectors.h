@@ -20,6 +20,11 @@ inline Vec3f cross(const Vec3f& a, const Vec3f& b) {
 inline float length(const Vec3f& v) { return std::sqrt(dot(v, v)); }
 inline Vec3f normalized(const Vec3f& v) { return v * (1.0f / length(v)); }
 inline float largest(const Rgb& c) { return std::fmax(c.x, std::fmax(c.y, c.z)); }
+/// It tells a direction: it is neither zero nor beyond all numbers.
+inline bool is_direction(const Vec3d& v) {
+  const double size = v.length();
+  return size > 0 && std::isfinite(size);
+}
 inline bool is_black(const Rgb& c) { return !(c.x > 0 || c.y > 0 || c.z > 0); }
 /// Relative luminance of linear Rec.709 (ITU-R BT.709).
 inline float luminance(const Rgb& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }

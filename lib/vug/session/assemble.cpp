@@ -201,7 +201,7 @@ Assembled assemble(Builder& builder) {
   out.assembly.name = shot.name;
   out.assembly.provenance = provenance_of(shot);
   Cast cast = cast_of(builder);
-  if (cast.lights.empty()) cast.lights.push_back(plain_sky());
+  light_plainly(cast, shot.medium.get());
   for (render::Object& object : cast.objects) object.name = shown_name(shot, object.name);
   Collector(cast.objects, out);
   add_cameras(shot, out);

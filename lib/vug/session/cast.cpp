@@ -195,8 +195,14 @@ void put_all(Builder& builder, const PlacePlan& plan, const Moments& moments, Ca
 
 }  // namespace
 
-render::LightPtr plain_sky() {
-  return render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}});
+void light_plainly(Cast& cast, const render::Medium* medium) {
+  const auto shines = [](const render::Object& object) {
+    return !render::is_black(object.emission) || (object.material && object.material->shines());
+  };
+  if (!cast.lights.empty() || (medium && medium->burns()) ||
+      std::any_of(cast.objects.begin(), cast.objects.end(), shines))
+    return;
+  cast.lights.push_back(render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}}));
 }
 
 std::vector<ObjectPlan> shown_objects(const Shot& shot) {

@@ -23,8 +23,9 @@ using Moments = std::vector<std::shared_ptr<const Shot>>;
 /// be rendered.
 Cast cast_of(Builder& builder, const Moments& moments = {});
 
-/// What lights a shot that has no lights: a soft sky.
-render::LightPtr plain_sky();
+/// A soft sky for a shot in which nothing shines: no light, no object, and not the `medium`, which
+/// may be null.
+void light_plainly(Cast& cast, const render::Medium* medium);
 
 /// The objects that a shot shows where their meshes stand: not those that it places. Of a shot
 /// without objects they are its meshes, in grey.

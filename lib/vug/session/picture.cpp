@@ -228,6 +228,8 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& 
   const Shot& shot = builder.shot();
   render::Scene scene;
   Cast cast = cast_of(builder, moments);
+  const bool shows = !cast.objects.empty() || !cast.lights.empty();
+  light_plainly(cast, shot.medium.get());
   scene.objects = std::move(cast.objects);
   scene.lights = std::move(cast.lights);
   Box3d bounds;
@@ -240,10 +242,9 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& 
       box = to.box({Vec3f(own.min), Vec3f(own.max)});
     if (!box.isEmpty()) bounds.extendBy(Box3d(Vec3d(box.min), Vec3d(box.max)));
   }
-  if (scene.objects.empty() && scene.lights.empty())
+  if (!shows)
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  if (scene.lights.empty()) scene.lights.push_back(plain_sky());
   scene.medium = shot.medium;
   if (shot.medium_volume)
     scene.medium = shot.medium->filled(std::make_shared<const volume::Density>(

@@ -69,6 +69,28 @@ TEST(Lights, SpotOnItsAxisAndOnItsEdge) {
   EXPECT_EQ(away->importance({{0, 0, 0}, {0, 1, 0}}), 0);
 }
 
+/// The whole cone lies within some thousand steps of a cosine's last digits.
+TEST(Lights, NarrowSpotsHaveAnEdge) {
+  const double half = 0.015 * kPi / 180, edge = 0.4;
+  const auto seen = [&](double off) {
+    const LightPtr spot =
+        make_light("spot", {{"center", Vec3d(0, 2, 0)},
+                            {"direction", Vec3d(std::sin(off), -std::cos(off), 0)},
+                            {"angle", radians(2 * half)},
+                            {"edge", edge},
+                            {"radius", 1e-6}});
+    return spot->sample({{0, 0, 0}, {0, 1, 0}}, {0.5f, 0.5f}).radiance.x;
+  };
+  const double middle =
+      2 * std::asin(std::sqrt(0.5 * (std::pow(std::sin(half / 2), 2) +
+                                     std::pow(std::sin(half * (1 - edge) / 2), 2))));
+  EXPECT_GT(seen(0), 0);
+  EXPECT_EQ(seen(0.99 * half * (1 - edge)), seen(0));
+  EXPECT_NEAR(seen(middle) / seen(0), 0.5, 0.02);
+  EXPECT_LT(seen(0.99 * half), 0.01f * seen(0));
+  EXPECT_EQ(seen(1.01 * half), 0);
+}
+
 TEST(Lights, MeasuredLampsGiveTheirCandela) {
   // 1000 cd straight down at 2 m: 250 lx; a white floor sends back E / pi.
   const LightPtr lamp = make_light("ies", {{"file", VUG_TEST_DATA "/lights/cosine.ies"},
@@ -254,7 +276,8 @@ TEST(Lamp, ContradictionsAreRefused) {
             std::string::npos);
   EXPECT_NE(refusal("sphere", {{"power", 1.0}, {"radiance", Vec3d(0)}}).find("black"),
             std::string::npos);
-  EXPECT_NE(refusal("spot", {{"direction", Vec3d(0)}}).find("direction"), std::string::npos);
+  for (const double size : {0.0, 1e300})
+    EXPECT_NE(refusal("spot", {{"direction", Vec3d(size)}}).find("direction"), std::string::npos);
   EXPECT_NE(refusal("disk", {{"radius", 0.0}}).find("radius"), std::string::npos);
   EXPECT_NE(refusal("rect", {{"temperature", 5.0}}).find("temperature"), std::string::npos);
 }

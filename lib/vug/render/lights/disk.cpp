@@ -21,7 +21,8 @@ struct Disk : LampParams {
     describe_lamp(s);
   }
   std::string fault() const {
-    return normal.length() > 0 ? LampParams::fault() : "the disk's normal has no length";
+    return is_direction(normal) ? LampParams::fault()
+                                : "the disk's normal is no direction: zero, or beyond all numbers";
   }
 };
 

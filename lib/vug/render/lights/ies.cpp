@@ -29,7 +29,8 @@ struct Ies : LampParams {
     describe_lamp(s);
   }
   std::string fault() const {
-    if (!(direction.length() > 0)) return "the lamp's direction has no length";
+    if (!is_direction(direction))
+      return "the lamp's direction is no direction: zero, or beyond all numbers";
     if (!(Vec3d(radiance).length() > 0)) return "a lamp of black radiance has no colour";
     return LampParams::fault();
   }

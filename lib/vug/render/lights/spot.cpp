@@ -33,27 +33,31 @@ struct Spot : LampParams {
     describe_lamp(s);
   }
   std::string fault() const {
-    return direction.length() > 0 ? LampParams::fault() : "the spot's direction has no length";
+    return is_direction(direction)
+               ? LampParams::fault()
+               : "the spot's direction is no direction: zero, or beyond all numbers";
   }
-  /// Of the cone, from its axis; light fades from the inner angle to the outer.
-  double outer() const { return maths::cos(0.5 * angle); }
-  double inner() const { return maths::cos(0.5 * angle * (1 - edge)); }
+  /// 1 - cosines of the cone, from its axis; light fades from the inner angle to the outer.
+  double outer() const { return off(0.5 * angle); }
+  double inner() const { return off(0.5 * angle * (1 - edge)); }
   /// Intensity is the radiance of the axis times the ball's cross section times the profile, whose
   /// integral over the smooth edge is half of the edge's solid angle.
-  double watts_per_radiance() const {
-    return kPi * radius * radius * kPi * (2 - inner() - outer());
-  }
+  double watts_per_radiance() const { return kPi * radius * radius * kPi * (inner() + outer()); }
+
+ private:
+  static double off(double angle) { return 2 * std::pow(maths::sin(0.5 * angle), 2); }
 };
 
 struct Cone {
   Vec3f axis;
-  float inner, outer;
+  float inner, outer;  ///< 1 - cosines: of narrow cones these are numbers still.
 
   float operator()(const Vec3f& direction) const {
-    const float cosine = dot(direction, axis);
-    if (cosine >= inner) return 1;
-    if (cosine <= outer) return 0;
-    const float t = (cosine - outer) / (inner - outer);
+    const Vec3f between = direction - axis;
+    const float off = 0.5f * dot(between, between);
+    if (off <= inner) return 1;
+    if (off >= outer) return 0;
+    const float t = (outer - off) / (outer - inner);
     return t * t * (3 - 2 * t);
   }
   float most(const Vec3f& direction, float ball) const {
@@ -62,19 +66,19 @@ struct Cone {
     const float root = std::sqrt(std::max(0.0f, 1 - ball * ball));
     const float nearest =
         cosine >= root ? 1 : cosine * root + std::sqrt(std::max(0.0f, 1 - cosine * cosine)) * ball;
-    return nearest > outer - 1e-6f ? std::max((*this)(direction), 0.05f) : 0;
+    return nearest > 1 - outer - 1e-6f ? std::max((*this)(direction), 0.05f) : 0;
   }
   void narrow(LightBounds& bounds) const {
     bounds.axis = axis;
     bounds.cos_spread = 1;
-    bounds.cos_reach = outer;
+    bounds.cos_reach = 1 - outer;
   }
   void tell(exchange::Lamp& lamp) const {
-    const double half = maths::acos(static_cast<double>(outer));
+    const double half = maths::acos(1 - static_cast<double>(outer));
     lamp.shape = exchange::Lamp::Shape::spot;
     lamp.place = exchange::looking(lamp.place.origin(), Vec3d(axis));
     lamp.angle = 2 * half;
-    lamp.edge = half > 0 ? 1 - maths::acos(static_cast<double>(inner)) / half : 0;
+    lamp.edge = half > 0 ? 1 - maths::acos(1 - static_cast<double>(inner)) / half : 0;
   }
 };
 
