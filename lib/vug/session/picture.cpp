@@ -228,7 +228,9 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& 
   const Shot& shot = builder.shot();
   render::Scene scene;
   Cast cast = cast_of(builder, moments);
-  const bool shows = !cast.objects.empty() || !cast.lights.empty();
+  if (cast.objects.empty() && cast.lights.empty())
+    throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
+                "add for instance: volume rock = level_set(..., voxel: 5cm)");
   light_plainly(cast, shot.medium.get());
   scene.objects = std::move(cast.objects);
   scene.lights = std::move(cast.lights);
@@ -242,9 +244,6 @@ render::Scene assemble(Builder& builder, const RenderPlan& plan, const Moments& 
       box = to.box({Vec3f(own.min), Vec3f(own.max)});
     if (!box.isEmpty()) bounds.extendBy(Box3d(Vec3d(box.min), Vec3d(box.max)));
   }
-  if (!shows)
-    throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
-                "add for instance: volume rock = level_set(..., voxel: 5cm)");
   scene.medium = shot.medium;
   if (shot.medium_volume)
     scene.medium = shot.medium->filled(std::make_shared<const volume::Density>(
