@@ -7,13 +7,13 @@
 // Chains are timed by the processor, as on a busy machine that is what a quiet one needs at most;
 // searches by the clock, as not all of a search is parallel.
 #include <vug/base/parallel.h>
-#include <vug/fit/cluster_image.h>
-#include <vug/fit/compile.h>
+#include <vug/fit/evidence/cluster_image.h>
+#include <vug/fit/model/compile.h>
 #include <vug/fit/move.h>
 #include <vug/fit/read.h>
-#include <vug/fit/sampler.h>
-#include <vug/fit/seeds.h>
-#include <vug/fit/working_size.h>
+#include <vug/fit/search/sampler.h>
+#include <vug/fit/search/seeds.h>
+#include <vug/fit/evidence/working_size.h>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
 #include <vug/render/kinds.h>
-#include <vug/render/light_set.h>
+#include <vug/render/lighting/light_set.h>
 #include <vug/render/render.h>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Whatever the bytes, the IES reader gives a profile whose light is finite and nowhere brighter
 // than its peak, or refuses with bad_input.
 #include <vug/base/error.h>
-#include <vug/render/ies_profile.h>
+#include <vug/render/lighting/ies_profile.h>
 
 #include <cmath>
 #include <cstdint>

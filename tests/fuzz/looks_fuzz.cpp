@@ -2,7 +2,7 @@
 #include "require.h"
 
 #include <vug/base/error.h>
-#include <vug/fit/looks.h>
+#include <vug/fit/learning/pixel_classifier.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "file_of_bytes.h"
 
 #include <vug/base/error.h>
-#include <vug/render/part.h>
+#include <vug/render/film/partial_render.h>
 
 #include <cstdlib>
 

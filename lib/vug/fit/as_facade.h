@@ -4,7 +4,7 @@
 #include <vug/base/vec.h>
 #include <vug/facade/rules.h>
 #include <vug/facade/tree.h>
-#include <vug/fit/model.h>
+#include <vug/fit/model/model.h>
 
 namespace vug::fit {
 

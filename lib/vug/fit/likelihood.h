@@ -2,8 +2,8 @@
 #pragma once
 
 #include <vug/base/schema.h>
-#include <vug/fit/evidence.h>
-#include <vug/fit/rules.h>
+#include <vug/fit/evidence/evidence.h>
+#include <vug/fit/model/rules.h>
 
 #include <memory>
 

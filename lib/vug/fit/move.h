@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/base/kind.h>
-#include <vug/fit/parts.h>
+#include <vug/fit/model/split_parameters.h>
 #include <vug/inference/chain.h>
 
 namespace vug::fit {

@@ -1,7 +1,7 @@
 // What elements are called that any name would fit.
 #pragma once
 
-#include <vug/fit/model.h>
+#include <vug/fit/model/model.h>
 
 namespace vug::fit {
 

@@ -1,7 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/naming.h>
-#include <vug/fit/polish.h>
+#include <vug/fit/polish/polish.h>
 #include <vug/fit/read.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/fit/report.h>
-#include <vug/fit/seeds.h>
+#include <vug/fit/search/seeds.h>
 
 namespace vug::fit {
 

@@ -2,7 +2,7 @@
 // enough. Plain data; nothing is written to files here.
 #pragma once
 
-#include <vug/fit/sampler.h>
+#include <vug/fit/search/sampler.h>
 #include <vug/inference/diagnosis.h>
 
 namespace vug::fit {

@@ -7,7 +7,7 @@
 #include <vug/render/integrator.h>
 #include <vug/render/light.h>
 #include <vug/render/material.h>
-#include <vug/render/medium.h>
+#include <vug/render/media/medium.h>
 #include <vug/render/sampler.h>
 
 #include <string>

@@ -1,8 +1,8 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/render/render.h>
-#include <vug/render/shooter.h>
-#include <vug/render/state.h>
+#include <vug/render/paths/tile_renderer.h>
+#include <vug/render/film/render_state.h>
 
 #include <algorithm>
 #include <atomic>

@@ -3,10 +3,10 @@
 
 #include <vug/base/progress.h>
 #include <vug/image/image.h>
-#include <vug/render/deep.h>
-#include <vug/render/frame_step.h>
+#include <vug/render/film/deep.h>
+#include <vug/render/film/motion_step.h>
 #include <vug/render/integrator.h>
-#include <vug/render/layers.h>
+#include <vug/render/film/aovs.h>
 #include <vug/render/sampler.h>
 #include <vug/render/scene.h>
 

@@ -6,8 +6,8 @@
 #include <vug/render/camera.h>
 #include <vug/render/light.h>
 #include <vug/render/material.h>
-#include <vug/render/medium.h>
-#include <vug/render/placing.h>
+#include <vug/render/media/medium.h>
+#include <vug/render/geometry/instance_transform.h>
 #include <vug/volume/surface_bricks.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
 #include <vug/render/kinds.h>
-#include <vug/render/light_of_light.h>
+#include <vug/render/lighting/light_adapter.h>
 #include <vug/render/working_space.h>
 
 #include <map>

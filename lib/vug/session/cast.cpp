@@ -1,7 +1,7 @@
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
-#include <vug/render/placed_light.h>
-#include <vug/render/require_still.h>
+#include <vug/render/lighting/transformed_light.h>
+#include <vug/render/geometry/require_static.h>
 #include <vug/session/blame.h>
 #include <vug/session/cast.h>
 #include <vug/session/make_mesh.h>

@@ -1,5 +1,5 @@
 #include <vug/mesh/normals.h>
-#include <vug/render/placing.h>
+#include <vug/render/geometry/instance_transform.h>
 #include <vug/session/eye.h>
 
 namespace vug::session {

@@ -1,9 +1,9 @@
 #include <vug/base/median.h>
 #include <vug/facade/grammar_output.h>
 #include <vug/fit/as_facade.h>
-#include <vug/fit/cluster_image.h>
-#include <vug/fit/compile.h>
-#include <vug/fit/labelling.h>
+#include <vug/fit/evidence/cluster_image.h>
+#include <vug/fit/model/compile.h>
+#include <vug/fit/learning/labelling.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
 

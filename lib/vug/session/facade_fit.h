@@ -3,8 +3,8 @@
 
 #include <vug/base/progress.h>
 #include <vug/facade/tree.h>
-#include <vug/fit/cluster_image.h>
-#include <vug/fit/looks.h>
+#include <vug/fit/evidence/cluster_image.h>
+#include <vug/fit/learning/pixel_classifier.h>
 #include <vug/fit/read.h>
 #include <vug/session/facade_picture.h>
 

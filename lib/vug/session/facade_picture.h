@@ -1,7 +1,7 @@
 // What is to be read as a facade: its colours, and how far its parts lie behind the wall's plane.
 #pragma once
 
-#include <vug/fit/working_size.h>
+#include <vug/fit/evidence/working_size.h>
 #include <vug/scan/range_image.h>
 
 #include <optional>

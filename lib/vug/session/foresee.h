@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/base/diagnostics.h>
-#include <vug/render/layers.h>
+#include <vug/render/film/aovs.h>
 #include <vug/scene/document.h>
 #include <vug/session/shot.h>
 

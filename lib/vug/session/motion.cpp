@@ -1,4 +1,4 @@
-#include <vug/render/moving_camera.h>
+#include <vug/render/cameras/moving_camera.h>
 #include <vug/session/motion.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // A shot as the renderer sees it.
 #pragma once
 
-#include <vug/render/part.h>
+#include <vug/render/film/partial_render.h>
 #include <vug/session/cast.h>
 #include <vug/session/picture_file.h>
 

@@ -1,7 +1,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/image/denoise.h>
 #include <vug/image/views.h>
-#include <vug/render/cryptomatte.h>
+#include <vug/render/film/cryptomatte.h>
 #include <vug/session/picture_file.h>
 
 #include <fmt/format.h>

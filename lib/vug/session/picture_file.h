@@ -4,7 +4,7 @@
 #include <vug/image/configured_view.h>
 #include <vug/image/deep.h>
 #include <vug/image/io.h>
-#include <vug/render/part.h>
+#include <vug/render/film/partial_render.h>
 
 #include <filesystem>
 #include <optional>

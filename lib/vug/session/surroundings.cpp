@@ -1,5 +1,5 @@
 #include <vug/base/parallel.h>
-#include <vug/render/occlusion.h>
+#include <vug/render/geometry/occlusion.h>
 #include <vug/session/surroundings.h>
 
 namespace vug::session {

@@ -7,7 +7,7 @@
 
 #include <vug/render/kinds.h>
 #include <vug/render/render.h>
-#include <vug/render/tracing/ray_search.h>
+#include <vug/raytree/bvh_traversal.h>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>

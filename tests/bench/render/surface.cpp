@@ -8,7 +8,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/rng.h>
 #include <vug/render/sampling.h>
-#include <vug/render/world.h>
+#include <vug/render/prepared_scene.h>
 #include <vug/session/load.h>
 #include <vug/session/picture.h>
 

@@ -3,10 +3,10 @@
 #include "../scan/external_data.h"
 
 #include <vug/base/rng.h>
-#include <vug/fit/cluster_image.h>
-#include <vug/fit/compile.h>
-#include <vug/fit/confusion.h>
-#include <vug/fit/labelling.h>
+#include <vug/fit/evidence/cluster_image.h>
+#include <vug/fit/model/compile.h>
+#include <vug/fit/learning/confusion.h>
+#include <vug/fit/learning/labelling.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <vug/facade/tree_output.h>
 #include <vug/fit/as_facade.h>
-#include <vug/fit/compile.h>
+#include <vug/fit/model/compile.h>
 #include <vug/fit/move.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "random_facade.h"
 
 #include <vug/base/median.h>
-#include <vug/fit/polish.h>
+#include <vug/fit/polish/polish.h>
 
 #include <gtest/gtest.h>
 

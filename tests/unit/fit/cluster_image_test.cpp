@@ -3,8 +3,8 @@
 
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
-#include <vug/fit/cluster_image.h>
-#include <vug/fit/working_size.h>
+#include <vug/fit/evidence/cluster_image.h>
+#include <vug/fit/evidence/working_size.h>
 #include <vug/image/io.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The published grammar, from its file to the sampler.
 #include <vug/base/error.h>
-#include <vug/fit/compile.h>
-#include <vug/fit/model.h>
+#include <vug/fit/model/compile.h>
+#include <vug/fit/model/model.h>
 
 #include <gtest/gtest.h>
 

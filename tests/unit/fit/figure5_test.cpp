@@ -1,8 +1,8 @@
 // Figure 5 of the paper: models of one facade in the order of what it takes to say them. Two of
 // them are split once and differ by a bit, as 0.15 and 0.16 do there: a middle has a width, a
 // ground floor a height, and the picture is a bit higher than wide.
-#include <vug/fit/compile.h>
-#include <vug/fit/model.h>
+#include <vug/fit/model/compile.h>
+#include <vug/fit/model/model.h>
 
 #include <gtest/gtest.h>
 

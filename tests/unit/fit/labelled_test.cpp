@@ -4,8 +4,8 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>
-#include <vug/fit/labelled.h>
-#include <vug/fit/labelling.h>
+#include <vug/fit/learning/labelled_images.h>
+#include <vug/fit/learning/labelling.h>
 #include <vug/image/io.h>
 
 #include <gtest/gtest.h>

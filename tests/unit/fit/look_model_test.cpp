@@ -5,10 +5,10 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/base/scratch_folder.h>
-#include <vug/fit/confusion.h>
-#include <vug/fit/labelling.h>
+#include <vug/fit/learning/confusion.h>
+#include <vug/fit/learning/labelling.h>
 #include <vug/fit/likelihood.h>
-#include <vug/fit/looks.h>
+#include <vug/fit/learning/pixel_classifier.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

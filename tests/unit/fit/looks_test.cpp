@@ -1,8 +1,8 @@
 // Features, forests and clusters on pictures that are known.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
-#include <vug/fit/clusters.h>
-#include <vug/fit/forest.h>
+#include <vug/fit/evidence/clusters.h>
+#include <vug/fit/learning/random_forest.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

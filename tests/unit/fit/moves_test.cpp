@@ -2,7 +2,7 @@
 #include "toys.h"
 #include "walk.h"
 
-#include <vug/fit/sampler.h>
+#include <vug/fit/search/sampler.h>
 
 #include <gtest/gtest.h>
 

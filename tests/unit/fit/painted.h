@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/base/rng.h>
-#include <vug/fit/model.h>
+#include <vug/fit/model/model.h>
 #include <vug/image/image.h>
 
 #include <vector>

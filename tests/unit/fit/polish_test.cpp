@@ -1,6 +1,6 @@
 #include "toys.h"
 
-#include <vug/fit/polish.h>
+#include <vug/fit/polish/polish.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/facade/derive.h>
-#include <vug/fit/compile.h>
+#include <vug/fit/model/compile.h>
 #include <vug/fit/read.h>
 #include <vug/scene/parser.h>
 

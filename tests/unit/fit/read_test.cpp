@@ -2,8 +2,8 @@
 #include "toys.h"
 
 #include <vug/base/error.h>
-#include <vug/fit/compile.h>
-#include <vug/fit/polish.h>
+#include <vug/fit/model/compile.h>
+#include <vug/fit/polish/polish.h>
 #include <vug/fit/read.h>
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 #include "toys.h"
 
 #include <vug/base/parallel.h>
-#include <vug/fit/sampler.h>
-#include <vug/fit/seeds.h>
-#include <vug/fit/segments.h>
+#include <vug/fit/search/sampler.h>
+#include <vug/fit/search/seeds.h>
+#include <vug/fit/search/segments.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <vug/base/rng.h>
-#include <vug/fit/sizes.h>
+#include <vug/fit/model/sizes.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Grammars so small that all their trees can be counted.
 #pragma once
 
-#include <vug/fit/model.h>
+#include <vug/fit/model/model.h>
 
 #include <functional>
 #include <map>

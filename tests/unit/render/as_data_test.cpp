@@ -4,7 +4,7 @@
 #include <vug/exchange/lamp.h>
 #include <vug/exchange/look.h>
 #include <vug/render/kinds.h>
-#include <vug/render/placed_light.h>
+#include <vug/render/lighting/transformed_light.h>
 
 #include <gtest/gtest.h>
 

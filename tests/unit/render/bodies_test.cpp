@@ -2,7 +2,7 @@
 #include "scenes.h"
 
 #include <vug/paint/kind.h>
-#include <vug/render/input.h>
+#include <vug/render/materials/material_input.h>
 
 #include <gtest/gtest.h>
 

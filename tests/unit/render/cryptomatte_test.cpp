@@ -1,6 +1,6 @@
 // Cryptomatte: hashes of the specification, and shares that are those of the samples.
-#include <vug/render/cryptomatte.h>
-#include <vug/render/layers.h>
+#include <vug/render/film/cryptomatte.h>
+#include <vug/render/film/aovs.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A deep picture composited from front to back is the picture.
 #include <vug/base/rng.h>
-#include <vug/render/deep.h>
+#include <vug/render/film/deep.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "scenes.h"
 
 #include <vug/paint/kind.h>
-#include <vug/render/world.h>
+#include <vug/render/prepared_scene.h>
 
 #include <gtest/gtest.h>
 

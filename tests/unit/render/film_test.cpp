@@ -1,6 +1,6 @@
 // The film's sums against exact arithmetic, and its variance against pictures made again.
 #include <vug/base/rng.h>
-#include <vug/render/film.h>
+#include <vug/render/film/film.h>
 
 #include <gtest/gtest.h>
 

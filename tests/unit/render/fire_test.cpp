@@ -4,7 +4,7 @@
 #include "scenes.h"
 
 #include <vug/paint/kind.h>
-#include <vug/render/blackbody.h>
+#include <vug/render/lighting/blackbody.h>
 #include <vug/volume/density.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <vug/base/rng.h>
-#include <vug/render/guiding/brightness.h>
+#include <vug/render/guiding/radiance_cache.h>
 #include <vug/render/guiding/guide.h>
 #include <vug/render/sampling.h>
 

@@ -1,7 +1,7 @@
 // A guide makes paths find light sooner; it does not change what they find.
 #include "scenes.h"
 
-#include <vug/render/tally.h>
+#include <vug/render/film/light_path_recorder.h>
 
 #include <gtest/gtest.h>
 

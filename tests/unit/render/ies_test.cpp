@@ -1,6 +1,6 @@
 // Files of measured lamps: what they say, and what is said of bad ones.
 #include <vug/base/error.h>
-#include <vug/render/ies_profile.h>
+#include <vug/render/lighting/ies_profile.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include <vug/base/rng.h>
 #include <vug/base/transform.h>
-#include <vug/render/input.h>
+#include <vug/render/materials/material_input.h>
 #include <vug/render/sampling.h>
-#include <vug/render/world.h>
+#include <vug/render/prepared_scene.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What layers promise of each other.
 #include <vug/base/error.h>
-#include <vug/render/layers.h>
+#include <vug/render/film/aovs.h>
 
 #include <gtest/gtest.h>
 

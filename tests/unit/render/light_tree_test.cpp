@@ -4,7 +4,7 @@
 #include "scenes.h"
 
 #include <vug/base/rng.h>
-#include <vug/render/light_set.h>
+#include <vug/render/lighting/light_set.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
-#include <vug/render/lamp.h>
-#include <vug/render/light_set.h>
+#include <vug/render/lighting/light_output.h>
+#include <vug/render/lighting/light_set.h>
 #include <vug/render/sampling.h>
 
 #include <gtest/gtest.h>

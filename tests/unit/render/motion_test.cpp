@@ -1,6 +1,6 @@
 // What moves while the shutter is open, against closed forms.
 #include <vug/base/error.h>
-#include <vug/render/moving_camera.h>
+#include <vug/render/cameras/moving_camera.h>
 
 #include <gtest/gtest.h>
 

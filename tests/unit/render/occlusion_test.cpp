@@ -1,7 +1,7 @@
 // Shares of the sky with answers in closed form.
 #include <vug/base/parallel.h>
 #include <vug/mesh/shapes.h>
-#include <vug/render/occlusion.h>
+#include <vug/render/geometry/occlusion.h>
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "scenes.h"
 
 #include <gtest/gtest.h>
-#include <vug/render/paths/exits.h>
-#include <vug/render/paths/openings.h>
-#include <vug/render/world.h>
+#include <vug/render/paths/boundary_hits.h>
+#include <vug/render/paths/automatic_portals.h>
+#include <vug/render/prepared_scene.h>
 
 namespace vug::render {
 namespace {

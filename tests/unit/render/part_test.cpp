@@ -1,7 +1,7 @@
 // Parts as files: they come back whole, are refused when they are not, and merge to the picture.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/render/part.h>
+#include <vug/render/film/partial_render.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // Pictures rendered in parts, in passes and down to a noise.
 #include <vug/base/error.h>
-#include <vug/render/state.h>
+#include <vug/render/film/render_state.h>
 
 #include <gtest/gtest.h>
 

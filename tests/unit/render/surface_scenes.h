@@ -9,7 +9,7 @@
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
 #include <vug/render/sampling.h>
-#include <vug/render/world.h>
+#include <vug/render/prepared_scene.h>
 #include <vug/volume/surface_bricks.h>
 #include <vug/volume/voxelize.h>
 

@@ -3,9 +3,9 @@
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
 #include <vug/render/sampling.h>
-#include <vug/render/tracing/quads.h>
-#include <vug/render/tracing/together.h>
-#include <vug/render/tracing/tree_plan.h>
+#include <vug/raytree/quads.h>
+#include <vug/raytree/path_scheduler.h>
+#include <vug/raytree/bvh_builder.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

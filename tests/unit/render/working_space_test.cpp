@@ -2,7 +2,7 @@
 // numbers, what it reflects of white light too.
 #include "scenes.h"
 
-#include <vug/render/input.h>
+#include <vug/render/materials/material_input.h>
 #include <vug/render/working_space.h>
 
 #include <gtest/gtest.h>

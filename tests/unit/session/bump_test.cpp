@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
-#include <vug/render/world.h>
+#include <vug/render/prepared_scene.h>
 #include <vug/session/load.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include <vug/base/median.h>
 #include <vug/fit/as_facade.h>
-#include <vug/fit/polish.h>
+#include <vug/fit/polish/polish.h>
 #include <vug/session/build.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/load.h>

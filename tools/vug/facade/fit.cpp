@@ -8,7 +8,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
 #include <vug/facade/tree_output.h>
-#include <vug/fit/labelling.h>
+#include <vug/fit/learning/labelling.h>
 #include <vug/image/io.h>
 #include <vug/scan/read.h>
 #include <vug/scan/report.h>

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/fit/working_size.h>
+#include <vug/fit/evidence/working_size.h>
 #include <vug/image/io.h>
 #include <vug/scan/rectify.h>
 #include <vug/scene/lexer.h>

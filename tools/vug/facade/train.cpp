@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/fit/confusion.h>
-#include <vug/fit/labelling.h>
-#include <vug/fit/looks.h>
+#include <vug/fit/learning/confusion.h>
+#include <vug/fit/learning/labelling.h>
+#include <vug/fit/learning/pixel_classifier.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>

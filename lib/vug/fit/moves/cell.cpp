@@ -1,6 +1,6 @@
 // Changes what stands in one cell, or in a whole column or row of cells, of a grid whose windows
 // differ.
-#include <vug/fit/cells.h>
+#include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {

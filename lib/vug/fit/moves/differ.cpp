@@ -1,6 +1,6 @@
 // Gives the windows of one kind in a column or row a kind of their own, or joins the last kind with
 // another one.
-#include <vug/fit/cells.h>
+#include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {

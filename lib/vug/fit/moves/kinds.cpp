@@ -1,6 +1,6 @@
 // Adds a kind of window to a grid whose windows may differ, or takes the last one away when no
 // cell holds it.
-#include <vug/fit/cells.h>
+#include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {

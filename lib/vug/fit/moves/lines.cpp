@@ -1,6 +1,6 @@
 // Puts a column or row into a grid, or takes one out: anywhere in an irregular one, at the ends of
 // a regular one.
-#include <vug/fit/cells.h>
+#include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {

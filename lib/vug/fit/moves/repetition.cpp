@@ -1,5 +1,5 @@
 // Says that a grid repeats a part of itself, or says it all.
-#include <vug/fit/fold.h>
+#include <vug/fit/search/symmetry.h>
 
 namespace vug::fit {
 namespace {

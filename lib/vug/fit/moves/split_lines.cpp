@@ -1,6 +1,6 @@
 // Splits columns or rows and merges them: in a regular grid all of them, at half the distance; in
 // an irregular one a line becomes two, or two neighbours one.
-#include <vug/fit/cells.h>
+#include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {

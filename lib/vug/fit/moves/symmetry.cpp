@@ -1,5 +1,5 @@
 // Says that a grid's two halves are mirror images, or says them both.
-#include <vug/fit/fold.h>
+#include <vug/fit/search/symmetry.h>
 
 namespace vug::fit {
 namespace {

@@ -1,7 +1,7 @@
 // A camera whose rays are parallel: plans and sections.
 #include <vug/exchange/camera.h>
 #include <vug/render/kind.h>
-#include <vug/render/view.h>
+#include <vug/render/cameras/camera_frame.h>
 
 namespace vug::render {
 namespace {

@@ -2,7 +2,7 @@
 // (equirectangular). The middle of the picture looks at the target.
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
-#include <vug/render/view.h>
+#include <vug/render/cameras/camera_frame.h>
 
 namespace vug::render {
 namespace {

@@ -1,8 +1,8 @@
 // A perspective camera, pinhole or thin lens.
 #include <vug/exchange/camera.h>
 #include <vug/render/kind.h>
-#include <vug/render/lens.h>
-#include <vug/render/view.h>
+#include <vug/render/cameras/lens.h>
+#include <vug/render/cameras/camera_frame.h>
 
 namespace vug::render {
 namespace {

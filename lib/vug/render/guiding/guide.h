@@ -2,9 +2,9 @@
 // of each is seen from where.
 #pragma once
 
-#include <vug/render/guiding/bright_patches.h>
-#include <vug/render/guiding/chances.h>
-#include <vug/render/guiding/cones.h>
+#include <vug/render/guiding/bright_clusters.h>
+#include <vug/render/guiding/visibility_cache.h>
+#include <vug/render/guiding/cone_mixture.h>
 
 #include <array>
 #include <cstdint>

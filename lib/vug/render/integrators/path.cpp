@@ -1,6 +1,6 @@
 // Unidirectional path tracing with next-event estimation, led by a guide to bright surfaces.
 #include <vug/render/kind.h>
-#include <vug/render/paths/walk.h>
+#include <vug/render/paths/trace_path.h>
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 // knows no twilight: with the sun below the horizon the sky is black.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
-#include <vug/render/lamp.h>
-#include <vug/render/sky_picture.h>
-#include <vug/render/sun.h>
+#include <vug/render/lighting/light_output.h>
+#include <vug/render/lighting/environment_map.h>
+#include <vug/render/lighting/sun_position.h>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // density over solid angle is distance^2 / (area * cosine at the lamp).
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
-#include <vug/render/shape_lamp.h>
+#include <vug/render/lighting/shape_light.h>
 
 namespace vug::render {
 namespace {

@@ -1,11 +1,11 @@
 // A lamp that shines as it was measured: a small ball whose brightness in each direction is the
 // measured intensity over its cross section.
 #include <vug/base/maths.h>
-#include <vug/render/ball.h>
-#include <vug/render/ies_profile.h>
+#include <vug/render/lighting/sphere_shape.h>
+#include <vug/render/lighting/ies_profile.h>
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
-#include <vug/render/shape_lamp.h>
+#include <vug/render/lighting/shape_light.h>
 
 namespace vug::render {
 namespace {

@@ -2,7 +2,7 @@
 // to look for the sky's. Bitterli, Novak, Jarosz 2015, "Portal-masked environment map sampling",
 // for the idea; we sample the rectangle's solid angle without regard to the sky behind it.
 #include <vug/render/kind.h>
-#include <vug/render/rectangle.h>
+#include <vug/render/lighting/rectangle_shape.h>
 
 namespace vug::render {
 namespace {

@@ -1,7 +1,7 @@
 // A rectangle lamp that shines from its front.
 #include <vug/render/kind.h>
-#include <vug/render/rectangle.h>
-#include <vug/render/shape_lamp.h>
+#include <vug/render/lighting/rectangle_shape.h>
+#include <vug/render/lighting/shape_light.h>
 
 namespace vug::render {
 namespace {

@@ -2,7 +2,7 @@
 // material's own directions and through portals, and samples nothing itself.
 #include <vug/exchange/lamp.h>
 #include <vug/render/kind.h>
-#include <vug/render/lamp.h>
+#include <vug/render/lighting/light_output.h>
 
 namespace vug::render {
 namespace {

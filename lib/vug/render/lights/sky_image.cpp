@@ -2,8 +2,8 @@
 #include <vug/base/error.h>
 #include <vug/image/io.h>
 #include <vug/render/kind.h>
-#include <vug/render/lamp.h>
-#include <vug/render/sky_picture.h>
+#include <vug/render/lighting/light_output.h>
+#include <vug/render/lighting/environment_map.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // A ball that shines outwards.
-#include <vug/render/ball.h>
+#include <vug/render/lighting/sphere_shape.h>
 #include <vug/render/kind.h>
-#include <vug/render/shape_lamp.h>
+#include <vug/render/lighting/shape_light.h>
 
 namespace vug::render {
 namespace {

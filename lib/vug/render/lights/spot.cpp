@@ -1,8 +1,8 @@
 // A small ball that shines into a cone with a smooth edge.
 #include <vug/base/maths.h>
-#include <vug/render/ball.h>
+#include <vug/render/lighting/sphere_shape.h>
 #include <vug/render/kind.h>
-#include <vug/render/shape_lamp.h>
+#include <vug/render/lighting/shape_light.h>
 
 namespace vug::render {
 namespace {

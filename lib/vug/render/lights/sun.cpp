@@ -2,9 +2,9 @@
 #include <vug/base/maths.h>
 #include <vug/exchange/lamp.h>
 #include <vug/render/kind.h>
-#include <vug/render/lamp.h>
+#include <vug/render/lighting/light_output.h>
 #include <vug/render/sampling.h>
-#include <vug/render/sun.h>
+#include <vug/render/lighting/sun_position.h>
 
 namespace vug::render {
 namespace {

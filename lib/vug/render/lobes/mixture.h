@@ -2,12 +2,12 @@
 #pragma once
 
 #include <vug/render/lobes/eon.h>
-#include <vug/render/lobes/film.h>
+#include <vug/render/lobes/clear_coat.h>
 #include <vug/render/lobes/fuzz.h>
-#include <vug/render/lobes/glass.h>
+#include <vug/render/lobes/dielectric.h>
 #include <vug/render/lobes/metal.h>
-#include <vug/render/lobes/pane.h>
-#include <vug/render/lobes/sheet.h>
+#include <vug/render/lobes/thin_dielectric.h>
+#include <vug/render/lobes/thin_sheet.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 // darkens it as water does.
 #include <vug/exchange/look.h>
 #include <vug/render/kind.h>
-#include <vug/render/lobes/film.h>
+#include <vug/render/lobes/clear_coat.h>
 
 namespace vug::render {
 namespace {

@@ -1,7 +1,7 @@
 // Two materials side by side, by a mask: some of each where it is between 0 and 1.
 #include <vug/base/error.h>
 #include <vug/exchange/look.h>
-#include <vug/render/input.h>
+#include <vug/render/materials/material_input.h>
 #include <vug/render/kind.h>
 
 namespace vug::render {

@@ -4,12 +4,12 @@
 // what matters for rock is layered: a face over a coloured body, and water over it.
 #include <vug/base/maths.h>
 #include <vug/exchange/look.h>
-#include <vug/render/input.h>
+#include <vug/render/materials/material_input.h>
 #include <vug/render/kind.h>
-#include <vug/render/lamp.h>
-#include <vug/render/lobes/leaving.h>
+#include <vug/render/lighting/light_output.h>
+#include <vug/render/lobes/inner_face.h>
 #include <vug/render/lobes/mixture.h>
-#include <vug/render/placing.h>
+#include <vug/render/geometry/instance_transform.h>
 
 namespace vug::render {
 namespace {

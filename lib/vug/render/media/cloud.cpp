@@ -7,11 +7,11 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
-#include <vug/render/blackbody.h>
-#include <vug/render/brick_walk.h>
-#include <vug/render/input.h>
+#include <vug/render/lighting/blackbody.h>
+#include <vug/render/media/brick_traversal.h>
+#include <vug/render/materials/material_input.h>
 #include <vug/render/kind.h>
-#include <vug/render/phase.h>
+#include <vug/render/media/phase.h>
 #include <vug/volume/io.h>
 #include <vug/volume/sampled.h>
 

@@ -1,7 +1,7 @@
 // Even haze in a box, with the phase function of Henyey and Greenstein 1941.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
-#include <vug/render/phase.h>
+#include <vug/render/media/phase.h>
 
 namespace vug::render {
 namespace {

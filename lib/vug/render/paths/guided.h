@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/render/bsdf.h>
-#include <vug/render/guiding/cones.h>
+#include <vug/render/guiding/cone_mixture.h>
 
 namespace vug::render {
 

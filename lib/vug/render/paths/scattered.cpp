@@ -1,6 +1,6 @@
 #include <vug/base/maths.h>
 #include <vug/render/paths/direct.h>
-#include <vug/render/tally.h>
+#include <vug/render/film/light_path_recorder.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include <vug/render/paths/vertex.h>
-#include <vug/render/tally.h>
+#include <vug/render/film/light_path_recorder.h>
 
 namespace vug::render {
 namespace {

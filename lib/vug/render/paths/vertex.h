@@ -1,7 +1,7 @@
 // A place where a path scattered, and how light that its next ray meets is weighed.
 #pragma once
 
-#include <vug/render/world.h>
+#include <vug/render/prepared_scene.h>
 
 namespace vug::render {
 

@@ -1,4 +1,4 @@
-#include <vug/render/lamp.h>
+#include <vug/render/lighting/light_output.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/reader.h>
 

@@ -1,0 +1,127 @@
+#include <vug/base/error.h>
+#include <vug/base/median.h>
+#include <vug/fit/evidence/cluster_image.h>
+#include <vug/fit/evidence/clusters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::fit {
+namespace {
+
+/// Mean and deviation of what is finite.
+struct Spread {
+  double mean = 0, deviation = 0;
+};
+
+Spread spread(const Plane& plane) {
+  double count = 0, sum = 0, squares = 0;
+  for (const float v : plane) {
+    if (!std::isfinite(v)) continue;
+    count += 1, sum += v, squares += 1.0 * v * v;
+  }
+  if (count == 0) return {};
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
+}
+
+/// Adds a plane in deviations of its own; of one that hardly varies, less, as that is noise.
+void add(Plane& sum, const Plane& plane, double weight) {
+  constexpr double kNoise = 0.5;  // units of L*a*b*
+  const Spread of = spread(plane);
+  const double scale = weight / std::max(of.deviation, kNoise);
+  for (size_t i = 0; i < sum.size(); ++i)
+    sum[i] += static_cast<float>(scale * (plane[i] - of.mean));
+}
+
+float middle(Plane values) {
+  values.erase(
+      std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }),
+      values.end());
+  if (values.empty()) return 0;
+  return median(std::move(values));
+}
+
+ClusterImage made(int width, int height, std::vector<uint8_t> of) {
+  const int clusters = 1 + *std::max_element(of.begin(), of.end());
+  return {width, height, clusters, std::move(of)};
+}
+
+/// Clusters of one plane, by value: those whose means are nearer than the step to the one before
+/// become one with it.
+void join(const Plane& values, double step, std::vector<uint8_t>& of) {
+  std::array<double, kMostLanes> sum{}, count{};
+  for (size_t i = 0; i < of.size(); ++i) sum[of[i]] += values[i], count[of[i]] += 1;
+  std::array<uint8_t, kMostLanes> now{};
+  for (size_t k = 1; k < now.size() && count[k] > 0; ++k) {
+    const double gap = sum[k] / count[k] - sum[k - 1] / count[k - 1];
+    now[k] = static_cast<uint8_t>(now[k - 1] + (gap < step ? 0 : 1));
+  }
+  for (uint8_t& one : of) one = now[one];
+}
+
+/// Deep ones first, and holes with them: as the first cluster if there are any.
+std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& options,
+                               RandomKey key) {
+  if (options.depth_clusters < 2 || options.depth_clusters >= kMostLanes)
+    throw Error(ErrorCode::bad_input, "depths have between 2 and 7 clusters");
+  const float from = middle(depths), most = static_cast<float>(options.depth_range);
+  Planes known{0, 1, {{}}};
+  for (const float depth : depths)
+    if (std::isfinite(depth)) known.planes[0].push_back(std::clamp(from - depth, -most, most));
+  known.width = static_cast<int>(known.planes[0].size());
+  const bool holes = known.pixels() < depths.size();
+  std::vector<uint8_t> found;
+  if (known.width > 0) found = cluster(known, {.clusters = options.depth_clusters}, key);
+  if (!found.empty()) join(known.planes[0], options.least_step, found);
+  std::vector<uint8_t> out;
+  size_t at = 0;
+  for (const float depth : depths)
+    out.push_back(std::isfinite(depth) ? static_cast<uint8_t>(found[at++] + (holes ? 1 : 0))
+                                       : uint8_t{0});
+  return out;
+}
+
+}  // namespace
+
+Planes glass(const image::Image& linear) {
+  const Planes lab = to_lab(linear), flat = flattened(lab);
+  const int width = lab.width, height = lab.height, unit = box_unit(height);
+  const auto soft = [&](const Plane& plane, int half) {
+    return Boxes(width, height, plane).mean(half);
+  };
+  const Boxes light(width, height, lab.planes[0]);
+  Planes out{width, height, {Plane(lab.pixels(), 0)}};
+  // Weights by how well each tells windows from all else on facades of stone
+  // (docs/theory/facades.md).
+  add(out.planes[0], soft(flat.planes[2], unit), 1);
+  add(out.planes[0], soft(flat.planes[1], unit), 0.5);
+  add(out.planes[0], difference(light.mean(3 * unit), light.rows(unit)), 0.5);
+  add(out.planes[0], soft(edges(width, height, lab.planes[0], true), 4 * unit), -1);
+  // Of shops, sky and shadows, which are larger than windows, borders remain.
+  out.planes[0] = difference(out.planes[0], soft(out.planes[0], std::max(1, height / 14)));
+  return out;
+}
+
+ClusterImage cluster_image(const image::Image* linear, const image::Image* depth,
+                           const ClusterImageOptions& options, RandomKey key) {
+  if (!linear && !depth)
+    throw Error(ErrorCode::bad_input, "a cluster image needs a photo or depths");
+  if (depth && depth->channels.size() != 1)
+    throw Error(ErrorCode::bad_input, "depths are a picture of one channel");
+  if (linear && depth && (linear->width != depth->width || linear->height != depth->height))
+    throw Error(ErrorCode::bad_input, "photo and depths are not of one size");
+  const image::Image& any = linear ? *linear : *depth;
+  if (any.pixel_count() == 0) throw Error(ErrorCode::bad_input, "the picture has no pixels");
+  if (depth) {
+    const bool flat = spread(depth->pixels).deviation < options.least_relief &&
+                      std::all_of(depth->pixels.begin(), depth->pixels.end(),
+                                  [](float v) { return std::isfinite(v); });
+    if (!flat || !linear)
+      return made(any.width, any.height, of_depths(depth->pixels, options, key));
+  }
+  return made(any.width, any.height,
+              cluster(glass(*linear), {.clusters = options.photo_clusters}, key));
+}
+
+}  // namespace vug::fit

@@ -1,0 +1,128 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/fit/evidence/clusters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace vug::fit {
+namespace {
+
+using Point = std::array<float, 4>;
+
+double distance(const Point& a, const Point& b) {
+  double sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+/// Pixels as points; holes in the depth stand apart from all depths.
+std::vector<Point> points_of(const Planes& planes, double depth_scale) {
+  constexpr float kHole = 100;
+  std::vector<Point> out(planes.pixels(), Point{});
+  for (size_t i = 0; i < out.size(); ++i)
+    for (size_t c = 0; c < std::min<size_t>(4, planes.count()); ++c) {
+      const float value = planes.planes[c][i];
+      out[i][c] = !std::isfinite(value) ? kHole
+                  : c < 3               ? value
+                                        : value * static_cast<float>(depth_scale);
+    }
+  return out;
+}
+
+size_t nearest(const std::vector<Point>& centres, const Point& point) {
+  size_t best = 0;
+  for (size_t k = 1; k < centres.size(); ++k)
+    if (distance(centres[k], point) < distance(centres[best], point)) best = k;
+  return best;
+}
+
+/// Each new one is drawn with the square of its distance to those there are.
+std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey key) {
+  RandomStream stream(key);
+  std::vector<Point> out = {points[stream.below(static_cast<uint32_t>(points.size()))]};
+  std::vector<double> away(points.size(), std::numeric_limits<double>::infinity());
+  while (static_cast<int>(out.size()) < count) {
+    double sum = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      away[i] = std::min(away[i], distance(points[i], out.back()));
+      sum += away[i];
+    }
+    if (!(sum > 0)) break;  // no other colours
+    double aim = stream.uniform() * sum;
+    size_t i = 0;
+    while (i + 1 < points.size() && (aim -= away[i]) >= 0) ++i;
+    while (away[i] == 0) i = i > 0 ? i - 1 : points.size() - 1;
+    out.push_back(points[i]);
+  }
+  return out;
+}
+
+struct Found {
+  std::vector<Point> centres;
+  double error = 0;  ///< Sum of the squares of what pixels are away from their centres.
+};
+
+/// From one choice of starts; a row at a time, so that sums do not depend on threads.
+Found refined(const std::vector<Point>& points, size_t width, int rounds,
+              std::vector<Point> centres) {
+  struct Sum {
+    std::array<std::array<double, 5>, kMostLanes> of{};  ///< Four coordinates and a count.
+    double error = 0;
+  };
+  const auto add = [](Sum a, const Sum& b) {
+    for (size_t k = 0; k < a.of.size(); ++k)
+      for (size_t c = 0; c < 5; ++c) a.of[k][c] += b.of[k][c];
+    a.error += b.error;
+    return a;
+  };
+  Found out;
+  for (int round = 0; round < rounds; ++round) {
+    const Sum sum = ordered_reduce(
+        points.size() / width, Sum{},
+        [&](size_t y) {
+          Sum row;
+          for (size_t i = y * width; i < (y + 1) * width; ++i) {
+            const size_t at = nearest(centres, points[i]);
+            auto& of = row.of[at];
+            for (size_t c = 0; c < 4; ++c) of[c] += points[i][c];
+            ++of[4];
+            row.error += distance(centres[at], points[i]);
+          }
+          return row;
+        },
+        add, 16);
+    for (size_t k = 0; k < centres.size(); ++k)
+      for (size_t c = 0; c < 4 && sum.of[k][4] > 0; ++c)
+        centres[k][c] = static_cast<float>(sum.of[k][c] / sum.of[k][4]);
+    out.error = sum.error;
+  }
+  out.centres = std::move(centres);
+  return out;
+}
+
+}  // namespace
+
+std::vector<uint8_t> cluster(const Planes& planes, const ClusterOptions& options, RandomKey key) {
+  if (options.clusters < 1 || options.clusters > kMostLanes || planes.pixels() == 0)
+    throw Error(ErrorCode::bad_input, "a picture has between 1 and 8 clusters");
+  const std::vector<Point> points = points_of(planes, options.depth_scale);
+  Found best;
+  for (int attempt = 0; attempt < std::max(1, options.attempts); ++attempt) {
+    Found found = refined(points, static_cast<size_t>(planes.width), options.rounds,
+                          starts(points, options.clusters, key.at(static_cast<uint64_t>(attempt))));
+    if (attempt == 0 || found.error < best.error) best = std::move(found);
+  }
+  std::vector<Point>& centres = best.centres;
+  std::stable_sort(centres.begin(), centres.end(),
+                   [](const Point& a, const Point& b) { return a[0] < b[0]; });
+  std::vector<uint8_t> out(points.size());
+  parallel_for(
+      points.size(), [&](size_t i) { out[i] = static_cast<uint8_t>(nearest(centres, points[i])); },
+      4096);
+  return out;
+}
+
+}  // namespace vug::fit

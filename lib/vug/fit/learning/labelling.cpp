@@ -1,0 +1,56 @@
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/fit/learning/labelling.h>
+#include <vug/image/io.h>
+
+#include <algorithm>
+
+namespace vug::fit {
+
+std::vector<uint8_t> most_likely(const Planes& maps) {
+  std::vector<uint8_t> out(maps.pixels(), 0);
+  for (size_t c = 1; c < maps.count(); ++c)
+    for (size_t i = 0; i < out.size(); ++i)
+      if (maps.planes[c][i] > maps.planes[out[i]][i]) out[i] = static_cast<uint8_t>(c);
+  return out;
+}
+
+std::vector<uint8_t> looks_of(const std::vector<Seen>& seen, int width, int height) {
+  std::vector<uint8_t> out(static_cast<size_t>(width) * static_cast<size_t>(height),
+                           static_cast<uint8_t>(Look::wall));
+  for (const Seen& one : seen)
+    for (int y = std::max(0, one.rect.y0); y < std::min(height, one.rect.y1); ++y)
+      for (int x = std::max(0, one.rect.x0); x < std::min(width, one.rect.x1); ++x)
+        out[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] =
+            static_cast<uint8_t>(one.look);
+  return out;
+}
+
+std::vector<uint8_t> labels(const Planes& maps, const Classes& classes,
+                            const std::vector<Seen>& seen, const LabellingOptions& options) {
+  if (maps.count() != classes.names.size())
+    throw Error(ErrorCode::bad_input, "looks need a map for each class");
+  const std::vector<uint8_t> looks = looks_of(seen, maps.width, maps.height);
+  const auto trust = static_cast<float>(maths::pow(2, options.trust));
+  Planes weighed = maps;
+  for (size_t c = 0; c < maps.count(); ++c) {
+    const Look look = classes.look(static_cast<int>(c));
+    for (size_t i = 0; i < looks.size(); ++i) {
+      if (static_cast<Look>(looks[i]) == look && look != Look::wall)
+        weighed.planes[c][i] *= trust;
+      else if (static_cast<Look>(looks[i]) != look && look != Look::wall)
+        weighed.planes[c][i] /= trust;
+    }
+  }
+  return most_likely(weighed);
+}
+
+void write_labels(const std::filesystem::path& path, const std::vector<uint8_t>& labels, int width,
+                  int height) {
+  image::Image out(width, height, {"Y"});
+  for (size_t i = 0; i < labels.size(); ++i)
+    out.pixels[i] = static_cast<float>(image::srgb_decode(labels[i] / 255.0));
+  image::write_png(path, out, image::plain_view());
+}
+
+}  // namespace vug::fit

@@ -1,0 +1,12 @@
+#include <vug/fit/model/rules.h>
+
+namespace vug::fit {
+
+Rules indexed(Rules rules) {
+  rules.of.assign(rules.symbols.size(), {});
+  for (size_t i = 0; i < rules.productions.size(); ++i)
+    rules.of[static_cast<size_t>(rules.productions[i].head)].push_back(static_cast<int>(i));
+  return rules;
+}
+
+}  // namespace vug::fit

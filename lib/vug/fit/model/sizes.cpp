@@ -1,0 +1,76 @@
+#include <vug/fit/model/sizes.h>
+
+#include <algorithm>
+
+namespace vug::fit {
+namespace {
+
+constexpr double kTiny = 1e-9;
+
+/// Of each cell, what the best of these sizes gains there, or nothing.
+std::vector<double> best_of(const SizeGains& gains, const std::vector<size_t>& sizes) {
+  std::vector<double> out;
+  for (const std::vector<double>& cell : gains.cells) {
+    double best = 0;
+    for (const size_t size : sizes) best = std::max(best, cell[size]);
+    out.push_back(best);
+  }
+  return out;
+}
+
+/// The size that gains most beside those that gain `others`, and what all gain then.
+std::pair<size_t, double> best_beside(const SizeGains& gains, const std::vector<double>& others) {
+  std::vector<double> together(gains.count(), 0);
+  for (size_t cell = 0; cell < others.size(); ++cell) {
+    const double least = others[cell];
+    const double* own = gains.cells[cell].data();
+    for (size_t size = 0; size < together.size(); ++size)
+      together[size] += own[size] > least ? own[size] : least;
+  }
+  const auto most = std::max_element(together.begin(), together.end());
+  return {static_cast<size_t>(most - together.begin()), *most};
+}
+
+/// Exchanges one size after the other for a better one until none is; what all gain then.
+double exchange(const SizeGains& gains, std::vector<size_t>& sizes, double gain) {
+  for (bool better = true; better;) {
+    better = false;
+    for (size_t& size : sizes) {
+      std::vector<size_t> others;
+      for (const size_t& other : sizes)
+        if (&other != &size) others.push_back(other);
+      const auto [at, most] = best_beside(gains, best_of(gains, others));
+      if (!(most > gain + kTiny)) continue;
+      size = at, gain = most, better = true;
+    }
+  }
+  return gain;
+}
+
+SizeChoice chosen(const SizeGains& gains, const std::vector<size_t>& sizes) {
+  std::vector<WindowSize> all;
+  for (const size_t size : sizes) all.push_back(gains.size(size));
+  return best_of_each(std::move(all), gains.cells.size(),
+                      [&](size_t cell, size_t k) { return gains.cells[cell][sizes[k]]; });
+}
+
+}  // namespace
+
+std::vector<SizeChoice> choose_sizes(const SizeGains& gains, int most, double cost) {
+  std::vector<SizeChoice> out;
+  double limit = 0;  // what as many sizes as cells gain
+  for (const std::vector<double>& cell : gains.cells)
+    limit += std::max(0.0, *std::max_element(cell.begin(), cell.end()));
+  std::vector<size_t> sizes;
+  double gain = 0;
+  while (static_cast<int>(sizes.size()) < most && (sizes.empty() || limit - gain > cost)) {
+    const auto [size, with] = best_beside(gains, best_of(gains, sizes));
+    if (!sizes.empty() && !(with > gain + kTiny)) break;
+    sizes.push_back(size);
+    gain = exchange(gains, sizes, with);
+    out.push_back(chosen(gains, sizes));
+  }
+  return out;
+}
+
+}  // namespace vug::fit

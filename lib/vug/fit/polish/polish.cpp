@@ -1,0 +1,192 @@
+#include <vug/fit/polish/polish.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::fit {
+namespace {
+
+/// Moves what is in the area of node i, as far as that is a grid or stands by itself.
+void shift_content(State& state, int i, int dx, int dy) {
+  for (int part = i + 1; part < state.tree.end(i); ++part) {
+    Node& node = state.tree[part];
+    if (node.columns > 0) {
+      shift_lines(node, true, dx), shift_lines(node, false, dy);
+    } else if (static_cast<Op>(node.made_by) == Op::terminal) {
+      add(node.x, dx), add(node.y, dy);
+    }
+    state.changed(part);
+  }
+  state.changed(i);
+}
+
+/// Whether one of the node's areas is divided further, so that what is in it cannot be shifted.
+bool divided(const Rules& rules, const State& state, int i) {
+  const int way = state.tree[i].production;
+  if (way < 0) return false;
+  const Op op = rules.production(way).op;
+  return op != Op::grid && op != Op::windows && op != Op::terminal;
+}
+
+class Polisher {
+ public:
+  Polisher(const Workshop& shop, const Evidence& evidence, State& state)
+      : shop_(shop), model_(shop.model), evidence_(evidence), state_(state) {}
+
+  bool turn(Progress& progress) {
+    bool better = false;
+    for (int i = 0; i < state_.tree.size() && !progress.cancelled(); ++i) {
+      const Rules& rules = model_.rules();
+      if (state_.tree[i].extent > 0 && static_cast<Op>(state_.tree[i].made_by) != Op::repeat)
+        better |= extent(i);
+      if (is_terminal(shop_, state_, i) && !model_.in_grid(state_.tree[i])) better |= rect(i);
+      if (state_.tree[i].production < 0) continue;
+      if (undivided(i) || lifted(i)) {
+        better = true;
+        continue;
+      }
+      if (rules.production(state_.tree[i].production).op == Op::grid) {
+        better |= polish_type(shop_, state_, i);
+        better |= polish_grid(shop_, evidence_, state_, i);
+        better |= polish_cells(shop_, evidence_, state_, i);
+        better |= polish_kinds(shop_, evidence_, state_, i);
+      }
+    }
+    return better;
+  }
+
+ private:
+  /// The best of all values of what `change(state, by)` changes.
+  template <class Change>
+  bool search(int low, int high, const Change& change) {
+    State best = state_;
+    bool better = false;
+    for (int by = low; by <= high; ++by) {
+      if (by == 0) continue;
+      State other = state_;
+      if (change(other, by)) better |= take_cheaper(model_, best, std::move(other));
+    }
+    if (better) state_ = std::move(best);
+    return better;
+  }
+
+  /// The node as it is before it is rewritten, where that is cheaper.
+  bool undivided(int i) {
+    State other = state_;
+    other.prune(i);
+    other.moved();
+    return take_cheaper(model_, state_, std::move(other));
+  }
+
+  /// A grid that is the only thing in one of the node's parts becomes the node's own, where that is
+  /// cheaper.
+  bool lifted(int i) {
+    const Tree& tree = state_.tree;
+    int full = -1;
+    for (int part = i + 1; part < tree.end(i); part = tree.end(part)) {
+      if (tree[part].production < 0) continue;
+      if (full >= 0) return false;
+      full = part;
+    }
+    const Rules& rules = model_.rules();
+    if (full < 0 || rules.production(tree[full].production).op != Op::grid) return false;
+    const Area &area = state_.area(i), &inner = state_.area(full);
+    if (inner.count != area.count) return false;
+    for (const int way : rules.productions_of(tree[i].symbol)) {
+      const Production& production = rules.production(way);
+      if (production.op != Op::grid || production.parts[0] != tree[full + 1].symbol) continue;
+      std::vector<Node> nodes(tree.nodes.begin() + full, tree.nodes.begin() + tree.end(full));
+      const int16_t size = nodes[0].size;
+      nodes[0] = tree[i];
+      nodes[0].size = size, nodes[0].production = static_cast<int16_t>(way);
+      State other = state_;
+      other.replace(i, nodes);
+      other.moved();
+      shift_content(other, i, state_.frame(inner, 0).x - state_.frame(area, 0).x, inner.y - area.y);
+      return take_cheaper(model_, state_, std::move(other));
+    }
+    return false;
+  }
+
+  /// Edges of what stands by itself, and the whole of it.
+  bool rect(int i) {
+    bool better = false;
+    for (const bool along_x : {true, false}) {
+      const Area& area = state_.area(i);
+      const int room = along_x ? area.width : area.height;
+      for (const bool low : {true, false})
+        better |= search(-room, room, [&](State& other, int by) {
+          return move_edge(shop_, other, i, along_x, low, by);
+        });
+      better |= search(-room, room, [&](State& other, int by) {
+        Node& node = other.tree[i];
+        add(along_x ? node.x : node.y, by);
+        other.changed(other.tree.parent(i));
+        other.changed(i);
+        return model_.fits(other, i);
+      });
+    }
+    return better;
+  }
+
+  /// The line between this part and the next: what is in them stays where it is, or goes with it.
+  bool extent(int i) {
+    const Op op = static_cast<Op>(state_.tree[i].made_by);
+    const int above = state_.tree.parent(i), next = state_.tree.end(i);
+    const int room = op == Op::rows ? state_.area(above).height : state_.area(above).width;
+    bool better = false;
+    for (const bool stays : {true, false})
+      better |= search(-room, room, [&](State& other, int by) {
+        Tree& tree = other.tree;
+        if (op == Op::mirror && by % 2 != 0) return false;
+        add(tree[i].extent, by);
+        if (op == Op::elements && tree[next].extent > 0) add(tree[next].extent, -by);
+        if (tree[i].extent <= 0 || (op == Op::elements && tree[next].extent < 0)) return false;
+        const Rules& rules = model_.rules();
+        // Areas begin at the left top: the row, the middle and the next element move.
+        const int moved = op == Op::elements ? next : i;
+        if (stays && divided(rules, other, moved)) return false;
+        if (stays)
+          shift_content(other, moved,
+                        op == Op::rows     ? 0
+                        : op == Op::mirror ? by / 2
+                                           : -by,
+                        op == Op::rows ? by : 0);
+        other.changed(i);
+        if (op == Op::elements) other.changed(next);
+        other.moved();
+        return true;
+      });
+    return better;
+  }
+
+  const Workshop& shop_;
+  const Model& model_;
+  const Evidence& evidence_;
+  State& state_;
+};
+
+}  // namespace
+
+bool take_cheaper(const Model& model, State& state, State other) {
+  constexpr double kTiny = 1e-9;
+  if (!(model.energy(other) < model.energy(state) - kTiny)) return false;
+  state = std::move(other);
+  return true;
+}
+
+Polished polish(const Workshop& shop, const Evidence& evidence, State& state, Progress& progress) {
+  constexpr int kMostRounds = 20;
+  Polished out;
+  out.before = shop.model.energy(state);
+  Polisher polisher(shop, evidence, state);
+  bool better = true;
+  while (better && out.rounds < kMostRounds && !progress.cancelled()) {
+    better = polisher.turn(progress);
+    ++out.rounds;
+  }
+  out.after = shop.model.energy(state);
+  return out;
+}
+
+}  // namespace vug::fit

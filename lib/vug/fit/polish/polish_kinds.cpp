@@ -1,0 +1,54 @@
+// Kinds of a grid's windows: for each number of kinds the sizes that gain most, and what stands in
+// each cell. Bits of cells grow only where the kinds pass a power of two, so that chains, which
+// walk by single steps, are held back by what costs nothing further on.
+#include <vug/fit/model/cells.h>
+#include <vug/fit/evidence/grid_gains.h>
+#include <vug/fit/polish/polish.h>
+
+#include <algorithm>
+
+namespace vug::fit {
+namespace {
+
+/// Of the grid's cells, row after row from the top.
+SizeGains size_gains(const GridGains& windows, const Node& grid, int least) {
+  SizeGains out;
+  out.least = out.most = {least, least};
+  const auto each = [&](const auto& visit) {
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) visit(column, row);
+  };
+  each([&](int column, int row) {
+    const WindowSize most = windows.most(grid, column, row);
+    out.most = {std::max(out.most.width, most.width), std::max(out.most.height, most.height)};
+  });
+  each([&](int column, int row) {
+    std::vector<double>& cell = out.cells.emplace_back();
+    for (size_t at = 0; at < out.count(); ++at)
+      cell.push_back(windows.gain(grid, column, row, out.size(at)));
+  });
+  return out;
+}
+
+}  // namespace
+
+bool polish_kinds(const Workshop& shop, const Evidence& evidence, State& state, int i) {
+  const Model& model = shop.model;
+  const int grid = i + 1;
+  if (!has_cells(shop, state, grid) || !model.likelihood()) return false;
+  bool any = false;
+  for (bool better = true; better;) {
+    better = false;
+    const SizeGains gains =
+        size_gains(GridGains(model, evidence, state, grid), state.tree[grid], model.limits().least);
+    // A kind costs its node; that cells may take more bits too is for the model to tell.
+    const double cost = model.complexity(state.tree, grid + 1) / model.trust();
+    State best = state;
+    for (const SizeChoice& choice : choose_sizes(gains, model.limits().most_kinds, cost))
+      better |= take_cheaper(model, best, with_windows(model, state, grid, choice));
+    if (better) state = std::move(best), any = true;
+  }
+  return any;
+}
+
+}  // namespace vug::fit

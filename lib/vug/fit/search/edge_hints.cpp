@@ -1,0 +1,81 @@
+#include <vug/fit/search/edge_hints.h>
+#include <vug/fit/likelihood.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace vug::fit {
+namespace {
+
+using inference::Profile;
+using Weights = std::vector<double>;
+
+/// Pixels on each side of a place that are compared.
+constexpr int kReach = 2;
+/// Share of proposals that follow the picture.
+constexpr double kTrust = 0.85;
+
+/// Calls change(before, behind) with the sums of strips on both sides of each place along an axis,
+/// each over the picture's other axis; what it returns, where above 0, are the weights.
+Weights changes(const Evidence& evidence, bool along_x, int reach,
+                const std::function<double(const Sums&, const Sums&)>& change) {
+  const int size = along_x ? evidence.width() : evidence.height();
+  const auto strip = [&](int begin, int end) {
+    return along_x ? evidence.sums(begin, 0, end, evidence.height())
+                   : evidence.sums(0, begin, evidence.width(), end);
+  };
+  Weights out(static_cast<size_t>(size) + 1, 0);
+  for (int place = reach; place + reach <= size; ++place)
+    out[static_cast<size_t>(place)] =
+        std::max(0.0, change(strip(place - reach, place), strip(place, place + reach)));
+  return out;
+}
+
+double difference(const Sums& sums, Look a, Look b) {
+  return static_cast<double>(sums.lane[static_cast<size_t>(a)]) -
+         static_cast<double>(sums.lane[static_cast<size_t>(b)]);
+}
+
+}  // namespace
+
+Hints Hints::none(int width, int height) {
+  const Profile x(Weights(static_cast<size_t>(width) + 1, 1));
+  const Profile y(Weights(static_cast<size_t>(height) + 1, 1));
+  return {x, x, y, y, y};
+}
+
+Hints Hints::of_clusters(const Evidence& evidence) {
+  const auto change = [&](const Sums& before, const Sums& behind) {
+    double sum = 0;
+    for (size_t i = 0; i < before.lane.size(); ++i)
+      sum += std::fabs(static_cast<double>(before.lane[i]) - static_cast<double>(behind.lane[i]));
+    return sum;
+  };
+  const Profile x = Profile::mixed(changes(evidence, true, kReach, change), kTrust);
+  const Profile y = Profile::mixed(changes(evidence, false, kReach, change), kTrust);
+  const Profile floor = Profile::mixed(changes(evidence, false, 8 * kReach, change), kTrust);
+  return {x, x, y, y, floor};
+}
+
+Hints Hints::of_looks(const Evidence& looks) {
+  // Bits that a pixel saves as a window.
+  const auto gain = [](const Sums& sums) { return difference(sums, Look::wall, Look::window); };
+  const auto begins = [&](const Sums& before, const Sums& behind) {
+    return gain(behind) - gain(before);
+  };
+  const auto ends = [&](const Sums& before, const Sums& behind) {
+    return gain(before) - gain(behind);
+  };
+  const auto shops = [](const Sums& before, const Sums& behind) {
+    return difference(behind, Look::wall, Look::shop) - difference(before, Look::wall, Look::shop);
+  };
+  const auto profile = [&](bool along_x, int reach, const auto& change) {
+    return Profile::mixed(changes(looks, along_x, reach, change), kTrust);
+  };
+  return {profile(true, kReach, begins), profile(true, kReach, ends),
+          profile(false, kReach, begins), profile(false, kReach, ends),
+          profile(false, 8 * kReach, shops)};
+}
+
+}  // namespace vug::fit

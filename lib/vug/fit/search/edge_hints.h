@@ -1,0 +1,25 @@
+// Where the picture says that edges may be, so that proposals need not try every place.
+#pragma once
+
+#include <vug/fit/evidence/evidence.h>
+#include <vug/inference/profile.h>
+
+namespace vug::fit {
+
+/// Over places between pixels: 0 is the picture's left or upper border, its width or height the
+/// other one. Chains reach the same distribution with any hints, but not as soon.
+struct Hints {
+  inference::Profile left, right;  ///< Of windows, places along x.
+  inference::Profile top, bottom;  ///< Of windows, places along y.
+  inference::Profile floor;        ///< Between the ground floor and the part above, along y.
+
+  /// Every place is as likely as any other.
+  static Hints none(int width, int height);
+  /// Where whole columns and rows of clusters change.
+  static Hints of_clusters(const Evidence& evidence);
+  /// Where whole columns and rows begin, or cease, to look like windows rather than wall; `looks`
+  /// are code lengths under each Look.
+  static Hints of_looks(const Evidence& looks);
+};
+
+}  // namespace vug::fit

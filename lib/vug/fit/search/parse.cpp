@@ -1,0 +1,207 @@
+#include <vug/base/parallel.h>
+#include <vug/fit/search/layout.h>
+#include <vug/fit/search/parse.h>
+#include <vug/fit/search/row.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace vug::fit {
+namespace {
+
+Gains scaled(Gains gains, double by) {
+  for (double& gain : gains) gain *= by;
+  return gains;
+}
+
+class Parser {
+ public:
+  Parser(const Workshop& shop, const Evidence& evidence, const Gains& gains,
+         const ParseOptions& options)
+      : shop_(shop),
+        model_(shop.model),
+        rules_(shop.model.rules()),
+        evidence_(evidence),
+        map_(evidence, scaled(gains, shop.model.trust())),
+        options_(options),
+        line_cost_(bits_for(model_.width())) {}
+
+  State best(State state, int i, int depth) const {
+    const Area area = state.area(i);
+    const Sheet sheet(map_, state, area);
+    Found found(model_, state);
+    if (has(state, i, Op::grid)) {
+      for (const auto& layout : layouts(state, i, sheet)) {
+        for (State& grid : grids_of(shop_, state, i, sheet, layout.first, layout.second))
+          found.add(std::move(grid));
+      }
+    }
+    if (has(state, i, Op::elements))
+      for (State& row : rows_of_elements(shop_, evidence_, state, i)) found.add(std::move(row));
+    if (depth == 0) return std::move(found.state);
+    std::vector<State> ways = splits(state, i, sheet);
+    std::vector<double> bits;
+    for (State& plain : all_expanded(ways, i, 0)) {
+      bits.push_back(model_.energy(plain));
+      found.add(std::move(plain));
+    }
+    if (depth == 1) return std::move(found.state);
+    std::vector<size_t> order(ways.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return bits[a] < bits[b]; });
+    order.resize(std::min(order.size(), static_cast<size_t>(options_.breadth)));
+    std::vector<State> promising;
+    for (const size_t way : order) promising.push_back(std::move(ways[way]));
+    for (State& deep : all_expanded(promising, i, depth - 1)) found.add(std::move(deep));
+    return std::move(found.state);
+  }
+
+ private:
+  /// Of windows, and with a column for what stands between them; of windows beside what stands on
+  /// the ground in any place.
+  std::vector<std::pair<Layout, Rect>> layouts(const State& state, int i,
+                                               const Sheet& sheet) const {
+    std::vector<std::pair<Layout, Rect>> out;
+    const auto add = [&](const Layout& layout, const Rect& door) {
+      const std::pair<Layout, Rect> one(layout, door);
+      if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(one);
+    };
+    const auto lay = [&](const Sheet& on, bool rows_first) {
+      return lay_out(on, model_.limits(), line_cost_, 6, rows_first);
+    };
+    for (const bool rows_first : {false, true}) {
+      const Layout plain = lay(sheet, rows_first);
+      if (plain.empty()) continue;
+      const auto between = standing_between(shop_, evidence_, state, i, plain.columns);
+      add(plain, between.empty() ? Rect{} : between.front());
+      if (between.empty() || static_cast<int>(plain.columns.size()) >= model_.limits().most_lines)
+        continue;
+      const Rect& door = between.front();
+      Layout with = plain;
+      const auto at = std::find_if(with.columns.begin(), with.columns.end(),
+                                   [&](const Segment& c) { return c.start >= door.x1; });
+      with.columns.insert(at, {door.x0, door.x1});
+      add(with, door);
+    }
+    std::vector<Rect> anywhere = standing_between(shop_, evidence_, state, i, {});
+    if (anywhere.size() > kStanding) anywhere.resize(kStanding);
+    for (const Rect& standing : anywhere) {
+      const Layout beside = lay(sheet.without(standing), true);
+      if (!beside.empty()) add(beside, standing);
+    }
+    return out;
+  }
+
+  /// The best so far.
+  struct Found {
+    Found(const Model& of, const State& start) : model(of), state(start) {
+      bits = model.energy(state);
+    }
+    void add(State other) {
+      const double others = model.energy(other);
+      if (!(others < bits)) return;
+      bits = others;
+      state = std::move(other);
+    }
+    const Model& model;
+    State state;
+    double bits;
+  };
+
+  bool has(const State& state, int i, Op op) const {
+    for (const int way : rules_.productions_of(state.tree[i].symbol))
+      if (rules_.production(way).op == op) return true;
+    return false;
+  }
+
+  /// All parts of node i expanded, the last first, so that places of the others stay.
+  State expanded(State state, int i, int depth) const {
+    for (int number = state.tree.part_count(i) - 1; number >= 0; --number)
+      state = best(std::move(state), state.tree.part(i, number), depth);
+    return state;
+  }
+
+  std::vector<State> all_expanded(const std::vector<State>& ways, int i, int depth) const {
+    std::vector<State> out(ways.size());
+    parallel_for(ways.size(), [&](size_t way) { out[way] = expanded(ways[way], i, depth); });
+    return out;
+  }
+
+  static Node part_of(const Production& production, size_t number, int extent = 0) {
+    Node node;
+    node.symbol = static_cast<int16_t>(production.parts[number]);
+    node.made_by = static_cast<int8_t>(production.op);
+    node.extent = static_cast<int16_t>(extent);
+    return node;
+  }
+
+  /// Node i divided in every way that the picture supports.
+  std::vector<State> splits(const State& state, int i, const Sheet& sheet) const {
+    std::vector<State> out;
+    const Area area = state.area(i);
+    const int least = model_.limits().least;
+    const double promise = options_.promise * sheet.promise();
+    const auto add = [&](int way, const std::vector<Node>& parts, bool folds) {
+      State split = state;
+      split.grow(i, way, parts);
+      if (!std::isfinite(model_.energy(split))) return;
+      double kept = 0;
+      for (int number = 0; folds && number < static_cast<int>(parts.size()); ++number)
+        kept += Sheet(map_, split, split.area(split.tree.part(i, number))).promise();
+      if (!folds || kept >= promise) out.push_back(std::move(split));
+    };
+    for (const int way : rules_.productions_of(state.tree[i].symbol)) {
+      const Production& production = rules_.production(way);
+      if (production.op == Op::rows)
+        for (const int edge : edges(evidence_, state, area, false, kRows))
+          add(way, {part_of(production, 0, area.height - edge), part_of(production, 1)}, false);
+      if (production.op == Op::repeat)
+        for (int times = 2;
+             times <= std::min<int>(model_.limits().most_repeats, area.width / (2 * least));
+             ++times)
+          add(way, {part_of(production, 0, times)}, true);
+      if (production.op == Op::mirror && production.parts.size() == 1)
+        add(way, {part_of(production, 0)}, true);
+      if (production.op == Op::mirror && production.parts.size() == 2)
+        for (const int middle : middles(state, area)) {
+          if (middle >= least)
+            add(way, {part_of(production, 0), part_of(production, 1, middle)}, true);
+        }
+    }
+    return out;
+  }
+
+  /// Widths of middles that end halfway between places where the picture changes, as something
+  /// stands, or nothing, from one to the next.
+  std::set<int> middles(const State& state, const Area& area) const {
+    const std::vector<int> places = edges(evidence_, state, area, true, kMiddles);
+    std::set<int> out;
+    for (size_t i = 0; i + 1 < places.size(); ++i)
+      out.insert(std::abs(area.width - (places[i] + places[i + 1]) / 2 * 2));
+    return out;
+  }
+
+  static constexpr int kRows = 12, kMiddles = 24;
+  static constexpr size_t kStanding = 4;
+
+  const Workshop& shop_;
+  const Model& model_;
+  const Rules& rules_;
+  const Evidence& evidence_;
+  const GainMap map_;
+  const ParseOptions options_;
+  const double line_cost_;
+};
+
+}  // namespace
+
+State parse(const Workshop& shop, const Evidence& evidence, const Gains& gains, State state, int i,
+            const ParseOptions& options) {
+  shop.model.energy(state);
+  return Parser(shop, evidence, gains, options).best(std::move(state), i, options.depth);
+}
+
+}  // namespace vug::fit

@@ -1,0 +1,73 @@
+#include <vug/base/error.h>
+#include <vug/render/cameras/moving_camera.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::render {
+namespace {
+
+class MovingCamera final : public Camera {
+ public:
+  explicit MovingCamera(std::vector<CameraPtr> moments) : moments_(std::move(moments)) {}
+
+  Ray ray(const Vec2f& film, float aspect, const Vec2f& lens) const override {
+    return ray_at(0.5f, film, aspect, lens);
+  }
+  std::optional<Vec2f> place(const Vec3f& point, float aspect) const override {
+    return middle().place(point, aspect);
+  }
+  float period() const override { return middle().period(); }
+  Vec3f eye() const override { return middle().eye(); }
+  float depth(const Vec3f& point) const override { return depth_at(0.5f, point); }
+  std::optional<CameraMatrices> matrices(float aspect) const override {
+    return middle().matrices(aspect);
+  }
+  Shutter shutter() const override { return middle().shutter(); }
+  CameraPtr eye_view(int side) const override {
+    std::vector<CameraPtr> views;
+    for (const CameraPtr& moment : moments_) {
+      views.push_back(moment->eye_view(side));
+      if (!views.back()) return nullptr;
+    }
+    return moving_camera(std::move(views));
+  }
+  bool moves() const override { return true; }
+  bool as_data(exchange::Camera& camera) const override { return middle().as_data(camera); }
+  Ray ray_at(float time, const Vec2f& film, float aspect, const Vec2f& lens) const override {
+    const Between at = between(time);
+    const Ray a = at.first.ray(film, aspect, lens), b = at.second.ray(film, aspect, lens);
+    return {a.origin + (b.origin - a.origin) * at.share,
+            normalized(a.direction + (b.direction - a.direction) * at.share)};
+  }
+  float depth_at(float time, const Vec3f& point) const override {
+    const Between at = between(time);
+    return at.first.depth(point) * (1 - at.share) + at.second.depth(point) * at.share;
+  }
+
+ private:
+  struct Between {
+    const Camera &first, &second;
+    float share;
+  };
+  Between between(float time) const {
+    const auto last = static_cast<float>(moments_.size() - 1);
+    const float place = std::clamp(time, 0.0f, 1.0f) * last;
+    const float first = std::min(std::floor(place), last - 1);
+    const auto i = static_cast<size_t>(first);
+    return {*moments_[i], *moments_[i + 1], place - first};
+  }
+  const Camera& middle() const { return *moments_[moments_.size() / 2]; }
+
+  std::vector<CameraPtr> moments_;
+};
+
+}  // namespace
+
+CameraPtr moving_camera(std::vector<CameraPtr> moments) {
+  if (moments.empty()) throw Error(ErrorCode::bad_input, "a camera is nowhere");
+  if (moments.size() == 1) return moments.front();
+  return std::make_shared<const MovingCamera>(std::move(moments));
+}
+
+}  // namespace vug::render

@@ -1,0 +1,81 @@
+#include <vug/base/maths.h>
+#include <vug/render/film/adaptive.h>
+
+#include <cmath>
+
+namespace vug::render {
+namespace {
+
+constexpr double kFloorOfKey = 0.25;
+
+constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // of Rec.709
+
+double light_of(const PixelSum& pixel) {
+  double light = 0;
+  for (size_t c = 0; c < 3; ++c) light += kWeights[c] * pixel.mean(c);
+  return std::max(0.0, light);
+}
+
+double mean_light(const Film& film, const Region& region) {
+  double sum = 0;
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) sum += light_of(film.at(x, y));
+  return sum / static_cast<double>(region.pixels());
+}
+
+/// Sum over the pixels of their squared noise.
+double squared_noise(const Film& film, const Region& region, double floor) {
+  double sum = 0;
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      const PixelSum& pixel = film.at(x, y);
+      // As if the channels' errors went together, which they do but for coloured lights.
+      double deviation = 0;
+      for (size_t c = 0; c < 3; ++c) deviation += kWeights[c] * std::sqrt(pixel.variance(c));
+      const double relative = deviation / std::max(light_of(pixel) + floor, 1e-30);
+      sum += relative * relative;
+    }
+  return sum;
+}
+
+/// The log-average luminance of the blocks that light reaches.
+double key_of(const State& state) {
+  double sum = 0, lit = 0;
+  for (size_t i = 0; i < state.done.size(); ++i) {
+    const double light = mean_light(state.film, state.region().block(i, State::kBlock));
+    if (light > 0) sum += maths::log(light), lit += 1;
+  }
+  return lit > 0 ? maths::exp(sum / lit) : 0;
+}
+
+}  // namespace
+
+void settle(State& state, double noise) {
+  const Region& region = state.region();
+  const double floor = kFloorOfKey * key_of(state);
+  std::vector<double> noises(state.done.size()), pixels(state.done.size());
+  for (size_t i = 0; i < noises.size(); ++i) {
+    const Region block = region.block(i, State::kBlock);
+    noises[i] = squared_noise(state.film, block, floor);
+    pixels[i] = static_cast<double>(block.pixels());
+  }
+  const int across = (region.width() + State::kBlock - 1) / State::kBlock;
+  const int down = static_cast<int>(noises.size()) / across;
+  const auto number = [&](int x, int y) {
+    return static_cast<size_t>(y) * static_cast<size_t>(across) + static_cast<size_t>(x);
+  };
+  for (int y = 0; y < down; ++y)
+    for (int x = 0; x < across; ++x) {
+      const size_t block = number(x, y);
+      if (state.settled[block] || state.done[block] - state.begin < kFewestSamples) continue;
+      double near = 0, count = 0;
+      for (int v = std::max(0, y - 1); v <= std::min(down - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(across - 1, x + 1); ++u) {
+          const size_t neighbour = number(u, v);
+          near += noises[neighbour], count += pixels[neighbour];
+        }
+      if (near <= noise * noise * count) state.settled[block] = 1;
+    }
+}
+
+}  // namespace vug::render

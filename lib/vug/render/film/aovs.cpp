@@ -1,0 +1,327 @@
+#include <vug/base/diagnostics.h>
+#include <vug/render/film/cryptomatte.h>
+#include <vug/render/film/aovs.h>
+#include <vug/render/scene.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+namespace vug::render {
+namespace {
+
+/// The picture's depth where no surface is.
+constexpr double kNowhere = 1e10;
+constexpr const char* kLight = "light_";
+constexpr const char* kAttribute = "attribute_";
+
+struct Out {
+  const PixelSum& sum;
+  float* to;
+
+  void put(double v) { *to++ = static_cast<float>(v); }
+  /// Means over the samples that met a surface.
+  void hits(const std::array<int64_t, 3>& sums) {
+    for (const int64_t v : sums) hit(v);
+  }
+  void hit(int64_t v) { put(from_plain(v) / std::max(sum.hits, 1u)); }
+};
+
+struct Kind {
+  LayerInfo info;
+  void (*write)(Out&);
+};
+
+/// The layers that come straight out of a PixelSum.
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all = {
+      {{"beauty", "Radiance, in the working space.", {"R", "G", "B"}, true},
+       [](Out& o) {
+         for (size_t i = 0; i < 3; ++i) o.put(o.sum.mean(i));
+       }},
+      {{"A", "1 where a surface or lamp is seen, 0 where only the sky is.", {"A"}, true},
+       [](Out& o) { o.put(from_plain(o.sum.alpha) / std::max(o.sum.samples, 1u)); }},
+      {{"Z", "Depth along the axis of view in metres; 1e10 where no surface is.", {"Z"}, true},
+       [](Out& o) { o.sum.hits > 0 ? o.hit(o.sum.depth) : o.put(kNowhere); }},
+      {{"N", "Normal of the first surface, in world axes.", {"N.X", "N.Y", "N.Z"}, true},
+       [](Out& o) { o.hits(o.sum.normal); }},
+      {{"P", "Position of the first surface in metres.", {"P.X", "P.Y", "P.Z"}, true},
+       [](Out& o) { o.hits(o.sum.position); }},
+      {{"albedo",
+        "Share of light that the first surface reflects.",
+        {"albedo.R", "albedo.G", "albedo.B"},
+        true},
+       [](Out& o) { o.hits(o.sum.albedo); }},
+      {{"variance",
+        "Squared standard error of the beauty's pixels.",
+        {"variance.R", "variance.G", "variance.B"},
+        true},
+       [](Out& o) {
+         for (size_t i = 0; i < 3; ++i) o.put(o.sum.variance(i));
+       }},
+      {{"samples", "How many samples a pixel's means are over.", {"samples"}, true},
+       [](Out& o) { o.put(o.sum.samples); }},
+  };
+  return all;
+}
+
+std::vector<std::string> colour(const std::string& layer) {
+  return {layer + ".R", layer + ".G", layer + ".B"};
+}
+
+bool is_part(const std::string& name) {
+  const auto& parts = part_names();
+  return std::find(parts.begin(), parts.end(), name) != parts.end();
+}
+
+bool is_attribute(const std::string& name) { return name.rfind(kAttribute, 0) == 0; }
+
+/// A layer among a film's lights: where it stands, how many numbers it has, and whether these are
+/// means over the samples that met a surface.
+struct Summed {
+  size_t index = 0, count = 3;
+  bool surface = false;
+};
+
+/// In the order of TallyPlan.
+Summed summed(const LayerPlan& plan, const std::string& name) {
+  const auto& parts = part_names();
+  const auto part = std::find(parts.begin(), parts.end(), name);
+  if (part != parts.end()) return {static_cast<size_t>(part - parts.begin())};
+  size_t index = plan.parts() ? parts.size() : 0;
+  for (const std::string& group : plan.groups) {
+    if (kLight + group == name) return {index};
+    ++index;
+  }
+  if (name == kWetness) return {index, 1, true};
+  if (plan.has(kWetness)) ++index;
+  for (const LayerAttribute& attribute : plan.attributes) {
+    if (kAttribute + attribute.name == name) return {index, attribute.arity, true};
+    ++index;
+  }
+  if (name == kMotion) return {index, 2, true};
+  return {};
+}
+
+/// The attributes of all meshes, each once, with the largest arity it has.
+std::vector<LayerAttribute> attributes_of(const Scene& scene) {
+  std::vector<LayerAttribute> out;
+  for (const Object& object : scene.objects) {
+    if (!object.mesh) continue;
+    for (const mesh::Attribute& attribute : object.mesh->attributes) {
+      const auto arity = static_cast<uint32_t>(std::clamp(attribute.arity, 1, 3));
+      auto found = std::find_if(out.begin(), out.end(), [&](const LayerAttribute& known) {
+        return known.name == attribute.name;
+      });
+      if (found == out.end()) found = out.insert(found, {attribute.name, arity});
+      found->arity = std::max(found->arity, arity);
+    }
+  }
+  return out;
+}
+
+/// Attributes that are asked for by name.
+std::vector<LayerAttribute> named_attributes(const std::vector<std::string>& names) {
+  std::vector<LayerAttribute> out;
+  for (const std::string& name : names)
+    if (is_attribute(name)) out.push_back({name.substr(std::strlen(kAttribute)), 3});
+  return out;
+}
+
+/// A layer of the Cryptomatte, of objects by coverage or of elements by what was read of each.
+struct Crypto {
+  CryptoIds ids;
+  bool elements;
+};
+
+/// What the samples of a pixel have met of each element; `first`: where these begin in a film's
+/// lights.
+CryptoShares element_shares(const Film& film, int x, int y, size_t first, const CryptoIds& ids) {
+  CryptoShares shares;
+  const double samples = std::max(film.at(x, y).samples, 1u);
+  for (size_t i = 0; i < ids.size(); ++i) {
+    const double share = from_wide(film.lights(x, y)[3 * (first + i)], kLightBits) / samples;
+    if (share > 0) shares.emplace_back(ids[i], static_cast<float>(share));
+  }
+  return shares;
+}
+
+}  // namespace
+
+const std::vector<LayerInfo>& layers() {
+  static const std::vector<LayerInfo> all = [] {
+    std::vector<LayerInfo> list;
+    for (const Kind& kind : kinds()) list.push_back(kind.info);
+    for (const std::string& part : part_names())
+      list.push_back({part, "A part of the beauty: see docs/rendering.md.", colour(part), false});
+    list.push_back({kMotion,
+                    "Pixels by which the first surface goes until the next frame, to the right and "
+                    "upwards.",
+                    {"motion.X", "motion.Y"},
+                    false});
+    list.push_back({kWetness, "Share of the first surface that water covers.", {kWetness}, false});
+    list.push_back(
+        {kCryptoObject, "Cryptomatte of objects.", crypto_channels(kCryptoObject), false});
+    list.push_back(
+        {kCryptoMaterial, "Cryptomatte of materials.", crypto_channels(kCryptoMaterial), false});
+    return list;
+  }();
+  return all;
+}
+
+std::vector<std::string> LayerPlan::channels() const {
+  std::vector<std::string> out;
+  for (const std::string& name : names) {
+    const auto& known = layers();
+    const auto layer = std::find_if(known.begin(), known.end(),
+                                    [&](const LayerInfo& info) { return info.name == name; });
+    auto more = layer != known.end() ? layer->channels
+                : is_crypto(name)    ? crypto_channels(name)
+                                     : colour(name);
+    for (const LayerAttribute& attribute : attributes)
+      if (kAttribute + attribute.name == name) {
+        more.clear();
+        for (uint32_t i = 0; i < attribute.arity; ++i) more.push_back(name + '.' + "XYZ"[i]);
+      }
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
+
+Gather LayerPlan::gather() const {
+  Gather gather;
+  gather.lights = (parts() ? part_names().size() : 0) + groups.size() + (has(kWetness) ? 1 : 0) +
+                  attributes.size() + (has(kMotion) ? 1 : 0);
+  gather.coverage = has(kCryptoObject) || has(kCryptoMaterial);
+  return gather;
+}
+
+size_t LayerPlan::first_element() const {
+  return static_cast<size_t>(std::count_if(names.begin(), names.end(), is_attribute));
+}
+
+std::vector<std::string> LayerPlan::subjects(const std::string& layer) const {
+  if (layer == kCryptoObject) return objects;
+  if (layer == kCryptoMaterial) return materials;
+  std::vector<std::string> elements;
+  for (size_t i = first_element(); i < attributes.size(); ++i)
+    elements.push_back(attributes[i].name);
+  return elements;
+}
+
+bool LayerPlan::has(const std::string& name) const {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool LayerPlan::parts() const { return std::any_of(names.begin(), names.end(), is_part); }
+
+LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<std::string>& groups,
+                      const std::vector<LayerAttribute>& attributes,
+                      const std::vector<std::string>& elements) {
+  std::vector<std::string> known;
+  for (const LayerInfo& layer : layers()) known.push_back(layer.name);
+  for (const std::string& group : groups) known.push_back(kLight + group);
+  const size_t lights_end = known.size();
+  for (const LayerAttribute& attribute : attributes) known.push_back(kAttribute + attribute.name);
+  const size_t attributes_end = known.size();
+  if (!elements.empty()) known.emplace_back(kCryptoElement);
+  std::vector<bool> chosen(known.size());
+  for (size_t i = 0; i < layers().size(); ++i) chosen[i] = names.empty() && layers()[i].usual;
+  for (const std::string& name : names) {
+    bool found = name == "parts" || name == "lights" || name == "attributes" ||
+                 name == "cryptomatte" || name == "all";
+    for (size_t i = 0; i < known.size(); ++i) {
+      const bool light = i >= layers().size() && i < lights_end;
+      if (!(known[i] == name || name == "all" || (name == "parts" && is_part(known[i])) ||
+            (name == "lights" && light) ||
+            (name == "attributes" && i >= lights_end && i < attributes_end) ||
+            (name == "cryptomatte" && is_crypto(known[i]))))
+        continue;
+      chosen[i] = found = true;
+    }
+    if (found) continue;
+    known.insert(known.end(), {"parts", "lights", "attributes", "cryptomatte", "all"});
+    throw Error(ErrorCode::bad_input, fmt::format("there is no layer '{}'", name), {},
+                suggestion(name, known));
+  }
+  LayerPlan plan;
+  for (size_t i = 0; i < known.size(); ++i) {
+    if (!chosen[i]) continue;
+    plan.names.push_back(known[i]);
+    if (i >= attributes_end)
+      for (const std::string& element : elements) plan.attributes.push_back({element, 1});
+    else if (i >= lights_end)
+      plan.attributes.push_back(attributes[i - lights_end]);
+    else if (i >= layers().size())
+      plan.groups.push_back(groups[i - layers().size()]);
+  }
+  // `develop` writes them last.
+  std::stable_partition(plan.names.begin(), plan.names.end(),
+                        [](const std::string& name) { return !is_crypto(name); });
+  if (!plan.has("beauty"))
+    throw Error(ErrorCode::bad_input, "a picture needs the layer 'beauty'", {}, "add it to layers");
+  return plan;
+}
+
+LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names) {
+  std::vector<std::string> groups;
+  const auto add_group = [&](const std::string& group) {
+    if (!group.empty() && std::find(groups.begin(), groups.end(), group) == groups.end())
+      groups.push_back(group);
+  };
+  for (const LightPtr& light : scene.lights)
+    if (light) add_group(light->notes().group);
+  for (const Object& object : scene.objects) add_group(object.light_group);
+  std::set<std::string> elements;
+  for (const Object& object : scene.objects)
+    elements.insert(object.elements.begin(), object.elements.end());
+  const bool made = !scene.objects.empty() &&
+                    std::all_of(scene.objects.begin(), scene.objects.end(),
+                                [](const Object& object) { return object.mesh || object.surface; });
+  LayerPlan plan = plan_layers(names, groups, made ? attributes_of(scene) : named_attributes(names),
+                               {elements.begin(), elements.end()});
+  if (!plan.gather().coverage) return plan;
+  for (const Object& object : scene.objects) {
+    plan.objects.push_back(object.name);
+    plan.materials.push_back(object.material_name);
+  }
+  return plan;
+}
+
+void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image) {
+  std::vector<void (*)(Out&)> writers;
+  std::vector<Summed> colours;
+  std::vector<Crypto> cryptos;
+  for (const std::string& name : plan.names) {
+    const auto kind = std::find_if(kinds().begin(), kinds().end(),
+                                   [&](const Kind& k) { return k.info.name == name; });
+    if (kind != kinds().end())
+      writers.push_back(kind->write);
+    else if (is_crypto(name))
+      cryptos.push_back({crypto_ids(plan.subjects(name)), name == kCryptoElement});
+    else
+      colours.push_back(summed(plan, name));
+  }
+  const size_t first_element = film.gather().lights - (plan.has(kMotion) ? 1 : 0) -
+                               plan.attributes.size() + plan.first_element();
+  const Region& region = film.region();
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      Out out{film.at(x, y), &image.at(x - origin.x0, y - origin.y0)};
+      for (const auto& write : writers) write(out);
+      for (const Summed& colour : colours) {
+        const uint32_t over = colour.surface ? out.sum.hits : out.sum.samples;
+        const double share = 1.0 / std::max(over, 1u);
+        for (size_t i = 0; i < colour.count; ++i)
+          out.put(from_wide(film.lights(x, y)[3 * colour.index + i], kLightBits) * share);
+      }
+      for (const Crypto& crypto : cryptos)
+        out.to = crypto.elements
+                     ? write_ranks(element_shares(film, x, y, first_element, crypto.ids), out.to)
+                     : write_crypto(film.coverage(x, y), out.sum.samples, crypto.ids, out.to);
+    }
+}
+
+}  // namespace vug::render

@@ -1,0 +1,115 @@
+#include <vug/render/film/film.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::render {
+namespace {
+
+std::array<float, 3> parts(const Vec3f& v) { return {v.x, v.y, v.z}; }
+
+double limited(float light) {
+  return std::clamp(static_cast<double>(light), -kMostLight, kMostLight);
+}
+
+void add_plain(std::array<int64_t, 3>& sums, const Vec3f& v) {
+  const auto part = parts(v);
+  for (size_t i = 0; i < 3; ++i) sums[i] += to_plain(part[i]);
+}
+
+void add_coverage(Coverage& list, uint32_t object, uint32_t samples) {
+  auto place = std::lower_bound(list.begin(), list.end(), std::pair(object, 0u));
+  if (place == list.end() || place->first != object) place = list.insert(place, {object, 0});
+  place->second += samples;
+}
+
+}  // namespace
+
+bool PixelSum::add(const PathResult& sample, const Camera& camera) {
+  const auto radiance = parts(sample.radiance);
+  if (!(std::isfinite(radiance[0]) && std::isfinite(radiance[1]) && std::isfinite(radiance[2]))) {
+    ++refused;
+    return false;
+  }
+  ++samples;
+  if (std::max({std::fabs(radiance[0]), std::fabs(radiance[1]), std::fabs(radiance[2])}) >
+      static_cast<float>(kMostLight))
+    ++cut;
+  for (size_t i = 0; i < 3; ++i) {
+    const double v = limited(radiance[i]);
+    light[i] += to_wide(v, kLightBits);
+    square[i] += to_wide(v * v, kSquareBits);
+  }
+  alpha += to_plain(sample.alpha);
+  if (!sample.first.hit) return true;
+  ++hits;
+  add_plain(normal, sample.first.normal);
+  add_plain(position, sample.first.position);
+  add_plain(albedo, sample.first.albedo);
+  depth += to_plain(camera.depth_at(sample.time, sample.first.position));
+  return true;
+}
+
+void PixelSum::merge(const PixelSum& other) {
+  for (size_t i = 0; i < 3; ++i) {
+    light[i] += other.light[i], square[i] += other.square[i];
+    normal[i] += other.normal[i], position[i] += other.position[i], albedo[i] += other.albedo[i];
+  }
+  alpha += other.alpha, depth += other.depth;
+  samples += other.samples, hits += other.hits;
+  refused += other.refused, cut += other.cut;
+}
+
+double PixelSum::mean(size_t channel) const {
+  return from_wide(light[channel], kLightBits) / std::max(samples, 1u);
+}
+
+double PixelSum::variance(size_t channel) const {
+  if (samples < 2) return 0;
+  const double n = samples, m = mean(channel);
+  const double spread = from_wide(square[channel], kSquareBits) / n - m * m;
+  return std::max(0.0, spread) / (n - 1);
+}
+
+Film::Film(const Region& region, const Gather& gather)
+    : region_(region),
+      gather_(gather),
+      sums_(region.pixels()),
+      lights_(region.pixels() * gather.lights * 3),
+      coverage_(gather.coverage ? region.pixels() : 0) {}
+
+void Film::add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* colours) {
+  if (!at(x, y).add(sample, camera)) return;
+  Wide* to = lights(x, y);
+  for (size_t i = 0; i < gather_.lights; ++i)
+    for (const float v : parts(colours[i]))
+      *to++ += std::isfinite(v) ? to_wide(limited(v), kLightBits) : 0;
+  if (gather_.coverage && sample.first.hit) add_coverage(coverage(x, y), sample.first.object, 1);
+}
+
+void Film::merge(const Film& other) {
+  const Region both = region_.overlap(other.region_);
+  for (int y = both.y0; y < both.y1; ++y)
+    for (int x = both.x0; x < both.x1; ++x) {
+      at(x, y).merge(other.at(x, y));
+      const Wide* from = other.lights(x, y);
+      Wide* to = lights(x, y);
+      for (size_t i = 0; i < gather_.lights * 3; ++i) to[i] += from[i];
+      if (!gather_.coverage) continue;
+      for (const auto& [object, samples] : other.coverage(x, y))
+        add_coverage(coverage(x, y), object, samples);
+    }
+}
+
+std::pair<uint64_t, uint64_t> Film::faults() const {
+  std::pair<uint64_t, uint64_t> all;
+  for (const PixelSum& sum : sums_) all.first += sum.refused, all.second += sum.cut;
+  return all;
+}
+
+double Film::pixel_bytes(const Gather& gather) {
+  return sizeof(PixelSum) + 3.0 * sizeof(Wide) * static_cast<double>(gather.lights) +
+         (gather.coverage ? sizeof(Coverage) : 0);
+}
+
+}  // namespace vug::render

@@ -1,0 +1,114 @@
+#include <vug/base/error.h>
+#include <vug/render/film/partial_render.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vug::render {
+namespace {
+
+struct Named {
+  std::string path;
+  PartOutline outline;
+};
+
+std::string place(const Region& r) {
+  return fmt::format("x {}..{}, y {}..{}", r.x0, r.x1 - 1, r.y0, r.y1 - 1);
+}
+
+/// Every rectangle between neighbouring edges of the parts is covered by the same of them all over.
+void require_cover(const std::vector<Named>& parts) {
+  const PartHeader& header = parts.front().outline.header;
+  std::set<int> xs = {header.crop.x0, header.crop.x1}, ys = {header.crop.y0, header.crop.y1};
+  for (const Named& part : parts) {
+    xs.insert({part.outline.region.x0, part.outline.region.x1});
+    ys.insert({part.outline.region.y0, part.outline.region.y1});
+  }
+  const auto refuse = [](const std::string& what) {
+    return Error(
+        ErrorCode::bad_input, what, {},
+        "give each part of the picture once: the tiles of --tile, the ranges of --samples");
+  };
+  for (auto y = ys.begin(); std::next(y) != ys.end(); ++y)
+    for (auto x = xs.begin(); std::next(x) != xs.end(); ++x) {
+      const Region cell{*x, *y, *std::next(x), *std::next(y)};
+      std::vector<const Named*> here;
+      for (const Named& part : parts)
+        if (part.outline.region.overlap(cell) == cell) here.push_back(&part);
+      std::sort(here.begin(), here.end(),
+                [](const Named* a, const Named* b) { return a->outline.begin < b->outline.begin; });
+      uint32_t reached = 0;
+      const Named* last = nullptr;
+      const auto gap = [&](uint32_t end) {
+        return refuse(fmt::format("the samples {}..{} of the pixels {} are missing", reached, end,
+                                  place(cell)));
+      };
+      for (const Named* part : here) {
+        if (part->outline.begin < reached)
+          throw refuse(fmt::format("'{}' and '{}' both have the samples {}..{} of the pixels {}",
+                                   last->path, part->path, part->outline.begin,
+                                   std::min(reached, part->outline.end), place(cell)));
+        if (part->outline.begin > reached) throw gap(part->outline.begin);
+        reached = part->outline.end, last = part;
+      }
+      if (reached < static_cast<uint32_t>(header.spp)) throw gap(static_cast<uint32_t>(header.spp));
+    }
+}
+
+}  // namespace
+
+std::string difference(const PartHeader& a, const PartHeader& b) {
+  // Each frame has a seed of its own, which would say nothing to people.
+  const auto frame = [](const PartHeader& header) {
+    for (const auto& [name, value] : header.notes)
+      if (name.ends_with("vug:frame")) return value;
+    return std::string();
+  };
+  if (!frame(a).empty() && !frame(b).empty() && frame(a) != frame(b))
+    return fmt::format("frames, {} and {}", frame(a), frame(b));
+  if (a.width != b.width || a.height != b.height)
+    return fmt::format("sizes, {} x {} and {} x {}", a.width, a.height, b.width, b.height);
+  if (a.seed != b.seed) return fmt::format("seeds, {} and {}", a.seed, b.seed);
+  if (a.spp != b.spp) return fmt::format("samples per pixel, {} and {}", a.spp, b.spp);
+  if (!(a.crop == b.crop)) return "crops";
+  if (!(a.layers == b.layers)) return "layers";
+  if (a.noise < b.noise || a.noise > b.noise) return "noise thresholds";
+  if (a.identity != b.identity) return "scenes";
+  return a.notes == b.notes ? "" : "settings";
+}
+
+Part merge(const std::vector<std::filesystem::path>& paths, Progress& progress) {
+  if (paths.empty()) throw Error(ErrorCode::bad_input, "there are no parts to merge");
+  std::vector<Named> parts;
+  for (const auto& path : paths) {
+    parts.push_back({path.string(), read_outline(path)});
+    const PartOutline &first = parts.front().outline, &part = parts.back().outline;
+    if (part.fraction < 1)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("'{}' is done only to {:.0f} %", path.string(), 100 * part.fraction),
+                  {}, "render it to its end with --resume");
+    if (const std::string what = difference(first.header, part.header); !what.empty())
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' and '{}' are of different {}",
+                                                    parts.front().path, path.string(), what));
+  }
+  require_cover(parts);
+  Part whole;
+  whole.header = parts.front().outline.header;
+  State& state = whole.state;
+  state.end = static_cast<uint32_t>(whole.header.spp);
+  state.film = Film(whole.header.crop, whole.header.layers.gather());
+  state.done.assign(state.region().blocks(State::kBlock), state.end);
+  state.settled.assign(state.done.size(), 0);
+  progress.begin("merging", paths.size());
+  for (const auto& path : paths) {
+    progress.check();
+    state.film.merge(read_part(path).state.film);
+    progress.advance();
+  }
+  progress.end();
+  return whole;
+}
+
+}  // namespace vug::render

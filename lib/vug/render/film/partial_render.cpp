@@ -1,0 +1,298 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/base/hash.h>
+#include <vug/base/memory.h>
+#include <vug/render/film/partial_render.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace vug::render {
+namespace {
+
+constexpr char kMagic[8] = {'v', 'u', 'g', 'p', 'a', 'r', 't', '\n'};
+constexpr uint32_t kVersion = 2;
+constexpr uint64_t kDigestBytes = 16;
+constexpr size_t kBuffer = 1 << 20;
+
+/// Both directions of the format are the same list of values, so that they cannot differ: see
+/// `exchange`. Numbers stand as the processor keeps them, which is little-endian.
+class Writer {
+ public:
+  static constexpr bool kReads = false;
+  explicit Writer(const std::filesystem::path& path) : out_(path, std::ios::binary) {}
+
+  void bytes(const void* data, size_t count) {
+    const auto* from = static_cast<const char*>(data);
+    buffer_.insert(buffer_.end(), from, from + count);
+    if (buffer_.size() >= kBuffer) flush();
+  }
+  template <class T>
+  void number(const T& value) {
+    bytes(&value, sizeof value);
+  }
+  bool finish() {
+    flush();
+    const Digest digest = hash_.finish();
+    number(digest.high), number(digest.low);
+    flush();
+    out_.close();
+    return !out_.fail();
+  }
+
+ private:
+  void flush() {
+    hash_.add(buffer_.data(), buffer_.size());
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+  std::vector<char> buffer_;
+  std::ofstream out_;
+  Hasher hash_;
+};
+
+class Reader {
+ public:
+  static constexpr bool kReads = true;
+  Reader(const std::filesystem::path& path, std::string what)
+      : path_(path),
+        what_(std::move(what)),
+        in_(path, std::ios::binary),
+        left_(std::filesystem::file_size(path)) {}
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw Error(ErrorCode::bad_input,
+                fmt::format("cannot read the {} '{}': {}", what_, path_.string(), why));
+  }
+  void bytes(void* data, size_t count) {
+    need(count);
+    auto* to = static_cast<char*>(data);
+    for (size_t copied = 0; copied < count;) {
+      if (at_ == buffer_.size()) refill();
+      const size_t some = std::min(count - copied, buffer_.size() - at_);
+      std::memcpy(to + copied, buffer_.data() + at_, some);
+      at_ += some, copied += some, left_ -= some;
+    }
+  }
+  /// To where the hash begins.
+  void skip() {
+    std::vector<char> some(kBuffer);
+    while (left_ > kDigestBytes)
+      bytes(some.data(), std::min<uint64_t>(some.size(), left_ - kDigestBytes));
+  }
+  /// Before memory is taken for that many bytes.
+  void need(uint64_t count) const {
+    if (count > left_) refuse("it is cut short");
+  }
+  template <class T>
+  void number(T& value) {
+    bytes(&value, sizeof value);
+  }
+  void finish() {
+    if (left_ != kDigestBytes) refuse("its content was changed");
+    const Digest digest = hash_.finish();
+    Digest told;
+    number(told.high), number(told.low);
+    if (!(told == digest)) refuse("its content was changed");
+  }
+
+ private:
+  /// Takes in the next bytes, up to where the hash begins, or the hash.
+  void refill() {
+    const uint64_t some =
+        left_ > kDigestBytes ? std::min<uint64_t>(kBuffer, left_ - kDigestBytes) : left_;
+    buffer_.resize(some);
+    at_ = 0;
+    in_.read(buffer_.data(), static_cast<std::streamsize>(some));
+    if (!in_) refuse(std::strerror(errno));
+    if (left_ > kDigestBytes) hash_.add(buffer_.data(), some);
+  }
+  std::vector<char> buffer_;
+  size_t at_ = 0;
+  std::filesystem::path path_;
+  std::string what_;  ///< What the file should be.
+  std::ifstream in_;
+  uint64_t left_;
+  Hasher hash_;
+};
+
+template <class File, class Items, class Each>
+void list(File& file, Items& items, size_t least_bytes, const Each& each) {
+  auto count = static_cast<uint32_t>(items.size());
+  file.number(count);
+  if constexpr (File::kReads) {
+    file.need(uint64_t{count} * least_bytes);
+    items.resize(count);
+  }
+  for (auto& item : items) each(item);
+}
+
+template <class File, class Text>
+void text(File& file, Text& value) {
+  auto count = static_cast<uint32_t>(value.size());
+  file.number(count);
+  if constexpr (File::kReads) {
+    file.need(count);
+    value.resize(count);
+  }
+  if (count > 0) file.bytes(value.data(), count);
+}
+
+template <class File, class R>
+void region(File& file, R& r) {
+  file.number(r.x0), file.number(r.y0), file.number(r.x1), file.number(r.y1);
+}
+
+template <class File, class H>
+void header_of(File& file, H& h) {
+  text(file, h.identity);
+  file.number(h.width), file.number(h.height), file.number(h.spp), file.number(h.seed);
+  region(file, h.crop);
+  file.number(h.noise);
+  list(file, h.layers.names, 4, [&](auto& name) { text(file, name); });
+  list(file, h.layers.groups, 4, [&](auto& name) { text(file, name); });
+  list(file, h.layers.attributes, 8,
+       [&](auto& attribute) { text(file, attribute.name), file.number(attribute.arity); });
+  list(file, h.layers.objects, 4, [&](auto& name) { text(file, name); });
+  list(file, h.layers.materials, 4, [&](auto& name) { text(file, name); });
+  list(file, h.notes, 8, [&](auto& note) { text(file, note.first), text(file, note.second); });
+}
+
+template <class File, class Sum>
+void pixel(File& file, Sum& s) {
+  for (size_t i = 0; i < 3; ++i) file.number(s.light[i]), file.number(s.square[i]);
+  for (size_t i = 0; i < 3; ++i)
+    file.number(s.normal[i]), file.number(s.position[i]), file.number(s.albedo[i]);
+  file.number(s.alpha), file.number(s.depth);
+  file.number(s.samples), file.number(s.hits), file.number(s.refused), file.number(s.cut);
+}
+
+template <class File, class F>
+void film_of(File& file, F& film) {
+  const Region& r = film.region();
+  for (int y = r.y0; y < r.y1; ++y)
+    for (int x = r.x0; x < r.x1; ++x) {
+      pixel(file, film.at(x, y));
+      if (film.gather().lights > 0)
+        file.bytes(film.lights(x, y), film.gather().lights * 3 * sizeof(Wide));
+      if (film.gather().coverage)
+        list(file, film.coverage(x, y), 8,
+             [&](auto& entry) { file.number(entry.first), file.number(entry.second); });
+    }
+}
+
+bool sane(const PartHeader& h, const State& s, const Region& r) {
+  const Region all{0, 0, h.width, h.height};
+  const auto inside = [](const Region& in, const Region& out) {
+    return !in.empty() && in.overlap(out) == in;
+  };
+  const bool readable = std::all_of(h.layers.attributes.begin(), h.layers.attributes.end(),
+                                    [](const LayerAttribute& a) { return a.arity - 1 < 3; });
+  return readable && h.width > 0 && h.height > 0 && h.width <= 65535 && h.height <= 65535 &&
+         h.spp > 0 && inside(h.crop, all) && inside(r, h.crop) && s.begin < s.end &&
+         s.end <= static_cast<uint32_t>(h.spp);
+}
+
+/// The file as far as its sums, which `into` takes.
+void read_front(Reader& file, PartHeader& header, State& state, Region& covered) {
+  char magic[sizeof kMagic];
+  uint32_t version = 0;
+  file.bytes(magic, sizeof magic);
+  if (std::memcmp(magic, kMagic, sizeof magic) != 0) file.refuse("it is no part of a picture");
+  file.number(version);
+  if (version != kVersion)
+    file.refuse(fmt::format("its version is {}, this program reads {}", version, kVersion));
+  header_of(file, header);
+  region(file, covered);
+  file.number(state.begin), file.number(state.end);
+  if (!sane(header, state, covered)) file.refuse("its content was changed");
+  list(file, state.done, 4, [&](auto& n) { file.number(n); });
+  list(file, state.settled, 1, [&](auto& n) { file.number(n); });
+  if (state.done.size() != covered.blocks(State::kBlock) ||
+      state.settled.size() != state.done.size() ||
+      !std::all_of(state.done.begin(), state.done.end(),
+                   [&](uint32_t n) { return n >= state.begin && n <= state.end; }))
+    file.refuse("its content was changed");
+}
+
+Reader open(const std::filesystem::path& path, const std::string& what = "part") {
+  if (const std::string why = why_no_file(path); !why.empty())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("cannot read the {} '{}': {}", what, path.string(), why));
+  return Reader(path, what);
+}
+
+}  // namespace
+
+PartHeader part_header(const Options& options) {
+  PartHeader header;
+  header.width = options.width, header.height = options.height, header.spp = options.spp;
+  header.seed = options.seed;
+  header.crop = wanted_region(options);
+  header.noise = options.noise;
+  header.layers = options.layers;
+  return header;
+}
+
+void write_part(const std::filesystem::path& path, const PartHeader& header, const State& state) {
+  AtomicFile target(path);
+  Writer file(target.path());
+  file.bytes(kMagic, sizeof kMagic);
+  file.number(kVersion);
+  header_of(file, header);
+  region(file, state.region());
+  file.number(state.begin), file.number(state.end);
+  list(file, state.done, 4, [&](const auto& n) { file.number(n); });
+  list(file, state.settled, 1, [&](const auto& n) { file.number(n); });
+  film_of(file, state.film);
+  if (!file.finish())
+    throw Error(ErrorCode::io,
+                fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
+  target.commit();
+}
+
+Part read_part(const std::filesystem::path& path, const std::string& what) {
+  Reader file = open(path, what);
+  Part part;
+  Region covered;
+  read_front(file, part.header, part.state, covered);
+  const Gather gather = part.header.layers.gather();
+  file.need(covered.pixels() * 200);
+  require_memory(Film::pixel_bytes(gather) * static_cast<double>(covered.pixels()),
+                 available_memory(), fmt::format("the {} '{}'", what, path.string()),
+                 "merge on a machine with more memory");
+  part.state.film = Film(covered, gather);
+  film_of(file, part.state.film);
+  file.finish();
+  return part;
+}
+
+PartOutline read_outline(const std::filesystem::path& path) {
+  Reader file = open(path);
+  PartOutline outline;
+  State state;
+  read_front(file, outline.header, state, outline.region);
+  outline.begin = state.begin, outline.end = state.end;
+  outline.fraction = fraction_done(state, outline.region);
+  outline.samples_left = samples_missing(state, outline.region);
+  return outline;
+}
+
+bool is_part(const std::filesystem::path& path) {
+  if (!why_no_file(path).empty()) return false;
+  char magic[sizeof kMagic] = {};
+  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+  return std::memcmp(magic, kMagic, sizeof magic) == 0;
+}
+
+void require_whole(const std::filesystem::path& path) {
+  Reader file = open(path);
+  file.skip();
+  file.finish();
+}
+
+}  // namespace vug::render

@@ -1,0 +1,74 @@
+#include <vug/base/parallel.h>
+#include <vug/base/rng.h>
+#include <vug/render/geometry/occlusion.h>
+#include <vug/render/sampling.h>
+#include <vug/render/prepared_scene.h>
+
+#include <bit>
+#include <cmath>
+
+namespace vug::render {
+namespace {
+
+Scene scene_of(const std::vector<mesh::MeshPtr>& meshes) {
+  Scene scene;
+  for (const mesh::MeshPtr& mesh : meshes) {
+    Object object;
+    object.name = "surface";
+    object.mesh = mesh;
+    scene.objects.push_back(object);
+  }
+  return scene;
+}
+
+/// Where a place's pattern of directions begins, so that neighbours do not make the same error.
+Vec2d shift(const Vec3f& place) {
+  RandomKey key(0x6f70656e);
+  for (int c = 0; c < 3; ++c) key = key.at(uint64_t{std::bit_cast<uint32_t>(place[c])});
+  RandomStream random(key);
+  const double first = random.uniform();
+  return {first, random.uniform()};
+}
+
+}  // namespace
+
+struct Openness::Around {
+  World world;
+};
+
+Openness::Openness(const std::vector<mesh::MeshPtr>& meshes)
+    : around_(new Around{World(scene_of(meshes))}) {}
+Openness::~Openness() = default;
+
+std::vector<float> Openness::of(const std::vector<Vec3f>& places, const std::vector<Vec3f>& normals,
+                                const OpennessOptions& options, Progress& progress) const {
+  constexpr size_t kBlock = 1024;
+  constexpr double kGolden = 0.6180339887498949;
+  std::vector<float> shares(places.size());
+  const size_t blocks = (places.size() + kBlock - 1) / kBlock;
+  const auto lift = static_cast<float>(options.lift), reach = static_cast<float>(options.reach);
+  progress.begin("looking around", blocks);
+  parallel_for(blocks, [&](size_t block) {
+    progress.check();
+    const size_t end = std::min(places.size(), (block + 1) * kBlock);
+    for (size_t i = block * kBlock; i < end; ++i) {
+      const Frame frame(normals[i]);
+      const Vec2d start = shift(places[i]);
+      int open = 0;
+      // A golden section between turns spreads directions evenly over the disc below them.
+      for (int ray = 0; ray < options.rays; ++ray) {
+        const double out = (ray + start.x) / options.rays, turn = start.y + kGolden * ray;
+        const Vec2f u(static_cast<float>(out), static_cast<float>(turn - std::floor(turn)));
+        const Vec3f way = frame.to_world(sample_cosine_hemisphere(u));
+        if (options.sky && way.y <= 0) continue;
+        open += !around_->world.occluded(Ray{places[i] + normals[i] * lift, way}, reach);
+      }
+      shares[i] = static_cast<float>(open) / static_cast<float>(options.rays);
+    }
+    progress.advance();
+  });
+  progress.end();
+  return shares;
+}
+
+}  // namespace vug::render

@@ -1,0 +1,16 @@
+#include <vug/base/error.h>
+#include <vug/render/geometry/require_static.h>
+
+#include <fmt/format.h>
+
+namespace vug::render {
+
+void require_still(const Object& object) {
+  const bool shines = !is_black(object.emission) || (object.material && object.material->shines());
+  if (shines && object.placing && object.placing->moves())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("object '{}' shines and moves, which cannot be rendered", object.name),
+                {}, "keep it still, take its emission away, or close the camera's shutter");
+}
+
+}  // namespace vug::render

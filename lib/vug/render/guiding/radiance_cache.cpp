@@ -1,0 +1,55 @@
+#include <vug/render/guiding/radiance_cache.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::render {
+namespace {
+
+/// Sightings that the mean over all places counts for in each.
+constexpr double kPrior = 0.5;
+
+struct Sum {
+  double count = 0, all = 0, square = 0;
+
+  void add(const Sighting& s) {
+    const auto later = static_cast<double>(s.later);
+    count += 1, all += static_cast<double>(s.luminance), square += later * later;
+  }
+  void add(const Sum& other, double weight) {
+    const double part = other.count > 0 ? weight / other.count : 0;
+    count += part * other.count, all += part * other.all, square += part * other.square;
+  }
+  float mean() const { return count > 0 ? static_cast<float>(all / count) : 0; }
+  float root_mean_square() const {
+    return count > 0 ? static_cast<float>(std::sqrt(square / count)) : 0;
+  }
+};
+
+}  // namespace
+
+Brightness::Brightness(const std::vector<Sighting>& sightings, const Box3f& bounds, float edge)
+    : regions_(bounds, edge) {
+  Sum whole, first;
+  std::vector<Sum> sums(kFacings * regions_.count());
+  for (const Sighting& s : sightings) {
+    whole.add(s);
+    if (s.first) first.add(s);
+    sums[place(s.point, s.normal)].add(s);
+  }
+  const float usual = first.mean();
+  for (Sum& sum : sums) {
+    sum.add(whole, kPrior);
+    returned_.push_back({std::min(sum.mean(), usual), sum.root_mean_square()});
+  }
+  double off = 0;
+  for (const Sighting& s : sightings) {
+    if (!s.first) continue;
+    const size_t at = place(s.point, s.normal);
+    off += static_cast<double>(std::fabs(s.luminance - sums[at].mean()) / returned_[at].all);
+  }
+  off = std::min(1.0, off / first.count);
+  noise_ = static_cast<float>(off * off);
+}
+
+}  // namespace vug::render

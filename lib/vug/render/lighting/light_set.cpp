@@ -1,0 +1,306 @@
+#include <vug/base/diagnostics.h>
+#include <vug/base/error.h>
+#include <vug/render/lighting/light_set.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace vug::render {
+namespace {
+
+/// Parts of all choices that are even between branches: of single lights, of many lights, where
+/// there is less to be missed, and where it is known what is in sight.
+constexpr double kEvenFew = 0.5, kEvenMany = 0.25, kEvenKnown = 0.05;
+
+/// Of a whole sky: it chooses no directions.
+bool is_plain(const Light& sky) { return !(sky.importance({Vec3f(0.0f)}) > 0); }
+
+}  // namespace
+
+/// Importances at a point: of skies, of lamps as they tell it themselves, of triangles and
+/// branches by their bounds.
+struct LightSet::AtPoint {
+  const LightSet& set;
+  const LitPoint& point;
+  const float* sight;
+
+  bool knows() const { return sight; }
+  float seen(size_t branch) const { return sight ? sight[branch] : 1; }
+  float light(LightId id) const {
+    return set.reaches(id, point.object) ? set.lights_[id]->importance(point) : 0;
+  }
+  LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
+    if (&tree != &set.lamp_tree_) return LightTree::importance(fork, point);
+    LightTree::Weights weights{};
+    if (!fork.ends()) weights = LightTree::importance(fork, point);
+    for (size_t lane = 0; lane < LightTree::kWidth; ++lane)
+      if (fork.is_leaf(lane)) weights[lane] = light(fork.light(lane));
+    return weights;
+  }
+};
+
+struct LightSet::AlongRay {
+  const LightSet& set;
+  const Ray& ray;
+  const Segment& segment;
+  const Chances& sight;
+
+  bool knows() const { return !sight.empty(); }
+  /// From where on the ray it is nearest: most of what arrives does so thereabouts.
+  float seen(size_t branch) const {
+    if (sight.empty()) return 1;
+    const float nearest = dot(set.branches_[branch].centre - ray.origin, ray.direction);
+    return sight.at(ray.at(std::clamp(nearest, segment.begin, segment.end)))[branch];
+  }
+  float light(LightId id) const {
+    return set.lights_[id]->importance_along(ray, segment.begin, segment.end);
+  }
+  LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
+    const float begin = segment.begin, end = segment.end;
+    if (&tree != &set.lamp_tree_) return LightTree::importance_along(fork, ray, begin, end);
+    LightTree::Weights weights{};
+    if (!fork.ends()) weights = LightTree::importance_along(fork, ray, begin, end);
+    for (size_t lane = 0; lane < LightTree::kWidth; ++lane)
+      if (fork.is_leaf(lane)) weights[lane] = light(fork.light(lane));
+    return weights;
+  }
+};
+
+LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects)
+    : lights_(std::move(lights)), emitters_(objects) {
+  lights_.erase(std::remove(lights_.begin(), lights_.end(), nullptr), lights_.end());
+  bool portals = false;
+  for (LightId id = 0; id < lamp_ids(); ++id) {
+    const Light& light = *lights_[id];
+    portals |= light.is_portal();
+    if (!light.is_sky() || light.is_portal()) continue;
+    skies_.push_back(id);
+    if (!light.beside_portals()) sky_scale_ += light.mean_luminance();
+  }
+  for (LightId id = 0; id < lamp_ids(); ++id) {
+    const Light& light = *lights_[id];
+    // Where portals are, they find the sky better than the sky does.
+    if (!light.is_sky() ||
+        (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.beside_portals()))
+      continue;
+    sampled_skies_.push_back(id);
+    branches_.push_back({nullptr, 0, id, light.is_portal() ? sky_scale_ : 1, light.centre()});
+  }
+  lamp_tree_ = LightTree(lights_.size(), 0, [&](size_t i) {
+    return lights_[i]->is_sky() ? LightBounds{} : lights_[i]->bounds();
+  });
+  emitter_tree_ = LightTree(emitters_.size(), lamp_ids(),
+                            [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
+    for (uint32_t i = 0; i < tree->branches(); ++i) {
+      const LightTree::Fork& fork = tree->fork(i / LightTree::kWidth);
+      const size_t lane = i % LightTree::kWidth;
+      const bool alone = tree == &lamp_tree_ && fork.ends();
+      branches_.push_back({tree, i, alone ? fork.light(lane) : kNoLight, 1, fork.centre(lane)});
+    }
+  for (const LightId sky : sampled_skies_)
+    if (lights_[sky]->is_portal() || !is_plain(*lights_[sky])) all_.push_back(sky);
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
+    for (LightId id = 0; id < lamp_ids() + emitters_.size(); ++id)
+      if (tree->holds(id)) all_.push_back(id);
+  link(objects);
+  size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
+}
+
+void LightSet::link(const std::vector<Object>& objects) {
+  std::vector<std::string> names;
+  for (const Object& object : objects) {
+    names.push_back(object.name);
+    object_groups_.push_back(group_of(object.light_group));
+  }
+  for (const LightPtr& light : lights_) {
+    const LightNotes& notes = light->notes();
+    light_groups_.push_back(group_of(notes.group));
+    const bool only = !notes.only.empty();
+    std::vector<bool> lit;
+    if (only || !notes.except.empty()) lit.assign(objects.size(), !only);
+    for (const std::string& name : only ? notes.only : notes.except) {
+      bool found = false;
+      for (size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name || names[i].compare(0, name.size() + 1, name + "/") == 0)
+          lit[i] = only, found = true;
+      if (!found)
+        throw Error(ErrorCode::bad_input,
+                    fmt::format("a light is linked to '{}', but no object has that name", name), {},
+                    suggestion(name, names));
+    }
+    linked_ |= !lit.empty();
+    lit_.push_back(std::move(lit));
+  }
+}
+
+uint32_t LightSet::group_of(const std::string& name) {
+  if (name.empty()) return kNoGroup;
+  const auto at = std::find(group_names_.begin(), group_names_.end(), name);
+  if (at != group_names_.end()) return static_cast<uint32_t>(at - group_names_.begin());
+  group_names_.push_back(name);
+  return static_cast<uint32_t>(group_names_.size() - 1);
+}
+
+template <class Weight>
+float LightSet::weight_of(size_t branch, const Weight& weight) const {
+  const Branch& b = branches_[branch];
+  const auto in_tree = [&] {
+    const LightTree::Fork& fork = b.tree->fork(b.index / LightTree::kWidth);
+    return weight.fork(*b.tree, fork)[b.index % LightTree::kWidth];
+  };
+  const float importance = b.alone != kNoLight ? weight.light(b.alone) * b.scale : in_tree();
+  return importance > 0 ? importance * weight.seen(branch) : 0;
+}
+
+/// `weight_of` all branches.
+template <class Weight>
+void LightSet::weigh(const Weight& weight, float* weights) const {
+  const LightTree::Fork* known = nullptr;
+  LightTree::Weights importances;  // NOLINT: of the fork that is known
+  for (size_t i = 0; i < branches_.size(); ++i) {
+    const Branch& b = branches_[i];
+    if (b.alone != kNoLight) {
+      weights[i] = weight_of(i, weight);
+      continue;
+    }
+    const LightTree::Fork& fork = b.tree->fork(b.index / LightTree::kWidth);
+    if (&fork != known) importances = weight.fork(*b.tree, fork), known = &fork;
+    const float importance = importances[b.index % LightTree::kWidth];
+    weights[i] = importance > 0 ? importance * weight.seen(i) : 0;
+  }
+}
+
+template <class Weight>
+LightChoice LightSet::choose_in(const Branch& branch, double u, const Weight& weight) const {
+  if (branch.alone != kNoLight) return {branch.alone, 1};
+  const LightTree::Found found = branch.tree->descend(
+      branch.index, u,
+      [&](const LightTree::Fork& fork) { return weight.fork(*branch.tree, fork); });
+  return {found.light, found.probability};
+}
+
+template <class Weight>
+LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds) const {
+  constexpr size_t kUsual = 2 * LightTree::kMostBranches + 16;
+  std::array<float, kUsual> few;  // NOLINT: weigh fills what is read
+  std::vector<float> many;
+  if (branches_.size() > kUsual) many.resize(branches_.size());
+  float* const weights = many.empty() ? few.data() : many.data();
+  weigh(weight, weights);
+  double total = 0, count = 0;
+  for (size_t i = 0; i < branches_.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    total += static_cast<double>(weights[i]);
+    count += 1;
+  }
+  LightChoices choices;
+  if (!(total > 0)) return choices;
+  const double even = weight.knows() ? kEvenKnown : branches_.size() < size_ ? kEvenMany : kEvenFew;
+  const auto samples = static_cast<double>(odds.samples);
+  odds.proportional = static_cast<float>(samples * (1 - even) / total);
+  odds.even = static_cast<float>(samples * even / count);
+
+  // Systematic sampling: a comb of teeth one apart over what is to be expected of each branch.
+  double passed = 0, tooth = static_cast<double>(u);
+  for (size_t i = 0; i < branches_.size(); ++i) {
+    const float expected = odds.of(weights[i]);
+    const auto width = static_cast<double>(expected);
+    if (tooth < passed + width) {
+      const double rest = std::clamp((tooth - passed) / width, 0.0, 0x1.fffffffffffffp-1);
+      LightChoice choice = choose_in(branches_[i], rest, weight);
+      choice.probability *= expected;
+      choice.seen = weight.seen(i);
+      if (choice.light != kNoLight) choices.add(choice);
+      tooth += 1;
+    }
+    passed += width;
+  }
+  return choices;
+}
+
+/// A comb, too, whose teeth meet parts of one width.
+LightChoices LightSet::choose_evenly(float u, uint32_t object, LightOdds& odds) const {
+  LightChoices choices;
+  if (all_.empty()) return choices;
+  const auto count = static_cast<float>(all_.size());
+  odds.proportional = 0, odds.even = std::min(1.0f, odds.samples / count);
+  for (float tooth = u; tooth < count * odds.even; tooth += 1) {
+    const size_t i = std::min(static_cast<size_t>(tooth / odds.even), all_.size() - 1);
+    if (reaches(all_[i], object)) choices.add({all_[i], odds.even});
+  }
+  return choices;
+}
+
+bool LightSet::can_choose(LightId light, uint32_t object) const {
+  return reaches(light, object) &&
+         (lamp_tree_.holds(light) || emitter_tree_.holds(light) ||
+          std::find(sampled_skies_.begin(), sampled_skies_.end(), light) != sampled_skies_.end());
+}
+
+LightChoices LightSet::choose(const LitPoint& point, float u, LightOdds& odds) const {
+  if (odds.sampler == LightSampler::uniform) return choose_evenly(u, point.object, odds);
+  return choose_by(u, AtPoint{*this, point, odds.sight}, odds);
+}
+LightChoices LightSet::choose_along(const Ray& ray, const Segment& segment, float u, LightOdds odds,
+                                    const Chances& sight) const {
+  if (odds.sampler == LightSampler::uniform) return choose_evenly(u, kNoObject, odds);
+  return choose_by(u, AlongRay{*this, ray, segment, sight}, odds);
+}
+LightChoice LightSet::choose_in(size_t branch, const LitPoint& point, float u) const {
+  const AtPoint weight{*this, point, nullptr};
+  return weight_of(branch, weight) > 0
+             ? choose_in(branches_[branch], static_cast<double>(u), weight)
+             : LightChoice{};
+}
+
+float LightSet::share(LightId light, const LitPoint& point, const LightOdds& odds) const {
+  if (odds.sampler == LightSampler::uniform) return can_choose(light, point.object) ? odds.even : 0;
+  const AtPoint weight{*this, point, odds.sight};
+  size_t branch = sampled_skies_.size();
+  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_}) {
+    if (tree->holds(light)) {
+      const LightTree::Place place =
+          tree->place(light, [&](const LightTree::Fork& fork) { return weight.fork(*tree, fork); });
+      return place.probability > 0
+                 ? place.probability * odds.of(weight_of(branch + place.branch, weight))
+                 : 0;
+    }
+    branch += tree->branches();
+  }
+  for (size_t i = 0; i < sampled_skies_.size(); ++i)
+    if (sampled_skies_[i] == light) return odds.of(weight_of(i, weight));
+  return 0;
+}
+
+bool LightSet::sky_is_plain() const {
+  return std::all_of(sampled_skies_.begin(), sampled_skies_.end(), [&](LightId id) {
+    const Light& sky = *lights_[id];
+    return !sky.is_portal() && (sky.beside_portals() || is_plain(sky));
+  });
+}
+
+Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {
+  Rgb sum(0.0f);
+  for (const LightId id : skies_)
+    if (reaches(id, object)) sum += lights_[id]->escape_radiance(direction);
+  return sum;
+}
+
+float LightSet::sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3f& direction,
+                        LightId known) const {
+  float sum = 0;
+  const AtPoint weight{*this, point, odds.sight};
+  for (size_t i = 0; i < sampled_skies_.size(); ++i) {
+    if (sampled_skies_[i] == known) continue;
+    const float samples = odds.sampler == LightSampler::uniform
+                              ? reaches(sampled_skies_[i], point.object) * odds.even
+                              : odds.of(weight_of(i, weight));
+    if (samples > 0) sum += samples * lights_[sampled_skies_[i]]->pdf(point, direction);
+  }
+  return sum;
+}
+
+}  // namespace vug::render

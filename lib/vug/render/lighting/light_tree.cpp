@@ -1,0 +1,324 @@
+#include <vug/base/maths.h>
+#include <vug/base/parallel.h>
+#include <vug/render/lighting/light_tree.h>
+
+#include <array>
+#include <cmath>
+
+namespace vug::render {
+namespace {
+
+constexpr size_t kBins = 12;
+/// Larger branches are built in parallel, and judged by this many of their lights.
+constexpr size_t kLarge = 65536;
+/// Below this depth branches are halved, so that walks need no more than a small stack.
+constexpr int kDeepest = 44;
+
+float safe_root(float x) { return std::sqrt(std::max(0.0f, x)); }
+
+Vec3f any_perpendicular(const Vec3f& v) { return Frame(v).x; }
+
+/// The part of a branch's cost that its directions make: the integral of the cosine beyond the
+/// reach over the cone of normals (Conty Estevez and Kulla 2018, equation 1).
+double direction_measure(const LightBounds& b) {
+  const double cosine = std::clamp(static_cast<double>(b.cos_spread), -1.0, 1.0);
+  const double spread = maths::acos(cosine), sine = std::sqrt(1 - cosine * cosine);
+  const double reach = maths::acos(std::clamp(static_cast<double>(b.cos_reach), -1.0, 1.0));
+  const double wide = std::min(spread + reach, kPi);
+  return 2 * kPi * (1 - cosine) +
+         kPi / 2 * (2 * wide * sine - maths::cos(spread - 2 * wide) - 2 * spread * sine + cosine);
+}
+
+double surface(const Box3f& box) {
+  const Vec3d d(box.size());
+  return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+
+double cost(const LightBounds& b) {
+  return static_cast<double>(b.strength) * direction_measure(b) * surface(b.box);
+}
+
+}  // namespace
+
+/// Cones in cosines and sines only; where the union is wider than a half turn it becomes all
+/// directions, which is no loss: such a branch says nothing about directions.
+LightBounds united(const LightBounds& a, const LightBounds& b) {
+  if (!(b.strength > 0)) return a;
+  if (!(a.strength > 0)) return b;
+  const LightBounds& wide = a.cos_spread <= b.cos_spread ? a : b;
+  const LightBounds& narrow = a.cos_spread <= b.cos_spread ? b : a;
+  LightBounds out = wide;
+  out.box.extendBy(narrow.box);
+  out.cos_reach = std::min(a.cos_reach, b.cos_reach);
+  out.strength = a.strength + b.strength;
+  const float cw = wide.cos_spread, sw = safe_root(1 - cw * cw);
+  const float cn = narrow.cos_spread, sn = safe_root(1 - cn * cn);
+  const float apart = std::clamp(dot(wide.axis, narrow.axis), -1.0f, 1.0f);
+  if (cw <= -1 || apart >= cw * cn + sw * sn) return out;  // the wide one holds the other
+  const float c1 = cw * cn - sw * sn, s1 = sw * cn + cw * sn;
+  if (cw + cn <= 0 || c1 + apart <= 0) {
+    out.cos_spread = -1;
+    return out;
+  }
+  // Half of the sum of both spreads and the angle between them.
+  const float sum = c1 * apart - s1 * safe_root(1 - apart * apart);
+  const float half_cos = safe_root(0.5f * (1 + sum)), half_sin = safe_root(0.5f * (1 - sum));
+  const float turn_cos = half_cos * cw + half_sin * sw, turn_sin = half_sin * cw - half_cos * sw;
+  Vec3f aside = narrow.axis - wide.axis * apart;
+  const float size = length(aside);
+  aside = size > 1e-6f ? aside * (1 / size) : any_perpendicular(wide.axis);
+  out.axis = normalized(wide.axis * turn_cos + aside * turn_sin);
+  out.cos_spread = std::max(-1.0f, half_cos - 2e-6f);  // rounding must not cut a normal off
+  return out;
+}
+
+struct LightTree::Item {
+  LightBounds bounds;
+  Vec3f middle;
+  LightId light = 0;
+};
+
+/// Of the tree of pairs that is made first.
+struct LightTree::Node {
+  LightBounds bounds;
+  uint32_t child = 0;  ///< The first of a pair of nodes; of a leaf: its light.
+  bool leaf = false;
+
+  float radius() const { return 0.5f * length(bounds.box.size()); }
+  /// How much is to be had from weighing its two sides apart.
+  float gain() const { return leaf ? -1 : bounds.strength * radius() * radius(); }
+};
+
+class LightTree::Builder {
+ public:
+  explicit Builder(std::vector<Item> items) : items_(std::move(items)), nodes_(2 * items_.size()) {
+    build(0, items_.size(), 0, 2, 0);
+  }
+  /// Pairs at 2i and 2i + 1; the root is 0, and 1 is not used.
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+ private:
+  void build(size_t begin, size_t end, uint32_t node, uint32_t below, int depth);
+
+  std::vector<Item> items_;
+  std::vector<Node> nodes_;
+};
+
+LightTree::LightTree(size_t count, LightId first,
+                     const std::function<LightBounds(size_t)>& bounds_of)
+    : first_(first), leaves_(count, kNowhere) {
+  std::vector<Item> items;
+  for (size_t i = 0; i < count; ++i) {
+    const LightBounds bounds = bounds_of(i);
+    if (bounds.strength > 0 && !bounds.box.isEmpty())
+      items.push_back({bounds, bounds.box.center(), first + static_cast<LightId>(i)});
+  }
+  size_ = items.size();
+  if (!items.empty()) spread_out(Builder(std::move(items)).nodes());
+}
+
+/// Node `node` for the items [begin, end); the nodes below it begin at `below`.
+void LightTree::Builder::build(size_t begin, size_t end, uint32_t node, uint32_t below, int depth) {
+  std::vector<Item>& items = items_;
+  const size_t count = end - begin;
+  LightBounds all;
+  Box3f middles;
+  for (size_t i = begin; i < end; ++i) {
+    all = united(all, items[i].bounds);
+    middles.extendBy(items[i].middle);
+  }
+  if (count == 1) {
+    nodes_[node] = {all, items[begin].light, true};
+    return;
+  }
+  nodes_[node] = {all, below, false};
+
+  size_t middle = begin + count / 2;
+  int axis = -1;
+  size_t border = 0;
+  const Vec3f size = middles.size(), extent = all.box.size();
+  const auto bin_of = [&](const Item& item, int along) {
+    const float at = (item.middle[along] - middles.min[along]) / size[along];
+    return std::min(static_cast<size_t>(at * static_cast<float>(kBins)), kBins - 1);
+  };
+  double least = kInfinity;
+  for (int along = 0; along < 3 && count > 2 && depth < kDeepest; ++along) {
+    if (!(size[along] > 0)) continue;
+    std::array<LightBounds, kBins> bins{}, above{};
+    for (size_t i = begin; i < end; i += 1 + count / kLarge) {
+      LightBounds& bin = bins[bin_of(items[i], along)];
+      bin = united(bin, items[i].bounds);
+    }
+    for (size_t b = kBins - 1; b > 0; --b)
+      above[b - 1] = b == kBins - 1 ? bins[b] : united(above[b], bins[b]);
+    LightBounds under;
+    // Thin slices cost more: the longest side should be cut.
+    const double regular =
+        static_cast<double>(largest(extent)) / static_cast<double>(extent[along]);
+    for (size_t b = 0; b + 1 < kBins; ++b) {
+      under = united(under, bins[b]);
+      if (!(under.strength > 0 && above[b].strength > 0)) continue;
+      const double price = regular * (cost(under) + cost(above[b]));
+      if (price < least) least = price, axis = along, border = b;
+    }
+  }
+  const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = items.begin() + static_cast<std::ptrdiff_t>(end);
+  if (axis >= 0) {
+    const auto split = std::stable_partition(
+        first, last, [&](const Item& item) { return bin_of(item, axis) <= border; });
+    middle = static_cast<size_t>(split - items.begin());
+  }
+  if (middle == begin || middle == end || axis < 0) {
+    middle = begin + count / 2;
+    int longest = size.x >= size.y ? 0 : 1;
+    if (size.z > size[longest]) longest = 2;
+    std::nth_element(first, items.begin() + static_cast<std::ptrdiff_t>(middle), last,
+                     [&](const Item& a, const Item& b) {
+                       return a.middle[longest] != b.middle[longest]
+                                  ? a.middle[longest] < b.middle[longest]
+                                  : a.light < b.light;
+                     });
+  }
+  const auto left_size = static_cast<uint32_t>(2 * (middle - begin) - 2);
+  const auto side = [&](size_t which) {
+    if (which == 0)
+      build(begin, middle, below, below + 2, depth + 1);
+    else
+      build(middle, end, below + 1, below + 2 + left_size, depth + 1);
+  };
+  if (count > kLarge) {
+    parallel_for(2, side);
+  } else {
+    side(0);
+    side(1);
+  }
+}
+
+/// Forks of the tree of pairs: of each, the node that gains most by it is parted until there are
+/// enough.
+void LightTree::spread_out(const std::vector<Node>& nodes) {
+  const auto part = [&](std::vector<uint32_t>& among, size_t enough) {
+    while (among.size() < enough) {
+      const auto best = std::max_element(among.begin(), among.end(), [&](uint32_t a, uint32_t b) {
+        return nodes[a].gain() < nodes[b].gain();
+      });
+      if (nodes[*best].leaf) break;
+      const uint32_t child = nodes[*best].child;
+      *best = child;
+      among.push_back(child + 1);
+    }
+  };
+  std::vector<uint32_t> among{0};
+  part(among, kMostBranches);
+  branches_ = among.size();
+  forks_.resize((branches_ + kWidth - 1) / kWidth);
+  parents_.resize(forks_.size());
+  std::vector<uint32_t> source;  // The node of each lane, fork by fork.
+  const auto fill = [&](size_t fork) {
+    Fork& out = forks_[fork];
+    for (size_t lane = 0; lane < std::min(among.size(), kWidth); ++lane) {
+      const Node& node = nodes[among[lane]];
+      const LightBounds& b = node.bounds;
+      const Vec3f centre = b.box.center();
+      out.x[lane] = centre.x, out.y[lane] = centre.y, out.z[lane] = centre.z;
+      out.radius[lane] = node.radius();
+      out.axis_x[lane] = b.axis.x, out.axis_y[lane] = b.axis.y, out.axis_z[lane] = b.axis.z;
+      out.cos_spread[lane] = b.cos_spread, out.cos_reach[lane] = b.cos_reach;
+      out.sin_spread[lane] = safe_root(1 - b.cos_spread * b.cos_spread);
+      out.strength[lane] = b.strength;
+      out.child[lane] = node.leaf ? node.child | kLeaf : kNowhere & ~kLeaf;
+      if (node.leaf) leaves_[node.child - first_] = static_cast<uint32_t>(fork * kWidth + lane);
+    }
+    among.resize(kWidth);
+    source.insert(source.end(), among.begin(), among.end());
+  };
+  std::vector<uint32_t> tops = among;
+  for (size_t fork = 0; fork * kWidth < branches_; ++fork) {
+    const auto begin = tops.begin() + static_cast<std::ptrdiff_t>(fork * kWidth);
+    among.assign(begin,
+                 begin + static_cast<std::ptrdiff_t>(std::min(kWidth, branches_ - fork * kWidth)));
+    fill(fork);
+  }
+  for (size_t fork = 0; fork < forks_.size(); ++fork)
+    for (size_t lane = 0; lane < kWidth; ++lane) {
+      if (!(forks_[fork].strength[lane] > 0) || forks_[fork].is_leaf(lane)) continue;
+      among = {source[fork * kWidth + lane]};
+      part(among, kWidth);
+      const size_t below = forks_.size();
+      forks_[fork].child[lane] = static_cast<uint32_t>(below);
+      forks_.emplace_back();
+      parents_.push_back(static_cast<uint32_t>(fork * kWidth + lane));
+      fill(below);
+    }
+}
+
+LightTree::Weights LightTree::importance(const Fork& fork, const LitPoint& point) {
+  constexpr float kRounding = 1e-4f;
+  const Vec3f p = point.position, n = point.normal;
+  const float least_height = point.on_surface() ? -kRounding : -kFar;
+  Weights out;
+  for (size_t i = 0; i < kWidth; ++i) {
+    const float x = fork.x[i] - p.x, y = fork.y[i] - p.y, z = fork.z[i] - p.z;
+    const float squared = x * x + y * y + z * z, within = fork.radius[i] * fork.radius[i];
+    const float inverse = 1 / std::sqrt(std::max(squared, 1e-30f));
+    // The ball around the box fills this angle; all that is sure is measured less it.
+    const float sin_ball = fork.radius[i] * inverse;
+    const float cos_ball = std::sqrt(std::max(0.0f, 1 - sin_ball * sin_ball));
+    // The least angle off the axis, less the spread of normals, then less the ball; each stops at
+    // zero.
+    const float turned = (fork.axis_x[i] * x + fork.axis_y[i] * y + fork.axis_z[i] * z) * -inverse;
+    const float cos_axis = std::min(std::max(turned, -1.0f), 1.0f);
+    const float sin_axis = std::sqrt(std::max(0.0f, 1 - cos_axis * cos_axis));
+    const float cos_spread = fork.cos_spread[i], sin_spread = fork.sin_spread[i];
+    const bool spread = cos_axis > cos_spread;
+    const float cos_off = spread ? 1 : cos_axis * cos_spread + sin_axis * sin_spread;
+    const float sin_off = spread ? 0 : sin_axis * cos_spread - cos_axis * sin_spread;
+    const float cos_leave = cos_off > cos_ball ? 1 : cos_off * cos_ball + sin_off * sin_ball;
+    // The least angle off the normal, where there is one.
+    const float raised = (n.x * x + n.y * y + n.z * z) * inverse;
+    const float cos_normal = std::min(std::max(raised, -1.0f), 1.0f);
+    const float sin_normal = std::sqrt(std::max(0.0f, 1 - cos_normal * cos_normal));
+    const float cos_arrive =
+        cos_normal > cos_ball ? 1 : cos_normal * cos_ball + sin_normal * sin_ball;
+    const float strength = fork.strength[i];
+    const float facing = std::max(cos_leave, 0.05f) * std::max(cos_arrive, 0.02f);
+    const float outside = strength * inverse * inverse * facing;
+    const bool dark = (cos_leave < fork.cos_reach[i] - kRounding) | (cos_arrive < least_height);
+    const float inside = strength / std::max(within, 1e-12f);
+    const float seen = dark ? 0.0f : outside;
+    out[i] = squared > within ? seen : inside;
+  }
+  return out;
+}
+
+LightTree::Weights LightTree::importance_along(const Fork& fork, const Ray& ray, float begin,
+                                               float end) {
+  const Vec3f o = ray.origin, d = ray.direction;
+  Weights out;
+  for (size_t i = 0; i < kWidth; ++i) {
+    const float x = fork.x[i] - o.x, y = fork.y[i] - o.y, z = fork.z[i] - o.z;
+    const float t = std::min(std::max(x * d.x + y * d.y + z * d.z, begin), end);
+    const float dx = x - d.x * t, dy = y - d.y * t, dz = z - d.z * t;
+    // Integrated over the ray, 1 / distance^2 gives about 1 / (nearest distance).
+    const float nearest = std::sqrt(dx * dx + dy * dy + dz * dz);
+    out[i] = fork.strength[i] / std::max(nearest, std::max(fork.radius[i], 1e-6f));
+  }
+  return out;
+}
+
+std::array<bool, LightTree::kWidth> LightTree::meets(const Fork& fork, const Ray& ray, float end) {
+  constexpr float kRounding = 1e-5f;
+  const Vec3f o = ray.origin, d = ray.direction;
+  std::array<bool, kWidth> out{};
+  for (size_t i = 0; i < kWidth; ++i) {
+    const float x = fork.x[i] - o.x, y = fork.y[i] - o.y, z = fork.z[i] - o.z;
+    const float t = std::min(std::max(x * d.x + y * d.y + z * d.z, 0.0f), end);
+    const float dx = x - d.x * t, dy = y - d.y * t, dz = z - d.z * t;
+    const float reach = fork.radius[i] + kRounding * (t + fork.radius[i]);
+    out[i] = (fork.strength[i] > 0) & (dx * dx + dy * dy + dz * dz <= reach * reach);
+  }
+  return out;
+}
+
+}  // namespace vug::render

@@ -1,0 +1,90 @@
+// A lamp made of a shape, a brightness and a profile: what rectangles, disks, balls, spots and
+// measured lamps have in common.
+#pragma once
+
+#include <vug/exchange/lamp.h>
+#include <vug/render/lighting/light_output.h>
+#include <vug/render/light.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace vug::render {
+
+/// Shines alike in all directions that the shape does. Profiles tell the part, 0 to 1, of the
+/// radiance that leaves in a direction; the most of it that a point in that direction may see,
+/// given the sine of the angle that the shape fills (0: the point is not reached at all); and they
+/// narrow the bounds.
+struct EvenProfile {
+  float operator()(const Vec3f&) const { return 1; }
+  float most(const Vec3f&, float) const { return 1; }
+  void narrow(LightBounds&) const {}
+};
+
+/// Shape has sample, pdf, hit, importance, importance_along, bounds, center, radius and tell, which
+/// tells a lamp's data what it is; a profile may have that, too.
+template <class Shape, class Profile = EvenProfile>
+class ShapeLamp : public Light {
+ public:
+  ShapeLamp(Shape shape, const LampParams& p, const Rgb& radiance, Profile profile = {})
+      : Light(notes_of(p)),
+        shape_(std::move(shape)),
+        profile_(std::move(profile)),
+        radiance_(radiance),
+        power_(luminance(radiance)),
+        visible_(p.visible) {}
+
+  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+    if (!(most(point.position) > 0)) return {};
+    LightSample s = shape_.sample(point.position, u);
+    s.radiance = radiance_ * profile_(-s.direction);
+    return s;
+  }
+  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+    return most(point.position) > 0 ? shape_.pdf(point.position, direction) : 0;
+  }
+  float importance(const LitPoint& point) const override {
+    return power_ * most(point.position) * shape_.importance(point);
+  }
+  float importance_along(const Ray& ray, float begin, float end) const override {
+    return power_ * shape_.importance_along(ray, begin, end);
+  }
+  LightBounds bounds() const override {
+    LightBounds out = shape_.bounds(power_);
+    profile_.narrow(out);
+    return out;
+  }
+  Vec3f centre() const override { return shape_.center(); }
+  bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
+    const float t = shape_.hit(ray);
+    if (!(t > 0 && t < max_distance)) return false;
+    hit = {t, radiance_ * profile_(-ray.direction)};
+    return true;
+  }
+  bool camera_visible() const override { return visible_; }
+  bool as_data(exchange::Lamp& lamp) const override {
+    lamp.radiance = Vec3d(radiance_);
+    lamp.visible = visible_;
+    shape_.tell(lamp);
+    if constexpr (requires { profile_.tell(lamp); }) profile_.tell(lamp);
+    return true;
+  }
+
+ private:
+  float most(const Vec3f& point) const {
+    if constexpr (std::is_same_v<Profile, EvenProfile>) return 1;
+    const Vec3f away = point - shape_.center();
+    const float distance = length(away);
+    return distance > 0
+               ? profile_.most(away * (1 / distance), std::min(1.0f, shape_.radius() / distance))
+               : 1;
+  }
+
+  Shape shape_;
+  Profile profile_;
+  Rgb radiance_;
+  float power_;
+  bool visible_;
+};
+
+}  // namespace vug::render

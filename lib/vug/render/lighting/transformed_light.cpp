@@ -1,0 +1,87 @@
+#include <vug/base/error.h>
+#include <vug/exchange/lamp.h>
+#include <vug/render/lighting/light_adapter.h>
+#include <vug/render/lighting/transformed_light.h>
+#include <vug/render/geometry/instance_transform.h>
+
+namespace vug::render {
+namespace {
+
+/// Asks the lamp in its own space. Angles are the same there, and so are shares of a sphere and
+/// what importance counts, power over squared distance; only lengths differ.
+class PlacedLight final : public LightOfLight {
+ public:
+  PlacedLight(LightPtr lamp, const Transform& place, LightNotes notes)
+      : LightOfLight(std::move(lamp), std::move(notes)),
+        scale_(static_cast<float>(place.max_stretch())),
+        place_(place),
+        to_(place),
+        back_(place.inverse()) {}
+
+  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+    LightSample s = inner().sample(own(point), u);
+    s.direction = out(s.direction);
+    s.distance *= scale_;
+    return s;
+  }
+  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+    return inner().pdf(own(point), in(direction));
+  }
+  float importance(const LitPoint& point) const override { return inner().importance(own(point)); }
+  float importance_along(const Ray& ray, float begin, float end) const override {
+    return inner().importance_along(own(ray), begin / scale_, end / scale_);
+  }
+  LightBounds bounds() const override {
+    LightBounds b = inner().bounds();
+    const Box3d box = place_.box(Box3d(Vec3d(b.box.min), Vec3d(b.box.max)));
+    b.box = Box3f(Vec3f(box.min), Vec3f(box.max));
+    b.axis = out(b.axis);
+    b.strength *= scale_ * scale_;
+    return b;
+  }
+  Vec3f centre() const override { return to_.point(inner().centre()); }
+  bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
+    if (!inner().intersect(own(ray), max_distance / scale_, hit)) return false;
+    hit.distance *= scale_;
+    return true;
+  }
+  bool as_data(exchange::Lamp& lamp) const override {
+    if (!inner().as_data(lamp)) return false;
+    const Transform placed = place_ * lamp.place;
+    const auto axis = [&](int i) { return placed.column(i).normalized(); };
+    lamp.place = Transform(axis(0), axis(1), axis(2), placed.origin());
+    for (double* length : {&lamp.radius, &lamp.width, &lamp.height})
+      *length *= static_cast<double>(scale_);
+    return true;
+  }
+
+ private:
+  /// Unit vectors stay so, up to rounding that `normalized` takes away.
+  Vec3f in(const Vec3f& v) const { return normalized(back_.vector(v)); }
+  Vec3f out(const Vec3f& v) const { return normalized(to_.vector(v)); }
+  LitPoint own(LitPoint point) const {
+    if (point.on_surface()) point.normal = in(point.normal);
+    point.position = back_.point(point.position);
+    return point;
+  }
+  Ray own(Ray ray) const {
+    ray.origin = back_.point(ray.origin);
+    ray.direction = in(ray.direction);
+    return ray;
+  }
+
+  float scale_;
+  Transform place_;
+  Affine to_, back_;
+};
+
+}  // namespace
+
+LightPtr placed_light(LightPtr lamp, const Transform& place, LightNotes notes) {
+  if (place.max_stretch() > 1.0001 * place.min_stretch())
+    throw Error(ErrorCode::bad_input, "a lamp cannot be stretched unevenly", {},
+                "place its scene with one scale for all axes, or without the lamp");
+  return std::make_shared<const PlacedLight>(std::move(lamp), place, std::move(notes));
+}
+
+}  // namespace vug::render

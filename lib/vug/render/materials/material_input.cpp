@@ -1,0 +1,91 @@
+#include <vug/mesh/mesh.h>
+#include <vug/render/materials/material_input.h>
+#include <vug/render/geometry/attribute_gradients.h>
+#include <vug/render/geometry/instance_transform.h>
+
+#include <algorithm>
+
+namespace vug::render {
+
+SurfaceSpot::SurfaceSpot(const Surface& surface) : surface_(surface) {
+  spot_.position = Vec3d(surface.position);
+  // Masks ask where the solid's surface faces, from whichever side it is seen.
+  spot_.normal = Vec3d(surface.shading_normal) * (surface.inside ? -1 : 1);
+  spot_.solid = surface.solid;
+  spot_.attributes = this;
+  spot_.footprint = static_cast<double>(surface.footprint);
+  if (!surface.placing) return;
+  own_ = surface.placing->to_own(surface.time);
+  if (surface.looks_by_place) {
+    spot_.to_solid = &*own_;
+    return;
+  }
+  spot_.position = own_->point(spot_.position);
+  spot_.normal = own_->normal(spot_.normal).normalized();
+  spot_.footprint /= static_cast<double>(surface.placing->stretch());
+}
+
+void SurfaceSpot::move_to(const Vec3f& point) {
+  const Vec3d from(surface_.position), to(point);
+  moved_ = own_ ? own_->point(to) - own_->point(from) : to - from;
+  spot_.position = own_ && !surface_.looks_by_place ? own_->point(to) : to;
+}
+
+std::optional<Vec3d> SurfaceSpot::read(std::string_view name) const {
+  if (!surface_.mesh && name == mesh::kColour) return Vec3d(surface_.color);
+  if (!surface_.mesh) return std::nullopt;
+  const mesh::Attribute* attribute = mesh::find_attribute(*surface_.mesh, name);
+  if (!attribute || attribute->arity < 1) return std::nullopt;
+  const mesh::Triangle& corners = surface_.mesh->triangles[surface_.triangle];
+  const float shares[] = {1 - surface_.u - surface_.v, surface_.u, surface_.v};
+  Vec3d value(0.0);
+  for (size_t corner = 0; corner < 3; ++corner)
+    for (int part = 0; part < 3; ++part) {
+      const auto arity = static_cast<size_t>(attribute->arity);
+      const size_t own = attribute->arity < 3 ? 0 : static_cast<size_t>(part);
+      value[part] +=
+          static_cast<double>(shares[corner] * attribute->values[corners[corner] * arity + own]);
+    }
+  if (const auto* slopes = moved_ && surface_.slopes ? surface_.slopes->of(name) : nullptr) {
+    Vec3f slope(0);
+    for (size_t corner = 0; corner < 3; ++corner)
+      slope += (*slopes)[corners[corner]] * shares[corner];
+    value += Vec3d(moved_->dot(Vec3d(slope)));
+  }
+  return value;
+}
+
+float NumberInput::at(const paint::Spot& spot, float low, float high) const {
+  const auto number = static_cast<float>(varying ? (*varying)(spot) : constant);
+  return std::min(high, std::max(low, number));  // not a number: low
+}
+
+Rgb ColorInput::at(const paint::Spot& spot, const Rgb& times) const {
+  const Vec3d color = varying ? (*varying)(spot) : constant;
+  const auto one = [](double x) { return static_cast<float>(std::min(1.0, std::max(0.0, x))); };
+  return way(Rgb(one(color.x), one(color.y), one(color.z)) * times);
+}
+
+}  // namespace vug::render
+
+namespace vug {
+
+std::optional<render::NumberInput> ValueTraits<render::NumberInput>::read(const Value& v) {
+  if (const Number* number = v.get<Number>()) return render::NumberInput(number->value);
+  if (const auto* mask = v.object<paint::Mask>()) return render::NumberInput(*mask);
+  return std::nullopt;
+}
+Value ValueTraits<render::NumberInput>::write(const render::NumberInput& input) {
+  return input.varying ? ValueTraits<paint::Mask>::write(input.varying) : Value(input.constant);
+}
+
+std::optional<render::ColorInput> ValueTraits<render::ColorInput>::read(const Value& v) {
+  if (const auto* vector = v.get<Value::Vector>()) return render::ColorInput(vector->value);
+  if (const auto* paint = v.object<paint::Paint>()) return render::ColorInput(*paint);
+  return std::nullopt;
+}
+Value ValueTraits<render::ColorInput>::write(const render::ColorInput& input) {
+  return input.varying ? ValueTraits<paint::Paint>::write(input.varying) : Value(input.constant);
+}
+
+}  // namespace vug

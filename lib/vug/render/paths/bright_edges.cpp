@@ -1,0 +1,58 @@
+#include <vug/render/paths/bright_edges.h>
+#include <vug/render/paths/vertex.h>
+#include <vug/raytree/path_scheduler.h>
+
+#include <algorithm>
+
+namespace vug::render {
+namespace {
+
+constexpr uint64_t kSalt = 0x65646765ull;
+/// Beyond this part of the brightest the dimmest is another thing, not a slope of the sky.
+constexpr float kDifference = 0.2f;
+
+struct Range {
+  float least = kFar, most = 0;
+  void take_in(const Range& other) {
+    least = std::min(least, other.least), most = std::max(most, other.most);
+  }
+};
+
+}  // namespace
+
+BrightEdges::BrightEdges(const World& world, const Region& region, const Vec2i& width_height,
+                         uint32_t looks, uint64_t seed,
+                         const std::function<Ray(const SampleId&)>& camera_ray, Progress& progress)
+    : region_(region) {
+  const Region wide = Region{region.x0 - 1, region.y0 - 1, region.x1 + 1, region.y1 + 1}.overlap(
+      {0, 0, width_height.x, width_height.y});
+  std::vector<Range> seen(wide.pixels());
+  progress.begin("looking for bright edges", static_cast<uint64_t>(wide.height()));
+  const auto width = static_cast<size_t>(wide.width());
+  parallel_together(wide.pixels(), [&](size_t pixel) {
+    if (pixel % width == 0) progress.check();
+    SampleId id;
+    id.seed = seed ^ kSalt, id.spp = looks;
+    id.x = static_cast<uint32_t>(wide.x0) + static_cast<uint32_t>(pixel % width);
+    id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(pixel / width);
+    for (id.index = 0; id.index < looks; ++id.index) {
+      TrackingNumbers tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
+      const float bright = luminance(seen_by_camera(world, camera_ray(id), tracking, nullptr));
+      seen[pixel].take_in({bright, bright});
+    }
+    if (pixel % width == width - 1) progress.advance();
+  });
+  progress.end();
+  edges_.resize(region.pixels());
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      Range around;
+      const Region across = Region{x - 1, y, x + 2, y + 1}.overlap(wide);
+      const Region along = Region{x, y - 1, x + 1, y + 2}.overlap(wide);
+      for (int u = across.x0; u < across.x1; ++u) around.take_in(seen[wide.index(u, y)]);
+      for (int v = along.y0; v < along.y1; ++v) around.take_in(seen[wide.index(x, v)]);
+      edges_[region.index(x, y)] = around.most - around.least > kDifference * around.most;
+    }
+}
+
+}  // namespace vug::render

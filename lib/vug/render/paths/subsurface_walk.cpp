@@ -1,0 +1,54 @@
+#include <vug/base/maths.h>
+#include <vug/render/paths/subsurface_walk.h>
+#include <vug/render/sampling.h>
+
+namespace vug::render {
+namespace {
+
+/// Long walks go on by chance; none is cut, so that the mean stays.
+constexpr int kSureSteps = 32;
+constexpr int kMostSteps = 100000;  // against bodies that swallow nothing
+
+/// The same place from the other side.
+void turn_over(Hit& hit) {
+  Surface& surface = hit.surface;
+  surface.geometric_normal = -surface.geometric_normal;
+  surface.shading_normal = -surface.shading_normal;
+  surface.inside = !surface.inside;
+  std::swap(hit.origin, hit.behind);
+}
+
+}  // namespace
+
+Rgb unabsorbed(const Rgb& absorption, float distance) {
+  if (is_black(absorption)) return Rgb(1.0f);
+  Rgb clear;
+  for (int c = 0; c < 3; ++c)
+    clear[c] = static_cast<float>(maths::exp(-static_cast<double>(absorption[c] * distance)));
+  return clear;
+}
+
+bool wander(const World& world, const Cloud& cloud, const Vec3f& direction, RandomStream& random,
+            Hit& hit, Rgb& throughput) {
+  const uint32_t object = hit.object;
+  Ray ray{hit.behind, direction};
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto free = static_cast<float>(-maths::log(1 - random.uniform())) * cloud.mean_free_path;
+    if (!world.intersect(ray, hit)) return false;
+    if (hit.distance <= free) {
+      if (hit.object != object || !hit.surface.inside) return false;
+      turn_over(hit);
+      return true;
+    }
+    throughput *= cloud.albedo;
+    if (step >= kSureSteps) {
+      const float survival = std::min(1.0f, largest(throughput));
+      if (!(next_float(random) < survival)) return false;
+      throughput *= 1 / survival;
+    }
+    ray = {ray.at(free), sample_sphere(next_pair(random))};
+  }
+  return false;
+}
+
+}  // namespace vug::render

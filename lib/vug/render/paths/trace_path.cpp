@@ -1,0 +1,304 @@
+#include <vug/render/paths/direct.h>
+#include <vug/render/paths/trace_path.h>
+#include <vug/render/paths/subsurface_walk.h>
+#include <vug/render/film/light_path_recorder.h>
+
+#include <algorithm>
+
+namespace vug::render {
+namespace {
+
+/// Numbers that one bounce may spend, so that branches do not shift those of later bounces.
+constexpr uint32_t kCameraDimensions = 2;
+constexpr uint32_t kBounceDimensions = 8;
+constexpr uint32_t kTrackingDimension = 7;  // of a bounce's
+
+/// A cone that a diffuse surface has turned is so wide at least, in radians: what is seen by way
+/// of it needs no fine detail.
+constexpr float kBlur = 0.05f;
+
+/// Paths end by chance where what they may still add is less than so many times what single paths
+/// are off by (Brightness::noise) where the camera looks; but none with more than the other part of
+/// all chances, for what is known of the light may err. Both, and the root of the two, were chosen
+/// by variance times time (docs/decisions/0030-worth-of-paths.md).
+constexpr float kNegligible = 20, kLeastSurvival = 0.5f;
+
+Rgb albedo_of(const Hit& hit, const Ray& ray) {
+  const Frame frame(hit.surface.shading_normal);
+  BsdfMemory memory;
+  return hit.material->at(hit.surface, frame.to_local(-ray.direction), memory).albedo();
+}
+
+class Walk {
+ public:
+  Walk(const World& world, const Ray& camera_ray, const WalkRules& rules, const Learned& learned,
+       SampleCursor& numbers, Tally* tally, Trail* trail, std::span<const Ray> beside)
+      : world_(world),
+        medium_(world.medium()),
+        rules_(rules),
+        learned_(learned),
+        numbers_(numbers),
+        tally_(tally),
+        trail_(trail),
+        beside_(beside),
+        ray_(camera_ray),
+        spread_(camera_ray.spread) {}
+
+  PathResult go() {
+    for (;; ++depth_) {
+      Bounce bounce = begin();
+      look(bounce);
+      gather(bounce);
+      if (depth_ > rules_.max_bounces) break;
+      if (!cross_medium(bounce) && !(bounce.found && scatter(bounce))) break;
+      if (is_black(throughput_) || !(bounce.weighed || survives(bounce.last.x))) break;
+    }
+    return result_;
+  }
+
+ private:
+  struct Bounce {
+    TrackingNumbers tracking;
+    Hit hit;
+    bool found = false;
+    Vec2f choice{0, 0};  ///< Which light, which lobe.
+    Vec2f light{0, 0}, scatter{0, 0};
+    Vec2f last{0, 0};      ///< Whether the path goes on, which light it looks at.
+    bool weighed = false;  ///< Whether the path goes on has been decided.
+  };
+
+  Bounce begin() {
+    const uint32_t first = kCameraDimensions + kBounceDimensions * static_cast<uint32_t>(depth_);
+    Vec2f start(0.0f);
+    if (medium_) {
+      numbers_.jump(first + kTrackingDimension);
+      start = numbers_.pair();
+    }
+    numbers_.jump(first);
+    return {TrackingNumbers(start), {}};
+  }
+
+  void draw(Bounce& bounce) {
+    const FourPairs four = numbers_.four_pairs();
+    bounce.choice = four[0], bounce.light = four[1], bounce.scatter = four[2],
+    bounce.last = four[3];
+  }
+
+  /// The next surface on the ray.
+  void look(Bounce& bounce) {
+    Hit& hit = bounce.hit;
+    bounce.found = world_.intersect(ray_, hit, [&] { draw(bounce); });
+    if (bounce.found) {
+      if (within_) carry(unabsorbed(absorption_, hit.distance));
+      hit.surface.footprint = width_ + spread_ * hit.distance;
+    }
+    if (depth_ > 0) return;
+    if (bounce.found) {
+      result_.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray_),
+                       hit.object};
+      if (tally_) tally_->read(hit.surface, *hit.material);
+    }
+    result_.alpha = bounce.found ? 1 : 1 - clear_part(world_, ray_, kFar, bounce.tracking);
+  }
+
+  /// What the ray runs into belongs to the place it comes from, as direct light there.
+  void gather(Bounce& bounce) {
+    const float end = bounce.found ? bounce.hit.distance : kFar;
+    Rgb seen = lamps_met(world_, ray_, end, from_, result_.alpha, bounce.tracking, tally_);
+    seen += bounce.found ? surface_met(world_, ray_, bounce.hit, from_, bounce.tracking, tally_)
+                         : sky_met(world_, ray_, from_, bounce.tracking, tally_);
+    float share = 1;
+    if (depth_ == 0 && !beside_.empty()) {
+      for (const Ray& ray : beside_) seen += seen_by_camera(world_, ray, bounce.tracking, tally_);
+      share /= static_cast<float>(beside_.size() + 1);
+    }
+    const Rgb scale = add(throughput_ * seen * share, depth_ - 1);
+    if (tally_) tally_->settle_met(depth_, scale * share);
+  }
+
+  /// True when the path turns in the medium before it comes to the surface.
+  bool cross_medium(Bounce& bounce) {
+    if (!medium_ || within_) return false;
+    const Segment segment = medium_->clip(ray_, bounce.found ? bounce.hit.distance : kFar);
+    if (segment.empty() || !(segment.end < kFar)) return false;
+    const Vec2f distance_u = numbers_.pair();
+    ScatteredLight lit(world_, ray_, segment, {lights(), rules_.light_sampler}, learned_.lights,
+                       bounce.choice.x, distance_u.x, numbers_.pair(), bounce.tracking);
+    const DistanceSample collision =
+        medium_->cross(ray_, segment, distance_u.y, lit.marks(), bounce.tracking);
+    const Rgb scale = add(throughput_ * lit.arriving(tally_), depth_);
+    if (tally_) tally_->settle_medium(depth_, scale);
+    if (medium_->burns()) shine_in_medium(medium_->flames(ray_, segment, bounce.tracking));
+    if (!collision.scattered) return false;
+    const Vec3f point = ray_.at(collision.distance);
+    if (const Rgb glow = medium_->glow(point); !is_black(glow)) shine_in_medium(glow);
+    carry(medium_->albedo(point));
+    ray_ = {point, medium_->sample_phase(ray_.direction, bounce.scatter)};
+    from_ = {PathVertex::medium, {point, Vec3f(0.0f)}, 0, {}};
+    blur_ = rules_.regularize;
+    if (tally_ && depth_ == 0) tally_->turned_in_medium();
+    return true;
+  }
+  void shine_in_medium(const Rgb& light) {
+    const Rgb scale = add(throughput_ * light, depth_);
+    if (!tally_) return;
+    tally_->note(LightSet::kNoGroup, light);
+    tally_->settle_medium(depth_, scale);
+  }
+
+  /// Turns at the surface; false when the path ends there.
+  bool scatter(Bounce& bounce) {
+    Hit& hit = bounce.hit;
+    if (hit.material->bump(hit.surface)) hit.surface.face(ray_.direction);
+    const Frame frame(hit.surface.shading_normal);
+    hit.surface.blur = blur_;
+    BsdfMemory memory;
+    const Bsdf& own = hit.material->at(hit.surface, frame.to_local(-ray_.direction), memory);
+    const Cones bright = learned_.guide.at(hit.surface.position, hit.surface.shading_normal);
+    const GuidedBsdf bsdf(own, frame, bright);
+    if (trail_)
+      trail_->add(hit.origin, hit.surface.geometric_normal, throughput_, result_.radiance);
+    leave_from(hit, lights());
+    // Then light arrives from both sides.
+    if (own.lit_from_behind()) from_.point.normal = Vec3f(0.0f);
+    const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_,
+                                                 {bounce.choice.x, bounce.last.y}, bounce.light,
+                                                 bounce.tracking, tally_);
+    const Rgb scale = add(light, depth_);
+    if (trail_) trail_->lit(result_.radiance);
+    if (tally_) tally_->settle_surface(depth_, scale);
+    // Of faces that mirror or let through, what is known of a region tells nothing.
+    bounce.weighed =
+        rules_.roulette == Roulette::worth && !learned_.surfaces.empty() && own.guided() > 0;
+    if (bounce.weighed && !is_worth_following(hit, bounce.last.x)) return false;
+    const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
+    if (!(s.scattered.pdf > 0)) return false;
+    const bool through = s.scattered.direction.z < 0;
+    if (through && dot(s.direction, hit.surface.geometric_normal) > 0) return false;
+    if (tally_ && depth_ == 0)
+      tally_->turned_at_surface(through && !s.scattered.beneath, s.scattered.weight,
+                                s.scattered.diffuse);
+    carry(s);
+    width_ = hit.surface.footprint;
+    if (!is_black(s.scattered.diffuse)) spread_ = std::max(spread_, kBlur);
+    // Kaplanyan and Dachsbacher 2013, "Path space regularization for holistic and robust light
+    // transport" (cite kaplanyan2013regularization), with a width that stays.
+    if (2 * largest(s.scattered.diffuse) > largest(s.scattered.weight)) blur_ = rules_.regularize;
+    const Bsdf& body = s.scattered.body ? *s.scattered.body : own;
+    if (s.scattered.beneath) return come_out(bounce, body, s.direction);
+    if (through && !own.thin()) {
+      if (!own.lit_from_behind()) from_.kind = PathVertex::through;
+      within_ = !hit.surface.inside;
+      absorption_ = within_ ? body.absorption() : Rgb(0.0f);
+    }
+    ray_ = {through ? hit.behind : hit.origin, s.direction};
+    return true;
+  }
+
+  /// Wanders beneath a surface until it leaves the body elsewhere; false when it does not.
+  bool come_out(Bounce& bounce, const Bsdf& body, const Vec3f& direction) {
+    Hit& hit = bounce.hit;
+    RandomStream random = walk_numbers(bounce.scatter, bounce.choice.y);
+    Rgb left(1.0f);
+    if (!wander(world_, body.beneath(), direction, random, hit, left)) return false;
+    carry(left);
+    const Frame frame(hit.surface.shading_normal);
+    BsdfMemory memory;
+    const Bsdf* leaving = hit.material->leaving(hit.surface, memory);
+    if (!leaving) return false;
+    const Cones bright = learned_.guide.at(hit.surface.position, hit.surface.shading_normal);
+    const GuidedBsdf bsdf(*leaving, frame, bright);
+    leave_from(hit, 1);
+    const Vec2f which = next_pair(random);
+    const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_, which,
+                                                 next_pair(random), bounce.tracking, tally_);
+    const Rgb scale = add(light, depth_ + 1);
+    if (tally_) tally_->settle_surface(depth_ + 1, scale);
+    const float lobe = next_float(random);
+    const GuidedBsdf::Sample s = bsdf.sample(lobe, next_pair(random));
+    if (!(s.scattered.pdf > 0) || !(s.scattered.direction.z > 0)) return false;
+    carry(s);
+    ray_ = {hit.origin, s.direction};
+    return true;
+  }
+
+  bool survives(float u) {
+    if (rules_.roulette == Roulette::off) return true;
+    // What the first surface sends on is seen as it is: an even sky would be grain there.
+    if (rules_.roulette == Roulette::worth && depth_ == 0) return true;
+    // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
+    return survives_by(std::sqrt(largest(unled_)), u);
+  }
+  /// By what the path may still add beside the lights it has chosen here (Vorba and Krivanek 2016,
+  /// "Adjoint-driven Russian roulette and splitting in light transport simulation", cite
+  /// vorba2016adjoint), against what the camera sees and how noisy that is anyway (Rath et al.
+  /// 2022, "EARS: Efficiency-aware Russian roulette and splitting", cite rath2022ears).
+  bool is_worth_following(const Hit& hit, float u) {
+    const Returned& light = learned_.surfaces.at(hit.origin, hit.surface.geometric_normal);
+    if (!(negligible_ > 0)) negligible_ = kNegligible * learned_.surfaces.noise() * light.all;
+    if (depth_ == 0) return true;
+    const float worth = luminance(throughput_) * light.later / negligible_;
+    return survives_by(std::max(kLeastSurvival, std::sqrt(worth)), u);
+  }
+  bool survives_by(float survival, float u) {
+    if (!(survival < 1)) return true;
+    if (!(u < survival)) return false;
+    carry(Rgb(1 / survival));
+    return true;
+  }
+
+  float lights() const { return depth_ == 0 ? rules_.lights_seen : 1; }
+
+  void leave_from(const Hit& hit, float samples) {
+    const float* sight = learned_.lights.empty() ? nullptr : learned_.lights.at(hit.origin);
+    from_ = {PathVertex::surface,
+             {hit.origin, hit.surface.shading_normal, hit.object},
+             0,
+             {samples, rules_.light_sampler, sight}};
+  }
+  void carry(const Rgb& part) { throughput_ *= part, unled_ *= part; }
+  void carry(const GuidedBsdf::Sample& s) {
+    throughput_ *= s.scattered.weight;
+    unled_ *= s.unled;
+    from_.pdf = s.scattered.pdf;
+  }
+  /// Adds what one vertex gives; all of it while the camera sees the vertex itself. The scale at
+  /// which the tally settles it.
+  Rgb add(const Rgb& light, int depth) {
+    const float most = depth <= 0 ? kFar : rules_.most, brightest = largest(light);
+    const float part = brightest > most ? most / brightest : 1;
+    result_.radiance += light * part;
+    return throughput_ * part;
+  }
+
+  const World& world_;
+  const Medium* medium_;
+  const WalkRules& rules_;
+  const Learned& learned_;
+  SampleCursor& numbers_;
+  Tally* tally_;
+  Trail* trail_;
+  std::span<const Ray> beside_;
+
+  PathResult result_;
+  int depth_ = 0;
+  Ray ray_;
+  Rgb throughput_{1, 1, 1};
+  Rgb unled_{1, 1, 1};  ///< The throughput that would be left without a guide.
+  PathVertex from_;
+  float negligible_ = 0;      ///< See kNegligible; 0: not known.
+  float width_ = 0, spread_;  ///< Of the cone that the path looks along.
+  float blur_ = 0;            ///< Least roughness of what it sees.
+  bool within_ = false;       ///< A clear body, which swallows this:
+  Rgb absorption_{0, 0, 0};
+};
+
+}  // namespace
+
+PathResult walk(const World& world, const Ray& camera_ray, const WalkRules& rules,
+                const Learned& learned, SampleCursor& numbers, Tally* tally, Trail* trail,
+                std::span<const Ray> beside) {
+  return Walk(world, camera_ray, rules, learned, numbers, tally, trail, beside).go();
+}
+
+}  // namespace vug::render

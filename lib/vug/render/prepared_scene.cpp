@@ -1,0 +1,43 @@
+#include <vug/render/geometry/geometry.h>
+#include <vug/render/prepared_scene.h>
+
+namespace vug::render {
+namespace {
+
+std::vector<LightPtr> joined(std::vector<LightPtr> lights, const std::vector<LightPtr>& more) {
+  lights.insert(lights.end(), more.begin(), more.end());
+  return lights;
+}
+
+}  // namespace
+
+World::World(const Scene& scene)
+    : geometry_(std::make_shared<Geometry>(scene.objects)),
+      lights_(std::make_shared<const LightSet>(scene.lights, scene.objects)) {
+  medium_ = scene.medium;
+  if (medium_)
+    if (MediumPtr fitted = medium_->fitted(geometry_->bounds)) medium_ = fitted;
+}
+
+World::World(const World& other, const Scene& scene, const std::vector<LightPtr>& more)
+    : geometry_(other.geometry_),
+      lights_(std::make_shared<const LightSet>(joined(scene.lights, more), scene.objects)),
+      medium_(other.medium_) {}
+
+World::World(const World& other, float time)
+    : geometry_(other.geometry_), lights_(other.lights_), medium_(other.medium_), time_(time) {}
+
+World::~World() = default;
+
+bool World::intersect(const Ray& ray, Hit& hit, void (*work)(const void*), const void* what) const {
+  const Geometry::Found found = geometry_->find(ray, time_);
+  work(what);
+  return geometry_->fill(found, ray, time_, hit);
+}
+bool World::occluded(const Ray& ray, float distance) const {
+  return geometry_->occluded(ray, distance, time_);
+}
+bool World::moves() const { return geometry_->moves; }
+const Box3f& World::bounds() const { return geometry_->bounds; }
+
+}  // namespace vug::render
