@@ -236,7 +236,7 @@ class FacadeRectify(VugTest):
 
 class Documented(VugTest):
     def test_options_in_the_docs_exist(self):
-        text = (SOURCE / "docs/scans.md").read_text()
+        text = (SOURCE / "docs/guides/scans.md").read_text()
         for verb in ("scan", "rectify"):
             known = set(re.findall(r"--[a-z-]+", self.expect(0, "facade", verb, "--help").out))
             told = set()

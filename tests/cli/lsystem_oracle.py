@@ -1,6 +1,6 @@
 """L-systems rewritten in Python, slowly and plainly: what `vug derive` is held against.
 
-It is written from the book and from docs/lsystems.md, not from the program. A system's rules are
+It is written from the book and from docs/reference/lsystems.md, not from the program. A system's rules are
 rows of text, out of which both the scene's block and the words here are made:
     (left, head, right, clauses, successor)
 where clauses are "if ...", "@..." or nothing.

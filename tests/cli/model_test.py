@@ -231,7 +231,7 @@ class Modelling(VugTest):
 
 
 class Samples(VugTest):
-    """Sessions that come with us, and what docs/modeller.md says."""
+    """Sessions that come with us, and what docs/guides/modeller.md says."""
 
     def test_samples_are_whole(self):
         sessions = sorted(SESSIONS.glob("*.json"))
@@ -246,7 +246,7 @@ class Samples(VugTest):
             self.expect(0, "facade", "model", session, "-o", "copy.json")
 
     def test_examples_of_the_page_run(self):
-        page = (SOURCE / "docs/modeller.md").read_text()
+        page = (SOURCE / "docs/guides/modeller.md").read_text()
         blocks = re.findall(r"```sh\n(.*?)```", page, re.S)
         self.assertGreaterEqual(len(blocks), 4)
         (self.folder / "data").symlink_to(SOURCE / "data")

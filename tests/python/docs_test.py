@@ -1,4 +1,4 @@
-"""Every ```python example of docs/python.md runs, in the order of the page, as one session."""
+"""Every ```python example of docs/guides/python.md runs, in the order of the page, as one session."""
 import doctest
 import os
 import re
@@ -6,7 +6,7 @@ import unittest
 
 from case import SOURCE, Case
 
-PAGE = SOURCE / "docs" / "python.md"
+PAGE = SOURCE / "docs" / "guides" / "python.md"
 
 
 class Docs(Case):

@@ -1,4 +1,4 @@
-// The figures of the SG+M paper (zawadzki2012) on smaller ranges; docs/theory/sgm.md has all of
+// The figures of the SG+M paper (zawadzki2012) on smaller ranges; docs/explanation/theory/sgm.md has all of
 // them.
 #include "facts.h"
 

@@ -120,11 +120,11 @@ class CheckTest(unittest.TestCase):
 
     def test_scenes(self):
         scene = {"data/scenes/a.vug": "# A ball. Round.\nseed 1\n"}
-        line = "- [a](../data/scenes/a.vug): A ball."
-        self.passes("scenes", {**scene, "docs/scenes.md": line + "\n"})
-        self.finds("scenes", {**scene, "docs/scenes.md": ""}, line)
-        self.finds("scenes", {**scene, "docs/scenes.md": line + "\n" + line.replace("a", "b")}, "b.vug")
-        self.finds("scenes", {**scene, "docs/scenes.md": line[:-5] + "\n"}, "docs/scenes.md:1")
+        line = "- [a](../../data/scenes/a.vug): A ball."
+        self.passes("scenes", {**scene, "docs/reference/scenes.md": line + "\n"})
+        self.finds("scenes", {**scene, "docs/reference/scenes.md": ""}, line)
+        self.finds("scenes", {**scene, "docs/reference/scenes.md": line + "\n" + line.replace("a", "b")}, "b.vug")
+        self.finds("scenes", {**scene, "docs/reference/scenes.md": line[:-5] + "\n"}, "docs/reference/scenes.md:1")
         self.finds("scenes", {"data/scenes/a.vug": "seed 1\n"}, "data/scenes/a.vug:1")
 
     def test_forbidden_in_the_library(self):

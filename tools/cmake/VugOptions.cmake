@@ -19,7 +19,7 @@ endif()
 add_library(vug_contract INTERFACE)
 target_compile_features(vug_contract INTERFACE cxx_std_20)
 # x86-64-v3 (AVX2, 2013 and later) is the baseline; contraction into FMA stays off so that
-# every such machine computes the same bits (docs/decisions/0002-deterministic-arithmetic.md).
+# every such machine computes the same bits (docs/explanation/decisions/0002-deterministic-arithmetic.md).
 target_compile_options(vug_contract INTERFACE -march=x86-64-v3 -ffp-contract=off)
 target_include_directories(vug_contract INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/lib>

@@ -1,4 +1,4 @@
-# Plugins of a project that uses an installed Vug (docs/plugins.md).
+# Plugins of a project that uses an installed Vug (docs/guides/plugins.md).
 #
 #   find_package(Vug REQUIRED)
 #   vug_add_plugin(hello hello.cpp ...)

@@ -49,7 +49,7 @@ std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object,
 }
 
 std::vector<image::Limit> read_limits(const std::filesystem::path& file) {
-  return limits_of(read_json<nlohmann::ordered_json>(file, "see docs/image_tests.md"),
+  return limits_of(read_json<nlohmann::ordered_json>(file, "see docs/guides/image_tests.md"),
                    file.string());
 }
 

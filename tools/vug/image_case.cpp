@@ -40,7 +40,7 @@ std::vector<std::string> texts(const Json& value) {
 
 double number(const Json& value, double low, double high) {
   if (!value.is_number() || !(value.get<double>() >= low) || !(value.get<double>() <= high))
-    refuse(fmt::format("it is no number from {} to {}", low, high), "see docs/image_tests.md");
+    refuse(fmt::format("it is no number from {} to {}", low, high), "see docs/guides/image_tests.md");
   return value.get<double>();
 }
 
@@ -121,7 +121,7 @@ ImageCase read_case(const std::filesystem::path& folder, const std::string& name
   out.reference = out.folder / "reference.exr";
   out.diff.layers = {image::kBeauty};
   const std::filesystem::path file = folder / "case.json";
-  const Json json = read_json<Json>(file, "see docs/image_tests.md");
+  const Json json = read_json<Json>(file, "see docs/guides/image_tests.md");
   if (!json.is_object())
     throw Error(ErrorCode::bad_input, "a case is a JSON object", {file.string(), 0, 0},
                 "write {\"scene\": \"cave.vug\"}");

@@ -1,5 +1,5 @@
 // A case of an image test: a folder with case.json, a reference picture and perhaps a mask.
-// docs/image_tests.md describes it for its writers.
+// docs/guides/image_tests.md describes it for its writers.
 #pragma once
 
 #include <vug/image/diff.h>

@@ -1,4 +1,4 @@
-// Other programs: what each reads best. Each is a kind; docs/dcc.md gives the reasons.
+// Other programs: what each reads best. Each is a kind; docs/guides/export.md gives the reasons.
 #pragma once
 
 #include <vug/exchange/format.h>

@@ -1,4 +1,4 @@
-// Expressions out of tokens; docs/language.md has the EBNF.
+// Expressions out of tokens; docs/reference/language.md has the EBNF.
 #pragma once
 
 #include <vug/scene/cursor.h>

@@ -61,7 +61,7 @@ void load_plugin(const std::filesystem::path& file) {
   const auto interface = entry<const char* (*)()>(library, "vug_plugin_interface");
   const auto give = entry<void (*)(PluginKinds&)>(library, "vug_plugin_kinds");
   if (!interface || !give)
-    throw unusable(file, "is none: it lacks VUG_PLUGIN", "docs/plugins.md tells how one is made");
+    throw unusable(file, "is none: it lacks VUG_PLUGIN", "docs/guides/plugins.md tells how one is made");
   if (std::string(interface()) != kPluginInterface)
     throw unusable(file, fmt::format("is for {}, and this is {}", interface(), kPluginInterface),
                    "build it again with the headers of this version");

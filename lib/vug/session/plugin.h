@@ -6,7 +6,7 @@
 //   VUG_FIELD_KIND(lens) { return primitive_kind<Lens>("lens"); }   // as in field/primitives/
 //   VUG_PLUGIN(kinds) { kinds.add(vug::field::lens_kind()); }
 //
-// docs/plugins.md shows how one is built, and where it is looked for.
+// docs/guides/plugins.md shows how one is built, and where it is looked for.
 #pragma once
 
 #include <vug/cells/rule.h>

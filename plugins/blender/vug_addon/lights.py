@@ -1,5 +1,5 @@
 """Lights and cameras that mean the same as Vug's. Blender counts the watts that a lamp would send out if it
-shone in all directions as it does along its axis. See docs/dcc.md for what a file says of lamps.
+shone in all directions as it does along its axis. See docs/guides/export.md for what a file says of lamps.
 
 `scale` is the number of Blender's units in a metre: watts grow with its square, so that what is lit from
 farther away in units is as bright, and Blender, which counts so itself, shows the same watts."""

@@ -7,7 +7,7 @@
     image = scene.render(spp=16, size=(480, 270))
     image.save("grotto.exr")
 
-Lengths are metres, angles radians; space is right-handed, y up. See docs/python.md.
+Lengths are metres, angles radians; space is right-handed, y up. See docs/guides/python.md.
 """
 import warnings as _warnings
 

@@ -1,5 +1,5 @@
 // How right trees and looks are on photographed facades whose pixels people have labelled; see
-// docs/theory/facades.md. A share of them, unless VUG_ACCURACY=all asks for the figures.
+// docs/explanation/theory/facades.md. A share of them, unless VUG_ACCURACY=all asks for the figures.
 #include "../scan/external_data.h"
 
 #include <vug/base/rng.h>

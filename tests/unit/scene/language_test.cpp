@@ -1,4 +1,4 @@
-// Every ```vug example of docs/language.md is a scene without a fault.
+// Every ```vug example of docs/reference/language.md is a scene without a fault.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/scene/format.h>
@@ -11,7 +11,7 @@ namespace vug::scene {
 namespace {
 
 std::vector<std::string> examples() {
-  const auto page = std::filesystem::path(VUG_DATA).parent_path() / "docs" / "language.md";
+  const auto page = std::filesystem::path(VUG_DATA).parent_path() / "docs" / "reference" / "language.md";
   const std::string text = read_text(page);
   std::vector<std::string> all;
   const std::string open = "```vug\n", close = "```";

@@ -1,5 +1,5 @@
-// Every ```vug example of docs/language.md, tour.md, cells.md, groves.md, lsystems.md, facades.md
-// and bamboo.md is a scene that all of the program understands: names of kinds and parameters too,
+// Every ```vug example of the documentation's pages on the language, cells, groves, L-systems, facades,
+// bamboo and the first cave is a scene without a fault, including the names of kinds and parameters,
 // which the parser alone does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// The blocks of a page that are fenced as `language`.
 std::vector<std::string> blocks(const std::string& language,
-                                const std::string& page = "language.md") {
+                                const std::string& page = "reference/language.md") {
   const std::string text = read_text(fs::path(VUG_DATA).parent_path() / "docs" / page);
   std::vector<std::string> all;
   const std::string open = "```" + language + "\n", close = "```";
@@ -44,7 +44,7 @@ TEST(Language, ExamplesMeanSomething) {
 }
 
 TEST(Language, FacadesOfTheirPageDivide) {
-  const std::vector<std::string> examples = blocks("vug", "facades.md");
+  const std::vector<std::string> examples = blocks("vug", "reference/facades.md");
   ASSERT_GE(examples.size(), 2u);
   for (const std::string& example : examples) {
     const Loaded loaded = load_text(example, "facades.md");
@@ -55,7 +55,7 @@ TEST(Language, FacadesOfTheirPageDivide) {
 }
 
 TEST(Language, LSystemsOfTheirPageGrow) {
-  const std::vector<std::string> examples = blocks("vug", "lsystems.md");
+  const std::vector<std::string> examples = blocks("vug", "reference/lsystems.md");
   ASSERT_GE(examples.size(), 8u);
   for (const std::string& example : examples) {
     const Loaded loaded = load_text(example, "lsystems.md");
@@ -69,7 +69,7 @@ TEST(Language, LSystemsOfTheirPageGrow) {
 TEST(Language, PlantsOfTheBambooPageShow) {
   LoadOptions options;
   options.include_folders = {fs::path(VUG_DATA)};
-  const std::vector<std::string> examples = blocks("vug", "bamboo.md");
+  const std::vector<std::string> examples = blocks("vug", "guides/bamboo.md");
   ASSERT_GE(examples.size(), 3u);
   for (const std::string& example : examples) {
     const Loaded loaded = load_text(example, "bamboo.md", options);
@@ -80,7 +80,7 @@ TEST(Language, PlantsOfTheBambooPageShow) {
 }
 
 TEST(Language, CellsOfTheirPageAreOnAMesh) {
-  const std::vector<std::string> examples = blocks("vug", "cells.md");
+  const std::vector<std::string> examples = blocks("vug", "reference/cells.md");
   ASSERT_FALSE(examples.empty());
   for (const std::string& example : examples)
     EXPECT_EQ(load_text(example, "cells.md").report(), "") << example;
@@ -97,7 +97,7 @@ TEST(Language, CellsOfTheirPageAreOnAMesh) {
 }
 
 TEST(Language, PlantsOfTheGrovesPageStandOnTheirGround) {
-  const std::vector<std::string> examples = blocks("vug", "groves.md");
+  const std::vector<std::string> examples = blocks("vug", "guides/groves.md");
   ASSERT_GE(examples.size(), 2u);
   LoadOptions options;
   options.include_folders = {fs::path(VUG_DATA)};
@@ -109,7 +109,7 @@ TEST(Language, PlantsOfTheGrovesPageStandOnTheirGround) {
 }
 
 TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {
-  const std::vector<std::string> examples = blocks("vug", "tour.md");
+  const std::vector<std::string> examples = blocks("vug", "tutorials/first_cave.md");
   ASSERT_EQ(examples.size(), 1u);
   EXPECT_EQ(std::count(examples[0].begin(), examples[0].end(), '\n'), 10);
   for (const char* size : {"2.5m", "4m"}) {

@@ -1,10 +1,10 @@
-"""docs/scenes.md lists every scene with what its first comment says."""
+"""docs/reference/scenes.md lists every scene with what its first comment says."""
 import posixpath
 import re
 
 from .tree import Finding
 
-LIST = "docs/scenes.md"
+LIST = "docs/reference/scenes.md"
 FOLDER = "data/scenes/"
 
 

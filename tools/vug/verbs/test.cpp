@@ -98,7 +98,7 @@ int run(Options options) {
                 options.filter.empty() ? fmt::format("'{}' holds no case", options.folder)
                                        : fmt::format("no case in '{}' has '{}' in its name",
                                                      options.folder, options.filter),
-                {}, "a case is a folder with a case.json; see docs/image_tests.md");
+                {}, "a case is a folder with a case.json; see docs/guides/image_tests.md");
   const int cores = thread_count();
   options.cases.jobs = options.jobs > 0 ? options.jobs : cores;
   options.cases.threads =

@@ -93,7 +93,7 @@ Planes glass(const image::Image& linear) {
   const Boxes light(width, height, lab.planes[0]);
   Planes out{width, height, {Plane(lab.pixels(), 0)}};
   // Weights by how well each tells windows from all else on facades of stone
-  // (docs/theory/facades.md).
+  // (docs/explanation/theory/facades.md).
   add(out.planes[0], soft(flat.planes[2], unit), 1);
   add(out.planes[0], soft(flat.planes[1], unit), 0.5);
   add(out.planes[0], difference(light.mean(3 * unit), light.rows(unit)), 0.5);
