@@ -155,7 +155,7 @@ const std::vector<LayerInfo>& layers() {
     std::vector<LayerInfo> list;
     for (const Kind& kind : kinds()) list.push_back(kind.info);
     for (const std::string& part : part_names())
-      list.push_back({part, "A part of the beauty: see docs/rendering.md.", colour(part), false});
+      list.push_back({part, "A part of the beauty: see docs/reference/rendering.md.", colour(part), false});
     list.push_back({kMotion,
                     "Pixels by which the first surface goes until the next frame, to the right and "
                     "upwards.",

@@ -20,7 +20,7 @@ constexpr float kBlur = 0.05f;
 /// Paths end by chance where what they may still add is less than so many times what single paths
 /// are off by (Brightness::noise) where the camera looks; but none with more than the other part of
 /// all chances, for what is known of the light may err. Both, and the root of the two, were chosen
-/// by variance times time (docs/decisions/0030-worth-of-paths.md).
+/// by variance times time (docs/explanation/decisions/0030-worth-of-paths.md).
 constexpr float kNegligible = 20, kLeastSurvival = 0.5f;
 
 Rgb albedo_of(const Hit& hit, const Ray& ray) {
