@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/session/cell_points.h>
 #include <vug/session/cells_files.h>
 
 namespace vug::python {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/session/cells_files.h>
 #include <vug/session/data_folders.h>
+#include <vug/session/find.h>
 #include <vug/session/inputs.h>
 #include <vug/session/recipe.h>
 

@@ -5,6 +5,7 @@
 #include <vug/mesh/topology.h>
 #include <vug/session/build.h>
 #include <vug/session/cells_plan.h>
+#include <vug/session/find.h>
 #include <vug/session/write.h>
 #include <vug/volume/io.h>
 

@@ -3,9 +3,10 @@
 #include "arguments.h"
 
 #include <fmt/format.h>
-#include <vug/base/counted.h>
+#include <vug/base/pluralize.h>
 #include <vug/base/memory.h>
 #include <vug/session/data_folders.h>
+#include <vug/session/find.h>
 
 #include <cstdio>
 
@@ -107,7 +108,7 @@ void WorkOptions::summarise(const session::Builder& builder) const {
   for (const session::MeshPtr& plan : session::declared_meshes(builder.shot()))
     if (const size_t pieces = builder.pieces_left_out(plan); pieces > 0)
       fmt::print(stderr, "mesh '{}': {} smaller than {} m left out\n", plan->name,
-                 counted(pieces, "piece"), plan->smallest_piece);
+                 pluralize(pieces, "piece"), plan->smallest_piece);
 }
 
 }  // namespace vug::cli

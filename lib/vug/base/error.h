@@ -42,6 +42,8 @@ class Error : public std::runtime_error {
   const std::string& hint() const { return hint_; }
   const std::vector<std::string>& context() const { return context_; }
 
+  /// The same error at `where`, without its context.
+  Error at(const SourceLocation& where) const { return Error(code_, what(), where, hint_); }
   /// Adds a "while ..." line as the error travels outwards.
   Error& within(std::string doing);
 

@@ -1,8 +1,8 @@
 #include <vug/base/memory.h>
 #include <vug/metrics/surface.h>
-#include <vug/session/blame.h>
 #include <vug/session/build.h>
 #include <vug/session/cells_checkpoint.h>
+#include <vug/session/find.h>
 #include <vug/session/make_mesh.h>
 #include <vug/session/room.h>
 #include <vug/session/wear.h>
@@ -45,7 +45,7 @@ std::string why_empty(const VolumePlan& plan) {
 /// What a volume fails by: its line where the text is at fault, else while `doing` what.
 Error of_volume(const VolumePlan& plan, Error& error, std::string doing) {
   if (error.code() == ErrorCode::bad_input && !error.where().known())
-    return blamed_on(plan.where, error);
+    return error.at(plan.where);
   return error.within(std::move(doing));
 }
 
@@ -308,26 +308,6 @@ size_t Builder::pieces_left_out(const MeshPtr& plan) const {
   if (const MadeMesh* known = made(plan)) return known->pieces_left_out;
   const auto surface = made_surface(plan);
   return surface ? surface->pieces_left_out() : 0;
-}
-
-std::vector<MeshPtr> declared_meshes(const Shot& shot) {
-  std::set<MeshPtr> bare;
-  for (const MeshPtr& mesh : shot.meshes)
-    if (mesh->cells) bare.insert(mesh->cells->on.begin(), mesh->cells->on.end());
-  std::vector<MeshPtr> kept;
-  std::copy_if(shot.meshes.begin(), shot.meshes.end(), std::back_inserter(kept),
-               [&](const MeshPtr& mesh) { return bare.count(mesh) == 0; });
-  return kept;
-}
-
-std::vector<MeshPtr> meshes_of(const Shot& shot) {
-  if (!shot.meshes.empty()) return declared_meshes(shot);
-  std::vector<MeshPtr> meshes;
-  for (const VolumePtr& volume : shot.volumes) {
-    if (volume->fog) continue;
-    meshes.push_back(plain_mesh(volume));
-  }
-  return meshes;
 }
 
 }  // namespace vug::session

@@ -90,10 +90,4 @@ class Builder {
   uint64_t held_ = 0;  ///< Bytes of grids, meshes, skins and surfaces.
 };
 
-/// The meshes a shot declares, those without cells left out where another is the same with cells.
-std::vector<MeshPtr> declared_meshes(const Shot& shot);
-
-/// The meshes a shot shows or measures: those it declares, else one for each level set.
-std::vector<MeshPtr> meshes_of(const Shot& shot);
-
 }  // namespace vug::session

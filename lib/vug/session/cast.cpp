@@ -2,8 +2,8 @@
 #include <vug/render/kinds.h>
 #include <vug/render/lighting/transformed_light.h>
 #include <vug/render/geometry/require_static.h>
-#include <vug/session/blame.h>
 #include <vug/session/cast.h>
+#include <vug/session/find.h>
 #include <vug/session/make_mesh.h>
 #include <vug/session/merge_copies.h>
 #include <vug/session/places.h>
@@ -46,13 +46,6 @@ render::Object made(Builder& builder, const ObjectPlan& plan) {
   return object;
 }
 
-ObjectPlan in_grey(const MeshPtr& mesh) {
-  ObjectPlan plan;
-  plan.name = mesh->name;
-  plan.mesh = mesh;
-  return plan;
-}
-
 Cast cast_of(Builder& builder, const Model& model) {
   if (model.scene) {
     BuildOptions options = builder.options();
@@ -61,7 +54,7 @@ Cast cast_of(Builder& builder, const Model& model) {
     return cast_of(other);
   }
   Cast cast;
-  if (model.mesh) cast.objects.push_back(made(builder, in_grey(model.mesh)));
+  if (model.mesh) cast.objects.push_back(made(builder, plain_object(model.mesh)));
   for (const ObjectPlan& object : builder.shot().objects)
     if (!model.mesh && object.name == model.name) cast.objects.push_back(made(builder, object));
   return cast;
@@ -131,7 +124,7 @@ std::vector<Place> places_of(Builder& builder, const PlacePlan& plan) {
       places.insert(places.end(), more.begin(), more.end());
     } catch (const Error& error) {
       if (error.where().known()) throw;
-      throw blamed_on(plan.where, error);
+      throw error.at(plan.where);
     }
   return places;
 }
@@ -205,36 +198,6 @@ void light_plainly(Cast& cast, const render::Medium* medium) {
   cast.lights.push_back(render::make_light("sky", {{"radiance", Vec3d(0.9, 0.95, 1)}}));
 }
 
-std::vector<ObjectPlan> shown_objects(const Shot& shot) {
-  const auto is_placed = [&](const std::string& name, const MeshPtr& mesh) {
-    for (const PlacePlan& plan : shot.places)
-      for (const Model& model : plan.of)
-        if (mesh ? model.mesh == mesh : !model.scene && !model.mesh && model.name == name)
-          return true;
-    return false;
-  };
-  std::vector<ObjectPlan> shown;
-  for (const ObjectPlan& object : shot.objects)
-    if (!is_placed(object.name, nullptr)) shown.push_back(object);
-  if (!shot.objects.empty()) return shown;
-  for (const MeshPtr& mesh : meshes_of(shot))
-    if (!is_placed(mesh->name, mesh)) shown.push_back(in_grey(mesh));
-  return shown;
-}
-
-std::vector<std::string> light_groups(const Shot& shot) {
-  std::vector<std::string> groups;
-  for (const auto& [name, light] : shot.lights) groups.push_back(light->notes().group);
-  for (const ObjectPlan& object : shot.objects) groups.push_back(object.light_group);
-  for (const PlacePlan& plan : shot.places)
-    for (const Model& model : plan.of) {
-      if (!model.scene) continue;
-      const std::vector<std::string> more = light_groups(*model.scene);
-      groups.insert(groups.end(), more.begin(), more.end());
-    }
-  return groups;
-}
-
 Cast cast_of(Builder& builder, const Moments& moments) {
   const Shot& shot = builder.shot();
   const std::vector<ObjectPlan> shown = shown_objects(shot);
@@ -248,7 +211,7 @@ Cast cast_of(Builder& builder, const Moments& moments) {
       put_all(builder, plan, moments, cast);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input || error.where().line > 0) throw;
-      throw blamed_on(plan.where, error);
+      throw error.at(plan.where);
     }
   }
   return cast;

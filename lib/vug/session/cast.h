@@ -27,11 +27,4 @@ Cast cast_of(Builder& builder, const Moments& moments = {});
 /// may be null.
 void light_plainly(Cast& cast, const render::Medium* medium);
 
-/// The objects that a shot shows where their meshes stand: not those that it places. Of a shot
-/// without objects they are its meshes, in grey.
-std::vector<ObjectPlan> shown_objects(const Shot& shot);
-
-/// Groups of the lights and shining objects of a shot and of all that it places.
-std::vector<std::string> light_groups(const Shot& shot);
-
 }  // namespace vug::session

@@ -1,6 +1,5 @@
 #include <vug/cells/simulation.h>
 #include <vug/session/cell_names.h>
-#include <vug/session/surroundings.h>
 
 #include <fmt/format.h>
 
@@ -67,6 +66,11 @@ std::string fault_of_name(const std::string& name) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& surroundings() {
+  static const std::vector<std::string> names = {kExposure, kOcclusion, kCurvature};
+  return names;
+}
 
 void read_names(CellsPlan& plan, Diagnostics& diagnostics) {
   const Trial trial(plan);

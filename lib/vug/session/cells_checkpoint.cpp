@@ -1,6 +1,6 @@
 #include <vug/base/hash.h>
+#include <vug/session/cell_points.h>
 #include <vug/session/cells_checkpoint.h>
-#include <vug/session/cells_files.h>
 #include <vug/volume/io.h>
 
 #include <fmt/format.h>

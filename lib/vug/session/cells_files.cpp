@@ -2,7 +2,6 @@
 #include <vug/base/memory.h>
 #include <vug/cells/onto_mesh.h>
 #include <vug/mesh/output.h>
-#include <vug/session/blame.h>
 #include <vug/session/cells_files.h>
 #include <vug/session/make_mesh.h>
 #include <vug/volume/band.h>
@@ -20,10 +19,6 @@
 
 namespace vug::session {
 namespace {
-
-constexpr const char* kStep = "vug:step";
-constexpr const char* kKeep = "vug:keep";
-constexpr const char* kExact = "exact";
 
 /// The meshes of level sets among what the cells stand on, one for each level set.
 std::vector<MeshPtr> solid_grounds(const CellsPlan& plan) {
@@ -74,25 +69,6 @@ void write_value(mesh::Output& out, const T& value) {
 
 }  // namespace
 
-std::vector<CellsPtr> declared_cells(const Shot& shot) {
-  std::vector<CellsPtr> out;
-  for (const MeshPtr& mesh : shot.meshes)
-    if (mesh->cells && std::find(out.begin(), out.end(), mesh->cells) == out.end())
-      out.push_back(mesh->cells);
-  return out;
-}
-
-volume::Grid cell_points(const CellsPlan& plan, const Skin& skin, cells::Keep keep) {
-  volume::Points points = cells::as_points(skin.simulation, keep);
-  const bool exact = keep == cells::Keep::exact;
-  if (plan.half && !exact)
-    for (volume::PointAttribute& each : points.attributes) each.half = true;
-  return volume::point_grid(points, cells::voxel_of_points(skin.network()))
-      .named(plan.name)
-      .with({{kStep, int64_t{skin.simulation.step()}},
-             {kKeep, std::string(exact ? kExact : "shown")}});
-}
-
 std::vector<volume::Grid> cell_grids(Builder& builder, const CellsPtr& plan) {
   constexpr double kBytes = 200;  // what a voxel takes while its values are found
   std::vector<volume::Grid> out;
@@ -142,36 +118,6 @@ void write_table(const std::filesystem::path& file, const Skin& skin) {
     throw Error(ErrorCode::io,
                 fmt::format("cannot write '{}': {}", file.string(), std::strerror(errno)));
   target.commit();
-}
-
-void read_cells(const volume::Grid& grid, cells::Simulation& simulation) {
-  const volume::Metadata metadata = grid.metadata();
-  const auto step = metadata.find(kStep);
-  const auto* done = step == metadata.end() ? nullptr : std::get_if<int64_t>(&step->second);
-  const auto keep = metadata.find(kKeep);
-  const bool exact = keep != metadata.end() && keep->second == volume::MetaValue(kExact);
-  const volume::Points points = volume::points(grid);
-  // A step of 16 bits along each axis, and the rounding of floats.
-  float far = 0;
-  for (const Vec3f& p : points.position)
-    far = std::max({far, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  const double apart = 2 * (grid.voxel_size().x / 65535 + static_cast<double>(far) * 0x1p-23);
-  cells::restore(simulation, points, done ? static_cast<int>(*done) : 0,
-                 exact ? cells::Keep::exact : cells::Keep::shown, apart);
-}
-
-std::optional<volume::Grid> points_from(const CellsPlan& plan) {
-  if (plan.from.empty()) return std::nullopt;
-  try {
-    std::optional<volume::Grid> found;
-    for (const volume::Grid& grid : volume::read(plan.from))
-      if (volume::is_points(grid) && (!found || grid.name() == plan.name)) found = grid;
-    if (found) return found;
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", plan.from.string()), {},
-                "vug build writes them of cells whose files are not told to leave them out");
-  } catch (const Error& error) {
-    throw blamed_on(plan.where, error);
-  }
 }
 
 }  // namespace vug::session

@@ -5,7 +5,6 @@
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
 #include <vug/session/drawn.h>
-#include <vug/session/lsystem_binding.h>
 #include <vug/session/lsystem_plan.h>
 
 namespace vug::session {

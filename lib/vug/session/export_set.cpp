@@ -8,6 +8,7 @@
 #include <vug/session/cells_files.h>
 #include <vug/session/export_set.h>
 #include <vug/session/export_volume.h>
+#include <vug/session/find.h>
 #include <vug/session/point_file.h>
 #include <vug/session/write.h>
 #include <vug/volume/io.h>

@@ -11,7 +11,7 @@
 #include <vug/session/family.h>
 #include <vug/session/family_kinds.h>
 #include <vug/session/objects.h>
-#include <vug/session/places.h>
+#include <vug/session/place_kinds.h>
 #include <vug/session/plants.h>
 #include <vug/session/stages.h>
 #include <vug/session/volume_kinds.h>

@@ -1,8 +1,6 @@
 #include <vug/render/render.h>
-#include <vug/session/blame.h>
-#include <vug/session/cast.h>
+#include <vug/session/find.h>
 #include <vug/session/foresee.h>
-#include <vug/session/make_mesh.h>
 
 #include <fmt/format.h>
 
@@ -109,7 +107,7 @@ render::LayerPlan foreseen_layers(const Shot& shot, const RenderPlan& plan) {
   try {
     return render::scene_layers(lights, plan.layers);
   } catch (const Error& error) {
-    throw blamed_on(plan.where, error);
+    throw error.at(plan.where);
   }
 }
 
@@ -125,7 +123,7 @@ void require_sound(const Shot& shot, const RenderPlan& plan) {
   try {
     render::wanted_region(options);
   } catch (const Error& error) {
-    throw blamed_on(plan.where, error);
+    throw error.at(plan.where);
   }
 }
 

@@ -10,12 +10,3 @@ namespace vug::session {
 Value bind_lsystem(const scene::Grammar& grammar, Reading& reading);
 
 }  // namespace vug::session
-
-namespace vug {
-
-template <>
-struct ValueTraits<session::LSystemPtr> : ObjectTraits<session::LSystemPtr> {
-  static constexpr const char* kWord = "lsystem";
-};
-
-}  // namespace vug

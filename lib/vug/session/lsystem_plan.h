@@ -49,3 +49,12 @@ class LSystemPlan {
 };
 
 }  // namespace vug::session
+
+namespace vug {
+
+template <>
+struct ValueTraits<session::LSystemPtr> : ObjectTraits<session::LSystemPtr> {
+  static constexpr const char* kWord = "lsystem";
+};
+
+}  // namespace vug

@@ -2,7 +2,6 @@
 #include <vug/facade/semantics.h>
 #include <vug/mesh/refine.h>
 #include <vug/meshing/polygonize.h>
-#include <vug/session/blame.h>
 #include <vug/session/cells_plan.h>
 #include <vug/session/make_mesh.h>
 #include <vug/session/room.h>
@@ -44,17 +43,6 @@ mesh::LargePieces make_mesh(const MeshPlan& plan) {
   return pieces;
 }
 
-std::vector<std::string> element_names(const MeshPlan& plan) {
-  std::vector<std::string> names = facade::element_names(plan.elements);
-  const auto add = [&](const MeshPtr& other) {
-    const std::vector<std::string> more = element_names(*other);
-    names.insert(names.end(), more.begin(), more.end());
-  };
-  for (const MeshPtr& part : plan.parts) add(part);
-  if (const MeshPtr under = below(plan)) add(under);
-  return names;
-}
-
 mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts) {
   mesh::Mesh all;
   for (const mesh::MeshPtr& part : parts) {
@@ -87,7 +75,7 @@ mesh::MeshPtr refined_for(const CellsPlan& plan, const mesh::Mesh& mesh, uint64_
     return std::make_shared<const mesh::Mesh>(
         mesh::refined(mesh, plan.spacing, static_cast<size_t>(memory / kTriangleBytes)));
   } catch (const Error& error) {
-    throw blamed_on(plan.spacing_where, error);
+    throw error.at(plan.spacing_where);
   }
 }
 

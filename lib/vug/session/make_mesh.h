@@ -17,9 +17,6 @@ mesh::LargePieces make_mesh(const MeshPlan& plan, const volume::LevelSet& surfac
 /// The same of what the plan's file holds.
 mesh::LargePieces make_mesh(const MeshPlan& plan);
 
-/// The attributes that tell its elements apart, those of what it wears cells on too.
-std::vector<std::string> element_names(const MeshPlan& plan);
-
 /// All in one, in their order; what one of them does not carry is 0 there, and without normals of
 /// all there are none.
 mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts);

@@ -1,8 +1,8 @@
 #include <vug/cells/onto_mesh.h>
 #include <vug/facade/semantics.h>
 #include <vug/flora/merged.h>
-#include <vug/session/cells_files.h>
 #include <vug/session/cells_plan.h>
+#include <vug/session/find.h>
 #include <vug/session/misspelt.h>
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 #include <vug/base/memory.h>
 #include <vug/render/kinds.h>
 #include <vug/render/working_space.h>
-#include <vug/session/blame.h>
 #include <vug/session/cast.h>
+#include <vug/session/find.h>
 #include <vug/session/foresee.h>
 #include <vug/session/motion.h>
 #include <vug/session/picture.h>
@@ -111,7 +111,7 @@ uint64_t sample_seed(const Shot& shot, const PictureOptions& options) {
 
 /// The fault of an option, where it told what is at fault, else of the text.
 Error at_cause(const Error& error, const std::string& option, const SourceLocation& where) {
-  if (option.empty()) return blamed_on(where, error);
+  if (option.empty()) return error.at(where);
   return Error(error.code(), fmt::format("{}: {}", option, error.what()), {}, error.hint());
 }
 

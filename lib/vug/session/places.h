@@ -19,9 +19,6 @@ struct Place {
   int model = -1;       ///< Which of the things stands there; -1: chance decides.
 };
 
-/// What can be placed beside what the text names: made from the list in CMakeLists.txt.
-const Kinds<Model>& model_kinds();
-
 /// Found when the picture needs them: a scatter needs its mesh. `key` is that of the declaration.
 using PlacesMaker = std::function<std::vector<Place>(Builder& builder, RandomKey key)>;
 
@@ -37,24 +34,6 @@ struct NumberedPlaces {
     return make(builder, key);
   }
 };
-
-/// Made from the list in CMakeLists.txt.
-const Kinds<Places>& places_kinds();
-
-using PlacesKind = Kind<Places>;
-
-/// Opens the one function that the file of a kind of places exports.
-#define VUG_PLACES_KIND(name) VUG_EXPORT_KIND(vug::session, PlacesKind, name##_places)
-
-/// Kinds whose parameter struct P has `static void describe(Schema<P>&)`; `make` is
-/// std::vector<Place>(const P&, Builder&, RandomKey).
-template <class P, class Make>
-Kind<Places> places_kind(std::string name, Make make) {
-  return make_kind<Places, P>(std::move(name), "places", [make](const P& params) -> Places {
-    return std::make_shared<const PlacesMaker>(
-        [params, make](Builder& builder, RandomKey key) { return make(params, builder, key); });
-  });
-}
 
 /// Turned about z, then x, then the upright y, then moved; radians.
 Transform pose(const Vec3d& position, double yaw, double pitch, double roll, const Vec3d& scale);

@@ -49,7 +49,7 @@ Function entry(void* library, const char* name) {
 
 void load_plugin(const std::filesystem::path& file) {
   static std::set<std::filesystem::path> loaded;
-  if (const std::string why = why_no_file(file); !why.empty())
+  if (const std::string why = unreadable_reason(file); !why.empty())
     throw unusable(file, "cannot be read: " + why);
   const std::filesystem::path whole = std::filesystem::canonical(file);
   if (loaded.count(whole)) return;

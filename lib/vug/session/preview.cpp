@@ -6,7 +6,7 @@
 #include <vug/exchange/levels.h>
 #include <vug/grammar/tree_output.h>
 #include <vug/session/assemble.h>
-#include <vug/session/cast.h>
+#include <vug/session/find.h>
 #include <vug/session/measure.h>
 #include <vug/session/preview.h>
 #include <vug/session/recipe.h>

@@ -106,10 +106,10 @@ bool has_frame(const std::filesystem::path& pattern) {
 
 bool is_finished(const std::filesystem::path& exr, const Shot& shot,
                  const PictureOptions& options) {
-  if (!why_no_file(exr).empty() || !why_no_file(png_beside(exr)).empty()) return false;
+  if (!unreadable_reason(exr).empty() || !unreadable_reason(png_beside(exr)).empty()) return false;
   try {
     const bool deep = render_plan(shot, options).deep;
-    if (deep && !why_no_file(deep_beside(exr)).empty()) return false;
+    if (deep && !unreadable_reason(deep_beside(exr)).empty()) return false;
     PictureOptions first = options;
     if (options.eye == 0 && has_two_views(shot, options)) first.eye = -1;
     const image::Metadata wanted = identifying_metadata(shot, first);

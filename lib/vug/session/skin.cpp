@@ -1,6 +1,5 @@
-#include <vug/session/blame.h>
+#include <vug/session/cell_points.h>
 #include <vug/session/cells_checkpoint.h>
-#include <vug/session/cells_files.h>
 #include <vug/session/skin.h>
 #include <vug/session/surroundings.h>
 
@@ -28,7 +27,7 @@ cells::Surface surface_of(const std::vector<mesh::MeshPtr>& meshes, const CellsP
     return cells::Surface(meshes);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
-    throw blamed_on(plan.where, error);
+    throw error.at(plan.where);
   }
 }
 
@@ -47,7 +46,7 @@ cells::Built network(const CellsPlan& plan, const std::vector<Ground>& grounds, 
     return built;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
-    throw blamed_on(plan.spacing_where, error);
+    throw error.at(plan.spacing_where);
   }
 }
 
@@ -120,7 +119,7 @@ Skin make_skin(const CellsPlan& plan, const std::vector<Ground>& grounds, uint64
     if (error.code() == ErrorCode::cancelled && how.checkpoint)
       throw how.checkpoint->stopped(plan, skin, error);
     if (error.code() != ErrorCode::bad_input) throw;
-    throw blamed_on(plan.where, error);
+    throw error.at(plan.where);
   }
   if (how.checkpoint) how.checkpoint->finish(plan, skin);
   return skin;
@@ -131,7 +130,7 @@ void require_skin_room(const CellsPlan& plan, double area, uint64_t memory) {
   try {
     cells::require_room(cells::estimate(area, options.grid, options.spacing), options);
   } catch (const Error& error) {
-    throw blamed_on(plan.spacing_where, error);
+    throw error.at(plan.spacing_where);
   }
 }
 

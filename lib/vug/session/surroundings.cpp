@@ -1,11 +1,11 @@
 #include <vug/base/parallel.h>
 #include <vug/render/geometry/occlusion.h>
+#include <vug/session/cell_names.h>
 #include <vug/session/surroundings.h>
 
 namespace vug::session {
 namespace {
 
-const std::string kExposure = "exposure", kOcclusion = "occlusion", kCurvature = "curvature";
 constexpr double kNear = 0.5;
 
 std::vector<float> curvature(const cells::Network& n) {
@@ -27,11 +27,6 @@ std::vector<float> curvature(const cells::Network& n) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& surroundings() {
-  static const std::vector<std::string> names = {kExposure, kOcclusion, kCurvature};
-  return names;
-}
 
 std::vector<float> surroundings_of(const cells::Network& cells, const std::string& name,
                                    const std::vector<mesh::MeshPtr>& meshes, Progress& progress) {

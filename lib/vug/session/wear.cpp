@@ -1,7 +1,6 @@
 #include <vug/cells/onto_mesh.h>
 #include <vug/mesh/cut.h>
 #include <vug/mesh/moved.h>
-#include <vug/session/blame.h>
 #include <vug/session/wear.h>
 
 #include <fmt/format.h>
@@ -31,7 +30,7 @@ Worn wear(const mesh::Mesh& bare, const Skin& skin, const CellsPlan& plan, Progr
     if (plan.move) require_near(bare, worn.mesh);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
-    throw blamed_on(plan.where, error);
+    throw error.at(plan.where);
   }
   if (plan.move) worn.turned = mesh::turned_over(bare, worn.mesh);
   const mesh::Attribute* gone = mesh::find_attribute(worn.mesh, cells::kTransparent, 1);

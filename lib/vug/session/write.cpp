@@ -1,7 +1,9 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/mesh/format.h>
+#include <vug/session/cell_points.h>
 #include <vug/session/cells_files.h>
+#include <vug/session/find.h>
 #include <vug/session/write.h>
 #include <vug/volume/fog.h>
 

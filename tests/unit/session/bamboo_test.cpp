@@ -205,10 +205,10 @@ TEST(Bamboo, AMosoWithItsLeavesIsAPrototype) {
 
 /// Turned about an axis by an angle, somewhere else.
 lsystem::Axis tilted(lsystem::Axis axis, const Vec3d& about, double angle, const Vec3d& off) {
-  const auto turn = [&](const Vec3d& v) { return turned(v, about, angle); };
+  const auto turn = [&](const Vec3d& v) { return rotated(v, about, angle); };
   for (lsystem::Station& s : axis.stations) {
     s.position = turn(s.position) + off;
-    s.frame = Frame{turn(s.frame.tangent), turn(s.frame.normal), Vec3d(0)}.squared();
+    s.frame = Frame{turn(s.frame.tangent), turn(s.frame.normal), Vec3d(0)}.orthonormalized();
   }
   for (lsystem::Node& node : axis.nodes)
     for (Vec3d& way : node.branches) way = turn(way);

@@ -5,8 +5,10 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/session/build.h>
+#include <vug/session/cell_points.h>
 #include <vug/session/cells_checkpoint.h>
 #include <vug/session/cells_files.h>
+#include <vug/session/find.h>
 #include <vug/session/load.h>
 #include <vug/volume/io.h>
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <vug/base/error.h>
 #include <vug/session/build.h>
+#include <vug/session/find.h>
 #include <vug/session/load.h>
 #include <vug/session/motion.h>
 #include <vug/session/sequence.h>

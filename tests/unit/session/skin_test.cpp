@@ -3,6 +3,7 @@
 #include <vug/base/memory.h>
 #include <vug/mesh/topology.h>
 #include <vug/session/build.h>
+#include <vug/session/find.h>
 #include <vug/session/load.h>
 
 #include <fmt/format.h>

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 #include <vug/image/configured_view.h>
-#include <vug/session/cells_files.h>
+#include <vug/session/cell_points.h>
+#include <vug/session/find.h>
 #include <vug/session/foresee.h>
 #include <vug/session/lsystem_plan.h>
 #include <nlohmann/json.hpp>
@@ -70,7 +71,7 @@ int run_json(const Options& options) {
   return loaded.usable() ? kDone : kUnusable;
 }
 
-std::string counted(size_t count, const std::string& one, const std::string& many) {
+std::string pluralize(size_t count, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
@@ -82,13 +83,13 @@ int run(const Options& options) {
   const session::Shot& shot = loaded.shot;
   if (!options.quiet)
     fmt::print("{}: fine; {}, {}, {}, {}, {}, {}, {}\n", options.scene.scene,
-               counted(shot.volumes.size(), "volume", "volumes"),
-               counted(shot.meshes.size(), "mesh", "meshes"),
-               counted(shot.objects.size(), "object", "objects"),
-               counted(shot.places.size(), "place", "places"),
-               counted(shot.lights.size(), "light", "lights"),
-               counted(shot.cameras.size(), "camera", "cameras"),
-               counted(shot.renders.size(), "render", "renders"));
+               pluralize(shot.volumes.size(), "volume", "volumes"),
+               pluralize(shot.meshes.size(), "mesh", "meshes"),
+               pluralize(shot.objects.size(), "object", "objects"),
+               pluralize(shot.places.size(), "place", "places"),
+               pluralize(shot.lights.size(), "light", "lights"),
+               pluralize(shot.cameras.size(), "camera", "cameras"),
+               pluralize(shot.renders.size(), "render", "renders"));
   return kDone;
 }
 

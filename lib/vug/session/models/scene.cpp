@@ -1,5 +1,5 @@
 // A whole scene as a thing to place in another one.
-#include <vug/session/places.h>
+#include <vug/session/place_kinds.h>
 
 namespace vug::session {
 namespace {

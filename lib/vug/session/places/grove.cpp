@@ -5,7 +5,7 @@
 #include <vug/flora/grove.h>
 #include <vug/paint/kind.h>
 #include <vug/session/build.h>
-#include <vug/session/places.h>
+#include <vug/session/place_kinds.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // Where an L-system's turtle has set things: leaves on twigs.
 #include <vug/session/lsystem_binding.h>
 #include <vug/session/lsystem_plan.h>
-#include <vug/session/places.h>
+#include <vug/session/place_kinds.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Places from a table: a .csv with a line for each, as other programs write points.
 #include <vug/base/atomic_file.h>
-#include <vug/session/places.h>
+#include <vug/session/place_kinds.h>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // One place, with a turn and a size.
-#include <vug/session/places.h>
+#include <vug/session/place_kinds.h>
 
 namespace vug::session {
 namespace {

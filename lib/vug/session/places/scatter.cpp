@@ -4,7 +4,7 @@
 #include <vug/mesh/scatter.h>
 #include <vug/paint/kind.h>
 #include <vug/session/build.h>
-#include <vug/session/places.h>
+#include <vug/session/place_kinds.h>
 
 namespace vug::session {
 namespace {

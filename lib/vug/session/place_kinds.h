@@ -1,0 +1,29 @@
+// The kinds of places, and of models beside those that the text names.
+#pragma once
+
+#include <vug/session/places.h>
+
+namespace vug::session {
+
+/// What can be placed beside what the text names: made from the list in CMakeLists.txt.
+const Kinds<Model>& model_kinds();
+
+/// Made from the list in CMakeLists.txt.
+const Kinds<Places>& places_kinds();
+
+using PlacesKind = Kind<Places>;
+
+/// Opens the one function that the file of a kind of places exports.
+#define VUG_PLACES_KIND(name) VUG_EXPORT_KIND(vug::session, PlacesKind, name##_places)
+
+/// Kinds whose parameter struct P has `static void describe(Schema<P>&)`; `make` is
+/// std::vector<Place>(const P&, Builder&, RandomKey).
+template <class P, class Make>
+Kind<Places> places_kind(std::string name, Make make) {
+  return make_kind<Places, P>(std::move(name), "places", [make](const P& params) -> Places {
+    return std::make_shared<const PlacesMaker>(
+        [params, make](Builder& builder, RandomKey key) { return make(params, builder, key); });
+  });
+}
+
+}  // namespace vug::session
