@@ -40,7 +40,8 @@ void stage(const char* name, const Work& work) {
   std::fflush(stdout);
 }
 
-Stage rule(const std::string& name, const Named& parameters = {}, int steps = -1, int begin = 0) {
+Stage rule(const std::string& name, const NamedValues& parameters = {}, int steps = -1,
+           int begin = 0) {
   return {make_product(rules(), name, parameters), name, begin, steps, {}};
 }
 

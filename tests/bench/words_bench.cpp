@@ -96,9 +96,9 @@ BENCHMARK_CAPTURE(Plant, chance, kChancePlant, kChanceSteps)
 
 /// The same two rules written out: arrays as the engine has them, no programs, one pass.
 struct Rows {
-  Array<SymbolId> symbols;
-  Array<uint32_t> ends;
-  Array<double> values;
+  UninitializedVector<SymbolId> symbols;
+  UninitializedVector<uint32_t> ends;
+  UninitializedVector<double> values;
 };
 
 void grow(const Rows& in, Rows& out) {

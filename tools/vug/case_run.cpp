@@ -104,7 +104,7 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
                                            const fs::path& room, const std::string& name,
                                            Outcome& out) {
   if (!image_case.scene.empty())
-    if (const std::string why = why_no_file(image_case.scene); !why.empty())
+    if (const std::string why = unreadable_reason(image_case.scene); !why.empty())
       throw Error(ErrorCode::bad_input,
                   fmt::format("its scene '{}' cannot be read: {}",
                               image_case.scene.lexically_relative(image_case.folder).string(), why),

@@ -3,10 +3,10 @@
 #include "arguments.h"
 
 #include <fmt/format.h>
-#include <vug/base/pluralize.h>
 #include <vug/base/memory.h>
-#include <vug/session/data_folders.h>
-#include <vug/session/find.h>
+#include <vug/base/pluralize.h>
+#include <vug/loading/data_folders.h>
+#include <vug/shot/queries.h>
 
 #include <cstdio>
 

@@ -1,6 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/base/hidden.h>
+#include <vug/base/partial_files.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -59,8 +59,8 @@ bool is_free(const fs::path& temporary) {
 
 void remove_stale(const fs::path& target) {
   std::error_code ignored;
-  for (const fs::path& each :
-       left_by_the_dead(target.parent_path(), target.stem().string(), target.extension().string()))
+  for (const fs::path& each : stale_partial_files(target.parent_path(), target.stem().string(),
+                                                  target.extension().string()))
     if (is_free(each)) fs::remove(each, ignored);
 }
 
@@ -71,9 +71,9 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(followed(target)) {
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   made_folders_ = make_folders(folder);
   if (fs::exists(target_, code))
-    if (const std::string why = why_no_file(target_); !why.empty()) fail(why);
+    if (const std::string why = unreadable_reason(target_); !why.empty()) fail(why);
   const fs::path temporary =
-      folder / hidden_name(target_.stem().string(), target_.extension().string());
+      folder / partial_file_name(target_.stem().string(), target_.extension().string());
   const mode_t mode = mode_of(target_).value_or(0666) | 0600;  // what is private stays so
   lock_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode & 0666);
   if (lock_ < 0) fail(std::strerror(errno));
@@ -89,7 +89,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::discard() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
-  remove_empty(made_folders_);
+  remove_empty_folders(made_folders_);
 }
 
 void AtomicFile::fail(const std::string& why) {
@@ -144,7 +144,7 @@ void write_text(const fs::path& target, std::string_view text) {
   file.commit();
 }
 
-std::string why_no_file(const fs::path& source) {
+std::string unreadable_reason(const fs::path& source) {
   std::error_code code;
   switch (fs::status(source, code).type()) {
     case fs::file_type::regular:
@@ -176,7 +176,7 @@ std::string read_text(const fs::path& source) {
   const auto fail = [&](const std::string& why) {
     throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}': {}", source.string(), why));
   };
-  if (const std::string why = why_no_file(source); !why.empty()) fail(why);
+  if (const std::string why = unreadable_reason(source); !why.empty()) fail(why);
   std::ifstream in(source, std::ios::binary);
   if (!in) fail(std::strerror(errno));
   std::string text;

@@ -1,4 +1,5 @@
-// Files that are whole or not there: written beside their target, renamed at the end.
+// Atomic file output: a temporary file next to the target, renamed when complete. Checks of input
+// and output files.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +9,16 @@
 
 namespace vug {
 
-/// Makes the target's folder and in it an empty temporary file with the same extension, and moves
-/// that over the target on commit. Without commit the temporary file and the folders that were made
+/// Creates the target's folder and an empty temporary file with the same extension in it, and moves
+/// that file over the target on commit. Without commit, the temporary file and the created folders
 /// are removed. A killed process leaves at most a dot-file behind, never a half-written target; see
 /// require_writable.
-/// Where the target is a link, what it points to is replaced; permissions of a replaced file stay.
+/// If the target is a symbolic link, the file that it points to is replaced. A replaced file keeps
+/// its permissions.
 class AtomicFile {
  public:
-  /// Error(io) when the target cannot be written: a folder that cannot be made or forbids it, a
-  /// target that is no regular file.
+  /// Throws Error(io) if the target cannot be written: the folder cannot be created or is not
+  /// writable, or the target is not a regular file.
   explicit AtomicFile(const std::filesystem::path& target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -32,31 +34,32 @@ class AtomicFile {
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;
-  int lock_ = -1;  ///< The temporary file, open and locked while it is ours.
-  std::vector<std::filesystem::path> made_folders_;  ///< The innermost first.
+  int lock_ = -1;  ///< Descriptor of the temporary file, locked while this object owns it.
+  std::vector<std::filesystem::path> made_folders_;  ///< Created folders, innermost first.
   bool committed_ = false;
 };
 
-/// Error(io) where an AtomicFile of the target could not be made; leaves nothing behind. For asking
-/// before long work whose result goes there. Also removes the temporary files of the same target
-/// that killed processes have left: those that nobody has locked and whose process is gone.
+/// Throws Error(io) if an AtomicFile could not be created for the target; leaves nothing behind.
+/// Call it before long work whose result is written there. Also removes stale temporary files of
+/// the same target: those that are not locked and whose process no longer exists.
 void require_writable(const std::filesystem::path& target);
-/// The same for all that a program is going to write. Error(bad_input) where one of them is among
-/// the files that it reads, by whatever name, or two are the same file.
+/// Calls require_writable for all outputs of a program. Throws Error(bad_input) if an output is
+/// also an input, under any name, or if two outputs are the same file.
 void require_outputs(const std::vector<std::filesystem::path>& outputs,
                      const std::vector<std::filesystem::path>& inputs);
 
 /// Writes the whole text through an AtomicFile.
 void write_text(const std::filesystem::path& target, std::string_view text);
 
-/// Why the path cannot be read as a file: "no such file", "it is a folder", "it is a pipe", ...;
-/// empty for a regular file. Ask before opening: a pipe that nobody writes to would wait for ever.
-std::string why_no_file(const std::filesystem::path& source);
+/// The reason why the path cannot be read as a file ("no such file", "it is a folder", "it is a
+/// pipe", ...); empty for a regular file. Check before opening: a pipe without a writer blocks
+/// forever.
+std::string unreadable_reason(const std::filesystem::path& source);
 
-/// The path's extension with its dot, in small letters: people write .VDB too.
+/// The path's extension with its dot, in lower case (users also write .VDB).
 std::string extension_of(const std::filesystem::path& path);
 
-/// Reads a whole regular file; Error(bad_input) names the path when it cannot be read.
+/// Reads a whole regular file. Throws Error(bad_input) with the path if it cannot be read.
 std::string read_text(const std::filesystem::path& source);
 
 }  // namespace vug

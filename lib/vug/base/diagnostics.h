@@ -1,4 +1,5 @@
-// Faults found while reading a user's text: collected, so that one run names them all.
+// Errors and warnings found while reading a user's text, collected so that one run reports them
+// all.
 #pragma once
 
 #include <vug/base/error.h>
@@ -14,16 +15,16 @@ struct Diagnostic {
   Severity severity = Severity::error;
   SourceLocation where;
   std::string message;
-  std::string hint;  ///< e.g. "did you mean 'radius'?"; empty when there is none.
+  std::string hint;  ///< E.g. "did you mean 'radius'?"; may be empty.
 };
 
-/// A list that checks add to and go on.
+/// A list to which checks append; they continue after an error.
 class Diagnostics {
  public:
   void error(SourceLocation where, std::string message, std::string hint = {});
   void warning(SourceLocation where, std::string message, std::string hint = {});
 
-  /// Adds all of another list, in order.
+  /// Appends another list, in order.
   void append(const Diagnostics& other);
 
   bool has_errors() const { return errors_ > 0; }
@@ -34,11 +35,11 @@ class Diagnostics {
   int errors_ = 0;
 };
 
-/// The candidate nearest to `name` by edit distance (Damerau-Levenshtein), or an empty string
-/// when none is near enough to be meant: within a third of the name's length, at least 1.
+/// The candidate nearest to `name` by edit distance (Damerau-Levenshtein), or an empty string if
+/// the distance of each exceeds a third of the name's length (at least 1).
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
-/// "did you mean 'x'?" for the nearest candidate, else "known: a, b, c"; empty without candidates.
+/// "did you mean 'x'?" for the nearest candidate, else "known: a, b, c". Empty without candidates.
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
 }  // namespace vug

@@ -1,4 +1,4 @@
-// The one exception type of the library, and where in a user's text a fault lies.
+// The library's exception type and locations in a user's text.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace vug {
 
-/// A place in a text file; line and column count from 1, 0 means unknown.
+/// A position in a text file. Line and column count from 1; 0 means unknown.
 struct SourceLocation {
   std::string file;
   int line = 0;
@@ -18,20 +18,20 @@ struct SourceLocation {
   bool operator==(const SourceLocation&) const = default;
 };
 
-/// "file:line:column", as much of it as is known.
+/// "file:line:column", or only the file if the line is unknown.
 std::string to_string(const SourceLocation& where);
 
-/// What kind of fault; the command line maps these to exit codes.
+/// The category of an error; the command line maps it to an exit code.
 enum class ErrorCode {
-  bad_input,  ///< The user's text, file or argument cannot be used (exit 2).
-  too_large,  ///< The work would exceed a limit the user set (exit 2).
-  io,         ///< The system refused to read or write (exit 3).
-  cancelled,  ///< Progress was told to stop (exit 3).
-  internal,   ///< A promise of ours is broken (exit 3).
+  bad_input,  ///< The user's text, file or argument is invalid (exit 2).
+  too_large,  ///< The work would exceed a limit set by the user (exit 2).
+  io,         ///< The system failed to read or write (exit 3).
+  cancelled,  ///< The work was cancelled through Progress (exit 3).
+  internal,   ///< An invariant of the library is broken (exit 3).
 };
 
-/// Thrown by every module. The message is a full sentence without a final stop; `hint` says
-/// what to do about it; `context` is the chain of "while ..." lines, innermost first.
+/// Thrown by every module. The message is a full sentence without a final stop; `hint` suggests a
+/// remedy; `context` is the chain of "while ..." lines, innermost first.
 class Error : public std::runtime_error {
  public:
   explicit Error(ErrorCode code, const std::string& message, SourceLocation where = {},
@@ -44,7 +44,7 @@ class Error : public std::runtime_error {
 
   /// The same error at `where`, without its context.
   Error at(const SourceLocation& where) const { return Error(code_, what(), where, hint_); }
-  /// Adds a "while ..." line as the error travels outwards.
+  /// Adds a "while ..." line as the error propagates outwards.
   Error& within(std::string doing);
 
  private:

@@ -5,7 +5,7 @@
 
 namespace vug {
 
-Vec3d turned(const Vec3d& v, const Vec3d& axis, double angle) {
+Vec3d rotated(const Vec3d& v, const Vec3d& axis, double angle) {
   const double c = maths::cos(angle), s = maths::sin(angle);
   return v * c + axis.cross(v) * s + axis * (axis.dot(v) * (1 - c));
 }
@@ -14,15 +14,15 @@ Vec3d Frame::around(double angle) const {
   return normal * maths::cos(angle) + binormal * maths::sin(angle);
 }
 
-Frame Frame::turned(const Vec3d& axis, double angle) const {
+Frame Frame::rotated(const Vec3d& axis, double angle) const {
   Frame out;
-  out.tangent = vug::turned(tangent, axis, angle);
-  out.normal = vug::turned(normal, axis, angle);
-  out.binormal = vug::turned(binormal, axis, angle);
-  return out.squared();
+  out.tangent = vug::rotated(tangent, axis, angle);
+  out.normal = vug::rotated(normal, axis, angle);
+  out.binormal = vug::rotated(binormal, axis, angle);
+  return out.orthonormalized();
 }
 
-Frame Frame::squared() const {
+Frame Frame::orthonormalized() const {
   Frame out;
   out.tangent = tangent.normalized();
   out.normal = (normal - out.tangent * normal.dot(out.tangent)).normalized();
@@ -35,7 +35,7 @@ Frame level_frame(const Vec3d& tangent) {
   out.tangent = tangent.normalized();
   const Vec3d level = Vec3d(0, 1, 0).cross(out.tangent);
   out.normal = level.length() > 1e-9 ? level.normalized() : Vec3d(1, 0, 0);
-  return out.squared();
+  return out.orthonormalized();
 }
 
 Frame transported(const Frame& frame, const Vec3d& from, const Vec3d& to, const Vec3d& tangent) {
@@ -53,7 +53,7 @@ Frame transported(const Frame& frame, const Vec3d& from, const Vec3d& to, const 
     // A curve that goes straight back has no second mirror: the first one leaves the normal square.
     out.normal = rest2 > 1e-24 ? normal - rest * (2 / rest2 * rest.dot(normal)) : normal;
   }
-  return out.squared();
+  return out.orthonormalized();
 }
 
 std::vector<Frame> rotation_minimising(const std::vector<Vec3d>& points,

@@ -1,6 +1,6 @@
-// Frames along a curve that do not turn about it: what tubes are swept with.
-// A Frame is right-handed, tangent x normal = binormal, all of unit length. A turtle calls the
-// three heading, left and up.
+// Rotation-minimizing frames along a curve, used for sweeping tubes.
+// A Frame is right-handed and orthonormal: tangent x normal = binormal. A turtle's heading, left
+// and up are the tangent, normal and binormal.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -16,26 +16,27 @@ struct Frame {
 
   /// The direction at an angle from the normal towards the binormal, in radians.
   Vec3d around(double angle) const;
-  /// Turned by an angle about an axis of unit length, by the right hand.
-  Frame turned(const Vec3d& axis, double angle) const;
-  /// As near to this as rounding lets it: tangent kept, the rest made square to it.
-  Frame squared() const;
+  /// Rotated by an angle in radians about an axis of unit length (right-hand rule).
+  Frame rotated(const Vec3d& axis, double angle) const;
+  /// The nearest orthonormal frame with the same tangent direction: removes rounding errors.
+  Frame orthonormalized() const;
   bool operator==(const Frame&) const = default;
 };
 
-/// A frame with this tangent (any length above 0) whose normal is level; the x axis for a tangent
-/// that is plumb.
+/// A frame with this tangent (any length above 0) whose normal is horizontal; for a vertical
+/// tangent the normal is the x axis.
 Frame level_frame(const Vec3d& tangent);
 
-/// v turned about an axis of unit length by the right hand (Rodrigues).
-Vec3d turned(const Vec3d& v, const Vec3d& axis, double angle);
+/// v rotated by an angle in radians about an axis of unit length (Rodrigues' formula, right-hand
+/// rule).
+Vec3d rotated(const Vec3d& v, const Vec3d& axis, double angle);
 
-/// The frame at `to`, where the curve has the unit tangent `tangent`, from that at `from`, by two
-/// reflections (table I of [@wang2008rotation]). One step of length h errs by O(h^5), a curve by
-/// O(h^4).
+/// The frame at `from`, transported to `to`, where the curve has the unit tangent `tangent`, by the
+/// double reflection method (table I of [@wang2008rotation]). The error is O(h^5) for a step of
+/// length h and O(h^4) for a curve.
 Frame transported(const Frame& frame, const Vec3d& from, const Vec3d& to, const Vec3d& tangent);
 
-/// The frame carried along the points, one for each, beginning with `first`, whose tangent is
+/// The rotation-minimizing frame at each point, starting with `first`, whose tangent is
 /// tangents[0].
 std::vector<Frame> rotation_minimising(const std::vector<Vec3d>& points,
                                        const std::vector<Vec3d>& tangents, const Frame& first);

@@ -1,4 +1,4 @@
-// Content hashes (XXH3, 128 bits): identities of grids, files and cached products.
+// Content hashes (XXH3, 128 bits) that identify grids, files and cached products.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Digest {
 Digest digest(const void* data, size_t bytes);
 Digest digest(std::string_view text);
 
-/// A digest of parts that arrive one after the other.
+/// Incremental digest of data that arrives in parts.
 class Hasher {
  public:
   Hasher();

@@ -1,11 +1,11 @@
-// Hyperbolic functions with the same bits on every machine, as those of maths.h.
+// Hyperbolic functions with bit-identical results on every machine, like those of maths.h.
 #pragma once
 
 namespace vug::maths {
 
-/// Correct to about 2 ulp of the result's size.
+/// Correct to about 2 ulp of the result.
 double tanh(double x);
-/// The inverse, for -1 < x < 1; infinite at the ends, not a number beyond.
+/// The inverse, for -1 < x < 1; infinite at -1 and 1, NaN beyond.
 double atanh(double x);
 
 }  // namespace vug::maths

@@ -1,4 +1,4 @@
-// Closed intervals [lo, hi] of doubles, the reading of a formula that bounds it over a region.
+// Closed intervals [lo, hi] of doubles, used to bound a formula over a region.
 // Bounds are rounded to nearest, not outwards: callers add a relative slack where it matters.
 #pragma once
 
@@ -22,8 +22,9 @@ constexpr Interval hull(Interval a, Interval b) {
   return {a.lo < b.lo ? a.lo : b.lo, a.hi > b.hi ? a.hi : b.hi};
 }
 
-/// The common part; both must bound the same value, so a gap (rounding) closes to a point.
-constexpr Interval meet(Interval a, Interval b) {
+/// The intersection. Both must bound the same value; a gap caused by rounding is treated as
+/// overlap.
+constexpr Interval intersection(Interval a, Interval b) {
   const double lo = a.lo > b.lo ? a.lo : b.lo;
   const double hi = a.hi < b.hi ? a.hi : b.hi;
   return lo <= hi ? Interval(lo, hi) : Interval(hi, lo);

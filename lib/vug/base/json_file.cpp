@@ -7,7 +7,7 @@
 
 namespace vug {
 
-SourceLocation place_in(const std::string& text, const std::string& file, size_t at) {
+SourceLocation location_in(const std::string& text, const std::string& file, size_t at) {
   const auto until = text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size()));
   const auto line = 1 + std::count(text.begin(), until, '\n');
   const size_t newline = text.rfind('\n', at == 0 ? 0 : at - 1);
@@ -22,7 +22,7 @@ Json read_json(const std::filesystem::path& file, const std::string& hint) {
     return Json::parse(text);
   } catch (const typename Json::parse_error& error) {
     throw Error(ErrorCode::bad_input, "this is no JSON",
-                place_in(text, file.string(), std::max<size_t>(error.byte, 1) - 1), hint);
+                location_in(text, file.string(), std::max<size_t>(error.byte, 1) - 1), hint);
   } catch (const typename Json::exception&) {  // a number beyond all numbers
     throw Error(ErrorCode::bad_input, "this is no JSON that can be used", {file.string(), 0, 0},
                 hint);

@@ -1,4 +1,4 @@
-// JSON that users hand in.
+// Reading of JSON files provided by users.
 #pragma once
 
 #include <vug/base/error.h>
@@ -10,11 +10,11 @@
 
 namespace vug {
 
-/// The line and column, in bytes, of byte `at` of a file's text.
-SourceLocation place_in(const std::string& text, const std::string& file, size_t at);
+/// The line and column (in bytes) of the byte with index `at` in a file's text.
+SourceLocation location_in(const std::string& text, const std::string& file, size_t at);
 
-/// The file's JSON, as nlohmann::json or ordered_json. Error(bad_input) with its place and that
-/// hint where it is none, or cannot be read.
+/// The file's JSON as nlohmann::json or ordered_json. Throws Error(bad_input) with the location and
+/// the hint if the file cannot be read or is not valid JSON.
 template <class Json>
 Json read_json(const std::filesystem::path& file, const std::string& hint = {});
 

@@ -4,7 +4,7 @@
 
 namespace vug::detail {
 
-Arguments as_arguments(const Named& parameters) {
+Arguments as_arguments(const NamedValues& parameters) {
   Arguments arguments;
   for (const auto& [name, value] : parameters) arguments.push_back({name, value, {}});
   return arguments;

@@ -1,5 +1,5 @@
-// A kind: a named maker of products that is described by the schema of its parameters. Whatever a
-// scene can name is one (a torus, a lamp, a mask); each is one file and one line of a list.
+// Kinds: named factories whose parameters are described by a schema. Everything that a scene can
+// name is a kind (a torus, a light, a mask). Each kind is one file and one line of a list.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -15,14 +15,14 @@ namespace vug {
 template <class Product>
 struct Kind {
   KindInfo info;
-  /// The product of the arguments alone; nothing, with diagnostics, where they do not fit.
+  /// Makes the product from the arguments; empty, with diagnostics, if they are invalid.
   std::function<std::optional<Product>(const Arguments&, const SourceLocation&, Diagnostics&)> make;
 };
 template <class Product>
 using Kinds = std::vector<const Kind<Product>*>;
 
-/// A kind whose parameters are the schema's; `build` makes the product of them. An
-/// Error(bad_input) that it throws, as for a file that cannot be used, becomes a diagnostic.
+/// A kind with the parameters of the schema; `build` makes the product from them. An
+/// Error(bad_input) thrown by `build`, e.g. for an unusable file, becomes a diagnostic.
 template <class Product, class P, class Build>
 Kind<Product> make_kind(Schema<P> schema, Build build) {
   KindInfo info = schema.info();
@@ -42,7 +42,7 @@ Kind<Product> make_kind(Schema<P> schema, Build build) {
           }};
 }
 
-/// The same for a struct P with `static void describe(Schema<P>&)`.
+/// A kind whose parameter struct P has `static void describe(Schema<P>&)`.
 template <class Product, class P, class Build>
 Kind<Product> make_kind(std::string name, std::string category, Build build) {
   Schema<P> schema(std::move(name), std::move(category));
@@ -50,7 +50,7 @@ Kind<Product> make_kind(std::string name, std::string category, Build build) {
   return make_kind<Product>(std::move(schema), std::move(build));
 }
 
-/// Finds a kind by name, null when there is none.
+/// The kind of that name, or null.
 template <class Product>
 const Kind<Product>* find_kind(const Kinds<Product>& kinds, const std::string& name) {
   for (const auto* kind : kinds)
@@ -58,21 +58,21 @@ const Kind<Product>* find_kind(const Kinds<Product>& kinds, const std::string& n
   return nullptr;
 }
 
-/// Parameters by name, for callers in C++.
-using Named = std::vector<std::pair<std::string, Value>>;
+/// Arguments by parameter name, for callers in C++.
+using NamedValues = std::vector<std::pair<std::string, Value>>;
 
 namespace detail {
-Arguments as_arguments(const Named& parameters);
+Arguments as_arguments(const NamedValues& parameters);
 [[noreturn]] void refuse_unknown(const std::string& type, const std::string& name,
                                  const std::vector<std::string>& known);
 [[noreturn]] void refuse(const Diagnostics& diagnostics);
 }  // namespace detail
 
-/// One product of a kind from named parameters; Error(bad_input) when there is no such kind, or
-/// with all that does not fit.
+/// A product of the kind `name`, made from named arguments. Throws Error(bad_input) if the kind is
+/// unknown or arguments are invalid; the message lists all of them.
 template <class Product>
 Product make_product(const Kinds<Product>& kinds, const std::string& name,
-                     const Named& parameters = {}) {
+                     const NamedValues& parameters = {}) {
   const Kind<Product>* kind = find_kind(kinds, name);
   if (!kind) {
     std::vector<std::string> known;
@@ -87,8 +87,8 @@ Product make_product(const Kinds<Product>& kinds, const std::string& name,
 
 }  // namespace vug
 
-/// Opens the one definition that a kind's file exports, from outside of any namespace: a function
-/// that only the registry of its module declares, so that a new kind compiles two files.
+/// Opens the only definition that a kind's file exports; used outside of any namespace. Only the
+/// registry of the module declares the function, so a new kind compiles two files.
 ///   VUG_EXPORT_KIND(vug::field, FieldKind, torus_kind) { return ...; }
 #define VUG_EXPORT_KIND(module, Type, function)    \
   namespace module {                               \

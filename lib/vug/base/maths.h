@@ -1,6 +1,6 @@
-// Transcendental functions of our own, so that geometry has the same bits on every machine:
-// the C library picks other code paths on other processors. All are correct to about 1 ulp of
-// the result's size for |x| up to 1e5 (sin, cos) and over the whole range (exp, log).
+// Transcendental functions with bit-identical results on every machine, so that geometry is
+// reproducible: the C library selects different code paths on different processors. All are correct
+// to about 1 ulp of the result for |x| up to 1e5 (sin, cos) and over the whole range (exp, log).
 #pragma once
 
 namespace vug::maths {

@@ -1,4 +1,4 @@
-// The middle of some values.
+// The median of a list of values.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,8 @@
 
 namespace vug {
 
-/// Of an even number the upper one of both in the middle. There must be a value, and none NaN.
+/// The median; the upper one of the two middle values if their number is even. `values` must not be
+/// empty or contain NaN.
 template <class T>
 T median(std::vector<T> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

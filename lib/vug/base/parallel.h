@@ -1,8 +1,8 @@
-// Parallel loops over TBB whose results do not depend on the number of threads.
+// Parallel loops and reductions on TBB with results that do not depend on the number of threads.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__
-#include <vug/base/plain_threads.h>
+#include <vug/base/tsan_parallel.h>
 #else
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -14,12 +14,12 @@
 
 namespace vug {
 
-/// Calls body(i) for 0 <= i < count; `grain` indices go to one task. The body must write only
-/// what belongs to its own index.
+/// Calls body(i) for 0 <= i < count in tasks of about `grain` indices. The body must write only
+/// data that belongs to its own index.
 template <class Body>
 void parallel_for(size_t count, const Body& body, size_t grain = 1) {
 #ifdef __SANITIZE_THREAD__
-  detail::plain_parallel_for(count, grain, [&](size_t begin, size_t end) {
+  detail::tsan_parallel_for(count, grain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i != end; ++i) body(i);
   });
 #else
@@ -30,8 +30,8 @@ void parallel_for(size_t count, const Body& body, size_t grain = 1) {
 #endif
 }
 
-/// Results of term(i) over 0 <= i < count, joined in fixed chunks in index order, beginning each
-/// with `zero`: the same bits for any number of threads. join(a, b) is the joint value of both.
+/// Reduces term(i) over 0 <= i < count in fixed chunks in index order, each starting with `zero`;
+/// the result is bit-identical for any number of threads. join(a, b) combines two values.
 template <class Value, class Term, class Join>
 Value ordered_reduce(size_t count, Value zero, const Term& term, const Join& join,
                      size_t chunk = 4096) {
@@ -47,7 +47,7 @@ Value ordered_reduce(size_t count, Value zero, const Term& term, const Join& joi
   return total;
 }
 
-/// Sum of term(i) over 0 <= i < count: an ordered_reduce.
+/// The sum of term(i) over 0 <= i < count, by ordered_reduce.
 template <class Sum, class Term>
 Sum ordered_sum(size_t count, Sum zero, const Term& term, size_t chunk = 4096) {
   return ordered_reduce(
@@ -55,7 +55,8 @@ Sum ordered_sum(size_t count, Sum zero, const Term& term, size_t chunk = 4096) {
       chunk);
 }
 
-/// Bounds the number of threads while it lives; 0 means all cores. More than the cores is fine.
+/// Limits the number of threads during its lifetime; 0 means all cores. The limit may exceed the
+/// number of cores.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -68,7 +69,7 @@ class ThreadLimit {
   std::unique_ptr<Control> control_;
 };
 
-/// Threads that parallel work will use now.
+/// The number of threads that parallel loops use now.
 int thread_count();
 
 }  // namespace vug

@@ -1,4 +1,4 @@
-// Sorting on many threads.
+// Parallel sorting.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__
@@ -9,9 +9,9 @@
 
 namespace vug {
 
-/// Sorts by `<`. Not stable: what must not depend on the number of threads has no equal elements,
-/// e.g. carries its index. Under the thread sanitizer, which cannot look into TBB, one thread
-/// sorts.
+/// Sorts by `<`. Not stable: for results that do not depend on the number of threads, elements must
+/// be distinct, e.g. contain their index. Runs on one thread under ThreadSanitizer, because TBB is
+/// not instrumented.
 template <class Iterator>
 void parallel_sort(Iterator begin, Iterator end) {
 #ifdef __SANITIZE_THREAD__

@@ -1,4 +1,4 @@
-// How long work reports itself and is told to stop.
+// Progress reports and cancellation of long work.
 #pragma once
 
 #include <atomic>
@@ -8,10 +8,10 @@
 
 namespace vug {
 
-/// Shared by the worker and whoever watches; thread-safe. Work calls `check` now and then, which
-/// throws Error(cancelled) once `cancel` was called, and `advance` as it goes. The watcher's
-/// callback runs on a working thread, at most once per percent, one call at a time and never
-/// backwards within a stage, and must not throw.
+/// Shared by the worker and the watcher; thread-safe. The worker calls `advance` and, from time to
+/// time, `check`, which throws Error(cancelled) once `cancel` was called. The watcher's callback
+/// runs on a worker thread, at most once per percent, one call at a time and never backwards within
+/// a stage; it must not throw.
 class Progress {
  public:
   using Watcher = std::function<void(const std::string& stage, double fraction)>;
@@ -28,7 +28,7 @@ class Progress {
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
   void check() const;
 
-  /// A Progress nobody watches; any number of works may share it at the same time.
+  /// A Progress without a watcher; any number of workers may share it at the same time.
   static Progress& none();
 
  private:

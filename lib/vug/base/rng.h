@@ -1,6 +1,6 @@
-// Counter-based randomness: the same key and counter give the same number on any machine and
-// any thread. A key is the seed and a path of names and indices, so adding a sibling elsewhere
-// in a scene does not change what is already there.
+// Counter-based random numbers: the same key and counter give the same number on any machine and in
+// any thread. A key is derived from the seed and a path of names and indices, so adding a sibling
+// elsewhere in a scene does not change existing random choices.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace vug {
 /// 1, 2, 3"): 128 random bits for a 128-bit counter under a 64-bit key.
 std::array<uint32_t, 4> philox4x32(std::array<uint32_t, 4> counter, std::array<uint32_t, 2> key);
 
-/// The place of a random choice: a seed, then names and indices.
+/// The key of a random choice: a seed followed by a path of names and indices.
 class RandomKey {
  public:
   explicit RandomKey(uint64_t seed) : state_(seed) {}
@@ -28,7 +28,7 @@ class RandomKey {
   uint64_t state_;
 };
 
-/// Numbers in order from one key. Cheap to make, value type.
+/// The sequence of random numbers of one key. A cheap value type.
 class RandomStream {
  public:
   explicit RandomStream(RandomKey key) : key_(key.state()) {}

@@ -1,6 +1,6 @@
-// The schema of a kind: its name, doc, source and parameters. Everything that talks about kinds
-// (binding a scene's arguments, diagnostics, `vug list`, manuals, sweep tests) reads it from here;
-// base/kind.h makes a kind of it.
+// The schema of a kind: name, documentation, source and parameters. Everything that refers to kinds
+// (binding of a scene's arguments, diagnostics, `vug list`, manuals, sweep tests) reads it;
+// base/kind.h makes a kind from it.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -18,7 +18,7 @@
 
 namespace vug {
 
-/// An argument as written: by name or by position (empty name), with its place.
+/// An argument as written, by name or by position (empty name), with its location.
 struct Argument {
   std::string name;
   Value value;
@@ -26,18 +26,18 @@ struct Argument {
 };
 using Arguments = std::vector<Argument>;
 
-/// One parameter as data.
+/// The description of one parameter.
 struct ParamInfo {
   std::string name;
   std::string type;  ///< "number", "vector", "text", "file", "name", "field", "list of field", ...
   Dimension dimension = Dimension::none;
-  std::string doc;       ///< One sentence; states the unit where it is not the dimension's.
-  std::string fallback;  ///< Default as scene text, with its unit; empty when required.
+  std::string doc;       ///< One sentence; states the unit unless the dimension implies it.
+  std::string fallback;  ///< Default as scene text, with its unit; empty if required.
   bool required = false;
   double min = -kInfinity;  ///< Closed bounds for numbers and for each vector component.
   double max = kInfinity;
-  bool above_min = false;            ///< True when min itself is excluded.
-  std::vector<std::string> choices;  ///< For names: what may be given.
+  bool above_min = false;            ///< True if min itself is excluded.
+  std::vector<std::string> choices;  ///< The valid names, for parameters of type "name".
 };
 
 struct KindInfo {
@@ -48,7 +48,7 @@ struct KindInfo {
   std::vector<ParamInfo> params;
 };
 
-/// What a parameter may be told beyond its member: used with designated initialisers.
+/// The properties of a parameter beyond its member; used with designated initialisers.
 struct ParamSpec {
   std::string doc;
   Dimension dimension = Dimension::none;
@@ -58,7 +58,7 @@ struct ParamSpec {
   bool required = false;
 };
 
-/// Bounds that occur again and again.
+/// Common parameter specifications.
 inline ParamSpec positive_length(std::string doc) {
   return {.doc = std::move(doc), .dimension = Dimension::length, .min = 0, .above_min = true};
 }
@@ -66,7 +66,7 @@ inline ParamSpec any_length(std::string doc) {
   return {.doc = std::move(doc), .dimension = Dimension::length};
 }
 
-/// Describes the parameter struct P; filled by the kind's `describe`.
+/// The description of the parameter struct P; filled by the kind's `describe`.
 template <class P>
 class Schema {
  public:
@@ -78,22 +78,22 @@ class Schema {
   Schema& doc(std::string text) { return info_.doc = std::move(text), *this; }
   Schema& cite(std::string key) { return info_.cite = std::move(key), *this; }
 
-  /// A parameter held in `member` of P or of a base of P; its default is the member's initialiser.
-  /// A std::filesystem::path is read relative to the folder of the text that names it.
+  /// Adds a parameter stored in `member` of P or of a base of P; its default is the member's
+  /// initialiser. A std::filesystem::path is relative to the folder of the text that names it.
   template <class T, class Base>
   requires std::derived_from<P, Base> Schema& param(std::string name, T Base::*member,
                                                     ParamSpec spec = {});
 
-  /// An enumeration in `member`, given in text by one of the names.
+  /// Adds an enumeration stored in `member`, written in the text as one of the names.
   template <class E>
   Schema& choice(std::string name, E P::*member, std::vector<std::pair<std::string, E>> names,
                  std::string doc);
 
   const KindInfo& info() const { return info_; }
 
-  /// The struct that `arguments` describe; nothing, with diagnostics, when an argument is unknown,
-  /// repeated, missing, ill-typed or out of range, or when P has `std::string fault() const`
-  /// (empty, or a sentence on parameters that do not fit together) and that finds one.
+  /// Converts arguments into the struct. Returns nothing, with diagnostics, if an argument is
+  /// unknown, repeated, missing, ill-typed or out of range, or if P has `std::string fault() const`
+  /// and it returns a sentence about parameters that contradict each other (empty: no fault).
   std::optional<P> bind(const Arguments& arguments, const SourceLocation& where,
                         Diagnostics& diagnostics) const;
 
@@ -108,18 +108,19 @@ class Schema {
 };
 
 namespace detail {
-/// Index of the parameter each argument goes to; -1 (with a diagnostic) when there is none.
+/// The index of the parameter for each argument; -1 (with a diagnostic) if there is none.
 std::vector<int> match_arguments(const KindInfo& kind, const Arguments& arguments,
                                  const SourceLocation& where, Diagnostics& diagnostics);
-/// `misfit`: index of the element that a list parameter cannot take, -1 when it is no list.
+/// Reports an argument of the wrong type. `misfit` is the index of the list element with the wrong
+/// type, or -1 if the argument is not a list.
 void report_type(const ParamInfo& info, const Argument& argument, int misfit,
                  Diagnostics& diagnostics);
-/// Checks dimension and range of every number in the argument: one, the parts of a vector, the
-/// elements of a list. False with a diagnostic when one does not fit.
+/// Checks the dimension and range of every number in the argument: a number, the components of a
+/// vector, the elements of a list. Returns false, with a diagnostic, if one is invalid.
 bool check_range(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics);
-/// A default as people write it, in the unit of its dimension.
+/// A default value as scene text, in the unit of its dimension.
 std::string default_text(const Value& value, Dimension dimension);
-/// The file that an argument names; see Schema::param. Nothing when it is no text.
+/// The file that an argument names (see Schema::param); nothing if the argument is not a text.
 std::optional<std::filesystem::path> read_file_name(const Argument& argument);
 }  // namespace detail
 

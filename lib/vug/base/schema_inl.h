@@ -1,4 +1,4 @@
-// Templates of schema.h.
+// Template definitions of schema.h.
 #pragma once
 
 namespace vug {
@@ -13,13 +13,13 @@ std::optional<T> read_argument(const Argument& argument) {
     return ValueTraits<T>::read(argument.value);
 }
 
-/// Index of the first element that a list of T cannot take; -1 where none is at fault.
+/// Index of the first list element that is not a T; -1 if there is none.
 template <class T>
-struct Misfit {
+struct MismatchedElement {
   static int find(const Value&) { return -1; }
 };
 template <class T>
-struct Misfit<std::vector<T>> {
+struct MismatchedElement<std::vector<T>> {
   static int find(const Value& value) {
     const List* list = value.get<List>();
     for (size_t i = 0; list && i < list->size(); ++i)
@@ -49,8 +49,8 @@ requires std::derived_from<P, Base> Schema<P>
       [member](P& p, const Argument& argument, const ParamInfo& self, Diagnostics& diagnostics) {
         auto value = detail::read_argument<T>(argument);
         if (!value)
-          return detail::report_type(self, argument, detail::Misfit<T>::find(argument.value),
-                                     diagnostics);
+          return detail::report_type(
+              self, argument, detail::MismatchedElement<T>::find(argument.value), diagnostics);
         if (detail::check_range(self, argument, diagnostics)) p.*member = std::move(*value);
       });
   return *this;

@@ -1,4 +1,4 @@
-// A folder of one's own for files on the way to somewhere else.
+// A temporary folder for intermediate files.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,12 @@
 
 namespace vug {
 
-/// Made empty, for this process alone, where the system keeps such files ($TMPDIR); it goes with
-/// all that is in it when this does. Error(io) where it cannot be made.
+/// An empty folder in the system's temporary directory ($TMPDIR), private to this process; the
+/// destructor removes it with its contents. The constructor throws Error(io) if it cannot be
+/// created.
 class ScratchFolder {
  public:
-  /// `name` says whose it is, for who looks there: "vug_preview".
+  /// `name` is the prefix of the folder's name, e.g. "vug_preview".
   explicit ScratchFolder(const std::string& name);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -1,4 +1,4 @@
-// What an expression of a scene evaluates to, before a kind's parameters take it.
+// Values of scene expressions, before they are bound to a kind's parameters.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -10,12 +10,13 @@
 
 namespace vug {
 
-/// What a number measures. Text may carry a unit; inside, lengths are metres and angles radians.
+/// The dimension of a number. Text may contain a unit; internally, lengths are in metres and angles
+/// in radians.
 enum class Dimension { none, length, angle, ratio, per_length, time };
 
-std::string to_string(Dimension dimension);  ///< "length in metres", "angle", ...
+std::string to_string(Dimension dimension);  ///< "length", "angle", "number per metre", ...
 
-/// A value as people write it, to six digits: "30deg", "52%", "0.25m"; 0 without a unit.
+/// A value as scene text with six digits: "30deg", "52%", "0.25m"; 0 has no unit.
 std::string quantity_text(double value, Dimension dimension);
 
 struct Number {
@@ -23,16 +24,16 @@ struct Number {
   Dimension dimension = Dimension::none;
 };
 
-/// A kind's product (a field, a light, ...) carried through expressions untouched.
+/// A kind's product (a field, a light, ...), passed through expressions unchanged.
 struct Object {
-  std::string type;  ///< e.g. "field", "noise", "blend": what messages call it.
+  std::string type;  ///< Name of the type in messages, e.g. "field", "noise", "blend".
   std::any data;
 };
 
 class Value;
 using List = std::vector<Value>;
 
-/// Number, vector of three numbers, text, truth, bare name (an enumerator), list or object.
+/// A number, vector of three numbers, text, boolean, bare name (an enumerator), list or object.
 class Value {
  public:
   struct Name {
@@ -61,21 +62,21 @@ class Value {
   const T* get() const {
     return std::get_if<T>(&data_);
   }
-  /// The object's data as T, or null when this is no object of that C++ type.
+  /// The object's data as T, or null if this is not an object of that C++ type.
   template <class T>
   const T* object() const {
     const Object* o = get<Object>();
     return o ? std::any_cast<T>(&o->data) : nullptr;
   }
   bool empty() const { return std::holds_alternative<std::monostate>(data_); }
-  /// "a number", "a vector", "a field", ...: for messages.
+  /// The type with its article, for messages: "a number", "a vector", "a field", ...
   std::string type_name() const;
 
  private:
   Data data_;
 };
 
-/// How the value reads in a scene text; numbers in the shortest form that reads back the same.
+/// The value as scene text; numbers are in the shortest form that parses to the same value.
 std::string to_string(const Value& value);
 
 }  // namespace vug

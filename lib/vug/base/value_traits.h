@@ -1,4 +1,4 @@
-// How the members of a parameter struct are read from Values and written as defaults.
+// Conversion between Values and the members of a parameter struct.
 #pragma once
 
 #include <vug/base/value.h>
@@ -11,12 +11,13 @@
 
 namespace vug {
 
-/// Converts one Value to a member's type and back. Modules specialise it for their objects;
-/// `type()` names what is expected, `read` gives nothing when the value is of another type.
+/// Converts one Value to a member's type and back. Modules specialise it for their objects.
+/// `type()` is the name of the expected type; `read` returns nothing for a value of another type.
 template <class T>
 struct ValueTraits;
 
-/// ValueTraits of a kind's product, which values carry as an object; each says what it is called:
+/// Base of the ValueTraits of a kind's product, which values store as an Object. A specialisation
+/// defines the name of the type:
 ///   template <> struct ValueTraits<LightPtr> : ObjectTraits<LightPtr> {
 ///     static constexpr const char* kWord = "light";
 ///   };
@@ -103,7 +104,7 @@ struct ValueTraits<std::optional<T>> {
   static Value write(const std::optional<T>& v) { return v ? ValueTraits<T>::write(*v) : Value(); }
 };
 
-/// A list takes a list value; a single element stands for a list of one.
+/// Reads a list value; a single element is read as a list of one.
 template <class T>
 struct ValueTraits<std::vector<T>> {
   static std::string type() { return "list of " + ValueTraits<T>::type(); }

@@ -1,5 +1,5 @@
-// Vectors, boxes and matrices: Imath's, under the names this project uses.
-// World space is in metres, right-handed, y up; index space has types of its own in volume/.
+// Vectors, boxes and matrices: aliases of Imath types.
+// World space is in metres, right-handed, y up; index space has its own types in volume/.
 #pragma once
 
 #include <Imath/ImathBox.h>
@@ -25,19 +25,19 @@ using Box3f = Imath::Box3f;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// The box that holds all of space.
+/// The box that contains all of space.
 inline Box3d infinite_box() { return {Vec3d(-kInfinity), Vec3d(kInfinity)}; }
 
-/// True when every corner is finite and the box holds at least one point.
+/// True if every corner is finite and the box contains at least one point.
 bool is_finite(const Box3d& box);
 
-/// `box` grown by `amount` on every side; an empty box stays empty.
+/// `box` expanded by `amount` on every side; an empty box stays empty.
 Box3d grown(const Box3d& box, double amount);
 
-/// The common part of two boxes; empty (min > max) when they do not meet.
+/// The intersection of two boxes; empty (min > max) if they do not overlap.
 Box3d intersection(const Box3d& a, const Box3d& b);
 
-/// The smallest box around both.
+/// The smallest box that contains both.
 Box3d united(const Box3d& a, const Box3d& b);
 
 }  // namespace vug

@@ -1,12 +1,12 @@
-// What writers of SVG, HTML and XML need.
+// Escaping of text for SVG, HTML and XML.
 #pragma once
 
 #include <string>
 
 namespace vug {
 
-/// The text as it stands between tags or in double quotes: markup escaped, control characters
-/// (which XML 1.0 forbids) as spaces. UTF-8 stays as it is.
+/// The text for use between tags or in double quotes: markup is escaped, and control characters
+/// (which XML 1.0 forbids) become spaces. UTF-8 is unchanged.
 std::string xml_text(const std::string& text);
 
 }  // namespace vug

@@ -1,5 +1,5 @@
 #include <vug/base/atomic_file.h>
-#include <vug/base/find_kind.h>
+#include <vug/base/require_kind.h>
 #include <vug/exchange/format.h>
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ const std::vector<const Format*>& formats() {
 }
 
 const Format& format(const std::string& name) {
-  return named_kind(formats(), name, fmt::format("there is no exchange format '{}'", name));
+  return require_kind(formats(), name, fmt::format("there is no exchange format '{}'", name));
 }
 
 Written write(const Format& format, const Assembly& assembly, const Space& space,

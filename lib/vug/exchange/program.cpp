@@ -1,4 +1,4 @@
-#include <vug/base/find_kind.h>
+#include <vug/base/require_kind.h>
 #include <vug/exchange/program.h>
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ const std::vector<const Program*>& programs() {
 }
 
 const Program& program(const std::string& name) {
-  return named_kind(programs(), name, fmt::format("nothing is known of a program '{}'", name));
+  return require_kind(programs(), name, fmt::format("nothing is known of a program '{}'", name));
 }
 
 }  // namespace vug::exchange

@@ -127,7 +127,7 @@ field::Field moulding(const Outline& outline, double left, double right) {
                             Transform({0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}));
 }
 
-field::Field turned(const Outline& outline) {
+field::Field revolved(const Outline& outline) {
   require(outline, true);
   Box3d box;
   for (const Vec2d& corner : outline) {

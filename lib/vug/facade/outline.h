@@ -22,6 +22,6 @@ field::Field extruded(const Outline& outline, double back, double front);
 field::Field moulding(const Outline& outline, double left, double right);
 
 /// The outline turned about the y axis: the exact distance. No corner may have x < 0.
-field::Field turned(const Outline& outline);
+field::Field revolved(const Outline& outline);
 
 }  // namespace vug::facade

@@ -20,7 +20,7 @@ Interval Field::interval(const Box3d& box) const {
   // holds.
   if (std::isnan(natural.lo) || std::isnan(natural.hi)) return lipschitz;
   if (std::isnan(lipschitz.lo) || std::isnan(lipschitz.hi)) return natural;
-  return meet(natural, lipschitz);
+  return intersection(natural, lipschitz);
 }
 
 Field::Part Field::restricted(const Ball& ball) const {

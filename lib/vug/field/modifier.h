@@ -33,7 +33,7 @@ class ModifierNode final : public Readings<ModifierNode<M>> {
     const Point<double> centre = point(ball.centre);
     const double value = modifier_.apply((inner.node ? inner.node : child_)->eval(centre), centre);
     Restriction out;
-    out.range = meet(modifier_.range(inner.range), this->centre_form(value, ball));
+    out.range = intersection(modifier_.range(inner.range), this->centre_form(value, ball));
     if (inner.node) out.node = std::make_shared<ModifierNode>(name_, modifier_, inner.node);
     return out;
   }

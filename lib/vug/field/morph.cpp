@@ -39,7 +39,7 @@ class MorphNode final : public Readings<MorphNode> {
     if (sum.width() > 2.01 * traits().lipschitz * ball.radius) {  // the centre may know better
       const Point<double> centre = point(ball.centre);
       const double value = a.node->eval(centre) * (1 - amount_) + b.node->eval(centre) * amount_;
-      out.range = meet(sum, centre_form(value, ball));
+      out.range = intersection(sum, centre_form(value, ball));
     }
     if (smaller)
       out.node =

@@ -16,7 +16,7 @@ const Kinds<Noise>& noises() {
 }
 #undef VUG_KIND
 
-Noise make_noise(const std::string& kind, const Named& params) {
+Noise make_noise(const std::string& kind, const NamedValues& params) {
   return make_product(noises(), kind, params);
 }
 

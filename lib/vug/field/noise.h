@@ -23,7 +23,7 @@ using NoiseKind = Kind<Noise>;
 /// Makers of noise: perlin, fbm, worley, ...
 const Kinds<Noise>& noises();
 /// By kind name and named values; Error(bad_input) as make() of fields.
-Noise make_noise(const std::string& kind, const Named& params = {});
+Noise make_noise(const std::string& kind, const NamedValues& params = {});
 /// The noise of that kind with its defaults; nothing when there is no such kind.
 std::optional<Noise> default_noise(const std::string& kind);
 

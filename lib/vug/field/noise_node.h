@@ -49,7 +49,7 @@ Interval centred_bounds(const N& noise, const Ball& ball) {
   const double reach = noise.lipschitz() * ball.radius;
   if (reach >= noise.range().width()) return noise.range();
   const double value = noise.at(point(ball.centre));
-  return meet({value - reach, value + reach}, noise.range());
+  return intersection({value - reach, value + reach}, noise.range());
 }
 
 /// The noise of a formula N.

@@ -54,7 +54,7 @@ Interval Octaves::noise(int i, const Ball& ball) const {
   const double reach = slope(i) * ball.radius;
   if (reach >= all.width()) return all;
   const double value = noise(i, point(ball.centre));
-  return meet({value - reach, value + reach}, all);
+  return intersection({value - reach, value + reach}, all);
 }
 
 }  // namespace vug::field

@@ -62,7 +62,7 @@ const Kinds<Field>& field_kinds() {
   return kinds;
 }
 
-Field make(const std::string& kind, const Named& params) {
+Field make(const std::string& kind, const NamedValues& params) {
   return make_product(field_kinds(), kind, params);
 }
 

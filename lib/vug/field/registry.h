@@ -18,7 +18,7 @@ const Kinds<Blend>& blends();
 
 /// A field by kind name and named values: make("torus", {{"radius", 1.2}, {"tube", 0.4}}).
 /// Error(bad_input) with all faults in its message.
-Field make(const std::string& kind, const Named& params = {});
+Field make(const std::string& kind, const NamedValues& params = {});
 
 /// A field as an argument of another kind.
 inline Value as_value(const Field& field) { return ValueTraits<Field>::write(field); }

@@ -111,7 +111,7 @@ Ring Tube::at(double along) const {
   out.centre = a.centre * (1 - v) + b.centre * v;
   out.frame = Frame{a.frame.tangent * (1 - u) + b.frame.tangent * u,
                     a.frame.normal * (1 - u) + b.frame.normal * u, Vec3d(0)}
-                  .squared();
+                  .orthonormalized();
   out.along = a.along * (1 - u) + b.along * u;
   out.radius = a.radius * (1 - u) + b.radius * u;
   out.age = a.age * (1 - u) + b.age * u;

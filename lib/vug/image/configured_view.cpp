@@ -86,7 +86,7 @@ Config open(const std::filesystem::path& file) {
         ErrorCode::bad_input,
         fmt::format("the colour configuration '{}' cannot be used: {}", file.string(), why));
   };
-  if (const std::string why = why_no_file(file); !why.empty()) throw refuse(why);
+  if (const std::string why = unreadable_reason(file); !why.empty()) throw refuse(why);
   try {
     const ocio::ConstConfigRcPtr config = ocio::Config::CreateFromFile(file.string().c_str());
     config->validate();

@@ -1,4 +1,4 @@
-#include <vug/base/find_kind.h>
+#include <vug/base/require_kind.h>
 #include <vug/image/measure.h>
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ const std::vector<const Measure*>& measures() {
 }
 
 const Measure& measure_of(const std::string& name) {
-  return named_kind(measures(), name, fmt::format("there is no measure '{}'", name));
+  return require_kind(measures(), name, fmt::format("there is no measure '{}'", name));
 }
 
 void require_comparable(const Image& reference, const Image& test) {

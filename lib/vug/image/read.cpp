@@ -50,7 +50,7 @@ Error refuse_pixels(const std::filesystem::path& path, OIIO::ImageInput& input) 
 }
 
 std::unique_ptr<OIIO::ImageInput> open_any(const std::filesystem::path& path) {
-  if (const std::string why = why_no_file(path); !why.empty()) throw refuse(path, why);
+  if (const std::string why = unreadable_reason(path); !why.empty()) throw refuse(path, why);
   for (const auto& fault_of : {exr_fault, png_fault})
     if (const std::string fault = fault_of(path); !fault.empty())
       throw refuse(path, fault, "write it again with the program that made it");

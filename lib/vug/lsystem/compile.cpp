@@ -1,9 +1,9 @@
 #include <vug/lsystem/chooser.h>
 #include <vug/lsystem/compile.h>
-#include <vug/lsystem/endless.h>
 #include <vug/lsystem/expressions.h>
+#include <vug/lsystem/nontermination.h>
 #include <vug/lsystem/rule_book.h>
-#include <vug/lsystem/unreached.h>
+#include <vug/lsystem/unreachable_rules.h>
 
 #include <fmt/format.h>
 

@@ -31,9 +31,10 @@ class Surroundings {
   const System& system_;
   const Word& word_;
   // By module, none of them where no rule looks around; nothing found is the word's size.
-  Array<uint32_t> partner_;  ///< Of brackets.
-  Array<uint32_t> left_;     ///< The first that is seen on the way to the root.
-  Array<uint32_t> right_;    ///< The first from here on that is seen on this branch, or its "]".
+  UninitializedVector<uint32_t> partner_;  ///< Of brackets.
+  UninitializedVector<uint32_t> left_;     ///< The first that is seen on the way to the root.
+  UninitializedVector<uint32_t>
+      right_;  ///< The first from here on that is seen on this branch, or its "]".
 };
 
 }  // namespace vug::lsystem

@@ -32,7 +32,7 @@ Station station_at(const Axis& axis, double along) {
   out.position = mix(a.position, b.position);
   out.frame =
       Frame{mix(a.frame.tangent, b.frame.tangent), mix(a.frame.normal, b.frame.normal), Vec3d(0)}
-          .squared();
+          .orthonormalized();
   out.radius = mix(a.radius, b.radius);
   out.along = mix(a.along, b.along);
   out.age = mix(a.age, b.age);

@@ -1,10 +1,10 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/lsystem/chooser.h>
-#include <vug/lsystem/clear_pages.h>
 #include <vug/lsystem/cut.h>
-#include <vug/lsystem/draws.h>
-#include <vug/lsystem/resize_unset.h>
+#include <vug/lsystem/prefault_pages.h>
+#include <vug/lsystem/random_numbers.h>
+#include <vug/lsystem/resize_uninitialized.h>
 #include <vug/lsystem/rewriting.h>
 
 #include <fmt/format.h>

@@ -15,8 +15,8 @@ namespace vug::lsystem {
 /// A word with what its future depends on.
 struct Derivation {
   Word word;
-  Array<uint64_t> keys;  ///< Of each module; empty in systems without chance.
-  uint64_t key = 0;      ///< Of all its random numbers.
+  UninitializedVector<uint64_t> keys;  ///< Of each module; empty in systems without chance.
+  uint64_t key = 0;                    ///< Of all its random numbers.
 
   bool operator==(const Derivation&) const = default;
 };
@@ -57,7 +57,7 @@ class Rewriter {
   std::optional<uint64_t> memory_;
   const Derivation* from_ = nullptr;
   Derivation to_;
-  Array<uint16_t> choice_;  ///< By module: production and 1, or 0 for none.
+  UninitializedVector<uint16_t> choice_;  ///< By module: production and 1, or 0 for none.
 };
 
 }  // namespace vug::lsystem

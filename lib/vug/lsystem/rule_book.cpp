@@ -1,4 +1,4 @@
-#include <vug/lsystem/draws.h>
+#include <vug/lsystem/random_numbers.h>
 #include <vug/lsystem/rule_book.h>
 
 #include <algorithm>

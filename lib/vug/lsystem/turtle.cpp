@@ -146,7 +146,7 @@ void Walker::turn(const Vec3d& axis, double angle) {
   constexpr double kExact = 1e5;  // of the sine: see base/maths.h
   if (!std::isfinite(angle)) fail("a turn is no finite angle");
   if (std::fabs(angle) > kExact) angle = std::remainder(angle, 2 * kPi);
-  state_.pose.frame = state_.pose.frame.turned(axis, angle);
+  state_.pose.frame = state_.pose.frame.rotated(axis, angle);
 }
 
 void Walker::set_radius(double radius) {
@@ -160,7 +160,7 @@ void Walker::level() {
   const Vec3d left = Vec3d(0, 1, 0).cross(frame.tangent);
   if (left.length() < 1e-9) return;  // plumb: every roll is level
   frame.normal = left.normalized();
-  frame = frame.squared();
+  frame = frame.orthonormalized();
 }
 
 void Walker::push() {

@@ -16,7 +16,7 @@ Vec3d carried(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
   const Vec3d axis = from.cross(to);
   const double sine = axis.length();
   if (sine < 1e-12) return v;
-  return turned(v, axis / sine, maths::atan2(sine, from.dot(to)));
+  return rotated(v, axis / sine, maths::atan2(sine, from.dot(to)));
 }
 
 }  // namespace
@@ -111,7 +111,8 @@ void Walker::begin_guide(Parameters p) {
   Frame& frame = state_.pose.frame;
   state_.guide_axes = {-frame.normal, frame.tangent, frame.binormal};
   const Vec3d ahead = in_world(guides_[static_cast<size_t>(state_.guide)].tangent(0));
-  frame = Frame{ahead, carried(frame.normal, frame.tangent, ahead), frame.binormal}.squared();
+  frame =
+      Frame{ahead, carried(frame.normal, frame.tangent, ahead), frame.binormal}.orthonormalized();
 }
 
 }  // namespace vug::lsystem

@@ -1,7 +1,7 @@
 // Inside of the turtle only: reads a word module by module.
 #pragma once
 
-#include <vug/lsystem/pen.h>
+#include <vug/lsystem/drawing_builder.h>
 #include <vug/lsystem/turtle_table.h>
 
 namespace vug::lsystem {

@@ -1,5 +1,5 @@
 #include <vug/base/error.h>
-#include <vug/lsystem/resize_unset.h>
+#include <vug/lsystem/resize_uninitialized.h>
 #include <vug/lsystem/word.h>
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // all others, named as ABOP writes them: "[", "]", "%", "{", "}", ".".
 #pragma once
 
-#include <vug/base/array.h>
+#include <vug/base/uninitialized_vector.h>
 #include <vug/lsystem/alphabet.h>
 
 #include <span>
@@ -53,9 +53,9 @@ class Word {
   bool operator==(const Word&) const = default;
 
  private:
-  Array<SymbolId> symbols_;
-  Array<uint32_t> starts_{0};
-  Array<double> values_;
+  UninitializedVector<SymbolId> symbols_;
+  UninitializedVector<uint32_t> starts_{0};
+  UninitializedVector<double> values_;
 };
 
 /// "B(2)A(4,4)[+F]": without blanks, as ABOP prints words (prusinkiewicz1990). Numbers are in base

@@ -87,7 +87,7 @@ SourceLocation locate(const std::string& text, const std::string& file,
     if (!scanner.enter(key)) break;
     at = scanner.at();
   }
-  return place_in(text, file, at);
+  return location_in(text, file, at);
 }
 
 Json JsonValue::parse(const std::string& text, const std::string& file) {
@@ -105,11 +105,11 @@ Json JsonValue::parse(const std::string& text, const std::string& file) {
     if (!twice.empty())
       throw Error(ErrorCode::bad_input,
                   fmt::format("the key '{}' stands twice in one object", twice),
-                  place_in(text, file, text.rfind('"' + twice + '"')));
+                  location_in(text, file, text.rfind('"' + twice + '"')));
     return out;
   } catch (const Json::parse_error& error) {
     throw Error(ErrorCode::bad_input, "this is no JSON",
-                place_in(text, file, error.byte == 0 ? 0 : error.byte - 1));
+                location_in(text, file, error.byte == 0 ? 0 : error.byte - 1));
   } catch (const Json::exception&) {
     throw Error(ErrorCode::bad_input, "this is no JSON that can be used: a number is too large",
                 {file, 0, 0});

@@ -1,4 +1,4 @@
-#include <vug/base/counted.h>
+#include <vug/base/pluralize.h>
 #include <vug/modeller/json_text.h>
 #include <vug/modeller/session.h>
 
@@ -92,7 +92,7 @@ void read_edits(const JsonValue& root, History& history) {
   size_t done = edits.size();
   if (root.has("done")) {
     if (root.at("done").whole() > done)
-      throw root.at("done").fault("the session has " + counted(done, "edit"));
+      throw root.at("done").fault("the session has " + pluralize(done, "edit"));
     done = root.at("done").whole();
   }
   std::map<size_t, std::vector<std::string>> checkpoints;
@@ -103,7 +103,7 @@ void read_edits(const JsonValue& root, History& history) {
       const JsonValue one = all.at(name);
       if (name.empty()) throw one.fault("a checkpoint needs a name");
       if (one.whole() > edits.size())
-        throw one.fault("the session has " + counted(edits.size(), "edit"));
+        throw one.fault("the session has " + pluralize(edits.size(), "edit"));
       checkpoints[one.whole()].push_back(name);
     }
   }

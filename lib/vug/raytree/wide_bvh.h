@@ -1,7 +1,7 @@
 // A tree of triangles for rays that are traced several at a time.
 #pragma once
 
-#include <vug/base/array.h>
+#include <vug/base/uninitialized_vector.h>
 #include <vug/mesh/mesh.h>
 #include <vug/render/vectors.h>
 
@@ -56,8 +56,8 @@ class RayTree {
 
  private:
   class Builder;
-  Array<Node> nodes_;
-  Array<Leaf> leaves_;  ///< The first is empty: where nodes have no child.
+  UninitializedVector<Node> nodes_;
+  UninitializedVector<Leaf> leaves_;  ///< The first is empty: where nodes have no child.
   float extent_ = 0;
 };
 

@@ -25,12 +25,12 @@ const Kinds<IntegratorPtr>& integrators();
 inline Value radians(double angle) { return Number{angle, Dimension::angle}; }
 
 /// One product of a kind from named parameters; see make_product.
-CameraPtr make_camera(const std::string& kind, const Named& parameters = {});
-SamplerPtr make_sampler(const std::string& kind, const Named& parameters = {});
-MaterialPtr make_material(const std::string& kind, const Named& parameters = {});
-LightPtr make_light(const std::string& kind, const Named& parameters = {});
-MediumPtr make_medium(const std::string& kind, const Named& parameters = {});
-IntegratorPtr make_integrator(const std::string& kind, const Named& parameters = {});
+CameraPtr make_camera(const std::string& kind, const NamedValues& parameters = {});
+SamplerPtr make_sampler(const std::string& kind, const NamedValues& parameters = {});
+MaterialPtr make_material(const std::string& kind, const NamedValues& parameters = {});
+LightPtr make_light(const std::string& kind, const NamedValues& parameters = {});
+MediumPtr make_medium(const std::string& kind, const NamedValues& parameters = {});
+IntegratorPtr make_integrator(const std::string& kind, const NamedValues& parameters = {});
 
 }  // namespace vug::render
 

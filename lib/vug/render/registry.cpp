@@ -74,22 +74,22 @@ const Kinds<IntegratorPtr>& integrators() {
 }
 #undef VUG_KIND
 
-CameraPtr make_camera(const std::string& kind, const Named& parameters) {
+CameraPtr make_camera(const std::string& kind, const NamedValues& parameters) {
   return make_product(cameras(), kind, parameters);
 }
-SamplerPtr make_sampler(const std::string& kind, const Named& parameters) {
+SamplerPtr make_sampler(const std::string& kind, const NamedValues& parameters) {
   return make_product(samplers(), kind, parameters);
 }
-MaterialPtr make_material(const std::string& kind, const Named& parameters) {
+MaterialPtr make_material(const std::string& kind, const NamedValues& parameters) {
   return make_product(materials(), kind, parameters);
 }
-LightPtr make_light(const std::string& kind, const Named& parameters) {
+LightPtr make_light(const std::string& kind, const NamedValues& parameters) {
   return make_product(lights(), kind, parameters);
 }
-MediumPtr make_medium(const std::string& kind, const Named& parameters) {
+MediumPtr make_medium(const std::string& kind, const NamedValues& parameters) {
   return make_product(media(), kind, parameters);
 }
-IntegratorPtr make_integrator(const std::string& kind, const Named& parameters) {
+IntegratorPtr make_integrator(const std::string& kind, const NamedValues& parameters) {
   return make_product(integrators(), kind, parameters);
 }
 

@@ -79,7 +79,7 @@ class Loader {
       if (known_.count(identity(path))) return true;
       const auto text = options_.read ? options_.read(path) : read_disk(path);
       if (!text && !options_.read && why.empty() && fs::exists(path, failed))
-        why = why_no_file(path);
+        why = unreadable_reason(path);
       if (!text) continue;
       if (chain_.size() >= kMaxChain) {
         diagnostics_.error(where, fmt::format("more than {} files include each other", kMaxChain));
@@ -133,7 +133,7 @@ Document parse(std::string text, const std::string& file, Diagnostics& diagnosti
 Document parse_file(const fs::path& file, Diagnostics& diagnostics, const ParseOptions& options) {
   auto text = options.read ? options.read(file) : read_disk(file);
   if (!text) {
-    const std::string why = options.read ? "" : why_no_file(file);
+    const std::string why = options.read ? "" : unreadable_reason(file);
     throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}'{}{}", file.generic_string(),
                                                   why.empty() ? "" : ": ", why));
   }

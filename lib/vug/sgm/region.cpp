@@ -58,7 +58,8 @@ class LocalMorph final : public field::Readings<LocalMorph> {
     if (shape.range.lo >= base.range.hi + blend_.radius)  // the shape cannot matter here
       return {base.range, base.node ? base.node : base_};
     Restriction out;
-    out.range = meet(mixed(base.range, shape.range), centre_form(eval(point(ball.centre)), ball));
+    out.range =
+        intersection(mixed(base.range, shape.range), centre_form(eval(point(ball.centre)), ball));
     if (base.node || shape.node)
       out.node = std::make_shared<LocalMorph>(traits(), base.node ? base.node : base_,
                                               shape.node ? shape.node : shape_, amount_, blend_);

@@ -23,7 +23,7 @@ constexpr uint32_t kOldestChecked = 222, kNewest = 224;
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& source) : source_(source) {
-    if (const std::string why = why_no_file(source); !why.empty()) fail(why);
+    if (const std::string why = unreadable_reason(source); !why.empty()) fail(why);
     in_.open(source, std::ios::binary);
     if (!in_) fail(std::strerror(errno));
     size_ = std::filesystem::file_size(source);

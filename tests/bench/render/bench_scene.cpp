@@ -63,15 +63,15 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
     scene.objects.push_back(crystals);
   }
   const auto rectangle = [](const json& r) {
-    return Named{{"center", vector(r["center"])},
-                 {"normal", vector(r["normal"])},
-                 {"up", vector(r["up"])},
-                 {"width", r["size"][0].get<double>()},
-                 {"height", r["size"][1].get<double>()}};
+    return NamedValues{{"center", vector(r["center"])},
+                       {"normal", vector(r["normal"])},
+                       {"up", vector(r["up"])},
+                       {"width", r["size"][0].get<double>()},
+                       {"height", r["size"][1].get<double>()}};
   };
   if (lamps)
     for (const json& l : j["lights"]) {
-      Named p = rectangle(l);
+      NamedValues p = rectangle(l);
       p.emplace_back("radiance", vector(l["radiance"]));
       scene.lights.push_back(render::make_light("rect", p));
     }

@@ -54,7 +54,7 @@ TEST(AtomicFile, KeepsLinksAndPermissions) {
 }
 
 /// A file like those that a process leaves when it is killed while it writes.
-fs::path left_by_the_dead(const fs::path& target) {
+fs::path make_stale_partial_file(const fs::path& target) {
   const pid_t child = fork();
   if (child == 0) {
     new AtomicFile(target);
@@ -69,9 +69,9 @@ fs::path left_by_the_dead(const fs::path& target) {
 TEST(AtomicFile, TheNextRunRemovesWhatTheDeadHaveLeft) {
   const fs::path folder = fs::path(testing::TempDir()) / "vug_left";
   fs::remove_all(folder);
-  const fs::path stale = left_by_the_dead(folder / "a.exr"),
-                 png = left_by_the_dead(folder / "a.png"),
-                 other = left_by_the_dead(folder / "b.exr");
+  const fs::path stale = make_stale_partial_file(folder / "a.exr"),
+                 png = make_stale_partial_file(folder / "a.png"),
+                 other = make_stale_partial_file(folder / "b.exr");
   for (const fs::path& file : {stale, png, other}) ASSERT_TRUE(fs::exists(file)) << file;
   // On another machine its maker may live, which the lock tells.
   const int held = open(stale.c_str(), O_RDONLY);

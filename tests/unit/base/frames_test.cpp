@@ -26,7 +26,7 @@ TEST(Frames, NoTwistOnAPlanarCurve) {
     points.push_back(arc.point(arc.length() * i / 60));
     tangents.push_back(arc.tangent(arc.length() * i / 60));
   }
-  const Frame first = Frame{tangents[0], Vec3d(1, 0, 0), Vec3d(0)}.squared();
+  const Frame first = Frame{tangents[0], Vec3d(1, 0, 0), Vec3d(0)}.orthonormalized();
   const auto frames = rotation_minimising(points, tangents, first);
   for (const Frame& f : frames) EXPECT_LT(std::hypot(f.normal.y, f.normal.z), 1e-6);
   EXPECT_LT(slack(frames), 1e-14);
@@ -40,7 +40,7 @@ double helix_error(int steps) {
     Frame f;
     f.tangent = Vec3d(-radius * std::sin(t), radius * std::cos(t), pitch) / speed;
     f.normal = Vec3d(-std::cos(t), -std::sin(t), 0);
-    return f.squared();
+    return f.orthonormalized();
   };
   std::vector<Vec3d> points, tangents;
   for (int i = 0; i <= steps; ++i) {
@@ -64,7 +64,7 @@ TEST(Frames, FourthOrderOnAHelix) {
 TEST(Frames, TurnByTheRightHand) {
   const Frame f = level_frame({0, 1, 0});
   EXPECT_EQ(f.normal, Vec3d(1, 0, 0));
-  const Frame t = f.turned(f.tangent, kPi / 2);
+  const Frame t = f.rotated(f.tangent, kPi / 2);
   EXPECT_LT((t.normal - f.binormal).length(), 1e-15);
   EXPECT_LT((f.around(kPi / 2) - f.binormal).length(), 1e-15);
 }

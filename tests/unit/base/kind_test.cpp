@@ -1,5 +1,5 @@
-#include <vug/base/find_kind.h>
 #include <vug/base/kind.h>
+#include <vug/base/require_kind.h>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ const Kind<RopePtr>& rope() {
 }
 const Kinds<RopePtr> kRopes = {&rope()};
 
-std::string refusal(const Named& parameters) {
+std::string refusal(const NamedValues& parameters) {
   try {
     make_product(kRopes, "rope", parameters);
   } catch (const Error& error) {
@@ -94,9 +94,9 @@ TEST(Kind, IsFoundByTheNameThatSomebodyTyped) {
   const Knot reef{{"reef", "knot", "Joins two ropes.", "", {}}};
   const Knot bowline{{"bowline", "knot", "A loop that holds.", "", {}}};
   const std::vector<const Knot*> knots = {&reef, &bowline};
-  EXPECT_EQ(&named_kind(knots, "bowline", "no"), &bowline);
+  EXPECT_EQ(&require_kind(knots, "bowline", "no"), &bowline);
   try {
-    named_kind(knots, "bowlin", "there is no such knot");
+    require_kind(knots, "bowlin", "there is no such knot");
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()) + " / " + error.hint(),

@@ -1,7 +1,7 @@
 // The loops visit every index once and pass exceptions on, over TBB and on plain threads.
 #include <vug/base/parallel.h>
 #include <vug/base/parallel_sort.h>
-#include <vug/base/plain_threads.h>
+#include <vug/base/tsan_parallel.h>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ class Parallel : public testing::TestWithParam<bool> {
  protected:
   static void loop(size_t count, size_t grain, const std::function<void(size_t)>& body) {
     if (!GetParam()) return parallel_for(count, body, grain);
-    detail::plain_parallel_for(count, grain, [&](size_t begin, size_t end) {
+    detail::tsan_parallel_for(count, grain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) body(i);
     });
   }

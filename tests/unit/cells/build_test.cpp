@@ -35,7 +35,7 @@ TEST(Build, InsideAPolygonPatternsArePerfect) {
   const Surface floor({shared(floor_mesh())});
   struct Case {
     const char* grid;
-    Named parameters;
+    NamedValues parameters;
     uint32_t full;
     double longest;
   };

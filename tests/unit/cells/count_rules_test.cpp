@@ -69,7 +69,7 @@ TEST(Corrosion, IsThatOfAPlainLoop) {
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(6));
   const float loss = 0.25f;
-  const Named parameters = {{"share", 0.4}, {"potential", 1}, {"loss", 0.25}};
+  const NamedValues parameters = {{"share", 0.4}, {"potential", 1}, {"loss", 0.25}};
   s.run({stage("corrosion", parameters)}, 1);
   std::vector<float> p = s.attributes().values<float>("potential");
   const auto struck = std::count(p.begin(), p.end(), 1.0f);

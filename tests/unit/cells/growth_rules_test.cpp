@@ -39,7 +39,7 @@ TEST(Moss, GrowsFromItsSeedsWhereItCan) {
   auto& moist = s.attributes().column<float>("moisture", 1).now;
   for (uint32_t i = 0; i < n->size(); ++i) moist[i] = n->position[i].x < 0.7f ? 1.0f : 0.2f;
   const double seeds = 200;
-  const Named parameters = {{"seeds", seeds}, {"thickness", 0.01}};
+  const NamedValues parameters = {{"seeds", seeds}, {"thickness", 0.01}};
   s.run({stage("moss", parameters)}, 1);
   const auto grown = [&](const Simulation& at) {
     std::vector<uint32_t> cells;
@@ -87,13 +87,13 @@ TEST(Moss, CoversAsMuchWithSmallerCells) {
 TEST(Lichen, RosettesAreRoundAndKeepTheirColours) {
   const NetworkPtr n = sheet(0.005);
   const std::vector<Vec3d> colors = {{0.5, 0, 0}, {0, 0.5, 0}};
-  const Named parameters = {{"seeds", 30},
-                            {"size", 0.1},
-                            {"lobes", 0},
-                            {"rim", 0},
-                            {"speed", 0.002},
-                            {"colors", List{colors[0], colors[1]}},
-                            {"line", Vec3d(0, 0, 0.25)}};
+  const NamedValues parameters = {{"seeds", 30},
+                                  {"size", 0.1},
+                                  {"lobes", 0},
+                                  {"rim", 0},
+                                  {"speed", 0.002},
+                                  {"colors", List{colors[0], colors[1]}},
+                                  {"line", Vec3d(0, 0, 0.25)}};
   const Simulation s = ran(n, {stage("lichen", parameters)}, 60);
   const auto& colony = s.attributes().values<int32_t>("colony");
   const auto& color = s.attributes().values<Vec3f>("Cd");

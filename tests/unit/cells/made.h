@@ -11,7 +11,8 @@ inline mesh::MeshPtr shared(mesh::Mesh mesh) {
   return std::make_shared<const mesh::Mesh>(std::move(mesh));
 }
 
-inline BuildOptions options(const std::string& grid, double spacing, const Named& parameters = {}) {
+inline BuildOptions options(const std::string& grid, double spacing,
+                            const NamedValues& parameters = {}) {
   BuildOptions o;
   o.grid = make_product(grids(), grid, parameters);
   o.spacing = spacing;

@@ -8,7 +8,7 @@
 namespace vug::cells {
 namespace {
 
-Value mask(const std::string& kind, const Named& parameters) {
+Value mask(const std::string& kind, const NamedValues& parameters) {
   return ValueTraits<paint::Mask>::write(make_product(paint::masks(), kind, parameters));
 }
 

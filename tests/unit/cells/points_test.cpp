@@ -28,7 +28,7 @@ std::map<std::string, Digest> carried(const Simulation& s) {
 }
 
 std::vector<Stage> some_of_all(const std::string& last) {
-  Named parameters;
+  NamedValues parameters;
   for (const ParamInfo& param : find_kind(rules(), last)->info.params)
     if (param.required)
       parameters.emplace_back(param.name, param.type == "text" ? Value("v") : Value(0.5));

@@ -20,7 +20,7 @@ inline NetworkPtr uneven(double spacing = 0.06) {
   return std::make_shared<const Network>(build(surface, o).network);
 }
 
-inline Stage stage(const std::string& rule, const Named& parameters = {}, int steps = -1,
+inline Stage stage(const std::string& rule, const NamedValues& parameters = {}, int steps = -1,
                    int begin = 0) {
   return {make_product(rules(), rule, parameters), rule, begin, steps, {}};
 }

@@ -15,7 +15,7 @@ TEST(Rules, AllSayWhatTheyAreAndGiveTheSameBytesForAnyNumberOfThreads) {
   const NetworkPtr n = uneven(0.05);
   for (const RuleKind* kind : rules()) {
     EXPECT_FALSE(kind->info.doc.empty()) << kind->info.name;
-    Named parameters;
+    NamedValues parameters;
     for (const ParamInfo& param : kind->info.params)
       if (param.required)
         parameters.emplace_back(param.name, param.type == "text" ? Value("v") : Value(0.5));

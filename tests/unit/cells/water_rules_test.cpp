@@ -56,7 +56,7 @@ TEST(RunOff, IsTheWallAboveOnceWaterHasArrived) {
   });
   const NetworkPtr n = std::make_shared<const Network>(wall);
   const double dry = 0.7, settle = 0.3, speed = 0.1, strength = 0.02;
-  const Named parameters = {
+  const NamedValues parameters = {
       {"dry", dry}, {"settle", settle}, {"speed", speed}, {"strength", strength}, {"wander", 0}};
   Simulation s = ran(n, {stage("run_off", parameters)}, 60);
   const double kept = std::exp(-c / dry), carried = std::exp(-c / settle);

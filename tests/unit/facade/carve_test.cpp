@@ -159,7 +159,7 @@ TEST(Carve, ZonesAndInfill) {
 TEST(Outline, DistancesAreExact) {
   // An L: the distance to its outline by brute force.
   const Outline ell = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-  const field::Field f = extruded(ell, -50, 50), t = turned(ell);
+  const field::Field f = extruded(ell, -50, 50), t = revolved(ell);
   RandomStream random(RandomKey(3));
   for (int i = 0; i < 2000; ++i) {
     const double x = random.uniform(-1, 3), y = random.uniform(-1, 4);

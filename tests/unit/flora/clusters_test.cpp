@@ -24,7 +24,7 @@ const Window kBent{{{0, 0}, {24, 0}, {24, 12}, {12, 12}, {12, 24}, {0, 24}}, {2,
 
 /// Ripley's K by the known density, of all runs together: how many others lie within r of a point
 /// of the window, so that all of them are there.
-std::vector<double> k_function(const std::string& name, const Named& parameters,
+std::vector<double> k_function(const std::string& name, const NamedValues& parameters,
                                const Window& window = kSquare) {
   std::vector<double> pairs(kRadii.size());
   for (uint64_t run = 0; run < kRuns; ++run) {

@@ -59,7 +59,7 @@ TEST(Distributions, ThePapersPointIsTheWeightedMean) {
 
 TEST(Distributions, ThePaperRefusesWeightsBelowZeroAndDents) {
   const auto weights = [](double low, double high) {
-    return Named{{"weights", List{Value(low), Value(high)}}};
+    return NamedValues{{"weights", List{Value(low), Value(high)}}};
   };
   EXPECT_NE(fault_of("paper", weights(-1, 1), square(1), 10), "");
   EXPECT_NE(fault_of("paper", weights(0, 0), square(1), 10), "");

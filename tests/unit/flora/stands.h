@@ -13,7 +13,7 @@ inline Corners hexagon() {
   return {{1, 0}, {0.5, h}, {-0.5, h}, {-1, 0}, {-0.5, -h}, {0.5, -h}};
 }
 
-inline std::vector<Vec2d> draw(const std::string& name, const Named& parameters,
+inline std::vector<Vec2d> draw(const std::string& name, const NamedValues& parameters,
                                const Corners& corners, double density, uint64_t seed = 1) {
   const Plot plot(corners);
   return make_product(distributions(), name, parameters)
@@ -21,7 +21,7 @@ inline std::vector<Vec2d> draw(const std::string& name, const Named& parameters,
 }
 
 /// What is thrown when it is drawn; empty where nothing is.
-inline std::string fault_of(const std::string& name, const Named& parameters,
+inline std::string fault_of(const std::string& name, const NamedValues& parameters,
                             const Corners& corners, double density) {
   try {
     draw(name, parameters, corners, density);

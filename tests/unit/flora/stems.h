@@ -41,7 +41,7 @@ inline lsystem::Axis folded_branch() {
     axis.stations.push_back({at, frame, 0.012 * (1 - 0.2 * i), 0.3 * i, 1});
     at += frame.tangent * 0.3;
     if (i > 0) axis.nodes.push_back({0.3 * i, 1, {}});
-    frame = frame.turned(i % 2 ? frame.normal : frame.binormal, 0.43);
+    frame = frame.rotated(i % 2 ? frame.normal : frame.binormal, 0.43);
   }
   return axis;
 }

@@ -247,10 +247,10 @@ TEST(Sweep, FramesOfACulmWithInflectionsDoNotTwist) {
   for (const double sway : {0.3, -0.8}) {
     // Three bends, each back again, in the plane of x and y, turned somehow in space.
     const Vec3d axis = Vec3d(0.3, 0.8, -0.5).normalized();
-    const auto put = [&](const Vec3d& v) { return turned(v, axis, 1.1); };
+    const auto put = [&](const Vec3d& v) { return rotated(v, axis, 1.1); };
     lsystem::Axis culm;
     constexpr int kStations = 90;
-    Frame frame = Frame{put({0, 1, 0}), put({0, 0, 1}), Vec3d(0)}.squared();
+    Frame frame = Frame{put({0, 1, 0}), put({0, 0, 1}), Vec3d(0)}.orthonormalized();
     double along = 0;
     Vec3d before(0);
     for (int i = 0; i <= kStations; ++i) {

@@ -1,7 +1,7 @@
 #include "samples.h"
 
 #include <vug/base/rng.h>
-#include <vug/lsystem/draws.h>
+#include <vug/lsystem/random_numbers.h>
 
 #include <algorithm>
 #include <array>

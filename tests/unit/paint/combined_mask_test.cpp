@@ -22,10 +22,10 @@ double value(const Mask& mask, const Vec3d& normal = {0, 1, 0}) {
   return (*mask)(spot);
 }
 
-Value made(const std::string& kind, const Named& parameters) {
+Value made(const std::string& kind, const NamedValues& parameters) {
   return ValueTraits<Mask>::write(make_product(masks(), kind, parameters));
 }
-Mask mask(const std::string& kind, const Named& parameters) {
+Mask mask(const std::string& kind, const NamedValues& parameters) {
   return make_product(masks(), kind, parameters);
 }
 

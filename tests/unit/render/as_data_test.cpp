@@ -108,7 +108,7 @@ TEST(AsData, PortalsAreNoLights) {
 }
 
 TEST(AsData, CamerasSeeWhatTheySee) {
-  const Named view = {
+  const NamedValues view = {
       {"eye", Vec3d(1, 2, 3)}, {"target", Vec3d(-2, 1, 0)}, {"up", Vec3d(0.1, 1, 0)}};
   constexpr float kAspect = 1.5f;
   for (const char* kind : {"perspective", "orthographic"}) {

@@ -9,7 +9,7 @@
 namespace vug::render {
 namespace {
 
-Scene in_white_sky(const Named& surface, mesh::Mesh body) {
+Scene in_white_sky(const NamedValues& surface, mesh::Mesh body) {
   Scene scene;
   scene.camera = view({0, 0, 4}, {0, 0, 0}, 0.3);
   scene.objects = {object(std::move(body), 1)};

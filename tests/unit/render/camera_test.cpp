@@ -11,7 +11,7 @@
 namespace vug::render {
 namespace {
 
-const Named kView = {
+const NamedValues kView = {
     {"eye", Vec3d(1, 2, 3)}, {"target", Vec3d(1, 2, -7)}, {"fov", radians(kPi / 2)}};
 
 TEST(Perspective, FovIsTheFullHorizontalAngle) {
@@ -28,7 +28,7 @@ TEST(Perspective, FovIsTheFullHorizontalAngle) {
 }
 
 TEST(Perspective, LensKeepsTheFocusPlaneSharp) {
-  Named parameters = kView;
+  NamedValues parameters = kView;
   parameters.emplace_back("aperture", 0.5);
   parameters.emplace_back("focus", 4.0);
   const CameraPtr camera = make_camera("perspective", parameters);
@@ -105,7 +105,7 @@ TEST(EveryCamera, ShowsPointsWhereTheirRaysAre) {
   for (const auto* kind : cameras())
     for (const float aspect : {0.7f, 1.0f, 2.0f}) {
       SCOPED_TRACE(kind->info.name + ", aspect " + std::to_string(aspect));
-      Named parameters = {
+      NamedValues parameters = {
           {"eye", Vec3d(1, 2, 3)}, {"target", Vec3d(-2, 1, 0)}, {"up", Vec3d(0.1, 1, 0)}};
       expect_places(*make_camera(kind->info.name, parameters), aspect);
       if (!has_parameter(kind->info, "interaxial")) continue;

@@ -40,8 +40,8 @@ std::string sky_file() {
 }
 
 /// Arguments for any kind: whatever it cannot do without.
-Named needed(const KindInfo& info) {
-  Named out;
+NamedValues needed(const KindInfo& info) {
+  NamedValues out;
   for (const ParamInfo& p : info.params)
     if (p.required && p.name == "file")
       out.emplace_back("file",
@@ -62,7 +62,7 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
   for (const auto* kind : lights())
     for (const Vec3f& position : points) {
       SCOPED_TRACE(kind->info.name + " from x = " + std::to_string(position.x));
-      Named given = needed(kind->info);
+      NamedValues given = needed(kind->info);
       // Narrow cones are made wide enough for the test's cells.
       for (const ParamInfo& p : kind->info.params)
         if (p.name == "angle") given.emplace_back("angle", radians(0.9));

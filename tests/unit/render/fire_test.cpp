@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kExtinction = 1.1;
 
-MediumPtr fire(Named more) {
+MediumPtr fire(NamedValues more) {
   more.emplace_back("file", VUG_TEST_DATA "/volumes/fire.vdb");
   more.emplace_back("extinction", kExtinction);
   return make_medium("cloud", more);
@@ -116,7 +116,7 @@ TEST(Fire, MasksStandForGrids) {
 // In a white sky a colour whose albedo is 1 vanishes, one whose albedo is 0 is dimmed only, and one
 // between looks as if the whole cloud had that albedo.
 TEST(Fire, ColoursOfTheGridAreAlbedos) {
-  const auto picture = [](const Named& colour) {
+  const auto picture = [](const NamedValues& colour) {
     Scene scene;
     scene.camera = view({0, 0, 5}, {0, 0, 0}, 1e-4);
     scene.lights = {make_light("sky")};
@@ -143,7 +143,7 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
 
 // Under the names that other programs look for, in kelvin, and where they vary.
 TEST(Fire, OtherProgramsAreToldByGrids) {
-  const auto told = [](const Named& more) { return fire(more)->as_data(nullptr).value(); };
+  const auto told = [](const NamedValues& more) { return fire(more)->as_data(nullptr).value(); };
   const auto named = [](const CloudData& data, const std::string& name) {
     for (const volume::Grid& grid : data.grids)
       if (grid.name() == name) return volume::Density(grid);

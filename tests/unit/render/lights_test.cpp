@@ -17,8 +17,9 @@ namespace {
 float one(RandomStream& random) { return static_cast<float>(random.bits() >> 8) * 0x1p-24f; }
 
 /// What a kind of lamp cannot do without.
-Named needed(const KindInfo& info) {
-  return info.name == "ies" ? Named{{"file", VUG_TEST_DATA "/lights/cosine.ies"}} : Named{};
+NamedValues needed(const KindInfo& info) {
+  return info.name == "ies" ? NamedValues{{"file", VUG_TEST_DATA "/lights/cosine.ies"}}
+                            : NamedValues{};
 }
 
 bool has(const KindInfo& info, const std::string& parameter) {
@@ -143,9 +144,10 @@ TEST(Lights, TheSunIsToldInOneWay) {
   EXPECT_NO_THROW(make_light("sun", {{"azimuth", radians(1)}}));
   EXPECT_NO_THROW(make_light("daylight", {{"latitude", radians(1)}}));
   for (const char* kind : {"sun", "daylight"})
-    for (const Named& both : {Named{{"latitude", radians(1)}, {"elevation", radians(1)}},
-                              Named{{"latitude", radians(1)}, {"azimuth", radians(1)}},
-                              Named{{"day", 100.0}}, Named{{"hour", 12.0}}})
+    for (const NamedValues& both :
+         {NamedValues{{"latitude", radians(1)}, {"elevation", radians(1)}},
+          NamedValues{{"latitude", radians(1)}, {"azimuth", radians(1)}},
+          NamedValues{{"day", 100.0}}, NamedValues{{"hour", 12.0}}})
       EXPECT_THROW(make_light(kind, both), Error) << kind << " " << both.back().first;
 }
 
@@ -190,7 +192,7 @@ TEST(Lights, EveryLampSendsOutItsLumen) {
   for (const auto* kind : lights()) {
     if (!has(kind->info, "lumen")) continue;
     SCOPED_TRACE(kind->info.name);
-    Named given = needed(kind->info);
+    NamedValues given = needed(kind->info);
     given.emplace_back("lumen", 10 * kLumenPerWatt);
     given.emplace_back("radiance", Vec3d(0.2, 1, 3));
     const LightPtr lamp = make_light(kind->info.name, given);
@@ -262,7 +264,7 @@ TEST(Lamp, BlackBodiesHaveTheirColours) {
     EXPECT_GE(std::min({blackbody(kelvin).x, blackbody(kelvin).y, blackbody(kelvin).z}), 0);
 }
 
-std::string refusal(const std::string& kind, const Named& parameters) {
+std::string refusal(const std::string& kind, const NamedValues& parameters) {
   try {
     make_light(kind, parameters);
   } catch (const Error& error) {
@@ -297,8 +299,8 @@ Scene two_floors(const std::vector<LightPtr>& lights) {
 }
 
 TEST(Links, LightsReachOnlyWhatTheyName) {
-  const auto lamp = [](const Named& more) {
-    Named p{
+  const auto lamp = [](const NamedValues& more) {
+    NamedValues p{
         {"center", Vec3d(0, 1, 0)}, {"radius", 0.1}, {"radiance", Vec3d(20)}, {"visible", false}};
     p.insert(p.end(), more.begin(), more.end());
     return make_light("sphere", p);

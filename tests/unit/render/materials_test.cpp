@@ -25,11 +25,11 @@ Value as_value(const MaterialPtr& material) { return ValueTraits<MaterialPtr>::w
 
 struct Case {
   std::string kind, name;
-  Named parameters;
+  NamedValues parameters;
   bool variant = false;  ///< With a switch the other way than it is by default.
 
-  MaterialPtr make(const Named& more = {}) const {
-    Named all = parameters;
+  MaterialPtr make(const NamedValues& more = {}) const {
+    NamedValues all = parameters;
     for (const auto& given : more) {
       const auto known = std::find_if(all.begin(), all.end(),
                                       [&](const auto& each) { return each.first == given.first; });
@@ -53,7 +53,7 @@ bool is_share(const ParamInfo& p) {
 std::vector<Case> cases(bool white) {
   std::vector<Case> all;
   for (const auto* kind : materials()) {
-    Named needed;
+    NamedValues needed;
     for (const ParamInfo& p : kind->info.params) {
       if (p.type == "material" && p.required) {
         const Vec3d albedo(white ? 1.0 : 0.4);
@@ -105,7 +105,7 @@ TEST(Materials, SampleTheirDensity) {
       const bool inside = cosine == 0.7f || cosine == 0.2f;
       SCOPED_TRACE(each.name + " at cosine " + std::to_string(cosine));
       // Narrower lobes than these slip through the quadrature of the expected counts.
-      Named wide;
+      NamedValues wide;
       for (const ParamInfo& p : info_of(each.kind).params)
         if (is_roughness(p)) wide.emplace_back(p.name, 0.4);
       const MaterialPtr material = each.make(wide);
@@ -196,7 +196,7 @@ Furnace furnace(const Bsdf& bsdf, uint32_t samples = 256) {
 TEST(Materials, WhiteOnesKeepAllLight) {
   for (const Case& each : cases(true))
     for (const double roughness : {0.02, 0.1, 0.3, 0.6, 1.0}) {
-      Named rough;
+      NamedValues rough;
       for (const ParamInfo& p : info_of(each.kind).params)
         if (is_roughness(p)) rough.emplace_back(p.name, std::max(roughness, p.min));
       if (rough.empty() && roughness > 0.02) continue;
@@ -220,7 +220,7 @@ TEST(Materials, NeverGiveMoreThanTheyGet) {
   RandomStream random(RandomKey(12));
   for (const Case& each : cases(true))
     for (int trial = 0; trial < 3; ++trial) {
-      Named some;
+      NamedValues some;
       for (const ParamInfo& p : info_of(each.kind).params) {
         if (p.type.find("number") != 0 || p.dimension != Dimension::none || p.max > 3) continue;
         const double place = p.max > 1 ? trial % 3 * 0.5 : random.uniform();  // few indices

@@ -31,7 +31,7 @@ TEST(Kinds, AreDocumented) {
   check_infos(integrators(), "integrator");
 }
 
-std::string refusal(const std::string& kind, const Named& parameters) {
+std::string refusal(const std::string& kind, const NamedValues& parameters) {
   try {
     make_light(kind, parameters);
   } catch (const Error& error) {

@@ -6,7 +6,7 @@
 namespace vug::render {
 namespace {
 
-MaterialPtr thin(Named more) {
+MaterialPtr thin(NamedValues more) {
   more.emplace_back("thin", true);
   return make_material("surface", more);
 }
@@ -90,11 +90,11 @@ TEST(Thin, WhiteSheetsVanishInAWhiteSky) {
   Scene scene;
   scene.camera = view({0.2, 1, 0.5}, {0, 0, 0}, 0.5);
   scene.lights = {make_light("sky")};
-  const Named shares[] = {{{"subsurface", 1.0}, {"through", 0.4}},
-                          {{"transmission", 0.8}, {"roughness", 0.4}},
-                          {{"subsurface", 0.5}, {"transmission", 0.3}, {"fuzz", 0.5}}};
+  const NamedValues shares[] = {{{"subsurface", 1.0}, {"through", 0.4}},
+                                {{"transmission", 0.8}, {"roughness", 0.4}},
+                                {{"subsurface", 0.5}, {"transmission", 0.3}, {"fuzz", 0.5}}};
   float height = 0;
-  for (Named more : shares) {
+  for (NamedValues more : shares) {
     more.emplace_back("color", Vec3d(1));
     Object sheet = object(at_height(floor_mesh(1), height), 1);
     sheet.material = thin(more);

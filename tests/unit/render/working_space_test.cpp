@@ -28,7 +28,7 @@ void expect_same(const Rgb& there, const Rgb& plain, const std::string& what) {
 std::vector<std::pair<std::string, LightPtr>> all_lights() {
   std::vector<std::pair<std::string, LightPtr>> out;
   for (const auto* kind : lights()) {
-    Named arguments;
+    NamedValues arguments;
     bool whole = true;
     for (const ParamInfo& param : kind->info.params) {
       if (param.required) whole = false;
@@ -90,7 +90,7 @@ TEST(WorkingSpace, MaterialsReflectTheSame) {
         const Vec3d colour(0.8, 0.3, 0.1);
         if (painted && param.type == "vector") continue;
         const auto painting = paint::make_paint([colour](const paint::Spot&) { return colour; });
-        Named arguments = {
+        NamedValues arguments = {
             {param.name, painted ? ValueTraits<paint::Paint>::write(painting) : Value(colour)}};
         for (const ParamInfo& other : kind->info.params)
           if (other.name == "fuzz" || other.name == "transmission")

@@ -1,10 +1,10 @@
 // The species of data/bamboo against what is measured of them: many seeds of the text itself.
+#include <vug/building/instances.h>
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
+#include <vug/loading/load.h>
 #include <vug/mesh/topology.h>
-#include <vug/session/cast.h>
-#include <vug/session/load.h>
-#include <vug/session/lsystem_plan.h>
+#include <vug/shot/lsystem_plan.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

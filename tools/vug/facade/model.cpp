@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/base/counted.h>
 #include <vug/base/parallel.h>
+#include <vug/base/pluralize.h>
 #include <vug/facade/grammar_output.h>
 #include <vug/facade/tree_output.h>
 #include <vug/image/io.h>
+#include <vug/loading/load.h>
 #include <vug/modeller/retrace.h>
 #include <vug/session/facade_model.h>
-#include <vug/session/load.h>
 
 namespace vug::cli {
 namespace {
@@ -79,7 +79,7 @@ void tell_moved(const modeller::Retraced& way) {
   fmt::print(stderr,
              "the rules come near to the tree, as they leave less free: of {} {} up to {:.2f} m "
              "off and {} left out\n",
-             counted(way.elements, "element"), way.moved, way.farthest, way.missing);
+             pluralize(way.elements, "element"), way.moved, way.farthest, way.missing);
 }
 
 /// The file of the tree's name, which a session finds without being told.
@@ -132,7 +132,7 @@ void set_checkpoint(const Options& options, modeller::History& history) {
   const auto had = history.checkpoints().find(options.checkpoint);
   if (had != history.checkpoints().end() && had->second != history.done() && !options.work.quiet)
     fmt::print(stderr, "the checkpoint '{}' was after {} and is now after {}\n", options.checkpoint,
-               counted(had->second, "edit"), history.done());
+               pluralize(had->second, "edit"), history.done());
   history.set_checkpoint(options.checkpoint);
 }
 
@@ -141,7 +141,7 @@ void edit(const Options& options, modeller::Session& session) {
   const auto want = [](int steps, size_t had, const char* what) {
     if (had < static_cast<size_t>(steps))
       throw Error(ErrorCode::bad_input, fmt::format("the session has {} to {}, not {}",
-                                                    counted(had, "edit"), what, steps));
+                                                    pluralize(had, "edit"), what, steps));
   };
   if (!options.to.empty()) history.go(options.to);
   if (options.undo) want(options.undo, history.undo(static_cast<size_t>(options.undo)), "undo");

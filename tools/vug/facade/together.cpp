@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/base/hidden.h>
+#include <vug/base/partial_files.h>
 
 #include <memory>
 #include <vector>
@@ -15,9 +15,9 @@ namespace fs = std::filesystem;
 Together::Together(fs::path folder, const std::string& name)
     : folder_(folder.empty() ? "." : std::move(folder)) {
   std::error_code ignored;
-  for (const fs::path& each : left_by_the_dead(folder_, name))
+  for (const fs::path& each : stale_partial_files(folder_, name))
     if (fs::is_directory(each, ignored)) fs::remove_all(each, ignored);
-  hidden_ = folder_ / hidden_name(name);
+  hidden_ = folder_ / partial_file_name(name);
   fs::remove_all(hidden_, ignored);  // of a process that had the same number
   made_ = make_folders(hidden_);
 }
@@ -25,7 +25,7 @@ Together::Together(fs::path folder, const std::string& name)
 Together::~Together() {
   std::error_code ignored;
   fs::remove_all(hidden_, ignored);
-  remove_empty(made_);
+  remove_empty_folders(made_);
 }
 
 void Together::commit() {

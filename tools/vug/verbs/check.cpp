@@ -1,11 +1,11 @@
 #include "load.h"
 
 #include <fmt/format.h>
+#include <vug/building/cell_points.h>
 #include <vug/image/configured_view.h>
-#include <vug/session/cell_points.h>
-#include <vug/session/find.h>
-#include <vug/session/foresee.h>
-#include <vug/session/lsystem_plan.h>
+#include <vug/loading/validate.h>
+#include <vug/shot/lsystem_plan.h>
+#include <vug/shot/queries.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {

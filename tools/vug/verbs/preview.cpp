@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/session/assemble.h>
-#include <vug/session/data_folders.h>
-#include <vug/session/inputs.h>
+#include <vug/delivery/assembly.h>
+#include <vug/loading/data_folders.h>
+#include <vug/loading/dependencies.h>
 #include <vug/session/preview.h>
 
 namespace vug::cli {
@@ -28,7 +28,7 @@ std::filesystem::path page_file() {
     files.push_back(folder / "preview.html");
   files.emplace_back(VUG_BUILT_PAGE);
   for (const std::filesystem::path& file : files)
-    if (why_no_file(file).empty()) return file;
+    if (unreadable_reason(file).empty()) return file;
   throw Error(ErrorCode::bad_input, "this Vug was built without the page that a preview fills", {},
               "install npm, and build again where it can reach its registry");
 }

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/base/counted.h>
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/base/pluralize.h>
 #include <vug/base/scratch_folder.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ std::string details_of(const Outcome& outcome) {
 
 /// "5 cases in 12.3 s: 4 same, 1 different".
 std::string summary_of(const std::vector<Outcome>& outcomes, double seconds) {
-  std::string out = fmt::format("{} in {:.1f} s", counted(outcomes.size(), "case"), seconds);
+  std::string out = fmt::format("{} in {:.1f} s", pluralize(outcomes.size(), "case"), seconds);
   const char* apart = ": ";
   for (const Verdict verdict :
        {Verdict::same, Verdict::different, Verdict::flaky, Verdict::updated, Verdict::unusable}) {

@@ -71,7 +71,7 @@ struct Column {
       parts.push_back(field::transformed(
           block({-half, from, 2 * half, to - from}, -half, half, 0.02 * across), Transform()));
     };
-    field::Field round = turned(shaft(foot, low - 0.02, high + 0.02));
+    field::Field round = revolved(shaft(foot, low - 0.02, high + 0.02));
     if (flutes > 0) {
       const double hollow = 0.75 * kPi * foot / flutes;
       field::Field one = field::transformed(
@@ -92,7 +92,7 @@ struct Column {
            arc({1.05 * foot, 0.5 * (plinth + low)}, 0.5 * (low - plinth), -kPi / 2, kPi / 2, 10))
         torus.push_back(p);
       torus.push_back({0, low + 0.005});
-      parts.push_back(turned(torus));
+      parts.push_back(revolved(torus));
     }
     if (capital > 0) add_capital(parts, square, top, high, height);
     Solids out;
@@ -122,7 +122,7 @@ struct Column {
             {top * (1 + (wide - 1) * maths::sin(t * kPi / 2)), high + (abacus - high) * t});
       }
     echinus.push_back({0, abacus + 0.005});
-    parts.push_back(turned(echinus));
+    parts.push_back(revolved(echinus));
   }
 };
 

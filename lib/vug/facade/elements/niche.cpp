@@ -46,12 +46,12 @@ struct Niche : Opening {
         field::intersect({pressed, block({0, 0, width, height}, -deep - 0.1, kBefore)}));
     if (plinth > 0) {
       const double r = 0.55 * radius;
-      out.add.push_back(field::transformed(turned({{0, -0.1},
-                                                   {r, -0.1},
-                                                   {r, 0.6 * plinth},
-                                                   {1.15 * r, 0.75 * plinth},
-                                                   {1.15 * r, plinth},
-                                                   {0, plinth}}),
+      out.add.push_back(field::transformed(revolved({{0, -0.1},
+                                                     {r, -0.1},
+                                                     {r, 0.6 * plinth},
+                                                     {1.15 * r, 0.75 * plinth},
+                                                     {1.15 * r, plinth},
+                                                     {0, plinth}}),
                                            Transform::translation({radius, 0, -0.5 * deep})));
     }
     return out;

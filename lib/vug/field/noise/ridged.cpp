@@ -23,7 +23,7 @@ class Ridges {
     return sum<T>([&](int i) { return octaves_.noise(i, p); });
   }
   Interval over(const Ball& ball) const {
-    return meet(sum<Interval>([&](int i) { return octaves_.noise(i, ball); }), range());
+    return intersection(sum<Interval>([&](int i) { return octaves_.noise(i, ball); }), range());
   }
   Interval range() const { return {-1, 1}; }
   double lipschitz() const {

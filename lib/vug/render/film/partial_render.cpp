@@ -220,7 +220,7 @@ void read_front(Reader& file, PartHeader& header, State& state, Region& covered)
 }
 
 Reader open(const std::filesystem::path& path, const std::string& what = "part") {
-  if (const std::string why = why_no_file(path); !why.empty())
+  if (const std::string why = unreadable_reason(path); !why.empty())
     throw Error(ErrorCode::bad_input,
                 fmt::format("cannot read the {} '{}': {}", what, path.string(), why));
   return Reader(path, what);
@@ -283,7 +283,7 @@ PartOutline read_outline(const std::filesystem::path& path) {
 }
 
 bool is_part(const std::filesystem::path& path) {
-  if (!why_no_file(path).empty()) return false;
+  if (!unreadable_reason(path).empty()) return false;
   char magic[sizeof kMagic] = {};
   std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
   return std::memcmp(magic, kMagic, sizeof magic) == 0;

@@ -1,4 +1,4 @@
-// Numbers of things in sentences.
+// Counts with their nouns, for messages.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 namespace vug {
 
 /// "1 edit", "0 edits", "7 edits".
-inline std::string counted(size_t count, const std::string& what) {
+inline std::string pluralize(size_t count, const std::string& what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 

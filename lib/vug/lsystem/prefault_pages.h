@@ -12,8 +12,8 @@ struct Memory {
 };
 
 /// Has the system clear what will be written next, all threads at once and each large page (see
-/// base/pages.h) by one of them. As they come to it while writing, two threads on one page would
-/// both clear it, and one in vain. Overwrites a byte of each page.
+/// base/huge_pages.h) by one of them. As they come to it while writing, two threads on one page
+/// would both clear it, and one in vain. Overwrites a byte of each page.
 void clear_pages(std::initializer_list<Memory> all);
 
 }  // namespace vug::lsystem

@@ -1,5 +1,5 @@
 #include <vug/base/parallel.h>
-#include <vug/base/plain_threads.h>
+#include <vug/base/tsan_parallel.h>
 
 #include <algorithm>
 #include <atomic>
@@ -9,8 +9,8 @@
 
 namespace vug::detail {
 
-void plain_parallel_for(size_t count, size_t grain,
-                        const std::function<void(size_t begin, size_t end)>& body) {
+void tsan_parallel_for(size_t count, size_t grain,
+                       const std::function<void(size_t begin, size_t end)>& body) {
   static thread_local bool inside = false;
   if (inside) return body(0, count);
 

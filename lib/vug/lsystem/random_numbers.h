@@ -7,7 +7,7 @@
 // parameter cost one block. Eight blocks are made at once.
 #pragma once
 
-#include <vug/base/array.h>
+#include <vug/base/uninitialized_vector.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -51,7 +51,7 @@ class Draws {
   uint32_t salt_;
   std::vector<uint64_t> counters_;
   std::vector<uint32_t> blocks_;
-  Array<double> numbers_;
+  UninitializedVector<double> numbers_;
 };
 
 }  // namespace vug::lsystem

@@ -1,4 +1,4 @@
-#include <vug/lsystem/pen.h>
+#include <vug/lsystem/drawing_builder.h>
 
 #include <cmath>
 

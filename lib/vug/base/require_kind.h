@@ -1,4 +1,4 @@
-// One of a list of kinds by its name, for what users have typed.
+// Lookup of a kind by a name that a user typed.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -9,11 +9,11 @@
 
 namespace vug {
 
-/// Of pointers to things with an `info.name` the one of that name. Error(bad_input) with `refusal`
-/// and the nearest of the names where there is none.
+/// The element whose `info.name` equals `name`. Throws Error(bad_input) with the message `refusal`
+/// and the nearest known name as the hint if there is no such element.
 template <class Thing>
-const Thing& named_kind(const std::vector<const Thing*>& all, const std::string& name,
-                        const std::string& refusal) {
+const Thing& require_kind(const std::vector<const Thing*>& all, const std::string& name,
+                          const std::string& refusal) {
   std::vector<std::string> known;
   for (const Thing* each : all) {
     if (each->info.name == name) return *each;

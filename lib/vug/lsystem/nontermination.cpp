@@ -1,4 +1,4 @@
-#include <vug/lsystem/endless.h>
+#include <vug/lsystem/nontermination.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/base/hidden.h>
+#include <vug/base/partial_files.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -31,15 +31,15 @@ TEST(Hidden, NamesOfTheDeadAreTold) {
   const fs::path file = folder / (".a." + dead + ".part.exr"),
                  bare = folder / (".a." + dead + ".part");
   for (const fs::path& each :
-       {file, bare, folder / hidden_name("a", ".exr"), folder / (".b." + dead + ".part.exr"),
+       {file, bare, folder / partial_file_name("a", ".exr"), folder / (".b." + dead + ".part.exr"),
         folder / (".a.x" + dead + ".part.exr"), folder / (".a.-" + dead + ".part.exr"),
         folder / ".a..part.exr", folder / ".a.part.exr", folder / ".a.1.part.exr"})
     write_text(each, "");
   using Paths = std::vector<fs::path>;
-  EXPECT_EQ(left_by_the_dead(folder, "a", ".exr"), Paths{file});
-  EXPECT_EQ(left_by_the_dead(folder, "a"), Paths{bare});
-  EXPECT_TRUE(left_by_the_dead(folder / "none", "a").empty());
-  EXPECT_EQ(hidden_name("a", ".exr"), ".a." + std::to_string(getpid()) + ".part.exr");
+  EXPECT_EQ(stale_partial_files(folder, "a", ".exr"), Paths{file});
+  EXPECT_EQ(stale_partial_files(folder, "a"), Paths{bare});
+  EXPECT_TRUE(stale_partial_files(folder / "none", "a").empty());
+  EXPECT_EQ(partial_file_name("a", ".exr"), ".a." + std::to_string(getpid()) + ".part.exr");
 }
 
 TEST(Hidden, FoldersThatAreMadeAreKnown) {
@@ -49,7 +49,7 @@ TEST(Hidden, FoldersThatAreMadeAreKnown) {
   const std::vector<fs::path> made = make_folders(folder / "a" / "b");
   EXPECT_EQ(made, (std::vector<fs::path>{folder / "a" / "b", folder / "a"}));
   write_text(folder / "a" / "file", "somebody's");
-  remove_empty(made);
+  remove_empty_folders(made);
   EXPECT_FALSE(fs::exists(folder / "a" / "b"));
   EXPECT_TRUE(fs::exists(folder / "a" / "file"));
 }

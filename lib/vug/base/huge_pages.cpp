@@ -1,6 +1,6 @@
 #include <vug/base/error.h>
+#include <vug/base/huge_pages.h>
 #include <vug/base/memory.h>
-#include <vug/base/pages.h>
 
 #include <sys/mman.h>
 
@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::align_val_t kLine{64};
 
-size_t whole(size_t bytes) { return (bytes + kLargePage - 1) / kLargePage * kLargePage; }
+size_t whole(size_t bytes) { return (bytes + kHugePage - 1) / kHugePage * kHugePage; }
 
 }  // namespace
 
-void* pages_for(size_t bytes) {
-  if (!has_pages(bytes)) return ::operator new(bytes, kLine);
+void* allocate_array(size_t bytes) {
+  if (!uses_huge_pages(bytes)) return ::operator new(bytes, kLine);
   // Large pages begin at their multiples: one more is asked for, what is too much goes back.
   const size_t size = whole(bytes);
-  void* const given = mmap(nullptr, size + kLargePage, PROT_READ | PROT_WRITE,
+  void* const given = mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE,
                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (given == MAP_FAILED)
     throw Error(ErrorCode::too_large,
@@ -29,13 +29,13 @@ void* pages_for(size_t bytes) {
   const size_t before =
       whole(reinterpret_cast<uintptr_t>(begin)) - reinterpret_cast<uintptr_t>(begin);
   if (before > 0) munmap(begin, before);
-  munmap(begin + before + size, kLargePage - before);
+  munmap(begin + before + size, kHugePage - before);
   madvise(begin + before, size, MADV_HUGEPAGE);  // a wish: without it all is as right, but slower
   return begin + before;
 }
 
-void return_pages(void* place, size_t bytes) {
-  if (has_pages(bytes))
+void free_array(void* place, size_t bytes) {
+  if (uses_huge_pages(bytes))
     munmap(place, whole(bytes));
   else
     ::operator delete(place, kLine);

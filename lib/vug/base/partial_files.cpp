@@ -1,5 +1,5 @@
 #include <vug/base/error.h>
-#include <vug/base/hidden.h>
+#include <vug/base/partial_files.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -30,12 +30,12 @@ bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; 
 
 }  // namespace
 
-std::string hidden_name(const std::string& name, const std::string& extension) {
+std::string partial_file_name(const std::string& name, const std::string& extension) {
   return fmt::format("{}{}{}", before_process(name), ::getpid(), after_process(extension));
 }
 
-std::vector<fs::path> left_by_the_dead(const fs::path& folder, const std::string& name,
-                                       const std::string& extension) {
+std::vector<fs::path> stale_partial_files(const fs::path& folder, const std::string& name,
+                                          const std::string& extension) {
   const std::string before = before_process(name), after = after_process(extension);
   std::vector<fs::path> out;
   std::error_code code;
@@ -61,12 +61,12 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   code.clear();
   if (!folder.empty()) fs::create_directories(folder, code);
   if (!code) return made;
-  remove_empty(made);
+  remove_empty_folders(made);
   throw Error(ErrorCode::io,
               fmt::format("cannot make folder '{}': {}", folder.string(), code.message()));
 }
 
-void remove_empty(const std::vector<fs::path>& folders) {
+void remove_empty_folders(const std::vector<fs::path>& folders) {
   std::error_code ignored;
   for (const fs::path& folder : folders) fs::remove(folder, ignored);
 }

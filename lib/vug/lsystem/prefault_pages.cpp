@@ -1,6 +1,6 @@
-#include <vug/base/pages.h>
+#include <vug/base/huge_pages.h>
 #include <vug/base/parallel.h>
-#include <vug/lsystem/clear_pages.h>
+#include <vug/lsystem/prefault_pages.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -12,8 +12,8 @@ void clear_pages(std::initializer_list<Memory> all) {
   std::vector<volatile char*> pages;
   for (const Memory& one : all) {
     const auto begin = reinterpret_cast<uintptr_t>(one.place), end = begin + one.bytes;
-    if (!has_pages(one.bytes)) continue;
-    for (uintptr_t page = begin / kLargePage * kLargePage; page < end; page += kLargePage)
+    if (!uses_huge_pages(one.bytes)) continue;
+    for (uintptr_t page = begin / kHugePage * kHugePage; page < end; page += kHugePage)
       pages.push_back(static_cast<char*>(one.place) + (std::max(page, begin) - begin));
   }
   parallel_for(pages.size(), [&](size_t i) { *pages[i] = 0; });

@@ -1,4 +1,4 @@
-#include <vug/lsystem/unreached.h>
+#include <vug/lsystem/unreachable_rules.h>
 
 #include <fmt/format.h>
 
