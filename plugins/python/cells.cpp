@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/session/cell_points.h>
-#include <vug/session/cells_files.h>
+#include <vug/building/cell_points.h>
+#include <vug/delivery/cells_files.h>
 
 namespace vug::python {
 namespace {
@@ -29,16 +29,16 @@ py::dict attributes(const Cells& self) {
 }
 
 py::array states(const Cells& self) {
-  const std::vector<cells::State>& all = self.skin->simulation.states();
-  static_assert(sizeof(cells::State) == 1);
+  const std::vector<cells::CellState>& all = self.skin->simulation.states();
+  static_assert(sizeof(cells::CellState) == 1);
   return view(py::dtype::of<uint8_t>(), {static_cast<py::ssize_t>(all.size())}, {1}, all.data(),
               owner_of(self.skin));
 }
 
 std::vector<std::string> state_names() {
   std::vector<std::string> names;
-  for (int s = 0; s <= static_cast<int>(cells::State::transparent); ++s)
-    names.emplace_back(cells::name_of(static_cast<cells::State>(s)));
+  for (int s = 0; s <= static_cast<int>(cells::CellState::transparent); ++s)
+    names.emplace_back(cells::name_of(static_cast<cells::CellState>(s)));
   return names;
 }
 
@@ -51,11 +51,11 @@ py::tuple links(const Cells& self) {
 void save(const Cells& self, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
   const std::string extension = extension_of(file);
-  if (extension == ".csv") return session::write_table(file, *self.skin);
+  if (extension == ".csv") return delivery::write_table(file, *self.skin);
   if (extension != ".vdb")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for cells", file.string()), {},
                 "end it in .vdb for points, or in .csv for a table");
-  volume::write(file, {session::cell_points(*self.plan, *self.skin)}, self.write);
+  volume::write(file, {building::cell_points(*self.plan, *self.skin)}, self.write);
 }
 
 }  // namespace

@@ -20,15 +20,15 @@ struct Verdict {
 /// A picture in memory, or a file.
 using Picture = std::variant<Image, std::filesystem::path>;
 
-image::Subject subject(const Picture& given, const std::string& name) {
+image::ImageUnderTest subject(const Picture& given, const std::string& name) {
   if (const auto* file = std::get_if<std::filesystem::path>(&given))
-    return image::read_subject(*file);
+    return image::read_image_under_test(*file);
   const Image& rendered = std::get<Image>(given);
-  const session::PictureLook look = session::from_notes(rendered.part().header.notes);
-  image::Subject out;
+  const picture::PictureLook look = picture::from_notes(rendered.part().header.notes);
+  image::ImageUnderTest out;
   out.name = name;
   out.image = rendered.in_stereo()
-                  ? image::in_stereo(rendered.image(), *rendered.rendered->at(1).image)
+                  ? image::stereo_image(rendered.image(), *rendered.rendered->at(1).image)
                   : rendered.image();
   out.metadata = look.metadata;
   out.left = rendered.part().header.crop.x0;
@@ -40,11 +40,12 @@ image::Subject subject(const Picture& given, const std::string& name) {
 Verdict compare(const Picture& reference, const Picture& test,
                 const std::map<std::string, double>& limits, const std::vector<std::string>& layers,
                 const std::vector<std::string>& measures, const std::optional<double>& alarm) {
-  const image::Subject right = subject(reference, "reference"), judged = subject(test, "test");
+  const image::ImageUnderTest right = subject(reference, "reference"),
+                              judged = subject(test, "test");
   image::DiffOptions options;
   options.layers = layers;
   options.measures = measures;
-  options.alarm = alarm;
+  options.false_alarm_rate = alarm;
   for (const auto& [name, value] : limits) options.limits.push_back(image::limit_of(name, value));
   const py::gil_scoped_release others;
   return {image::diff(right, judged, options), right.name, judged.name};

@@ -133,7 +133,7 @@ void bind_mesh(py::module_& module) {
       [](const std::filesystem::path& file) {
         const py::gil_scoped_release others;
         Mesh out{std::make_shared<const mesh::Mesh>(mesh::read_mesh(file))};
-        out.notes.texts = mesh::read_texts(read_text(file));
+        out.notes.texts = mesh::read_comments(read_text(file));
         return out;
       },
       "file"_a,

@@ -3,15 +3,15 @@
 
 #include "binding.h"
 
+#include <vug/mesh/comments.h>
 #include <vug/mesh/mesh.h>
-#include <vug/mesh/notes.h>
 
 namespace vug::python {
 
 /// Immutable; its arrays share what it points to.
 struct Mesh {
   mesh::MeshPtr mesh;
-  mesh::Notes notes = {};  ///< That files of it keep.
+  mesh::Comments notes = {};  ///< That files of it keep.
 };
 
 }  // namespace vug::python

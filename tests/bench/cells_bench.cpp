@@ -10,8 +10,8 @@
 #include <vug/cells/kind.h>
 #include <vug/cells/link.h>
 #include <vug/cells/rule.h>
+#include <vug/cells/scatter_cells.h>
 #include <vug/cells/simulation.h>
-#include <vug/cells/strew.h>
 #include <vug/mesh/shapes.h>
 
 #include <fmt/format.h>
@@ -103,10 +103,10 @@ void bench_build(double millions) {
   for (const char* name : {"square", "triangle", "random"}) {
     const Grid grid = make_product(grids(), name);
     const double spacing = std::sqrt(estimate(ball, grid, 1) / (millions * 1e6));
-    std::vector<Place> places;
+    std::vector<SurfacePoint> places;
     Time strewing, relaxing, linking, orienting;
     for (int round = 0; round < 3; ++round) {
-      strewing.measure([&] { places = strew(ball, grid, spacing, RandomKey(1)); });
+      strewing.measure([&] { places = scatter_cells(ball, grid, spacing, RandomKey(1)); });
       RelaxOptions one;
       one.steps = 1;
       relaxing.measure([&] { relax(places, ball, spacing, grid.reach * spacing, one); });

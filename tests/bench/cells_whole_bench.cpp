@@ -5,10 +5,10 @@
 
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
-#include <vug/cells/as_points.h>
 #include <vug/cells/build.h>
 #include <vug/cells/kind.h>
 #include <vug/cells/rule.h>
+#include <vug/cells/to_points.h>
 #include <vug/mesh/shapes.h>
 #include <vug/volume/io.h>
 
@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
   });
   const double voxel = voxel_of_points(*network);
   stage("written with all attributes", [&] {
-    volume::write(file, {volume::point_grid(as_points(simulation), voxel).named("cells")});
+    volume::write(file, {volume::point_grid(to_points(simulation), voxel).named("cells")});
   });
   const auto each = [&] {
     return static_cast<double>(std::filesystem::file_size(file)) /
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
   };
   fmt::print("peak of scatter to file: {}; {:.1f} bytes a point\n", bytes_text(peak_memory()),
              each());
-  volume::Points points = as_points(simulation);
+  volume::Points points = to_points(simulation);
   std::erase_if(points.attributes, [](const volume::PointAttribute& a) {
     return a.name != "N" && a.name != "Cd" && a.name != "pscale" && a.name != "id";
   });

@@ -1,8 +1,8 @@
-// The figures of the SG+M paper (zawadzki2012) on smaller ranges; docs/explanation/theory/sgm.md has all of
-// them.
+// The figures of the SG+M paper (zawadzki2012) on smaller ranges; docs/explanation/theory/sgm.md
+// has all of them.
 #include "facts.h"
 
-#include <vug/session/measure.h>
+#include <vug/delivery/measure.h>
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@ namespace {
 
 metrics::Report measured(const std::vector<scene::Override>& overrides,
                          std::optional<uint64_t> seed = {}) {
-  const Loaded loaded = load_scene("figure9.vug", overrides, seed);
-  Builder builder(loaded.shot);
-  return measure(builder);
+  const loading::Loaded loaded = load_scene("figure9.vug", overrides, seed);
+  building::Builder builder(loaded.shot);
+  return delivery::measure(builder);
 }
 
 // Figure 11. Facets between points of the surface err at second order, so halving the voxel
@@ -53,7 +53,7 @@ TEST(Figures, CavesOfAnySeedHaveTwelveProductionsAndGrowAlongX) {
     const metrics::Report first = measured({{"LD", "4"}, {"PC", "1"}, {"PM", "0"}}, seed);
     EXPECT_EQ(cave.productions, 12U);
     EXPECT_EQ(first.productions, 1U);
-    EXPECT_TRUE(cave.sound());
+    EXPECT_TRUE(cave.is_closed_solid());
     const double ahead = cave.bounds.max.x - first.bounds.max.x;
     EXPECT_GT(ahead, 0);
     EXPECT_GT(ahead, first.bounds.min.x - cave.bounds.min.x);

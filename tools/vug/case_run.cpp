@@ -58,10 +58,10 @@ fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, c
 
 image::Diff judge(const ImageCase& image_case, const fs::path& picture) {
   image::DiffOptions options = image_case.diff;
-  const image::Subject reference = image::read_subject(image_case.reference);
+  const image::ImageUnderTest reference = image::read_image_under_test(image_case.reference);
   if (!image_case.mask.empty())
     options.mask = image::read_mask(image_case.mask, reference.image.width, reference.image.height);
-  return image::diff(reference, image::read_subject(picture), options);
+  return image::diff(reference, image::read_image_under_test(picture), options);
 }
 
 void write_report(const ImageCase& image_case, const image::Diff& diff, const fs::path& picture,

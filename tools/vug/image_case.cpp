@@ -40,7 +40,8 @@ std::vector<std::string> texts(const Json& value) {
 
 double number(const Json& value, double low, double high) {
   if (!value.is_number() || !(value.get<double>() >= low) || !(value.get<double>() <= high))
-    refuse(fmt::format("it is no number from {} to {}", low, high), "see docs/guides/image_tests.md");
+    refuse(fmt::format("it is no number from {} to {}", low, high),
+           "see docs/guides/image_tests.md");
   return value.get<double>();
 }
 
@@ -74,7 +75,8 @@ const std::map<std::string, Reader>& readers() {
        [](ImageCase& c, const Json& v) {
          c.diff.limits = limits_of(v, (c.folder / "case.json").string());
        }},
-      {"alarm", [](ImageCase& c, const Json& v) { c.diff.alarm = number(v, 1e-9, 0.5); }},
+      {"alarm",
+       [](ImageCase& c, const Json& v) { c.diff.false_alarm_rate = number(v, 1e-9, 0.5); }},
       {"exposure", [](ImageCase& c, const Json& v) { c.diff.exposure = number(v, -30, 30); }},
       {"timeout", [](ImageCase& c, const Json& v) { c.timeout = number(v, 0.1, 1e6); }},
       {"note", [](ImageCase&, const Json& v) { text(v); }}};

@@ -24,8 +24,8 @@ void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
       ->transform(number_in(Dimension::none, -1e6, 1e6));
 }
 
-session::LoadOptions SceneOptions::load_options() const {
-  session::LoadOptions options;
+loading::LoadOptions SceneOptions::load_options() const {
+  loading::LoadOptions options;
   options.seed = seed;
   options.frame = frame.value_or(1);
   for (const std::string& define : defines) {
@@ -40,37 +40,37 @@ session::LoadOptions SceneOptions::load_options() const {
                     "write -D once for each parameter");
     options.overrides.push_back({name, define.substr(equals + 1)});
   }
-  options.include_folders = session::data_folders();
+  options.include_folders = loading::data_folders();
   if (work_ && !work_->max_memory.empty()) options.max_memory = work_->memory_limit();
   return options;
 }
 
-session::Loaded SceneOptions::load() const { return load(load_options()); }
+loading::Loaded SceneOptions::load() const { return load(load_options()); }
 
-session::Loaded SceneOptions::load(double at, session::Still& still) const {
-  session::LoadOptions options = load_options();
+loading::Loaded SceneOptions::load(double at, loading::Still& still) const {
+  loading::LoadOptions options = load_options();
   options.frame = at;
   options.still = &still;
   return load(options);
 }
 
-std::function<std::shared_ptr<const session::Shot>(double)> SceneOptions::moments(
-    session::Still& still) const {
+std::function<std::shared_ptr<const shot::Shot>(double)> SceneOptions::moments(
+    loading::Still& still) const {
   return [this, &still](double at) {
-    session::LoadOptions options = load_options();
+    loading::LoadOptions options = load_options();
     options.frame = at;
     options.still = &still;
-    const session::Loaded loaded = session::load(scene, options);
+    const loading::Loaded loaded = loading::load(scene, options);
     if (!loaded.usable()) {
       fmt::print(stderr, "{}", loaded.report());
       throw Stop{kUnusable};
     }
-    return std::make_shared<const session::Shot>(loaded.shot);
+    return std::make_shared<const shot::Shot>(loaded.shot);
   };
 }
 
-session::Loaded SceneOptions::load(const session::LoadOptions& options) const {
-  session::Loaded loaded = session::load(scene, options);
+loading::Loaded SceneOptions::load(const loading::LoadOptions& options) const {
+  loading::Loaded loaded = loading::load(scene, options);
   fmt::print(stderr, "{}", loaded.report());
   if (!loaded.usable()) throw Stop{kUnusable};
   return loaded;
@@ -93,8 +93,8 @@ uint64_t WorkOptions::memory_limit() const {
   return max_memory.empty() ? available_memory() / 10 * 9 : parse_bytes(max_memory);
 }
 
-session::BuildOptions WorkOptions::build_options(const session::Loaded& loaded) const {
-  session::BuildOptions options;
+building::BuildOptions WorkOptions::build_options(const loading::Loaded& loaded) const {
+  building::BuildOptions options;
   options.max_memory = memory_limit();
   options.tell = [&loaded](const Diagnostics& doubtful) {
     clear_bar();
@@ -103,10 +103,10 @@ session::BuildOptions WorkOptions::build_options(const session::Loaded& loaded) 
   return options;
 }
 
-void WorkOptions::summarise(const session::Builder& builder) const {
+void WorkOptions::summarise(const building::Builder& builder) const {
   if (quiet) return;
-  for (const session::MeshPtr& plan : session::declared_meshes(builder.shot()))
-    if (const size_t pieces = builder.pieces_left_out(plan); pieces > 0)
+  for (const shot::MeshPtr& plan : shot::declared_meshes(builder.shot()))
+    if (const size_t pieces = builder.components_removed(plan); pieces > 0)
       fmt::print(stderr, "mesh '{}': {} smaller than {} m left out\n", plan->name,
                  pluralize(pieces, "piece"), plan->smallest_piece);
 }

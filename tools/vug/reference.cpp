@@ -27,7 +27,7 @@ bool kept(const image::Layer& layer, const std::vector<std::string>& compared) {
 }
 
 /// Only what is compared: references are kept for years.
-void store(const image::Subject& subject, const image::FileInfo& info,
+void store(const image::ImageUnderTest& subject, const image::FileInfo& info,
            const ImageCase& image_case) {
   std::vector<std::string> channels;
   for (const image::View& view : image::views_of(subject.image.channels)) {
@@ -63,7 +63,7 @@ void require_recorded(const std::filesystem::path& reference) {
 
 void replace_reference(const ImageCase& image_case, const std::filesystem::path& picture,
                        const std::string& reason) {
-  const image::Subject subject = image::read_subject(picture);
+  const image::ImageUnderTest subject = image::read_image_under_test(picture);
   for (const std::string& name : image_case.diff.layers) {
     const auto views = image::views_of(subject.image.channels);
     const bool there = std::any_of(views.begin(), views.end(), [&](const image::View& view) {

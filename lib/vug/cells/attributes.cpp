@@ -7,7 +7,7 @@
 
 namespace vug::cells {
 
-std::string_view name_of(State state) {
+std::string_view name_of(CellState state) {
   constexpr std::string_view kNames[] = {"sleeping", "receiving", "distributing", "active",
                                          "transparent"};
   return kNames[static_cast<size_t>(state)];

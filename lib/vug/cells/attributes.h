@@ -13,18 +13,20 @@
 
 namespace vug::cells {
 
-/// What meshes and masks call 1 in cells that are gone from the surface (State::transparent), else
-/// 0.
+/// What meshes and masks call 1 in cells that are gone from the surface (CellState::transparent),
+/// else 0.
 inline constexpr std::string_view kTransparent = "transparent";
 
 /// How a cell takes part. Only receiving and active cells are rewritten; only distributing and
 /// active ones are seen by their neighbours. Transparent cells sleep and are gone from the surface,
 /// as when corroded.
-enum class State : uint8_t { sleeping, receiving, distributing, active, transparent };
+enum class CellState : uint8_t { sleeping, receiving, distributing, active, transparent };
 
-constexpr bool receives(State s) { return s == State::receiving || s == State::active; }
-constexpr bool distributes(State s) { return s == State::distributing || s == State::active; }
-std::string_view name_of(State state);
+constexpr bool receives(CellState s) { return s == CellState::receiving || s == CellState::active; }
+constexpr bool distributes(CellState s) {
+  return s == CellState::distributing || s == CellState::active;
+}
+std::string_view name_of(CellState state);
 
 /// Two buffers of one type: what is, and what a rule writes while it reads what is. `next` is empty
 /// until a rule writes the column; from then on it equals `now` for every cell between two rules

@@ -21,7 +21,7 @@ std::pair<uint32_t, uint32_t> near_links(const Links& links, uint32_t first, uin
 
 }  // namespace
 
-Blocks::Blocks(const Links& links, const std::vector<State>& states)
+Blocks::Blocks(const Links& links, const std::vector<CellState>& states)
     : cells_(static_cast<uint32_t>(links.size())) {
   const size_t blocks = (links.size() + kBlock - 1) / kBlock;
   degree_.resize(blocks);
@@ -45,7 +45,7 @@ std::vector<uint32_t> Blocks::all() const {
   return every;
 }
 
-void Blocks::update(const std::vector<uint32_t>& blocks, const std::vector<State>& states) {
+void Blocks::update(const std::vector<uint32_t>& blocks, const std::vector<CellState>& states) {
   parallel_for(blocks.size(), [&](size_t b) {
     const uint32_t block = blocks[b];
     uint32_t receiving = 0, silent = 0;
@@ -56,9 +56,9 @@ void Blocks::update(const std::vector<uint32_t>& blocks, const std::vector<State
     receiving_[block] = receiving;
     silent_[block] = silent;
   });
-  awake_.clear();
+  active_.clear();
   for (uint32_t block = 0; block < count(); ++block)
-    if (receiving_[block] > 0) awake_.push_back(block);
+    if (receiving_[block] > 0) active_.push_back(block);
   silent_total_ = std::accumulate(silent_.begin(), silent_.end(), uint64_t{0});
 }
 

@@ -14,7 +14,7 @@ inline constexpr uint32_t kBlock = 8192;
 
 class Blocks {
  public:
-  Blocks(const Links& links, const std::vector<State>& states);
+  Blocks(const Links& links, const std::vector<CellState>& states);
 
   uint32_t count() const { return static_cast<uint32_t>(receiving_.size()); }
   uint32_t first(uint32_t block) const { return block * kBlock; }
@@ -25,19 +25,19 @@ class Blocks {
   /// than a block beyond either end of it.
   std::pair<uint32_t, uint32_t> around(uint32_t block) const { return around_[block]; }
   /// Whether every cell of the block receives.
-  bool is_full(uint32_t block) const { return receiving_[block] == end(block) - first(block); }
+  bool all_receive(uint32_t block) const { return receiving_[block] == end(block) - first(block); }
   /// Blocks in which somebody receives, by number.
-  const std::vector<uint32_t>& awake() const { return awake_; }
+  const std::vector<uint32_t>& active() const { return active_; }
   /// Whether every cell distributes.
-  bool all_heard() const { return silent_total_ == 0; }
+  bool all_distribute() const { return silent_total_ == 0; }
 
   /// Looks at the states in these blocks again.
-  void update(const std::vector<uint32_t>& blocks, const std::vector<State>& states);
+  void update(const std::vector<uint32_t>& blocks, const std::vector<CellState>& states);
   std::vector<uint32_t> all() const;
 
  private:
   uint32_t cells_;
-  std::vector<uint32_t> degree_, receiving_, silent_, awake_;
+  std::vector<uint32_t> degree_, receiving_, silent_, active_;
   std::vector<std::pair<uint32_t, uint32_t>> around_;
   uint64_t silent_total_ = 0;
 };

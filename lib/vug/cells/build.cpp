@@ -3,7 +3,7 @@
 #include <vug/cells/build.h>
 #include <vug/cells/frames.h>
 #include <vug/cells/link.h>
-#include <vug/cells/strew.h>
+#include <vug/cells/scatter_cells.h>
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ void require_fit(const Surface& surface, const BuildOptions& options) {
                 fmt::format("cells {:.4g} m apart are larger than the object, which is {:.4g} m",
                             options.spacing, surface.least_size()),
                 {}, "use a smaller spacing");
-  require_room(estimate(surface, options.grid, options.spacing), options);
+  require_memory(estimate(surface, options.grid, options.spacing), options);
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ double estimate(double area, const Grid& grid, double spacing) {
   return area / (each * spacing * spacing);
 }
 
-void require_room(double cells, const BuildOptions& options) {
+void require_memory(double cells, const BuildOptions& options) {
   const std::string what = fmt::format("{:.3g} cells", cells);
   if (!(cells * options.grid.full < 4e9))
     throw Error(ErrorCode::too_large, what + " are more than can be numbered", {},
@@ -45,12 +45,12 @@ void require_room(double cells, const BuildOptions& options) {
                  "use a larger spacing");
 }
 
-Built build(const Surface& surface, const BuildOptions& options, Progress& progress) {
+BuildResult build(const Surface& surface, const BuildOptions& options, Progress& progress) {
   require_fit(surface, options);
   const double reach = options.grid.reach * options.spacing;
-  Built out;
-  std::vector<Place> places =
-      strew(surface, options.grid, options.spacing, options.key.at("cells"), progress);
+  BuildResult out;
+  std::vector<SurfacePoint> places =
+      scatter_cells(surface, options.grid, options.spacing, options.key.at("cells"), progress);
   RelaxOptions relaxing;
   relaxing.force = options.force;
   relaxing.steps = options.relax.value_or(options.grid.relax);

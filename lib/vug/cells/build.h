@@ -18,7 +18,7 @@ struct BuildOptions {
   uint64_t memory = 0;       ///< Bytes it may take at most; 0: what the machine has left.
 };
 
-struct Built {
+struct BuildResult {
   Network network;
   std::vector<RelaxStep> relaxing;
 };
@@ -26,8 +26,8 @@ struct Built {
 /// The same bytes for any number of threads and any order of polygons.
 /// Error(bad_input) where the spacing is larger than an object; Error(too_large) where cells would
 /// be too many to number or to hold in memory.
-Built build(const Surface& surface, const BuildOptions& options,
-            Progress& progress = Progress::none());
+BuildResult build(const Surface& surface, const BuildOptions& options,
+                  Progress& progress = Progress::none());
 
 /// Cells that a surface of so many square metres will have, about.
 double estimate(double area, const Grid& grid, double spacing);
@@ -37,6 +37,6 @@ inline double estimate(const Surface& surface, const Grid& grid, double spacing)
 
 /// What build refuses for its size: Error(too_large) where so many cells cannot be numbered, or
 /// not be strewn and linked within the options' memory.
-void require_room(double cells, const BuildOptions& options);
+void require_memory(double cells, const BuildOptions& options);
 
 }  // namespace vug::cells

@@ -21,7 +21,7 @@ float power(float base, int exponent) {
 
 }  // namespace
 
-int moves(double speed, double spacing, int step) {
+int moves_in_step(double speed, double spacing, int step) {
   const double each = std::min(speed / spacing, 1000.0);
   return static_cast<int>(std::floor(each * (step + 1)) - std::floor(each * step));
 }
@@ -29,9 +29,10 @@ int moves(double speed, double spacing, int step) {
 Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
     : links_(&pass.network().links) {
   const Network& n = pass.network();
-  const Reading<Vec3f> position = pass.positions();
-  const Reading<State> state = pass.states();
-  const Given height = pass.given("height", 0), water = pass.given("water", 0);
+  const AttributeReader<Vec3f> position = pass.positions();
+  const AttributeReader<CellState> state = pass.states();
+  const OptionalReader height = pass.reads_optional("height", 0),
+                       water = pass.reads_optional("water", 0);
   const auto rough = static_cast<float>(options.wander * n.spacing);
   level_.resize(n.size());
   parallel_for(
@@ -40,7 +41,7 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
         const auto i = static_cast<uint32_t>(at);
         const float up = n.normal[i].y, steep = 1 - up * up;
         const auto drawn =
-            static_cast<float>(RandomStream(key.at(place_of(n.position[i]))).uniform());
+            static_cast<float>(RandomStream(key.at(position_key(n.position[i]))).uniform());
         level_[i] = position[i].y + height[i] * (up + kGroove * steep) + rough * steep * drawn;
       },
       kGrain);
@@ -61,7 +62,7 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
   };
   total_.resize(n.size());
   steep_.resize(n.size());
-  pit_.resize(n.size());
+  sink_depth_.resize(n.size());
   parallel_for(
       n.size(),
       [&](size_t at) {
@@ -75,7 +76,7 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
         }
         total_[i] = total;
         steep_[i] = steepest;
-        pit_[i] = total > 0 || std::isinf(lowest) ? 0 : std::max(0.0f, lowest - level_[i]);
+        sink_depth_[i] = total > 0 || std::isinf(lowest) ? 0 : std::max(0.0f, lowest - level_[i]);
       },
       kGrain);
   share_.resize(links_->to.size());

@@ -23,14 +23,14 @@ class Flow {
   /// Metres, for comparing neighbours.
   float level(uint32_t cell) const { return level_[cell]; }
   /// Whether no neighbour that can be reached is lower: water falls off or soaks in.
-  bool ends(uint32_t cell) const { return !(total_[cell] > 0); }
+  bool is_sink(uint32_t cell) const { return !(total_[cell] > 0); }
   /// Metres by which the lowest neighbour stands above a cell where water ends; 0 elsewhere.
-  float pit(uint32_t cell) const { return pit_[cell]; }
+  float sink_depth(uint32_t cell) const { return sink_depth_[cell]; }
   /// The greatest drop to a neighbour, metres a metre: 0 level, 1 straight down.
   float steepness(uint32_t cell) const { return steep_[cell]; }
   /// What the neighbours above send to a cell if each gives away all of its `amount`.
   template <class Amount>
-  float into(const Amount& amount, uint32_t cell) const {
+  float inflow(const Amount& amount, uint32_t cell) const {
     float sum = 0;
     for (uint32_t k = links_->begin[cell]; k < links_->begin[cell + 1]; ++k)
       if (share_[k] > 0) sum += share_[k] * amount(links_->to[k]);
@@ -39,11 +39,11 @@ class Flow {
 
  private:
   const Links* links_;
-  std::vector<float> level_, total_, steep_, pit_;
+  std::vector<float> level_, total_, steep_, sink_depth_;
   std::vector<float> share_;  ///< For each link, what its far end sends to its near end.
 };
 
 /// Moves from cell to cell in this step at a speed of so many metres a step; 1000 at most.
-int moves(double speed, double spacing, int step);
+int moves_in_step(double speed, double spacing, int step);
 
 }  // namespace vug::cells

@@ -38,7 +38,7 @@ void spread(Network& n) {
       const uint32_t from = queue[at];
       for (const uint32_t to : n.links.of(from)) {
         if (done[to]) continue;
-        const Vec3f right = carried(n.right[from], n.normal[from], n.normal[to]);
+        const Vec3f right = parallel_transport(n.right[from], n.normal[from], n.normal[to]);
         n.right[to] = tangent(right, n.normal[to]).normalized();
         done[to] = 1;
         queue.push_back(to);
@@ -65,7 +65,7 @@ void orient(Network& n) {
           if (is_slope(n.normal[i])) return;
           Vec3f sum = n.right[i];
           for (const uint32_t to : n.links.of(cell))
-            sum += carried(n.right[to], n.normal[to], n.normal[i]);
+            sum += parallel_transport(n.right[to], n.normal[to], n.normal[i]);
           const Vec3f flat = tangent(sum, n.normal[i]);
           if (flat.length2() > 1e-4f) next[i] = flat.normalized();
         },

@@ -18,7 +18,7 @@ void orient(Network& network);
 
 /// A tangent vector at a place with normal `from` as it is at one with normal `to`: turned with the
 /// normal by the shortest way.
-inline Vec3f carried(const Vec3f& v, const Vec3f& from, const Vec3f& to) {
+inline Vec3f parallel_transport(const Vec3f& v, const Vec3f& from, const Vec3f& to) {
   const float sum = 1 + from.dot(to);
   return sum > 1e-6f ? v - (from + to) * (v.dot(to) / sum) : v;
 }

@@ -28,7 +28,7 @@ struct Frame {
     const double area = grid.across.x * grid.along.y - grid.across.y * grid.along.x;
     across = Vec2d(grid.along.y, -grid.along.x) / (area * spacing);
     along = Vec2d(-grid.across.y, grid.across.x) / (area * spacing);
-    RandomStream random(key.at(place_of(Vec3f(n))));
+    RandomStream random(key.at(position_key(Vec3f(n))));
     const double x = random.uniform();
     phase = Vec2d(x, random.uniform());
   }
@@ -66,7 +66,7 @@ std::vector<Vec3d> pattern_planes(const Surface& surface, double spacing) {
 }
 
 void add_lattice(const Surface& surface, uint32_t triangle, const Grid& grid, double spacing,
-                 const Vec3d& plane, RandomKey key, std::vector<Place>& out) {
+                 const Vec3d& plane, RandomKey key, std::vector<SurfacePoint>& out) {
   const Frame frame(plane, grid, spacing, key);
   const Surface::Triangle& t = surface.triangles()[triangle];
   const double area = grid.across.x * grid.along.y - grid.across.y * grid.along.x;

@@ -19,6 +19,6 @@ std::vector<Vec3d> pattern_planes(const Surface& surface, double spacing);
 /// share one pattern, each point of which falls on one of them. Where it lies in its plane is by
 /// chance, from `key` and the normal.
 void add_lattice(const Surface& surface, uint32_t triangle, const Grid& grid, double spacing,
-                 const Vec3d& plane, RandomKey key, std::vector<Place>& out);
+                 const Vec3d& plane, RandomKey key, std::vector<SurfacePoint>& out);
 
 }  // namespace vug::cells

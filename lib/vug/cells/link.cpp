@@ -49,7 +49,7 @@ std::vector<uint32_t> holds(const mesh::PointGrid& grid, const std::vector<Vec3f
   const std::vector<Vec3f>& position = grid.points();
   const auto reach2 = static_cast<float>(reach * reach);
   std::vector<uint32_t> held(grid.size() * full);
-  grid.sweep([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
+  grid.for_each_cube([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
     for (uint32_t i = cube.begin; i < cube.end; ++i) {
       Nearest nearest(full);
       for (const mesh::PointGrid::Run& run : around)
@@ -88,8 +88,8 @@ std::vector<float> areas(const Network& n, double total) {
 
 }  // namespace
 
-Network link(const std::vector<Place>& places, const Surface& surface, double spacing, double reach,
-             uint32_t full, Progress& progress) {
+Network link(const std::vector<SurfacePoint>& places, const Surface& surface, double spacing,
+             double reach, uint32_t full, Progress& progress) {
   progress.begin("linking cells", 3);
   // A little wider, for what is lost by rounding when points are put into cubes.
   const mesh::PointGrid grid(positions(places), reach * 1.001);
@@ -103,7 +103,7 @@ Network link(const std::vector<Place>& places, const Surface& surface, double sp
   parallel_for(
       places.size(),
       [&](size_t i) {
-        const Place& place = places[grid.order()[i]];
+        const SurfacePoint& place = places[grid.order()[i]];
         n.normal[i] = place.normal;
         n.object[i] = surface.triangles()[place.triangle].object;
       },

@@ -12,7 +12,7 @@ namespace vug::cells {
 /// surface_distance2; of equally near ones to those first in the order). A link is made where both
 /// hold on to each other, so links are mutual and nobody has more than `full`. Areas are shared out
 /// of `area`, the surface's, by the squared length of links. `right` stays empty.
-Network link(const std::vector<Place>& places, const Surface& surface, double spacing, double reach,
-             uint32_t full, Progress& progress = Progress::none());
+Network link(const std::vector<SurfacePoint>& places, const Surface& surface, double spacing,
+             double reach, uint32_t full, Progress& progress = Progress::none());
 
 }  // namespace vug::cells

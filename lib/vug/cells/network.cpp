@@ -47,7 +47,7 @@ uint64_t Network::bytes() const {
          sizeof(uint32_t) * (links.begin.size() + links.to.size());
 }
 
-uint64_t place_of(const Vec3f& p) {
+uint64_t position_key(const Vec3f& p) {
   // Sums with 0 make -0 and 0 the same. Multipliers: the golden ratio's, and those of splitmix64.
   const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x + 0.0f)}; };
   uint64_t h = (bits(p.x) << 32 | bits(p.y)) * 0x9E3779B97F4A7C15u;

@@ -39,7 +39,7 @@ inline Vec3f ahead(const Network& n, uint32_t cell) { return n.normal[cell].cros
 
 /// A number of the cell's place, for keys of random choices: it does not change when the surface
 /// changes elsewhere.
-uint64_t place_of(const Vec3f& position);
+uint64_t position_key(const Vec3f& position);
 
 /// Pieces joined by links, numbered from 0 by their first cell; one number for each cell.
 std::vector<uint32_t> components(const Links& links);

@@ -12,7 +12,7 @@ Links links_within(const Network& n, double radius) {
   const mesh::PointGrid grid(n.position, radius * 1.001);
   const auto limit = static_cast<float>(radius * radius);
   std::vector<std::vector<uint32_t>> rows(n.size());
-  grid.sweep([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
+  grid.for_each_cube([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
     for (uint32_t slot = cube.begin; slot < cube.end; ++slot) {
       const uint32_t i = grid.order()[slot];
       for (const mesh::PointGrid::Run& run : around)
@@ -43,48 +43,48 @@ Pass::Pass(Simulation& simulation, RandomKey key, int step, const std::vector<ui
 
 const Attributes& Pass::attributes() const { return simulation_->attributes_; }
 
-Given Pass::given(const std::string& name, float otherwise) const {
+OptionalReader Pass::reads_optional(const std::string& name, float otherwise) const {
   const Attributes& all = attributes();
   return {all.find(name) ? all.values<float>(name).data() : nullptr, otherwise};
 }
 
-Given Pass::wants(const std::string& name, float otherwise) const {
-  simulation_->asked_.try_emplace(name, false);
+OptionalReader Pass::reads_expected(const std::string& name, float otherwise) const {
+  simulation_->requested_.try_emplace(name, false);
   return given(name, otherwise);
 }
 
-Numbers Pass::numbers(const std::string& name) const {
-  simulation_->asked_[name] = true;
+NumericReader Pass::reads_as_numbers(const std::string& name) const {
+  simulation_->requested_[name] = true;
   return {attributes().find(name)};
 }
 
-double Pass::ask(const paint::Mask& mask, uint32_t cell) const {
-  return simulation_->ask(mask, cell);
+double Pass::evaluate(const paint::Mask& mask, uint32_t cell) const {
+  return simulation_->evaluate(mask, cell);
 }
 
 bool Pass::has(const std::string& name) const { return attributes().find(name); }
 
-Reading<Vec3f> Pass::positions() const {
+AttributeReader<Vec3f> Pass::positions() const {
   const Attributes& all = attributes();
   return {all.find("P") ? all.values<Vec3f>("P").data() : network_->position.data()};
 }
 
-Writing<Vec3f> Pass::writes_positions() {
+AttributeWriter<Vec3f> Pass::writes_positions() {
   const bool known = simulation_->attributes_.find("P");
   Column<Vec3f>& column = simulation_->attributes_.column<Vec3f>("P");
   if (!known) column.now = network_->position;
   return write(column);
 }
 
-Writing<Vec3f> Pass::writes_normals() {
+AttributeWriter<Vec3f> Pass::writes_normals() {
   const bool known = simulation_->attributes_.find("N");
   Column<Vec3f>& column = simulation_->attributes_.column<Vec3f>("N");
   if (!known) column.now = network_->normal;
   return write(column);
 }
 
-Writing<State> Pass::writes_states() {
-  Column<State>& column = simulation_->states_;
+AttributeWriter<CellState> Pass::writes_states() {
+  Column<CellState>& column = simulation_->states_;
   if (column.next.empty()) column.next = column.now;
   writes_states_ = true;
   return {column.now.data(), column.next.data()};
@@ -115,7 +115,7 @@ void Pass::keep(uint32_t cell) const {
 }
 
 void Pass::finish(const std::vector<uint32_t>& blocks, bool everywhere) {
-  Column<State>& states = simulation_->states_;
+  Column<CellState>& states = simulation_->states_;
   for (const auto& column : written_)
     std::visit([](auto* c) { std::swap(c->now, c->next); }, column);
   written_.clear();

@@ -3,21 +3,21 @@
 
 #include <vug/base/rng.h>
 #include <vug/cells/blocks.h>
-#include <vug/cells/near.h>
+#include <vug/cells/neighbourhood.h>
 #include <vug/cells/network.h>
 #include <vug/paint/paint.h>
 
 namespace vug::cells {
 
 template <class T>
-struct Reading {
+struct AttributeReader {
   const T* now;
   const T& operator[](uint32_t cell) const { return now[cell]; }
 };
 
 /// Reads what is, writes what will be. A kernel sets every cell that it is given.
 template <class T>
-struct Writing {
+struct AttributeWriter {
   const T* now;
   T* next;
   const T& operator[](uint32_t cell) const { return now[cell]; }
@@ -25,14 +25,14 @@ struct Writing {
 };
 
 /// A number that somebody may have brought: `otherwise` in every cell where nobody has.
-struct Given {
+struct OptionalReader {
   const float* now;
   float otherwise;
   float operator[](uint32_t cell) const { return now ? now[cell] : otherwise; }
 };
 
 /// Any attribute as numbers, of a vector the mean of its parts; 0 where there is none.
-struct Numbers {
+struct NumericReader {
   const Attribute* of;
   float operator[](uint32_t cell) const {
     return !of ? 0
@@ -47,7 +47,7 @@ struct Numbers {
 };
 
 /// Of two attributes.
-struct Two {
+struct FloatPair {
   float a, b;
 };
 
@@ -65,45 +65,47 @@ class Pass {
   /// Of one cell in this step.
   RandomStream random(uint32_t cell) const {
     return RandomStream(
-        key_.at(place_of(network_->position[cell])).at(static_cast<uint64_t>(step_)));
+        key_.at(position_key(network_->position[cell])).at(static_cast<uint64_t>(step_)));
   }
 
   /// The attribute of that name; one that is not there starts with `initial` everywhere.
   template <class T>
-  Reading<T> reads(const std::string& name, const T& initial = T(0));
+  AttributeReader<T> reads(const std::string& name, const T& initial = T(0));
   template <class T>
-  Writing<T> writes(const std::string& name, const T& initial = T(0));
+  AttributeWriter<T> writes(const std::string& name, const T& initial = T(0));
   /// The same without bringing it.
-  Given given(const std::string& name, float otherwise) const;
+  OptionalReader reads_optional(const std::string& name, float otherwise) const;
   /// And so that whoever runs the simulation knows that it had better be there.
-  Given wants(const std::string& name, float otherwise) const;
+  OptionalReader reads_expected(const std::string& name, float otherwise) const;
   bool has(const std::string& name) const;
   /// Of whatever type, for a rule whose text names it.
-  Numbers numbers(const std::string& name) const;
+  NumericReader reads_as_numbers(const std::string& name) const;
   /// What a mask says of a cell.
-  double ask(const paint::Mask& mask, uint32_t cell) const;
+  double evaluate(const paint::Mask& mask, uint32_t cell) const;
   /// Where cells are now.
-  Reading<Vec3f> positions() const;
+  AttributeReader<Vec3f> positions() const;
   /// Where cells have moved to ("P") and how they face ("N"); at first as in the network.
-  Writing<Vec3f> writes_positions();
-  Writing<Vec3f> writes_normals();
-  Reading<State> states() const { return {states_->data()}; }
-  Writing<State> writes_states();
+  AttributeWriter<Vec3f> writes_positions();
+  AttributeWriter<Vec3f> writes_normals();
+  AttributeReader<CellState> states() const { return {states_->data()}; }
+  AttributeWriter<CellState> writes_states();
 
   /// Cells less than `radius` metres apart through the air, whose normals do not oppose: made once
   /// for each radius.
   const Links& within(double radius);
 
-  /// kernel(near, cell) for all cells that receive (and, with a mask, are in it), in parallel;
-  /// near.each(cell, f) calls f for the neighbours that distribute. What it has set becomes what
-  /// is. A rule that runs several kernels in a step asks for its attributes before each.
+  /// kernel(neighbours, cell) for all cells that receive (and, with a mask, are in it), in
+  /// parallel; neighbours.each(cell, f) calls f for the neighbours that distribute. What it has set
+  /// becomes what is. A rule that runs several kernels in a step asks for its attributes before
+  /// each.
   template <class Kernel>
   void run(const Kernel& kernel);
   /// The same for two numbers that spread: what is next is react(own, sum, count), of the sums over
   /// the `count` neighbours that distribute. Neighbours are fetched once for both, and react is
   /// called for several cells at once where it has no branches.
   template <class React>
-  void run_on_sums(const Writing<float>& a, const Writing<float>& b, const React& react);
+  void run_on_sums(const AttributeWriter<float>& a, const AttributeWriter<float>& b,
+                   const React& react);
   /// For all cells, whatever their state.
   template <class Kernel>
   void run_everywhere(const Kernel& kernel);
@@ -111,12 +113,12 @@ class Pass {
  private:
   const Attributes& attributes() const;
   template <class T>
-  Writing<T> write(Column<T>& column);
+  AttributeWriter<T> write(Column<T>& column);
   template <class Kernel>
   void run_block(uint32_t block, const Kernel& kernel) const;
   /// Cells of a block in which all receive and hear all their neighbours.
   template <class Kernel>
-  void run_heard(uint32_t block, uint32_t from, uint32_t end, const Kernel& kernel) const;
+  void run_distributing(uint32_t block, uint32_t from, uint32_t end, const Kernel& kernel) const;
   /// The cells of a block that are to be given; the others that receive keep what they have.
   uint32_t pick(uint32_t block, uint32_t* picked) const;
   void keep(uint32_t cell) const;
@@ -127,7 +129,7 @@ class Pass {
   Simulation* simulation_;
   const Network* network_;
   const Blocks* blocks_;
-  const std::vector<State>* states_;
+  const std::vector<CellState>* states_;
   RandomKey key_;
   int step_;
   const std::vector<uint8_t>* where_;

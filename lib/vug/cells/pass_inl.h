@@ -9,17 +9,17 @@
 namespace vug::cells {
 
 template <class T>
-Reading<T> Pass::reads(const std::string& name, const T& initial) {
+AttributeReader<T> Pass::reads(const std::string& name, const T& initial) {
   return {simulation_->attributes().column<T>(name, initial).now.data()};
 }
 
 template <class T>
-Writing<T> Pass::writes(const std::string& name, const T& initial) {
+AttributeWriter<T> Pass::writes(const std::string& name, const T& initial) {
   return write(simulation_->attributes().column<T>(name, initial));
 }
 
 template <class T>
-Writing<T> Pass::write(Column<T>& column) {
+AttributeWriter<T> Pass::write(Column<T>& column) {
   if (column.next.empty()) column.next = column.now;
   const decltype(written_)::value_type written = &column;
   if (std::find(written_.begin(), written_.end(), written) == written_.end())
@@ -28,48 +28,49 @@ Writing<T> Pass::write(Column<T>& column) {
 }
 
 template <class Kernel>
-void Pass::run_heard(uint32_t block, uint32_t from, uint32_t end, const Kernel& kernel) const {
+void Pass::run_distributing(uint32_t block, uint32_t from, uint32_t end,
+                            const Kernel& kernel) const {
   const Links& links = network_->links;
   const uint32_t first = blocks_->first(block);
-  const auto over = [&](const auto& near) {
+  const auto over = [&](const auto& neighbours) {
     const Kernel own = kernel;  // where the compiler sees that nothing else changes it
-    for (uint32_t i = from; i < end; ++i) own(near, i);
+    for (uint32_t i = from; i < end; ++i) own(neighbours, i);
   };
   const uint32_t* to = links.to.data() + links.begin[first];
   switch (blocks_->degree(block)) {
     case 3:
-      return over(NearFull<3>{to, first});
+      return over(RegularNeighbourhood<3>{to, first});
     case 4:
-      return over(NearFull<4>{to, first});
+      return over(RegularNeighbourhood<4>{to, first});
     case 6:
-      return over(NearFull<6>{to, first});
+      return over(RegularNeighbourhood<6>{to, first});
     case 8:
-      return over(NearFull<8>{to, first});
+      return over(RegularNeighbourhood<8>{to, first});
     default:
-      return over(NearAll{links.begin.data(), links.to.data()});
+      return over(UniformNeighbourhood{links.begin.data(), links.to.data()});
   }
 }
 
 template <class Kernel>
 void Pass::run_block(uint32_t block, const Kernel& kernel) const {
   const uint32_t first = blocks_->first(block), end = blocks_->end(block);
-  const bool all = !where_ && blocks_->is_full(block);
-  if (all && blocks_->all_heard()) return run_heard(block, first, end, kernel);
+  const bool all = !where_ && blocks_->all_receive(block);
+  if (all && blocks_->all_distribute()) return run_distributing(block, first, end, kernel);
   const Links& links = network_->links;
-  const NearMixed near{links.begin.data(), links.to.data(), states_->data()};
+  const MixedNeighbourhood neighbours{links.begin.data(), links.to.data(), states_->data()};
   if (all) {
     const Kernel own = kernel;
-    for (uint32_t i = first; i < end; ++i) own(near, i);
+    for (uint32_t i = first; i < end; ++i) own(neighbours, i);
     return;
   }
   std::array<uint32_t, kBlock> picked;  // NOLINT: filled by pick
   const uint32_t count = pick(block, picked.data());
-  for (uint32_t k = 0; k < count; ++k) kernel(near, picked[k]);
+  for (uint32_t k = 0; k < count; ++k) kernel(neighbours, picked[k]);
 }
 
 template <class Kernel>
 void Pass::run(const Kernel& kernel) {
-  const std::vector<uint32_t> blocks = blocks_->awake();
+  const std::vector<uint32_t> blocks = blocks_->active();
   parallel_for(blocks.size(), [&](size_t b) { run_block(blocks[b], kernel); });
   finish(blocks, false);
 }
@@ -77,10 +78,11 @@ void Pass::run(const Kernel& kernel) {
 template <class Kernel>
 void Pass::run_everywhere(const Kernel& kernel) {
   const std::vector<uint32_t> blocks = blocks_->all();
-  const NearMixed near{network_->links.begin.data(), network_->links.to.data(), states_->data()};
+  const MixedNeighbourhood neighbours{network_->links.begin.data(), network_->links.to.data(),
+                                      states_->data()};
   parallel_for(blocks.size(), [&](size_t b) {
     for (uint32_t i = blocks_->first(blocks[b]); i < blocks_->end(blocks[b]); ++i)
-      !where_ || (*where_)[i] ? kernel(near, i) : keep(i);
+      !where_ || (*where_)[i] ? kernel(neighbours, i) : keep(i);
   });
   finish(blocks, true);
 }

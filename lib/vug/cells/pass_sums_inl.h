@@ -8,7 +8,7 @@
 
 namespace vug::cells {
 
-/// Two attributes of a block and of all that it is linked to, in pairs.
+/// FloatPair attributes of a block and of all that it is linked to, in pairs.
 class Pairs {
  public:
   using Quad = float __attribute__((vector_size(16)));
@@ -41,37 +41,39 @@ class Pairs {
 };
 
 template <class React>
-void Pass::run_on_sums(const Writing<float>& a, const Writing<float>& b, const React& react) {
-  const auto set = [=](uint32_t i, Two sum, float count) {
-    const Two next = react(Two{a[i], b[i]}, sum, count);
+void Pass::run_on_sums(const AttributeWriter<float>& a, const AttributeWriter<float>& b,
+                       const React& react) {
+  const auto set = [=](uint32_t i, FloatPair sum, float count) {
+    const FloatPair next = react(FloatPair{a[i], b[i]}, sum, count);
     a.set(i, next.a);
     b.set(i, next.b);
   };
-  const auto one_by_one = [=](const auto& near, uint32_t i) {
-    Two sum{0, 0};
-    const uint32_t count = near.each(i, [&](uint32_t n) { sum.a += a[n], sum.b += b[n]; });
+  const auto one_by_one = [=](const auto& neighbours, uint32_t i) {
+    FloatPair sum{0, 0};
+    const uint32_t count = neighbours.each(i, [&](uint32_t n) { sum.a += a[n], sum.b += b[n]; });
     set(i, sum, static_cast<float>(count));
   };
-  const std::vector<uint32_t> blocks = blocks_->awake();
+  const std::vector<uint32_t> blocks = blocks_->active();
   parallel_for(blocks.size(), [&](size_t at) {
     const uint32_t block = blocks[at];
     const auto [first_near, end_near] = blocks_->around(block);
-    if (where_ || !blocks_->all_heard() || !blocks_->is_full(block) || first_near == end_near)
+    if (where_ || !blocks_->all_distribute() || !blocks_->all_receive(block) ||
+        first_near == end_near)
       return run_block(block, one_by_one);
     const Pairs pairs(first_near, end_near, a.now, b.now);
     constexpr uint32_t kTurn = 512;
-    std::array<Two, kTurn> sums;      // NOLINT: set before they are read
-    std::array<float, kTurn> counts;  // NOLINT: likewise
+    std::array<FloatPair, kTurn> sums;  // NOLINT: set before they are read
+    std::array<float, kTurn> counts;    // NOLINT: likewise
     for (uint32_t from = blocks_->first(block); from < blocks_->end(block); from += kTurn) {
       const uint32_t end = std::min(from + kTurn, blocks_->end(block));
       const auto gather = [=, add = pairs.adder(), to_sum = sums.data(), to_count = counts.data()](
-                              const auto& near, uint32_t i) {
+                              const auto& neighbours, uint32_t i) {
         Pairs::Quad sum = {0, 0, 0, 0};
-        const uint32_t count = near.each(i, [&](uint32_t n) { add(n, sum); });
+        const uint32_t count = neighbours.each(i, [&](uint32_t n) { add(n, sum); });
         to_sum[i - from] = {sum[0], sum[1]};
         to_count[i - from] = static_cast<float>(count);
       };
-      run_heard(block, from, end, gather);
+      run_distributing(block, from, end, gather);
       for (uint32_t i = from; i < end; ++i) set(i, sums[i - from], counts[i - from]);
     }
   });

@@ -24,9 +24,9 @@ struct Push {
   float nearest2;      ///< Squared distance to the nearest; the reach's where nobody is near.
 };
 
-Push push_on(uint32_t i, const std::vector<Place>& places, const mesh::PointGrid::Runs& around,
-             const Law& law) {
-  const Place& own = places[i];
+Push push_on(uint32_t i, const std::vector<SurfacePoint>& places,
+             const mesh::PointGrid::Runs& around, const Law& law) {
+  const SurfacePoint& own = places[i];
   const float reach2 = law.reach * law.reach;
   Push push;
   push.nearest2 = reach2;
@@ -47,21 +47,22 @@ Push push_on(uint32_t i, const std::vector<Place>& places, const mesh::PointGrid
 
 }  // namespace
 
-std::vector<RelaxStep> relax(std::vector<Place>& places, const Surface& surface, double spacing,
-                             double reach, const RelaxOptions& options, Progress& progress) {
+std::vector<RelaxStep> relax(std::vector<SurfacePoint>& places, const Surface& surface,
+                             double spacing, double reach, const RelaxOptions& options,
+                             Progress& progress) {
   const SurfaceSearch search(surface);
   const Law law{options.force, static_cast<float>(reach), static_cast<float>(spacing)};
   const auto strength = static_cast<float>(options.strength * spacing);
   const auto most = static_cast<float>(0.3 * spacing);
   progress.begin("harmonising cells", static_cast<uint64_t>(std::max(0, options.steps)));
   std::vector<RelaxStep> steps;
-  std::vector<Place> sorted(places.size());
+  std::vector<SurfacePoint> sorted(places.size());
   std::vector<float> nearest(places.size()), moved(places.size());
   for (int step = 0; step < options.steps && !places.empty(); ++step) {
     progress.check();
     const mesh::PointGrid grid(positions(places), reach);
     for (size_t i = 0; i < places.size(); ++i) sorted[i] = places[grid.order()[i]];
-    grid.sweep([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
+    grid.for_each_cube([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
       for (uint32_t i = cube.begin; i < cube.end; ++i) {
         const Push push = push_on(i, sorted, around, law);
         Vec3f way = push.way * strength;
@@ -79,7 +80,7 @@ std::vector<RelaxStep> relax(std::vector<Place>& places, const Surface& surface,
     };
     RelaxStep told;
     told.nearest = mean([&](size_t i) { return static_cast<double>(nearest[i]); });
-    told.moved = mean([&](size_t i) { return static_cast<double>(moved[i]); });
+    told.displacement = mean([&](size_t i) { return static_cast<double>(moved[i]); });
     const double squares = mean([&](size_t i) {
       const double off = static_cast<double>(nearest[i]) - told.nearest;
       return off * off;

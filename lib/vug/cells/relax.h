@@ -25,16 +25,16 @@ struct RelaxOptions {
 
 /// How even the cells are before a step.
 struct RelaxStep {
-  double nearest = 0;    ///< Mean distance to the nearest cell, metres.
-  double variation = 0;  ///< Standard deviation of that distance as a share of the mean.
-  double moved = 0;      ///< Mean way of a cell in this step, metres.
+  double nearest = 0;       ///< Mean distance to the nearest cell, metres.
+  double variation = 0;     ///< Standard deviation of that distance as a share of the mean.
+  double displacement = 0;  ///< Mean way of a cell in this step, metres.
 };
 
 /// Moves the places over the surface and brings them into an order that follows space. A push goes
 /// along the tangent plane, by surface_distance2, and the cell comes back to the nearest point of
 /// the surface; at an open edge it stays on it. No cell goes further than 0.3 spacings in a step.
-std::vector<RelaxStep> relax(std::vector<Place>& places, const Surface& surface, double spacing,
-                             double reach, const RelaxOptions& options,
+std::vector<RelaxStep> relax(std::vector<SurfacePoint>& places, const Surface& surface,
+                             double spacing, double reach, const RelaxOptions& options,
                              Progress& progress = Progress::none());
 
 }  // namespace vug::cells

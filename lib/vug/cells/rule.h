@@ -18,9 +18,9 @@ class Rule {
   /// One step for all cells that receive: asks the pass for its attributes and runs a kernel.
   virtual void step(Pass& pass) const = 0;
   /// Whether it is for a single step where nobody says how many.
-  virtual bool once() const { return false; }
+  virtual bool is_single_step() const { return false; }
   /// The attributes at which masks of its parameters look.
-  virtual paint::Uses looks() const { return {}; }
+  virtual paint::AttributeUses mask_attributes() const { return {}; }
 };
 
 using RulePtr = std::shared_ptr<const Rule>;
@@ -29,24 +29,24 @@ using RuleKind = Kind<RulePtr>;
 const Kinds<RulePtr>& rules();
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
-/// `void step(Pass&) const`; with `static constexpr bool kOnce = true` it is for a single step,
-/// with `paint::Uses looks() const` it has masks.
+/// `void step(Pass&) const`; with `static constexpr bool kSingleStep = true` it is for a single
+/// step, with `paint::AttributeUses mask_attributes() const` it has masks.
 template <class P>
 RuleKind rule_kind(std::string name) {
-  struct Made final : Rule {
-    explicit Made(const P& p) : params(p) {}
+  struct RuleAdapter final : Rule {
+    explicit RuleAdapter(const P& p) : params(p) {}
     void step(Pass& pass) const override { params.step(pass); }
-    bool once() const override {
-      return requires { P::kOnce; };
+    bool is_single_step() const override {
+      return requires { P::kSingleStep; };
     }
-    paint::Uses looks() const override {
-      if constexpr (requires(const P& p) { p.looks(); }) return params.looks();
+    paint::AttributeUses mask_attributes() const override {
+      if constexpr (requires(const P& p) { p.mask_attributes(); }) return params.mask_attributes();
       return {};
     }
     P params;
   };
   return make_kind<RulePtr, P>(std::move(name), "rule",
-                               [](const P& p) { return std::make_shared<const Made>(p); });
+                               [](const P& p) { return std::make_shared<const RuleAdapter>(p); });
 }
 
 }  // namespace vug::cells

@@ -9,12 +9,12 @@ namespace vug::cells {
 
 /// Whether a cell is one of `seeds` a square metre.
 inline bool is_seed(const Network& n, uint32_t cell, double seeds, RandomKey key) {
-  return RandomStream(key.at(place_of(n.position[cell]))).uniform() <
+  return RandomStream(key.at(position_key(n.position[cell]))).uniform() <
          seeds * static_cast<double>(n.area[cell]);
 }
 
 /// How well something grows that needs `least` of what a cell has: 0 up to there, 1 at 1.
-inline float thrives(float has, double least) {
+inline float growth_response(float has, double least) {
   const auto floor = static_cast<float>(least);
   return floor < 1 ? std::clamp((has - floor) / (1 - floor), 0.0f, 1.0f) : (has >= 1 ? 1.0f : 0.0f);
 }

@@ -12,10 +12,10 @@ Simulation::Simulation(NetworkPtr network, RandomKey key)
     : network_(std::move(network)),
       key_(key),
       attributes_(network_->size()),
-      states_{std::vector<State>(network_->size(), State::active), {}},
+      states_{std::vector<CellState>(network_->size(), CellState::active), {}},
       blocks_(network_->links, states_.now) {}
 
-void Simulation::set_states(std::vector<State> states) {
+void Simulation::set_states(std::vector<CellState> states) {
   if (states.size() != network_->size())
     throw Error(ErrorCode::internal, "there is not one state for each cell");
   // Cells that may have been written a moment ago come to rest.
@@ -61,20 +61,20 @@ struct OfCell : paint::Attributes {
       return std::visit([this](const auto& column) { return Vec3d(column.now[cell]); },
                         known->column);
     // What nobody has brought yet is 0.
-    const bool gone = simulation->states()[cell] == State::transparent;
+    const bool gone = simulation->states()[cell] == CellState::transparent;
     return Vec3d(name == kTransparent && gone ? 1 : 0);
   }
 };
 
 }  // namespace
 
-double Simulation::ask(const paint::Mask& mask, uint32_t cell) const {
+double Simulation::evaluate(const paint::Mask& mask, uint32_t cell) const {
   const OfCell attributes(*this, cell);
   const uint32_t object = network_->object[cell];
   const field::SampledGrid* solid = object < solids_.size() ? solids_[object].get() : nullptr;
-  paint::Spot spot{Vec3d(network_->position[cell]), Vec3d(network_->normal[cell]), solid};
-  spot.attributes = &attributes;
-  return (*mask)(spot);
+  paint::EvalPoint point{Vec3d(network_->position[cell]), Vec3d(network_->normal[cell]), solid};
+  point.attributes = &attributes;
+  return (*mask)(point);
 }
 
 std::vector<uint8_t> Simulation::chosen(const Stage& stage) const {
@@ -82,8 +82,8 @@ std::vector<uint8_t> Simulation::chosen(const Stage& stage) const {
   parallel_for(
       where.size(),
       [&](size_t i) {
-        RandomStream random(stage.draws.at(place_of(network_->position[i])));
-        where[i] = random.uniform() < ask(stage.mask, static_cast<uint32_t>(i));
+        RandomStream random(stage.draws.at(position_key(network_->position[i])));
+        where[i] = random.uniform() < evaluate(stage.mask, static_cast<uint32_t>(i));
       },
       1024);
   return where;

@@ -39,18 +39,19 @@ class Simulation {
   Attributes& attributes() { return attributes_; }
   const Attributes& attributes() const { return attributes_; }
   /// All cells are active at first.
-  const std::vector<State>& states() const { return states_.now; }
-  void set_states(std::vector<State> states);
+  const std::vector<CellState>& states() const { return states_.now; }
+  void set_states(std::vector<CellState> states);
 
   /// The level sets whose surfaces the objects are, by their numbers, for masks; null or not there
   /// where there is none.
-  void stand_on(std::vector<std::shared_ptr<const field::SampledGrid>> solids) {
+  void set_solids(std::vector<std::shared_ptr<const field::SampledGrid>> solids) {
     solids_ = std::move(solids);
   }
   /// What a mask says of a cell as it is now; attributes that nobody has brought yet are 0 to it.
-  double ask(const paint::Mask& mask, uint32_t cell) const;
-  /// Attributes that rules want (Pass::wants), or cannot do without: true (Pass::numbers).
-  const std::map<std::string, bool>& asked() const { return asked_; }
+  double evaluate(const paint::Mask& mask, uint32_t cell) const;
+  /// Attributes that rules want (Pass::reads_expected), or cannot do without: true
+  /// (Pass::reads_as_numbers).
+  const std::map<std::string, bool>& requested_attributes() const { return requested_; }
 
   uint64_t bytes() const;  ///< That it holds, with its network.
 
@@ -71,11 +72,11 @@ class Simulation {
   NetworkPtr network_;
   RandomKey key_;
   Attributes attributes_;
-  Column<State> states_;
+  Column<CellState> states_;
   Blocks blocks_;
   std::map<double, Links> within_;
   std::vector<std::shared_ptr<const field::SampledGrid>> solids_;
-  std::map<std::string, bool> asked_;
+  std::map<std::string, bool> requested_;
   int step_ = 0;
 };
 

@@ -91,7 +91,7 @@ Vec3d Surface::face_normal(uint32_t triangle) const {
   return doubled_area(triangles_[triangle].corners).normalized();
 }
 
-Place Surface::at(uint32_t triangle, double u, double v) const {
+SurfacePoint Surface::at(uint32_t triangle, double u, double v) const {
   const Triangle& t = triangles_[triangle];
   const auto mixed = [&](const std::array<Vec3f, 3>& c) {
     return Vec3d(c[0]) * (1 - u - v) + Vec3d(c[1]) * u + Vec3d(c[2]) * v;
@@ -108,23 +108,23 @@ SurfaceSearch::SurfaceSearch(const Surface& surface) : surface_(&surface) {
   tree_ = mesh::BoxTree(boxes);
 }
 
-Place SurfaceSearch::placed(uint32_t triangle, const Vec3d& point) const {
+SurfacePoint SurfaceSearch::surface_point(uint32_t triangle, const Vec3d& point) const {
   const auto& c = surface_->triangles()[triangle].corners;
   const Vec3d a(c[0]), ab = Vec3d(c[1]) - a, ac = Vec3d(c[2]) - a, normal = ab.cross(ac);
   const double twice = normal.length2();
   const double u = (point - a).cross(ac).dot(normal) / twice;
   const double v = ab.cross(point - a).dot(normal) / twice;
-  Place place = surface_->at(triangle, u, v);
+  SurfacePoint place = surface_->at(triangle, u, v);
   place.position = Vec3f(point);
   return place;
 }
 
-Place SurfaceSearch::nearest(const Vec3f& p, const Place& from, float limit) const {
+SurfacePoint SurfaceSearch::nearest(const Vec3f& p, const SurfacePoint& from, float limit) const {
   const Vec3d target(p), way(from.normal);
   const auto& home = surface_->triangles()[from.triangle].corners;
   const mesh::NearestOnTriangle own =
       mesh::nearest_on_triangle(target, {Vec3d(home[0]), Vec3d(home[1]), Vec3d(home[2])});
-  if (own.feature == 6) return placed(from.triangle, own.point);
+  if (own.feature == 6) return surface_point(from.triangle, own.point);
   double best = static_cast<double>(limit) * static_cast<double>(limit);
   uint32_t found = ~0u;
   Vec3d point(0);
@@ -143,10 +143,10 @@ Place SurfaceSearch::nearest(const Vec3f& p, const Place& from, float limit) con
     found = i, point = q, facing = agrees;
     return best = d;
   });
-  return found == ~0u ? from : placed(found, point);
+  return found == ~0u ? from : surface_point(found, point);
 }
 
-std::vector<Vec3f> positions(const std::vector<Place>& places) {
+std::vector<Vec3f> positions(const std::vector<SurfacePoint>& places) {
   std::vector<Vec3f> points(places.size());
   parallel_for(
       places.size(), [&](size_t i) { points[i] = places[i].position; }, 4096);

@@ -10,14 +10,14 @@
 namespace vug::cells {
 
 /// A place on a surface.
-struct Place {
+struct SurfacePoint {
   Vec3f position;
   Vec3f normal;  ///< Unit; the mesh's where it has normals that agree with the triangle, up to 60
                  ///< degrees, else the triangle's.
   uint32_t triangle = 0;
 };
 
-std::vector<Vec3f> positions(const std::vector<Place>& places);
+std::vector<Vec3f> positions(const std::vector<SurfacePoint>& places);
 
 /// Triangles in an order that depends on where they are, not on how the meshes number them.
 class Surface {
@@ -43,7 +43,7 @@ class Surface {
   double area(uint32_t triangle) const;
   Vec3d face_normal(uint32_t triangle) const;
   /// The place with shares u and v of the second and third corner.
-  Place at(uint32_t triangle, double u, double v) const;
+  SurfacePoint at(uint32_t triangle, double u, double v) const;
 
  private:
   std::vector<Triangle> triangles_;
@@ -60,10 +60,10 @@ class SurfaceSearch {
   /// The way back from p, which is `limit` metres from the place `from`: straight down to its
   /// triangle, else to the nearest point on any triangle that faces about the same way; `from`
   /// where there is none within the limit.
-  Place nearest(const Vec3f& p, const Place& from, float limit) const;
+  SurfacePoint nearest(const Vec3f& p, const SurfacePoint& from, float limit) const;
 
  private:
-  Place placed(uint32_t triangle, const Vec3d& point) const;
+  SurfacePoint surface_point(uint32_t triangle, const Vec3d& point) const;
 
   const Surface* surface_;
   mesh::BoxTree tree_;

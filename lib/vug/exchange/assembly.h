@@ -3,9 +3,9 @@
 #pragma once
 
 #include <vug/exchange/camera.h>
-#include <vug/exchange/cloud.h>
-#include <vug/exchange/lamp.h>
+#include <vug/exchange/light.h>
 #include <vug/exchange/look.h>
+#include <vug/exchange/medium.h>
 #include <vug/mesh/mesh.h>
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct Level {
 
 /// A mesh with its look. What varies over it is an attribute of the mesh: see `channels` in
 /// channels.h; the look then holds the mean.
-struct Part {
+struct Prototype {
   std::string name;
   mesh::MeshPtr mesh;
   std::string material;  ///< Its name.
@@ -51,9 +51,9 @@ struct Part {
 };
 
 /// Where a part stands, once or many times.
-struct Group {
+struct InstanceGroup {
   std::string name;
-  size_t part = 0;
+  size_t prototype = 0;
   std::vector<Transform> places;
 };
 
@@ -68,18 +68,18 @@ struct Volume {
   std::string file;  ///< Beside the other files.
   std::vector<VolumeGrid> grids;
   Box3d bounds;
-  std::optional<Cloud> cloud = {};  ///< What they mean, where that is known.
+  std::optional<Medium> medium = {};  ///< What they mean, where that is known.
 };
 
 struct Assembly {
   std::string name;
   Space space;
   Provenance provenance;
-  std::vector<Part> parts;
-  std::vector<Group> groups;
+  std::vector<Prototype> prototypes;
+  std::vector<InstanceGroup> groups;
   std::vector<Volume> volumes;
   std::vector<Camera> cameras;
-  std::vector<Lamp> lamps;
+  std::vector<Light> lights;
 };
 
 /// The box around all parts where they stand.
@@ -89,6 +89,6 @@ Box3d bounds(const Assembly& assembly);
 /// lamps and boxes are turned and scaled; a dome turns with the axes; radiance stays.
 Assembly converted(const Assembly& assembly, const Space& to);
 /// From points of one space to those of another.
-Transform way(const Space& from, const Space& to);
+Transform space_transform(const Space& from, const Space& to);
 
 }  // namespace vug::exchange

@@ -52,15 +52,15 @@ class Meshes {
 
 std::string to_string(UpAxis up) { return up == UpAxis::y ? "y" : "z"; }
 
-Transform way(const Space& from, const Space& to) {
+Transform space_transform(const Space& from, const Space& to) {
   const double scale = from.metres_per_unit / to.metres_per_unit;
   return Transform::scaling(Vec3d(scale)) * turn(from.up, to.up);
 }
 
 Box3d bounds(const Assembly& assembly) {
   Box3d all;
-  for (const Group& group : assembly.groups) {
-    const mesh::Mesh& mesh = *assembly.parts.at(group.part).mesh;
+  for (const InstanceGroup& group : assembly.groups) {
+    const mesh::Mesh& mesh = *assembly.prototypes.at(group.prototype).mesh;
     for (const Transform& place : group.places)
       for (const Vec3f& p : mesh.positions) all.extendBy(place.point(Vec3d(p)));
   }
@@ -71,27 +71,27 @@ Assembly converted(const Assembly& assembly, const Space& to) {
   if (assembly.space == to) return assembly;
   Assembly out = assembly;
   out.space = to;
-  const Transform there = way(assembly.space, to), back = there.inverse();
+  const Transform there = space_transform(assembly.space, to), back = there.inverse();
   const Transform turned = turn(assembly.space.up, to.up);
   const double scale = assembly.space.metres_per_unit / to.metres_per_unit;
   Meshes meshes(there, turned);
-  for (Part& part : out.parts) {
-    part.mesh = meshes(part.mesh);
-    for (Level& level : part.coarser) {
+  for (Prototype& prototype : out.prototypes) {
+    prototype.mesh = meshes(prototype.mesh);
+    for (Level& level : prototype.coarser) {
       level.mesh = meshes(level.mesh);
       level.distance *= scale;
     }
   }
-  for (Group& group : out.groups)
+  for (InstanceGroup& group : out.groups)
     for (Transform& place : group.places) place = there * place * back;
   for (Volume& volume : out.volumes) {
     volume.bounds = there.box(volume.bounds);
-    if (!volume.cloud) continue;
-    volume.cloud->extinction /= scale;
+    if (!volume.medium) continue;
+    volume.medium->extinction /= scale;
     // A flame counts for each unit of length; without one the extinction does.
     if (std::any_of(volume.grids.begin(), volume.grids.end(),
                     [](const VolumeGrid& grid) { return grid.name == "flame"; }))
-      volume.cloud->emission /= scale, volume.cloud->heat /= scale;
+      volume.medium->emission /= scale, volume.medium->heat /= scale;
   }
   // Their own axes keep their lengths: what they measure is told in numbers.
   const auto moved = [&](const Transform& place) {
@@ -105,9 +105,9 @@ Assembly converted(const Assembly& assembly, const Space& to) {
          {&camera.span, &camera.aperture, &camera.focus, &camera.near, &camera.far})
       *length *= scale;
   }
-  for (Lamp& lamp : out.lamps) {
-    lamp.place = moved(lamp.place);
-    for (double* length : {&lamp.radius, &lamp.width, &lamp.height}) *length *= scale;
+  for (Light& light : out.lights) {
+    light.place = moved(light.place);
+    for (double* length : {&light.radius, &light.width, &light.height}) *length *= scale;
   }
   return out;
 }

@@ -15,8 +15,8 @@ mesh::Attribute& attribute_of(mesh::Mesh& all, const mesh::Attribute& like) {
   return all.attributes.emplace_back(mesh::Attribute{like.name, like.arity, {}});
 }
 
-void append(const Part& part, const Transform& place, mesh::Mesh& all) {
-  const mesh::Mesh mesh = placed(*part.mesh, place);
+void append(const Prototype& prototype, const Transform& place, mesh::Mesh& all) {
+  const mesh::Mesh mesh = transformed(*prototype.mesh, place);
   const auto first = static_cast<uint32_t>(all.positions.size());
   all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
   const std::vector<Vec3f>& normals =
@@ -31,7 +31,8 @@ void append(const Part& part, const Transform& place, mesh::Mesh& all) {
   }
   mesh::Attribute& color = attribute_of(all, {std::string(mesh::kColour), 3, {}});
   for (size_t i = color.values.size() / 3; i < all.positions.size(); ++i)
-    for (int c = 0; c < 3; ++c) color.values.push_back(static_cast<float>(part.look.base_color[c]));
+    for (int c = 0; c < 3; ++c)
+      color.values.push_back(static_cast<float>(prototype.look.base_color[c]));
 }
 
 std::string unit_of(double metres) {
@@ -41,7 +42,7 @@ std::string unit_of(double metres) {
 
 }  // namespace
 
-mesh::Mesh placed(mesh::Mesh mesh, const Transform& place) {
+mesh::Mesh transformed(mesh::Mesh mesh, const Transform& place) {
   for (Vec3f& p : mesh.positions) p = Vec3f(place.point(Vec3d(p)));
   for (Vec3f& n : mesh.normals) n = Vec3f(place.normal(Vec3d(n)).normalized());
   if (place.determinant() < 0)
@@ -49,8 +50,8 @@ mesh::Mesh placed(mesh::Mesh mesh, const Transform& place) {
   return mesh;
 }
 
-mesh::Notes notes_of(const Provenance& from, const Space& space) {
-  mesh::Notes notes;
+mesh::Comments comments_of(const Provenance& from, const Space& space) {
+  mesh::Comments notes;
   notes.space = fmt::format("{}, {} up", unit_of(space.metres_per_unit), to_string(space.up));
   notes.texts = {{"vug:recipe", from.recipe},
                  {"vug:seed", std::to_string(from.seed)},
@@ -61,31 +62,32 @@ mesh::Notes notes_of(const Provenance& from, const Space& space) {
 
 mesh::Mesh flat_mesh(const Assembly& assembly) {
   mesh::Mesh all;
-  for (const Group& group : assembly.groups)
-    for (const Transform& place : group.places) append(assembly.parts.at(group.part), place, all);
+  for (const InstanceGroup& group : assembly.groups)
+    for (const Transform& place : group.places)
+      append(assembly.prototypes.at(group.prototype), place, all);
   for (mesh::Attribute& each : all.attributes)
     each.values.resize(all.positions.size() * static_cast<size_t>(each.arity));
   return all;
 }
 
-Written write_flat_mesh(const Assembly& assembly, const std::filesystem::path& file,
-                        const FormatOptions&, Progress& progress) {
+WriteReport write_flat_mesh(const Assembly& assembly, const std::filesystem::path& file,
+                            const FormatOptions&, Progress& progress) {
   progress.check();
-  mesh::write_mesh(flat_mesh(assembly), file, notes_of(assembly.provenance, assembly.space));
-  Written written{{file}, {}};
+  mesh::write_mesh(flat_mesh(assembly), file, comments_of(assembly.provenance, assembly.space));
+  WriteReport written{{file}, {}};
   const auto leave_out = [&](const auto& things, const char* what) {
     for (const auto& each : things)
-      written.left_out.push_back(
+      written.unsupported.push_back(
           fmt::format("the {} '{}': the file holds a mesh alone", what, each.name));
   };
   leave_out(assembly.cameras, "camera");
-  leave_out(assembly.lamps, "light");
+  leave_out(assembly.lights, "light");
   return written;
 }
 
-std::vector<std::pair<std::string, std::string>> read_flat_texts(std::string_view bytes,
-                                                                 const std::string&) {
-  return mesh::read_texts(bytes);
+std::vector<std::pair<std::string, std::string>> read_flat_metadata(std::string_view bytes,
+                                                                    const std::string&) {
+  return mesh::read_comments(bytes);
 }
 
 }  // namespace vug::exchange

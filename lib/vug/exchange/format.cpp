@@ -23,15 +23,16 @@ const Format& format(const std::string& name) {
   return require_kind(formats(), name, fmt::format("there is no exchange format '{}'", name));
 }
 
-Written write(const Format& format, const Assembly& assembly, const Space& space,
-              const std::filesystem::path& file, const FormatOptions& options, Progress& progress) {
+WriteReport write(const Format& format, const Assembly& assembly, const Space& space,
+                  const std::filesystem::path& file, const FormatOptions& options,
+                  Progress& progress) {
   return format.write(converted(assembly, format.space.value_or(space)), file, options, progress);
 }
 
-std::vector<std::pair<std::string, std::string>> read_texts(const std::filesystem::path& file) {
+std::vector<std::pair<std::string, std::string>> read_metadata(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   const Format& known = format(extension.empty() ? extension : extension.substr(1));
-  return known.read_texts(read_text(file), file.string());
+  return known.read_metadata(read_text(file), file.string());
 }
 
 }  // namespace vug::exchange

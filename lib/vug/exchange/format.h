@@ -22,10 +22,10 @@ struct FormatOptions {
 };
 
 /// What was written, and in sentences what is told of it.
-struct Written {
+struct WriteReport {
   std::vector<std::filesystem::path> files;
-  std::vector<std::string> left_out;    ///< What the format cannot hold.
-  std::vector<std::string> notes = {};  ///< What it holds so that not every reader understands it.
+  std::vector<std::string> unsupported;  ///< What the format cannot hold.
+  std::vector<std::string> notes = {};   ///< What it holds so that not every reader understands it.
 };
 
 struct Format {
@@ -34,11 +34,11 @@ struct Format {
   bool levels = false;         ///< A file holds levels of detail beside the whole.
   /// The assembly stands in a space that the format allows. Files are whole or not there.
   /// Error(io), Error(too_large).
-  Written (*write)(const Assembly& assembly, const std::filesystem::path& file,
-                   const FormatOptions& options, Progress& progress) = nullptr;
+  WriteReport (*write)(const Assembly& assembly, const std::filesystem::path& file,
+                       const FormatOptions& options, Progress& progress) = nullptr;
   /// Of a whole file's bytes; see the function of that name.
-  std::vector<std::pair<std::string, std::string>> (*read_texts)(std::string_view bytes,
-                                                                 const std::string& file) = nullptr;
+  std::vector<std::pair<std::string, std::string>> (*read_metadata)(
+      std::string_view bytes, const std::string& file) = nullptr;
 };
 
 const std::vector<const Format*>& formats();
@@ -46,13 +46,13 @@ const std::vector<const Format*>& formats();
 const Format& format(const std::string& name);
 
 /// Converts to `space`, or to that of the format, and writes. The same assembly, the same bytes.
-Written write(const Format& format, const Assembly& assembly, const Space& space,
-              const std::filesystem::path& file, const FormatOptions& options = {},
-              Progress& progress = Progress::none());
+WriteReport write(const Format& format, const Assembly& assembly, const Space& space,
+                  const std::filesystem::path& file, const FormatOptions& options = {},
+                  Progress& progress = Progress::none());
 
 /// The texts of a file's provenance by name, "vug:recipe" and others; none in others' files.
 /// Error(bad_input) for what is no file of the format that its extension names, or cut off.
-std::vector<std::pair<std::string, std::string>> read_texts(const std::filesystem::path& file);
+std::vector<std::pair<std::string, std::string>> read_metadata(const std::filesystem::path& file);
 
 /// Lumen to a watt where a format counts in candela, lux or nits: 683, which programs divide by
 /// that count in watts again.

@@ -29,7 +29,7 @@ std::string upper(std::string text) {
 
 GltfBuffer::GltfBuffer(tinygltf::Model& model) : model_(model) { model_.buffers.resize(1); }
 
-void GltfBuffer::require_room(size_t bytes) const {
+void GltfBuffer::require_size(size_t bytes) const {
   const size_t all = model_.buffers[0].data.size() + bytes;
   if (all <= kMostBytes) return;
   throw Error(ErrorCode::too_large,
@@ -39,7 +39,7 @@ void GltfBuffer::require_room(size_t bytes) const {
 }
 
 int GltfBuffer::view(const void* data, size_t bytes, int target) {
-  require_room(bytes);
+  require_size(bytes);
   std::vector<unsigned char>& all = model_.buffers[0].data;
   tinygltf::BufferView view;
   view.buffer = 0;
@@ -113,19 +113,19 @@ int GltfBuffer::colors(const std::vector<float>& rgb, const std::vector<float>* 
 
 namespace {
 
-std::vector<float> even_color(const Part& part) {
+std::vector<float> even_color(const Prototype& prototype) {
   std::vector<float> out;
-  for (size_t i = 0; i < part.mesh->positions.size(); ++i)
-    for (int c = 0; c < 3; ++c) out.push_back(static_cast<float>(part.look.base_color[c]));
+  for (size_t i = 0; i < prototype.mesh->positions.size(); ++i)
+    for (int c = 0; c < 3; ++c) out.push_back(static_cast<float>(prototype.look.base_color[c]));
   return out;
 }
 
 }  // namespace
 
-tinygltf::Mesh gltf_mesh(const Part& part, int material, GltfBuffer& buffer,
-                         std::vector<std::string>& left_out) {
+tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& buffer,
+                         std::vector<std::string>& unsupported) {
   constexpr int kTarget = TINYGLTF_TARGET_ARRAY_BUFFER;
-  const mesh::Mesh& mesh = *part.mesh;
+  const mesh::Mesh& mesh = *prototype.mesh;
   const size_t vertices = mesh.positions.size();
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -141,9 +141,9 @@ tinygltf::Mesh gltf_mesh(const Part& part, int material, GltfBuffer& buffer,
   const mesh::Attribute* color = mesh::find_attribute(mesh, mesh::kColour, 3);
   const mesh::Attribute* opacity = mesh::find_attribute(mesh, "opacity", 1);
   if (color || opacity)
-    primitive.attributes["COLOR_0"] = buffer.colors(color ? color->values : even_color(part),
+    primitive.attributes["COLOR_0"] = buffer.colors(color ? color->values : even_color(prototype),
                                                     opacity ? &opacity->values : nullptr);
-  Names names;
+  UniqueNames names;
   for (const mesh::Attribute& each : mesh.attributes) {
     if (&each == color)
       continue;
@@ -151,12 +151,12 @@ tinygltf::Mesh gltf_mesh(const Part& part, int material, GltfBuffer& buffer,
       primitive.attributes[fmt::format("_{}", names.unique(upper(each.name)))] =
           buffer.floats(each.values.data(), vertices, each.arity, false, kTarget);
     else
-      left_out.push_back(fmt::format("the attribute '{}' of '{}', which has {} numbers a vertex",
-                                     each.name, part.name, each.arity));
+      unsupported.push_back(fmt::format("the attribute '{}' of '{}', which has {} numbers a vertex",
+                                        each.name, prototype.name, each.arity));
   }
   primitive.indices = buffer.indices(mesh.triangles, vertices);
   tinygltf::Mesh out;
-  out.name = part.name;
+  out.name = prototype.name;
   out.primitives.push_back(std::move(primitive));
   return out;
 }

@@ -23,7 +23,7 @@ class GltfBuffer {
   int colors(const std::vector<float>& rgb, const std::vector<float>* opacity);
 
   /// Error(too_large) where the file's lengths of 32 bits do not suffice.
-  void require_room(size_t bytes) const;
+  void require_size(size_t bytes) const;
 
  private:
   int view(const void* data, size_t bytes, int target);
@@ -32,8 +32,8 @@ class GltfBuffer {
   tinygltf::Model& model_;
 };
 
-/// A mesh with one primitive; names of attributes that it cannot hold go to `left_out`.
-tinygltf::Mesh gltf_mesh(const Part& part, int material, GltfBuffer& buffer,
-                         std::vector<std::string>& left_out);
+/// A mesh with one primitive; names of attributes that it cannot hold go to `unsupported`.
+tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& buffer,
+                         std::vector<std::string>& unsupported);
 
 }  // namespace vug::exchange

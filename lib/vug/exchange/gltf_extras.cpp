@@ -1,17 +1,17 @@
 #include <vug/exchange/gltf_extras.h>
 #include <vug/exchange/gltf_material.h>
-#include <vug/exchange/place.h>
+#include <vug/exchange/trs.h>
 
 namespace vug::exchange {
 
 using tinygltf::Value;
 
-Value gltf_sky(const Lamp& dome, const std::string& picture) {
+Value gltf_sky(const Light& dome, const std::string& picture) {
   Value::Object out = {{"name", Value(dome.name)}, {"radiance", gltf_value(dome.radiance)}};
-  const Placement at = placement(dome.place).value_or(Placement());
+  const TrsTransform at = decompose_trs(dome.place).value_or(TrsTransform());
   Value::Array turn;
-  for (const double part : at.turn) turn.emplace_back(part);
-  if (at.turn != Placement().turn) out.emplace("rotation", Value(turn));
+  for (const double part : at.rotation) turn.emplace_back(part);
+  if (at.rotation != TrsTransform().rotation) out.emplace("rotation", Value(turn));
   if (!picture.empty()) out.emplace("file", Value(picture));
   return Value(out);
 }
@@ -21,12 +21,12 @@ Value gltf_volume(const Volume& volume) {
   for (const VolumeGrid& grid : volume.grids) grids.emplace_back(grid.name);
   Value::Object out = {
       {"name", Value(volume.name)}, {"file", Value(volume.file)}, {"grids", Value(grids)}};
-  if (const auto& cloud = volume.cloud) {
-    out.emplace("extinction", Value(cloud->extinction));
-    out.emplace("albedo", gltf_value(cloud->albedo));
-    out.emplace("forward", Value(cloud->forward));
-    out.emplace("emission", gltf_value(cloud->emission));
-    out.emplace("heat", Value(cloud->heat));
+  if (const auto& medium = volume.medium) {
+    out.emplace("extinction", Value(medium->extinction));
+    out.emplace("albedo", gltf_value(medium->albedo));
+    out.emplace("forward", Value(medium->forward));
+    out.emplace("emission", gltf_value(medium->emission));
+    out.emplace("heat", Value(medium->heat));
   }
   return Value(out);
 }

@@ -19,14 +19,14 @@ std::vector<double> list(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 Value gltf_value(const Vec3d& v) { return Value(Value::Array{Value(v.x), Value(v.y), Value(v.z)}); }
 
-tinygltf::Material gltf_material(const Part& part, double emission_scale) {
-  const Look& look = part.look;
+tinygltf::Material gltf_material(const Prototype& prototype, double emission_scale) {
+  const Look& look = prototype.look;
   tinygltf::Material out;
-  out.name = part.material;
+  out.name = prototype.material;
   out.doubleSided = look.thin;
   // What varies in opacity has it beside its colour in COLOR_0.
-  const bool veiled = mesh::find_attribute(*part.mesh, "opacity", 1) != nullptr;
-  const bool colored = veiled || mesh::find_attribute(*part.mesh, mesh::kColour, 3) != nullptr;
+  const bool veiled = mesh::find_attribute(*prototype.mesh, "opacity", 1) != nullptr;
+  const bool colored = veiled || mesh::find_attribute(*prototype.mesh, mesh::kColour, 3) != nullptr;
   out.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, 1};
   if (!colored)
     for (int c = 0; c < 3; ++c)

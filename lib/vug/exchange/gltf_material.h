@@ -12,7 +12,7 @@ namespace vug::exchange {
 
 /// The look of the part: metallic-roughness with extensions for what differs from its defaults.
 /// Vertex colours multiply the colour, which is then white.
-tinygltf::Material gltf_material(const Part& part, double emission_scale);
+tinygltf::Material gltf_material(const Prototype& prototype, double emission_scale);
 
 /// Three numbers.
 tinygltf::Value gltf_value(const Vec3d& v);

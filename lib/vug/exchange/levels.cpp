@@ -57,19 +57,19 @@ double hausdorff_distance(const mesh::Mesh& a, const mesh::Mesh& b) {
 }
 
 void add_levels(Assembly& assembly, int count, Progress& progress) {
-  progress.begin("levels of detail", assembly.parts.size() * static_cast<uint64_t>(count));
-  for (Part& part : assembly.parts) {
-    part.coarser.clear();
-    mesh::MeshPtr finer = part.mesh;
+  progress.begin("levels of detail", assembly.prototypes.size() * static_cast<uint64_t>(count));
+  for (Prototype& prototype : assembly.prototypes) {
+    prototype.coarser.clear();
+    mesh::MeshPtr finer = prototype.mesh;
     for (int i = 0; i < count; ++i) {
       progress.check();
       mesh::Mesh made = coarser(*finer);
       const auto most = kAtMost * static_cast<double>(finer->triangles.size());
       if (made.triangles.size() < kFewest || static_cast<double>(made.triangles.size()) > most)
         break;
-      const double distance = hausdorff_distance(*part.mesh, made);
+      const double distance = hausdorff_distance(*prototype.mesh, made);
       finer = std::make_shared<const mesh::Mesh>(std::move(made));
-      part.coarser.push_back({finer, distance});
+      prototype.coarser.push_back({finer, distance});
       progress.advance();
     }
   }
@@ -78,10 +78,12 @@ void add_levels(Assembly& assembly, int count, Progress& progress) {
 
 Assembly at_level(const Assembly& assembly, int number) {
   Assembly out = assembly;
-  for (Part& part : out.parts) {
-    if (!part.coarser.empty())
-      part.mesh = part.coarser[std::min(static_cast<size_t>(number), part.coarser.size()) - 1].mesh;
-    part.coarser.clear();
+  for (Prototype& prototype : out.prototypes) {
+    if (!prototype.coarser.empty())
+      prototype.mesh =
+          prototype.coarser[std::min(static_cast<size_t>(number), prototype.coarser.size()) - 1]
+              .mesh;
+    prototype.coarser.clear();
   }
   return out;
 }

@@ -14,10 +14,10 @@ std::string identifier(const std::string& text) {
   return begins ? out : fmt::format("_{}", out);
 }
 
-std::string Names::unique(const std::string& text) {
+std::string UniqueNames::unique(const std::string& text) {
   const std::string base = identifier(text);
   std::string name = base;
-  for (int number = 2; !given_.insert(name).second; ++number)
+  for (int number = 2; !used_.insert(name).second; ++number)
     name = fmt::format("{}_{}", base, number);
   return name;
 }

@@ -1,4 +1,4 @@
-// Names that every program takes: letters, digits and underscores, none twice.
+// UniqueNames that every program takes: letters, digits and underscores, none twice.
 #pragma once
 
 #include <set>
@@ -9,13 +9,13 @@ namespace vug::exchange {
 /// The text with an underscore in place of all else; begins with a letter or an underscore.
 std::string identifier(const std::string& text);
 
-class Names {
+class UniqueNames {
  public:
   /// As identifier, with a number behind it where that has been given before.
   std::string unique(const std::string& text);
 
  private:
-  std::set<std::string> given_;
+  std::set<std::string> used_;
 };
 
 }  // namespace vug::exchange

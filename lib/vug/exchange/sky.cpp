@@ -5,16 +5,17 @@
 
 namespace vug::exchange {
 
-std::optional<std::filesystem::path> sky_file(const Lamp& lamp, const std::filesystem::path& file,
+std::optional<std::filesystem::path> sky_file(const Light& light, const std::filesystem::path& file,
                                               const std::string& name) {
-  if (lamp.shape != Lamp::Shape::dome || !lamp.picture) return std::nullopt;
+  if (light.shape != Light::Shape::dome || !light.picture) return std::nullopt;
   return file.parent_path() / fmt::format("{}_{}.exr", file.stem().string(), name);
 }
 
-std::optional<std::filesystem::path> write_sky(const Lamp& lamp, const std::filesystem::path& file,
+std::optional<std::filesystem::path> write_sky(const Light& light,
+                                               const std::filesystem::path& file,
                                                const std::string& name) {
-  const auto beside = sky_file(lamp, file, name);
-  if (beside) image::write_exr(*beside, *lamp.picture);
+  const auto beside = sky_file(light, file, name);
+  if (beside) image::write_exr(*beside, *light.picture);
   return beside;
 }
 

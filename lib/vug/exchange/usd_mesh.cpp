@@ -11,8 +11,8 @@ namespace {
 constexpr const char* kPerVertex = " (interpolation = \"vertex\")";
 constexpr const char* kFull = "full";
 
-bool varies(const Part& part, const Channel& channel) {
-  return mesh::find_attribute(*part.mesh, channel.attribute, channel.arity()) != nullptr;
+bool varies(const Prototype& prototype, const Channel& channel) {
+  return mesh::find_attribute(*prototype.mesh, channel.attribute, channel.arity()) != nullptr;
 }
 
 std::string primvar(std::string_view attribute) {
@@ -57,78 +57,82 @@ double weakened(double ior, double share) {
   return (1 + f) / (1 - f);
 }
 
-void write_input(UsdText& out, const Part& part, const std::string& path, const Channel& channel,
-                 const std::string& input) {
+void write_input(UsdText& out, const Prototype& prototype, const std::string& path,
+                 const Channel& channel, const std::string& input) {
   const char* type = channel.color ? "color3f" : "float";
-  if (varies(part, channel))
+  if (varies(prototype, channel))
     out.line("{} inputs:{}.connect = <{}/{}.outputs:result>", type, input, path,
              primvar(channel.attribute));
   else if (channel.color)
-    out.line("{} inputs:{} = {}", type, input, usd_tuple(part.look.*channel.color));
+    out.line("{} inputs:{} = {}", type, input, usd_tuple(prototype.look.*channel.color));
   else
-    out.line("{} inputs:{} = {}", type, input, part.look.*channel.number);
+    out.line("{} inputs:{} = {}", type, input, prototype.look.*channel.number);
 }
 
-void write_mesh(UsdText& out, const Part& part, const mesh::Mesh& mesh, const std::string& name,
-                const std::string& material) {
+void write_mesh(UsdText& out, const Prototype& prototype, const mesh::Mesh& mesh,
+                const std::string& name, const std::string& material) {
   out.def("Mesh", name, {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
   out.line("rel material:binding = <{}>", material);
   out.line("uniform token orientation = \"rightHanded\"");
   out.line("uniform token subdivisionScheme = \"none\"");
-  if (part.look.thin) out.line("uniform bool doubleSided = true");
-  if (!varies(part, channels()[0]))
+  if (prototype.look.thin) out.line("uniform bool doubleSided = true");
+  if (!varies(prototype, channels()[0]))
     out.line("color3f[] primvars:displayColor = [{}] (interpolation = \"constant\")",
-             usd_tuple(part.look.base_color));
+             usd_tuple(prototype.look.base_color));
   write_shape(out, mesh);
   out.end();
 }
 
 }  // namespace
 
-std::string usd_mesh_type(const Part& part) { return part.coarser.empty() ? "Mesh" : "Xform"; }
+std::string usd_mesh_type(const Prototype& prototype) {
+  return prototype.coarser.empty() ? "Mesh" : "Xform";
+}
 
-void write_usd_mesh(UsdText& out, const Part& part, const std::string& name,
+void write_usd_mesh(UsdText& out, const Prototype& prototype, const std::string& name,
                     const std::string& material) {
-  if (part.coarser.empty()) return write_mesh(out, part, *part.mesh, name, material);
-  out.def(usd_mesh_type(part), name,
+  if (prototype.coarser.empty()) return write_mesh(out, prototype, *prototype.mesh, name, material);
+  out.def(usd_mesh_type(prototype), name,
           {fmt::format("variants = {{ string levelOfDetail = \"{}\" }}", kFull),
            "prepend variantSets = \"levelOfDetail\""});
   out.open("variantSet \"levelOfDetail\" = {");
   out.open(fmt::format("\"{}\" {{", kFull));
-  write_mesh(out, part, *part.mesh, "shape", material);
+  write_mesh(out, prototype, *prototype.mesh, "shape", material);
   out.end();
-  for (size_t i = 0; i < part.coarser.size(); ++i) {
+  for (size_t i = 0; i < prototype.coarser.size(); ++i) {
     out.open(fmt::format("\"lod{}\" {{", i + 1));
-    out.line("custom double vug:distance = {}", part.coarser[i].distance);
-    write_mesh(out, part, *part.coarser[i].mesh, "shape", material);
+    out.line("custom double vug:distance = {}", prototype.coarser[i].distance);
+    write_mesh(out, prototype, *prototype.coarser[i].mesh, "shape", material);
     out.end();
   }
   out.end().end();
 }
 
-bool same_usd_material(const Part& a, const Part& b) {
+bool same_usd_material(const Prototype& a, const Prototype& b) {
   if (a.material != b.material || !(a.look == b.look)) return false;
   return std::all_of(channels().begin(), channels().end(), [&](const Channel& channel) {
     return varies(a, channel) == varies(b, channel);
   });
 }
 
-void write_usd_material(UsdText& out, const Part& part, const std::string& path,
+void write_usd_material(UsdText& out, const Prototype& prototype, const std::string& path,
                         const std::string& name) {
-  const Look& look = part.look;
+  const Look& look = prototype.look;
   out.def("Material", name);
   out.line("token outputs:surface.connect = <{}/surface.outputs:surface>", path);
   out.def("Shader", "surface");
   out.line("uniform token info:id = \"UsdPreviewSurface\"");
   bool veiled = false;  // what varies in opacity is not clear besides
   for (const Channel& channel : channels()) {
-    if (channel.color == &Look::base_color) write_input(out, part, path, channel, "diffuseColor");
-    if (channel.color == &Look::emission) write_input(out, part, path, channel, "emissiveColor");
-    if (channel.number == &Look::roughness) write_input(out, part, path, channel, "roughness");
-    if (channel.number == &Look::metallic) write_input(out, part, path, channel, "metallic");
-    if (channel.number == &Look::wetness) write_input(out, part, path, channel, "clearcoat");
-    if (channel.number == &Look::opacity && varies(part, channel)) {
-      write_input(out, part, path, channel, "opacity");
+    if (channel.color == &Look::base_color)
+      write_input(out, prototype, path, channel, "diffuseColor");
+    if (channel.color == &Look::emission)
+      write_input(out, prototype, path, channel, "emissiveColor");
+    if (channel.number == &Look::roughness) write_input(out, prototype, path, channel, "roughness");
+    if (channel.number == &Look::metallic) write_input(out, prototype, path, channel, "metallic");
+    if (channel.number == &Look::wetness) write_input(out, prototype, path, channel, "clearcoat");
+    if (channel.number == &Look::opacity && varies(prototype, channel)) {
+      write_input(out, prototype, path, channel, "opacity");
       veiled = true;
     }
   }
@@ -139,7 +143,7 @@ void write_usd_material(UsdText& out, const Part& part, const std::string& path,
   out.line("token outputs:surface");
   out.end();
   for (const Channel& channel : channels()) {
-    if (!varies(part, channel)) continue;
+    if (!varies(prototype, channel)) continue;
     const std::string reader = primvar(channel.attribute);
     out.def("Shader", reader);
     out.line("uniform token info:id = \"UsdPrimvarReader_float{}\"", channel.color ? "3" : "");

@@ -1,4 +1,4 @@
-#include <vug/exchange/place.h>
+#include <vug/exchange/trs.h>
 #include <vug/exchange/usd_text.h>
 
 #include <fmt/ranges.h>

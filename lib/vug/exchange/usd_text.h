@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/base/transform.h>
-#include <vug/mesh/output.h>
+#include <vug/mesh/byte_writer.h>
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ class UsdText {
  private:
   void indent();
 
-  mesh::Output out_;
+  mesh::ByteWriter out_;
   size_t depth_ = 0;
 };
 

@@ -32,7 +32,7 @@ struct Affine {
     const double uneven = forward.max_stretch() / forward.min_stretch();  // 1 for similarities
     if (uneven > 1 + 1e-12) out.exactness = std::max(out.exactness, Exactness::bound);
     out.bounds = forward.box(child.bounds);
-    out.growth = child.grows() / uneven;
+    out.growth = child.growth_rate() / uneven;
     return out;
   }
 };

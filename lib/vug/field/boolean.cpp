@@ -22,7 +22,7 @@ struct Reach {
   Reach(const Traits& traits, double sign) : box(traits.bounds) {
     if (sign < 0 || !is_finite(box)) return;
     const Vec3d size = box.size();
-    growth = traits.grows();
+    growth = traits.growth_rate();
     depth = 0.5 * traits.lipschitz * std::min({size.x, size.y, size.z});
     radius = 0.5 * size.length();
   }
@@ -51,10 +51,13 @@ struct Operand {
   Reach reach;
 };
 
-class FoldNode final : public Readings<FoldNode> {
+class FoldNode final : public EvaluationModes<FoldNode> {
  public:
   FoldNode(Traits traits, std::vector<Operand> operands, double sign, Blend blend)
-      : Readings(std::move(traits)), operands_(std::move(operands)), sign_(sign), blend_(blend) {}
+      : EvaluationModes(std::move(traits)),
+        operands_(std::move(operands)),
+        sign_(sign),
+        blend_(blend) {}
 
   template <class T>
   T at(const Point<T>& p) const {
@@ -223,7 +226,7 @@ Traits fold_traits(const std::vector<Operand>& operands, double sign, const Blen
       const Box3d inside = t.bounds_below(bulge);
       traits.bounds =
           sign > 0 ? united(traits.bounds, inside) : intersection(traits.bounds, inside);
-      if (is_finite(inside) || sign > 0) traits.growth = std::min(traits.growth, t.grows());
+      if (is_finite(inside) || sign > 0) traits.growth = std::min(traits.growth, t.growth_rate());
       if (is_finite(inside)) ++bounded;
     } else if (sign > 0) {
       traits.bounds = infinite_box();

@@ -7,10 +7,11 @@ namespace {
 /// Far, but not so far that single precision overflows when it is blended, morphed or squared.
 constexpr double kFar = 1e6;
 
-class ConstantNode final : public Readings<ConstantNode> {
+class ConstantNode final : public EvaluationModes<ConstantNode> {
  public:
   explicit ConstantNode(double value)
-      : Readings({0, Exactness::bound, value > 0 ? Box3d() : infinite_box(), 1}), value_(value) {}
+      : EvaluationModes({0, Exactness::bound, value > 0 ? Box3d() : infinite_box(), 1}),
+        value_(value) {}
   template <class T>
   T at(const Point<T>&) const {
     return T(value_);

@@ -13,10 +13,10 @@ namespace vug::field {
 ///   template <class S> Point<S> pull_back(const Point<S>& gradient) const
 ///     optional, for maps whose derivative is constant: a gradient of the child, seen outside
 template <class D>
-class DeformerNode final : public Readings<DeformerNode<D>> {
+class DeformerNode final : public EvaluationModes<DeformerNode<D>> {
  public:
   DeformerNode(std::string name, D deformer, NodePtr child)
-      : Readings<DeformerNode<D>>(deformer.traits(child->traits())),
+      : EvaluationModes<DeformerNode<D>>(deformer.traits(child->traits())),
         name_(std::move(name)),
         deformer_(std::move(deformer)),
         child_(std::move(child)) {}

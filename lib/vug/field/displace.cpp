@@ -8,10 +8,10 @@ namespace {
 
 double greatest(Interval range) { return std::max(std::fabs(range.lo), std::fabs(range.hi)); }
 
-class DisplaceNode final : public Readings<DisplaceNode> {
+class DisplaceNode final : public EvaluationModes<DisplaceNode> {
  public:
   DisplaceNode(Traits traits, NodePtr child, Noise noise, Displacement how)
-      : Readings(std::move(traits)),
+      : EvaluationModes(std::move(traits)),
         child_(std::move(child)),
         noise_(std::move(noise)),
         how_(std::move(how)) {}
@@ -116,7 +116,7 @@ Traits DisplaceNode::traits_of(const Traits& child, const Noise& noise, const Di
   if (how.by) out.lipschitz += size * factor * 0.5 * how.by->field.lipschitz();
   out.exactness = Exactness::sign;
   out.bounds = child.bounds_below(size * factor);
-  out.growth = child.grows();
+  out.growth = child.growth_rate();
   return out;
 }
 

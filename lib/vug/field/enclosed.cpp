@@ -21,19 +21,19 @@ struct Enclosure {
 };
 
 /// At most the distance: the difference of radii over the steepness of the hull's side.
-struct SleeveSide {
-  explicit SleeveSide(const Sleeve& s)
-      : sleeve(s),
+struct HullSide {
+  explicit HullSide(const HullOfRevolution& s)
+      : hull(s),
         slope((s.high - s.low) / (s.to - s.from)),
         scale(1 / std::sqrt(1 + slope * slope)) {}
-  Sleeve sleeve;
+  HullOfRevolution hull;
   double slope, scale;
 
   template <class T>
   T distance(const Point<T>& p) const {
-    const double height = sleeve.to - sleeve.from, widening = sleeve.high - sleeve.low;
-    const T way = clamp((p.y - T(sleeve.from)) * T(1 / height), T(0.0), T(1.0));
-    return (length(p.x, p.z) - (T(sleeve.low) + way * T(widening))) * T(scale);
+    const double height = hull.to - hull.from, widening = hull.high - hull.low;
+    const T way = clamp((p.y - T(hull.from)) * T(1 / height), T(0.0), T(1.0));
+    return (length(p.x, p.z) - (T(hull.low) + way * T(widening))) * T(scale);
   }
   Box3d bounds() const { return infinite_box(); }
   Exactness exactness() const { return Exactness::bound; }
@@ -47,8 +47,8 @@ Field met(const Field& field, const std::string& name, const P& hull) {
 
 }  // namespace
 
-Field sleeved(const Field& field, const Sleeve& sleeve) {
-  return met(field, "sleeve", SleeveSide(sleeve));
+Field within_hull(const Field& field, const HullOfRevolution& hull) {
+  return met(field, "sleeve", HullSide(hull));
 }
 
 Field enclosed(const Field& field, const Box3d& box) {

@@ -11,10 +11,10 @@ Field enclosed(const Field& field, const Box3d& box);
 
 /// A round hull about the y axis: its radius goes from `low` at y = `from` to `high` at y = `to`,
 /// and stays beyond. Maps that draw far points onto it say nothing about them; it does.
-struct Sleeve {
+struct HullOfRevolution {
   double low = 1, high = 1, from = 0, to = 1;
 };
-Field sleeved(const Field& field, const Sleeve& sleeve);
+Field within_hull(const Field& field, const HullOfRevolution& hull);
 
 /// `build(child)` deforms along `from` (a unit axis); the result does so along `axis` instead, by
 /// turning the child there and back.

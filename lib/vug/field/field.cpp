@@ -23,7 +23,7 @@ Interval Field::interval(const Box3d& box) const {
   return intersection(natural, lipschitz);
 }
 
-Field::Part Field::restricted(const Ball& ball) const {
+Field::RestrictedField Field::restricted(const Ball& ball) const {
   Restriction r = node_->restrict_to(ball);
   return {r.node ? Field(std::move(r.node)) : *this, r.range};
 }
@@ -67,12 +67,12 @@ std::string to_string(const Field& field) {
 
 size_t node_count(const Field& field) { return children_first(field.node()).size(); }
 
-Extent extent(const Field& field) {
-  std::unordered_map<const Node*, Extent> known;
+EvaluationCost extent(const Field& field) {
+  std::unordered_map<const Node*, EvaluationCost> known;
   for (const Node* node : children_first(field.node())) {
-    Extent out;
+    EvaluationCost out;
     for (const NodePtr& child : node->children()) {
-      const Extent& part = known.at(child.get());
+      const EvaluationCost& part = known.at(child.get());
       out.visits += part.visits;
       out.depth = std::max(out.depth, part.depth + 1);
     }

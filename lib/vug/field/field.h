@@ -31,9 +31,9 @@ class Field {
     node_->eval(points, count, out, scratch);
   }
 
-  struct Part;
+  struct RestrictedField;
   /// The same field, seen inside a ball only: smaller where operands cannot matter there.
-  Part restricted(const Ball& ball) const;
+  RestrictedField restricted(const Ball& ball) const;
 
   double lipschitz() const { return node_->traits().lipschitz; }
   Exactness exactness() const { return node_->traits().exactness; }
@@ -44,7 +44,7 @@ class Field {
   NodePtr node_;
 };
 
-struct Field::Part {
+struct Field::RestrictedField {
   Field field;
   Interval range;
 };
@@ -56,10 +56,10 @@ std::string to_string(const Field& field);
 size_t node_count(const Field& field);
 
 /// What one evaluation costs.
-struct Extent {
+struct EvaluationCost {
   double visits = 1;  ///< Nodes, shared ones once for each place: too many for an integer at times.
   size_t depth = 1;   ///< Nodes on the longest way down.
 };
-Extent extent(const Field& field);
+EvaluationCost extent(const Field& field);
 
 }  // namespace vug::field

@@ -13,9 +13,9 @@ using Int = typename Lanes<S>::Int;
 template <class S>
 Int<S> finish(Int<S> h) {
   using L = Lanes<S>;
-  h = L::times(L::either(h, L::right(h, 16)), 0x85ebca6b);
-  h = L::times(L::either(h, L::right(h, 13)), 0xc2b2ae35);
-  return L::either(h, L::right(h, 16));
+  h = L::multiply(L::bit_xor(h, L::shift_right(h, 16)), 0x85ebca6b);
+  h = L::multiply(L::bit_xor(h, L::shift_right(h, 13)), 0xc2b2ae35);
+  return L::bit_xor(h, L::shift_right(h, 16));
 }
 
 // The four diagonals of a cube, and the same turned by 45 degrees about z; with both signs they
@@ -48,11 +48,11 @@ template <class S>
 Corner<S> corner(const Int<S>& hash, const S& x, const S& y, const S& z) {
   using L = Lanes<S>;
   const Int<S> h = finish<S>(hash);
-  const Int<S> index = L::right(h, 29), turn = L::times(h, 8);  // bit 28 is the sign
+  const Int<S> index = L::shift_right(h, 29), turn = L::multiply(h, 8);  // bit 28 is the sign
   Corner<S> c;
-  c.x = L::flip(L::entry(kGradient[0], index), turn);
-  c.y = L::flip(L::entry(kGradient[1], index), turn);
-  c.z = L::flip(L::entry(kGradient[2], index), turn);
+  c.x = L::flip_sign(L::lookup(kGradient[0], index), turn);
+  c.y = L::flip_sign(L::lookup(kGradient[1], index), turn);
+  c.z = L::flip_sign(L::lookup(kGradient[2], index), turn);
   c.value = c.x * x + c.y * y + c.z * z;
   return c;
 }
@@ -62,12 +62,13 @@ Dual<S> noise(const Point<S>& p, uint32_t seed) {
   using L = Lanes<S>;
   const S fx = floor(p.x), fy = floor(p.y), fz = floor(p.z);
   const S x = p.x - fx, y = p.y - fy, z = p.z - fz;
-  const Int<S> hx[2] = {L::times(L::cell(fx), kAxis[0]),
-                        L::plus(L::times(L::cell(fx), kAxis[0]), kAxis[0])};
-  const Int<S> y0 = L::either(L::times(L::cell(fy), kAxis[1]), seed, 0);
-  const Int<S> hy[2] = {y0, L::either(L::plus(L::times(L::cell(fy), kAxis[1]), kAxis[1]), seed, 0)};
-  const Int<S> hz[2] = {L::times(L::cell(fz), kAxis[2]),
-                        L::plus(L::times(L::cell(fz), kAxis[2]), kAxis[2])};
+  const Int<S> hx[2] = {L::multiply(L::to_int(fx), kAxis[0]),
+                        L::add(L::multiply(L::to_int(fx), kAxis[0]), kAxis[0])};
+  const Int<S> y0 = L::bit_xor(L::multiply(L::to_int(fy), kAxis[1]), seed, 0);
+  const Int<S> hy[2] = {
+      y0, L::bit_xor(L::add(L::multiply(L::to_int(fy), kAxis[1]), kAxis[1]), seed, 0)};
+  const Int<S> hz[2] = {L::multiply(L::to_int(fz), kAxis[2]),
+                        L::add(L::multiply(L::to_int(fz), kAxis[2]), kAxis[2])};
   const S u = fade(x), v = fade(y), w = fade(z);
   const S one(1.0);
 
@@ -75,10 +76,10 @@ Dual<S> noise(const Point<S>& p, uint32_t seed) {
   Corner<S> edge[4];
   S along[4];
   for (int k = 0; k < 4; ++k) {
-    const Int<S> rest = L::either(hy[k & 1], hz[k >> 1]);
+    const Int<S> rest = L::bit_xor(hy[k & 1], hz[k >> 1]);
     const S dy = k & 1 ? y - one : y, dz = k >> 1 ? z - one : z;
-    const Corner<S> a = corner<S>(L::either(hx[0], rest), x, dy, dz);
-    const Corner<S> b = corner<S>(L::either(hx[1], rest), x - one, dy, dz);
+    const Corner<S> a = corner<S>(L::bit_xor(hx[0], rest), x, dy, dz);
+    const Corner<S> b = corner<S>(L::bit_xor(hx[1], rest), x - one, dy, dz);
     along[k] = b.value - a.value;
     edge[k].value = a.value + along[k] * u;
     if constexpr (kSlope) {
@@ -106,7 +107,7 @@ Dual<S> noise(const Point<S>& p, uint32_t seed) {
 template <class S>
 S random(const S& cell, uint32_t seed) {
   using L = Lanes<S>;
-  return L::unit(finish<S>(L::either(L::times(L::cell(cell), kAxis[0]), seed, 0)));
+  return L::to_unit(finish<S>(L::bit_xor(L::multiply(L::to_int(cell), kAxis[0]), seed, 0)));
 }
 
 /// Visits the 27 cells about p from the nearest outwards, and leaves out those that lie further
@@ -115,7 +116,7 @@ template <class S>
 Sites<S> sites(const Point<S>& p, uint32_t seed) {
   using L = Lanes<S>;
   const Point<S> base{floor(p.x), floor(p.y), floor(p.z)};
-  const Int<S> cx = L::cell(base.x), cy = L::cell(base.y), cz = L::cell(base.z);
+  const Int<S> cx = L::to_int(base.x), cy = L::to_int(base.y), cz = L::to_int(base.z);
   const S zero(0.0), far(1e9);
   Sites<S> best{{{zero, zero, zero}, far}, {{zero, zero, zero}, far}};
   const Point<S> local = p - base;
@@ -127,14 +128,14 @@ Sites<S> sites(const Point<S>& p, uint32_t seed) {
       const int i = k % 3 - 1, j = k / 3 % 3 - 1, l = k / 9 - 1;
       if (i * i + j * j + l * l != ring) continue;
       const S nearest = gap(local.x, i) + gap(local.y, j) + gap(local.z, l);
-      if (!anywhere(nearest < best.second.squared)) continue;
-      Int<S> h = L::either(L::times(L::plus(cx, static_cast<uint32_t>(i)), kAxis[0]), seed, 0);
-      h = L::either(h, L::times(L::plus(cy, static_cast<uint32_t>(j)), kAxis[1]));
-      h = L::either(h, L::times(L::plus(cz, static_cast<uint32_t>(l)), kAxis[2]));
-      const Int<S> hx = finish<S>(h), hy = finish<S>(L::plus(hx, 0x9e3779b9)),
-                   hz = finish<S>(L::plus(hy, 0x9e3779b9));
+      if (!any_lane(nearest < best.second.squared)) continue;
+      Int<S> h = L::bit_xor(L::multiply(L::add(cx, static_cast<uint32_t>(i)), kAxis[0]), seed, 0);
+      h = L::bit_xor(h, L::multiply(L::add(cy, static_cast<uint32_t>(j)), kAxis[1]));
+      h = L::bit_xor(h, L::multiply(L::add(cz, static_cast<uint32_t>(l)), kAxis[2]));
+      const Int<S> hx = finish<S>(h), hy = finish<S>(L::add(hx, 0x9e3779b9)),
+                   hz = finish<S>(L::add(hy, 0x9e3779b9));
       auto way = [](const S& x, int step, const Int<S>& hash) {
-        return x - (S(static_cast<double>(step)) + L::unit(hash));
+        return x - (S(static_cast<double>(step)) + L::to_unit(hash));
       };
       Site<S> site;
       site.way = {way(local.x, i, hx), way(local.y, j, hy), way(local.z, l, hz)};

@@ -15,50 +15,50 @@ struct Lanes;
 template <>
 struct Lanes<double> {
   using Int = uint32_t;
-  static Int cell(double x) {
+  static Int to_int(double x) {
     return static_cast<uint32_t>(static_cast<int64_t>(std::clamp(x, -1e9, 1e9)));
   }
-  static Int times(Int a, uint32_t b) { return a * b; }
-  static Int plus(Int a, uint32_t b) { return a + b; }
-  static Int either(Int a, Int b) { return a ^ b; }
-  static Int either(Int a, uint32_t b, int) { return a ^ b; }
-  static Int right(Int a, int bits) { return a >> bits; }
+  static Int multiply(Int a, uint32_t b) { return a * b; }
+  static Int add(Int a, uint32_t b) { return a + b; }
+  static Int bit_xor(Int a, Int b) { return a ^ b; }
+  static Int bit_xor(Int a, uint32_t b, int) { return a ^ b; }
+  static Int shift_right(Int a, int bits) { return a >> bits; }
   /// The low 24 bits as a number in [0, 1).
-  static double unit(Int a) { return static_cast<double>(a & 0xffffff) * 0x1p-24; }
+  static double to_unit(Int a) { return static_cast<double>(a & 0xffffff) * 0x1p-24; }
   /// Entry `index` of eight.
-  static double entry(const float* table, Int index) { return static_cast<double>(table[index]); }
+  static double lookup(const float* table, Int index) { return static_cast<double>(table[index]); }
   /// -x where the top bit of `a` is set.
-  static double flip(double x, Int a) { return a >> 31 ? -x : x; }
+  static double flip_sign(double x, Int a) { return a >> 31 ? -x : x; }
 };
 
 template <>
 struct Lanes<Pack> {
   using Int = __m256i;
-  static Int cell(Pack x) { return _mm256_cvtps_epi32(x.v); }
-  static Int times(Int a, uint32_t b) {
+  static Int to_int(Pack x) { return _mm256_cvtps_epi32(x.v); }
+  static Int multiply(Int a, uint32_t b) {
     return _mm256_mullo_epi32(a, _mm256_set1_epi32(static_cast<int>(b)));
   }
-  static Int plus(Int a, uint32_t b) {
+  static Int add(Int a, uint32_t b) {
     return _mm256_add_epi32(a, _mm256_set1_epi32(static_cast<int>(b)));
   }
-  static Int either(Int a, Int b) { return _mm256_xor_si256(a, b); }
-  static Int either(Int a, uint32_t b, int) {
+  static Int bit_xor(Int a, Int b) { return _mm256_xor_si256(a, b); }
+  static Int bit_xor(Int a, uint32_t b, int) {
     return _mm256_xor_si256(a, _mm256_set1_epi32(static_cast<int>(b)));
   }
-  static Int right(Int a, int bits) { return _mm256_srli_epi32(a, bits); }
-  static Pack unit(Int a) {
+  static Int shift_right(Int a, int bits) { return _mm256_srli_epi32(a, bits); }
+  static Pack to_unit(Int a) {
     return Pack(_mm256_cvtepi32_ps(_mm256_and_si256(a, _mm256_set1_epi32(0xffffff)))) *
            Pack(0x1p-24);
   }
-  static Pack entry(const float* table, Int index) {
+  static Pack lookup(const float* table, Int index) {
     return _mm256_permutevar8x32_ps(_mm256_loadu_ps(table), index);
   }
-  static Pack flip(Pack x, Int a) {
+  static Pack flip_sign(Pack x, Int a) {
     return _mm256_xor_ps(x.v, _mm256_and_ps(_mm256_castsi256_ps(a), _mm256_set1_ps(-0.0f)));
   }
 };
 
-inline bool anywhere(bool b) { return b; }
-inline bool anywhere(PackMask m) { return any(m); }
+inline bool any_lane(bool b) { return b; }
+inline bool any_lane(PackMask m) { return any(m); }
 
 }  // namespace vug::field

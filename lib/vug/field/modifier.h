@@ -10,10 +10,10 @@ namespace vug::field {
 ///        Interval range(Interval child) const   (bounds of apply over all points, given the
 ///        child's)
 template <class M>
-class ModifierNode final : public Readings<ModifierNode<M>> {
+class ModifierNode final : public EvaluationModes<ModifierNode<M>> {
  public:
   ModifierNode(std::string name, M modifier, NodePtr child)
-      : Readings<ModifierNode<M>>(modifier.traits(child->traits())),
+      : EvaluationModes<ModifierNode<M>>(modifier.traits(child->traits())),
         name_(std::move(name)),
         modifier_(std::move(modifier)),
         child_(std::move(child)) {}

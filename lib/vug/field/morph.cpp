@@ -8,13 +8,13 @@ Traits morph_traits(const Traits& a, const Traits& b, double amount) {
   // Where the sum is negative at least one of the two is.
   return {(1 - amount) * a.lipschitz + amount * b.lipschitz,
           std::max({a.exactness, b.exactness, Exactness::bound}), united(a.bounds, b.bounds),
-          (1 - amount) * a.grows() + amount * b.grows()};
+          (1 - amount) * a.growth_rate() + amount * b.growth_rate()};
 }
 
-class MorphNode final : public Readings<MorphNode> {
+class MorphNode final : public EvaluationModes<MorphNode> {
  public:
   MorphNode(Traits traits, NodePtr a, NodePtr b, double amount)
-      : Readings(std::move(traits)), a_(std::move(a)), b_(std::move(b)), amount_(amount) {}
+      : EvaluationModes(std::move(traits)), a_(std::move(a)), b_(std::move(b)), amount_(amount) {}
 
   template <class T>
   T at(const Point<T>& p) const {

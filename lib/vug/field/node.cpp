@@ -6,7 +6,7 @@ namespace vug::field {
 
 Box3d Traits::bounds_below(double level) const {
   if (level <= 0) return bounds;
-  const double slope = grows();
+  const double slope = growth_rate();
   return slope > 0 ? grown(bounds, level / slope) : infinite_box();
 }
 

@@ -23,10 +23,11 @@ struct Traits {
   double lipschitz = 1;  ///< |f(p) - f(q)| <= lipschitz * |p - q| everywhere.
   Exactness exactness = Exactness::exact;
   Box3d bounds;       ///< Holds every point with f <= 0; may be infinite, or empty.
-  double growth = 0;  ///< Promised of fields that are not exact; see grows().
+  double growth = 0;  ///< Promised of fields that are not exact; see growth_rate().
 
-  /// f(p) >= grows() * (distance from p to bounds) for every p outside; exact fields grow by 1.
-  double grows() const { return exactness == Exactness::exact ? 1 : growth; }
+  /// f(p) >= growth_rate() * (distance from p to bounds) for every p outside; exact fields grow
+  /// by 1.
+  double growth_rate() const { return exactness == Exactness::exact ? 1 : growth; }
   /// A box around every point with f <= level: what offsets and blends need.
   Box3d bounds_below(double level) const;
 };
@@ -84,7 +85,7 @@ class Node {
 ///   template <class T> void fill(const Point<Pack>* points, int count, T* out, Scratch&) const;
 /// with T a Pack or a Dual<Pack>; point_for<T> gives a formula its point.
 template <class Derived>
-class Readings : public Node {
+class EvaluationModes : public Node {
  public:
   using Node::Node;
   double eval(const Point<double>& p) const final { return self().at(p); }

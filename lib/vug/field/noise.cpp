@@ -27,7 +27,7 @@ std::optional<Noise> default_noise(const std::string& kind) {
   return found->make({}, {}, diagnostics);
 }
 
-Noise::Noise() : Noise(*default_noise(kUsualNoise)) { usual = true; }
+Noise::Noise() : Noise(*default_noise(kDefaultNoise)) { is_default = true; }
 
 std::vector<float> sample(const Field& field, const std::vector<Vec3f>& points) {
   constexpr size_t kPacks = 64, kChunk = kPacks * Pack::kLanes;

@@ -5,7 +5,7 @@
 
 namespace vug::field {
 
-constexpr const char* kUsualNoise = "fbm";
+constexpr const char* kDefaultNoise = "fbm";
 
 /// Values without a unit, about -1..1; `field` evaluates it (points in metres) and knows its
 /// Lipschitz constant per metre. By default: fbm with its defaults.
@@ -14,8 +14,8 @@ struct Noise {
   Noise(Field values, Interval bounds) : field(std::move(values)), range(bounds) {}
 
   Field field;
-  Interval range;      ///< Holds every value.
-  bool usual = false;  ///< Whether it is the one by default.
+  Interval range;           ///< Holds every value.
+  bool is_default = false;  ///< Whether it is the one by default.
 };
 
 using NoiseKind = Kind<Noise>;
@@ -49,7 +49,7 @@ struct ValueTraits<field::Noise> : ObjectTraits<field::Noise> {
     return name ? field::default_noise(name->text) : std::nullopt;
   }
   static Value write(const field::Noise& noise) {
-    if (noise.usual) return Value::Name{field::kUsualNoise};
+    if (noise.is_default) return Value::Name{field::kDefaultNoise};
     return ObjectTraits::write(noise);
   }
 };

@@ -9,10 +9,10 @@ namespace vug::field {
 ///        Interval over(const Ball&) const                  bounds of the value in a ball
 ///        Interval range() const, double lipschitz() const  over all of space, per metre
 template <class N>
-class NoiseNode final : public Readings<NoiseNode<N>> {
+class NoiseNode final : public EvaluationModes<NoiseNode<N>> {
  public:
   NoiseNode(std::string name, N noise)
-      : Readings<NoiseNode<N>>({noise.lipschitz(), Exactness::sign, infinite_box(), 0}),
+      : EvaluationModes<NoiseNode<N>>({noise.lipschitz(), Exactness::sign, infinite_box(), 0}),
         name_(std::move(name)),
         noise_(std::move(noise)) {}
 

@@ -9,10 +9,10 @@ namespace vug::field {
 ///        double value(const Vec3d& p) const      (optional: where the value alone costs less)
 /// Batches go lane by lane in double precision; intervals come from the Lipschitz constant.
 template <class S>
-class OpaqueNode final : public Readings<OpaqueNode<S>> {
+class OpaqueNode final : public EvaluationModes<OpaqueNode<S>> {
  public:
   OpaqueNode(std::string name, Traits traits, S source)
-      : Readings<OpaqueNode<S>>(std::move(traits)),
+      : EvaluationModes<OpaqueNode<S>>(std::move(traits)),
         name_(std::move(name)),
         source_(std::move(source)) {}
 

@@ -14,10 +14,10 @@ namespace vug::field {
 /// A parameter struct whose formula needs derived constants has `shape()` instead, which gives a
 /// struct P of the above; it is made once.
 template <class P>
-class PrimitiveNode final : public Readings<PrimitiveNode<P>> {
+class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
  public:
   PrimitiveNode(std::string name, P params)
-      : Readings<PrimitiveNode<P>>(traits_of(params)),
+      : EvaluationModes<PrimitiveNode<P>>(traits_of(params)),
         name_(std::move(name)),
         params_(std::move(params)) {}
 

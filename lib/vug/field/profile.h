@@ -11,15 +11,15 @@ namespace vug::field {
 /// Where two solids of right angle meet: d and e are exact distances to each, along axes at right
 /// angles (a profile and a slab, the two slabs of a rectangle).
 template <class T>
-T crossed(const T& d, const T& e) {
+T intersect_orthogonal(const T& d, const T& e) {
   const T inside = max(d, e);
   return select(inside > T(0.0), length(max(d, T(0.0)), max(e, T(0.0))), inside);
 }
 
 /// A straight edge of a convex profile, from `a` to `b` with the solid on the left.
-class Side {
+class ProfileEdge {
  public:
-  Side(double ax, double ay, double bx, double by)
+  ProfileEdge(double ax, double ay, double bx, double by)
       : ax_(ax), ay_(ay), length_(std::sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay))) {
     tx_ = (bx - ax) / length_;
     ty_ = (by - ay) / length_;
@@ -31,7 +31,7 @@ class Side {
   }
   /// True where the point's foot on the line lies between a and b.
   template <class T>
-  auto beside(const T& x, const T& y) const {
+  auto projects_onto(const T& x, const T& y) const {
     const T along = (x - T(ax_)) * T(tx_) + (y - T(ay_)) * T(ty_) - T(0.5 * length_);
     return abs(along) < T(0.5 * length_);
   }
@@ -57,13 +57,13 @@ class Trapezoid {
     const T below = square(max(x - T(low_), T(0.0))) + square(y + T(half_height_));
     const T above = square(max(x - T(high_), T(0.0))) + square(y - T(half_height_));
     const T outside =
-        select(both(slant > T(0.0), side_.beside(x, y)), slant, sqrt(min(below, above)));
+        select(both(slant > T(0.0), side_.projects_onto(x, y)), slant, sqrt(min(below, above)));
     return select(inside > T(0.0), outside, inside);
   }
 
  private:
   double low_, high_, half_height_;
-  Side side_;
+  ProfileEdge side_;
 };
 
 }  // namespace vug::field

@@ -7,7 +7,7 @@
 namespace vug::image {
 
 /// The share of pixels whose luminance is above `luminance`; 0 without R, G and B.
-double share_above(const Image& linear, double luminance,
-                   WorkingSpace space = WorkingSpace::rec709);
+double fraction_above(const Image& linear, double luminance,
+                      WorkingSpace space = WorkingSpace::rec709);
 
 }  // namespace vug::image

@@ -99,8 +99,8 @@ std::optional<WorkingSpace> find_space(const Chromaticities& chromaticities) {
 }
 
 ColourMatrix::ColourMatrix(const Chromaticities& from, const Chromaticities& to) {
-  plain_ = same(from, to);
-  if (plain_) return;
+  is_identity_ = same(from, to);
+  if (is_identity_) return;
   rows_ =
       multiply(inverse(to_xyz(to)), multiply(adaptation(xyz(from, 3), xyz(to, 3)), to_xyz(from)));
 }

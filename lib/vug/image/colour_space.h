@@ -39,11 +39,11 @@ class ColourMatrix {
   ColourMatrix(const Chromaticities& from, const Chromaticities& to);
   ColourMatrix(WorkingSpace from, WorkingSpace to);
 
-  bool plain() const { return plain_; }
+  bool is_identity() const { return is_identity_; }
   double at(size_t row, size_t column) const { return rows_[row][column]; }
   template <class T>
   Vec3<T> operator()(const Vec3<T>& c) const {
-    if (plain_) return c;
+    if (is_identity_) return c;
     Vec3<T> out;
     for (size_t i = 0; i < 3; ++i)
       out[static_cast<int>(i)] = static_cast<T>(rows_[i][0]) * c.x +
@@ -53,7 +53,7 @@ class ColourMatrix {
   }
 
  private:
-  bool plain_ = true;
+  bool is_identity_ = true;
   std::array<std::array<double, 3>, 3> rows_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 

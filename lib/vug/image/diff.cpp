@@ -40,7 +40,7 @@ struct Chosen {
   bool main = false;
 };
 
-void require_channels(const Layer& layer, const Subject& has, const Subject& lacks) {
+void require_channels(const Layer& layer, const ImageUnderTest& has, const ImageUnderTest& lacks) {
   std::vector<std::string> missing;
   for (const std::string& channel : layer.channels)
     if (lacks.image.find_channel(channel) < 0) missing.push_back(channel);
@@ -51,7 +51,8 @@ void require_channels(const Layer& layer, const Subject& has, const Subject& lac
               {}, "choose the layers to compare, for instance --layer beauty");
 }
 
-std::vector<Chosen> choose_layers(const Subject& a, const Subject& b, const DiffOptions& options) {
+std::vector<Chosen> choose_layers(const ImageUnderTest& a, const ImageUnderTest& b,
+                                  const DiffOptions& options) {
   const std::vector<Layer> of_a = layers_of(a.image.channels), of_b = layers_of(b.image.channels);
   std::vector<Chosen> out;
   if (!options.layers.empty()) {
@@ -141,7 +142,7 @@ double exposure_of(const Comparison& pair) {
   return a ? *a : b.value_or(0);
 }
 
-Comparison comparison_of(const Layer& layer, const Subject& a, const Subject& b,
+Comparison comparison_of(const Layer& layer, const ImageUnderTest& a, const ImageUnderTest& b,
                          const DiffOptions& options, double exposure) {
   Comparison pair;
   pair.reference = extract(a.image, layer);
@@ -162,7 +163,7 @@ double samples_of(const Metadata& metadata) {
   return 0;
 }
 
-NoisyPicture noisy(const Subject& subject) {
+NoisyPicture noisy(const ImageUnderTest& subject) {
   NoisyPicture out;
   out.mean = subject.image.select({"R", "G", "B"});
   const std::vector<Layer> layers = layers_of(subject.image.channels);
@@ -179,9 +180,9 @@ NoisyPicture noisy(const Subject& subject) {
   return out;
 }
 
-std::optional<Significance> significance_of(const std::vector<Chosen>& chosen, const Subject& a,
-                                            const Subject& b, const DiffOptions& options,
-                                            double alarm) {
+std::optional<Significance> significance_of(const std::vector<Chosen>& chosen,
+                                            const ImageUnderTest& a, const ImageUnderTest& b,
+                                            const DiffOptions& options, double alarm) {
   const bool beauty = std::any_of(chosen.begin(), chosen.end(), [](const Chosen& each) {
     return each.layer.name == kBeauty && each.layer.colour();
   });
@@ -189,10 +190,10 @@ std::optional<Significance> significance_of(const std::vector<Chosen>& chosen, c
   if (beauty) {
     const NoisyPicture noisy_a = noisy(a), noisy_b = noisy(b);
     if (noisy_a.variance || noisy_b.variance)
-      return test_significance(noisy_a, noisy_b, options.mask, {.alarm = alarm});
+      return test_significance(noisy_a, noisy_b, options.mask, {.false_alarm_rate = alarm});
     why = fmt::format("neither '{}' nor '{}' tells the variance of its pixels", a.name, b.name);
   }
-  if (options.alarm)
+  if (options.false_alarm_rate)
     throw Error(ErrorCode::bad_input, why, {},
                 "the test of significance reads variance.R, variance.G and variance.B; without "
                 "them set a limit, for instance --max relative_rmse=0.01");
@@ -216,14 +217,14 @@ std::string unlikely(const Finding& finding) {
                      : finding.name == "spread" ? "blocks are further apart than their noise allows"
                                                 : "one block is off";
   return fmt::format("{} (z = {:.1f} in {}, chance {:.2g})", what, finding.value, finding.channel,
-                     finding.chance);
+                     finding.p_value);
 }
 
 void judge(Diff& out, const DiffOptions& options) {
   out.basis = !options.limits.empty() ? Basis::limits
               : out.tested            ? Basis::significance
                                       : Basis::rounding;
-  for (const Row& row : out.rows)
+  for (const LayerResult& row : out.rows)
     if (!row.passed)
       out.reasons.push_back(fmt::format(
           "{} of {} is {:.4g}, {} {:.4g} is allowed", row.measure, row.layer, row.value,
@@ -240,7 +241,7 @@ void find_unjudged(Diff& out, const std::vector<Chosen>& chosen,
                    const std::vector<double>& largest) {
   for (size_t i = 0; i < chosen.size(); ++i) {
     const std::string& name = chosen[i].layer.name;
-    const bool limited = std::any_of(out.rows.begin(), out.rows.end(), [&](const Row& row) {
+    const bool limited = std::any_of(out.rows.begin(), out.rows.end(), [&](const LayerResult& row) {
       return row.layer == name && row.limit;
     });
     const bool tested = name == kBeauty && out.tested;
@@ -274,8 +275,8 @@ Limit limit_of(const std::string& name, double value) {
   return out;
 }
 
-Diff diff_view(const Subject& reference, const Subject& test, const DiffOptions& options,
-               double alarm) {
+Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
+               const DiffOptions& options, double alarm) {
   if (reference.image.width != test.image.width || reference.image.height != test.image.height)
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' has {} x {} pixels and '{}' {} x {}", reference.name,
@@ -312,8 +313,8 @@ Diff diff_view(const Subject& reference, const Subject& test, const DiffOptions&
              return limit.layer == kBeauty || (limit.layer.empty() && each.main);
            });
   };
-  out.tested =
-      out.significance && (options.alarm || std::none_of(chosen.begin(), chosen.end(), of_beauty));
+  out.tested = out.significance &&
+               (options.false_alarm_rate || std::none_of(chosen.begin(), chosen.end(), of_beauty));
   std::vector<double> largest;  // of each layer's differences
   for (const Chosen& each : chosen) {
     const Comparison pair = comparison_of(each.layer, reference, test, options, out.exposure);
@@ -325,7 +326,7 @@ Diff diff_view(const Subject& reference, const Subject& test, const DiffOptions&
     if (each.layer.name == kBeauty && out.tested && std::isinf(d.largest))
       out.reasons.push_back("values of the beauty are not finite in one picture only");
     for (const Measure* measure : measures_for(each, options, limits)) {
-      Row row{each.layer.name, measure->info.name, measure->equal, {}, true};
+      LayerResult row{each.layer.name, measure->info.name, measure->equal, {}, true};
       if (d.largest > 0) row.value = measure->measure(pair).value;
       if (const Limit* limit = limit_for(each, row.measure, limits)) row.limit = limit->value;
       if (row.limit) row.passed = passes(*measure, row.value, *row.limit);

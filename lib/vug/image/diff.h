@@ -16,7 +16,7 @@
 namespace vug::image {
 
 /// A picture with what its file tells about it.
-struct Subject {
+struct ImageUnderTest {
   std::string name;  ///< For messages: the file.
   Image image;
   Metadata metadata;
@@ -26,7 +26,7 @@ struct Subject {
 };
 
 /// Error(bad_input) as for `read`.
-Subject read_subject(const std::filesystem::path& file);
+ImageUnderTest read_image_under_test(const std::filesystem::path& file);
 
 /// A pixel counts where the mask's first channel is at least 0.5. Error(bad_input) when the file
 /// cannot be read, is not of this size, or lets nothing through.
@@ -48,13 +48,13 @@ struct DiffOptions {
   /// where a variance is there. Without any limit or variance all layers are judged by kRounding.
   std::vector<Limit> limits;
   /// Demands the test of significance, also beside limits, at this rate of false alarms.
-  std::optional<double> alarm;
+  std::optional<double> false_alarm_rate;
   std::optional<double> exposure;    ///< Stops for what is shown; none: that makes middle grey.
   bool reference_exposures = false;  ///< See Comparison.
   std::vector<uint8_t> mask;
 };
 
-struct Row {
+struct LayerResult {
   std::string layer;
   std::string measure;
   double value = 0;
@@ -72,12 +72,13 @@ enum class Basis {
 
 /// The limit without any other: twice what rounding to 16-bit floats does to a value.
 inline constexpr double kRounding = 1e-3;
-inline constexpr double kAlarm = 0.01;
+inline constexpr double kFalseAlarmRate = 0.01;
 
 struct Diff {
   bool same = true;
   Basis basis = Basis::identical;
-  std::vector<Row> rows;  ///< Layer by layer; of identical ones that are not main only limits.
+  std::vector<LayerResult>
+      rows;  ///< Layer by layer; of identical ones that are not main only limits.
   std::vector<std::string> identical;  ///< Layers without a difference, the main ones aside.
   std::optional<Significance> significance;
   /// The same of a stereo picture's other views, with their names.
@@ -99,7 +100,8 @@ struct Diff {
 /// layers, measures or limits that do not exist, a test of significance without variance. Swapping
 /// the pictures swaps signs and roles, but never the verdict. Of pictures for stereo both views are
 /// compared, and share the rate of false alarms; "right.N" names a layer of one, "N" that of both.
-Diff diff(const Subject& reference, const Subject& test, const DiffOptions& options = {});
+Diff diff(const ImageUnderTest& reference, const ImageUnderTest& test,
+          const DiffOptions& options = {});
 
 /// "beauty.rmse" or "rmse", with its value; Error(bad_input) for an unknown measure, or
 /// where not even equal pictures pass.

@@ -6,7 +6,7 @@
 namespace vug::image {
 
 /// `diff` of pictures of one view, with this rate of false alarms where significance is tested.
-Diff diff_view(const Subject& reference, const Subject& test, const DiffOptions& options,
-               double alarm);
+Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
+               const DiffOptions& options, double alarm);
 
 }  // namespace vug::image

@@ -12,7 +12,7 @@
 namespace vug::image {
 namespace {
 
-Subject in_view(const Subject& subject, const View& view) {
+ImageUnderTest in_view(const ImageUnderTest& subject, const View& view) {
   return {subject.name,     extract(subject.image, view),
           subject.metadata, subject.left,
           subject.top,      subject.space,
@@ -39,7 +39,7 @@ std::string name_of(const View& view, const std::string& layer) {
 /// Names layers as the whole picture does.
 Diff named(Diff diff, const View& view) {
   if (view.name.empty()) return diff;
-  for (Row& row : diff.rows) row.layer = name_of(view, row.layer);
+  for (LayerResult& row : diff.rows) row.layer = name_of(view, row.layer);
   for (auto* names : {&diff.identical, &diff.unjudged})
     for (std::string& layer : *names) layer = name_of(view, layer);
   for (std::string& reason : diff.reasons) reason = fmt::format("{}: {}", view.name, reason);
@@ -65,8 +65,8 @@ void add(Diff& all, const Diff& one, const View& view) {
   append(all.reasons, one.reasons);
 }
 
-void require_same_views(const Subject& a, const Subject& b) {
-  const auto names = [](const Subject& subject) {
+void require_same_views(const ImageUnderTest& a, const ImageUnderTest& b) {
+  const auto names = [](const ImageUnderTest& subject) {
     std::vector<std::string> out;
     for (const View& view : views_of(subject.image.channels)) out.push_back(view.name);
     return out;
@@ -82,9 +82,9 @@ void require_same_views(const Subject& a, const Subject& b) {
 
 }  // namespace
 
-Diff diff(const Subject& reference, const Subject& test, const DiffOptions& options) {
+Diff diff(const ImageUnderTest& reference, const ImageUnderTest& test, const DiffOptions& options) {
   require_same_views(reference, test);
-  const double alarm = options.alarm.value_or(kAlarm);
+  const double alarm = options.false_alarm_rate.value_or(kFalseAlarmRate);
   const std::vector<View> all = views_of(reference.image.channels);
   if (all.size() == 1 && all[0].name.empty()) return diff_view(reference, test, options, alarm);
   std::vector<std::pair<View, DiffOptions>> views;

@@ -35,7 +35,7 @@ class ExrOutput {
   const std::vector<OIIO::ImageSpec>& parts_;
   // OpenImageIO's own way to the file does not see when its last bytes find no room.
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  OIIO::Filesystem::IOFile way_;
+  OIIO::Filesystem::IOFile io_;
   std::unique_ptr<OIIO::ImageOutput> output_;
 };
 

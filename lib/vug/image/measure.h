@@ -26,7 +26,7 @@ struct Comparison {
   bool counts(size_t pixel) const { return mask.empty() || mask[pixel] != 0; }
 };
 
-struct Measured {
+struct MeasureResult {
   double value = 0;
   std::vector<float> map;  ///< For each pixel, masked ones too; empty when there is no such map.
 };
@@ -39,7 +39,7 @@ struct Measure {
   Better better = Better::low;
   bool needs_colour = false;  ///< Only for layers with R, G and B.
   double equal = 0;           ///< The value of two equal pictures.
-  Measured (*measure)(const Comparison&) = nullptr;
+  MeasureResult (*measure)(const Comparison&) = nullptr;
 };
 
 const std::vector<const Measure*>& measures();

@@ -1,6 +1,6 @@
 // What a file of a measure needs: the macro that opens its one exported definition, outside of any
 // namespace:
-//   VUG_MEASURE(rmse) { return low_is_alike("rmse", "...", "", measure); }
+//   VUG_MEASURE(rmse) { return lower_is_better("rmse", "...", "", measure); }
 #pragma once
 
 #include <vug/base/kind.h>
@@ -10,8 +10,9 @@
 
 namespace vug::image {
 
-inline Measure low_is_alike(std::string name, std::string doc, std::string cite,
-                            Measured (*measure)(const Comparison&), bool needs_colour = false) {
+inline Measure lower_is_better(std::string name, std::string doc, std::string cite,
+                               MeasureResult (*measure)(const Comparison&),
+                               bool needs_colour = false) {
   return {{std::move(name), "measure", std::move(doc), std::move(cite), {}},
           Measure::Better::low,
           needs_colour,
@@ -19,8 +20,9 @@ inline Measure low_is_alike(std::string name, std::string doc, std::string cite,
           measure};
 }
 
-inline Measure high_is_alike(std::string name, std::string doc, std::string cite, double equal,
-                             Measured (*measure)(const Comparison&), bool needs_colour = true) {
+inline Measure higher_is_better(std::string name, std::string doc, std::string cite, double equal,
+                                MeasureResult (*measure)(const Comparison&),
+                                bool needs_colour = true) {
   return {{std::move(name), "measure", std::move(doc), std::move(cite), {}},
           Measure::Better::high,
           needs_colour,

@@ -1,7 +1,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/image/configured_view.h>
 #include <vug/image/io.h>
+#include <vug/image/ocio_view.h>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -48,7 +48,7 @@ std::string png_bytes(const Image& image, const ViewOptions& view, const Metadat
   const Image shown = display(image, view);
   const std::vector<uint8_t> bytes = codes(shown, view.dither);
   OIIO::ImageSpec spec(shown.width, shown.height, 3, OIIO::TypeDesc::UINT8);
-  if (!view.configured || view.configured->srgb()) spec.attribute("oiio:ColorSpace", "sRGB");
+  if (!view.ocio || view.ocio->srgb()) spec.attribute("oiio:ColorSpace", "sRGB");
   for (const auto& [name, text] : metadata) spec.attribute(name, text);
   std::vector<unsigned char> out;
   OIIO::Filesystem::IOVecOutput memory(out);

@@ -28,7 +28,7 @@ const char* basis_text(const Diff& diff) {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-std::string row_text(const Row& row) {
+std::string row_text(const LayerResult& row) {
   std::string out = fmt::format("{:<16} {:<14} {:>12.6g}", row.layer, row.measure, row.value);
   if (row.limit) {
     const bool low = measure_of(row.measure).better == Measure::Better::low;
@@ -40,14 +40,14 @@ std::string row_text(const Row& row) {
 }
 
 Json to_json(const Significance& s, bool heeded) {
-  Json out{{"different", s.different}, {"heeded", heeded}, {"chance", s.chance},
+  Json out{{"different", s.different}, {"heeded", heeded}, {"chance", s.p_value},
            {"bias", number(s.bias)},   {"block", s.block}, {"blocks", s.blocks},
            {"mean_z", s.mean_z},       {"std_z", s.std_z}, {"beyond_3", s.beyond_3}};
   for (const Finding& f : s.findings)
     out["findings"].push_back({{"name", f.name},
                                {"channel", f.channel},
                                {"value", number(f.value)},
-                               {"chance", f.chance},
+                               {"chance", f.p_value},
                                {"different", f.different}});
   return out;
 }
@@ -59,7 +59,7 @@ std::string to_text(const Significance& s, const std::string& layer) {
       layer, s.blocks, s.block, s.block, s.mean_z, s.std_z, 100 * s.beyond_3, 100 * s.bias);
   for (const Finding& f : s.findings)
     out += fmt::format("  {:<8} {:>10.4g} in {}   chance {:<10.3g} {}\n", f.name, f.value,
-                       f.channel, f.chance, f.different ? "FAILED" : "");
+                       f.channel, f.p_value, f.different ? "FAILED" : "");
   return out;
 }
 
@@ -83,7 +83,7 @@ std::string verdict_text(const Diff& diff) {
 
 std::string to_table(const Diff& diff) {
   std::string out = fmt::format("{:<16} {:<14} {:>12}\n", "layer", "measure", "value");
-  for (const Row& row : diff.rows) out += row_text(row);
+  for (const LayerResult& row : diff.rows) out += row_text(row);
   if (!diff.identical.empty())
     out += fmt::format("\nidentical: {}\n", fmt::join(diff.identical, ", "));
   if (diff.significance) out += to_text(*diff.significance, "the beauty");
@@ -107,7 +107,7 @@ std::string to_json(const Diff& diff, const std::string& reference, const std::s
            {"unjudged", diff.unjudged},
            {"identical", diff.identical}};
   out["layers"] = Json::object();
-  for (const Row& row : diff.rows) {
+  for (const LayerResult& row : diff.rows) {
     Json& entry = out["layers"][row.layer][row.measure];
     entry["value"] = number(row.value);
     if (row.limit) entry["limit"] = *row.limit, entry["passed"] = row.passed;

@@ -88,7 +88,7 @@ void add_pictures(const Diff& diff, std::string& out) {
   out += "<div class=\"bar\"></div></div>\n";
 }
 
-std::string limit_cell(const Row& row) {
+std::string limit_cell(const LayerResult& row) {
   if (!row.limit) return "<td></td>";
   const bool low = measure_of(row.measure).better == Measure::Better::low;
   return fmt::format("<td class=\"{}\">{} {:.6g}</td>", row.passed ? "ok" : "no",
@@ -100,7 +100,7 @@ void add_measures(const Diff& diff, std::string& out) {
       "<section><h2>Measures</h2><table><tr><th>layer</th><th>measure</th><th>value</th>"
       "<th>limit</th></tr>\n";
   std::string layer;
-  for (const Row& row : diff.rows) {
+  for (const LayerResult& row : diff.rows) {
     out += fmt::format(
         "<tr{}><td>{}</td><td title=\"{}\">{}</td><td class=\"n\">{:.6g}</td>{}</tr>\n",
         row.layer != layer ? " class=\"first\"" : "", row.layer != layer ? xml_text(row.layer) : "",
@@ -129,7 +129,7 @@ void add_significance(const Significance& s, const std::string& of, bool heeded,
     out += fmt::format(
         "<tr class=\"first\"><td>{}</td><td>{}</td><td class=\"n\">{:.4g}</td>"
         "<td class=\"{}\">{:.3g}</td></tr>\n",
-        f.name, f.channel, f.value, f.different ? "no" : "ok", f.chance);
+        f.name, f.channel, f.value, f.different ? "no" : "ok", f.p_value);
   out += "</table></section>\n";
 }
 

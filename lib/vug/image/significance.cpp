@@ -183,11 +183,11 @@ Finding most_unlikely(const char* name, const std::vector<Scores>& all, Statisti
   bool first = true;
   for (const Scores& scores : all) {
     const double z = statistic(scores), p = chance(z);
-    if (!first && p >= out.chance) continue;
-    out.value = z, out.chance = p, out.channel = channel_name(scores.channel);
+    if (!first && p >= out.p_value) continue;
+    out.value = z, out.p_value = p, out.channel = channel_name(scores.channel);
     first = false;
   }
-  out.chance = any_of_chance(out.chance, static_cast<double>(all.size()));
+  out.p_value = any_of_chance(out.p_value, static_cast<double>(all.size()));
   return out;
 }
 
@@ -203,7 +203,7 @@ Finding find_bias(const std::vector<Scores>& all) {
     }
     return squares > 0 ? sum / std::sqrt(squares) : 0.0;
   };
-  return most_unlikely("bias", all, lean, two_sided_chance);
+  return most_unlikely("bias", all, lean, two_sided_p_value);
 }
 
 Finding find_spread(const std::vector<Scores>& all) {
@@ -216,7 +216,7 @@ Finding find_spread(const std::vector<Scores>& all) {
     return ((squares > 0 ? maths::pow(squares / n, 1.0 / 3) : 0) - (1 - k)) / std::sqrt(k);
   };
   return most_unlikely("spread", all, spread,
-                       [](double z) { return z > 0 ? 0.5 * two_sided_chance(z) : 1.0; });
+                       [](double z) { return z > 0 ? 0.5 * two_sided_p_value(z) : 1.0; });
 }
 
 Finding find_block(const std::vector<Scores>& all) {
@@ -228,7 +228,7 @@ Finding find_block(const std::vector<Scores>& all) {
   };
   const auto count = static_cast<double>(all.front().z.size());
   return most_unlikely("block", all, furthest,
-                       [&](double z) { return any_of_chance(two_sided_chance(z), count); });
+                       [&](double z) { return any_of_chance(two_sided_p_value(z), count); });
 }
 
 Finding find_pixels(const std::vector<Entry>& entries, double level) {
@@ -240,14 +240,14 @@ Finding find_pixels(const std::vector<Entry>& entries, double level) {
     const Entry& e = entries[i];
     if (!e.counts || e.difference == 0) continue;
     const double stored = kStorage * e.size, sigma = std::sqrt(e.variance + stored * stored);
-    if (two_sided_chance(e.difference / sigma) < single) ++failed[i % kChannels];
+    if (two_sided_p_value(e.difference / sigma) < single) ++failed[i % kChannels];
   }
   Finding out = finding_of("pixels");
   const auto most = std::max_element(failed.begin(), failed.end());
   out.channel = channel_name(static_cast<size_t>(most - failed.begin()));
   out.value = (failed[0] + failed[1] + failed[2]) / std::max(count, 1.0);
   out.different = out.value > kPixelShare;
-  out.chance = out.different ? 0 : 1;
+  out.p_value = out.different ? 0 : 1;
   return out;
 }
 
@@ -292,7 +292,7 @@ void require_usable(const NoisyPicture& a, const NoisyPicture& b) {
 
 }  // namespace
 
-double two_sided_chance(double z) {
+double two_sided_p_value(double z) {
   const double x = std::fabs(z) / std::sqrt(2.0);
   if (!(x < 26)) return 0;  // below the smallest number
   if (x < 2) {              // 1 - erf(x) by its series
@@ -320,15 +320,15 @@ Significance test_significance(const NoisyPicture& reference, const NoisyPicture
   out.block = block_size(image, options.block);
   const Grid grid{std::max(1, image.width / out.block), std::max(1, image.height / out.block)};
   const Blocks blocks = blocks_of(all, image, grid);
-  const double level = share_of_chance(options.alarm, kFamilies);
+  const double level = share_of_chance(options.false_alarm_rate, kFamilies);
   const bool exchangeable = same_samples(reference, test);
   const std::vector<Scores> scores = scores_of(blocks, exchangeable);
   out.findings = {find_bias(scores), find_spread(scores), find_block(scores),
                   find_pixels(all, level)};
   for (Finding& finding : out.findings) {
-    finding.different = finding.different || finding.chance < level;
+    finding.different = finding.different || finding.p_value < level;
     out.different = out.different || finding.different;
-    out.chance = std::min(out.chance, any_of_chance(finding.chance, kFamilies));
+    out.p_value = std::min(out.p_value, any_of_chance(finding.p_value, kFamilies));
   }
   double difference = 0, size = 0;
   for (size_t i = 0; i < all.size(); ++i)

@@ -24,8 +24,8 @@ struct NoisyPicture {
 };
 
 struct SignificanceOptions {
-  double alarm = 0.01;  ///< Chance that two pictures of one scene are called different.
-  int block = 0;        ///< Pixels on a side; 0: 20, less where that gave fewer than 64 blocks.
+  double false_alarm_rate = 0.01;  ///< Chance that two pictures of one scene are called different.
+  int block = 0;  ///< Pixels on a side; 0: 20, less where that gave fewer than 64 blocks.
 };
 
 /// One of the ways in which the pictures may differ.
@@ -33,14 +33,14 @@ struct Finding {
   std::string name;     ///< "bias", "spread", "block" or "pixels".
   std::string channel;  ///< Where it is most unlikely.
   double value = 0;     ///< The statistic: a z-score, or for "pixels" a share in [0, 1].
-  double chance =
+  double p_value =
       1;  ///< Of a value like that by noise alone, corrected for all that was looked at.
   bool different = false;
 };
 
 struct Significance {
   bool different = false;
-  double chance = 1;  ///< The least one of the findings, corrected for their number.
+  double p_value = 1;  ///< The least one of the findings, corrected for their number.
   std::vector<Finding> findings;
   int block = 0;  ///< Pixels on a side, about.
   size_t blocks = 0;
@@ -74,6 +74,6 @@ Significance test_significance(const NoisyPicture& reference, const NoisyPicture
                                const SignificanceOptions& options = {});
 
 /// Chance that a standard normal deviate lies at least |z| from 0.
-double two_sided_chance(double z);
+double two_sided_p_value(double z);
 
 }  // namespace vug::image

@@ -1,7 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/image/brightness.h>
-#include <vug/image/configured_view.h>
+#include <vug/image/ocio_view.h>
 #include <vug/image/view.h>
 
 #include <algorithm>
@@ -95,11 +95,11 @@ double srgb_decode(double encoded) {
 }
 
 Image in_rec709(Image picture, WorkingSpace space) {
-  const ColourMatrix way(space, WorkingSpace::rec709);
+  const ColourMatrix to_rec709(space, WorkingSpace::rec709);
   const std::optional<Channels> channels = colour_channels(picture);
-  if (way.plain() || !channels) return picture;
+  if (to_rec709.is_identity() || !channels) return picture;
   for (size_t p = 0; p < picture.pixel_count(); ++p) {
-    const Vec3f c(way(colour_at(picture, p, *channels)));
+    const Vec3f c(to_rec709(colour_at(picture, p, *channels)));
     for (size_t i = 0; i < 3; ++i)
       picture.pixels[p * picture.channels.size() + (*channels)[i]] = c[static_cast<int>(i)];
   }
@@ -119,7 +119,7 @@ std::optional<double> grey_exposure(const Image& linear, WorkingSpace space) {
   return (maths::log(kGrey) - sum / static_cast<double>(lit)) / kLog2;
 }
 
-double share_above(const Image& linear, double luminance, WorkingSpace space) {
+double fraction_above(const Image& linear, double luminance, WorkingSpace space) {
   size_t above = 0;
   each_luminance(linear, space, [&](double each) { above += each > luminance ? 1 : 0; });
   return static_cast<double>(above) /
@@ -135,7 +135,7 @@ Image display(const Image& linear, const ViewOptions& options) {
   }
   const double gain = maths::exp(options.exposure * 0.69314718055994530942);
   Image out(linear.width, linear.height, {"R", "G", "B"});
-  if (options.configured) {
+  if (options.ocio) {
     for (size_t p = 0; p < linear.pixel_count(); ++p) {
       const Vec3d c = colour_at(linear, p, *from) * gain;
       // Colours outside of the space have negative parts, which a configuration knows to treat.
@@ -145,7 +145,7 @@ Image display(const Image& linear, const ViewOptions& options) {
             std::isnan(v) ? 0 : static_cast<float>(std::clamp(v, -kBrightest, kBrightest));
       }
     }
-    options.configured->apply(out.pixels.data(), out.pixel_count());
+    options.ocio->apply(out.pixels.data(), out.pixel_count());
     for (float& v : out.pixels) v = v > 0 ? std::min(v, 1.0f) : 0;
     return out;
   }

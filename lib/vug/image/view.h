@@ -14,14 +14,14 @@ enum class ViewTransform {
   srgb,    ///< Only clipped to [0, 1]: for data and for comparison.
 };
 
-class ConfiguredView;
+class OcioView;
 
 struct ViewOptions {
   double exposure = 0;  ///< In stops: the light is multiplied by 2^exposure first.
   ViewTransform transform = ViewTransform::filmic;
   WorkingSpace space = WorkingSpace::rec709;  ///< That the light is in.
   /// A view of an OpenColorIO configuration instead of `transform`; see configured_view.h.
-  std::shared_ptr<const ConfiguredView> configured = nullptr;
+  std::shared_ptr<const OcioView> ocio = nullptr;
   bool dither = true;  ///< A fixed +-1/2 code pattern against bands in dark gradients (8 bit).
 };
 

@@ -53,7 +53,7 @@ Image joined(const Image& a, const Image& b) {
   return out;
 }
 
-Image in_stereo(const Image& left, const Image& right) {
+Image stereo_image(const Image& left, const Image& right) {
   Image out = joined(left, right);
   for (size_t c = left.channels.size(); c < out.channels.size(); ++c)
     out.channels[c] = "right." + out.channels[c];

@@ -32,7 +32,7 @@ Image joined(const Image& a, const Image& b);
 
 /// What both eyes see as one picture, as it is read from a file: the right eye's channels with
 /// "right." before their names.
-Image in_stereo(const Image& left, const Image& right);
+Image stereo_image(const Image& left, const Image& right);
 
 /// Which layer of `view` a name means: "right.N" is N of the right view, "right" its beauty, and
 /// "N" that of every view. None where the name is of another view.

@@ -88,10 +88,10 @@ ExrOutput::ExrOutput(const std::filesystem::path& path, const std::filesystem::p
       temporary_(temporary),
       parts_(parts),
       file_(std::fopen(temporary.c_str(), "wb"), std::fclose),
-      way_(file_.get(), OIIO::Filesystem::IOProxy::Write) {
+      io_(file_.get(), OIIO::Filesystem::IOProxy::Write) {
   check(file_ != nullptr);
   output_ = OIIO::ImageOutput::create(temporary.string());  // by its extension
-  check(output_ != nullptr && output_->set_ioproxy(&way_));
+  check(output_ != nullptr && output_->set_ioproxy(&io_));
   check(parts.size() == 1
             ? output_->open(temporary.string(), parts[0])
             : output_->open(temporary.string(), static_cast<int>(parts.size()), parts.data()));

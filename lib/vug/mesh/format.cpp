@@ -64,7 +64,7 @@ void write_file(const std::filesystem::path& file,
   target.commit();
 }
 
-void write_mesh(const Mesh& mesh, const std::filesystem::path& file, const Notes& notes) {
+void write_mesh(const Mesh& mesh, const std::filesystem::path& file, const Comments& notes) {
   const Format& format = format_of(file);
   validate(mesh, file.string());
   write_file(file, [&](const ByteSink& sink) { format.write(mesh, notes, sink); });

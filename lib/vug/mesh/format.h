@@ -3,8 +3,8 @@
 #pragma once
 
 #include <vug/base/schema.h>
+#include <vug/mesh/comments.h>
 #include <vug/mesh/mesh.h>
-#include <vug/mesh/notes.h>
 
 #include <filesystem>
 #include <functional>
@@ -22,7 +22,7 @@ struct Format {
   /// The mesh in `bytes`. Error(bad_input) with `file` and line (text) or byte offset (binary)
   /// for anything truncated, inconsistent, out of range or not finite.
   Mesh (*read)(std::string_view bytes, const std::string& file) = nullptr;
-  void (*write)(const Mesh& mesh, const Notes& notes, const ByteSink& sink) = nullptr;
+  void (*write)(const Mesh& mesh, const Comments& notes, const ByteSink& sink) = nullptr;
 };
 
 const std::vector<const Format*>& formats();
@@ -33,6 +33,6 @@ const Format& format_of(const std::filesystem::path& file);
 Mesh read_mesh(const std::filesystem::path& file);
 
 /// Writes beside the target and renames. The same mesh gives the same bytes.
-void write_mesh(const Mesh& mesh, const std::filesystem::path& file, const Notes& notes = {});
+void write_mesh(const Mesh& mesh, const std::filesystem::path& file, const Comments& notes = {});
 
 }  // namespace vug::mesh

@@ -12,7 +12,7 @@ namespace vug::mesh {
 
 inline Format mesh_format(std::string name, std::string doc, std::string cite,
                           Mesh (*read)(std::string_view, const std::string&),
-                          void (*write)(const Mesh&, const Notes&, const ByteSink&)) {
+                          void (*write)(const Mesh&, const Comments&, const ByteSink&)) {
   return {{std::move(name), "mesh format", std::move(doc), std::move(cite), {}}, read, write};
 }
 

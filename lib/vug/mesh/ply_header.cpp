@@ -19,7 +19,7 @@ PlyType parse_type(const TextScanner& scan, std::string_view word) {
       {"float64", PlyType::float64}};
   for (const auto& [name, type] : kNames)
     if (name == word) return type;
-  scan.fail(fmt::format("'{}' is no PLY type", shown(word)),
+  scan.fail(fmt::format("'{}' is no PLY type", printable(word)),
             "types are char, uchar, short, ushort, int, uint, float, double");
 }
 
@@ -37,7 +37,7 @@ PlyProperty parse_property(TextScanner& scan, const PlyElement& element) {
   if (property.name.empty()) scan.fail("a property needs a name");
   for (const PlyProperty& other : element.properties)
     if (other.name == property.name)
-      scan.fail(fmt::format("property '{}' is given twice", shown(property.name)));
+      scan.fail(fmt::format("property '{}' is given twice", printable(property.name)));
   return property;
 }
 
@@ -47,7 +47,7 @@ PlyHeader::Encoding parse_encoding(TextScanner& scan) {
   if (word == "ascii") return PlyHeader::Encoding::ascii;
   if (word == "binary_little_endian") return PlyHeader::Encoding::little_endian;
   if (word == "binary_big_endian") return PlyHeader::Encoding::big_endian;
-  scan.fail(fmt::format("'{}' is no PLY encoding", shown(word)),
+  scan.fail(fmt::format("'{}' is no PLY encoding", printable(word)),
             "encodings are ascii, binary_little_endian, binary_big_endian");
 }
 
@@ -63,7 +63,7 @@ void check_counts(const PlyHeader& header, size_t bytes, const std::string& file
     if (least > 0 && element.count > (bytes - header.body + 1) / least)
       throw Error(ErrorCode::bad_input,
                   fmt::format("{} elements '{}' cannot be in the {} bytes that follow",
-                              element.count, shown(element.name), bytes - header.body),
+                              element.count, printable(element.name), bytes - header.body),
                   {file, element.line, 1}, "the file may be cut off");
   }
 }
@@ -89,13 +89,13 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& file) {
       element.count = static_cast<uint64_t>(count);
       for (const PlyElement& other : header.elements)
         if (other.name == element.name)
-          scan.fail(fmt::format("element '{}' is given twice", shown(element.name)));
+          scan.fail(fmt::format("element '{}' is given twice", printable(element.name)));
       header.elements.push_back(std::move(element));
     } else if (keyword == "property") {
       if (header.elements.empty()) scan.fail("a property stands before any element");
       header.elements.back().properties.push_back(parse_property(scan, header.elements.back()));
     } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-      scan.fail(fmt::format("'{}' begins no line of a PLY header", shown(keyword)));
+      scan.fail(fmt::format("'{}' begins no line of a PLY header", printable(keyword)));
     }
     if (!scan.next_line()) scan.fail("the header has no 'end_header'", "the file may be cut off");
   }

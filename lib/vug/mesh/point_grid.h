@@ -35,7 +35,7 @@ class PointGrid {
   /// Calls body(cube, around) for each cube that holds points, in parallel: the places of its
   /// points, and the runs of the cubes around it, its own among them.
   template <class Body>
-  void sweep(const Body& body) const;
+  void for_each_cube(const Body& body) const;
 
  private:
   struct Cube {
@@ -58,7 +58,7 @@ class PointGrid {
 };
 
 template <class Body>
-void PointGrid::sweep(const Body& body) const {
+void PointGrid::for_each_cube(const Body& body) const {
   const size_t cubes = cubes_.size() - 1;
   parallel_for((cubes + kChunk - 1) / kChunk, [&](size_t chunk) {
     const size_t first = chunk * kChunk, last = std::min(cubes, first + kChunk);

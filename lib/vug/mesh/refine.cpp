@@ -1,6 +1,6 @@
 #include <vug/base/error.h>
-#include <vug/mesh/add_between.h>
 #include <vug/mesh/refine.h>
+#include <vug/mesh/split_edge.h>
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ class Refiner {
     const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);
     const auto [at, fresh] = middles_.try_emplace(key, kNone);
     const auto half = [](const auto& x, const auto& y) { return (x + y) * 0.5f; };
-    if (fresh) at->second = add_between(mesh_, a, b, half, mesh_);
+    if (fresh) at->second = split_edge(mesh_, a, b, half, mesh_);
     return at->second;
   }
 

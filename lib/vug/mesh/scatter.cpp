@@ -60,9 +60,9 @@ class Cubes {
   std::vector<Vec3d> points_;
 };
 
-Spot spot_on(const Mesh& mesh, uint32_t triangle, double u, double v) {
+SurfaceSample spot_on(const Mesh& mesh, uint32_t triangle, double u, double v) {
   const auto [a, b, c] = corners(mesh, triangle);
-  Spot spot;
+  SurfaceSample spot;
   spot.triangle = triangle, spot.u = u, spot.v = v;
   spot.position = a + (b - a) * u + (c - a) * v;
   Vec3d normal = double_area_vector(mesh, triangle);
@@ -78,13 +78,14 @@ Spot spot_on(const Mesh& mesh, uint32_t triangle, double u, double v) {
 
 }  // namespace
 
-std::vector<Spot> scatter(const Mesh& mesh, const ScatterOptions& options, Progress& progress) {
+std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& options,
+                                   Progress& progress) {
   std::vector<double> area(mesh.triangles.size());  // of all triangles up to this one
   double total = 0;
   for (size_t i = 0; i < area.size(); ++i)
     area[i] = total += 0.5 * double_area_vector(mesh, i).length();
-  std::vector<Spot> spots;
-  if (!(total > 0) || options.most == 0) return spots;
+  std::vector<SurfaceSample> spots;
+  if (!(total > 0) || options.max_count == 0) return spots;
   const double tries = std::ceil(kTries * total / (options.spacing * options.spacing));
   if (!(tries <= kMostTries))
     throw Error(
@@ -105,7 +106,7 @@ std::vector<Spot> scatter(const Mesh& mesh, const ScatterOptions& options, Progr
         static_cast<uint32_t>(std::min(at, static_cast<std::ptrdiff_t>(area.size()) - 1));
     double u = random.uniform(), v = random.uniform();
     if (u + v > 1) u = 1 - u, v = 1 - v;
-    Spot spot = spot_on(mesh, triangle, u, v);
+    SurfaceSample spot = spot_on(mesh, triangle, u, v);
     if (!cubes.is_free(spot.position)) continue;
     cubes.add(spot.position);
     spot.key = options.key.at(i);
@@ -113,13 +114,13 @@ std::vector<Spot> scatter(const Mesh& mesh, const ScatterOptions& options, Progr
   }
   progress.end();
 
-  if (options.share) {
+  if (options.keep_probability) {
     std::vector<uint8_t> stays(spots.size());
     parallel_for(
         spots.size(),
         [&](size_t i) {
           RandomStream random(spots[i].key.at("share"));
-          stays[i] = random.uniform() < options.share(spots[i]);
+          stays[i] = random.uniform() < options.keep_probability(spots[i]);
         },
         64);
     size_t kept = 0;
@@ -127,8 +128,8 @@ std::vector<Spot> scatter(const Mesh& mesh, const ScatterOptions& options, Progr
       if (stays[i]) spots[kept++] = spots[i];
     spots.erase(spots.begin() + static_cast<std::ptrdiff_t>(kept), spots.end());
   }
-  if (spots.size() > options.most)
-    spots.erase(spots.begin() + static_cast<std::ptrdiff_t>(options.most), spots.end());
+  if (spots.size() > options.max_count)
+    spots.erase(spots.begin() + static_cast<std::ptrdiff_t>(options.max_count), spots.end());
   return spots;
 }
 

@@ -11,7 +11,7 @@
 namespace vug::mesh {
 
 /// A place on a triangle: `u` and `v` are the shares of its second and third corner.
-struct Spot {
+struct SurfaceSample {
   Vec3d position;
   Vec3d normal;  ///< Unit, out of the solid; interpolated where the mesh has normals.
   uint32_t triangle = 0;
@@ -20,11 +20,11 @@ struct Spot {
 };
 
 struct ScatterOptions {
-  double spacing = 0.3;    ///< Metres that any two spots are apart at least; above 0.
-  size_t most = 1u << 20;  ///< Spots at most; these are spread over the whole mesh, too.
+  double spacing = 0.3;         ///< Metres that any two spots are apart at least; above 0.
+  size_t max_count = 1u << 20;  ///< Spots at most; these are spread over the whole mesh, too.
   RandomKey key{0};
   /// Share of the spots that stay at a place, 0 to 1; empty: all. Called by several threads.
-  std::function<double(const Spot&)> share = nullptr;
+  std::function<double(const SurfaceSample&)> keep_probability = nullptr;
 };
 
 /// Spots by dart throwing, which makes a Poisson-disk set (Cook 1986, "Stochastic sampling in
@@ -33,7 +33,7 @@ struct ScatterOptions {
 /// few others would find room. Of the spots, `share` keeps some by chance, so the density
 /// goes with it. The same for any number of threads. Error(too_large) where that takes more than
 /// 2^26 candidates.
-std::vector<Spot> scatter(const Mesh& mesh, const ScatterOptions& options,
-                          Progress& progress = Progress::none());
+std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& options,
+                                   Progress& progress = Progress::none());
 
 }  // namespace vug::mesh

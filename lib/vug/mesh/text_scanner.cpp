@@ -54,12 +54,12 @@ double TextScanner::number(std::string_view word) const {
   double value = 0;
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (code == std::errc::invalid_argument || end != word.data() + word.size())
-    fail("'" + shown(word) + "' is no number");
+    fail("'" + printable(word) + "' is no number");
   // Too small for a double counts as 0; too large does not count.
   if (code == std::errc::result_out_of_range && word.find("e-") == std::string_view::npos &&
       word.find("E-") == std::string_view::npos)
-    fail("'" + shown(word) + "' is too large");
-  if (!std::isfinite(value)) fail("'" + shown(word) + "' is not a finite number");
+    fail("'" + printable(word) + "' is too large");
+  if (!std::isfinite(value)) fail("'" + printable(word) + "' is not a finite number");
   return value;
 }
 
@@ -68,7 +68,7 @@ int64_t TextScanner::integer(std::string_view word) const {
   int64_t value = 0;
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (code != std::errc() || end != word.data() + word.size())
-    fail("'" + shown(word) + "' is no whole number");
+    fail("'" + printable(word) + "' is no whole number");
   return value;
 }
 
@@ -78,7 +78,7 @@ void TextScanner::fail(const std::string& message, const std::string& hint) cons
               hint.empty() && in_last_line ? "the file may be cut off" : hint);
 }
 
-std::string shown(std::string_view word) {
+std::string printable(std::string_view word) {
   std::string text;
   for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
   return word.size() > 24 ? text + "..." : text;

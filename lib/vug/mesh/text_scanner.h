@@ -43,6 +43,6 @@ class TextScanner {
 };
 
 /// `word` as messages quote it: shortened, and without unprintable bytes.
-std::string shown(std::string_view word);
+std::string printable(std::string_view word);
 
 }  // namespace vug::mesh

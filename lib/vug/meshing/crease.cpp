@@ -5,7 +5,7 @@
 
 namespace vug::meshing {
 
-double least_agreement(const std::vector<SurfacePoint>& samples) {
+double min_normal_dot(const std::vector<SurfacePoint>& samples) {
   double least = 1;
   for (size_t i = 0; i < samples.size(); ++i)
     for (size_t j = 0; j < i; ++j)

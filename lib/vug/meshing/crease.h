@@ -8,7 +8,7 @@
 namespace vug::meshing {
 
 /// The smallest dot product of two normals: 1 on a plane, -1 on opposite sides.
-double least_agreement(const std::vector<SurfacePoint>& samples);
+double min_normal_dot(const std::vector<SurfacePoint>& samples);
 
 /// Minimises the sum of squared distances to the samples' tangent planes (the QEF of ju2002).
 /// In directions that the planes hardly fix (eigenvalues below 2 % of the largest) the point

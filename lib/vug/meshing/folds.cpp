@@ -2,14 +2,14 @@
 
 namespace vug::meshing {
 
-bool turned_over(const Face& face, uint32_t k, const std::vector<Vec3d>& before,
-                 const std::vector<Vec3d>& after) {
+bool is_flipped(const Face& face, uint32_t k, const std::vector<Vec3d>& before,
+                const std::vector<Vec3d>& after) {
   constexpr double kLeastArea = 1e-4;
   const Vec3d old = corner_normal(face, k, before);
   return corner_normal(face, k, after).dot(old) <= kLeastArea * old.length2();
 }
 
-Vec3d corner_middle(const Face& face, uint32_t k, const std::vector<Vec3d>& points) {
+Vec3d corner_centroid(const Face& face, uint32_t k, const std::vector<Vec3d>& points) {
   return (points[face.corners[k]] + points[face.corners[(k + 1) % face.size]] +
           points[face.corners[(k + face.size - 1) % face.size]]) /
          3.0;

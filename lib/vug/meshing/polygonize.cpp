@@ -1,10 +1,10 @@
 #include <vug/base/parallel.h>
 #include <vug/mesh/normals.h>
 #include <vug/mesh/weld.h>
+#include <vug/meshing/apply_moves_without_flips.h>
 #include <vug/meshing/blocks.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/meshing/project.h>
-#include <vug/meshing/settle.h>
 #include <vug/meshing/split_quads.h>
 #include <vug/volume/polygons.h>
 
@@ -23,17 +23,17 @@ std::vector<SurfacePoint> probe_vertices(const mesh::Mesh& mesh, const field::Fi
       exact, points, {8 * voxel, 0.01 * voxel},
       [&](const std::vector<uint32_t>& indices, const field::Field& local) {
         const std::vector<Vec3d> here = gathered(points, indices);
-        const auto answers = Surveyor(local, here, kLargestError * voxel).probe(here);
+        const auto answers = SurfaceProjector(local, here, kLargestError * voxel).sample(here);
         for (size_t i = 0; i < indices.size(); ++i) found[indices[i]] = answers[i];
       },
       progress);
   return found;
 }
 
-PolishReport make_report(const FaceMesh& raw, const Settled& polished,
+PolishReport make_report(const FaceMesh& raw, const MoveResult& polished,
                          const std::vector<SurfacePoint>& found, double voxel) {
   PolishReport report;
-  report.backed_off = polished.backed_off;
+  report.shortened_moves = polished.shortened_moves;
   for (size_t v = 0; v < found.size(); ++v) {
     report.crease_vertices += polished.on_crease[v] ? 1 : 0;
     if (std::isfinite(found[v].residual))
@@ -51,20 +51,20 @@ PolishReport make_report(const FaceMesh& raw, const Settled& polished,
 
 }  // namespace
 
-Polygonized polygonize(const volume::LevelSet& level_set, const field::Field* exact,
-                       const PolygonizeOptions& options, Progress& progress) {
+PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Field* exact,
+                            const PolygonizeOptions& options, Progress& progress) {
   const double voxel = level_set.voxel();
   const FaceMesh raw = face_mesh(volume::polygons_of(level_set, {0, options.adaptivity}));
   const bool has_work = exact && options.polish && !raw.points.empty();
   progress.begin("polishing the mesh", 3 * raw.points.size() + raw.faces.size());
-  Settled polished;
+  MoveResult polished;
   if (has_work)
-    polished =
-        settle(raw, find_targets(raw, *exact, voxel, options, progress), *exact, voxel, progress);
+    polished = apply_moves_without_flips(raw, find_targets(raw, *exact, voxel, options, progress),
+                                         *exact, voxel, progress);
   else
     polished = {raw.points, std::vector<char>(raw.points.size(), 0), 0};
 
-  Polygonized result;
+  PolygonizeResult result;
   result.mesh.triangles =
       split_quads(raw, polished.points, has_work ? exact : nullptr, voxel, progress);
   result.mesh.positions.assign(polished.points.begin(), polished.points.end());

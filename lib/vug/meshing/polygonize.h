@@ -24,13 +24,13 @@ struct PolygonizeOptions {
 /// How well the polish went. Lengths are in voxels.
 struct PolishReport {
   size_t crease_vertices = 0;
-  size_t backed_off = 0;    ///< Moves shortened because they would fold a polygon.
-  double rms_residual = 0;  ///< Distance of vertices from the exact surface, to first order.
+  size_t shortened_moves = 0;  ///< Moves shortened because they would fold a polygon.
+  double rms_residual = 0;     ///< Distance of vertices from the exact surface, to first order.
   double max_residual = 0;
   double max_move = 0;
 };
 
-struct Polygonized {
+struct PolygonizeResult {
   mesh::Mesh mesh;
   PolishReport report;
 };
@@ -41,8 +41,8 @@ struct Polygonized {
 /// closed where the level set is, faces outwards, and has the same bytes for any number of threads.
 /// Walls thinner than a voxel or two, and the tips of edges sharper than about 60 degrees, are lost
 /// in the level set already. Error(cancelled).
-Polygonized polygonize(const volume::LevelSet& level_set, const field::Field* exact,
-                       const PolygonizeOptions& options = {},
-                       Progress& progress = Progress::none());
+PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Field* exact,
+                            const PolygonizeOptions& options = {},
+                            Progress& progress = Progress::none());
 
 }  // namespace vug::meshing

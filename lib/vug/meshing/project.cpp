@@ -37,7 +37,8 @@ Point<Pack> pack_at(const std::vector<Vec3d>& points, size_t first) {
 
 }  // namespace
 
-Surveyor::Surveyor(const field::Field& field, const std::vector<Vec3d>& near, double error)
+SurfaceProjector::SurfaceProjector(const field::Field& field, const std::vector<Vec3d>& near,
+                                   double error)
     : field_(field) {
   std::vector<Vec3d> some;
   double farthest = 0;
@@ -48,14 +49,14 @@ Surveyor::Surveyor(const field::Field& field, const std::vector<Vec3d>& near, do
   noise_ = farthest * 0x1p-22;
   evaluate_packs(some);
   for (size_t i = 0; i < some.size(); ++i)
-    if (!(std::fabs(field.value(some[i]) - found_[i].value) <= error)) in_double_ = true;
+    if (!(std::fabs(field.value(some[i]) - gradients_[i].value) <= error)) in_double_ = true;
 }
 
-void Surveyor::evaluate_packs(const std::vector<Vec3d>& points) {
+void SurfaceProjector::evaluate_packs(const std::vector<Vec3d>& points) {
   field::Scratch::Frame frame(scratch_);
   auto* packs = frame.take<Point<Pack>>(kChunk);
   auto* slopes = frame.take<Dual<Pack>>(kChunk);
-  found_.resize(points.size());
+  gradients_.resize(points.size());
   for (size_t begin = 0; begin < points.size(); begin += kChunk * kLanes) {
     const size_t count = std::min(kChunk, (points.size() - begin + kLanes - 1) / kLanes);
     for (size_t i = 0; i < count; ++i) packs[i] = pack_at(points, begin + i * kLanes);
@@ -68,26 +69,26 @@ void Surveyor::evaluate_packs(const std::vector<Vec3d>& points) {
       slopes[i].dz.store(lanes[3]);
       const size_t first = begin + i * kLanes;
       for (size_t k = 0; k < kLanes && first + k < points.size(); ++k)
-        found_[first + k] = {lanes[0][k], Vec3d(Vec3f(lanes[1][k], lanes[2][k], lanes[3][k]))};
+        gradients_[first + k] = {lanes[0][k], Vec3d(Vec3f(lanes[1][k], lanes[2][k], lanes[3][k]))};
     }
   }
 }
 
-void Surveyor::evaluate(const std::vector<Vec3d>& points) {
+void SurfaceProjector::evaluate(const std::vector<Vec3d>& points) {
   if (!in_double_) return evaluate_packs(points);
-  found_.resize(points.size());
-  for (size_t i = 0; i < points.size(); ++i) found_[i] = field_.gradient(points[i]);
+  gradients_.resize(points.size());
+  for (size_t i = 0; i < points.size(); ++i) gradients_[i] = field_.gradient(points[i]);
 }
 
-std::vector<SurfacePoint> Surveyor::probe(const std::vector<Vec3d>& points) {
+std::vector<SurfacePoint> SurfaceProjector::sample(const std::vector<Vec3d>& points) {
   evaluate(points);
   std::vector<SurfacePoint> answers(points.size());
-  for (size_t i = 0; i < points.size(); ++i) answers[i] = surface_point(points[i], found_[i]);
+  for (size_t i = 0; i < points.size(); ++i) answers[i] = surface_point(points[i], gradients_[i]);
   return answers;
 }
 
-std::vector<SurfacePoint> Surveyor::project(const std::vector<Vec3d>& starts,
-                                            const ProjectOptions& options) {
+std::vector<SurfacePoint> SurfaceProjector::project(const std::vector<Vec3d>& starts,
+                                                    const ProjectOptions& options) {
   const double tolerance = in_double_ ? options.tolerance : std::max(options.tolerance, noise_);
   const double longest = 0.5 * options.reach;
   std::vector<SurfacePoint> best(starts.size());
@@ -102,11 +103,11 @@ std::vector<SurfacePoint> Surveyor::project(const std::vector<Vec3d>& starts,
     size_t left = 0;
     for (size_t k = 0; k < at.size(); ++k) {
       const size_t i = which[k];
-      const SurfacePoint here = surface_point(at[k], found_[k]);
+      const SurfacePoint here = surface_point(at[k], gradients_[k]);
       if (here.residual < best[i].residual) best[i] = here;
       if (best[i].residual <= tolerance || here.normal == Vec3d(0)) continue;
       const double length = std::min(here.residual, longest);
-      const Vec3d next = at[k] - here.normal * std::copysign(length, found_[k].value);
+      const Vec3d next = at[k] - here.normal * std::copysign(length, gradients_[k].value);
       if ((next - starts[i]).length() > options.reach) continue;
       at[left] = next;
       which[left++] = i;

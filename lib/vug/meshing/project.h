@@ -26,13 +26,13 @@ constexpr double kLargestError = 1e-3;
 /// Asks one field about many points at once: eight at a time in single precision, whose values
 /// were held against double precision at some of the points. If they differ by more than
 /// `error` metres there (far from the origin, say), all that follows is in double precision.
-class Surveyor {
+class SurfaceProjector {
  public:
   /// `near` are points of the region that will be asked about. The field must outlive this.
-  Surveyor(const field::Field& field, const std::vector<Vec3d>& near, double error);
+  SurfaceProjector(const field::Field& field, const std::vector<Vec3d>& near, double error);
 
   /// What the field says at the points.
-  std::vector<SurfacePoint> probe(const std::vector<Vec3d>& points);
+  std::vector<SurfacePoint> sample(const std::vector<Vec3d>& points);
 
   /// The surface near the starts, by Newton steps along the gradient, each at most half the
   /// reach: the best points met on the way. On creases the steps alternate between the branches
@@ -50,7 +50,7 @@ class Surveyor {
   field::Scratch scratch_;
   bool in_double_ = false;
   double noise_ = 0;  ///< Of positions in single precision, metres.
-  std::vector<field::Gradient> found_;
+  std::vector<field::Gradient> gradients_;
 };
 
 }  // namespace vug::meshing

@@ -42,11 +42,11 @@ class Cutter {
     for (const uint32_t f : quads) {
       const Face& face = faces_.faces[f];
       centres.push_back(faces_.centre(face));
-      for (uint32_t k = 0; k < 4; ++k) asked.push_back(corner_middle(face, k, points_));
+      for (uint32_t k = 0; k < 4; ++k) asked.push_back(corner_centroid(face, k, points_));
       for (uint32_t k = 0; k < 2; ++k)
         asked.push_back((points_[face.corners[k]] + points_[face.corners[k + 2]]) * 0.5);
     }
-    const auto answers = Surveyor(exact, centres, kLargestError * voxel_).probe(asked);
+    const auto answers = SurfaceProjector(exact, centres, kLargestError * voxel_).sample(asked);
     for (size_t i = 0; i < quads.size(); ++i)
       from_0[quads[i]] = better_from_0(faces_.faces[quads[i]], &answers[6 * i]);
   }
@@ -54,7 +54,7 @@ class Cutter {
  private:
   bool better_from_0(const Face& face, const SurfacePoint* at) const {
     const auto good = [&](uint32_t k) {
-      return !turned_over(face, k, faces_.points, points_) &&
+      return !is_flipped(face, k, faces_.points, points_) &&
              !faces_backwards(face, k, points_, at[k], voxel_);
     };
     const auto sound = [&](uint32_t k) { return good(k + 1) && good((k + 3) % 4); };

@@ -38,7 +38,7 @@ class Finder {
         exact, centres, blocks(),
         [&](const std::vector<uint32_t>& faces, const field::Field& local) {
           const std::vector<Vec3d> starts = gathered(centres, faces);
-          const auto found = surveyor(local, starts).project(starts, samples_reach_);
+          const auto found = projector(local, starts).project(starts, samples_reach_);
           for (size_t i = 0; i < faces.size(); ++i) samples_[faces[i]] = found[i];
         },
         progress);
@@ -48,7 +48,7 @@ class Finder {
   void find(const std::vector<uint32_t>& vertices, const field::Field& local,
             std::vector<Target>& targets) const {
     const std::vector<Vec3d> starts = gathered(raw_.points, vertices);
-    Surveyor asked = surveyor(local, starts);
+    SurfaceProjector asked = projector(local, starts);
     const auto surface = asked.project(starts, reach_);
     std::vector<Crease> creases;
     for (size_t i = 0; i < vertices.size(); ++i) {
@@ -68,7 +68,7 @@ class Finder {
     for (size_t i = 0; i < creases.size(); ++i) {
       Target& target = targets[creases[i].vertex];
       target.crease = found[2 * i].point;
-      target.elsewhere = found[2 * i + 1].point;
+      target.alternative = found[2 * i + 1].point;
       target.has_crease = true;
     }
   }
@@ -81,7 +81,7 @@ class Finder {
     Vec3d place;  ///< That fits the samples' planes.
   };
 
-  Surveyor surveyor(const field::Field& local, const std::vector<Vec3d>& near) const {
+  SurfaceProjector projector(const field::Field& local, const std::vector<Vec3d>& near) const {
     return {local, near, kLargestError * voxel_};
   }
 
@@ -101,11 +101,11 @@ class Finder {
   }
 
   bool disagree(const std::vector<SurfacePoint>& samples) const {
-    return samples.size() >= 2 && least_agreement(samples) <= crease_cosine_;
+    return samples.size() >= 2 && min_normal_dot(samples) <= crease_cosine_;
   }
 
   /// New samples nearer to the creases' places, and new places from these.
-  void refine(std::vector<Crease>& creases, Surveyor& asked) const {
+  void refine(std::vector<Crease>& creases, SurfaceProjector& asked) const {
     std::vector<Vec3d> starts;
     for (const Crease& c : creases)
       for (const SurfacePoint& s : c.samples)

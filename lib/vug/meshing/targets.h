@@ -8,9 +8,9 @@ namespace vug::meshing {
 
 /// The places a vertex may go to.
 struct Target {
-  Vec3d crease;     ///< The point of the crease nearest to the vertex,
-  Vec3d elsewhere;  ///< and the one nearest to the middle of the samples around.
-  Vec3d surface;    ///< The nearest point of the surface.
+  Vec3d crease;       ///< The point of the crease nearest to the vertex,
+  Vec3d alternative;  ///< and the one nearest to the middle of the samples around.
+  Vec3d surface;      ///< The nearest point of the surface.
   bool has_crease = false;
 };
 

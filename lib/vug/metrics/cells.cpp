@@ -22,7 +22,7 @@ uint64_t count_block(const field::Field& field, double edge, const std::array<in
   const Vec3d first = at(low[0], low[1], low[2]);
   const Vec3d last = at(low[0] + size, low[1] + size, low[2] + size);
   const field::Ball ball{(first + last) * 0.5, 0.5 * (last - first).length() * (1 + 1e-12)};
-  const field::Field::Part part = field.restricted(ball);
+  const field::Field::RestrictedField part = field.restricted(ball);
   const auto all = static_cast<uint64_t>(size);
   if (part.range.hi < 0) return all * all * all;
   if (part.range.lo >= 0) return 0;

@@ -28,7 +28,7 @@ struct Report {
   Box3d bounds;
 
   /// Whether the mesh bounds a solid: closed, two triangles at each edge, one outside.
-  bool sound() const {
+  bool is_closed_solid() const {
     return boundary_edges == 0 && nonmanifold_edges == 0 && misoriented_edges == 0;
   }
 };

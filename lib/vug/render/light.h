@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace vug::exchange {
-struct Lamp;
+struct Light;
 }
 
 namespace vug::render {
@@ -21,7 +21,7 @@ inline constexpr uint32_t kNoObject = ~0u;
 
 /// A point that asks for light: on a surface (its shading normal, from whose side alone light
 /// arrives) or in a medium (normal zero).
-struct LitPoint {
+struct LightSampleContext {
   Vec3f position;
   Vec3f normal{0, 0, 0};
   uint32_t object = kNoObject;  ///< Whose surface it is.
@@ -52,7 +52,7 @@ struct LightBounds {
 };
 
 /// What a scene says of a light beside its shape and brightness.
-struct LightNotes {
+struct LightLinking {
   std::string group;  ///< Of the picture's layers of lights; empty: none.
   /// Names of objects; both empty: it lights all. "a" means "a/b", too.
   std::vector<std::string> only, except;
@@ -60,17 +60,17 @@ struct LightNotes {
 
 class Light {
  public:
-  explicit Light(LightNotes notes = {}) : notes_(std::move(notes)) {}
+  explicit Light(LightLinking linking = {}) : linking_(std::move(linking)) {}
   virtual ~Light() = default;
-  const LightNotes& notes() const { return notes_; }
+  const LightLinking& linking() const { return linking_; }
 
   /// Chooses a direction towards the light.
-  virtual LightSample sample(const LitPoint& point, const Vec2f& u) const = 0;
+  virtual LightSample sample(const LightSampleContext& point, const Vec2f& u) const = 0;
   /// Density with which `sample` chooses `direction`, 0 where it never does.
-  virtual float pdf(const LitPoint& point, const Vec3f& direction) const = 0;
+  virtual float pdf(const LightSampleContext& point, const Vec3f& direction) const = 0;
   /// How much this light may matter at the point (power over distance squared, about); 0 only
   /// where it cannot matter, or where following the material's own directions finds it better.
-  virtual float importance(const LitPoint& point) const = 0;
+  virtual float importance(const LightSampleContext& point) const = 0;
   /// The same for all points of a ray between two distances, together.
   virtual float importance_along(const Ray& ray, float begin, float end) const = 0;
   /// Bounds of a lamp; never asked of skies.
@@ -101,10 +101,10 @@ class Light {
 
   /// Fills in what files of other programs are told of it, but for its name; false where they have
   /// no word for it.
-  virtual bool as_data(exchange::Lamp& lamp) const { return (void)lamp, false; }
+  virtual bool as_data(exchange::Light& light) const { return (void)light, false; }
 
  private:
-  LightNotes notes_;
+  LightLinking linking_;
 };
 using LightPtr = std::shared_ptr<const Light>;
 

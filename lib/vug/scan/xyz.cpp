@@ -89,7 +89,7 @@ class XyzReader {
     const bool heading = row.numbers == 0 || (row.count == 1 && row.fault.empty());
     if (first && heading && !looks_binary(line)) return;
     if (!row.fault.empty())
-      fail(line, row.fault, fmt::format("'{}' is no number", mesh::shown(row.fault)),
+      fail(line, row.fault, fmt::format("'{}' is no number", mesh::printable(row.fault)),
            "a line is x y z, then perhaps an intensity and red, green, blue");
     if (row.count != columns_ && columns_ != 0)
       fail(line, line,

@@ -2,15 +2,15 @@
 #include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>
 #include <vug/base/xml.h>
+#include <vug/delivery/assembly.h>
+#include <vug/delivery/measure.h>
+#include <vug/delivery/recipe.h>
 #include <vug/exchange/format.h>
 #include <vug/exchange/levels.h>
 #include <vug/grammar/tree_output.h>
-#include <vug/session/assemble.h>
-#include <vug/session/find.h>
-#include <vug/session/measure.h>
+#include <vug/picture/stereo_views.h>
 #include <vug/session/preview.h>
-#include <vug/session/recipe.h>
-#include <vug/session/views.h>
+#include <vug/shot/queries.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -65,9 +65,9 @@ std::string text_of(const Value& value) {
   return value.empty() ? "" : to_string(value);
 }
 
-Json parameters(const Loaded& loaded) {
+Json parameters(const loading::Loaded& loaded) {
   Json out = Json::array();
-  for (const Parameter& each : loaded.parameters) {
+  for (const loading::Parameter& each : loaded.parameters) {
     Json one = {{"name", each.name},
                 {"value", text_of(each.value)},
                 {"fallback", text_of(each.fallback)},
@@ -84,9 +84,9 @@ Json parameters(const Loaded& loaded) {
 }
 
 /// Files stand in the page without their folders, which are nobody else's business.
-Json trees(const Shot& shot) {
+Json trees(const shot::Shot& shot) {
   Json out = Json::array();
-  for (const Derivation& derivation : shot.derivations) {
+  for (const shot::Derivation& derivation : shot.derivations) {
     Json tree = Json::parse(grammar::tree_json(derivation.tree));
     for (Json& production : tree["productions"]) {
       auto& file = production["where"]["file"];
@@ -113,19 +113,19 @@ Json picture(const std::filesystem::path& file, const std::string& note) {
 }
 
 /// Small and smoothed: a minute's work at most for most scenes.
-Json rendered_picture(Builder& builder, const ScratchFolder& scratch) {
+Json rendered_picture(building::Builder& builder, const ScratchFolder& scratch) {
   constexpr int kWidth = 960, kSamples = 32;
-  const RenderPlan plan = render_plan(builder.shot(), {});
-  RenderOptions options;
+  const shot::RenderPlan plan = picture::render_plan(builder.shot(), {});
+  picture::RenderOptions options;
   const double shrink = std::min(1.0, double(kWidth) / plan.size[0]);
   options.picture.size = Vec2i(std::max(1, static_cast<int>(plan.size[0] * shrink + 0.5)),
                                std::max(1, static_cast<int>(plan.size[1] * shrink + 0.5)));
   options.picture.spp = std::min(plan.spp, kSamples);
   options.picture.denoise = true;
   options.picture.deep = false;
-  const std::vector<Rendered> rendered = render_views(builder, options);
+  const std::vector<picture::Rendered> rendered = picture::render_views(builder, options);
   const std::filesystem::path png = scratch.file("picture.png");
-  write_picture_file(png, views_of(rendered));
+  picture::write_picture_file(png, picture::views_of(rendered));
   return picture(
       png, fmt::format("Rendered small for this page: {} x {}, {} samples a pixel, "
                        "smoothed",
@@ -134,15 +134,15 @@ Json rendered_picture(Builder& builder, const ScratchFolder& scratch) {
 
 size_t triangles(const exchange::Assembly& assembly) {
   size_t sum = 0;
-  for (const exchange::Part& part : assembly.parts) sum += part.mesh->triangles.size();
+  for (const exchange::Prototype& part : assembly.prototypes) sum += part.mesh->triangles.size();
   return sum;
 }
 
 /// Of the meshes that are shown the one with the most triangles; empty where none is.
-std::string largest_mesh(Builder& builder) {
+std::string largest_mesh(building::Builder& builder) {
   std::string name;
   size_t most = 0;
-  for (const ObjectPlan& object : shown_objects(builder.shot()))
+  for (const shot::ObjectPlan& object : shot::shown_objects(builder.shot()))
     if (const size_t size = builder.mesh(object.mesh)->triangles.size(); size > most)
       most = size, name = object.mesh->name;
   return name;
@@ -152,8 +152,8 @@ void thin_out(exchange::Assembly& assembly, size_t most, Progress& progress) {
   const size_t all = triangles(assembly);
   if (all <= most) return;
   const double share = static_cast<double>(most) / static_cast<double>(all);
-  progress.begin("thinning out", assembly.parts.size());
-  for (exchange::Part& part : assembly.parts) {
+  progress.begin("thinning out", assembly.prototypes.size());
+  for (exchange::Prototype& part : assembly.prototypes) {
     progress.check();
     mesh::Mesh made = exchange::coarser(*part.mesh, share);
     if (!made.triangles.empty()) part.mesh = std::make_shared<const mesh::Mesh>(std::move(made));
@@ -164,39 +164,40 @@ void thin_out(exchange::Assembly& assembly, size_t most, Progress& progress) {
 
 }  // namespace
 
-Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& options) {
-  const Shot& shot = builder.shot();
-  const RenderPlan plan = render_plan(shot, {});
+Preview preview(building::Builder& builder, const loading::Loaded& loaded,
+                const PreviewOptions& options) {
+  const shot::Shot& shot = builder.shot();
+  const shot::RenderPlan plan = picture::render_plan(shot, {});
   const ScratchFolder scratch("vug_preview");
   Json data = {{"name", shot.name},
                {"seed", std::to_string(shot.seed)},
                {"frame", shot.frame},
                {"version", VUG_VERSION},
-               {"camera", camera_name(shot, plan)},
+               {"camera", picture::camera_name(shot, plan)},
                {"exposure", plan.exposure},
                {"picture", nullptr},
                {"metrics", nullptr}};
   if (!options.picture.empty())
     data["picture"] = picture(options.picture, options.picture.filename().string());
-  Assembled made = assemble(builder);
+  delivery::Assembled made = delivery::assemble(builder);
   Preview out;
   out.whole = triangles(made.assembly);
   thin_out(made.assembly, options.max_triangles, builder.progress());
   out.triangles = triangles(made.assembly);
   const std::filesystem::path glb = scratch.file("model.glb");
   const exchange::Format& format = exchange::format("glb");
-  exchange::Written written =
+  exchange::WriteReport written =
       exchange::write(format, made.assembly, *format.space, glb, {}, builder.progress());
   out.left_out = std::move(made.left_out);
   if (shot.medium)
     out.left_out.push_back(
         fmt::format("the medium '{}': the page shows surfaces", shot.medium_name));
-  for (const auto& more : {written.left_out, written.notes})  // no add-on reads the page
+  for (const auto& more : {written.unsupported, written.notes})  // no add-on reads the page
     out.left_out.insert(out.left_out.end(), more.begin(), more.end());
 
   const std::string mesh = options.mesh.empty() ? largest_mesh(builder) : options.mesh;
   if (!shot.meshes.empty() || !mesh.empty()) {
-    metrics::Report report = measure(builder, mesh);
+    metrics::Report report = delivery::measure(builder, mesh);
     data["mesh"] = mesh;
     report.build_seconds.reset();  // the page would differ each time
     data["metrics"] = Json::parse(metrics::to_json(report));
@@ -207,7 +208,7 @@ Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& op
   data["whole"] = out.whole;
   data["trees"] = trees(shot);
   data["parameters"] = parameters(loaded);
-  data["recipe"] = recipe_in(shot.recipe).scene;
+  data["recipe"] = delivery::recipe_in(shot.recipe).scene;
   out.page = filled(options.page, {{"@VUG_TITLE@", xml_text(shot.name)},
                                    {"@VUG_DATA@", script_text(data)},
                                    {"@VUG_MODEL@", base64(read_text(glb))}});

@@ -39,7 +39,7 @@ Label opposite(Label side) {
   return side == Label::random ? side : static_cast<Label>(static_cast<int>(side) ^ 1);
 }
 
-Label drawn(Label label, RandomKey key) {
+Label sample_side(Label label, RandomKey key) {
   return label == Label::random ? static_cast<Label>(RandomStream(key).below(6)) : label;
 }
 

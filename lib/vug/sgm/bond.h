@@ -24,7 +24,7 @@ std::vector<std::string> label_names();
 Vec3d direction(Label side);
 Label opposite(Label side);
 /// The side itself; for `random`, one of the six with equal probability.
-Label drawn(Label label, RandomKey key);
+Label sample_side(Label label, RandomKey key);
 
 /// Definition 4, B = (P, D): a point of a shape's surface, in metres, and the unit direction in
 /// which it can be joined, outwards. D = 0 joins in any direction.

@@ -58,7 +58,7 @@ bool BondPool::taken(const Bond& bond, double size) const {
                      [&](const Bond& c) { return same(c, bond, size); });
 }
 
-std::optional<OwnBond> BondPool::take(Label side, const field::Field& base, RandomKey key) {
+std::optional<PooledBond> BondPool::take(Label side, const field::Field& base, RandomKey key) {
   std::vector<size_t> directed, undirected;
   for (size_t i = 0; i < free_.size(); ++i)
     if (on_side(free_[i].bond, side))
@@ -67,7 +67,7 @@ std::optional<OwnBond> BondPool::take(Label side, const field::Field& base, Rand
   if (!candidates.empty()) {
     const auto pick = RandomStream(key).below(static_cast<uint32_t>(candidates.size()));
     const auto at = free_.begin() + static_cast<std::ptrdiff_t>(candidates[pick]);
-    const OwnBond out = *at;
+    const PooledBond out = *at;
     free_.erase(at);
     return out;
   }
@@ -75,23 +75,23 @@ std::optional<OwnBond> BondPool::take(Label side, const field::Field& base, Rand
   std::optional<Bond> bond = bond_on(base, side);
   if (bond && taken(*bond, size)) bond = support_bond(base, side);
   if (!bond || taken(*bond, size)) return std::nullopt;
-  return OwnBond{*bond, next_id_++};
+  return PooledBond{*bond, next_id_++};
 }
 
-void BondPool::settle(const field::Field& base, double depth,
-                      const std::function<bool(const Bond&)>& touched) {
+void BondPool::reproject(const field::Field& base, double depth,
+                         const std::function<bool(const Bond&)>& touched) {
   const double size = size_of(base);
-  std::vector<OwnBond> kept;
-  std::vector<OwnBond> moved;
-  for (const OwnBond& own : free_) {
+  std::vector<PooledBond> kept;
+  std::vector<PooledBond> moved;
+  for (const PooledBond& own : free_) {
     if (!touched(own.bond)) {
       kept.push_back(own);
     } else if (const auto bond = recast(own.bond, base, depth)) {
       moved.push_back({*bond, own.id});
     }
   }
-  for (const OwnBond& own : moved) {
-    const bool met = std::any_of(kept.begin(), kept.end(), [&](const OwnBond& other) {
+  for (const PooledBond& own : moved) {
+    const bool met = std::any_of(kept.begin(), kept.end(), [&](const PooledBond& other) {
       return same(other.bond, own.bond, size);
     });
     if (!met && !taken(own.bond, size)) kept.push_back(own);
@@ -101,7 +101,7 @@ void BondPool::settle(const field::Field& base, double depth,
 
 std::vector<Bond> BondPool::free() const {
   std::vector<Bond> out;
-  for (const OwnBond& own : free_) out.push_back(own.bond);
+  for (const PooledBond& own : free_) out.push_back(own.bond);
   return out;
 }
 

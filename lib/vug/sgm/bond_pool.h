@@ -7,7 +7,7 @@
 
 namespace vug::sgm {
 
-struct OwnBond {
+struct PooledBond {
   Bond bond;
   int id;  ///< Never given twice.
 };
@@ -20,23 +20,23 @@ class BondPool {
   /// Takes a free bond of the side, one of several by `key`; directed ones come before D = 0.
   /// A side without one gets the bond that bond_on computes from `base`, or support_bond where
   /// that one is consumed already. Nothing when both are.
-  std::optional<OwnBond> take(Label side, const field::Field& base, RandomKey key);
-  void give_back(const OwnBond& bond) { free_.push_back(bond); }
+  std::optional<PooledBond> take(Label side, const field::Field& base, RandomKey key);
+  void release(const PooledBond& bond) { free_.push_back(bond); }
   /// Remembers that a shape was joined here, so that none is again.
   void consume(const Bond& bond) { consumed_.push_back(bond); }
 
   /// Brings the bonds for which `touched` holds back to the surface of `base`, along their
   /// own line and at most `depth` metres inwards; those that find none, or meet another bond,
   /// are dropped.
-  void settle(const field::Field& base, double depth,
-              const std::function<bool(const Bond&)>& touched);
+  void reproject(const field::Field& base, double depth,
+                 const std::function<bool(const Bond&)>& touched);
 
   std::vector<Bond> free() const;
 
  private:
   bool taken(const Bond& bond, double size) const;
 
-  std::vector<OwnBond> free_;
+  std::vector<PooledBond> free_;
   std::vector<Bond> consumed_;
   int next_id_ = 0;
 };

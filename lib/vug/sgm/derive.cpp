@@ -4,15 +4,15 @@
 
 namespace vug::sgm {
 
-Result interpret(grammar::Tree tree, const Options& options, Progress& progress) {
+DerivationResult interpret(grammar::Tree tree, const Options& options, Progress& progress) {
   Growth growth(options);
-  Result out;
+  DerivationResult out;
   const std::vector<int> leaves = tree.leaves();
   progress.begin("growing", leaves.size());
   for (const int leaf : leaves) {
     progress.check();
     const grammar::Node& node = tree.nodes[static_cast<size_t>(leaf)];
-    const Step* step = std::any_cast<Step>(&node.symbol.content.payload);
+    const ProductionStep* step = std::any_cast<ProductionStep>(&node.symbol.content.payload);
     if (!step) {
       out.diagnostics.warning({}, fmt::format("'{}' at {} was never rewritten to a production",
                                               grammar::to_string(node.symbol), tree.path(leaf)));
@@ -36,13 +36,13 @@ Result interpret(grammar::Tree tree, const Options& options, Progress& progress)
   return out;
 }
 
-Result derive(const grammar::Grammar& grammar, RandomKey key, const Options& options,
-              const grammar::Limits& limits, Progress& progress) {
+DerivationResult derive(const grammar::Grammar& grammar, RandomKey key, const Options& options,
+                        const grammar::Limits& limits, Progress& progress) {
   return interpret(grammar::derive(grammar, key, limits, {}, progress), options, progress);
 }
 
-Result derive(const Rules& rules, RandomKey key, const Options& options,
-              const grammar::Limits& limits, Progress& progress) {
+DerivationResult derive(const Rules& rules, RandomKey key, const Options& options,
+                        const grammar::Limits& limits, Progress& progress) {
   return derive(grammar_of(rules), key, options, limits, progress);
 }
 

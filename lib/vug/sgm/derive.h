@@ -13,7 +13,7 @@ struct Counts {
   int total() const { return classic + morphic; }
 };
 
-struct Result {
+struct DerivationResult {
   field::Field field;
   std::vector<Bond> bonds;  ///< The cave's free bonds.
   std::vector<Placement> operations;
@@ -22,17 +22,17 @@ struct Result {
   Diagnostics diagnostics;  ///< Warnings about productions without effect.
 };
 
-/// Performs the steps that the tree's leaves carry (payload Step, in order); other leaves are
-/// left-over symbols and get a warning.
-Result interpret(grammar::Tree tree, const Options& options = {},
-                 Progress& progress = Progress::none());
+/// Performs the steps that the tree's leaves carry (payload ProductionStep, in order); other leaves
+/// are left-over symbols and get a warning.
+DerivationResult interpret(grammar::Tree tree, const Options& options = {},
+                           Progress& progress = Progress::none());
 
 /// Derives, then interprets.
-Result derive(const grammar::Grammar& grammar, RandomKey key, const Options& options = {},
-              const grammar::Limits& limits = {}, Progress& progress = Progress::none());
+DerivationResult derive(const grammar::Grammar& grammar, RandomKey key, const Options& options = {},
+                        const grammar::Limits& limits = {}, Progress& progress = Progress::none());
 
 /// A primitive that the experiment may choose.
-struct Choice {
+struct ShapeChoice {
   std::string name;
   double weight = 1;
   std::function<field::Field(RandomKey)> make;  ///< E.g. with a random radius.
@@ -40,7 +40,7 @@ struct Choice {
 
 /// The paper's experiment (section 3). L_D, the sampling density, belongs to voxelisation.
 struct Rules {
-  std::vector<Choice> shapes;
+  std::vector<ShapeChoice> shapes;
   int classic = 10;                   ///< P_C
   int morphic = 2;                    ///< P_M, spread evenly among the classic productions.
   int pieces = 3;                     ///< P_S, primitives in a shape; 0 counts as 1.
@@ -55,7 +55,7 @@ struct Rules {
 /// Error(bad_input) for parameters that mean nothing.
 grammar::Grammar grammar_of(const Rules& rules);
 
-Result derive(const Rules& rules, RandomKey key, const Options& options = {},
-              const grammar::Limits& limits = {}, Progress& progress = Progress::none());
+DerivationResult derive(const Rules& rules, RandomKey key, const Options& options = {},
+                        const grammar::Limits& limits = {}, Progress& progress = Progress::none());
 
 }  // namespace vug::sgm

@@ -6,7 +6,7 @@
 
 namespace vug::sgm {
 
-Transform gluing(const Bond& fixed, const Bond& moving) {
+Transform glue_transform(const Bond& fixed, const Bond& moving) {
   Transform turn;
   const bool turns = !fixed.free_direction() && !moving.free_direction() &&
                      (fixed.direction + moving.direction).length() > 1e-12;
@@ -44,7 +44,7 @@ Shape compound(const std::vector<Shape>& pieces, Label label, double overlap, Ra
     name += (i > 0 ? " + " : "") + pieces[i].name;
     Shape piece = pieces[i];
     const RandomKey own = key.at(i);
-    const Label side = drawn(label, own.at("side"));
+    const Label side = sample_side(label, own.at("side"));
     std::vector<size_t> candidates;
     for (size_t b = 0; b < free.size(); ++b)
       if (on_side(free[b], side)) candidates.push_back(b);
@@ -56,10 +56,10 @@ Shape compound(const std::vector<Shape>& pieces, Label label, double overlap, Ra
       const Bond bond = piece.bonds[*moving];
       const double press = overlap * extent_along(piece, bond);
       const Transform map =
-          Transform::translation(-direction(side) * press) * gluing(free[used], bond);
+          Transform::translation(-direction(side) * press) * glue_transform(free[used], bond);
       free.erase(free.begin() + static_cast<std::ptrdiff_t>(used));
       piece.bonds.erase(piece.bonds.begin() + static_cast<std::ptrdiff_t>(*moving));
-      piece = placed(piece, map);
+      piece = transformed(piece, map);
     }
     free.insert(free.end(), piece.bonds.begin(), piece.bonds.end());
     parts.push_back(std::move(piece.field));

@@ -8,7 +8,7 @@ namespace vug::sgm {
 /// The rigid map that brings bond `moving` onto bond `fixed`: points coincide, directions are
 /// opposite. Turns only where they are not opposite yet, by the shortest way; where one of them
 /// is 0 it only moves.
-Transform gluing(const Bond& fixed, const Bond& moving);
+Transform glue_transform(const Bond& fixed, const Bond& moving);
 
 /// The index of the bond of `shape` that is to meet a side `side` of another shape: one on the
 /// opposite side (the first with D = 0 when there is no other there), else any, chosen by `key`

@@ -32,7 +32,7 @@ End end_of(const Field& shape) {
 }
 
 /// Whether a production acts on all of the base: asked for, or the shape itself is endless.
-bool acts_everywhere(const Step& step, const Options& options, const Field& shape) {
+bool acts_everywhere(const ProductionStep& step, const Options& options, const Field& shape) {
   return step.reach.value_or(options.reach) == Reach::whole || !is_finite(shape.bounds());
 }
 
@@ -60,7 +60,7 @@ double Options::Overlap::of(Operation operation) const {
 
 Growth::Growth(Options options) : options_(std::move(options)) { options_.geology.require_valid(); }
 
-const Placement& Growth::apply(const Step& step, RandomKey key, int node) {
+const Placement& Growth::apply(const ProductionStep& step, RandomKey key, int node) {
   if (step.pieces.empty())
     throw Error(ErrorCode::bad_input, "a production needs a shape", step.where);
   std::vector<Shape> pieces;
@@ -71,7 +71,7 @@ const Placement& Growth::apply(const Step& step, RandomKey key, int node) {
   placement.operation = step.operation;
   placement.shape = shape.name;
   placement.node = node;
-  placement.side = drawn(step.label, key.at("side"));
+  placement.side = sample_side(step.label, key.at("side"));
   placement.amount = step.operation == Operation::morph ? step.amount : 0;
   if (shape.field.bounds().isEmpty()) {
     placement.effective = false;
@@ -97,8 +97,8 @@ void Growth::start(Shape shape, Placement& placement) {
   started_ = true;
 }
 
-void Growth::glue(const Step& step, Shape shape, RandomKey key, Placement& placement) {
-  std::optional<OwnBond> own;
+void Growth::glue(const ProductionStep& step, Shape shape, RandomKey key, Placement& placement) {
+  std::optional<PooledBond> own;
   if (const auto moving = opposite_bond(shape, placement.side, key.at("turn"))) {
     own = bonds_.take(placement.side, field_, key.at("bond"));
     if (!own) {
@@ -108,7 +108,7 @@ void Growth::glue(const Step& step, Shape shape, RandomKey key, Placement& place
     }
     const Bond bond = shape.bonds[*moving];
     shape.bonds.erase(shape.bonds.begin() + static_cast<std::ptrdiff_t>(*moving));
-    const Transform glued = gluing(own->bond, bond);
+    const Transform glued = glue_transform(own->bond, bond);
     placement.glued = true;
     placement.base_bond = own->bond;
     placement.base_bond_id = own->id;
@@ -116,7 +116,7 @@ void Growth::glue(const Step& step, Shape shape, RandomKey key, Placement& place
     placement.press =
         step.overlap.value_or(options_.overlap.of(step.operation)) * extent_along(shape, bond);
     placement.map = Transform::translation(-heading(placement) * placement.press) * glued;
-    shape = placed(shape, placement.map);
+    shape = transformed(shape, placement.map);
   } else {
     placement.note = "the shape has no bond and stays where it is";
   }
@@ -131,13 +131,13 @@ void Growth::glue(const Step& step, Shape shape, RandomKey key, Placement& place
     placement.glued = false;
     placement.base_bond_id = -1;
     placement.note = "nothing would be left";
-    if (own) bonds_.give_back(*own);
+    if (own) bonds_.release(*own);
     return;
   }
   grow(step, shape, *base, placement);
 }
 
-std::optional<Field> Growth::combined(const Step& step, const Placement& placement,
+std::optional<Field> Growth::combined(const ProductionStep& step, const Placement& placement,
                                       const Shape& shape) const {
   const bool whole = acts_everywhere(step, options_, shape.field);
   Field out;
@@ -171,7 +171,8 @@ std::optional<Field> Growth::combined(const Step& step, const Placement& placeme
   return inner_point(out) ? std::optional(out) : std::nullopt;
 }
 
-void Growth::grow(const Step& step, const Shape& shape, Field base, const Placement& placement) {
+void Growth::grow(const ProductionStep& step, const Shape& shape, Field base,
+                  const Placement& placement) {
   const bool adds = step.operation == Operation::unite || step.operation == Operation::morph;
   if (step.operation == Operation::unite &&
       (terms_.size() == 1 || equal(terms_blend_, step.blend))) {
@@ -187,7 +188,7 @@ void Growth::grow(const Step& step, const Shape& shape, Field base, const Placem
   const double depth = whole ? size_of(field_) : std::min(size_of(field_), size_of(shape.field));
   const double reach = reach_of(step.blend) + 1e-6 * size_of(field_);
   const End end = whole ? End{} : end_of(shape.field);
-  bonds_.settle(field_, depth, [&](const Bond& bond) {
+  bonds_.reproject(field_, depth, [&](const Bond& bond) {
     if (whole) return true;
     if (step.operation == Operation::intersect)
       return (bond.point - end.centre).length() < end.radius + reach;

@@ -4,7 +4,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/sgm/bond_pool.h>
 #include <vug/sgm/geology.h>
-#include <vug/sgm/step.h>
+#include <vug/sgm/production_step.h>
 
 namespace vug::sgm {
 
@@ -57,7 +57,7 @@ class Growth {
   explicit Growth(Options options = {});
 
   /// Performs one production. Random choices (sides, bonds, turns) come from `key`.
-  const Placement& apply(const Step& step, RandomKey key, int node = -1);
+  const Placement& apply(const ProductionStep& step, RandomKey key, int node = -1);
 
   const field::Field& field() const { return field_; }
   std::vector<Bond> free_bonds() const { return bonds_.free(); }
@@ -66,11 +66,12 @@ class Growth {
 
  private:
   void start(Shape shape, Placement& placement);
-  void glue(const Step& step, Shape shape, RandomKey key, Placement& placement);
+  void glue(const ProductionStep& step, Shape shape, RandomKey key, Placement& placement);
   /// Base and shape as the production has them; nothing when no solid would be left.
-  std::optional<field::Field> combined(const Step& step, const Placement& placement,
+  std::optional<field::Field> combined(const ProductionStep& step, const Placement& placement,
                                        const Shape& shape) const;
-  void grow(const Step& step, const Shape& shape, field::Field base, const Placement& placement);
+  void grow(const ProductionStep& step, const Shape& shape, field::Field base,
+            const Placement& placement);
 
   Options options_;
   field::Field field_;

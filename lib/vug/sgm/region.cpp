@@ -27,15 +27,15 @@ Traits morph_traits(const Traits& base, const Traits& shape, double amount, doub
   return {std::max(base.lipschitz, (1 - amount) * base.lipschitz + amount * shape.lipschitz),
           std::max({base.exactness, shape.exactness, Exactness::bound}),
           united(base.bounds_below(depth), shape.bounds_below(depth)),
-          std::min(base.grows(), shape.grows())};
+          std::min(base.growth_rate(), shape.growth_rate())};
 }
 
 /// One node and not a morph of the base with a union, because that would evaluate the base twice,
 /// and after n morphs 2^n times.
-class LocalMorph final : public field::Readings<LocalMorph> {
+class LocalMorph final : public field::EvaluationModes<LocalMorph> {
  public:
   LocalMorph(Traits traits, NodePtr base, NodePtr shape, double amount, field::Blend blend)
-      : Readings(std::move(traits)),
+      : EvaluationModes(std::move(traits)),
         base_(std::move(base)),
         shape_(std::move(shape)),
         amount_(amount),

@@ -8,9 +8,9 @@ namespace vug::sgm {
 namespace {
 
 using grammar::Content;
-using grammar::Part;
 using grammar::Production;
-using grammar::Site;
+using grammar::RewriteSite;
+using grammar::SuccessorItem;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw Error(ErrorCode::bad_input, message);
@@ -22,7 +22,7 @@ void require_valid(const Rules& rules) {
   require(rules.pieces >= 0, "PS counts primitives: 0 or more");
   require(rules.amount >= 0 && rules.amount <= 1, "MP lies between 0 % and 100 %");
   double total = 0;
-  for (const Choice& shape : rules.shapes) {
+  for (const ShapeChoice& shape : rules.shapes) {
     require(shape.weight >= 0 && std::isfinite(shape.weight) && shape.make,
             "the shape '" + shape.name + "' needs a weight of 0 or more");
     total += shape.weight;
@@ -30,12 +30,12 @@ void require_valid(const Rules& rules) {
   require(total > 0, "an experiment needs at least one shape to choose from");
 }
 
-Piece draw(const std::vector<Choice>& shapes, RandomKey key) {
+Piece draw(const std::vector<ShapeChoice>& shapes, RandomKey key) {
   double total = 0;
-  for (const Choice& shape : shapes) total += shape.weight;
+  for (const ShapeChoice& shape : shapes) total += shape.weight;
   double dart = RandomStream(key.at("choice")).uniform() * total;
-  const Choice* chosen = nullptr;
-  for (const Choice& shape : shapes) {
+  const ShapeChoice* chosen = nullptr;
+  for (const ShapeChoice& shape : shapes) {
     if (shape.weight <= 0) continue;
     chosen = &shape;
     if (dart < shape.weight) break;
@@ -47,11 +47,11 @@ Piece draw(const std::vector<Choice>& shapes, RandomKey key) {
 /// symbol @weight -> operation.
 Production production(const Rules& rules, const std::string& symbol, Operation operation,
                       double weight) {
-  Part part;
+  SuccessorItem part;
   part.symbol = sign_of(operation);
   part.terminal = true;
-  part.content = [rules, operation](const Site& site) {
-    Step step;
+  part.content = [rules, operation](const RewriteSite& site) {
+    ProductionStep step;
     step.operation = operation;
     std::string names;
     for (int i = 0; i < std::max(rules.pieces, 1); ++i) {
@@ -68,15 +68,15 @@ Production production(const Rules& rules, const std::string& symbol, Operation o
   Production out;
   out.symbol = symbol;
   out.name = symbol + " -> " + to_string(operation);
-  out.weight = [weight](const Site&) { return weight; };
-  out.parts = {std::move(part)};
+  out.weight = [weight](const RewriteSite&) { return weight; };
+  out.successor = {std::move(part)};
   return out;
 }
 
-Part repeated(const std::string& symbol, int64_t count) {
-  Part part;
+SuccessorItem repeated(const std::string& symbol, int64_t count) {
+  SuccessorItem part;
   part.symbol = symbol;
-  part.count = [count](const Site&) { return count; };
+  part.count = [count](const RewriteSite&) { return count; };
   return part;
 }
 

@@ -90,7 +90,7 @@ Shape make_shape(std::string name, Field field) {
   return {std::move(name), std::move(field), std::move(bonds)};
 }
 
-Shape placed(const Shape& shape, const Transform& map) {
+Shape transformed(const Shape& shape, const Transform& map) {
   Shape out{shape.name, field::transformed(shape.field, map), shape.bonds};
   for (Bond& bond : out.bonds) bond = {map.point(bond.point), map.vector(bond.direction)};
   return out;

@@ -35,6 +35,6 @@ std::optional<Bond> support_bond(const field::Field& field, Label side);
 double size_of(const field::Field& field);
 
 /// Shape and bonds carried along by a rigid map.
-Shape placed(const Shape& shape, const Transform& map);
+Shape transformed(const Shape& shape, const Transform& map);
 
 }  // namespace vug::sgm

@@ -59,10 +59,10 @@ Grid filled(const LevelSet& level_set, const std::vector<T>& values) {
 
 }  // namespace
 
-Band band(const LevelSet& level_set) {
+BandPoints band_points(const LevelSet& level_set) {
   const openvdb::FloatGrid& grid = floats(level_set);
   const Leaves<const Leaf, const openvdb::FloatTree> leaves(grid.tree());
-  Band out;
+  BandPoints out;
   out.foot.resize(leaves.count);
   out.normal.resize(leaves.count);
   parallel_for(leaves.nodes.size(), [&](size_t n) {

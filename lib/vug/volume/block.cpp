@@ -45,7 +45,7 @@ float least_magnitude(Pack value) {
 
 /// Finds the packs that may reach into the band from nine of them and the field's steepest slope.
 /// The others get a value beyond the band, of their side.
-int find_in_reach(const field::Field& field, const Band& band, const Point<Pack>* points,
+int find_in_reach(const field::Field& field, const NarrowBand& band, const Point<Pack>* points,
                   Pack* values, int* found, field::Scratch& scratch) {
   Point<Pack> looked[9];
   Pack seen[9];
@@ -72,7 +72,7 @@ int find_in_reach(const field::Field& field, const Band& band, const Point<Pack>
 /// band, so that no surface passes between inactive voxels.
 class Neighbours {
  public:
-  Neighbours(const field::Field& field, const Band& band)
+  Neighbours(const field::Field& field, const NarrowBand& band)
       : near_(1.0001 * field.lipschitz() * band.voxel),
         inside_band_(std::nextafter(band.background, 0.0f)) {}
   /// `distance` as it is stored where the field's value is `value`.
@@ -86,8 +86,8 @@ class Neighbours {
 
 /// First-order distances where they reach into the band. Where the slope vanishes the quotient says
 /// nothing, and only `Neighbours` keeps it in the band.
-void distances(const field::Field& field, const Band& band, const Point<Pack>* points, Pack* values,
-               field::Scratch& scratch) {
+void distances(const field::Field& field, const NarrowBand& band, const Point<Pack>* points,
+               Pack* values, field::Scratch& scratch) {
   int found[kPacks];
   const int count = find_in_reach(field, band, points, values, found, scratch);
   const Neighbours neighbours(field, band);
@@ -108,7 +108,7 @@ void distances(const field::Field& field, const Band& band, const Point<Pack>* p
 }
 
 /// Unrepaired steep values.
-void keep_neighbours(const field::Field& field, const Band& band, Pack* values) {
+void keep_neighbours(const field::Field& field, const NarrowBand& band, Pack* values) {
   const Neighbours neighbours(field, band);
   for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], values[i]);
 }
@@ -119,7 +119,7 @@ bool Block::any_active() const {
   return std::any_of(active, active + 8, [](uint64_t word) { return word != 0; });
 }
 
-void evaluate(const field::Field& field, const Cell& cell, const Band& band,
+void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& band,
               field::Scratch& scratch, Block& block) {
   field::Scratch::Frame frame(scratch);
   auto* points = frame.take<Point<Pack>>(kPacks);

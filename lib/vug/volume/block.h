@@ -16,7 +16,7 @@ struct Block {
 
 /// Fills the block whose first lattice point is `cell.origin`: clamped values, active where they
 /// are inside the band.
-void evaluate(const field::Field& field, const Cell& cell, const Band& band,
+void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& band,
               field::Scratch& scratch, Block& block);
 
 }  // namespace vug::volume

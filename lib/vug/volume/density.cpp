@@ -18,19 +18,20 @@ constexpr float kSteps = 65535;
 constexpr int kLargest = 64;  // voxels along a brick
 
 /// Of the values in one brick of a block, with the first ones of the next.
-Bricks::Range range_of(const std::vector<float>& block, int stride, const Vec3i& first, int size) {
-  Bricks::Range range{std::numeric_limits<float>::infinity(), 0, 0};
+MajorantGrid::Range range_of(const std::vector<float>& block, int stride, const Vec3i& first,
+                             int size) {
+  MajorantGrid::Range range{std::numeric_limits<float>::infinity(), 0, 0};
   double sum = 0;
   for (int z = first.z; z <= first.z + size; ++z)
     for (int y = first.y; y <= first.y + size; ++y)
       for (int x = first.x; x <= first.x + size; ++x) {
         const float value = block[static_cast<size_t>((z * stride + y) * stride + x)];
-        range.least = std::min(range.least, value);
-        range.most = std::max(range.most, value);
+        range.min = std::min(range.min, value);
+        range.max = std::max(range.max, value);
         sum += static_cast<double>(value);
       }
   const int side = size + 1;
-  range.mean = std::clamp(static_cast<float>(sum / (side * side * side)), range.least, range.most);
+  range.mean = std::clamp(static_cast<float>(sum / (side * side * side)), range.min, range.max);
   return range;
 }
 
@@ -70,7 +71,7 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
     world_to_index_[3][axis] -= origin[static_cast<size_t>(axis)];
   const auto accessor = grid.getConstAccessor();
   std::vector<float> own(std::tuple_size_v<Values>);
-  Bricks finest(kSize / 2, reach);
+  MajorantGrid finest(kSize / 2, reach);
   for (int z = 0; z < blocks.z; ++z)
     for (int y = 0; y < blocks.y; ++y)
       for (int x = 0; x < blocks.x; ++x) {
@@ -98,9 +99,9 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
         }
         for (int part = 0; part < 8; ++part) {
           const Vec3i half(part & 1, part >> 1 & 1, part >> 2), brick = Vec3i(x, y, z) * 2 + half;
-          const Bricks::Range range = range_of(own, kStride, half * (kSize / 2), kSize / 2);
+          const MajorantGrid::Range range = range_of(own, kStride, half * (kSize / 2), kSize / 2);
           if (brick.x >= finest.count().x || brick.y >= finest.count().y ||
-              brick.z >= finest.count().z || !(range.most > 0))
+              brick.z >= finest.count().z || !(range.max > 0))
             continue;
           finest.set(brick, range);
           for (int corner = 0; corner < 8; ++corner) {
@@ -114,8 +115,8 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
           }
         }
       }
-  bricks_.push_back(std::move(finest));
-  while (bricks_.back().size() < kLargest) bricks_.push_back(bricks_.back().doubled());
+  majorants_.push_back(std::move(finest));
+  while (majorants_.back().size() < kLargest) majorants_.push_back(majorants_.back().doubled());
 }
 
 Vec3f Density::to_index(const Vec3f& world) const {
@@ -155,7 +156,7 @@ float Density::at(const Vec3f& p) const {
   return b.least + b.step * (first + f.z * (second - first));
 }
 
-void Density::expect(const Vec3f& p) const {
+void Density::prefetch(const Vec3f& p) const {
   if (!within(p)) return;
   const Vec3i cell(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
   const Block& b = block(cell / kSize);
@@ -165,14 +166,14 @@ void Density::expect(const Vec3f& p) const {
     __builtin_prefetch(v + row);
 }
 
-float Density::anywhere(const Vec3f& world) const {
+float Density::at_world(const Vec3f& world) const {
   const Vec3f p = to_index(world);
   return within(p) ? at(p) : background_;
 }
 
 uint64_t Density::bytes() const {
   uint64_t sum = values_.size() * sizeof(Values) + blocks_.size() * sizeof(Block);
-  for (const Bricks& bricks : bricks_) sum += bricks.bytes();
+  for (const MajorantGrid& bricks : majorants_) sum += bricks.bytes();
   return sum;
 }
 

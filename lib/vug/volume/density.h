@@ -1,8 +1,8 @@
 // A fog's values in plain blocks, for fast lookups along rays.
 #pragma once
 
-#include <vug/volume/bricks.h>
 #include <vug/volume/grid.h>
+#include <vug/volume/majorant_grid.h>
 
 #include <array>
 #include <cstdint>
@@ -29,18 +29,18 @@ class Density {
   /// Box in world space of all that is not 0.
   const Box3f& bounds() const { return bounds_; }
   /// Bounds of the values in bricks of 8, 16, 32 and 64 voxels; none when all is 0.
-  const std::vector<Bricks>& bricks() const { return bricks_; }
+  const std::vector<MajorantGrid>& majorants() const { return majorants_; }
 
   /// The interpolated value; 0 outside.
   float at(const Vec3f& index) const;
   /// The value of one of the eight lattice points about a place, chosen by numbers in [0, 1) such
   /// that the mean is the interpolated value: for estimates that are linear in the density, with
   /// one look into memory instead of eight. The place may lie outside by less than a voxel.
-  float one_at(const Vec3f& index, const Vec3f& u) const;
+  float stochastic_at(const Vec3f& index, const Vec3f& u) const;
   /// Calls from memory what `at` will ask for.
-  void expect(const Vec3f& index) const;
+  void prefetch(const Vec3f& index) const;
   /// The same as `at` in world space; outside what the grid holds where nothing was stored.
-  float anywhere(const Vec3f& world) const;
+  float at_world(const Vec3f& world) const;
   uint64_t bytes() const;
 
  private:
@@ -68,13 +68,13 @@ class Density {
   float background_ = 0;
   Vec3f size_{0, 0, 0};
   Box3f bounds_;
-  std::vector<Bricks> bricks_;
+  std::vector<MajorantGrid> majorants_;
   size_t row_ = 0, plane_ = 0;
   std::vector<Block> blocks_;  ///< In rows of x, those in planes, an empty one at the end of each.
   std::vector<Values> values_;
 };
 
-inline float Density::one_at(const Vec3f& p, const Vec3f& u) const {
+inline float Density::stochastic_at(const Vec3f& p, const Vec3f& u) const {
   const Vec3i cell(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
   const Block& b = block(cell / kSize);
   if (b.slot < 0) return 0;

@@ -39,7 +39,7 @@ Shell refine(const Shell& outer) {
       const double step = 0.5 * inner.size;
       const Vec3d centre =
           cell.centre + Vec3d(n & 4 ? step : -step, n & 2 ? step : -step, n & 1 ? step : -step);
-      field::Field::Part part = cell.field.restricted({centre, step * std::sqrt(3.0)});
+      field::Field::RestrictedField part = cell.field.restricted({centre, step * std::sqrt(3.0)});
       const double reach = inner.size * part.field.lipschitz();
       if (part.range.lo <= reach && part.range.hi >= -reach)
         kept[i].push_back({std::move(part.field), centre});

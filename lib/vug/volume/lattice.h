@@ -29,14 +29,14 @@ inline field::Ball ball_around(const Cell& cell, double voxel) {
 }
 
 /// The band to fill, in metres.
-struct Band {
+struct NarrowBand {
   double voxel = 0;
   float background = 0;  ///< Half the band's width.
   bool repair = true;
 };
 
 /// Largest |value| of the field that can belong to the band, or neighbour a change of sign.
-inline double reach(const Band& band, const field::Field& field) {
+inline double reach(const NarrowBand& band, const field::Field& field) {
   const double background = static_cast<double>(band.background);
   if (field.exactness() <= field::Exactness::eikonal) return background;
   const double slope = field.lipschitz();

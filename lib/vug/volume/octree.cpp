@@ -11,7 +11,7 @@ int64_t aligned(int64_t index, int64_t to) { return index & ~(to - 1); }  // tow
 
 class Walker {
  public:
-  Walker(const Walk& walk, Progress& progress)
+  Walker(const OctreeTask& walk, Progress& progress)
       : walk_(walk), tree_(walk.band.voxel, walk.band.background), progress_(progress) {}
 
   std::shared_ptr<openvdb::GridBase> run(const field::Field& field) {
@@ -45,7 +45,8 @@ class Walker {
   void visit(const field::Field& outer, const Cell& cell, Brick* brick, uint64_t units) {
     if (cell.size > kBlock) progress_.check();
     if (beyond_bounds(cell)) return done(units);
-    const field::Field::Part part = outer.restricted(ball_around(cell, walk_.band.voxel));
+    const field::Field::RestrictedField part =
+        outer.restricted(ball_around(cell, walk_.band.voxel));
     switch (judge(part.field, part.range)) {
       case Verdict::outside:
         return done(units);
@@ -97,7 +98,7 @@ class Walker {
   static constexpr int64_t kBlock = 8;
   static constexpr int64_t kSerial = 32;  // cells of at most this size are one task
 
-  Walk walk_;
+  OctreeTask walk_;
   TreeBuilder tree_;
   Progress& progress_;
   tbb::enumerable_thread_specific<Local> locals_;
@@ -105,7 +106,7 @@ class Walker {
 
 }  // namespace
 
-Cell root_around(const Walk& walk) {
+Cell root_around(const OctreeTask& walk) {
   Cell root;
   for (root.size = Brick::kSize;; root.size *= 2) {
     bool fits = true;
@@ -117,7 +118,7 @@ Cell root_around(const Walk& walk) {
   }
 }
 
-std::shared_ptr<openvdb::GridBase> build(const field::Field& field, const Walk& walk,
+std::shared_ptr<openvdb::GridBase> build(const field::Field& field, const OctreeTask& walk,
                                          Progress& progress) {
   return Walker(walk, progress).run(field);
 }

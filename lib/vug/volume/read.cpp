@@ -34,7 +34,8 @@ auto with_one_file(const std::filesystem::path& source, const ReadOptions& optio
   const auto fail = [&](const std::string& why) {
     return Error(ErrorCode::bad_input, fmt::format("cannot read '{}': {}", source.string(), why));
   };
-  if (options.verify && header.hashed() && content_identifier(source) != header.identifier)
+  if (options.verify && header.has_content_hash() &&
+      content_identifier(source) != header.identifier)
     throw fail("it is damaged: its bytes do not match its hash");
   try {
     openvdb::io::File file(source.string());

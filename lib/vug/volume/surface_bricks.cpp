@@ -103,7 +103,7 @@ SurfaceBricks::SurfaceBricks(const LevelSet& level_set, double smallest_piece)
   parallel_for(
       kept.size(), [&](size_t i) { bricks_[i] = brick_at(grid, kept[i], units); }, 16);
   // What was in a crumb is a crumb when that has gone.
-  for (size_t gone = 1; smallest_piece > 0 && gone > 0; pieces_left_out_ += gone)
+  for (size_t gone = 1; smallest_piece > 0 && gone > 0; components_removed_ += gone)
     gone = flip_small_sets(smallest_piece);
   bricks_.shrink_to_fit();
 }

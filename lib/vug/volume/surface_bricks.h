@@ -18,7 +18,7 @@ namespace vug::volume {
 class SurfaceBricks {
  public:
   /// Crumbs and closed bubbles whose box has a diagonal below `smallest_piece` metres are left out,
-  /// as mesh::large_pieces does, but for the largest, and for those so large that a whole brick
+  /// as mesh::large_components does, but for the largest, and for those so large that a whole brick
   /// fits in. Error(bad_input) for a grid that is turned.
   explicit SurfaceBricks(const LevelSet& level_set, double smallest_piece = 0);
 
@@ -55,7 +55,7 @@ class SurfaceBricks {
   Box3d box(size_t brick) const;
   Box3d bounds() const;
   uint64_t bytes() const { return bricks_.size() * sizeof(Brick); }
-  size_t pieces_left_out() const { return pieces_left_out_; }
+  size_t components_removed() const { return components_removed_; }
 
  private:
   size_t flip_small_sets(double smallest);
@@ -63,7 +63,7 @@ class SurfaceBricks {
   double voxel_, step_;
   Vec3d origin_;
   std::vector<Brick> bricks_;
-  size_t pieces_left_out_ = 0;
+  size_t components_removed_ = 0;
 };
 using SurfaceBricksPtr = std::shared_ptr<const SurfaceBricks>;
 

@@ -92,7 +92,7 @@ std::vector<std::string> read_grid_places(Reader& in) {
 
 }  // namespace
 
-bool VdbHeader::hashed() const {
+bool VdbHeader::has_content_hash() const {
   return identifier.size() == kIdentifierSize && identifier[14] == '8' && identifier[19] == '8' &&
          identifier.find_first_not_of("0123456789abcdef-") == std::string::npos;
 }

@@ -15,7 +15,7 @@ struct VdbHeader {
   std::vector<std::string> grids;  ///< Names in the file's order.
 
   /// The identifier has the form of a hash; a random one looks so once in 10^8 files.
-  bool hashed() const;
+  bool has_content_hash() const;
 
   static constexpr uint64_t kIdentifierAt = 21;
   static constexpr size_t kIdentifierSize = 36;

@@ -2,7 +2,7 @@
 #include <vug/base/memory.h>
 #include <vug/volume/octree.h>
 #include <vug/volume/region.h>
-#include <vug/volume/trim.h>
+#include <vug/volume/trim_band.h>
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ void check_voxel(double voxel) {
       {}, "make the scene larger, or the voxels");
 }
 
-void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, Walk& walk) {
+void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, OctreeTask& walk) {
   constexpr double kFarthest = 2147483647.0 - 8192;
   const double margin = options.half_width + 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -66,7 +66,7 @@ void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, Walk&
 
 LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Progress& progress) {
   const Region region = region_of(field, options);
-  Walk walk;
+  OctreeTask walk;
   walk.band = {options.voxel, background_of(options), options.repair};
   if (region.box.isEmpty()) return LevelSet(wrap(build(field::Field(), walk, progress)));
   require_room(field, region.box, options);
@@ -75,7 +75,7 @@ LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Pro
   const auto grid = build(region.field, walk, progress);
   // One step more, for what first-order distances are short by near the surface, too.
   if (region.field.exactness() > field::Exactness::eikonal)
-    trim(*grid, static_cast<int>(std::ceil(options.half_width)) + 1);
+    trim_band(*grid, static_cast<int>(std::ceil(options.half_width)) + 1);
   return LevelSet(wrap(grid));
 }
 

@@ -33,10 +33,10 @@ TEST(Attributes, UnknownNamesAndWrongTypesAreRefused) {
 }
 
 TEST(States, SayWhoReadsAndWhoIsRead) {
-  EXPECT_TRUE(receives(State::active) && distributes(State::active));
-  EXPECT_TRUE(receives(State::receiving) && !distributes(State::receiving));
-  EXPECT_TRUE(!receives(State::distributing) && distributes(State::distributing));
-  for (const State s : {State::sleeping, State::transparent})
+  EXPECT_TRUE(receives(CellState::active) && distributes(CellState::active));
+  EXPECT_TRUE(receives(CellState::receiving) && !distributes(CellState::receiving));
+  EXPECT_TRUE(!receives(CellState::distributing) && distributes(CellState::distributing));
+  for (const CellState s : {CellState::sleeping, CellState::transparent})
     EXPECT_TRUE(!receives(s) && !distributes(s)) << name_of(s);
 }
 

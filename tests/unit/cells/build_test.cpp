@@ -61,7 +61,7 @@ TEST(Build, RandomCellsHaveFiveToSevenNeighbours) {
        {mesh::sphere_mesh(Vec3d(0), 1, 5), mesh::box_mesh({Vec3d(0), Vec3d(2)})}) {
     const Surface surface({shared(mesh)});
     BuildOptions o = options("random", 0.05);
-    const Built built = build(surface, o);
+    const BuildResult built = build(surface, o);
     EXPECT_EQ(built.relaxing.size(), 30u);
     EXPECT_LT(built.relaxing.back().variation, 0.6 * built.relaxing.front().variation);
     const Quality even = quality(built.network);

@@ -106,7 +106,7 @@ TEST(Voronoi, AndCracksAreThoseOfBruteForce) {
       bool border = false;
       for (const uint32_t to : n->links.of(i)) border |= expected[to] != expected[i];
       ASSERT_EQ(s.attributes().values<float>("crack")[i], border ? 1 : 0);
-      ASSERT_EQ(s.states()[i], border ? State::sleeping : State::active);
+      ASSERT_EQ(s.states()[i], border ? CellState::sleeping : CellState::active);
       ASSERT_EQ(s.attributes().values<Vec3f>("Cd")[i] == color[i], !border);
       cracks += border;
     }

@@ -96,7 +96,7 @@ TEST(Corrosion, IsThatOfAPlainLoop) {
   }
   EXPECT_EQ(all.attributes().values<float>("potential"), p);
   for (uint32_t i = 0; i < n->size(); ++i)
-    ASSERT_EQ(all.states()[i], gone[i] ? State::transparent : State::active);
+    ASSERT_EQ(all.states()[i], gone[i] ? CellState::transparent : CellState::active);
   EXPECT_GT(std::count(gone.begin(), gone.end(), true), struck);
 }
 
@@ -231,8 +231,8 @@ TEST(GrayScott, IsTheSameWhereSomeBlocksSleep) {
   const std::vector<Stage> drops = {stage("sprinkle", {{"attribute", "v"}, {"share", 0.1}})};
   Simulation awake = ran(one, drops, 1);
   Simulation half = ran(std::make_shared<const Network>(both), drops, 1);
-  std::vector<State> states(2 * count, State::active);
-  std::fill(states.begin() + count, states.end(), State::sleeping);
+  std::vector<CellState> states(2 * count, CellState::active);
+  std::fill(states.begin() + count, states.end(), CellState::sleeping);
   half.set_states(states);
   awake.run({stage("gray_scott")}, 30);
   half.run({stage("gray_scott")}, 30);

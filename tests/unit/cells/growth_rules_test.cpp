@@ -182,8 +182,8 @@ TEST(Erosion, CarvesWhatItCarriesAway) {
 TEST(Freeze, LetsOthersGoOn) {
   // Figure 12 of a cascade: what has become wet enough stays, and what is seen of it spreads on.
   const NetworkPtr n = torus(20, 20, 4);
-  for (const auto& [as, expected] : std::vector<std::pair<std::string, State>>{
-           {"sleeping", State::sleeping}, {"distributing", State::distributing}}) {
+  for (const auto& [as, expected] : std::vector<std::pair<std::string, CellState>>{
+           {"sleeping", CellState::sleeping}, {"distributing", CellState::distributing}}) {
     Simulation s(n, RandomKey(1));
     auto& wet = s.attributes().column<float>("wet").now;
     for (uint32_t i = 0; i < n->size(); ++i) wet[i] = static_cast<float>(i % 5) / 4;
@@ -196,12 +196,12 @@ TEST(Freeze, LetsOthersGoOn) {
           3);
     for (uint32_t i = 0; i < n->size(); ++i) {
       const bool frozen = i % 5 == 2 || i % 5 == 3;
-      ASSERT_EQ(s.states()[i], frozen ? expected : State::active) << i;
+      ASSERT_EQ(s.states()[i], frozen ? expected : CellState::active) << i;
       const Vec3f got = s.attributes().values<Vec3f>("Cd")[i];
       if (frozen) {
         ASSERT_EQ(got, Vec3f(1, 0.5f, 0.25f));
       } else {
-        ASSERT_EQ(got != Vec3f(0), expected == State::distributing) << i;
+        ASSERT_EQ(got != Vec3f(0), expected == CellState::distributing) << i;
       }
     }
   }

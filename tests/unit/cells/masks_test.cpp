@@ -77,8 +77,8 @@ TEST(Masks, ChooseTheSameCellsInEveryStep) {
 TEST(Masks, SeeWhichCellsAreGone) {
   const NetworkPtr n = torus(10, 10, 4);
   Simulation s(n, RandomKey(1));
-  std::vector<State> states(n->size(), State::active);
-  states[3] = State::transparent;
+  std::vector<CellState> states(n->size(), CellState::active);
+  states[3] = CellState::transparent;
   s.set_states(states);
   const paint::Mask gone = as_mask(mask("value", {{"name", "transparent"}}));
   for (uint32_t i = 0; i < n->size(); ++i) ASSERT_EQ(s.ask(gone, i), i == 3 ? 1 : 0);

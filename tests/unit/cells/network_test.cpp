@@ -80,10 +80,11 @@ TEST(Network, PiecesAreCountedAndContentsTold) {
 TEST(Network, PlacesDiffer) {
   std::vector<uint64_t> seen;
   for (int i = 0; i < 20000; ++i)
-    seen.push_back(place_of({static_cast<float>(i % 100) * 0.01f, static_cast<float>(i / 100), 0}));
+    seen.push_back(
+        position_key({static_cast<float>(i % 100) * 0.01f, static_cast<float>(i / 100), 0}));
   std::sort(seen.begin(), seen.end());
   EXPECT_EQ(std::adjacent_find(seen.begin(), seen.end()), seen.end());
-  EXPECT_EQ(place_of({0, 1, 0}), place_of({-0.0f, 1, 0}));
+  EXPECT_EQ(position_key({0, 1, 0}), position_key({-0.0f, 1, 0}));
 }
 
 }  // namespace

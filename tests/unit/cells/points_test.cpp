@@ -2,7 +2,7 @@
 #include "run.h"
 
 #include <vug/base/error.h>
-#include <vug/cells/as_points.h>
+#include <vug/cells/to_points.h>
 #include <vug/volume/io.h>
 
 #include <fmt/format.h>
@@ -40,8 +40,8 @@ std::vector<Stage> some_of_all(const std::string& last) {
 }
 
 /// Through a grid, which puts them into another order.
-volume::Points through_grid(const Simulation& s, Keep keep) {
-  return volume::points(volume::point_grid(as_points(s, keep), voxel_of_points(s.network())));
+volume::Points through_grid(const Simulation& s, PointFormat keep) {
+  return volume::points(volume::point_grid(to_points(s, keep), voxel_of_points(s.network())));
 }
 
 TEST(CellPoints, GoOnToTheSameBytesWithEveryRule) {
@@ -50,9 +50,9 @@ TEST(CellPoints, GoOnToTheSameBytesWithEveryRule) {
     const std::vector<Stage> stages = some_of_all(kind->info.name);
     const Simulation whole = ran(n, stages, 25);
     for (const int stop : {0, 5, 13}) {
-      const volume::Points kept = through_grid(ran(n, stages, stop), Keep::exact);
+      const volume::Points kept = through_grid(ran(n, stages, stop), PointFormat::exact);
       Simulation again(n, RandomKey(1));
-      restore(again, kept, stop, Keep::exact);
+      restore(again, kept, stop, PointFormat::exact);
       again.run(stages, 25 - stop);
       EXPECT_EQ(carried(again), carried(whole)) << kind->info.name << " from " << stop;
       EXPECT_EQ(again.step(), whole.step());
@@ -64,7 +64,7 @@ TEST(CellPoints, HaveWhatOtherProgramsAskFor) {
   const NetworkPtr n = uneven();
   Simulation s = ran(n, some_of_all("melting"), 20);
   const fs::path file = fs::temp_directory_path() / fmt::format("vug-cells-{}.vdb", getpid());
-  volume::write(file, {volume::point_grid(as_points(s), voxel_of_points(*n)).named("crust")});
+  volume::write(file, {volume::point_grid(to_points(s), voxel_of_points(*n)).named("crust")});
   const volume::FileInfo info = volume::info(file);
   std::string lines;
   for (const auto& each : info.grids[0].points->attributes)
@@ -75,7 +75,7 @@ TEST(CellPoints, HaveWhatOtherProgramsAskFor) {
   EXPECT_NE(lines.find("v float null\n"), std::string::npos);
   EXPECT_NE(lines.find("seed int32 null\n"), std::string::npos);
   std::map<std::string, uint64_t> states;
-  for (const State state : s.states()) ++states[std::string(name_of(state))];
+  for (const CellState state : s.states()) ++states[std::string(name_of(state))];
   for (const auto& group : info.grids[0].points->groups)
     EXPECT_EQ(group.points, states[group.name]) << group.name;
   EXPECT_GT(states["transparent"], 0u);
@@ -92,7 +92,7 @@ TEST(CellPoints, ShownAreRestoredAboutWhereTheyWere) {
   const Simulation s = ran(n, some_of_all("melting"), 20);
   const double off = voxel_of_points(*n) / 65535 + 1e-6;
   Simulation again(n, RandomKey(1));
-  restore(again, through_grid(s, Keep::shown), 20, Keep::shown, off);
+  restore(again, through_grid(s, PointFormat::interchange), 20, PointFormat::interchange, off);
   const auto &was = s.attributes().values<Vec3f>("P"), &is = again.attributes().values<Vec3f>("P");
   for (size_t i = 0; i < n->size(); ++i) EXPECT_LT((was[i] - is[i]).length(), off);
   EXPECT_EQ(again.states(), s.states());
@@ -100,8 +100,8 @@ TEST(CellPoints, ShownAreRestoredAboutWhereTheyWere) {
   EXPECT_EQ(again.attributes().find("pscale"), nullptr);
   // Cells that have not moved are not told that they have.
   Simulation still(n, RandomKey(1));
-  restore(still, through_grid(ran(n, some_of_all("voronoi"), 20), Keep::shown), 20, Keep::shown,
-          off);
+  restore(still, through_grid(ran(n, some_of_all("voronoi"), 20), PointFormat::interchange), 20,
+          PointFormat::interchange, off);
   EXPECT_EQ(still.attributes().find("P"), nullptr);
   EXPECT_EQ(still.attributes().find("N"), nullptr);
 }
@@ -119,19 +119,19 @@ std::string fault(const Work& work) {
 TEST(CellPoints, OfOtherCellsAreRefused) {
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(1));
-  volume::Points points = as_points(s, Keep::exact);
+  volume::Points points = to_points(s, PointFormat::exact);
   std::get<std::vector<int32_t>>(points.attributes[0].values)[7] = 6;
-  EXPECT_EQ(fault([&] { restore(s, points, 0, Keep::exact); }),
+  EXPECT_EQ(fault([&] { restore(s, points, 0, PointFormat::exact); }),
             "the ids of the points do not count them from 0");
   Simulation other(uneven(0.07), RandomKey(1));
-  EXPECT_NE(fault([&] { restore(other, points, 0, Keep::exact); }).find(" points, but "),
+  EXPECT_NE(fault([&] { restore(other, points, 0, PointFormat::exact); }).find(" points, but "),
             std::string::npos);
-  points = as_points(s, Keep::exact);
+  points = to_points(s, PointFormat::exact);
   points.groups.clear();
-  EXPECT_EQ(fault([&] { restore(s, points, 0, Keep::exact); }),
+  EXPECT_EQ(fault([&] { restore(s, points, 0, PointFormat::exact); }),
             "the points have no group 'sleeping'");
   s.attributes().column<float>("id");
-  EXPECT_EQ(fault([&] { as_points(s); }), "cells carry an attribute 'id', which numbers points");
+  EXPECT_EQ(fault([&] { to_points(s); }), "cells carry an attribute 'id', which numbers points");
 }
 
 }  // namespace

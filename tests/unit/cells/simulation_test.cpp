@@ -46,9 +46,9 @@ TEST(Rules, AllSayWhatTheyAreAndGiveTheSameBytesForAnyNumberOfThreads) {
 TEST(States, DecideWhoIsRewrittenAndWhoIsSeen) {
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(1));
-  std::vector<State> states;
+  std::vector<CellState> states;
   RandomStream random(RandomKey(2));
-  for (size_t i = 0; i < n->size(); ++i) states.push_back(static_cast<State>(random.below(5)));
+  for (size_t i = 0; i < n->size(); ++i) states.push_back(static_cast<CellState>(random.below(5)));
   s.run({stage("random_color")}, 1);
   std::vector<Vec3f> expected = s.attributes().values<Vec3f>("Cd");
   s.set_states(states);
@@ -86,8 +86,8 @@ TEST(Sleep, CostsNothingAndKeepsWhatIsThere) {
   const auto counting = std::make_shared<Counting>();
   const std::vector<Stage> count = {{counting, "count", 0, -1, {}}};
   s.run(count, 3);
-  std::vector<State> states(n->size(), State::active);
-  for (size_t i = 0; i < 15000; ++i) states[i] = State::sleeping;
+  std::vector<CellState> states(n->size(), CellState::active);
+  for (size_t i = 0; i < 15000; ++i) states[i] = CellState::sleeping;
   s.set_states(states);
   counting->cells = 0;
   s.run(count, 4);
@@ -124,13 +124,13 @@ TEST(Stages, ComposeOnTheSameCells) {
       stage("crack", {{"color", Vec3d(0.25, 0, 0)}}, 1, 60), stage("spreading_color", {}, -1, 61)};
   s.run(stages, 61);
   const std::vector<Vec3f> cracked = s.attributes().values<Vec3f>("Cd");
-  const std::vector<State> states = s.states();
+  const std::vector<CellState> states = s.states();
   s.run(stages, 20);
   const auto& color = s.attributes().values<Vec3f>("Cd");
   for (uint32_t i = 0; i < n->size(); ++i) {
     // Within a patch there is one colour, of which the mean is that colour, up to rounding.
-    const Vec3f expected = states[i] == State::sleeping ? Vec3f(0.25f, 0, 0) : cracked[i];
-    ASSERT_LT((color[i] - expected).length(), states[i] == State::sleeping ? 1e-30f : 1e-5f);
+    const Vec3f expected = states[i] == CellState::sleeping ? Vec3f(0.25f, 0, 0) : cracked[i];
+    ASSERT_LT((color[i] - expected).length(), states[i] == CellState::sleeping ? 1e-30f : 1e-5f);
   }
 }
 

@@ -24,8 +24,8 @@ TEST(Convert, AMetreStaysAMetreAndUpStaysUp) {
     EXPECT_LT((size - Vec3d(1.0)).length(), 1e-6);
     // The camera of the plan looks down, the lamps shine down.
     EXPECT_LT((all.cameras[1].place.vector({0, 0, -1}) + up_in(space)).length(), 1e-14);
-    for (const Lamp& lamp : all.lamps)
-      EXPECT_LT((lamp.place.vector({0, 0, -1}) + up_in(space)).length(), 1e-14) << lamp.name;
+    for (const Light& light : all.lights)
+      EXPECT_LT((light.place.vector({0, 0, -1}) + up_in(space)).length(), 1e-14) << light.name;
     EXPECT_NEAR(all.cameras[0].place.origin().dot(up_in(space)) * space.metres_per_unit, 1.5,
                 1e-12);
     EXPECT_NEAR(all.cameras[0].focus * space.metres_per_unit, 3, 1e-12);
@@ -37,10 +37,10 @@ TEST(Convert, LampsKeepTheirRadianceAndTheirWatts) {
   const Assembly before = sample();
   for (const Space& space : kSpaces) {
     const Assembly all = converted(before, space);
-    for (size_t i = 0; i < all.lamps.size(); ++i) {
-      EXPECT_EQ(all.lamps[i].radiance, before.lamps[i].radiance);
+    for (size_t i = 0; i < all.lights.size(); ++i) {
+      EXPECT_EQ(all.lights[i].radiance, before.lights[i].radiance);
       const double square = space.metres_per_unit * space.metres_per_unit;
-      EXPECT_LT((power(all.lamps[i]) * square - power(before.lamps[i])).length(), 1e-12);
+      EXPECT_LT((power(all.lights[i]) * square - power(before.lights[i])).length(), 1e-12);
     }
   }
 }
@@ -48,7 +48,7 @@ TEST(Convert, LampsKeepTheirRadianceAndTheirWatts) {
 TEST(Convert, ColoursStayAndVectorsTurn) {
   const Assembly before = sample();
   const Assembly all = converted(before, {UpAxis::z, 0.01});
-  const mesh::Mesh &here = *before.parts[0].mesh, &there = *all.parts[0].mesh;
+  const mesh::Mesh &here = *before.prototypes[0].mesh, &there = *all.prototypes[0].mesh;
   EXPECT_EQ(here.attributes[0], there.attributes[0]);
   EXPECT_EQ(here.attributes[1], there.attributes[1]);
   for (size_t v = 0; v < there.positions.size(); ++v)
@@ -72,7 +72,7 @@ TEST(Convert, ThereAndBackIsWhereItBegan) {
 TEST(Convert, InstancesStandWhereTheyStood) {
   const Box3d before = bounds(sample());
   for (const Space& space : kSpaces) {
-    const Box3d here = way({}, space).inverse().box(bounds(converted(sample(), space)));
+    const Box3d here = space_transform({}, space).inverse().box(bounds(converted(sample(), space)));
     EXPECT_LT((here.min - before.min).length() + (here.max - before.max).length(), 1e-5);
   }
 }
@@ -81,8 +81,8 @@ TEST(Lamps, PowerIsRadianceOverAreaAndDirections) {
   const Assembly all = sample();
   // The closed forms of each shape, for a radiance of 1.
   const double expected[] = {4 * kPi * kPi / 16, kPi / 8, kPi * kPi / 16};
-  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(power(all.lamps[i]).z, expected[i], 1e-12);
-  EXPECT_NEAR(strength(all.lamps[4]).z, kPi * 0.005 * 0.005, 1e-9);
+  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(power(all.lights[i]).z, expected[i], 1e-12);
+  EXPECT_NEAR(peak_intensity(all.lights[4]).z, kPi * 0.005 * 0.005, 1e-9);
 }
 
 }  // namespace

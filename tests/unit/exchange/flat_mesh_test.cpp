@@ -16,7 +16,7 @@ TEST(FlatMesh, ACubeOfAMetreIsOneMetreInEveryFormatAndSpace) {
   for (const char* name : {"obj", "ply"})
     for (const Space& space : {Space{UpAxis::y, 1}, Space{UpAxis::z, 0.01}}) {
       const std::filesystem::path file = testing::TempDir() + "vug_flat." + name;
-      const Written written = write(format(name), one, space, file);
+      const WriteReport written = write(format(name), one, space, file);
       const mesh::Mesh mesh = mesh::read_mesh(file);
       const Vec3d size = mesh::bounds(mesh).size() * space.metres_per_unit;
       EXPECT_LT((size - Vec3d(1.0)).length(), 1e-6) << name;
@@ -24,8 +24,8 @@ TEST(FlatMesh, ACubeOfAMetreIsOneMetreInEveryFormatAndSpace) {
       const Box3d box = mesh::bounds(mesh);
       EXPECT_GE(space.up == UpAxis::z ? box.min.z : box.min.y, 0);
       EXPECT_LE(space.up == UpAxis::z ? box.max.y : 0, 0);
-      EXPECT_EQ(written.left_out.size(), one.cameras.size() + one.lamps.size());
-      const auto texts = read_texts(file);
+      EXPECT_EQ(written.unsupported.size(), one.cameras.size() + one.lights.size());
+      const auto texts = read_metadata(file);
       ASSERT_FALSE(texts.empty());
       EXPECT_EQ(texts[0].second, one.provenance.recipe);
       std::filesystem::remove(file);
@@ -36,12 +36,12 @@ TEST(FlatMesh, InstancesStandWhereTheyStandAndMirroredOnesPointOut) {
   Assembly all = sample();
   all.groups[1].places.push_back(Transform::translation({9, 0, 0}) *
                                  Transform::scaling({-1, 1, 1}));
-  Part bare = all.parts[0];
+  Prototype bare = all.prototypes[0];
   mesh::Mesh plain = *bare.mesh;
   plain.attributes.clear();
   bare.mesh = std::make_shared<const mesh::Mesh>(std::move(plain));
   bare.look.base_color = {0.1, 0.2, 0.3};
-  all.parts.push_back(bare);
+  all.prototypes.push_back(bare);
   all.groups.push_back({"bare", 1, {Transform::translation({0, 5, 0})}});
   const mesh::Mesh mesh = flat_mesh(all);
   EXPECT_NO_THROW(mesh::validate(mesh, "t"));
@@ -57,7 +57,7 @@ TEST(FlatMesh, InstancesStandWhereTheyStandAndMirroredOnesPointOut) {
   const mesh::Attribute* color = mesh::find_attribute(mesh, "Cd", 3);
   ASSERT_TRUE(color);
   EXPECT_EQ(color->values.back(), 0.3F);
-  EXPECT_EQ(color->values[0], all.parts[0].mesh->attributes[0].values[0]);
+  EXPECT_EQ(color->values[0], all.prototypes[0].mesh->attributes[0].values[0]);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class Glb : public testing::Test {
     return model;
   }
   std::filesystem::path folder_;
-  Written written_;
+  WriteReport written_;
 };
 
 const tinygltf::Node& node(const tinygltf::Model& model, const std::string& name) {
@@ -58,15 +58,15 @@ TEST_F(Glb, ACubeOfAMetreIsOneMetreWhateverSpaceIsAskedFor) {
 
 TEST_F(Glb, WhatIsThereInPart) {
   Assembly all = sample();
-  all.parts[0].look.opacity = 0.25;
+  all.prototypes[0].look.opacity = 0.25;
   tinygltf::Model model = round_trip(all);
   EXPECT_EQ(model.materials.at(0).alphaMode, "BLEND");
   EXPECT_EQ(model.materials[0].pbrMetallicRoughness.baseColorFactor.at(3), 0.25);
-  mesh::Mesh veiled = *all.parts[0].mesh;
+  mesh::Mesh veiled = *all.prototypes[0].mesh;
   std::vector<float> opacity(veiled.positions.size(), 1);
   opacity[2] = 0.5f;
   veiled.attributes.push_back({"opacity", 1, opacity});
-  all.parts[0].mesh = std::make_shared<const mesh::Mesh>(veiled);
+  all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(veiled);
   model = round_trip(all);
   EXPECT_EQ(model.materials.at(0).alphaMode, "BLEND");
   EXPECT_EQ(model.materials[0].pbrMetallicRoughness.baseColorFactor.at(3), 1);
@@ -115,7 +115,7 @@ TEST_F(Glb, WithoutInstancingEveryPlaceIsANode) {
 TEST_F(Glb, WattsAreCandelaOver683) {
   const tinygltf::Model model = round_trip(sample());
   const tinygltf::Light& ball = model.lights.at(0);
-  // What a program finds that takes 683 lumen for a watt, as Blender does: the watts of the lamp.
+  // What a program finds that takes 683 lumen for a watt, as Blender does: the watts of the light.
   const double watts = ball.intensity / 683 * 4 * kPi;
   for (size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(watts * ball.color[c], power(sample().lamps[0])[static_cast<int>(c)], 1e-9);
@@ -129,10 +129,10 @@ TEST_F(Glb, WattsAreCandelaOver683) {
 TEST_F(Glb, WhatItCannotHoldIsTold) {
   Assembly all = sample();
   all.volumes.push_back({"fog", "sample_fog.vdb", {{"density", "fog volume"}}, Box3d()});
-  all.lamps[3].profile = "lamp.ies";
+  all.lights[3].profile = "lamp.ies";
   round_trip(all);
-  ASSERT_EQ(written_.left_out.size(), 1u);  // a volume lies beside, and is not lost
-  EXPECT_NE(written_.left_out[0].find("profile of the light 'lamp3'"), std::string::npos);
+  ASSERT_EQ(written_.unsupported.size(), 1u);  // a volume lies beside, and is not lost
+  EXPECT_NE(written_.unsupported[0].find("profile of the light 'lamp3'"), std::string::npos);
   std::string told;
   for (const std::string& each : written_.notes) told += each + "\n";
   for (const char* what : {"sky 'lamp5'", "size of the light 'lamp1'", "depth of field"})
@@ -143,16 +143,16 @@ TEST_F(Glb, SkiesAndCloudsStandInTheExtras) {
   Assembly all = sample();
   image::Image picture(4, 2, {"R", "G", "B"});
   picture.pixels.assign(picture.pixels.size(), 0.5F);
-  Lamp second = all.lamps.back();
+  Light second = all.lights.back();
   second.name = "heaven";
   second.place = Transform::rotation({0, 1, 0}, 0.5 * kPi);
   second.picture = std::make_shared<const image::Image>(picture);
-  all.lamps.push_back(second);
+  all.lights.push_back(second);
   all.volumes.push_back({"fog",
                          "a_fog.vdb",
                          {{"density", "fog volume"}, {"flame", "fog volume"}},
                          Box3d(),
-                         Cloud{2, Vec3d(0.5), 0.25, Vec3d(1, 2, 3), 1}});
+                         Medium{2, Vec3d(0.5), 0.25, Vec3d(1, 2, 3), 1}});
   all.space.metres_per_unit = 0.01;
   const tinygltf::Model model = round_trip(all);
   const tinygltf::Value& skies = model.scenes[0].extras.Get("vug:skies");

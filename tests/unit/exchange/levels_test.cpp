@@ -48,13 +48,13 @@ TEST(Levels, DistancesOfSurfacesThatAreKnown) {
 
 TEST(Levels, GoDownAndTellHowFarTheyAreOff) {
   Assembly all = sample();
-  all.parts[0].mesh = std::make_shared<const mesh::Mesh>(ball(5));
+  all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(ball(5));
   add_levels(all, 3);
-  const std::vector<Level>& levels = all.parts[0].coarser;
+  const std::vector<Level>& levels = all.prototypes[0].coarser;
   ASSERT_EQ(levels.size(), 3u);
   double last = 0;
   for (const Level& level : levels) {
-    EXPECT_EQ(level.distance, hausdorff_distance(*all.parts[0].mesh, *level.mesh));
+    EXPECT_EQ(level.distance, hausdorff_distance(*all.prototypes[0].mesh, *level.mesh));
     EXPECT_GT(level.distance, last);
     last = level.distance;
   }
@@ -67,12 +67,12 @@ TEST(Levels, GoDownAndTellHowFarTheyAreOff) {
 
 TEST(Levels, StopWhereNothingIsLeft) {
   Assembly all = sample();
-  all.parts[0].mesh = std::make_shared<const mesh::Mesh>(ball(3));
+  all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(ball(3));
   add_levels(all, 8);
-  const std::vector<Level>& levels = all.parts[0].coarser;
+  const std::vector<Level>& levels = all.prototypes[0].coarser;
   ASSERT_GE(levels.size(), 2u);
   EXPECT_LT(levels.size(), 5u);  // of 512 triangles
-  size_t before = all.parts[0].mesh->triangles.size();
+  size_t before = all.prototypes[0].mesh->triangles.size();
   for (const Level& level : levels) {
     EXPECT_GE(level.mesh->triangles.size(), 4u);
     EXPECT_LE(4 * level.mesh->triangles.size(), 3 * before);
@@ -82,9 +82,9 @@ TEST(Levels, StopWhereNothingIsLeft) {
 
 TEST(Levels, WhatWillNotGoDownStays) {
   Assembly all = sample();
-  all.parts[0].mesh = std::make_shared<const mesh::Mesh>();
+  all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>();
   add_levels(all, 2);
-  EXPECT_TRUE(all.parts[0].coarser.empty());
+  EXPECT_TRUE(all.prototypes[0].coarser.empty());
 }
 
 }  // namespace

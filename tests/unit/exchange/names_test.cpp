@@ -5,7 +5,7 @@
 namespace vug::exchange {
 namespace {
 
-TEST(Names, AreLettersDigitsAndUnderscores) {
+TEST(UniqueNames, AreLettersDigitsAndUnderscores) {
   EXPECT_EQ(identifier("rock"), "rock");
   EXPECT_EQ(identifier("heap/stone 1"), "heap_stone_1");
   EXPECT_EQ(identifier("2nd"), "_2nd");
@@ -13,8 +13,8 @@ TEST(Names, AreLettersDigitsAndUnderscores) {
   EXPECT_EQ(identifier("h\xc3\xb6hle"), "h__hle");
 }
 
-TEST(Names, AreGivenOnce) {
-  Names names;
+TEST(UniqueNames, AreGivenOnce) {
+  UniqueNames names;
   EXPECT_EQ(names.unique("a b"), "a_b");
   EXPECT_EQ(names.unique("a/b"), "a_b_2");
   EXPECT_EQ(names.unique("a_b_2"), "a_b_2_2");

@@ -10,7 +10,7 @@
 namespace vug::exchange {
 
 /// A cube of 1 m that stands on the origin's ground, from (0, 0, 0) to (1, 1, 1), once as it is
-/// and three times as instances; two cameras and one lamp of each shape.
+/// and three times as instances; two cameras and one light of each shape.
 inline Assembly sample() {
   Assembly all;
   all.name = "sample";
@@ -24,10 +24,10 @@ inline Assembly sample() {
     cube.attributes[1].values.push_back(part);
     cube.attributes[2].values.insert(cube.attributes[2].values.end(), {0, 1, 0});
   }
-  Part part{"cube", std::make_shared<const mesh::Mesh>(std::move(cube)), "rock", {}, {}};
+  Prototype part{"cube", std::make_shared<const mesh::Mesh>(std::move(cube)), "rock", {}, {}};
   part.look.specular = 0.25;
   part.look.wetness = 0.5;
-  all.parts = {part};
+  all.prototypes = {part};
   all.groups = {{"cube", 0, {Transform()}}, {"strewn", 0, {}}};
   for (int i = 1; i <= 3; ++i)
     all.groups[1].places.push_back(Transform::translation({2.0 * i, 0, -1}) *
@@ -46,20 +46,20 @@ inline Assembly sample() {
   plan.orthographic = true;
   plan.place = plan.place * Transform::rotation({1, 0, 0}, -0.5 * kPi);
   all.cameras = {view, plan};
-  using Shape = Lamp::Shape;
+  using Shape = Light::Shape;
   for (const Shape shape :
        {Shape::sphere, Shape::rectangle, Shape::disk, Shape::spot, Shape::sun, Shape::dome}) {
-    Lamp lamp;
-    lamp.name = "lamp" + std::to_string(static_cast<int>(shape));
-    lamp.shape = shape;
-    lamp.place = Transform::translation({0, 3, 0}) * Transform::rotation({1, 0, 0}, -0.5 * kPi);
-    lamp.radiance = {4, 2, 1};
-    lamp.radius = 0.25;
-    lamp.width = 0.5;
-    lamp.height = 0.25;
-    lamp.angle = shape == Shape::sun ? 0.01 : 1;
-    lamp.edge = 0.2;
-    all.lamps.push_back(lamp);
+    Light light;
+    light.name = "lamp" + std::to_string(static_cast<int>(shape));
+    light.shape = shape;
+    light.place = Transform::translation({0, 3, 0}) * Transform::rotation({1, 0, 0}, -0.5 * kPi);
+    light.radiance = {4, 2, 1};
+    light.radius = 0.25;
+    light.width = 0.5;
+    light.height = 0.25;
+    light.angle = shape == Shape::sun ? 0.01 : 1;
+    light.edge = 0.2;
+    all.lights.push_back(light);
   }
   return all;
 }

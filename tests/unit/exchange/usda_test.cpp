@@ -29,7 +29,7 @@ class Usda : public testing::Test {
     return read_text(folder_ / "a.usda");
   }
   std::filesystem::path folder_;
-  Written written_;
+  WriteReport written_;
 };
 
 size_t count(const std::string& text, const std::string& what) {
@@ -106,11 +106,11 @@ TEST_F(Usda, EverythingIsThereOnce) {
 
 TEST_F(Usda, WhatIsThereInPart) {
   Assembly all = sample();
-  all.parts[0].look.opacity = 0.25;
+  all.prototypes[0].look.opacity = 0.25;
   EXPECT_EQ(numbers(text_of(all), "inputs:opacity"), std::vector<double>{0.25});
-  mesh::Mesh veiled = *all.parts[0].mesh;
+  mesh::Mesh veiled = *all.prototypes[0].mesh;
   veiled.attributes.push_back({"opacity", 1, std::vector<float>(veiled.positions.size(), 0.5f)});
-  all.parts[0].mesh = std::make_shared<const mesh::Mesh>(veiled);
+  all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(veiled);
   const std::string text = text_of(all);
   EXPECT_EQ(count(text, "float inputs:opacity.connect = <"), 1u);
   EXPECT_EQ(count(text, "inputs:opacity = "), 0u);
@@ -134,15 +134,15 @@ TEST_F(Usda, TheRecipeIsOneString) {
 TEST_F(Usda, AFileThatIsCutOffIsRefused) {
   const std::string text = text_of(sample());
   const Format& usda = format("usda");
-  EXPECT_FALSE(usda.read_texts(text, "a.usda").empty());
+  EXPECT_FALSE(usda.read_metadata(text, "a.usda").empty());
   const size_t recipe = text.find("# a ");
   for (const size_t left : {recipe, text.size() / 2, text.size() - 100, text.size() - 2})
-    EXPECT_THROW(usda.read_texts(text.substr(0, left), "a.usda"), Error) << left;
+    EXPECT_THROW(usda.read_metadata(text.substr(0, left), "a.usda"), Error) << left;
 }
 
 TEST_F(Usda, LevelsOfDetailAreVariants) {
   Assembly all = sample();
-  all.parts[0].coarser.push_back({all.parts[0].mesh, 0.25});
+  all.prototypes[0].coarser.push_back({all.prototypes[0].mesh, 0.25});
   const std::string text = text_of(all, {UpAxis::y, 0.01});
   EXPECT_EQ(count(text, "variantSet \"levelOfDetail\""), 1u);
   EXPECT_EQ(count(text, "\"lod1\" {"), 1u);
@@ -152,7 +152,7 @@ TEST_F(Usda, LevelsOfDetailAreVariants) {
 TEST_F(Usda, APictureOfTheSkyIsAFileBeside) {
   Assembly all = sample();
   image::Image sky(4, 2, {"R", "G", "B"});
-  all.lamps.back().picture = std::make_shared<const image::Image>(sky);
+  all.lights.back().picture = std::make_shared<const image::Image>(sky);
   const std::string text = text_of(all);
   ASSERT_EQ(written_.files.size(), 2u);
   EXPECT_TRUE(std::filesystem::exists(written_.files[1]));

@@ -46,7 +46,7 @@ TEST(Deformer, RepeatIsTheUnionOfItsCopies) {
         EXPECT_NEAR(rows.value(p), all.value(p), 1e-12) << radius;
       }
       EXPECT_EQ(rows.value(p) < 0, all.value(p) < 0);
-      const Field::Part part = rows.restricted({p, 0.3});
+      const Field::RestrictedField part = rows.restricted({p, 0.3});
       EXPECT_NEAR(part.field.value(p), std::min(rows.value(p), all.value(p)), 1e-12);
       EXPECT_TRUE(part.range.contains(rows.value(p)));
     }
@@ -175,7 +175,7 @@ TEST(Deformer, ClaimsHoldForEachDeformer) {
     }
     for (int i = 0; i < 200; ++i) {
       const Ball region{random_point(random, 3), random.uniform(0.01, 0.5)};
-      const Field::Part part = f.restricted(region);
+      const Field::RestrictedField part = f.restricted(region);
       const Vec3d corner(region.radius / std::sqrt(3.0));
       const Interval box = f.interval({region.centre - corner, region.centre + corner});
       for (int k = 0; k < 20; ++k) {

@@ -64,7 +64,7 @@ TEST(Field, RestrictionKeepsValuesAndDropsOperands) {
     size_t nodes = 0;
     for (int i = 0; i < 100; ++i) {
       const Ball ball{random_point(random, 5), 0.4};
-      const Field::Part part = all.restricted(ball);
+      const Field::RestrictedField part = all.restricted(ball);
       nodes += node_count(part.field);
       for (int j = 0; j < 20; ++j) {
         const Vec3d p = ball.centre + random_point(random, 0.4 / std::sqrt(3.0));

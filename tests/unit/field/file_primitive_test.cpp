@@ -1,8 +1,8 @@
 // Solids from files: meshes, pictures and level sets, against closed forms; bad files are refused.
 #include "fixtures.h"
 
+#include <vug/field/heightmap.h>
 #include <vug/field/registry.h>
-#include <vug/field/relief.h>
 #include <vug/field/sampled.h>
 #include <vug/image/io.h>
 #include <vug/mesh/format.h>
@@ -73,14 +73,14 @@ TEST(Heightfield, TheTopRowOfThePictureLiesTowardsMinusZ) {
   EXPECT_GT(f.value({0, 0.9, 0.99}), 0);
 }
 
-TEST(Relief, CubicReproducesParabolasAwayFromTheEdges) {
+TEST(Heightmap, CubicReproducesParabolasAwayFromTheEdges) {
   std::vector<float> heights;
   for (int j = 0; j < 6; ++j)
     for (int i = 0; i < 6; ++i) heights.push_back(static_cast<float>(i * i - 2 * i * j + j));
-  const Relief relief(6, 6, heights, 5, 5, Sampling::bicubic);
+  const Heightmap heightmap(6, 6, heights, 5, 5, Sampling::bicubic);
   for (double u = 1; u <= 4; u += 0.37)
     for (double v = 1; v <= 4; v += 0.41) {
-      const Relief::Height h = relief.at(u, v);
+      const Heightmap::Height h = heightmap.at(u, v);
       EXPECT_NEAR(h.value, u * u - 2 * u * v + v, 1e-12);
       EXPECT_NEAR(h.slope_u, 2 * u - 2 * v, 1e-12);
       EXPECT_NEAR(h.slope_v, 1 - 2 * u, 1e-12);

@@ -46,7 +46,7 @@ TEST(Displace, ReadingsAgreeAndClaimsHold) {
     }
     for (int i = 0; i < 100; ++i) {
       const Ball ball{random_point(random, 3), 0.3};
-      const Field::Part part = f.restricted(ball);
+      const Field::RestrictedField part = f.restricted(ball);
       for (int k = 0; k < 20; ++k) {
         const Vec3d p = ball.centre + random_point(random, 0.3 / std::sqrt(3.0));
         EXPECT_EQ(part.field.value(p), f.value(p)) << name;

@@ -53,7 +53,7 @@ TEST(Sweep, RestrictionKeepsValues) {
     RandomStream random(RandomKey(13).at(c.label));
     for (int ball_index = 0; ball_index < 60; ++ball_index) {
       const Ball ball{random_point(random, 2.5), std::exp2(random.uniform(-8, 1))};
-      const Field::Part part = c.field.restricted(ball);
+      const Field::RestrictedField part = c.field.restricted(ball);
       for (int i = 0; i < 10; ++i) {
         const Vec3d p = random_point(random, ball);
         const double value = c.field.value(p);
@@ -93,8 +93,8 @@ TEST(Sweep, BoundsHoldTheInsideAndTheFieldGrowsBeyond) {
         const double off = std::max({box.min[axis] - p[axis], p[axis] - box.max[axis], 0.0});
         away2 += off * off;
       }
-      ASSERT_GE(value,
-                away2 > 0 ? c.field.node()->traits().grows() * std::sqrt(away2) - 1e-9 : -kInfinity)
+      ASSERT_GE(value, away2 > 0 ? c.field.node()->traits().growth_rate() * std::sqrt(away2) - 1e-9
+                                 : -kInfinity)
           << c.label << " at " << p;
     }
   });

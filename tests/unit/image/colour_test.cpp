@@ -1,7 +1,7 @@
 // Working spaces and views. OpenColorIO's own transforms and published numbers are the oracles.
 #include <vug/base/error.h>
-#include <vug/image/configured_view.h>
 #include <vug/image/io.h>
+#include <vug/image/ocio_view.h>
 #include <vug/image/texture.h>
 
 #include <OpenColorIO/OpenColorIO.h>
@@ -33,8 +33,8 @@ TEST(Colour, TheMatrixOfAcescgIsThatOfOpenColorIO) {
 TEST(Colour, MatricesKeepWhiteAndUndoEachOther) {
   const ColourMatrix there(WorkingSpace::rec709, WorkingSpace::acescg);
   const ColourMatrix back(WorkingSpace::acescg, WorkingSpace::rec709);
-  EXPECT_TRUE(ColourMatrix(WorkingSpace::acescg, WorkingSpace::acescg).plain());
-  EXPECT_FALSE(there.plain());
+  EXPECT_TRUE(ColourMatrix(WorkingSpace::acescg, WorkingSpace::acescg).is_identity());
+  EXPECT_FALSE(there.is_identity());
   const Vec3d white = there(Vec3d(1.0));
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(white[i], 1, 1e-12);
   const Vec3d colour(0.9, 0.1, 0.3), again = back(there(colour));
@@ -97,7 +97,7 @@ colorspaces:
     from_scene_reference: !<CDLTransform> {slope: [0.5, 0.5, 0.25]}
 )";
 
-std::string told(const ViewChoice& choice, WorkingSpace space = WorkingSpace::rec709) {
+std::string told(const ViewSelection& choice, WorkingSpace space = WorkingSpace::rec709) {
   try {
     view_options(choice, space);
   } catch (const Error& error) {
@@ -116,7 +116,7 @@ TEST(Colour, AConfigurationsViewsAreFoundByName) {
   EXPECT_NEAR(shown("Half").pixels[2], 0.125f, 1e-6);
   EXPECT_NEAR(shown("Raw").pixels[2], 0.5f, 1e-6);
   EXPECT_EQ(shown("filmic"), display(pixel(Vec3f(0.5f))));  // ours are there beside them
-  EXPECT_FALSE(view_options({"", {}, studio.path}, WorkingSpace::rec709).configured->srgb());
+  EXPECT_FALSE(view_options({"", {}, studio.path}, WorkingSpace::rec709).ocio->srgb());
 }
 
 TEST(Colour, WhatIsNotThereIsToldWithWhatIs) {

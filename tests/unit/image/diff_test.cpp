@@ -12,8 +12,8 @@ namespace vug::image {
 namespace {
 
 /// A picture with noise of a known deviation, and layers.
-Subject subject(uint64_t seed, bool variance, double gain = 1) {
-  Subject out;
+ImageUnderTest subject(uint64_t seed, bool variance, double gain = 1) {
+  ImageUnderTest out;
   out.name = "picture " + std::to_string(seed);
   std::vector<std::string> channels = {"R", "G", "B", "Z", "albedo.R", "albedo.G", "albedo.B"};
   if (variance) channels.insert(channels.end(), {"variance.R", "variance.G", "variance.B"});
@@ -31,7 +31,7 @@ Subject subject(uint64_t seed, bool variance, double gain = 1) {
 }
 
 double value_of(const Diff& diff, const std::string& layer, const std::string& measure) {
-  for (const Row& row : diff.rows)
+  for (const LayerResult& row : diff.rows)
     if (row.layer == layer && row.measure == measure) return row.value;
   ADD_FAILURE() << "no row " << layer << " " << measure;
   return -1;
@@ -52,7 +52,7 @@ TEST(Diff, EqualPicturesAreIdentical) {
   const Diff found = diff(subject(1, true), subject(1, true));
   EXPECT_TRUE(found.same);
   EXPECT_EQ(found.basis, Basis::identical);
-  for (const Row& row : found.rows)
+  for (const LayerResult& row : found.rows)
     EXPECT_EQ(row.value, measure_of(row.measure).equal) << row.layer << " " << row.measure;
   EXPECT_TRUE(found.unjudged.empty());
 }
@@ -67,14 +67,14 @@ TEST(Diff, NoiseAloneIsTheSameAndOnePercentIsNot) {
 }
 
 TEST(Diff, WithoutVarianceOnlyRoundingIsAllowed) {
-  const Subject a = subject(1, false);
+  const ImageUnderTest a = subject(1, false);
   EXPECT_FALSE(diff(a, subject(2, false)).same);
-  Subject rounded = a;
+  ImageUnderTest rounded = a;
   for (float& v : rounded.image.pixels) v *= 1 + 4e-4f;
   const Diff found = diff(a, rounded);
   EXPECT_TRUE(found.same);
   EXPECT_EQ(found.basis, Basis::rounding);
-  Subject other = a;
+  ImageUnderTest other = a;
   other.image.at(3, 3, 3) *= 1.01f;  // one value of Z
   const Diff depth = diff(a, other);
   EXPECT_FALSE(depth.same);
@@ -82,7 +82,7 @@ TEST(Diff, WithoutVarianceOnlyRoundingIsAllowed) {
 }
 
 TEST(Diff, LimitsDecideWhereTheyAreGiven) {
-  const Subject a = subject(1, true), b = subject(2, true, 0.9);
+  const ImageUnderTest a = subject(1, true), b = subject(2, true, 0.9);
   DiffOptions options;
   options.limits = {limit_of("relative_rmse", 0.2), limit_of("ssim", 0)};
   EXPECT_TRUE(diff(a, b, options).same);
@@ -91,13 +91,13 @@ TEST(Diff, LimitsDecideWhereTheyAreGiven) {
   options.limits = {limit_of("psnr", 90)};
   EXPECT_FALSE(diff(a, b, options).same);
   options.limits = {limit_of("relative_rmse", 0.2)};
-  options.alarm = 0.01;
+  options.false_alarm_rate = 0.01;
   EXPECT_FALSE(diff(a, b, options).same) << "the test of significance was demanded too";
 }
 
 TEST(Diff, LayersThatNothingJudgesAreNamed) {
-  const Subject a = subject(1, true);
-  Subject b = subject(2, true);
+  const ImageUnderTest a = subject(1, true);
+  ImageUnderTest b = subject(2, true);
   b.image.at(3, 3, 3) = 7;
   const Diff found = diff(a, b);
   EXPECT_TRUE(found.same);
@@ -115,7 +115,7 @@ TEST(Diff, ChosenLayersAreTheMainOnes) {
   DiffOptions options;
   options.layers = {"albedo"};
   options.limits = {limit_of("mean", 0.1)};
-  Subject b = subject(1, false);
+  ImageUnderTest b = subject(1, false);
   for (int x = 0; x < 64; ++x)
     for (int y = 0; y < 48; ++y) b.image.at(x, y, 5) = 0.8f;
   const Diff found = diff(subject(1, false), b, options);
@@ -125,8 +125,8 @@ TEST(Diff, ChosenLayersAreTheMainOnes) {
 }
 
 TEST(Diff, MaskedDifferencesAreNone) {
-  const Subject a = subject(1, true);
-  Subject b = a;
+  const ImageUnderTest a = subject(1, true);
+  ImageUnderTest b = a;
   b.image.at(5, 5, 0) = 100;
   DiffOptions options;
   EXPECT_FALSE(diff(a, b, options).same);
@@ -136,8 +136,8 @@ TEST(Diff, MaskedDifferencesAreNone) {
 }
 
 TEST(Diff, OneValueThatIsNotFiniteIsADifference) {
-  const Subject a = subject(1, true);
-  Subject b = subject(2, true);
+  const ImageUnderTest a = subject(1, true);
+  ImageUnderTest b = subject(2, true);
   b.image.at(5, 5, 0) = std::numeric_limits<float>::quiet_NaN();
   const Diff found = diff(a, b);
   EXPECT_FALSE(found.same);
@@ -145,14 +145,14 @@ TEST(Diff, OneValueThatIsNotFiniteIsADifference) {
 }
 
 TEST(Diff, RefusalsAreSentencesWithHints) {
-  const Subject a = subject(1, true);
-  Subject small = a, bare = a;
+  const ImageUnderTest a = subject(1, true);
+  ImageUnderTest small = a, bare = a;
   small.image = Image(2, 2, a.image.channels);
   bare.image = a.image.select({"R", "G", "B"});
   EXPECT_NE(refusal([&] { diff(a, small); }).find("2 x 2"), std::string::npos);
   EXPECT_NE(refusal([&] { diff(a, bare); }).find("no channel Z"), std::string::npos);
   EXPECT_NE(refusal([&] { diff(bare, a); }).find("no channel Z"), std::string::npos);
-  Subject moved = a;
+  ImageUnderTest moved = a;
   moved.left = 3;
   EXPECT_NE(refusal([&] { diff(a, moved); }).find("from 3, 0 on"), std::string::npos);
   DiffOptions options;
@@ -164,21 +164,21 @@ TEST(Diff, RefusalsAreSentencesWithHints) {
   EXPECT_NE(refusal([&] { diff(a, a, options); }).find("'Z'"), std::string::npos);
   EXPECT_NE(refusal([&] { limit_of("beauty.rsme", 1); }).find("rsme"), std::string::npos);
   options.limits.clear();
-  options.alarm = 0.01;
+  options.false_alarm_rate = 0.01;
   EXPECT_NE(refusal([&] { diff(bare, bare, options); }).find("variance"), std::string::npos);
 }
 
 /// Both eyes of a picture, the right one with a gain of its own.
-Subject stereo(uint64_t seed, bool variance, double right_gain = 1) {
-  Subject out = subject(seed, variance);
-  const Subject right = subject(seed + 100, variance, right_gain);
-  out.image = in_stereo(out.image, right.image);
+ImageUnderTest stereo(uint64_t seed, bool variance, double right_gain = 1) {
+  ImageUnderTest out = subject(seed, variance);
+  const ImageUnderTest right = subject(seed + 100, variance, right_gain);
+  out.image = stereo_image(out.image, right.image);
   return out;
 }
 
 TEST(Diff, ViewsOfAPictureForStereoAreThoseItIsMadeOf) {
   const Image left = subject(1, true).image, right = subject(2, true).image;
-  const Image both = in_stereo(left, right);
+  const Image both = stereo_image(left, right);
   const std::vector<View> views = views_of(both.channels);
   ASSERT_EQ(views.size(), 2u);
   EXPECT_EQ(views[1].name, "right");
@@ -222,7 +222,7 @@ TEST(Diff, BothViewsOfAPictureForStereoAreJudged) {
 TEST(Diff, ViewsShareTheRateOfFalseAlarms) {
   int alarms = 0;
   DiffOptions options;
-  options.alarm = 0.1;
+  options.false_alarm_rate = 0.1;
   for (uint64_t seed = 0; seed < 100; ++seed)
     if (!diff(stereo(1000 + seed, true), stereo(2000 + seed, true), options).same) ++alarms;
   EXPECT_LE(alarms, 20) << "10 are expected at most";

@@ -54,19 +54,19 @@ struct Camera {
 };
 
 TEST(NormalTail, MatchesTheTables) {
-  EXPECT_DOUBLE_EQ(two_sided_chance(0), 1);
-  EXPECT_NEAR(two_sided_chance(1), 0.31731050786291, 1e-12);
-  EXPECT_NEAR(two_sided_chance(-1.959963984540054), 0.05, 1e-12);
-  EXPECT_NEAR(two_sided_chance(2.8), 0.005110260660855, 1e-12);
-  EXPECT_NEAR(two_sided_chance(2.85), 0.004371922909826489, 1e-12);
-  EXPECT_NEAR(two_sided_chance(6) / 1.973175290075e-9, 1, 1e-9);
-  EXPECT_NEAR(two_sided_chance(20) / 5.507248237212e-89, 1, 1e-9);
+  EXPECT_DOUBLE_EQ(two_sided_p_value(0), 1);
+  EXPECT_NEAR(two_sided_p_value(1), 0.31731050786291, 1e-12);
+  EXPECT_NEAR(two_sided_p_value(-1.959963984540054), 0.05, 1e-12);
+  EXPECT_NEAR(two_sided_p_value(2.8), 0.005110260660855, 1e-12);
+  EXPECT_NEAR(two_sided_p_value(2.85), 0.004371922909826489, 1e-12);
+  EXPECT_NEAR(two_sided_p_value(6) / 1.973175290075e-9, 1, 1e-9);
+  EXPECT_NEAR(two_sided_p_value(20) / 5.507248237212e-89, 1, 1e-9);
 }
 
 /// Alarms among comparisons of renders that differ only by their seed.
 int alarms(const Camera& a, const Camera& b, int trials, double rate) {
   SignificanceOptions options;
-  options.alarm = rate;
+  options.false_alarm_rate = rate;
   int count = 0;
   for (int i = 0; i < trials; ++i) {
     const auto seed = static_cast<uint64_t>(i);
@@ -121,7 +121,7 @@ TEST(Significance, IsSymmetricAndCalmOnEqualPictures) {
   const NoisyPicture a = Camera{}.render(1), b = Camera{.gain = 0.95}.render(2);
   const Significance ab = test_significance(a, b), ba = test_significance(b, a);
   EXPECT_EQ(ab.different, ba.different);
-  EXPECT_DOUBLE_EQ(ab.chance, ba.chance);
+  EXPECT_DOUBLE_EQ(ab.p_value, ba.p_value);
   EXPECT_DOUBLE_EQ(ab.mean_z, -ba.mean_z);
   const Significance same = test_significance(a, a);
   EXPECT_FALSE(same.different);

@@ -26,7 +26,7 @@ using Pairs = std::set<std::pair<uint32_t, uint32_t>>;
 Pairs swept(const std::vector<Vec3f>& points, double edge) {
   const PointGrid grid(points, edge);
   std::vector<std::vector<uint32_t>> near(points.size());
-  grid.sweep([&](PointGrid::Run cube, const PointGrid::Runs& around) {
+  grid.for_each_cube([&](PointGrid::Run cube, const PointGrid::Runs& around) {
     for (uint32_t i = cube.begin; i < cube.end; ++i)
       for (const PointGrid::Run& run : around)
         for (uint32_t j = run.begin; j < run.end; ++j)

@@ -22,8 +22,8 @@ TEST(Scatter, FillsAFloorLikeDartsAndNoTwoAreNear) {
   const Mesh floor = box_mesh(Box3d(Vec3d(0, -1, 0), Vec3d(10, 0, 10)));
   const double spacing = 0.25;
   ScatterOptions o = options(spacing);
-  o.share = [](const Spot& spot) { return spot.normal.y > 0.5 ? 1.0 : 0.0; };
-  const std::vector<Spot> spots = scatter(floor, o);
+  o.keep_probability = [](const SurfaceSample& spot) { return spot.normal.y > 0.5 ? 1.0 : 0.0; };
+  const std::vector<SurfaceSample> spots = scatter(floor, o);
   for (size_t i = 0; i < spots.size(); ++i) {
     ASSERT_NEAR(spots[i].position.y, 0, 1e-9);
     for (size_t j = 0; j < i; ++j)
@@ -54,29 +54,29 @@ TEST(Scatter, IsEvenOverTrianglesOfAnySize) {
     floor.positions.push_back(p);
   floor.triangles.push_back({first, first + 1, first + 2});
   floor.triangles.push_back({first, first + 2, first + 3});
-  const std::vector<Spot> spots = scatter(floor, options(0.1));
-  const auto right =
-      std::count_if(spots.begin(), spots.end(), [](const Spot& s) { return s.position.x > 0; });
+  const std::vector<SurfaceSample> spots = scatter(floor, options(0.1));
+  const auto right = std::count_if(spots.begin(), spots.end(),
+                                   [](const SurfaceSample& s) { return s.position.x > 0; });
   const auto all = static_cast<double>(spots.size());
   EXPECT_NEAR(static_cast<double>(right), all / 2, 5 * std::sqrt(all / 4));
 }
 
 TEST(Scatter, DensityGoesWithTheShareAndOthersStay) {
   const Mesh ball = sphere_mesh(Vec3d(0), 2, 4);
-  const std::vector<Spot> all = scatter(ball, options(0.1));
+  const std::vector<SurfaceSample> all = scatter(ball, options(0.1));
   ScatterOptions o = options(0.1);
-  o.share = [](const Spot&) { return 0.3; };
-  const std::vector<Spot> some = scatter(ball, o);
+  o.keep_probability = [](const SurfaceSample&) { return 0.3; };
+  const std::vector<SurfaceSample> some = scatter(ball, o);
   const auto n = static_cast<double>(all.size());
   EXPECT_NEAR(static_cast<double>(some.size()), 0.3 * n, 5 * std::sqrt(0.21 * n));
   size_t at = 0;
-  for (const Spot& spot : some) {
+  for (const SurfaceSample& spot : some) {
     while (at < all.size() && all[at].key.state() != spot.key.state()) ++at;
     ASSERT_LT(at, all.size());
     EXPECT_EQ(all[at].position, spot.position);
   }
   ScatterOptions few = options(0.1);
-  few.most = 10;
+  few.max_count = 10;
   EXPECT_EQ(scatter(ball, few).size(), 10u);
 }
 
@@ -85,9 +85,9 @@ TEST(Scatter, IsTheSameForAnyNumberOfThreadsAndOtherForAnotherSeed) {
   const auto positions = [&](int threads, uint64_t seed) {
     const ThreadLimit limit(threads);
     ScatterOptions o = options(0.2, seed);
-    o.share = [](const Spot& spot) { return 0.5 + 0.2 * spot.position.x; };
+    o.keep_probability = [](const SurfaceSample& spot) { return 0.5 + 0.2 * spot.position.x; };
     std::vector<double> out;
-    for (const Spot& spot : scatter(ball, o))
+    for (const SurfaceSample& spot : scatter(ball, o))
       out.insert(out.end(), {spot.position.x, spot.position.y, spot.position.z});
     return out;
   };

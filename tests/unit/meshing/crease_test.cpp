@@ -66,7 +66,7 @@ TEST(Crease, EdgesOfACutBoxStay) {
   PolygonizeOptions round;
   round.creases = false;
   const Loss newton = loss(points, polygonized(box.solid, kVoxel, round).mesh, kVoxel);
-  const Polygonized found = polygonized(box.solid, kVoxel);
+  const PolygonizeResult found = polygonized(box.solid, kVoxel);
   const Loss sharp = loss(points, found.mesh, kVoxel);
   RecordProperty("raw_largest", std::to_string(raw.largest));
   RecordProperty("newton_largest", std::to_string(newton.largest));
@@ -86,7 +86,7 @@ TEST(Crease, StrongCurvatureIsNoCrease) {
   for (const double radius : {2.0, 3.0}) {
     const field::Field ball = turned(field::make("sphere", {{"radius", radius * kVoxel}}),
                                      {1, 0, 0}, 0, {0.013, 0.007, -0.011});
-    const Polygonized found = polygonized(ball, kVoxel);
+    const PolygonizeResult found = polygonized(ball, kVoxel);
     EXPECT_EQ(found.report.crease_vertices, 0U);
     EXPECT_LT(found.report.rms_residual, 0.01);
   }
@@ -119,7 +119,7 @@ TEST(Crease, OnePlaneKeepsTheAnchor) {
   const std::vector<SurfacePoint> samples = {
       {{1, 0, 2}, {0, 0, 1}, 0}, {{-1, 1, 2}, {0, 0, 1}, 0}, {{0, 2, 2}, {0, 0, 1}, 0}};
   EXPECT_LT((fit_planes(samples, {5, 6, 7}) - Vec3d(5, 6, 2)).length(), 1e-12);
-  EXPECT_EQ(least_agreement(samples), 1);
+  EXPECT_EQ(min_normal_dot(samples), 1);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(Polygonize, SolidsAreClosedAndTheirVerticesOnTheField) {
   all.push_back({"cut box", cut_box(), 0, 0});
   for (const Solid& solid : all) {
     SCOPED_TRACE(solid.name);
-    const Polygonized found = polygonized(solid.field, 0.05);
+    const PolygonizeResult found = polygonized(solid.field, 0.05);
     expect_closed_outward(found.mesh);
     EXPECT_TRUE(metrics::self_intersections(found.mesh).empty());
     EXPECT_LT(found.report.rms_residual, 0.01);
@@ -54,7 +54,7 @@ TEST(Polygonize, SolidsAreClosedAndTheirVerticesOnTheField) {
     }
     EXPECT_LT(std::sqrt(squares / static_cast<double>(found.mesh.positions.size())), 0.01);
     RecordProperty(std::string(solid.name) + "_backed_off",
-                   static_cast<int>(found.report.backed_off));
+                   static_cast<int>(found.report.shortened_moves));
   }
 }
 
@@ -68,7 +68,7 @@ TEST(Polygonize, VerticesOfRoughRockAreOnTheField) {
   const field::Field rock = field::make(
       "displace",
       {{"field", field::as_value(warped)}, {"noise", field::as_value(fbm)}, {"amount", 0.08}});
-  const Polygonized found = polygonized(rock, kVoxel);
+  const PolygonizeResult found = polygonized(rock, kVoxel);
   expect_closed_outward(found.mesh);
   double squares = 0;
   for (const Vec3f& p : found.mesh.positions) {

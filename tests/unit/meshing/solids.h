@@ -130,8 +130,8 @@ inline std::vector<Solid> solids() {
   };
 }
 
-inline Polygonized polygonized(const field::Field& f, double voxel,
-                               const PolygonizeOptions& options = {}) {
+inline PolygonizeResult polygonized(const field::Field& f, double voxel,
+                                    const PolygonizeOptions& options = {}) {
   volume::VoxelizeOptions voxels;
   voxels.voxel = voxel;
   return polygonize(volume::voxelize(f, voxels), &f, options);

@@ -109,7 +109,7 @@ TEST(Report, KnowsTwoBoxesThatOverlap) {
   EXPECT_EQ(report.components, 2U);
   EXPECT_EQ(report.genus, 0U);
   EXPECT_GT(report.self_intersections, 0U);
-  EXPECT_TRUE(report.sound());
+  EXPECT_TRUE(report.is_closed_solid());
   EXPECT_EQ(report.bounds, Box3d(Vec3d(0), Vec3d(1.5)));
 }
 

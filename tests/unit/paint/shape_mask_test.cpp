@@ -3,8 +3,8 @@
 #include <vug/field/boolean.h>
 #include <vug/field/registry.h>
 #include <vug/paint/kind.h>
-#include <vug/paint/share.h>
-#include <vug/volume/samples.h>
+#include <vug/paint/solid_fraction.h>
+#include <vug/volume/level_set_field.h>
 #include <vug/volume/voxelize.h>
 
 #include <gtest/gtest.h>
@@ -40,10 +40,10 @@ struct Probe {
   Probe() {
     volume::VoxelizeOptions options;
     options.voxel = 0.02;
-    grid = volume::samples(volume::voxelize(field, options));
+    grid = volume::sampled_grid(volume::voxelize(field, options));
   }
   /// The spot where the surface crosses the line through p along `out`.
-  Spot at(const Vec3d& p, const Vec3d& out) const {
+  EvalPoint at(const Vec3d& p, const Vec3d& out) const {
     const Vec3d n = out.normalized();
     double low = -0.05, high = 0.05;
     for (int i = 0; i < 40; ++i) {
@@ -66,18 +66,20 @@ TEST(ShapeMasks, TellEdgesFromHollowsOnAScaledRoughStep) {
   // The relief (0.2 mm in values, up to 6 mm in space) bends faces by hundredths; edges lose what
   // voxels of a sixth of the radius round off.
   const double near = 0.15;
-  for (const Spot& flat : {probe.at({-0.5, 0.5, 0}, {0, 1, 0}), probe.at({-1, 0, 0.1}, {-1, 0, 0}),
-                           probe.at({0.5, 0.7, 0.5}, {0, 0, 1}), probe.at({0, 1, 0}, {-1, 0, 0})}) {
+  for (const EvalPoint& flat :
+       {probe.at({-0.5, 0.5, 0}, {0, 1, 0}), probe.at({-1, 0, 0.1}, {-1, 0, 0}),
+        probe.at({0.5, 0.7, 0.5}, {0, 0, 1}), probe.at({0, 1, 0}, {-1, 0, 0})}) {
     EXPECT_NEAR((*edge)(flat), 0, near) << flat.position;
     EXPECT_NEAR((*cavity)(flat), 0, near) << flat.position;
   }
-  for (const Spot& side : {probe.at({-1, 0.5, 0}, {-1, 1, 0}), probe.at({1, 1.5, 0}, {1, 1, 0}),
-                           probe.at({-0.5, 0.5, 0.5}, {0, 1, 1})}) {
+  for (const EvalPoint& side :
+       {probe.at({-1, 0.5, 0}, {-1, 1, 0}), probe.at({1, 1.5, 0}, {1, 1, 0}),
+        probe.at({-0.5, 0.5, 0.5}, {0, 1, 1})}) {
     EXPECT_NEAR((*edge)(side), 1, near) << side.position;
     EXPECT_EQ((*cavity)(side), 0) << side.position;
   }
   EXPECT_EQ((*edge)(probe.at({-1, 0.5, 0.5}, {-1, 1, 1})), 1);
-  const Spot inner = probe.at({0, 0.5, 0}, {-1, 1, 0});
+  const EvalPoint inner = probe.at({0, 0.5, 0}, {-1, 1, 0});
   EXPECT_NEAR((*cavity)(inner), 1, near);
   EXPECT_EQ((*edge)(inner), 0);
 }
@@ -98,14 +100,14 @@ TEST(ShapeMasks, SphereHasTheShareOfTwoBalls) {
   volume::VoxelizeOptions options;
   options.voxel = 0.02;
   const auto grid =
-      volume::samples(volume::voxelize(field::make("sphere", {{"radius", 1.0}}), options));
+      volume::sampled_grid(volume::voxelize(field::make("sphere", {{"radius", 1.0}}), options));
   // The lens of a unit ball and one of radius r on its surface, as a share of the latter:
   // 1/2 - 3 r / 16.
   for (const double radius : {0.2, 0.4}) {
-    const Spot spot{{0.6, 0.8, 0}, {0.6, 0.8, 0}, grid.get()};
-    EXPECT_NEAR(solid_share(spot, radius), 0.5 - 3 * radius / 16, 0.01);
+    const EvalPoint point{{0.6, 0.8, 0}, {0.6, 0.8, 0}, grid.get()};
+    EXPECT_NEAR(solid_fraction(point, radius), 0.5 - 3 * radius / 16, 0.01);
   }
-  EXPECT_EQ(solid_share({{0, 0, 0}, {0, 1, 0}, nullptr}, 1), 0.5);
+  EXPECT_EQ(solid_fraction({{0, 0, 0}, {0, 1, 0}, nullptr}, 1), 0.5);
 }
 
 }  // namespace

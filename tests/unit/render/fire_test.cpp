@@ -104,7 +104,7 @@ TEST(Fire, FlamesMayBeAsHotAsTheGridSays) {
 TEST(Fire, MasksStandForGrids) {
   const auto mask = [](double z) { return 0.5 + 0.1 * z; };
   const paint::Mask by_place =
-      paint::make_mask([mask](const paint::Spot& s) { return mask(s.position.z); });
+      paint::make_mask([mask](const paint::EvalPoint& s) { return mask(s.position.z); });
   const Value value = ValueTraits<paint::Mask>::write(by_place);
   expect_seen(fire({{"albedo", Vec3d(0)}, {"temperature_mask", value}, {"temperature", 3000.0}}),
               quadrature([&](double z) {
@@ -135,8 +135,8 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
   const Mean even = mean_of(picture({{"albedo", Vec3d(0.5)}}), "G");
   EXPECT_NEAR(grey.value, even.value, 4 * std::hypot(grey.error, even.error));
   EXPECT_GT(even.value - black.value, 20 * even.error);
-  const paint::Paint paint =
-      paint::make_paint([](const paint::Spot& s) { return Vec3d(s.position.y < 9 ? 0.5 : 0); });
+  const paint::Paint paint = paint::make_paint(
+      [](const paint::EvalPoint& s) { return Vec3d(s.position.y < 9 ? 0.5 : 0); });
   const Mean painted = mean_of(picture({{"albedo", ValueTraits<paint::Paint>::write(paint)}}), "G");
   EXPECT_NEAR(painted.value, even.value, 4 * std::hypot(painted.error, even.error));
 }
@@ -152,11 +152,11 @@ TEST(Fire, OtherProgramsAreToldByGrids) {
   const CloudData plain = told({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
   ASSERT_EQ(plain.grids.size(), 1u);
   EXPECT_EQ(plain.grids[0].name(), "density");
-  EXPECT_EQ(plain.cloud.extinction, kExtinction);
-  EXPECT_EQ(plain.cloud.albedo, Vec3d(0.5));
-  EXPECT_EQ(plain.cloud.forward, 0.25);
-  EXPECT_EQ(plain.cloud.emission, Vec3d(1, 2, 3));
-  EXPECT_EQ(plain.cloud.heat, 0);
+  EXPECT_EQ(plain.medium.extinction, kExtinction);
+  EXPECT_EQ(plain.medium.albedo, Vec3d(0.5));
+  EXPECT_EQ(plain.medium.forward, 0.25);
+  EXPECT_EQ(plain.medium.emission, Vec3d(1, 2, 3));
+  EXPECT_EQ(plain.medium.heat, 0);
 
   const CloudData whole = told({{"albedo", Vec3d(0.5)},
                                 {"color_grid", "Cd"},
@@ -167,18 +167,18 @@ TEST(Fire, OtherProgramsAreToldByGrids) {
   std::vector<std::string> names;
   for (const volume::Grid& grid : whole.grids) names.push_back(grid.name());
   EXPECT_EQ(names, (std::vector<std::string>{"density", "color", "temperature", "flame"}));
-  EXPECT_EQ(whole.cloud.albedo, Vec3d(1));
-  EXPECT_EQ(whole.cloud.heat, 1);
+  EXPECT_EQ(whole.medium.albedo, Vec3d(1));
+  EXPECT_EQ(whole.medium.heat, 1);
   const Vec3f middle(0, 0, 0.25f);  // a place of the lattice
   const double z = 0.25;
-  EXPECT_NEAR(named(whole, "density").anywhere(middle), density(z), 1e-5);
-  EXPECT_NEAR(named(whole, "temperature").anywhere(middle), 2 * kelvin(z), 3e-2);
-  EXPECT_NEAR(named(whole, "flame").anywhere({0, 0, 1.75f}), 0.5 * flame(1.75), 1e-5);
+  EXPECT_NEAR(named(whole, "density").at_world(middle), density(z), 1e-5);
+  EXPECT_NEAR(named(whole, "temperature").at_world(middle), 2 * kelvin(z), 3e-2);
+  EXPECT_NEAR(named(whole, "flame").at_world({0, 0, 1.75f}), 0.5 * flame(1.75), 1e-5);
   for (const volume::Grid& grid : whole.grids)
     if (grid.name() == "color") {
       const float wanted[] = {0.5f, 0.25f, 0};  // the grid's times the albedo
       for (int part = 0; part < 3; ++part)
-        EXPECT_NEAR(volume::Density(grid, part).anywhere(middle), wanted[part], 1e-5);
+        EXPECT_NEAR(volume::Density(grid, part).at_world(middle), wanted[part], 1e-5);
     }
   EXPECT_FALSE(make_medium("haze")->as_data(nullptr));
 }

@@ -233,18 +233,18 @@ TEST(SurfaceGrid, LeavesOutCrumbs) {
   const field::Field both =
       field::unite({ball(), field::transformed(ball(0.2), Transform::translation({3, 0, 0}))});
   const volume::SurfaceBricks all(level_set(both)), large(level_set(both), 1.0);
-  EXPECT_EQ(all.pieces_left_out(), 0u);
-  EXPECT_EQ(large.pieces_left_out(), 1u);
+  EXPECT_EQ(all.components_removed(), 0u);
+  EXPECT_EQ(large.components_removed(), 1u);
   EXPECT_GT(all.bounds().max.x, 3.1);
   EXPECT_LT(large.bounds().max.x, 1.1);
   const volume::SurfaceBricks alone(level_set(both), 100.0);
-  EXPECT_EQ(alone.pieces_left_out(), 1u);
+  EXPECT_EQ(alone.components_removed(), 1u);
   EXPECT_EQ(alone.bytes(), large.bytes());
 }
 
 TEST(SurfaceGrid, IsPaintedWhereItIsMet) {
   Object object = traced(ball());
-  object.color = paint::make_paint([](const paint::Spot& spot) {
+  object.color = paint::make_paint([](const paint::EvalPoint& spot) {
     return spot.position.y > 0 ? Vec3d(0.9, 2, -1) : spot.normal * -1.0;
   });
   const World world(only(object));

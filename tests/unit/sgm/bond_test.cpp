@@ -29,11 +29,11 @@ TEST(Label, SidesHaveOpposites) {
 TEST(Label, RandomIsUniformOverTheSides) {
   std::array<double, 6> seen{};
   for (uint64_t i = 0; i < 60000; ++i)
-    ++seen[static_cast<size_t>(drawn(Label::random, RandomKey(5).at(i)))];
+    ++seen[static_cast<size_t>(sample_side(Label::random, RandomKey(5).at(i)))];
   double chi2 = 0;
   for (const double n : seen) chi2 += (n - 10000) * (n - 10000) / 10000;
   EXPECT_LT(chi2, 20.5);  // 5 degrees of freedom, p = 0.001
-  EXPECT_EQ(drawn(Label::minus_y, RandomKey(1)), Label::minus_y);
+  EXPECT_EQ(sample_side(Label::minus_y, RandomKey(1)), Label::minus_y);
 }
 
 // Definition 5 with its tolerance scaled by the shape.

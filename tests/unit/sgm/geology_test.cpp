@@ -27,7 +27,7 @@ TEST(Geology, DecidesWhatAMorphDoes) {
   for (const double height : {1.0, -5.0}) {
     Growth growth(options);
     growth.apply(step(Operation::unite, moved(ball(1), {0, height, 0})), RandomKey(1));
-    Step melt = step(Operation::morph, ball(1));
+    ProductionStep melt = step(Operation::morph, ball(1));
     melt.amount = 0.52;
     const Placement& done = growth.apply(melt, RandomKey(2));
     EXPECT_DOUBLE_EQ(done.amount, height > 0 ? 0.1 + 0.1 * 0.52 : 0.5 + 0.5 * 0.52);

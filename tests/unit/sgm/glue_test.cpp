@@ -18,7 +18,7 @@ TEST(Gluing, MakesALabelOfAnyTwoBonds) {
   for (uint64_t seed = 0; seed < 1000; ++seed) {
     RandomStream random(RandomKey(seed).at("glue"));
     const Bond fixed{unit(random) * 5.0, unit(random)}, moving{unit(random) * 3.0, unit(random)};
-    const Transform map = gluing(fixed, moving);
+    const Transform map = glue_transform(fixed, moving);
     const Bond moved{map.point(moving.point), map.vector(moving.direction)};
     ASSERT_TRUE(makes_label(fixed, moved, 1, 1e-12)) << seed;
     ASSERT_NEAR(map.determinant(), 1, 1e-12);
@@ -28,13 +28,14 @@ TEST(Gluing, MakesALabelOfAnyTwoBonds) {
 TEST(Gluing, TurnsOnlyWhereItMust) {
   const Bond fixed{{1, 2, 3}, {1, 0, 0}};
   for (const Vec3d& d : {Vec3d(-1, 0, 0), Vec3d(0, 0, 0)}) {
-    const Transform map = gluing(fixed, {{5, 5, 5}, d});
+    const Transform map = glue_transform(fixed, {{5, 5, 5}, d});
     EXPECT_EQ(map.vector({1, 0, 0}), Vec3d(1, 0, 0));
     EXPECT_EQ(map.vector({0, 1, 0}), Vec3d(0, 1, 0));
     EXPECT_EQ(map.point({5, 5, 5}), Vec3d(1, 2, 3));
   }
-  EXPECT_LT((gluing(fixed, {{0, 0, 0}, {1, 0, 0}}).vector({1, 0, 0}) - Vec3d(-1, 0, 0)).length(),
-            1e-12);
+  EXPECT_LT(
+      (glue_transform(fixed, {{0, 0, 0}, {1, 0, 0}}).vector({1, 0, 0}) - Vec3d(-1, 0, 0)).length(),
+      1e-12);
 }
 
 TEST(OppositeBond, IsOnTheFacingSide) {

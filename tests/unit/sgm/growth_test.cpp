@@ -107,7 +107,7 @@ TEST(Growth, NothingIsAnnihilatedSilently) {
   options.reach = Reach::whole;
   options.overlap = {0, 0, 0, 0};  // walls only touch: no common inside
   Growth growth = started(ball(1), options);
-  Step cut = step(Operation::intersect, ball(1));
+  ProductionStep cut = step(Operation::intersect, ball(1));
   cut.where = {"cave.vug", 7, 3};
   for (int twice = 0; twice < 2; ++twice) {
     const Placement& done = growth.apply(cut, RandomKey(1));
@@ -123,7 +123,7 @@ TEST(Growth, NothingIsAnnihilatedSilently) {
 
   // A cut around the whole base.
   Growth other = started(ball(1));
-  Step all = step(Operation::subtract, ball(5));
+  ProductionStep all = step(Operation::subtract, ball(5));
   all.overlap = 0.1;
   EXPECT_TRUE(other.apply(all, RandomKey(1)).effective);
   all.overlap = 0.8;
@@ -160,7 +160,9 @@ TEST(Growth, TurnsShapesThatFaceAnotherWay) {
   EXPECT_NEAR(growth.field().value({3, 5, 0}), -2, 1e-9);  // solid beyond x = 1
 }
 
-TEST(Growth, AProductionNeedsAShape) { EXPECT_THROW(Growth().apply(Step{}, RandomKey(1)), Error); }
+TEST(Growth, AProductionNeedsAShape) {
+  EXPECT_THROW(Growth().apply(ProductionStep{}, RandomKey(1)), Error);
+}
 
 }  // namespace
 }  // namespace vug::sgm

@@ -61,7 +61,7 @@ TEST(Morph, ProductionsFold) {
   const double amounts[] = {0.3, 0.4};
   std::vector<Field> placed;
   for (const double amount : amounts) {
-    Step melt = step(Operation::morph, ball(3));
+    ProductionStep melt = step(Operation::morph, ball(3));
     melt.amount = amount;
     placed.push_back(growth.apply(melt, RandomKey(2)).field);
   }

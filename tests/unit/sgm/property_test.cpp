@@ -24,7 +24,7 @@ Rules any_cave(uint64_t seed) {
   return rules;
 }
 
-void expect_sound(const Result& cave, uint64_t seed) {
+void expect_sound(const DerivationResult& cave, uint64_t seed) {
   const double size = size_of(cave.field);
   std::set<int> consumed;
   for (const Placement& p : cave.operations) {
@@ -48,7 +48,7 @@ void expect_sound(const Result& cave, uint64_t seed) {
 
 TEST(Property, LabelsAreMadeAndBondsConsumedOnce) {
   parallel_for(1000, [](size_t seed) {
-    const Result cave = derive(any_cave(seed), RandomKey(seed));
+    const DerivationResult cave = derive(any_cave(seed), RandomKey(seed));
     EXPECT_EQ(cave.counts.total(), 6);
     expect_sound(cave, seed);
   });
@@ -58,9 +58,9 @@ TEST(Property, AnotherProductionLeavesTheEarlierOnes) {
   for (uint64_t seed = 0; seed < 50; ++seed) {
     Rules rules = any_cave(seed);
     rules.morphic = 0;
-    const Result few = derive(rules, RandomKey(seed));
+    const DerivationResult few = derive(rules, RandomKey(seed));
     rules.classic = 7;
-    const Result more = derive(rules, RandomKey(seed));
+    const DerivationResult more = derive(rules, RandomKey(seed));
     for (size_t i = 0; i < few.operations.size(); ++i) {
       EXPECT_EQ(few.operations[i].map.origin(), more.operations[i].map.origin());
       EXPECT_EQ(few.operations[i].operation, more.operations[i].operation);

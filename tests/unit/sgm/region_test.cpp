@@ -73,7 +73,7 @@ TEST(LocalFields, RestrictionsKeepValuesAndHoldThem) {
   for (const Field& f : samples())
     for (int i = 0; i < 200; ++i) {
       const field::Ball region{somewhere(random), random.uniform(0.05, 1)};
-      const Field::Part part = f.restricted(region);
+      const Field::RestrictedField part = f.restricted(region);
       for (int k = 0; k < 20; ++k) {
         const Vec3d p = region.centre +
                         Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)) *
@@ -135,14 +135,14 @@ TEST(LocalFields, GrowAwayFromTheirBounds) {
   RandomStream random(RandomKey(7));
   for (const Field& f : samples()) {
     const field::Traits& traits = f.node()->traits();
-    ASSERT_GT(traits.grows(), 0.5);
+    ASSERT_GT(traits.growth_rate(), 0.5);
     for (int i = 0; i < 5000; ++i) {
       const Vec3d p = somewhere(random) * 3;
       Vec3d nearest;
       for (int axis = 0; axis < 3; ++axis)
         nearest[axis] = std::clamp(p[axis], f.bounds().min[axis], f.bounds().max[axis]);
       const double away = (p - nearest).length();
-      ASSERT_TRUE(away == 0 || f.value(p) >= traits.grows() * away - 1e-9);
+      ASSERT_TRUE(away == 0 || f.value(p) >= traits.growth_rate() * away - 1e-9);
     }
     EXPECT_TRUE(is_finite(traits.bounds_below(0.5)));
   }

@@ -37,7 +37,7 @@ Box3d box_of(const Field& f) {
 TEST(Figure9, HasTwelveProductionsAndGrowsAlongX) {
   std::vector<double> gain(kSeeds), slender(kSeeds);
   parallel_for(kSeeds, [&](size_t seed) {
-    const Result cave = derive(figure9(), RandomKey(seed));
+    const DerivationResult cave = derive(figure9(), RandomKey(seed));
     EXPECT_EQ(cave.counts.classic, 10);
     EXPECT_EQ(cave.counts.morphic, 2);
     EXPECT_EQ(cave.counts.total(), 12);
@@ -63,7 +63,7 @@ TEST(Figure9, IsTheSameOnAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     std::vector<std::string> out(16);
     parallel_for(out.size(), [&](size_t seed) {
-      const Result cave = derive(figure9(), RandomKey(seed));
+      const DerivationResult cave = derive(figure9(), RandomKey(seed));
       out[seed] = grammar::tree_json(cave.tree);
       for (double x = -2; x < 12; x += 0.37)
         out[seed] += to_string(Value(cave.field.value({x, 0.1, 0.2}))) + " ";
@@ -80,7 +80,7 @@ TEST(Rules, SpreadMorphicProductionsAmongTheClassic) {
   Rules rules = figure9();
   const auto order = [&] {
     std::string out;
-    for (const grammar::Part& part : grammar_of(rules).axiom) {
+    for (const grammar::SuccessorItem& part : grammar_of(rules).axiom) {
       grammar::Symbol symbol;
       const int64_t n = part.count({symbol, RandomKey(1)});
       for (int64_t i = 0; i < n; ++i) out += part.symbol[0];
@@ -113,7 +113,7 @@ TEST(Rules, PiecesMakeCompoundShapes) {
   Rules rules = figure9();
   for (const int pieces : {0, 1, 4}) {
     rules.pieces = pieces;
-    const Result cave = derive(rules, RandomKey(3));
+    const DerivationResult cave = derive(rules, RandomKey(3));
     const auto joins =
         std::count(cave.operations[0].shape.begin(), cave.operations[0].shape.end(), '+');
     EXPECT_EQ(joins, std::max(pieces, 1) - 1);
@@ -139,7 +139,7 @@ TEST(Interpret, WarnsAboutSymbolsLeftOver) {
   grammar::Grammar g;
   g.axiom.resize(1);
   g.axiom[0].symbol = "Room";
-  const Result cave = sgm::derive(g, RandomKey(1));
+  const DerivationResult cave = sgm::derive(g, RandomKey(1));
   ASSERT_EQ(cave.diagnostics.all().size(), 1u);
   EXPECT_EQ(cave.diagnostics.all()[0].message,
             "'Room' at grammar/Room[0] was never rewritten to a production");
@@ -147,7 +147,7 @@ TEST(Interpret, WarnsAboutSymbolsLeftOver) {
 }
 
 TEST(Interpret, CountsLeavesOfTheTree) {
-  const Result cave = derive(figure9(), RandomKey(1));
+  const DerivationResult cave = derive(figure9(), RandomKey(1));
   for (const Placement& p : cave.operations) {
     const grammar::Node& leaf = cave.tree.nodes[static_cast<size_t>(p.node)];
     EXPECT_EQ(leaf.symbol.name, sign_of(p.operation));

@@ -64,8 +64,8 @@ inline Field moved(const Field& f, const Vec3d& by) {
   return field::transformed(f, Transform::translation(by));
 }
 
-inline Step step(Operation operation, Field f, Label label = Label::plus_x) {
-  Step out;
+inline ProductionStep step(Operation operation, Field f, Label label = Label::plus_x) {
+  ProductionStep out;
   out.operation = operation;
   out.pieces = {{"shape", std::move(f)}};
   out.label = label;

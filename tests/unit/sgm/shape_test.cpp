@@ -95,7 +95,7 @@ TEST(BondsOf, EveryPrimitiveKind) {
 
 TEST(Placed, CarriesBondsAlong) {
   const Transform map = Transform::translation({1, 2, 3}) * Transform::rotation({0, 1, 0}, kPi / 2);
-  const Shape shape = placed(make_shape("box", box({1, 2, 3})), map);
+  const Shape shape = transformed(make_shape("box", box({1, 2, 3})), map);
   expect_on_surface(shape.field, shape.bonds);
   EXPECT_LT((shape.bonds[1].direction - Vec3d(0, 0, -1)).length(), 1e-12);  // +x turned to -z
 }

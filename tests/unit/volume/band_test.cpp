@@ -18,7 +18,7 @@ LevelSet ball(double voxel) {
 
 TEST(Band, FeetStandOnTheSurface) {
   const double voxel = 0.05;
-  const Band band = volume::band(ball(voxel));
+  const BandPoints band = volume::band_points(ball(voxel));
   ASSERT_GT(band.size(), 10000u);
   double off = 0, turned = 0;
   for (size_t i = 0; i < band.size(); ++i) {
@@ -34,7 +34,7 @@ TEST(Band, FeetStandOnTheSurface) {
 
 TEST(Band, GridsHoldTheirValuesWhereTheLevelSetIs) {
   const LevelSet solid = ball(0.05);
-  const Band band = volume::band(solid);
+  const BandPoints band = volume::band_points(solid);
   std::vector<float> heights;
   for (const Vec3f& p : band.foot) heights.push_back(p.y);
   const Grid height = band_grid(solid, heights), colour = band_grid(solid, band.normal);

@@ -4,7 +4,7 @@
 #include <vug/base/rng.h>
 #include <vug/volume/density.h>
 #include <vug/volume/fog.h>
-#include <vug/volume/sampled.h>
+#include <vug/volume/resampled.h>
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(Density, OneOfEightValuesIsTheInterpolatedOneInTheMean) {
     double sum = 0, squares = 0;
     constexpr int kTrials = 20000;
     for (int k = 0; k < kTrials; ++k) {
-      const auto value = static_cast<double>(density.one_at(p, place(random, Vec3f(1.0f))));
+      const auto value = static_cast<double>(density.stochastic_at(p, place(random, Vec3f(1.0f))));
       sum += value, squares += value * value;
     }
     const double mean = sum / kTrials;
@@ -57,16 +57,16 @@ TEST(Density, OneOfEightValuesIsTheInterpolatedOneInTheMean) {
   // On a lattice point there is nothing to choose, and beyond the grid there is nothing.
   const Vec3f lattice(40, 50, 60);
   EXPECT_GT(density.at(lattice), 0);
-  EXPECT_EQ(density.one_at(lattice, Vec3f(0.0f)), density.at(lattice));
-  EXPECT_EQ(density.one_at(density.size(), Vec3f(0.0f)), 0);
-  EXPECT_EQ(density.one_at(Vec3f(-0.5f), Vec3f(0.0f)), 0);
+  EXPECT_EQ(density.stochastic_at(lattice, Vec3f(0.0f)), density.at(lattice));
+  EXPECT_EQ(density.stochastic_at(density.size(), Vec3f(0.0f)), 0);
+  EXPECT_EQ(density.stochastic_at(Vec3f(-0.5f), Vec3f(0.0f)), 0);
 }
 
 TEST(Density, BricksOfEverySizeBoundIt) {
   const Density& density = rough();
   std::vector<int> sizes;
   double bound = 0;
-  for (const Bricks& bricks : density.bricks()) {
+  for (const MajorantGrid& bricks : density.majorants()) {
     sizes.push_back(bricks.size());
     const auto side = static_cast<float>(bricks.size());
     for (int axis = 0; axis < 3; ++axis) {
@@ -78,10 +78,10 @@ TEST(Density, BricksOfEverySizeBoundIt) {
     constexpr int kTrials = 200000;
     for (int k = 0; k < kTrials; ++k) {
       const Vec3f p = place(random, density.size());
-      const Bricks::Range& range = bricks.range(bricks.index(Vec3i(p / side)));
+      const MajorantGrid::Range& range = bricks.range(bricks.index(Vec3i(p / side)));
       const float value = density.at(p);
-      ASSERT_GE(value, range.least - 1e-6f);
-      ASSERT_LE(value, range.most + 1e-6f);
+      ASSERT_GE(value, range.min - 1e-6f);
+      ASSERT_LE(value, range.max + 1e-6f);
       mean += static_cast<double>(value), known += static_cast<double>(range.mean);
     }
     EXPECT_NEAR(known, mean, 0.06 * mean) << bricks.size();
@@ -94,9 +94,9 @@ TEST(Density, BricksOfEverySizeBoundIt) {
 TEST(Density, NothingHasNoBricks) {
   const Grid where = fog(voxelize(sphere_at({0, 0, 0}, 1), {}));
   const Density none(sampled(where, [](const Vec3f&) { return 0.0f; }));
-  EXPECT_EQ(none.anywhere(Vec3f(0.0f)), 0);
+  EXPECT_EQ(none.at_world(Vec3f(0.0f)), 0);
   EXPECT_TRUE(none.bounds().isEmpty());
-  for (const Bricks& bricks : none.bricks()) EXPECT_EQ(bricks.bound(), 0);
+  for (const MajorantGrid& bricks : none.majorants()) EXPECT_EQ(bricks.bound(), 0);
 }
 
 }  // namespace

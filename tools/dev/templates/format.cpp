@@ -1,7 +1,7 @@
 //@ lib/vug/mesh/formats
 // STUB: the format, and what it leaves out of a mesh.
+#include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
-#include <vug/mesh/output.h>
 #include <vug/mesh/text_scanner.h>
 
 #include <fmt/format.h>
@@ -28,14 +28,14 @@ Mesh read_new_kind(std::string_view bytes, const std::string& file) {
       }
       mesh.triangles.push_back(triangle);
     } else {
-      scan.fail(fmt::format("'{}' is neither v nor t", shown(word)));
+      scan.fail(fmt::format("'{}' is neither v nor t", printable(word)));
     }
   }
   return mesh;
 }
 
-void write_new_kind(const Mesh& mesh, const Notes&, const ByteSink& sink) {
-  Output out(sink);
+void write_new_kind(const Mesh& mesh, const Comments&, const ByteSink& sink) {
+  ByteWriter out(sink);
   for (const Vec3f& p : mesh.positions)
     out.text("v ").number(p.x).text(" ").number(p.y).text(" ").number(p.z).text("\n");
   for (const Triangle& t : mesh.triangles)

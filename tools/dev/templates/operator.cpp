@@ -25,7 +25,7 @@ struct NewKind {
     Traits out = child;
     out.bounds = child.bounds_below(by);
     out.exactness = std::max(child.exactness, Exactness::bound);
-    out.growth = child.grows();
+    out.growth = child.growth_rate();
     return out;
   }
   Interval range(Interval child) const { return child - Interval(by); }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <vug/building/cell_points.h>
-#include <vug/image/configured_view.h>
+#include <vug/image/ocio_view.h>
 #include <vug/loading/validate.h>
 #include <vug/shot/lsystem_plan.h>
 #include <vug/shot/queries.h>
@@ -19,7 +19,7 @@ struct Options {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const session::Loaded& loaded, const std::string& file) {
+Json to_json(const loading::Loaded& loaded, const std::string& file) {
   Json faults = Json::array();
   for (const Diagnostic& one : loaded.diagnostics.all())
     faults.push_back({{"severity", one.severity == Severity::error ? "error" : "warning"},
@@ -32,22 +32,22 @@ Json to_json(const session::Loaded& loaded, const std::string& file) {
 }
 
 /// Loads, and looks for what `vug render` would find in its options' defaults.
-session::Loaded examine(const Options& options) {
-  session::Loaded loaded = session::load(options.scene.scene, options.scene.load_options());
+loading::Loaded examine(const Options& options) {
+  loading::Loaded loaded = loading::load(options.scene.scene, options.scene.load_options());
   if (!loaded.usable()) return loaded;
-  for (const session::CellsPtr& cells : session::declared_cells(loaded.shot)) try {
-      session::points_from(*cells);
+  for (const shot::CellsPtr& cells : shot::declared_cells(loaded.shot)) try {
+      building::points_from(*cells);
     } catch (const Error& error) {
       loaded.diagnostics.error(error.where(), error.what(), error.hint());
     }
-  for (const session::LSystemPtr& plan : loaded.shot.lsystems) try {
+  for (const shot::LSystemPtr& plan : loaded.shot.lsystems) try {
       plan->drawing();  // of one that nothing in the scene has drawn
     } catch (const Error& error) {
       const SourceLocation& where = error.where().known() ? error.where() : plan->system->where;
       loaded.diagnostics.error(where, error.what(), error.hint());
     }
-  for (const session::RenderPlan& plan : loaded.shot.renders) try {
-      if (session::shows_nothing(loaded.shot))
+  for (const shot::RenderPlan& plan : loaded.shot.renders) try {
+      if (loading::shows_nothing(loaded.shot))
         loaded.diagnostics.warning(plan.where, "the scene has nothing to show");
       image::view_options({plan.view, plan.display, image::environment_config()},
                           plan.working_space);
@@ -59,7 +59,7 @@ session::Loaded examine(const Options& options) {
 
 /// Faults as JSON even where there is no text to find any in.
 int run_json(const Options& options) {
-  session::Loaded loaded;
+  loading::Loaded loaded;
   try {
     loaded = examine(options);
   } catch (const Error& error) {
@@ -77,10 +77,10 @@ std::string pluralize(size_t count, const std::string& one, const std::string& m
 
 int run(const Options& options) {
   if (options.json) return run_json(options);
-  const session::Loaded loaded = examine(options);
+  const loading::Loaded loaded = examine(options);
   fmt::print(stderr, "{}", loaded.report());
   if (!loaded.usable()) return kUnusable;
-  const session::Shot& shot = loaded.shot;
+  const shot::Shot& shot = loaded.shot;
   if (!options.quiet)
     fmt::print("{}: fine; {}, {}, {}, {}, {}, {}, {}\n", options.scene.scene,
                pluralize(shot.volumes.size(), "volume", "volumes"),

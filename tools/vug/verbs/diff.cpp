@@ -60,8 +60,8 @@ int run(Options options) {
   options.diff.limits.insert(options.diff.limits.end(), told.begin(), told.end());
   for (const std::string& name : options.diff.measures) image::measure_of(name);
   require_files(options);
-  const image::Subject reference = image::read_subject(options.reference);
-  const image::Subject test = image::read_subject(options.test);
+  const image::ImageUnderTest reference = image::read_image_under_test(options.reference);
+  const image::ImageUnderTest test = image::read_image_under_test(options.test);
   if (!options.mask.empty())
     options.diff.mask =
         image::read_mask(options.mask, reference.image.width, reference.image.height);
@@ -93,7 +93,7 @@ Verb diff_verb() {
             ->type_name("LIMIT");
         app.add_option("--thresholds", o->thresholds,
                        "a JSON file of limits: {\"rmse\": 0.01, \"N.max\": 0.1}");
-        app.add_option("--alarm", o->diff.alarm,
+        app.add_option("--alarm", o->diff.false_alarm_rate,
                        "demands the test of significance, at this rate of false alarms (0.01)")
             ->transform(number_in(Dimension::ratio, 1e-9, 0.5));
         app.add_option("--layer", o->diff.layers, "compare these layers only, e.g. beauty,albedo")

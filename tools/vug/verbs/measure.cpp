@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/session/describe_cells.h>
-#include <vug/session/measure.h>
+#include <vug/delivery/describe_cells.h>
+#include <vug/delivery/measure.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -39,20 +39,20 @@ metrics::Report report_of(const Options& options) {
   Progress& progress = terminal_progress(options.work.bar());
   if (extension_of(options.scene.scene) != ".vug") {
     refuse_scene_options(options);
-    return session::measure_file(options.scene.scene, progress);
+    return delivery::measure_file(options.scene.scene, progress);
   }
-  const session::Loaded loaded = options.scene.load();
-  session::Builder builder(loaded.shot, options.work.build_options(loaded), progress);
-  return session::measure(builder, options.mesh);
+  const loading::Loaded loaded = options.scene.load();
+  building::Builder builder(loaded.shot, options.work.build_options(loaded), progress);
+  return delivery::measure(builder, options.mesh);
 }
 
 int run_cells(const Options& options) {
   if (extension_of(options.scene.scene) != ".vug") refuse_scene_options(options);
-  const session::Loaded loaded = options.scene.load();
+  const loading::Loaded loaded = options.scene.load();
   const ThreadLimit threads(options.work.threads);
-  session::Builder builder(loaded.shot, options.work.build_options(loaded),
-                           terminal_progress(options.work.bar()));
-  print_report(session::describe_cells(builder, options.cells), options.json);
+  building::Builder builder(loaded.shot, options.work.build_options(loaded),
+                            terminal_progress(options.work.bar()));
+  print_report(delivery::describe_cells(builder, options.cells), options.json);
   return kDone;
 }
 
@@ -63,7 +63,7 @@ int run(const Options& options) {
     fmt::print("{}", metrics::to_json(report));
   else
     fmt::print("{}", metrics::to_table(report));
-  return report.sound() ? kDone : kAnswerNo;
+  return report.is_closed_solid() ? kDone : kAnswerNo;
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ struct Corrosion {
       return pass.random(patch).uniform() < share;
     };
     pass.run([=, most = static_cast<float>(potential), less = static_cast<float>(loss)](
-                 const auto& near, uint32_t i) {
+                 const auto& neighbours, uint32_t i) {
       if (p[i] > 0) {
         p.set(i, p[i] > less ? p[i] - less : 0);
-        return state.set(i, p[i] > less ? state[i] : State::transparent);
+        return state.set(i, p[i] > less ? state[i] : CellState::transparent);
       }
       uint32_t carriers = 0;
-      const uint32_t k = near.each(i, [&](uint32_t n) { carriers += p[n] > 0; });
+      const uint32_t k = neighbours.each(i, [&](uint32_t n) { carriers += p[n] > 0; });
       p.set(i, 2 * carriers > k || attacked(i) ? most : 0);
       state.set(i, state[i]);
     });

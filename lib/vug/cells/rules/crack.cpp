@@ -19,14 +19,14 @@ struct Crack {
     const auto own = pass.writes<Vec3f>("Cd");
     const auto crack = pass.writes<float>("crack");
     const auto state = pass.writes_states();
-    pass.run([=, dark = Vec3f(color)](const auto& near, uint32_t i) {
+    pass.run([=, dark = Vec3f(color)](const auto& neighbours, uint32_t i) {
       bool differs = false;
-      near.each(i, [&](uint32_t n) {
+      neighbours.each(i, [&](uint32_t n) {
         differs |= own[n] != own[i] && own[n] != Vec3f(0) && own[i] != Vec3f(0);
       });
       own.set(i, differs ? dark : own[i]);
       crack.set(i, differs ? 1 : crack[i]);
-      state.set(i, differs ? State::sleeping : state[i]);
+      state.set(i, differs ? CellState::sleeping : state[i]);
     });
   }
 };

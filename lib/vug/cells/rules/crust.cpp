@@ -39,20 +39,21 @@ struct Crust {
   void step(Pass& pass) const {
     const Network& network = pass.network();
     const auto crust = pass.writes<float>("crust"), height = pass.writes<float>("height");
-    const Given water = pass.given(from, static_cast<float>(full));
+    const OptionalReader water = pass.reads_optional(from, static_cast<float>(full));
     const auto wets = static_cast<float>(1 / full), adds = static_cast<float>(growth);
     const auto given = static_cast<float>(smooth / network.full);
     const auto most = static_cast<float>(limit), knobs = static_cast<float>(lumps);
     const auto stands = static_cast<float>(4 / network.spacing);
     const RandomKey key = pass.key().at("lumps");
-    pass.run([&](const auto& near, uint32_t i) {
+    pass.run([&](const auto& neighbours, uint32_t i) {
       const float own = crust[i];
       float around = 0;
-      const auto links = static_cast<float>(near.each(i, [&](uint32_t n) { around += crust[n]; }));
+      const auto links =
+          static_cast<float>(neighbours.each(i, [&](uint32_t n) { around += crust[n]; }));
       float pace = 1;
       if (knobs > 0) {
-        const auto chance =
-            static_cast<float>(RandomStream(key.at(place_of(network.position[i]))).uniform(-1, 1));
+        const auto chance = static_cast<float>(
+            RandomStream(key.at(position_key(network.position[i]))).uniform(-1, 1));
         const float out = links > 0 ? own - around / links : 0;
         pace = std::clamp(1 + knobs * (chance + stands * out), 0.0f, 2.0f);
       }

@@ -44,7 +44,7 @@ struct Dust {
     const Network& network = pass.network();
     settle(pass, network);
     const int turns =
-        std::max(pass.step() == 0 ? 1 : 0, moves(speed, network.spacing, pass.step()));
+        std::max(pass.step() == 0 ? 1 : 0, moves_in_step(speed, network.spacing, pass.step()));
     for (int turn = 0; turn < turns; ++turn) slide(pass, network);
   }
 
@@ -52,7 +52,7 @@ struct Dust {
   /// How far a surface at `from` stands above what would rest against one at `to`, metres; 0 where
   /// it does not.
   struct Excess {
-    Reading<Vec3f> position;
+    AttributeReader<Vec3f> position;
     std::vector<float> top;  ///< Heights of the surface, dust and all.
     float slope;
     float operator()(uint32_t from, uint32_t to) const {
@@ -66,7 +66,8 @@ struct Dust {
 
   void settle(Pass& pass, const Network& network) const {
     const auto dust = pass.writes<float>("dust"), height = pass.writes<float>("height");
-    const Given open = shelter > 0 ? pass.wants("exposure", 1) : Given{nullptr, 0};
+    const OptionalReader open =
+        shelter > 0 ? pass.reads_expected("exposure", 1) : OptionalReader{nullptr, 0};
     const auto most = static_cast<float>(fall), kept_off = static_cast<float>(shelter);
     pass.run([=, normal = network.normal.data()](const auto&, uint32_t i) {
       const float up = std::max(0.0f, normal[i].y);
@@ -79,7 +80,7 @@ struct Dust {
   void slide(Pass& pass, const Network& network) const {
     const auto dust = pass.writes<float>("dust"), height = pass.writes<float>("height");
     const auto fallen = pass.writes<float>("fallen");
-    const Reading<State> state = pass.states();
+    const AttributeReader<CellState> state = pass.states();
     Excess excess{pass.positions(), std::vector<float>(network.size()),
                   static_cast<float>(maths::tan(repose))};
     const auto each_cell = [&](const auto& body) {
@@ -92,7 +93,7 @@ struct Dust {
     // Of each cell, what goes for each metre of excess.
     std::vector<float> gives(network.size());
     each_cell([&](uint32_t i) {
-      if (!(dust[i] > 0) || state[i] != State::active) return;
+      if (!(dust[i] > 0) || state[i] != CellState::active) return;
       float sum = 0, most = 0;
       for (const uint32_t to : network.links.of(i)) {
         const float over = receives(state[to]) ? excess(i, to) : 0;

@@ -1,5 +1,5 @@
+#include <vug/cells/diffusion.h>
 #include <vug/cells/rule.h>
-#include <vug/cells/seep.h>
 
 namespace vug::cells {
 namespace {
@@ -29,7 +29,7 @@ struct Efflorescence {
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1});
-    describe_seep(s);
+    describe_diffusion(s);
   }
 
   void step(Pass& pass) const {
@@ -39,11 +39,11 @@ struct Efflorescence {
       pass.run([=](const auto&, uint32_t i) { brine.set(i, moist[i]); });
     }
     const Network& network = pass.network();
-    const Seep seep(creep, network.spacing);
+    const DiffusionSteps seep(creep, network.spacing);
     const auto given = static_cast<float>(seep.share / network.full);
     const auto most = static_cast<float>(solubility);
     const auto thaw = static_cast<float>(dissolve / seep.rounds);
-    const Given water = pass.given(from, 0);
+    const OptionalReader water = pass.reads_optional(from, 0);
     const auto wets = static_cast<float>(1 / full);
     for (int round = 0; round < seep.rounds; ++round) {
       const auto moist = pass.reads<float>("moisture");
@@ -52,10 +52,10 @@ struct Efflorescence {
       const auto strength = [=](uint32_t c) {
         return moist[c] > 1e-6f ? std::min(brine[c] / moist[c], most) : 0.0f;
       };
-      pass.run([=](const auto& near, uint32_t i) {
+      pass.run([=](const auto& neighbours, uint32_t i) {
         const float here = moist[i], own = strength(i);
         float came = 0;
-        near.each(i, [&](uint32_t n) {
+        neighbours.each(i, [&](uint32_t n) {
           const float flow = moist[n] - here;
           came += flow > 0 ? flow * strength(n) : flow * own;
         });

@@ -50,10 +50,11 @@ struct Erosion {
     pass.writes<float>("carved"), pass.writes<float>("height");
     pass.writes<float>("sediment"), pass.writes<float>("washed");
     const double spacing = pass.network().spacing;
-    const int turns = moves(speed, spacing, pass.step());
+    const int turns = moves_in_step(speed, spacing, pass.step());
     const Flow flow(pass, pass.key().at("wander"), {gather, wander, 0});
     const auto fullness = static_cast<float>(full);
-    const Given water = pass.given("water", fullness), hardness = pass.given("hardness", 0);
+    const OptionalReader water = pass.reads_optional("water", fullness),
+                         hardness = pass.reads_optional("hardness", 0);
     const auto most = static_cast<float>(depth), holds = static_cast<float>(carry);
     const auto takes = static_cast<float>(wear * spacing / speed);
     const auto leaves = static_cast<float>(settle);
@@ -63,7 +64,7 @@ struct Erosion {
       const auto carved = pass.writes<float>("carved"), height = pass.writes<float>("height");
       const auto load = pass.writes<float>("sediment"), washed = pass.writes<float>("washed");
       pass.run([&](const auto&, uint32_t i) {
-        const float arrives = flow.into([&](uint32_t n) { return load[n]; }, i);
+        const float arrives = flow.inflow([&](uint32_t n) { return load[n]; }, i);
         const float steep = flow.steepness(i);
         const float power = std::clamp(water[i] / fullness, 0.0f, 1.0f) * steep;
         const float carries = holds * power;
@@ -71,7 +72,8 @@ struct Erosion {
         if (arrives > carries) {
           // Pits fill to their rim; on overhangs nothing lies.
           float room = std::max(0.0f, most + carved[i]);
-          if (flow.ends(i)) room = std::min(room, flow.pit(i) / static_cast<float>(turns));
+          if (flow.is_sink(i))
+            room = std::min(room, flow.sink_depth(i) / static_cast<float>(turns));
           taken = normal[i].y > 0 ? -std::min(leaves * (arrives - carries), room) : 0;
         } else if (carries > 0) {
           const float soft = std::clamp(1 - hardness[i], 0.0f, 1.0f);
@@ -82,7 +84,7 @@ struct Erosion {
         carved.set(i, carved[i] + taken);
         height.set(i, height[i] - taken);
         load.set(i, arrives + taken);
-        washed.set(i, washed[i] + (flow.ends(i) ? load[i] : 0));
+        washed.set(i, washed[i] + (flow.is_sink(i) ? load[i] : 0));
       });
     }
   }

@@ -9,7 +9,7 @@ struct Freeze {
   std::string attribute;
   double above = 0.5;
   std::optional<double> below;
-  State as = State::sleeping;
+  CellState as = CellState::sleeping;
 
   static void describe(Schema<Freeze>& s) {
     s.doc(
@@ -20,10 +20,10 @@ struct Freeze {
         .param("above", &Freeze::above, {.doc = "the least value of a cell that freezes"})
         .param("below", &Freeze::below, {.doc = "the greatest, if there is one"})
         .choice("as", &Freeze::as,
-                {{"sleeping", State::sleeping},
-                 {"distributing", State::distributing},
-                 {"receiving", State::receiving},
-                 {"transparent", State::transparent}},
+                {{"sleeping", CellState::sleeping},
+                 {"distributing", CellState::distributing},
+                 {"receiving", CellState::receiving},
+                 {"transparent", CellState::transparent}},
                 "what they become: distributing ones are seen, receiving ones rewritten, sleeping "
                 "ones neither, transparent ones are gone");
   }
@@ -31,7 +31,7 @@ struct Freeze {
 
   void step(Pass& pass) const {
     const auto state = pass.writes_states();
-    const Numbers value = pass.numbers(attribute);
+    const NumericReader value = pass.reads_as_numbers(attribute);
     const auto least = static_cast<float>(above);
     const auto most = static_cast<float>(below.value_or(kInfinity));
     pass.run([=, then = as](const auto&, uint32_t i) {

@@ -33,11 +33,11 @@ struct GrayScott {
     const float du = static_cast<float>(diffusion_u) / full;
     const float dv = static_cast<float>(diffusion_v) / full;
     const auto f = static_cast<float>(feed), k = static_cast<float>(kill);
-    pass.run_on_sums(u, v, [=](Two own, Two sum, float links) {
+    pass.run_on_sums(u, v, [=](FloatPair own, FloatPair sum, float links) {
       // No more of u than there is: the same while v is below 1, as it is but for drops.
       const float reaction = own.a * std::min(1.0f, own.b * own.b);
-      return Two{own.a + du * (sum.a - links * own.a) - reaction + f * (1 - own.a),
-                 own.b + dv * (sum.b - links * own.b) + reaction - (f + k) * own.b};
+      return FloatPair{own.a + du * (sum.a - links * own.a) - reaction + f * (1 - own.a),
+                       own.b + dv * (sum.b - links * own.b) + reaction - (f + k) * own.b};
     });
   }
 };

@@ -52,13 +52,14 @@ struct Lichen {
     const auto cover = pass.writes<float>("lichen"), height = pass.writes<float>("height");
     const auto colony = pass.writes<int32_t>("colony");
     const auto color = pass.writes<Vec3f>("Cd");
-    const Given moist = pass.given("moisture", 1), lit = pass.given("light", 1);
+    const OptionalReader moist = pass.reads_optional("moisture", 1),
+                         lit = pass.reads_optional("light", 1);
     const auto thick = static_cast<float>(thickness);
     const auto edge = static_cast<float>(std::max(rim, 1e-6));
     const RandomKey key = pass.key();
     const int age = pass.step();
-    pass.run([&](const auto& near, uint32_t i) {
-      const float thrive = thrives(moist[i], moisture) * thrives(lit[i], light);
+    pass.run([&](const auto& neighbours, uint32_t i) {
+      const float thrive = growth_response(moist[i], moisture) * growth_response(lit[i], light);
       int32_t own = colony[i];
       bool meets = false;
       float left = 0;  // metres to the rim
@@ -66,14 +67,14 @@ struct Lichen {
         own = static_cast<int32_t>(i) + 1;
       if (own == 0 && thrive > 0) {
         float most = 0;
-        near.each(i, [&](uint32_t n) {
+        neighbours.each(i, [&](uint32_t n) {
           if (colony[n] == 0) return;
           const float deep = depth(network, colony[n], i, thrive, age, key);
           if (deep > most) most = deep, own = colony[n];
         });
         left = most;
       } else if (own != 0) {
-        near.each(i, [&](uint32_t n) { meets |= colony[n] != 0 && colony[n] != own; });
+        neighbours.each(i, [&](uint32_t n) { meets |= colony[n] != 0 && colony[n] != own; });
         left = depth(network, own, i, thrive, age, key);
       }
       const float now = own == 0 ? 0.0f : meets ? 0.5f : 1.0f;
@@ -92,7 +93,7 @@ struct Lichen {
   float depth(const Network& n, int32_t colony, uint32_t cell, float thrive, int age,
               RandomKey key) const {
     const auto seed = static_cast<uint32_t>(colony - 1);
-    RandomStream random(key.at("colony").at(place_of(n.position[seed])));
+    RandomStream random(key.at("colony").at(position_key(n.position[seed])));
     const double drawn = random.uniform();
     const double most = size * (0.2 + 0.8 * drawn * drawn);
     const double phase = random.uniform(0, 2 * kPi), count = 5 + random.below(6);
@@ -104,17 +105,18 @@ struct Lichen {
     const double wave = maths::sin(count * turn / 2 + phase);
     const double bulge = 1 - lobes * (1 - 2 * wave * wave + wave * wave * wave * wave);
     const double ragged =
-        RandomStream(key.at("rim").at(place_of(n.position[cell]))).uniform(-0.3, 0.3) * n.spacing;
+        RandomStream(key.at("rim").at(position_key(n.position[cell]))).uniform(-0.3, 0.3) *
+        n.spacing;
     const double grown = most * (1 - maths::exp(-speed * (age + 1) / most));
     return static_cast<float>(grown * bulge * static_cast<double>(thrive) + ragged - far);
   }
   Vec3f shade(const Network& n, int32_t colony, uint32_t cell, RandomKey key) const {
-    const uint64_t seed = place_of(n.position[static_cast<size_t>(colony - 1)]);
+    const uint64_t seed = position_key(n.position[static_cast<size_t>(colony - 1)]);
     RandomStream random(key.at("color").at(seed));
     const Vec3d& taken = colors[random.below(static_cast<uint32_t>(colors.size()))];
     const double tone = random.uniform(0.85, 1.15);
     const double grain =
-        RandomStream(key.at("grain").at(place_of(n.position[cell]))).uniform(0.88, 1.12);
+        RandomStream(key.at("grain").at(position_key(n.position[cell]))).uniform(0.88, 1.12);
     return Vec3f(taken * (tone * grain));
   }
 };

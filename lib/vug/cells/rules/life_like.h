@@ -31,33 +31,33 @@ struct LifeLike {
 
  private:
   struct Counted {
-    Writing<int32_t> alive;
+    AttributeWriter<int32_t> alive;
     uint32_t both;  ///< Bits for the dead, then, from 16 on, for the living.
 
     void set(uint32_t i, uint32_t living) const {
       const uint32_t own = static_cast<uint32_t>(alive[i] & 1) << 4;
       alive.set(i, static_cast<int32_t>(both >> (own + living) & 1));
     }
-    template <class Near>
-    uint32_t count(const Near& near, uint32_t i, uint32_t& living) const {
-      return near.each(i, [&](uint32_t n) {
+    template <class Neighbourhood>
+    uint32_t count(const Neighbourhood& neighbours, uint32_t i, uint32_t& living) const {
+      return neighbours.each(i, [&](uint32_t n) {
         living += static_cast<uint32_t>(alive[n] & 1);
         one_by_one(living);
       });
     }
-    template <class Near>
-    void operator()(const Near& near, uint32_t i) const {
+    template <class Neighbourhood>
+    void operator()(const Neighbourhood& neighbours, uint32_t i) const {
       uint32_t living = 0;
-      count(near, i, living);
+      count(neighbours, i, living);
       set(i, living);
     }
   };
   /// As if there were eight neighbours.
   struct Scaled : Counted {
-    template <class Near>
-    void operator()(const Near& near, uint32_t i) const {
+    template <class Neighbourhood>
+    void operator()(const Neighbourhood& neighbours, uint32_t i) const {
       uint32_t living = 0;
-      const uint32_t k = this->count(near, i, living);
+      const uint32_t k = this->count(neighbours, i, living);
       this->set(i, k > 0 ? (8 * living + k / 2) / k : 0);
     }
   };

@@ -21,9 +21,9 @@ struct Melting {
   void step(Pass& pass) const {
     const auto p = pass.writes_positions();
     const auto n = pass.writes_normals();
-    pass.run([=, way = static_cast<float>(rate)](const auto& near, uint32_t i) {
+    pass.run([=, way = static_cast<float>(rate)](const auto& neighbours, uint32_t i) {
       Vec3f place = p[i], facing = n[i];
-      const uint32_t k = near.each(i, [&](uint32_t j) { place += p[j], facing += n[j]; });
+      const uint32_t k = neighbours.each(i, [&](uint32_t j) { place += p[j], facing += n[j]; });
       const float one = 1 / static_cast<float>(k + 1);
       p.set(i, p[i] + (place * one - p[i]) * way);
       const Vec3f turned = n[i] + (facing * one - n[i]) * way;

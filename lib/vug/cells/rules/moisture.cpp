@@ -1,5 +1,5 @@
+#include <vug/cells/diffusion.h>
 #include <vug/cells/rule.h>
-#include <vug/cells/seep.h>
 
 namespace vug::cells {
 namespace {
@@ -20,22 +20,23 @@ struct Moisture {
         .cite("hall2002")
         .param("reach", &Moisture::reach,
                positive_length("way from the wet on which moisture falls to 37%"));
-    describe_seep(s);
+    describe_diffusion(s);
   }
 
   void step(Pass& pass) const {
     const Network& network = pass.network();
-    const Seep seep(creep, network.spacing);
+    const DiffusionSteps seep(creep, network.spacing);
     const auto given = static_cast<float>(seep.share / network.full);
     const double steps = network.spacing / (2 * reach);
     const auto dries = static_cast<float>(std::min(seep.share * steps * steps, 1 - seep.share));
-    const Given water = pass.given(from, 0), open = pass.given("exposure", 1);
+    const OptionalReader water = pass.reads_optional(from, 0),
+                         open = pass.reads_optional("exposure", 1);
     const auto wets = static_cast<float>(1 / full);
     for (int round = 0; round < seep.rounds; ++round) {
       const auto m = pass.writes<float>("moisture");
-      pass.run([=](const auto& near, uint32_t i) {
+      pass.run([=](const auto& neighbours, uint32_t i) {
         float sum = 0;
-        const auto links = static_cast<float>(near.each(i, [&](uint32_t n) { sum += m[n]; }));
+        const auto links = static_cast<float>(neighbours.each(i, [&](uint32_t n) { sum += m[n]; }));
         const float left = m[i] + given * (sum - links * m[i]) - dries * open[i] * m[i];
         m.set(i, std::max(left, std::min(1.0f, wets * water[i])));
       });

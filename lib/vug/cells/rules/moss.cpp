@@ -42,15 +42,16 @@ struct Moss {
     const Network& network = pass.network();
     const auto moss = pass.writes<float>("moss"), height = pass.writes<float>("height");
     const auto color = pass.writes<Vec3f>("Cd");
-    const Given moist = pass.given("moisture", 1), lit = pass.given("light", 1);
+    const OptionalReader moist = pass.reads_optional("moisture", 1),
+                         lit = pass.reads_optional("light", 1);
     const double chance = std::min(1.0, speed / network.spacing);
     const auto closes = static_cast<float>(1 - maths::exp(-1 / ripe));
     const auto thick = static_cast<float>(thickness);
     const auto begins = [&](uint32_t i) {
       return pass.step() == 0 && is_seed(network, i, seeds, pass.key().at("seeds"));
     };
-    pass.run([&](const auto& near, uint32_t i) {
-      const float thrive = thrives(moist[i], moisture) * thrives(lit[i], light);
+    pass.run([&](const auto& neighbours, uint32_t i) {
+      const float thrive = growth_response(moist[i], moisture) * growth_response(lit[i], light);
       float grown = moss[i];
       Vec3f shade = color[i];
       if (grown > 0) {
@@ -59,7 +60,7 @@ struct Moss {
         uint32_t first = i;
         float oldest = 0;
         int around = 0;
-        near.each(i, [&](uint32_t n) {
+        neighbours.each(i, [&](uint32_t n) {
           around += moss[n] > 0;
           if (moss[n] > oldest) oldest = moss[n], first = n;
         });
@@ -68,7 +69,7 @@ struct Moss {
         const double odds = chance * static_cast<double>(thrive) * 2 * around / network.full;
         if (begins(i)) {
           grown = closes;
-          shade = drawn(pass.key().at("color").at(place_of(network.position[i])));
+          shade = drawn(pass.key().at("color").at(position_key(network.position[i])));
         } else if (around > 0 && random.uniform() < odds) {
           grown = closes * thrive;
           shade = color[first] * static_cast<float>(random.uniform(0.94, 1.06));

@@ -1,11 +1,11 @@
-#include <vug/cells/chance.h>
 #include <vug/cells/rule.h>
+#include <vug/cells/selection.h>
 
 namespace vug::cells {
 namespace {
 
-struct RandomColor : Chance {
-  static constexpr bool kOnce = true;
+struct RandomColor : CellSelection {
+  static constexpr bool kSingleStep = true;
   Vec3d from{0};
   Vec3d to{1};
   bool gradient = false;
@@ -20,7 +20,7 @@ struct RandomColor : Chance {
         .param("to", &RandomColor::to, {.doc = "the most of each channel", .min = 0, .max = 1})
         .param("gradient", &RandomColor::gradient,
                {.doc = "one draw for all channels: colours on the line between both"});
-    describe_chance(s);
+    describe_selection(s);
   }
 
   void step(Pass& pass) const {

@@ -50,22 +50,22 @@ struct RunOff {
     pass.writes<float>("stain"), pass.writes<float>("lost");
     const double spacing = pass.network().spacing;
     const Flow flow(pass, pass.key().at("wander"), {gather, wander, cling});
-    const Given source = pass.given("source", 1);
+    const OptionalReader source = pass.reads_optional("source", 1);
     const auto rain = static_cast<float>(spacing);
     const auto kept = static_cast<float>(maths::exp(-spacing / dry));
     const auto carried = static_cast<float>(maths::exp(-spacing / settle));
     const auto tint = static_cast<float>(strength / speed);
-    for (int turn = moves(speed, spacing, pass.step()); turn > 0; --turn) {
+    for (int turn = moves_in_step(speed, spacing, pass.step()); turn > 0; --turn) {
       const auto water = pass.writes<float>("water");
       const auto load = pass.writes<float>("load");
       const auto stain = pass.writes<float>("stain");
       const auto lost = pass.writes<float>("lost");
       pass.run([&](const auto&, uint32_t i) {
         const float enters = rain * source[i];
-        water.set(i, enters + flow.into([&](uint32_t n) { return kept * water[n]; }, i));
-        load.set(i, enters + flow.into([&](uint32_t n) { return carried * load[n]; }, i));
+        water.set(i, enters + flow.inflow([&](uint32_t n) { return kept * water[n]; }, i));
+        load.set(i, enters + flow.inflow([&](uint32_t n) { return carried * load[n]; }, i));
         stain.set(i, stain[i] + tint * (1 - carried) * load[i]);
-        lost.set(i, lost[i] + (flow.ends(i) ? water[i] : (1 - kept) * water[i]));
+        lost.set(i, lost[i] + (flow.is_sink(i) ? water[i] : (1 - kept) * water[i]));
       });
     }
   }

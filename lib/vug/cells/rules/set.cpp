@@ -7,7 +7,7 @@ namespace vug::cells {
 namespace {
 
 struct Set {
-  static constexpr bool kOnce = true;
+  static constexpr bool kSingleStep = true;
   std::string attribute;
   paint::Mask to;
 
@@ -18,12 +18,12 @@ struct Set {
         .param("attribute", &Set::attribute, {.doc = "its name", .required = true})
         .param("to", &Set::to, {.doc = "what it becomes", .required = true});
   }
-  paint::Uses looks() const { return to->uses(); }
+  paint::AttributeUses mask_attributes() const { return to->uses(); }
 
   void step(Pass& pass) const {
     const auto number = pass.writes<float>(attribute);
     pass.run([&](const auto&, uint32_t i) {
-      const auto value = static_cast<float>(pass.ask(to, i));
+      const auto value = static_cast<float>(pass.evaluate(to, i));
       number.set(i, std::isfinite(value) ? value : 0);
     });
   }

@@ -4,7 +4,7 @@ namespace vug::cells {
 namespace {
 
 struct Sleep {
-  static constexpr bool kOnce = true;
+  static constexpr bool kSingleStep = true;
   static void describe(Schema<Sleep>& s) {
     s.doc("Cells fall asleep: they keep what they have, are not seen by others and cost nothing.")
         .cite("gobron2006");
@@ -12,7 +12,7 @@ struct Sleep {
 
   void step(Pass& pass) const {
     const auto state = pass.writes_states();
-    pass.run([=](const auto&, uint32_t i) { state.set(i, State::sleeping); });
+    pass.run([=](const auto&, uint32_t i) { state.set(i, CellState::sleeping); });
   }
 };
 

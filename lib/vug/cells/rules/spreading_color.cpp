@@ -12,10 +12,10 @@ struct SpreadingColor {
 
   void step(Pass& pass) const {
     const auto color = pass.writes<Vec3f>("Cd");
-    pass.run([=](const auto& near, uint32_t i) {
+    pass.run([=](const auto& neighbours, uint32_t i) {
       Vec3f sum = color[i];
       int colored = 0;
-      near.each(i, [&](uint32_t n) {
+      neighbours.each(i, [&](uint32_t n) {
         sum += color[n];
         colored += color[n] != Vec3f(0);
       });

@@ -1,14 +1,14 @@
-#include <vug/cells/chance.h>
 #include <vug/cells/rule.h>
+#include <vug/cells/selection.h>
 
 #include <algorithm>
 
 namespace vug::cells {
 namespace {
 
-struct Sprinkle : Chance {
-  static constexpr bool kOnce = true;
-  Sprinkle() : Chance{0.5, 0} {}
+struct Sprinkle : CellSelection {
+  static constexpr bool kSingleStep = true;
+  Sprinkle() : CellSelection{0.5, 0} {}
 
   std::string attribute;
   double value = 1;
@@ -24,7 +24,7 @@ struct Sprinkle : Chance {
                 .dimension = Dimension::length,
                 .min = 0})
         .param("whole", &Sprinkle::whole, {.doc = "the attribute holds whole numbers"});
-    describe_chance(s);
+    describe_selection(s);
   }
 
   void step(Pass& pass) const { whole ? set<int32_t>(pass) : set<float>(pass); }

@@ -18,11 +18,11 @@ struct Voronoi {
   void step(Pass& pass) const {
     const auto color = pass.writes<Vec3f>("Cd");
     const auto seed = pass.writes<int32_t>("seed");
-    pass.run([=](const auto& near, uint32_t i) {
+    pass.run([=](const auto& neighbours, uint32_t i) {
       int32_t first = seed[i];
       Vec3f taken = color[i];
       if (first == 0)
-        near.each(i, [&](uint32_t n) {
+        neighbours.each(i, [&](uint32_t n) {
           if (seed[n] != 0 && (first == 0 || seed[n] < first)) first = seed[n], taken = color[n];
         });
       color.set(i, taken);

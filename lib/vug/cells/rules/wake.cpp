@@ -4,14 +4,14 @@ namespace vug::cells {
 namespace {
 
 struct Wake {
-  static constexpr bool kOnce = true;
+  static constexpr bool kSingleStep = true;
   static void describe(Schema<Wake>& s) {
     s.doc("All cells become active, whatever they were.").cite("gobron2006");
   }
 
   void step(Pass& pass) const {
     const auto state = pass.writes_states();
-    pass.run_everywhere([=](const auto&, uint32_t i) { state.set(i, State::active); });
+    pass.run_everywhere([=](const auto&, uint32_t i) { state.set(i, CellState::active); });
   }
 };
 

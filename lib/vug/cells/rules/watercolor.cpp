@@ -19,10 +19,11 @@ struct Watercolor {
   void step(Pass& pass) const {
     const auto wet = pass.writes<float>("wetness");
     const auto pigment = pass.writes<Vec3f>("Cd");
-    pass.run([=, dried = static_cast<float>(loss)](const auto& near, uint32_t i) {
+    pass.run([=, dried = static_cast<float>(loss)](const auto& neighbours, uint32_t i) {
       float water = wet[i];
       Vec3f around(0);
-      const uint32_t k = near.each(i, [&](uint32_t n) { water += wet[n], around += pigment[n]; });
+      const uint32_t k =
+          neighbours.each(i, [&](uint32_t n) { water += wet[n], around += pigment[n]; });
       wet.set(i, std::max(0.0f, water / static_cast<float>(k + 1) - dried));
       const float share = k > 0 ? std::min(1.0f, wet[i]) : 0;
       const Vec3f mean = around / static_cast<float>(std::max(k, 1u));

@@ -6,8 +6,8 @@
 #include <vug/exchange/gltf_extras.h>
 #include <vug/exchange/gltf_material.h>
 #include <vug/exchange/names.h>
-#include <vug/exchange/place.h>
 #include <vug/exchange/sky.h>
+#include <vug/exchange/trs.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,7 +41,7 @@ class Writer {
 
   void add_groups(Progress& progress) {
     progress.begin("glTF", assembly_.groups.size());
-    for (const Group& group : assembly_.groups) {
+    for (const InstanceGroup& group : assembly_.groups) {
       progress.check();
       add_group(group);
       progress.advance();
@@ -51,15 +51,15 @@ class Writer {
   void add_cameras() {
     for (const Camera& camera : assembly_.cameras) add_camera(camera);
   }
-  void add_lamps() {
-    for (const Lamp& lamp : assembly_.lamps) add_lamp(lamp);
+  void add_lights() {
+    for (const Light& light : assembly_.lights) add_light(light);
   }
 
   void add_volumes() {
     for (const Volume& volume : assembly_.volumes) volumes_.push_back(gltf_volume(volume));
   }
 
-  Written save() {
+  WriteReport save() {
     Value::Object extras;
     if (!skies_.empty()) extras.emplace("vug:skies", Value(skies_));
     if (!volumes_.empty()) extras.emplace("vug:volumes", Value(volumes_));
@@ -74,7 +74,7 @@ class Writer {
                   fmt::format("cannot write '{}': {}", file_.string(), std::strerror(errno)));
     target.commit();
     files_.insert(files_.begin(), file_);
-    return {files_, left_out_, notes_};
+    return {files_, unsupported_, notes_};
   }
 
  private:
@@ -90,74 +90,76 @@ class Writer {
     model_.nodes.push_back(std::move(node));
     model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()) - 1);
   }
-  tinygltf::Node node(const std::string& name, const Placement& at) const {
+  tinygltf::Node node(const std::string& name, const TrsTransform& at) const {
     tinygltf::Node node;
     node.name = name;
-    if (at.move != Vec3d(0.0)) node.translation = {at.move.x, at.move.y, at.move.z};
-    if (at.turn != Placement().turn) node.rotation = {at.turn.begin(), at.turn.end()};
+    if (at.translation != Vec3d(0.0))
+      node.translation = {at.translation.x, at.translation.y, at.translation.z};
+    if (at.rotation != TrsTransform().rotation)
+      node.rotation = {at.rotation.begin(), at.rotation.end()};
     if (at.scale != Vec3d(1.0)) node.scale = {at.scale.x, at.scale.y, at.scale.z};
     return node;
   }
 
-  int material_of(const Part& part) {
+  int material_of(const Prototype& prototype) {
     tinygltf::Material made = gltf_material(part, options_.emission_scale.value_or(kLumenPerWatt));
     for (const auto& [name, value] : made.extensions) use(name);
-    if (part.look.through != Vec3d(0.0))
-      in_extras(fmt::format("the light that comes through '{}'", part.name));
+    if (prototype.look.through != Vec3d(0.0))
+      in_extras(fmt::format("the light that comes through '{}'", prototype.name));
     const auto same = std::find(model_.materials.begin(), model_.materials.end(), made);
     if (same != model_.materials.end()) return static_cast<int>(same - model_.materials.begin());
     model_.materials.push_back(std::move(made));
     return static_cast<int>(model_.materials.size()) - 1;
   }
-  int add_mesh(const Part& part) {
-    model_.meshes.push_back(gltf_mesh(part, material_of(part), buffer_, left_out_));
+  int add_mesh(const Prototype& prototype) {
+    model_.meshes.push_back(gltf_mesh(part, material_of(part), buffer_, unsupported_));
     return static_cast<int>(model_.meshes.size()) - 1;
   }
   int mesh_of(size_t part) {
     const auto known = meshes_.find(part);
     if (known != meshes_.end()) return known->second;
-    return meshes_[part] = add_mesh(assembly_.parts.at(part));
+    return meshes_[part] = add_mesh(assembly_.prototypes.at(part));
   }
   /// The part where a map that shears takes it, which no node can say.
-  int sheared_mesh(const Part& part, const Transform& place) {
-    Part moved = part;
-    moved.mesh = std::make_shared<const mesh::Mesh>(placed(*part.mesh, place));
+  int sheared_mesh(const Prototype& prototype, const Transform& place) {
+    Prototype moved = part;
+    moved.mesh = std::make_shared<const mesh::Mesh>(transformed(*prototype.mesh, place));
     return add_mesh(moved);
   }
 
-  void add_group(const Group& group) {
-    const Part& part = assembly_.parts.at(group.part);
-    if (part.mesh->triangles.empty()) {
-      left_out_.push_back(fmt::format("'{}', whose mesh is empty", group.name));
+  void add_group(const InstanceGroup& group) {
+    const Prototype& prototype = assembly_.prototypes.at(group.prototype);
+    if (prototype.mesh->triangles.empty()) {
+      unsupported_.push_back(fmt::format("'{}', whose mesh is empty", group.name));
       return;
     }
     const bool many = group.places.size() > 1;
-    std::vector<Placement> together;
+    std::vector<TrsTransform> together;
     for (size_t i = 0; i < group.places.size(); ++i) {
-      const auto parts = placement(group.places[i]);
+      const auto parts = decompose_trs(group.places[i]);
       if (parts && many && options_.instancing) {
         together.push_back(*parts);
         continue;
       }
       tinygltf::Node one = node(many ? fmt::format("{}.{}", group.name, i + 1) : group.name,
-                                parts.value_or(Placement()));
-      one.mesh = parts ? mesh_of(group.part) : sheared_mesh(part, group.places[i]);
+                                parts.value_or(TrsTransform()));
+      one.mesh = parts ? mesh_of(group.prototype) : sheared_mesh(part, group.places[i]);
       stand(std::move(one));
     }
     if (!together.empty()) add_instances(group, together);
   }
-  void add_instances(const Group& group, const std::vector<Placement>& places) {
+  void add_instances(const InstanceGroup& group, const std::vector<TrsTransform>& places) {
     std::vector<float> moves, turns, scales;
-    for (const Placement& each : places) {
-      for (int i = 0; i < 3; ++i) moves.push_back(static_cast<float>(each.move[i]));
+    for (const TrsTransform& each : places) {
+      for (int i = 0; i < 3; ++i) moves.push_back(static_cast<float>(each.translation[i]));
       for (int i = 0; i < 3; ++i) scales.push_back(static_cast<float>(each.scale[i]));
-      for (const double part : each.turn) turns.push_back(static_cast<float>(part));
+      for (const double part : each.rotation) turns.push_back(static_cast<float>(part));
     }
     const auto accessor = [&](const std::vector<float>& values, int arity) {
       return Value(buffer_.floats(values.data(), places.size(), arity, false, 0));
     };
     tinygltf::Node all = node(group.name, {});
-    all.mesh = mesh_of(group.part);
+    all.mesh = mesh_of(group.prototype);
     all.extensions["EXT_mesh_gpu_instancing"] =
         Value(Value::Object{{"attributes", Value(Value::Object{{"TRANSLATION", accessor(moves, 3)},
                                                                {"ROTATION", accessor(turns, 4)},
@@ -192,13 +194,13 @@ class Writer {
     }
     if (!extras.empty()) made.extras = Value(extras);
     model_.cameras.push_back(std::move(made));
-    tinygltf::Node at = node(camera.name, placement(camera.place).value_or(Placement()));
+    tinygltf::Node at = node(camera.name, decompose_trs(camera.place).value_or(TrsTransform()));
     at.camera = static_cast<int>(model_.cameras.size()) - 1;
     stand(std::move(at));
   }
 
   /// Skies share a file's stem, so a scene's second has another name.
-  void add_sky(const Lamp& dome) {
+  void add_sky(const Light& dome) {
     const std::string name = names_.unique(dome.name);
     const bool there = !options_.pictures_of.empty();
     const auto picture =
@@ -208,48 +210,48 @@ class Writer {
     in_extras(fmt::format("the sky '{}'", dome.name));
   }
 
-  void add_lamp(const Lamp& lamp) {
-    using Shape = Lamp::Shape;
-    if (lamp.shape == Shape::dome) return add_sky(lamp);
+  void add_light(const Light& light) {
+    using Shape = Light::Shape;
+    if (light.shape == Shape::dome) return add_sky(light);
     tinygltf::Light made;
-    made.name = lamp.name;
-    const Vec3d watts = strength(lamp);
+    made.name = light.name;
+    const Vec3d watts = peak_intensity(light);
     const double most = std::max({watts.x, watts.y, watts.z});
     made.intensity = most * kLumenPerWatt;
     const Vec3d color = most > 0 ? watts / most : Vec3d(1.0);
     made.color = {color.x, color.y, color.z};
-    made.type = lamp.shape == Shape::sun      ? "directional"
-                : lamp.shape == Shape::sphere ? "point"
-                                              : "spot";
-    Value::Object shape = {{"vug:radiance", gltf_value(lamp.radiance)}};
-    if (lamp.shape == Shape::spot) {
-      const double outer = std::min(0.5 * lamp.angle, 0.5 * kPi);
+    made.type = light.shape == Shape::sun      ? "directional"
+                : light.shape == Shape::sphere ? "point"
+                                               : "spot";
+    Value::Object shape = {{"vug:radiance", gltf_value(light.radiance)}};
+    if (light.shape == Shape::spot) {
+      const double outer = std::min(0.5 * light.angle, 0.5 * kPi);
       made.spot.outerConeAngle = outer;
-      made.spot.innerConeAngle = std::min(outer * (1 - lamp.edge), outer * (1 - 1e-6));
-      if (lamp.angle > kPi)
-        left_out_.push_back(fmt::format(
-            "what the light '{}' sends out behind it: a cone ends at 180 degrees", lamp.name));
+      made.spot.innerConeAngle = std::min(outer * (1 - light.edge), outer * (1 - 1e-6));
+      if (light.angle > kPi)
+        unsupported_.push_back(fmt::format(
+            "what the light '{}' sends out behind it: a cone ends at 180 degrees", light.name));
     }
-    if (lamp.shape == Shape::rectangle || lamp.shape == Shape::disk) {
+    if (light.shape == Shape::rectangle || light.shape == Shape::disk) {
       made.spot.outerConeAngle = 0.5 * kPi;
       made.spot.innerConeAngle = 0;
-      in_extras(fmt::format("the size of the light '{}', which is a spot to others", lamp.name));
+      in_extras(fmt::format("the size of the light '{}', which is a spot to others", light.name));
     }
-    if (lamp.shape == Shape::rectangle) {
-      shape.emplace("vug:width", Value(lamp.width));
-      shape.emplace("vug:height", Value(lamp.height));
-    } else if (lamp.shape == Shape::sun) {
-      shape.emplace("vug:angle", Value(lamp.angle));
+    if (light.shape == Shape::rectangle) {
+      shape.emplace("vug:width", Value(light.width));
+      shape.emplace("vug:height", Value(light.height));
+    } else if (light.shape == Shape::sun) {
+      shape.emplace("vug:angle", Value(light.angle));
     } else {
-      shape.emplace("vug:radius", Value(lamp.radius));
+      shape.emplace("vug:radius", Value(light.radius));
     }
-    if (!lamp.profile.empty())
-      left_out_.push_back(
-          fmt::format("the measured profile of the light '{}', which shines evenly", lamp.name));
+    if (!light.profile.empty())
+      unsupported_.push_back(
+          fmt::format("the measured profile of the light '{}', which shines evenly", light.name));
     made.extras = Value(shape);
     model_.lights.push_back(std::move(made));
     use("KHR_lights_punctual");
-    tinygltf::Node at = node(lamp.name, placement(lamp.place).value_or(Placement()));
+    tinygltf::Node at = node(light.name, decompose_trs(light.place).value_or(TrsTransform()));
     at.extensions["KHR_lights_punctual"] =
         Value(Value::Object{{"light", Value(static_cast<int>(model_.lights.size()) - 1)}});
     stand(std::move(at));
@@ -261,18 +263,18 @@ class Writer {
   tinygltf::Model model_;
   GltfBuffer buffer_;
   std::map<size_t, int> meshes_;
-  Names names_;  ///< Of pictures of skies.
+  UniqueNames names_;  ///< Of pictures of skies.
   Value::Array skies_, volumes_;
   std::vector<std::filesystem::path> files_;  ///< Beside the scene's.
-  std::vector<std::string> left_out_, notes_;
+  std::vector<std::string> unsupported_, notes_;
 };
 
-Written write_glb(const Assembly& assembly, const std::filesystem::path& file,
-                  const FormatOptions& options, Progress& progress) {
+WriteReport write_glb(const Assembly& assembly, const std::filesystem::path& file,
+                      const FormatOptions& options, Progress& progress) {
   Writer writer(assembly, file, options);
   writer.add_groups(progress);
   writer.add_cameras();
-  writer.add_lamps();
+  writer.add_lights();
   writer.add_volumes();
   return writer.save();
 }

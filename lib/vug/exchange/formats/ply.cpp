@@ -9,5 +9,5 @@ VUG_EXCHANGE_FORMAT(ply) {
           std::nullopt,
           false,
           write_flat_mesh,
-          read_flat_texts};
+          read_flat_metadata};
 }

@@ -2,9 +2,9 @@
 #include <vug/base/atomic_file.h>
 #include <vug/exchange/format.h>
 #include <vug/exchange/names.h>
-#include <vug/exchange/place.h>
 #include <vug/exchange/sky.h>
-#include <vug/exchange/usd_lamp.h>
+#include <vug/exchange/trs.h>
+#include <vug/exchange/usd_light.h>
 #include <vug/exchange/usd_mesh.h>
 #include <vug/mesh/file.h>
 
@@ -19,7 +19,7 @@ namespace {
 class Writer {
  public:
   Writer(const Assembly& assembly, const FormatOptions& options, UsdText& out,
-         std::filesystem::path file, Written& written)
+         std::filesystem::path file, WriteReport& written)
       : assembly_(assembly),
         options_(options),
         out_(out),
@@ -32,7 +32,7 @@ class Writer {
     out_.def("Xform", root_, {"kind = \"assembly\""});
     materials();
     progress.begin("USD", assembly_.groups.size());
-    for (const Group& group : assembly_.groups) {
+    for (const InstanceGroup& group : assembly_.groups) {
       progress.check();
       add(group);
       progress.advance();
@@ -41,7 +41,7 @@ class Writer {
     for (const Volume& volume : assembly_.volumes) add(volume);
     for (const Camera& camera : assembly_.cameras)
       write_usd_camera(out_, camera, names_.unique(camera.name), assembly_.space.metres_per_unit);
-    for (const Lamp& lamp : assembly_.lamps) add(lamp);
+    for (const Light& light : assembly_.lights) add(light);
     out_.end();
     out_.finish();
   }
@@ -62,16 +62,17 @@ class Writer {
   void materials() {
     names_.unique("materials");
     out_.def("Scope", "materials");
-    Names names;
-    for (size_t i = 0; i < assembly_.parts.size(); ++i) {
-      const Part& part = assembly_.parts[i];
-      if (part.look.through != Vec3d(0.0))
-        written_.left_out.push_back(fmt::format("the light that comes through '{}'", part.name));
+    UniqueNames names;
+    for (size_t i = 0; i < assembly_.prototypes.size(); ++i) {
+      const Prototype& prototype = assembly_.prototypes[i];
+      if (prototype.look.through != Vec3d(0.0))
+        written_.unsupported.push_back(
+            fmt::format("the light that comes through '{}'", prototype.name));
       std::string& path = material_[i];
       for (size_t j = 0; j < i && path.empty(); ++j)
-        if (same_usd_material(assembly_.parts[j], part)) path = material_[j];
+        if (same_usd_material(assembly_.prototypes[j], part)) path = material_[j];
       if (!path.empty()) continue;
-      const std::string name = names.unique(part.material);
+      const std::string name = names.unique(prototype.material);
       path = fmt::format("/{}/materials/{}", root_, name);
       write_usd_material(out_, part, path, name);
     }
@@ -81,37 +82,37 @@ class Writer {
   /// A mesh that stands at that path, or one that refers to where it stands already.
   void mesh(size_t part, const std::string& parent, const std::string& name) {
     const auto [known, fresh] = meshes_.try_emplace(part, parent + "/" + name);
-    if (fresh) return write_usd_mesh(out_, assembly_.parts[part], name, material_.at(part));
-    out_.def(usd_mesh_type(assembly_.parts[part]), name,
+    if (fresh) return write_usd_mesh(out_, assembly_.prototypes[part], name, material_.at(part));
+    out_.def(usd_mesh_type(assembly_.prototypes[part]), name,
              {fmt::format("prepend references = <{}>", known->second)})
         .end();
   }
 
-  void add(const Group& group) {
-    std::vector<Placement> places;
+  void add(const InstanceGroup& group) {
+    std::vector<TrsTransform> places;
     std::vector<Transform> alone;
     const bool many = group.places.size() > 1 && options_.instancing;
     for (const Transform& place : group.places) {
-      const auto parts = many ? placement(place) : std::nullopt;
+      const auto parts = many ? decompose_trs(place) : std::nullopt;
       parts ? places.push_back(*parts) : alone.push_back(place);
     }
     for (const Transform& place : alone) {
       const std::string name = names_.unique(group.name);
       out_.def("Xform", name);
-      mesh(group.part, fmt::format("/{}/{}", root_, name), "mesh");
+      mesh(group.prototype, fmt::format("/{}/{}", root_, name), "mesh");
       out_.place(place).end();
     }
     if (!places.empty()) add_instances(group, places);
   }
 
-  void add_instances(const Group& group, const std::vector<Placement>& places) {
+  void add_instances(const InstanceGroup& group, const std::vector<TrsTransform>& places) {
     const std::string name = names_.unique(group.name);
     const std::string path = fmt::format("/{}/{}", root_, name);
     std::vector<float> moves, turns, scales;
-    for (const Placement& each : places) {
-      for (int i = 0; i < 3; ++i) moves.push_back(static_cast<float>(each.move[i]));
+    for (const TrsTransform& each : places) {
+      for (int i = 0; i < 3; ++i) moves.push_back(static_cast<float>(each.translation[i]));
       for (int i = 0; i < 3; ++i) scales.push_back(static_cast<float>(each.scale[i]));
-      for (const size_t i : {3u, 0u, 1u, 2u}) turns.push_back(static_cast<float>(each.turn[i]));
+      for (const size_t i : {3u, 0u, 1u, 2u}) turns.push_back(static_cast<float>(each.rotation[i]));
     }
     const std::vector<int> first(places.size(), 0);
     out_.def("PointInstancer", name);
@@ -124,12 +125,12 @@ class Writer {
     out_.array("quatf", "orientationsf", turns.data(), places.size(), 4);
     out_.array("float3", "scales", scales.data(), places.size(), 3);
     out_.def("Scope", "Prototypes");
-    mesh(group.part, path + "/Prototypes", "mesh");
+    mesh(group.prototype, path + "/Prototypes", "mesh");
     out_.end().end();
   }
 
-  Box3d box_of(const Group& group) const {
-    const Box3d own = mesh::bounds(*assembly_.parts.at(group.part).mesh);
+  Box3d box_of(const InstanceGroup& group) const {
+    const Box3d own = mesh::bounds(*assembly_.prototypes.at(group.prototype).mesh);
     Box3d all;
     if (!own.isEmpty())
       for (const Transform& place : group.places) all.extendBy(place.box(own));
@@ -142,12 +143,12 @@ class Writer {
     if (!volume.bounds.isEmpty())
       out_.line("float3[] extent = [{}, {}]", usd_tuple(volume.bounds.min),
                 usd_tuple(volume.bounds.max));
-    if (volume.cloud) {
-      out_.line("custom double vug:extinction = {}", volume.cloud->extinction);
-      out_.line("custom color3f vug:albedo = {}", usd_tuple(volume.cloud->albedo));
-      out_.line("custom double vug:forward = {}", volume.cloud->forward);
-      out_.line("custom color3f vug:emission = {}", usd_tuple(volume.cloud->emission));
-      out_.line("custom double vug:heat = {}", volume.cloud->heat);
+    if (volume.medium) {
+      out_.line("custom double vug:extinction = {}", volume.medium->extinction);
+      out_.line("custom color3f vug:albedo = {}", usd_tuple(volume.medium->albedo));
+      out_.line("custom double vug:forward = {}", volume.medium->forward);
+      out_.line("custom color3f vug:emission = {}", usd_tuple(volume.medium->emission));
+      out_.line("custom double vug:heat = {}", volume.medium->heat);
     }
     for (const VolumeGrid& grid : volume.grids)
       out_.line("rel field:{} = </{}/{}/{}>", identifier(grid.name), root_, name,
@@ -166,29 +167,29 @@ class Writer {
     out_.end();
   }
 
-  void add(const Lamp& lamp) {
-    const std::string name = names_.unique(lamp.name);
+  void add(const Light& light) {
+    const std::string name = names_.unique(light.name);
     std::string picture;
-    if (const auto beside = write_sky(lamp, file_, name)) {
+    if (const auto beside = write_sky(light, file_, name)) {
       written_.files.push_back(*beside);
       picture = "./" + beside->filename().string();
     }
-    write_usd_lamp(out_, lamp, name, picture);
+    write_usd_light(out_, light, name, picture);
   }
 
   const Assembly& assembly_;
   const FormatOptions& options_;
   UsdText& out_;
   std::filesystem::path file_;
-  Written& written_;
+  WriteReport& written_;
   std::string root_;
-  Names names_;
+  UniqueNames names_;
   std::map<size_t, std::string> meshes_, material_;
 };
 
-Written write_usda(const Assembly& assembly, const std::filesystem::path& file,
-                   const FormatOptions& options, Progress& progress) {
-  Written written{{file}, {}};
+WriteReport write_usda(const Assembly& assembly, const std::filesystem::path& file,
+                       const FormatOptions& options, Progress& progress) {
+  WriteReport written{{file}, {}};
   mesh::write_file(file, [&](const mesh::ByteSink& sink) {
     UsdText text(sink);
     Writer(assembly, options, text, file, written).write(progress);

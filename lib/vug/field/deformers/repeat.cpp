@@ -60,10 +60,12 @@ struct Row {
   double position(double number) const { return start + number * spacing; }
 };
 
-class RepeatNode final : public Readings<RepeatNode> {
+class RepeatNode final : public EvaluationModes<RepeatNode> {
  public:
   RepeatNode(Traits traits, NodePtr child, const Row (&rows)[3])
-      : Readings(std::move(traits)), child_(std::move(child)), rows_{rows[0], rows[1], rows[2]} {}
+      : EvaluationModes(std::move(traits)),
+        child_(std::move(child)),
+        rows_{rows[0], rows[1], rows[2]} {}
 
   template <class T>
   T at(const Point<T>& p) const {
@@ -148,7 +150,7 @@ Field repeated(const Repeat& repeat) {
   Traits traits = child;
   // The union of exact fields is exact outside; values of other fields may jump.
   traits.exactness = child.exactness == Exactness::exact ? Exactness::bound : Exactness::sign;
-  traits.growth = child.grows();
+  traits.growth = child.growth_rate();
   Row rows[3];
   for (int axis = 0; axis < 3; ++axis) {
     Row& row = rows[axis];

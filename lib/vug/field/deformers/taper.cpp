@@ -60,8 +60,9 @@ Field tapered(const Field& field, const Taper& taper) {
   const Tapering tapering{taper.from, taper.to, box.min.y, height, r, std::max(1.0, stretch)};
   const double wide = r * most;
   const Field within(std::make_shared<DeformerNode<Tapering>>("taper", tapering, field.node()));
-  return enclosed(sleeved(within, {r * taper.from, r * taper.to, box.min.y, box.min.y + height}),
-                  {{-wide, box.min.y, -wide}, {wide, box.max.y, wide}});
+  return enclosed(
+      within_hull(within, {r * taper.from, r * taper.to, box.min.y, box.min.y + height}),
+      {{-wide, box.min.y, -wide}, {wide, box.max.y, wide}});
 }
 
 }  // namespace

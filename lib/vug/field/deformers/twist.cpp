@@ -52,7 +52,7 @@ Field twisted(const Field& field, double rate) {
   const double r = radius_about_y(box), s = std::fabs(rate) * r;
   const Twisting twisting{rate, r, 0.5 * s + std::sqrt(1 + 0.25 * s * s)};
   const Field within(std::make_shared<DeformerNode<Twisting>>("twist", twisting, field.node()));
-  return enclosed(sleeved(within, {r, r, box.min.y, box.min.y + 1}),
+  return enclosed(within_hull(within, {r, r, box.min.y, box.min.y + 1}),
                   {{-r, box.min.y, -r}, {r, box.max.y, r}});
 }
 

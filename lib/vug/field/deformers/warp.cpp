@@ -50,7 +50,7 @@ class Warping {
   double scale() const { return 1; }
   Traits traits(const Traits& child) const {
     return {child.lipschitz * stretch(), Exactness::sign, grown(child.bounds, reach()),
-            child.grows()};
+            child.growth_rate()};
   }
 
  private:

@@ -22,7 +22,7 @@ struct Offset {
     out.bounds = child.bounds_below(by);
     // Outside of a grown solid distances stay true, and inside of a shrunk one: not on both sides.
     out.exactness = std::max(child.exactness, Exactness::bound);
-    out.growth = child.grows();  // the box grew by `by / growth`, so this much is left
+    out.growth = child.growth_rate();  // the box grew by `by / growth`, so this much is left
     return out;
   }
   Interval range(Interval child) const { return child - Interval(by); }

@@ -21,7 +21,7 @@ struct Shell {
     Traits out = child;
     out.bounds = child.bounds_below(0.5 * thickness);
     out.exactness = std::max(child.exactness, Exactness::bound);
-    out.growth = child.grows();
+    out.growth = child.growth_rate();
     return out;
   }
   Interval range(Interval child) const { return abs(child) - Interval(0.5 * thickness); }

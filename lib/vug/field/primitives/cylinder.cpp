@@ -29,7 +29,8 @@ struct Cylinder {
   }
   template <class T>
   T distance(const Point<T>& p) const {
-    return crossed(length(p.x, p.z) - T(radius - rounding), abs(p.y) - T(0.5 * height - rounding)) -
+    return intersect_orthogonal(length(p.x, p.z) - T(radius - rounding),
+                                abs(p.y) - T(0.5 * height - rounding)) -
            T(rounding);
   }
   Box3d bounds() const {

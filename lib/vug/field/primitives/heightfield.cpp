@@ -1,7 +1,7 @@
-// Ground under the heights of a picture: (y - H(x, z)) / sqrt(1 + s^2), where s is the steepest
+// Ground under the heights of a picture: (y - H(x, z)) / sqrt(1 + s^2), where s is the max_slope
 // slope there is, never exceeds the distance to the ground; cut to a block with four walls.
+#include <vug/field/heightmap.h>
 #include <vug/field/opaque.h>
-#include <vug/field/relief.h>
 #include <vug/image/io.h>
 
 #include <algorithm>
@@ -10,13 +10,13 @@ namespace vug::field {
 namespace {
 
 struct Ground {
-  Relief relief;
+  Heightmap heightmap;
   Vec3d size;
   double base;
-  double shrink = 1 / std::sqrt(1 + relief.steepest() * relief.steepest());
+  double shrink = 1 / std::sqrt(1 + heightmap.max_slope() * heightmap.max_slope());
 
   Gradient sample(const Vec3d& p) const {
-    const Relief::Height h = relief.at(p.x + 0.5 * size.x, p.z + 0.5 * size.z);
+    const Heightmap::Height h = heightmap.at(p.x + 0.5 * size.x, p.z + 0.5 * size.z);
     const Gradient top = {(p.y - h.value) * shrink, Vec3d(-h.slope_u, 1, -h.slope_v) * shrink};
     const Vec3d facing(p.x < 0 ? -1 : 1, -1, p.z < 0 ? -1 : 1);
     const Vec3d wall = p * facing - Vec3d(0.5 * size.x, base, 0.5 * size.z);
@@ -72,14 +72,14 @@ Field ground(const Heightfield& params) {
       throw Error(ErrorCode::bad_input,
                   "'" + params.file.string() + "' holds values that are not finite");
   }
-  Ground source{Relief(picture.width, picture.height, std::move(picture.pixels), params.size.x,
-                       params.size.z, params.sampling),
+  Ground source{Heightmap(picture.width, picture.height, std::move(picture.pixels), params.size.x,
+                          params.size.z, params.sampling),
                 params.size, params.base};
   Traits traits;
   traits.exactness = Exactness::bound;
   // Above the block f >= dy / sqrt(1 + s^2), beside it f >= dx; the two add up to a diagonal.
   traits.growth = source.shrink / std::sqrt(2.0);
-  const double highest = std::max(source.relief.range().hi, -params.base);
+  const double highest = std::max(source.heightmap.range().hi, -params.base);
   traits.bounds = {Vec3d(-0.5 * params.size.x, -params.base, -0.5 * params.size.z),
                    Vec3d(0.5 * params.size.x, highest, 0.5 * params.size.z)};
   return Field(std::make_shared<OpaqueNode<Ground>>("heightfield", traits, std::move(source)));

@@ -17,7 +17,7 @@ struct PrismShape {
 
   template <class T>
   T distance(const Point<T>& p) const {
-    return crossed(polygon(p.x, p.z), abs(p.y) - T(half_height));
+    return intersect_orthogonal(polygon(p.x, p.z), abs(p.y) - T(half_height));
   }
   template <class T>
   T polygon(const T& px, const T& pz) const {

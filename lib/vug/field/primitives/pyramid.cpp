@@ -8,7 +8,7 @@ namespace {
 
 struct PyramidShape {
   double half, height;  // of the base; of the whole
-  Side slope{half, -0.5 * height, 0, 0.5 * height};
+  ProfileEdge slope{half, -0.5 * height, 0, 0.5 * height};
   double slant = std::sqrt(half * half + height * height);
   double edge2 = 2 * half * half + height * height;  // squared length of the edge to the tip
 

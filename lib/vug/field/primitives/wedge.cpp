@@ -7,11 +7,11 @@ namespace {
 
 struct WedgeShape {
   Vec3d size;
-  Side slope{0.5 * size.x, -0.5 * size.y, -0.5 * size.x, 0.5 * size.y};
+  ProfileEdge slope{0.5 * size.x, -0.5 * size.y, -0.5 * size.x, 0.5 * size.y};
 
   template <class T>
   T distance(const Point<T>& p) const {
-    return crossed(triangle(p.x, p.y), abs(p.z) - T(0.5 * size.z));
+    return intersect_orthogonal(triangle(p.x, p.y), abs(p.z) - T(0.5 * size.z));
   }
   template <class T>
   T triangle(const T& x, const T& y) const {
@@ -20,7 +20,7 @@ struct WedgeShape {
     const T floor2 = square(max(abs(x) - T(0.5 * size.x), T(0.0))) + square(up);
     const T wall2 = square(max(abs(y) - T(0.5 * size.y), T(0.0))) + square(left);
     const T outside =
-        select(both(slant > T(0.0), slope.beside(x, y)), slant, sqrt(min(floor2, wall2)));
+        select(both(slant > T(0.0), slope.projects_onto(x, y)), slant, sqrt(min(floor2, wall2)));
     return select(inside > T(0.0), outside, inside);
   }
   Box3d bounds() const { return {-0.5 * size, 0.5 * size}; }

@@ -12,8 +12,8 @@ Image screen_light(const Image& picture, const ViewOptions& view) {
   return shown;
 }
 
-Measured ldr_flip(const Comparison& pair) {
-  Measured out;
+MeasureResult ldr_flip(const Comparison& pair) {
+  MeasureResult out;
   out.map =
       flip(screen_light(pair.reference, pair.view), screen_light(pair.test, pair.view)).values;
   out.value = pooled_mean(pair, out.map);
@@ -24,6 +24,7 @@ Measured ldr_flip(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(flip) {
-  return low_is_alike("flip", "LDR-FLIP of the pictures as shown, mean over the pixels, in [0, 1].",
-                      "andersson2020flip", ldr_flip, true);
+  return lower_is_better("flip",
+                         "LDR-FLIP of the pictures as shown, mean over the pixels, in [0, 1].",
+                         "andersson2020flip", ldr_flip, true);
 }

@@ -9,7 +9,7 @@
 namespace vug::image {
 namespace {
 
-Measured hdr_flip(const Comparison& pair) {
+MeasureResult hdr_flip(const Comparison& pair) {
   const Image reference = in_rec709(pair.reference, pair.view.space);
   const Image test = in_rec709(pair.test, pair.view.space);
   std::optional<ExposureRange> range = exposure_range(reference);
@@ -19,7 +19,7 @@ Measured hdr_flip(const Comparison& pair) {
       range->start = std::min(range->start, other->start);
       range->stop = std::max(range->stop, other->stop);
     }
-  Measured out;
+  MeasureResult out;
   if (!range) return out;  // two black pictures
   out.map = flip_hdr(reference, test, *range).values;
   out.value = pooled_mean(pair, out.map);
@@ -30,6 +30,7 @@ Measured hdr_flip(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(flip_hdr) {
-  return low_is_alike("flip_hdr", "HDR-FLIP over all exposures, mean over the pixels, in [0, 1].",
-                      "andersson2021flip", hdr_flip, true);
+  return lower_is_better("flip_hdr",
+                         "HDR-FLIP over all exposures, mean over the pixels, in [0, 1].",
+                         "andersson2021flip", hdr_flip, true);
 }

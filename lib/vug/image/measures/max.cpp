@@ -3,7 +3,7 @@
 namespace vug::image {
 namespace {
 
-Measured largest(const Comparison& pair) {
+MeasureResult largest(const Comparison& pair) {
   Differences d = differences(pair);
   return {d.largest, std::move(d.largest_of_pixel)};
 }
@@ -12,5 +12,5 @@ Measured largest(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(max) {
-  return low_is_alike("max", "Largest difference of two values, without sign.", "", largest);
+  return lower_is_better("max", "Largest difference of two values, without sign.", "", largest);
 }

@@ -3,11 +3,11 @@
 namespace vug::image {
 namespace {
 
-Measured mean(const Comparison& pair) { return {differences(pair).mean, {}}; }
+MeasureResult mean(const Comparison& pair) { return {differences(pair).mean, {}}; }
 
 }  // namespace
 }  // namespace vug::image
 
 VUG_MEASURE(mean) {
-  return low_is_alike("mean", "Mean difference of all values, without sign.", "", mean);
+  return lower_is_better("mean", "Mean difference of all values, without sign.", "", mean);
 }

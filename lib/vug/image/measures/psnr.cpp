@@ -6,7 +6,7 @@ namespace {
 
 constexpr double kLog10 = 2.302585092994045684;
 
-Measured psnr(const Comparison& pair) {
+MeasureResult psnr(const Comparison& pair) {
   Comparison shown;
   shown.reference = display(pair.reference, pair.view);
   shown.test = display(pair.test, pair.view);
@@ -19,8 +19,8 @@ Measured psnr(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(psnr) {
-  return high_is_alike("psnr",
-                       "Peak signal to noise ratio in dB of R, G, B as shown (peak 1); without "
-                       "end for equal pictures.",
-                       "", kInfinity, psnr);
+  return higher_is_better("psnr",
+                          "Peak signal to noise ratio in dB of R, G, B as shown (peak 1); without "
+                          "end for equal pictures.",
+                          "", kInfinity, psnr);
 }

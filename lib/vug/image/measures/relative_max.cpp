@@ -8,10 +8,10 @@
 namespace vug::image {
 namespace {
 
-Measured relative_max(const Comparison& pair) {
+MeasureResult relative_max(const Comparison& pair) {
   const double mean = differences(pair).magnitude;
   const size_t channels = pair.reference.channels.size();
-  Measured out;
+  MeasureResult out;
   out.map.assign(pair.pixel_count(), 0.0f);
   for (size_t i = 0; i < pair.reference.pixels.size(); ++i) {
     const auto a = static_cast<double>(pair.reference.pixels[i]);
@@ -31,7 +31,7 @@ Measured relative_max(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(relative_max) {
-  return low_is_alike("relative_max",
-                      "Largest difference of two values over the larger one or the layer's mean.",
-                      "", relative_max);
+  return lower_is_better(
+      "relative_max", "Largest difference of two values over the larger one or the layer's mean.",
+      "", relative_max);
 }

@@ -7,7 +7,7 @@
 namespace vug::image {
 namespace {
 
-Measured relative_rmse(const Comparison& pair) {
+MeasureResult relative_rmse(const Comparison& pair) {
   const Differences d = differences(pair);
   if (!(d.squares > 0)) return {};
   return {d.magnitude > 0 ? std::sqrt(d.squares) / d.magnitude : kInfinity, {}};
@@ -17,6 +17,6 @@ Measured relative_rmse(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(relative_rmse) {
-  return low_is_alike("relative_rmse", "rmse over the mean size of all values of both pictures.",
-                      "", relative_rmse);
+  return lower_is_better("relative_rmse", "rmse over the mean size of all values of both pictures.",
+                         "", relative_rmse);
 }

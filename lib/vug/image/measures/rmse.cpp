@@ -5,11 +5,11 @@
 namespace vug::image {
 namespace {
 
-Measured rmse(const Comparison& pair) { return {std::sqrt(differences(pair).squares), {}}; }
+MeasureResult rmse(const Comparison& pair) { return {std::sqrt(differences(pair).squares), {}}; }
 
 }  // namespace
 }  // namespace vug::image
 
 VUG_MEASURE(rmse) {
-  return low_is_alike("rmse", "Root of the mean squared difference of all values.", "", rmse);
+  return lower_is_better("rmse", "Root of the mean squared difference of all values.", "", rmse);
 }

@@ -26,13 +26,13 @@ Plane product(const Plane& a, const Plane& b) {
   return out;
 }
 
-Measured ssim(const Comparison& pair) {
+MeasureResult ssim(const Comparison& pair) {
   const Plane a = luminance(pair.reference, pair.view), b = luminance(pair.test, pair.view);
   const Kernel window = gaussian(kSigma, kRadius);
   const auto local = [&](const Plane& plane) { return filtered(plane, window, window); };
   const Plane mean_a = local(a), mean_b = local(b);
   const Plane aa = local(product(a, a)), bb = local(product(b, b)), ab = local(product(a, b));
-  Measured out;
+  MeasureResult out;
   out.map.resize(a.values.size());
   for (size_t p = 0; p < out.map.size(); ++p) {
     const auto ma = static_cast<double>(mean_a.values[p]),
@@ -61,7 +61,7 @@ Measured ssim(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(ssim) {
-  return high_is_alike("ssim",
-                       "Structural similarity of the luminance as shown; 1 for equal pictures.",
-                       "wang2004ssim", 1, ssim);
+  return higher_is_better("ssim",
+                          "Structural similarity of the luminance as shown; 1 for equal pictures.",
+                          "wang2004ssim", 1, ssim);
 }

@@ -1,6 +1,6 @@
 // Wavefront OBJ: text, indices from 1 or, negative, from the newest.
+#include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
-#include <vug/mesh/output.h>
 #include <vug/mesh/polygon.h>
 #include <vug/mesh/text_scanner.h>
 
@@ -109,7 +109,7 @@ struct Reader {
     if (keyword == "vn") return normal();
     if (keyword == "f" || keyword == "fo") return face();
     if (std::find(std::begin(kIgnored), std::end(kIgnored), keyword) == std::end(kIgnored))
-      scan.fail(fmt::format("'{}' begins no OBJ statement", mesh::shown(keyword)),
+      scan.fail(fmt::format("'{}' begins no OBJ statement", mesh::printable(keyword)),
                 "is this an OBJ file?");
   }
 
@@ -136,8 +136,8 @@ Mesh read_obj(std::string_view bytes, const std::string& file) {
   return reader.finish();
 }
 
-void write_obj(const Mesh& mesh, const Notes& notes, const ByteSink& sink) {
-  Output out(sink);
+void write_obj(const Mesh& mesh, const Comments& notes, const ByteSink& sink) {
+  ByteWriter out(sink);
   out.text(comment_lines(notes, "# "));
   const Attribute* colour = find_attribute(mesh, kColour, 3);
   const auto triple = [&](const auto& v) {

@@ -1,6 +1,6 @@
 // Stanford PLY: any order of properties in, binary little-endian out.
+#include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
-#include <vug/mesh/output.h>
 #include <vug/mesh/ply_body.h>
 #include <vug/mesh/polygon.h>
 
@@ -196,7 +196,7 @@ std::vector<std::string> property_names(const Attribute& attribute) {
                                  [](char c) { return c > ' ' && c <= '~'; });
   if (attribute.name.empty() || !plain)
     throw Error(ErrorCode::bad_input, fmt::format("'{}' cannot be the name of a PLY property",
-                                                  mesh::shown(attribute.name)));
+                                                  mesh::printable(attribute.name)));
   if (attribute.arity == 1) return {attribute.name};
   std::vector<std::string> names;
   for (int k = 0; k < attribute.arity; ++k)
@@ -204,7 +204,7 @@ std::vector<std::string> property_names(const Attribute& attribute) {
   return names;
 }
 
-void write_ply(const Mesh& mesh, const Notes& notes, const ByteSink& sink) {
+void write_ply(const Mesh& mesh, const Comments& notes, const ByteSink& sink) {
   std::vector<std::string> names(std::begin(kCoordinates), std::end(kCoordinates));
   if (!mesh.normals.empty()) names.insert(names.end(), std::begin(kNormals), std::end(kNormals));
   for (const Attribute& attribute : mesh.attributes)
@@ -214,7 +214,7 @@ void write_ply(const Mesh& mesh, const Notes& notes, const ByteSink& sink) {
                     fmt::format("two attributes would be the PLY property '{}'", name));
       names.push_back(name);
     }
-  Output out(sink);
+  ByteWriter out(sink);
   out.text("ply\nformat binary_little_endian 1.0\n").text(comment_lines(notes, "comment "));
   out.text(fmt::format("element vertex {}\n", mesh.positions.size()));
   for (const std::string& name : names) out.text("property float ").text(name).text("\n");

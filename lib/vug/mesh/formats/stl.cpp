@@ -1,6 +1,6 @@
 // STL: triangles one by one, without the vertices they share.
+#include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
-#include <vug/mesh/output.h>
 #include <vug/mesh/text_scanner.h>
 #include <vug/mesh/weld.h>
 
@@ -49,7 +49,7 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
     if (word != wanted)
       scan.fail(word.empty()
                     ? fmt::format("the file ends where '{}' should stand", wanted)
-                    : fmt::format("'{}' stands where '{}' should", mesh::shown(word), wanted),
+                    : fmt::format("'{}' stands where '{}' should", mesh::printable(word), wanted),
                 "the file may be cut off");
   };
   const auto triple = [&] {
@@ -63,7 +63,7 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
   };
   for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
     if (word != "solid")
-      scan.fail(fmt::format("'{}' stands where 'solid' should", mesh::shown(word)));
+      scan.fail(fmt::format("'{}' stands where 'solid' should", mesh::printable(word)));
     scan.rest_of_line();  // The solid's name.
     for (word = scan.word(); word == "facet"; word = scan.word()) {
       expect("normal");
@@ -78,8 +78,9 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
       expect("endfacet");
     }
     if (word != "endsolid")
-      scan.fail(word.empty() ? "the file ends inside a solid"
-                             : fmt::format("'{}' is neither facet nor endsolid", mesh::shown(word)),
+      scan.fail(word.empty()
+                    ? "the file ends inside a solid"
+                    : fmt::format("'{}' is neither facet nor endsolid", mesh::printable(word)),
                 "the file may be cut off");
     scan.rest_of_line();
   }
@@ -100,10 +101,10 @@ Mesh read_stl(std::string_view bytes, const std::string& file) {
               {file, 0, 0}, "the file may be cut off, or no STL file");
 }
 
-void write_stl(const Mesh& mesh, const Notes& notes, const ByteSink& sink) {
+void write_stl(const Mesh& mesh, const Comments& notes, const ByteSink& sink) {
   if (mesh.triangles.size() > UINT32_MAX)
     throw Error(ErrorCode::bad_input, "STL holds at most 4294967295 triangles");
-  Output out(sink);
+  ByteWriter out(sink);
   std::string header = "Vug mesh, " + notes.space;
   header.resize(kHeader, ' ');
   out.text(header).binary(static_cast<uint32_t>(mesh.triangles.size()));

@@ -1,7 +1,7 @@
 #include <vug/base/maths.h>
-#include <vug/exchange/lamp.h>
-#include <vug/render/sampling.h>
+#include <vug/exchange/light.h>
 #include <vug/render/lighting/environment_map.h>
+#include <vug/render/sampling.h>
 
 #include <algorithm>
 
@@ -24,20 +24,20 @@ std::vector<float> cumulative(const std::vector<double>& weights, double& total)
 }  // namespace
 
 /// The cell of a number, and how far in it lies; its probability.
-struct SkyPicture::Cell {
+struct EnvironmentMap::Cell {
   size_t index;
   float offset, probability;
 };
-SkyPicture::Cell SkyPicture::find_cell(const float* table, size_t cells, float u) {
+EnvironmentMap::Cell EnvironmentMap::find_cell(const float* table, size_t cells, float u) {
   const float* above = std::upper_bound(table + 1, table + cells, u);
   const auto index = static_cast<size_t>(above - table) - 1;
   const float p = table[index + 1] - table[index];
   return {index, p > 0 ? std::clamp((u - table[index]) / p, 0.0f, 0.99999994f) : 0.5f, p};
 }
 
-SkyPicture::SkyPicture(LightNotes notes, size_t width, size_t height, std::vector<Rgb> texels,
-                       double turn)
-    : Light(std::move(notes)),
+EnvironmentMap::EnvironmentMap(LightLinking linking, size_t width, size_t height,
+                               std::vector<Rgb> texels, double turn)
+    : Light(std::move(linking)),
       width_(width),
       height_(height),
       turn_(static_cast<float>(turn / (2 * kPi))),
@@ -46,7 +46,7 @@ SkyPicture::SkyPicture(LightNotes notes, size_t width, size_t height, std::vecto
   build_tables();
 }
 
-LightSample SkyPicture::sample(const LitPoint&, const Vec2f& u) const {
+LightSample EnvironmentMap::sample(const LightSampleContext&, const Vec2f& u) const {
   LightSample s;
   const Cell row = find_cell(rows_.data(), height_, u.y);
   const Cell column = find_cell(columns_.data() + row.index * (width_ + 1), width_, u.x);
@@ -58,14 +58,14 @@ LightSample SkyPicture::sample(const LitPoint&, const Vec2f& u) const {
   return s;
 }
 
-float SkyPicture::pdf(const LitPoint&, const Vec3f& direction) const {
+float EnvironmentMap::pdf(const LightSampleContext&, const Vec3f& direction) const {
   const Vec2f place = locate(direction);
   const size_t row = index_of(place.y, height_), column = index_of(place.x, width_);
   const float* table = columns_.data() + row * (width_ + 1);
   return density((rows_[row + 1] - rows_[row]) * (table[column + 1] - table[column]), place.y);
 }
 
-Rgb SkyPicture::escape_radiance(const Vec3f& direction) const {
+Rgb EnvironmentMap::escape_radiance(const Vec3f& direction) const {
   const Vec2f place = locate(direction);
   const float x = place.x * static_cast<float>(width_) - 0.5f;
   const float y = place.y * static_cast<float>(height_) - 0.5f;
@@ -75,32 +75,32 @@ Rgb SkyPicture::escape_radiance(const Vec3f& direction) const {
          (texel(ix, iy + 1) * (1 - ax) + texel(ix + 1, iy + 1) * ax) * ay;
 }
 
-bool SkyPicture::as_data(exchange::Lamp& lamp) const {
+bool EnvironmentMap::as_data(exchange::Light& light) const {
   image::Image picture(static_cast<int>(width_), static_cast<int>(height_), {"R", "G", "B"});
   for (size_t i = 0; i < texels_.size(); ++i)
     for (int c = 0; c < 3; ++c) picture.pixels[3 * i + static_cast<size_t>(c)] = texels_[i][c];
-  lamp.shape = exchange::Lamp::Shape::dome;
-  lamp.place = Transform::rotation({0, 1, 0}, 2 * kPi * static_cast<double>(turn_));
-  lamp.picture = std::make_shared<const image::Image>(std::move(picture));
+  light.shape = exchange::Light::Shape::dome;
+  light.place = Transform::rotation({0, 1, 0}, 2 * kPi * static_cast<double>(turn_));
+  light.picture = std::make_shared<const image::Image>(std::move(picture));
   return true;
 }
 
-size_t SkyPicture::index_of(float place, size_t count) {
+size_t EnvironmentMap::index_of(float place, size_t count) {
   return std::min(static_cast<size_t>(place * static_cast<float>(count)), count - 1);
 }
 
-const Rgb& SkyPicture::texel(long x, long y) const {
+const Rgb& EnvironmentMap::texel(long x, long y) const {
   const long w = static_cast<long>(width_), h = static_cast<long>(height_);
   return texels_[static_cast<size_t>(std::clamp(y, 0l, h - 1) * w + ((x % w) + w) % w)];
 }
 
 /// Picture coordinates in [0, 1]^2, row 0 straight up.
-Vec3f SkyPicture::direction(float x, float v) const {
+Vec3f EnvironmentMap::direction(float x, float v) const {
   const SinCos across = sincos_turns(x - 0.5f - turn_), down = sincos_turns(0.5f * v);
   return {down.sin * across.sin, down.cos, -down.sin * across.cos};
 }
 
-Vec2f SkyPicture::locate(const Vec3f& d) const {
+Vec2f EnvironmentMap::locate(const Vec3f& d) const {
   const double across = maths::atan2(static_cast<double>(d.x), static_cast<double>(-d.z));
   float x = static_cast<float>(across / (2 * kPi)) + 0.5f + turn_;
   x -= std::floor(x);
@@ -108,13 +108,13 @@ Vec2f SkyPicture::locate(const Vec3f& d) const {
 }
 
 /// From the probability of a texel to a density over solid angle.
-float SkyPicture::density(float probability, float v) const {
+float EnvironmentMap::density(float probability, float v) const {
   const float sine = sincos_turns(0.5f * v).sin;
   const float texels = static_cast<float>(width_ * height_);
   return sine > 0 ? probability * texels / (2 * kPif * kPif * sine) : 0;
 }
 
-void SkyPicture::build_tables() {
+void EnvironmentMap::build_tables() {
   double total = 0, rows_total = 0;
   std::vector<double> row_weights;
   for (size_t y = 0; y < height_; ++y) {

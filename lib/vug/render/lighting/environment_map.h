@@ -10,11 +10,11 @@
 namespace vug::render {
 
 /// Up is y, the middle column lies towards -z, columns run to the right seen from inside.
-class SkyPicture : public Light {
+class EnvironmentMap : public Light {
  public:
-  LightSample sample(const LitPoint& point, const Vec2f& u) const override;
-  float pdf(const LitPoint& point, const Vec3f& direction) const override;
-  float importance(const LitPoint&) const override { return importance_; }
+  LightSample sample(const LightSampleContext& point, const Vec2f& u) const override;
+  float pdf(const LightSampleContext& point, const Vec3f& direction) const override;
+  float importance(const LightSampleContext&) const override { return importance_; }
   float importance_along(const Ray&, float begin, float end) const override {
     return importance_ * (end - begin);
   }
@@ -22,11 +22,12 @@ class SkyPicture : public Light {
   float mean_luminance() const override { return mean_luminance_; }
   /// Interpolated between the middles of texels.
   Rgb escape_radiance(const Vec3f& direction) const override;
-  bool as_data(exchange::Lamp& lamp) const override;
+  bool as_data(exchange::Light& light) const override;
 
  protected:
   /// `texels` row by row from straight up; `turn` of the way round to the left.
-  SkyPicture(LightNotes notes, size_t width, size_t height, std::vector<Rgb> texels, double turn);
+  EnvironmentMap(LightLinking linking, size_t width, size_t height, std::vector<Rgb> texels,
+                 double turn);
 
  private:
   struct Cell;

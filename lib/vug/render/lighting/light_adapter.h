@@ -7,18 +7,20 @@
 
 namespace vug::render {
 
-class LightOfLight : public Light {
+class LightAdapter : public Light {
  public:
-  LightOfLight(LightPtr light, LightNotes notes)
-      : Light(std::move(notes)), light_(std::move(light)) {}
+  LightAdapter(LightPtr light, LightLinking linking)
+      : Light(std::move(linking)), light_(std::move(light)) {}
 
-  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+  LightSample sample(const LightSampleContext& point, const Vec2f& u) const override {
     return light_->sample(point, u);
   }
-  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+  float pdf(const LightSampleContext& point, const Vec3f& direction) const override {
     return light_->pdf(point, direction);
   }
-  float importance(const LitPoint& point) const override { return light_->importance(point); }
+  float importance(const LightSampleContext& point) const override {
+    return light_->importance(point);
+  }
   float importance_along(const Ray& ray, float begin, float end) const override {
     return light_->importance_along(ray, begin, end);
   }
@@ -35,7 +37,7 @@ class LightOfLight : public Light {
     return light_->escape_radiance(direction);
   }
   bool beside_portals() const override { return light_->beside_portals(); }
-  bool as_data(exchange::Lamp& lamp) const override { return light_->as_data(lamp); }
+  bool as_data(exchange::Light& light) const override { return light_->as_data(light); }
 
  protected:
   const Light& inner() const { return *light_; }

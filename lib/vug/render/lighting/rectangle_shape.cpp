@@ -1,5 +1,5 @@
 #include <vug/base/maths.h>
-#include <vug/exchange/lamp.h>
+#include <vug/exchange/light.h>
 #include <vug/render/lighting/rectangle_shape.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::string RectangleParams::fault() const {
              : "";
 }
 
-Rectangle::Rectangle(const RectangleParams& p)
+RectangleShape::RectangleShape(const RectangleParams& p)
     : center_(p.center),
       width_(static_cast<float>(p.width)),
       height_(static_cast<float>(p.height)) {
@@ -43,7 +43,7 @@ Rectangle::Rectangle(const RectangleParams& p)
 
 /// Where 1 / distance^2 varies by at most a half over the rectangle: its middle is eight times as
 /// far as it is deep along the way there, and 1.5 diagonals.
-bool Rectangle::is_far(const Vec3f& to_center) const {
+bool RectangleShape::is_far(const Vec3f& to_center) const {
   const float squared = dot(to_center, to_center);
   const float depth = std::fabs(dot(half_x_, to_center)) + std::fabs(dot(half_y_, to_center));
   return 8 * depth < squared && squared > 9 * radius_squared();
@@ -51,10 +51,10 @@ bool Rectangle::is_far(const Vec3f& to_center) const {
 
 /// Corner (x0, y0, z), opposite corner (x1, y1, z) with z < 0, and the angles of the spherical
 /// rectangle; names as in the paper.
-struct Rectangle::View {
+struct RectangleShape::View {
   double x0, x1, y0, y1, z, b0, b1, k, solid_angle;
 
-  View(const Rectangle& r, const Vec3f& to_center) {
+  View(const RectangleShape& r, const Vec3f& to_center) {
     const auto cx = static_cast<double>(dot(to_center, r.x_));
     const auto cy = static_cast<double>(dot(to_center, r.y_));
     z = -std::fabs(static_cast<double>(dot(to_center, r.normal_)));
@@ -75,7 +75,7 @@ struct Rectangle::View {
   bool usable() const { return z < 0 && solid_angle > 1e-9; }
 };
 
-LightSample Rectangle::sample(const Vec3f& point, const Vec2f& u) const {
+LightSample RectangleShape::sample(const Vec3f& point, const Vec2f& u) const {
   LightSample out;
   const Vec3f to_center = center_ - point;
   if (!(dot(to_center, normal_) < 0)) return out;
@@ -112,7 +112,7 @@ LightSample Rectangle::sample(const Vec3f& point, const Vec2f& u) const {
   return out;
 }
 
-float Rectangle::hit(const Ray& ray) const {
+float RectangleShape::hit(const Ray& ray) const {
   const float cosine = -dot(ray.direction, normal_);
   if (!(cosine > 0)) return 0;
   const Vec3f to_center = center_ - ray.origin;
@@ -124,7 +124,7 @@ float Rectangle::hit(const Ray& ray) const {
              : 0;
 }
 
-float Rectangle::pdf(const Vec3f& point, const Vec3f& direction) const {
+float RectangleShape::pdf(const Vec3f& point, const Vec3f& direction) const {
   const float t = hit({point, direction});
   if (!(t > 0)) return 0;
   const Vec3f to_center = center_ - point;
@@ -133,7 +133,7 @@ float Rectangle::pdf(const Vec3f& point, const Vec3f& direction) const {
   return v.usable() ? static_cast<float>(1 / v.solid_angle) : 0;
 }
 
-LightBounds Rectangle::bounds(float luminance) const {
+LightBounds RectangleShape::bounds(float luminance) const {
   LightBounds out;
   out.box.extendBy(center_ - half_x_ - half_y_);
   out.box.extendBy(center_ - half_x_ + half_y_);
@@ -145,7 +145,7 @@ LightBounds Rectangle::bounds(float luminance) const {
   return out;
 }
 
-float Rectangle::importance(const LitPoint& point) const {
+float RectangleShape::importance(const LightSampleContext& point) const {
   const Vec3f to = center_ - point.position;
   const float squared = dot(to, to);
   const float front = -dot(to, normal_);
@@ -164,7 +164,7 @@ float Rectangle::importance(const LitPoint& point) const {
                                                  std::max(squared, 0.25f * radius_squared()));
 }
 
-float Rectangle::importance_along(const Ray& ray, float begin, float end) const {
+float RectangleShape::importance_along(const Ray& ray, float begin, float end) const {
   const auto front = [&](float t) { return dot(ray.at(t) - center_, normal_) > 0; };
   if (!front(begin) && !front(end)) return 0;
   const float t = std::clamp(dot(center_ - ray.origin, ray.direction), begin, end);
@@ -173,11 +173,11 @@ float Rectangle::importance_along(const Ray& ray, float begin, float end) const 
   return area() / std::sqrt(std::max(dot(to, to), 0.25f * area()));
 }
 
-void Rectangle::tell(exchange::Lamp& lamp) const {
-  lamp.shape = exchange::Lamp::Shape::rectangle;
-  lamp.place = exchange::looking(Vec3d(center_), Vec3d(normal_), Vec3d(y_));
-  lamp.width = static_cast<double>(width_);
-  lamp.height = static_cast<double>(height_);
+void RectangleShape::export_to(exchange::Light& light) const {
+  light.shape = exchange::Light::Shape::rectangle;
+  light.place = exchange::look_along(Vec3d(center_), Vec3d(normal_), Vec3d(y_));
+  light.width = static_cast<double>(width_);
+  light.height = static_cast<double>(height_);
 }
 
 }  // namespace vug::render

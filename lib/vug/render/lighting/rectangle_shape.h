@@ -36,9 +36,9 @@ void describe_rectangle(Schema<P>& s, const std::string& shines) {
 /// Seen from its front only, the side the normal points to. Nearby it is sampled by solid angle
 /// (Urena, Fajardo, King 2013, "An area-preserving parametrization for spherical rectangles",
 /// cite urena2013rectangle), from afar by area, which is as good there and cheaper.
-class Rectangle {
+class RectangleShape {
  public:
-  explicit Rectangle(const RectangleParams& p);
+  explicit RectangleShape(const RectangleParams& p);
 
   /// Direction, distance and pdf; radiance is left alone. Zero pdf behind the rectangle.
   LightSample sample(const Vec3f& point, const Vec2f& u) const;
@@ -48,11 +48,11 @@ class Rectangle {
 
   /// Projected area over squared distance, about: never 0 where the rectangle can light a point,
   /// exactly 0 behind it and below the point's horizon.
-  float importance(const LitPoint& point) const;
+  float importance(const LightSampleContext& point) const;
   float importance_along(const Ray& ray, float begin, float end) const;
 
   LightBounds bounds(float luminance) const;
-  void tell(exchange::Lamp& lamp) const;
+  void export_to(exchange::Light& light) const;
   const Vec3f& center() const { return center_; }
   float area() const { return width_ * height_; }
   /// To its corners.

@@ -2,9 +2,9 @@
 // measured lamps have in common.
 #pragma once
 
-#include <vug/exchange/lamp.h>
-#include <vug/render/lighting/light_output.h>
+#include <vug/exchange/light.h>
 #include <vug/render/light.h>
+#include <vug/render/lighting/light_output.h>
 
 #include <type_traits>
 #include <utility>
@@ -15,43 +15,43 @@ namespace vug::render {
 /// radiance that leaves in a direction; the most of it that a point in that direction may see,
 /// given the sine of the angle that the shape fills (0: the point is not reached at all); and they
 /// narrow the bounds.
-struct EvenProfile {
+struct UniformProfile {
   float operator()(const Vec3f&) const { return 1; }
-  float most(const Vec3f&, float) const { return 1; }
-  void narrow(LightBounds&) const {}
+  float upper_bound(const Vec3f&, float) const { return 1; }
+  void tighten(LightBounds&) const {}
 };
 
 /// Shape has sample, pdf, hit, importance, importance_along, bounds, center, radius and tell, which
 /// tells a lamp's data what it is; a profile may have that, too.
-template <class Shape, class Profile = EvenProfile>
-class ShapeLamp : public Light {
+template <class Shape, class Profile = UniformProfile>
+class ShapeLight : public Light {
  public:
-  ShapeLamp(Shape shape, const LampParams& p, const Rgb& radiance, Profile profile = {})
-      : Light(notes_of(p)),
+  ShapeLight(Shape shape, const LightOutputParams& p, const Rgb& radiance, Profile profile = {})
+      : Light(linking_of(p)),
         shape_(std::move(shape)),
         profile_(std::move(profile)),
         radiance_(radiance),
         power_(luminance(radiance)),
         visible_(p.visible) {}
 
-  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
-    if (!(most(point.position) > 0)) return {};
+  LightSample sample(const LightSampleContext& point, const Vec2f& u) const override {
+    if (!(profile_bound(point.position) > 0)) return {};
     LightSample s = shape_.sample(point.position, u);
     s.radiance = radiance_ * profile_(-s.direction);
     return s;
   }
-  float pdf(const LitPoint& point, const Vec3f& direction) const override {
-    return most(point.position) > 0 ? shape_.pdf(point.position, direction) : 0;
+  float pdf(const LightSampleContext& point, const Vec3f& direction) const override {
+    return profile_bound(point.position) > 0 ? shape_.pdf(point.position, direction) : 0;
   }
-  float importance(const LitPoint& point) const override {
-    return power_ * most(point.position) * shape_.importance(point);
+  float importance(const LightSampleContext& point) const override {
+    return power_ * profile_bound(point.position) * shape_.importance(point);
   }
   float importance_along(const Ray& ray, float begin, float end) const override {
     return power_ * shape_.importance_along(ray, begin, end);
   }
   LightBounds bounds() const override {
     LightBounds out = shape_.bounds(power_);
-    profile_.narrow(out);
+    profile_.tighten(out);
     return out;
   }
   Vec3f centre() const override { return shape_.center(); }
@@ -62,22 +62,22 @@ class ShapeLamp : public Light {
     return true;
   }
   bool camera_visible() const override { return visible_; }
-  bool as_data(exchange::Lamp& lamp) const override {
-    lamp.radiance = Vec3d(radiance_);
-    lamp.visible = visible_;
-    shape_.tell(lamp);
-    if constexpr (requires { profile_.tell(lamp); }) profile_.tell(lamp);
+  bool as_data(exchange::Light& light) const override {
+    light.radiance = Vec3d(radiance_);
+    light.visible = visible_;
+    shape_.export_to(light);
+    if constexpr (requires { profile_.export_to(light); }) profile_.export_to(light);
     return true;
   }
 
  private:
-  float most(const Vec3f& point) const {
-    if constexpr (std::is_same_v<Profile, EvenProfile>) return 1;
+  float profile_bound(const Vec3f& point) const {
+    if constexpr (std::is_same_v<Profile, UniformProfile>) return 1;
     const Vec3f away = point - shape_.center();
     const float distance = length(away);
-    return distance > 0
-               ? profile_.most(away * (1 / distance), std::min(1.0f, shape_.radius() / distance))
-               : 1;
+    return distance > 0 ? profile_.upper_bound(away * (1 / distance),
+                                               std::min(1.0f, shape_.radius() / distance))
+                        : 1;
   }
 
   Shape shape_;

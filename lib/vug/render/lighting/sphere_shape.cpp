@@ -1,15 +1,15 @@
-#include <vug/exchange/lamp.h>
+#include <vug/exchange/light.h>
 #include <vug/render/lighting/sphere_shape.h>
 #include <vug/render/sampling.h>
 
 namespace vug::render {
 
-float Ball::cone(const Vec3f& to) const {
+float SphereShape::cone(const Vec3f& to) const {
   const float squared_sine = radius_ * radius_ / dot(to, to);
   return squared_sine < 1 ? one_minus_cosine(squared_sine) : 0;
 }
 
-LightSample Ball::sample(const Vec3f& point, const Vec2f& u) const {
+LightSample SphereShape::sample(const Vec3f& point, const Vec2f& u) const {
   LightSample s;
   const Vec3f to = center_ - point;
   const float part = cone(to);
@@ -23,11 +23,11 @@ LightSample Ball::sample(const Vec3f& point, const Vec2f& u) const {
   return s;
 }
 
-float Ball::pdf(const Vec3f& point, const Vec3f& direction) const {
+float SphereShape::pdf(const Vec3f& point, const Vec3f& direction) const {
   return hit({point, direction}) > 0 ? 1 / (2 * kPif * cone(center_ - point)) : 0;
 }
 
-float Ball::hit(const Ray& ray) const {
+float SphereShape::hit(const Ray& ray) const {
   const Vec3f to = center_ - ray.origin;
   const float along = dot(to, ray.direction);
   const Vec3f off = to - ray.direction * along;  // more exact than |to|^2 - along^2
@@ -36,7 +36,7 @@ float Ball::hit(const Ray& ray) const {
   return std::max(0.0f, along - std::sqrt(rest));
 }
 
-float Ball::importance(const LitPoint& point) const {
+float SphereShape::importance(const LightSampleContext& point) const {
   const Vec3f to = center_ - point.position;
   const float squared = dot(to, to);
   if (!(squared > radius_ * radius_)) return 0;
@@ -49,22 +49,22 @@ float Ball::importance(const LitPoint& point) const {
   return cosine * cross_section() / squared;
 }
 
-float Ball::importance_along(const Ray& ray, float begin, float end) const {
+float SphereShape::importance_along(const Ray& ray, float begin, float end) const {
   const float t = std::clamp(dot(center_ - ray.origin, ray.direction), begin, end);
   return cross_section() / std::max(length(center_ - ray.at(t)), radius_);
 }
 
-LightBounds Ball::bounds(float luminance) const {
+LightBounds SphereShape::bounds(float luminance) const {
   LightBounds out;
   out.box = {center_ - Vec3f(radius_), center_ + Vec3f(radius_)};
   out.strength = luminance * cross_section();
   return out;
 }
 
-void Ball::tell(exchange::Lamp& lamp) const {
-  lamp.shape = exchange::Lamp::Shape::sphere;
-  lamp.place = Transform::translation(Vec3d(center_));
-  lamp.radius = static_cast<double>(radius_);
+void SphereShape::export_to(exchange::Light& light) const {
+  light.shape = exchange::Light::Shape::sphere;
+  light.place = Transform::translation(Vec3d(center_));
+  light.radius = static_cast<double>(radius_);
 }
 
 }  // namespace vug::render

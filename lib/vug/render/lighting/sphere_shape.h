@@ -7,9 +7,10 @@ namespace vug::render {
 
 /// Seen from outside. Sampled by the cone it fills (Shirley, Wang, Zimmerman 1996, "Monte Carlo
 /// techniques for direct lighting calculations", cite shirley1996direct).
-class Ball {
+class SphereShape {
  public:
-  Ball(const Vec3d& center, double radius) : center_(center), radius_(static_cast<float>(radius)) {}
+  SphereShape(const Vec3d& center, double radius)
+      : center_(center), radius_(static_cast<float>(radius)) {}
 
   /// Direction, distance and pdf; radiance is left alone. Zero pdf inside the ball.
   LightSample sample(const Vec3f& point, const Vec2f& u) const;
@@ -18,10 +19,10 @@ class Ball {
   float hit(const Ray& ray) const;
 
   /// Projected area over squared distance, about: exactly 0 inside and below the point's horizon.
-  float importance(const LitPoint& point) const;
+  float importance(const LightSampleContext& point) const;
   float importance_along(const Ray& ray, float begin, float end) const;
   LightBounds bounds(float luminance) const;
-  void tell(exchange::Lamp& lamp) const;
+  void export_to(exchange::Light& light) const;
 
   const Vec3f& center() const { return center_; }
   float radius() const { return radius_; }

@@ -1,33 +1,35 @@
 #include <vug/base/error.h>
-#include <vug/exchange/lamp.h>
+#include <vug/exchange/light.h>
+#include <vug/render/geometry/instance_transform.h>
 #include <vug/render/lighting/light_adapter.h>
 #include <vug/render/lighting/transformed_light.h>
-#include <vug/render/geometry/instance_transform.h>
 
 namespace vug::render {
 namespace {
 
 /// Asks the lamp in its own space. Angles are the same there, and so are shares of a sphere and
 /// what importance counts, power over squared distance; only lengths differ.
-class PlacedLight final : public LightOfLight {
+class TransformedLight final : public LightAdapter {
  public:
-  PlacedLight(LightPtr lamp, const Transform& place, LightNotes notes)
-      : LightOfLight(std::move(lamp), std::move(notes)),
+  TransformedLight(LightPtr light, const Transform& place, LightLinking linking)
+      : LightAdapter(std::move(light), std::move(linking)),
         scale_(static_cast<float>(place.max_stretch())),
         place_(place),
         to_(place),
         back_(place.inverse()) {}
 
-  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+  LightSample sample(const LightSampleContext& point, const Vec2f& u) const override {
     LightSample s = inner().sample(own(point), u);
     s.direction = out(s.direction);
     s.distance *= scale_;
     return s;
   }
-  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+  float pdf(const LightSampleContext& point, const Vec3f& direction) const override {
     return inner().pdf(own(point), in(direction));
   }
-  float importance(const LitPoint& point) const override { return inner().importance(own(point)); }
+  float importance(const LightSampleContext& point) const override {
+    return inner().importance(own(point));
+  }
   float importance_along(const Ray& ray, float begin, float end) const override {
     return inner().importance_along(own(ray), begin / scale_, end / scale_);
   }
@@ -45,12 +47,12 @@ class PlacedLight final : public LightOfLight {
     hit.distance *= scale_;
     return true;
   }
-  bool as_data(exchange::Lamp& lamp) const override {
-    if (!inner().as_data(lamp)) return false;
-    const Transform placed = place_ * lamp.place;
+  bool as_data(exchange::Light& light) const override {
+    if (!inner().as_data(light)) return false;
+    const Transform placed = place_ * light.place;
     const auto axis = [&](int i) { return placed.column(i).normalized(); };
-    lamp.place = Transform(axis(0), axis(1), axis(2), placed.origin());
-    for (double* length : {&lamp.radius, &lamp.width, &lamp.height})
+    light.place = Transform(axis(0), axis(1), axis(2), placed.origin());
+    for (double* length : {&light.radius, &light.width, &light.height})
       *length *= static_cast<double>(scale_);
     return true;
   }
@@ -59,7 +61,7 @@ class PlacedLight final : public LightOfLight {
   /// Unit vectors stay so, up to rounding that `normalized` takes away.
   Vec3f in(const Vec3f& v) const { return normalized(back_.vector(v)); }
   Vec3f out(const Vec3f& v) const { return normalized(to_.vector(v)); }
-  LitPoint own(LitPoint point) const {
+  LightSampleContext own(LightSampleContext point) const {
     if (point.on_surface()) point.normal = in(point.normal);
     point.position = back_.point(point.position);
     return point;
@@ -77,11 +79,11 @@ class PlacedLight final : public LightOfLight {
 
 }  // namespace
 
-LightPtr placed_light(LightPtr lamp, const Transform& place, LightNotes notes) {
+LightPtr transformed_light(LightPtr light, const Transform& place, LightLinking linking) {
   if (place.max_stretch() > 1.0001 * place.min_stretch())
     throw Error(ErrorCode::bad_input, "a lamp cannot be stretched unevenly", {},
                 "place its scene with one scale for all axes, or without the lamp");
-  return std::make_shared<const PlacedLight>(std::move(lamp), place, std::move(notes));
+  return std::make_shared<const TransformedLight>(std::move(light), place, std::move(linking));
 }
 
 }  // namespace vug::render

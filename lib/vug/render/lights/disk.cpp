@@ -1,13 +1,13 @@
 // A round lamp that shines from one side. Points are chosen evenly over its area, so that the
 // density over solid angle is distance^2 / (area * cosine at the lamp).
 #include <vug/render/kind.h>
-#include <vug/render/sampling.h>
 #include <vug/render/lighting/shape_light.h>
+#include <vug/render/sampling.h>
 
 namespace vug::render {
 namespace {
 
-struct Disk : LampParams {
+struct Disk : LightOutputParams {
   Vec3d center{0, 0, 0};
   Vec3d normal{0, -1, 0};
   double radius = 0.5;
@@ -18,10 +18,10 @@ struct Disk : LampParams {
         .param("center", &Disk::center, any_length("Its middle."))
         .param("normal", &Disk::normal, {.doc = "The side it shines to."})
         .param("radius", &Disk::radius, positive_length("Its radius."));
-    describe_lamp(s);
+    describe_light_output(s);
   }
   std::string fault() const {
-    return is_direction(normal) ? LampParams::fault()
+    return is_direction(normal) ? LightOutputParams::fault()
                                 : "the disk's normal is no direction: zero, or beyond all numbers";
   }
 };
@@ -53,7 +53,7 @@ class DiskShape {
     const float t = dot(axes_.z, center_ - ray.origin) / facing;
     return t > 0 && length(ray.at(t) - center_) <= radius_ ? t : 0;
   }
-  float importance(const LitPoint& point) const {
+  float importance(const LightSampleContext& point) const {
     const Vec3f to = center_ - point.position;
     const float squared = dot(to, to), distance = std::sqrt(squared);
     const float front = -dot(axes_.z, to);
@@ -67,9 +67,9 @@ class DiskShape {
       if (!(height > 0)) return 0;
       cosine = std::min(1.0f, height / std::max(distance, radius_));
     }
-    const float lamp_cosine = std::max(std::min(1.0f, front / distance), 0.05f);
+    const float light_cosine = std::max(std::min(1.0f, front / distance), 0.05f);
     return cosine *
-           std::min(2 * kPif, area() * lamp_cosine / std::max(squared, 0.25f * radius_ * radius_));
+           std::min(2 * kPif, area() * light_cosine / std::max(squared, 0.25f * radius_ * radius_));
   }
   float importance_along(const Ray& ray, float begin, float end) const {
     const auto front = [&](float t) { return dot(ray.at(t) - center_, axes_.z) > 0; };
@@ -87,10 +87,10 @@ class DiskShape {
     out.strength = luminance * area();
     return out;
   }
-  void tell(exchange::Lamp& lamp) const {
-    lamp.shape = exchange::Lamp::Shape::disk;
-    lamp.place = exchange::looking(Vec3d(center_), Vec3d(axes_.z));
-    lamp.radius = static_cast<double>(radius_);
+  void export_to(exchange::Light& light) const {
+    light.shape = exchange::Light::Shape::disk;
+    light.place = exchange::look_along(Vec3d(center_), Vec3d(axes_.z));
+    light.radius = static_cast<double>(radius_);
   }
   const Vec3f& center() const { return center_; }
   float radius() const { return radius_; }
@@ -107,10 +107,10 @@ class DiskShape {
   Frame axes_;
 };
 
-class DiskLight final : public ShapeLamp<DiskShape> {
+class DiskLight final : public ShapeLight<DiskShape> {
  public:
   explicit DiskLight(const Disk& p)
-      : ShapeLamp(DiskShape(p), p, p.radiance_of(kPi * kPi * p.radius * p.radius)) {}
+      : ShapeLight(DiskShape(p), p, p.radiance_for(kPi * kPi * p.radius * p.radius)) {}
 };
 
 }  // namespace

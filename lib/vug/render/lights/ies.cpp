@@ -1,16 +1,16 @@
 // A lamp that shines as it was measured: a small ball whose brightness in each direction is the
 // measured intensity over its cross section.
 #include <vug/base/maths.h>
-#include <vug/render/lighting/sphere_shape.h>
-#include <vug/render/lighting/ies_profile.h>
 #include <vug/render/kind.h>
-#include <vug/render/sampling.h>
+#include <vug/render/lighting/ies_profile.h>
 #include <vug/render/lighting/shape_light.h>
+#include <vug/render/lighting/sphere_shape.h>
+#include <vug/render/sampling.h>
 
 namespace vug::render {
 namespace {
 
-struct Ies : LampParams {
+struct Ies : LightOutputParams {
   std::filesystem::path file;
   Vec3d center{0, 0, 0};
   Vec3d direction{0, -1, 0};
@@ -26,18 +26,18 @@ struct Ies : LampParams {
         .param("turn", &Ies::turn,
                {.doc = "Turns the profile about that direction.", .dimension = Dimension::angle})
         .param("radius", &Ies::radius, positive_length("Its radius: how soft shadows are."));
-    describe_lamp(s);
+    describe_light_output(s);
   }
   std::string fault() const {
     if (!is_direction(direction))
       return "the lamp's direction is no direction: zero, or beyond all numbers";
     if (!(Vec3d(radiance).length() > 0)) return "a lamp of black radiance has no colour";
-    return LampParams::fault();
+    return LightOutputParams::fault();
   }
 };
 
 /// The profile over its peak.
-struct Measured {
+struct MeasuredProfile {
   std::shared_ptr<const IesProfile> profile;
   Frame axes;
   float turn;
@@ -48,7 +48,7 @@ struct Measured {
     return profile->candela(local.z, static_cast<float>(around / (2 * kPi)) - turn) /
            profile->peak();
   }
-  float most(const Vec3f& direction, float ball) const {
+  float upper_bound(const Vec3f& direction, float ball) const {
     const float cosine = std::min(1.0f, dot(direction, axes.z));
     const float root = std::sqrt(std::max(0.0f, 1 - ball * ball));
     // The cosine of the angle to straight down, less that of the ball.
@@ -56,37 +56,37 @@ struct Measured {
         cosine >= root ? 1 : cosine * root + std::sqrt(std::max(0.0f, 1 - cosine * cosine)) * ball;
     return nearest >= profile->lowest_cosine() ? std::max((*this)(direction), 0.05f) : 0;
   }
-  void narrow(LightBounds& bounds) const {
+  void tighten(LightBounds& bounds) const {
     bounds.axis = axes.z;
     bounds.cos_spread = 1;
     bounds.cos_reach = profile->lowest_cosine();
   }
   /// The radiance that gives as much light when it leaves evenly.
-  void tell(exchange::Lamp& lamp) const {
-    lamp.place = exchange::looking(lamp.place.origin(), Vec3d(axes.z), Vec3d(axes.y));
-    lamp.radiance *= profile->lumen() / (4 * kPi * static_cast<double>(profile->peak()));
+  void export_to(exchange::Light& light) const {
+    light.place = exchange::look_along(light.place.origin(), Vec3d(axes.z), Vec3d(axes.y));
+    light.radiance *= profile->lumen() / (4 * kPi * static_cast<double>(profile->peak()));
   }
 };
 
-class IesLight final : public ShapeLamp<Ball, Measured> {
+class IesLight final : public ShapeLight<SphereShape, MeasuredProfile> {
  public:
   explicit IesLight(const Ies& p)
       : IesLight(p, std::make_shared<const IesProfile>(read_ies(p.file))) {}
 
  private:
   IesLight(const Ies& p, const std::shared_ptr<const IesProfile>& profile)
-      : ShapeLamp(Ball(p.center, p.radius), p, radiance(p, *profile),
-                  {profile, Frame(Vec3f(p.direction.normalized())),
-                   static_cast<float>(p.turn / (2 * kPi))}),
+      : ShapeLight(SphereShape(p.center, p.radius), p, radiance(p, *profile),
+                   {profile, Frame(Vec3f(p.direction.normalized())),
+                    static_cast<float>(p.turn / (2 * kPi))}),
         file_(p.file) {}
 
-  bool as_data(exchange::Lamp& lamp) const override {
-    lamp.profile = file_;
-    return ShapeLamp::as_data(lamp);
+  bool as_data(exchange::Light& light) const override {
+    light.profile = file_;
+    return ShapeLight::as_data(light);
   }
 
   static Rgb radiance(const Ies& p, const IesProfile& profile) {
-    const Vec3d colour = p.tinted();
+    const Vec3d colour = p.tinted_radiance();
     const double scale = p.watts() ? *p.watts() * kLumenPerWatt / profile.lumen() : 1;
     const double intensity = static_cast<double>(profile.peak()) * scale / kLumenPerWatt;
     return finite_radiance(colour * (intensity / (kPi * p.radius * p.radius * luminance(colour))),

@@ -1,37 +1,37 @@
 // A sky of one colour. No direction towards it is better than another, so it is found by the
 // material's own directions and through portals, and samples nothing itself.
-#include <vug/exchange/lamp.h>
+#include <vug/exchange/light.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/light_output.h>
 
 namespace vug::render {
 namespace {
 
-struct Sky : LightNotes {
+struct Sky : LightLinking {
   Vec3d radiance{1, 1, 1};
 
   static void describe(Schema<Sky>& s) {
     s.doc("A sky of one colour all round.")
         .param("radiance", &Sky::radiance,
                {.doc = "Radiance of red, green, blue in W/sr/m^2.", .min = 0});
-    describe_notes(s);
+    describe_linking(s);
   }
 };
 
 class SkyLight final : public Light {
  public:
-  explicit SkyLight(const Sky& p) : Light(notes_of(p)), radiance_(finite_radiance(p.radiance)) {}
+  explicit SkyLight(const Sky& p) : Light(linking_of(p)), radiance_(finite_radiance(p.radiance)) {}
 
-  LightSample sample(const LitPoint&, const Vec2f&) const override { return {}; }
-  float pdf(const LitPoint&, const Vec3f&) const override { return 0; }
-  float importance(const LitPoint&) const override { return 0; }
+  LightSample sample(const LightSampleContext&, const Vec2f&) const override { return {}; }
+  float pdf(const LightSampleContext&, const Vec3f&) const override { return 0; }
+  float importance(const LightSampleContext&) const override { return 0; }
   float importance_along(const Ray&, float, float) const override { return 0; }
   bool is_sky() const override { return true; }
   float mean_luminance() const override { return luminance(radiance_); }
   Rgb escape_radiance(const Vec3f&) const override { return radiance_; }
-  bool as_data(exchange::Lamp& lamp) const override {
-    lamp.shape = exchange::Lamp::Shape::dome;
-    lamp.radiance = Vec3d(radiance_);
+  bool as_data(exchange::Light& light) const override {
+    light.shape = exchange::Light::Shape::dome;
+    light.radiance = Vec3d(radiance_);
     return true;
   }
 

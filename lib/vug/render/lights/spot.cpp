@@ -1,13 +1,13 @@
 // A small ball that shines into a cone with a smooth edge.
 #include <vug/base/maths.h>
-#include <vug/render/lighting/sphere_shape.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/shape_light.h>
+#include <vug/render/lighting/sphere_shape.h>
 
 namespace vug::render {
 namespace {
 
-struct Spot : LampParams {
+struct Spot : LightOutputParams {
   Vec3d center{0, 0, 0};
   Vec3d direction{0, -1, 0};
   double angle = 40 * kPi / 180;
@@ -30,11 +30,11 @@ struct Spot : LampParams {
                 .min = 0,
                 .max = 1})
         .param("radius", &Spot::radius, positive_length("Its radius: how soft shadows are."));
-    describe_lamp(s);
+    describe_light_output(s);
   }
   std::string fault() const {
     return is_direction(direction)
-               ? LampParams::fault()
+               ? LightOutputParams::fault()
                : "the spot's direction is no direction: zero, or beyond all numbers";
   }
   /// 1 - cosines of the cone, from its axis; light fades from the inner angle to the outer.
@@ -48,7 +48,7 @@ struct Spot : LampParams {
   static double off(double angle) { return 2 * std::pow(maths::sin(0.5 * angle), 2); }
 };
 
-struct Cone {
+struct ConeProfile {
   Vec3f axis;
   float inner, outer;  ///< 1 - cosines: of narrow cones these are numbers still.
 
@@ -60,7 +60,7 @@ struct Cone {
     const float t = (outer - off) / (outer - inner);
     return t * t * (3 - 2 * t);
   }
-  float most(const Vec3f& direction, float ball) const {
+  float upper_bound(const Vec3f& direction, float ball) const {
     const float cosine = std::min(1.0f, dot(direction, axis));
     // The cosine of the angle less that of the ball.
     const float root = std::sqrt(std::max(0.0f, 1 - ball * ball));
@@ -68,26 +68,26 @@ struct Cone {
         cosine >= root ? 1 : cosine * root + std::sqrt(std::max(0.0f, 1 - cosine * cosine)) * ball;
     return nearest > 1 - outer - 1e-6f ? std::max((*this)(direction), 0.05f) : 0;
   }
-  void narrow(LightBounds& bounds) const {
+  void tighten(LightBounds& bounds) const {
     bounds.axis = axis;
     bounds.cos_spread = 1;
     bounds.cos_reach = 1 - outer;
   }
-  void tell(exchange::Lamp& lamp) const {
+  void export_to(exchange::Light& light) const {
     const double half = maths::acos(1 - static_cast<double>(outer));
-    lamp.shape = exchange::Lamp::Shape::spot;
-    lamp.place = exchange::looking(lamp.place.origin(), Vec3d(axis));
-    lamp.angle = 2 * half;
-    lamp.edge = half > 0 ? 1 - maths::acos(1 - static_cast<double>(inner)) / half : 0;
+    light.shape = exchange::Light::Shape::spot;
+    light.place = exchange::look_along(light.place.origin(), Vec3d(axis));
+    light.angle = 2 * half;
+    light.edge = half > 0 ? 1 - maths::acos(1 - static_cast<double>(inner)) / half : 0;
   }
 };
 
-class SpotLight final : public ShapeLamp<Ball, Cone> {
+class SpotLight final : public ShapeLight<SphereShape, ConeProfile> {
  public:
   explicit SpotLight(const Spot& p)
-      : ShapeLamp(Ball(p.center, p.radius), p, p.radiance_of(p.watts_per_radiance()),
-                  {Vec3f(p.direction.normalized()), static_cast<float>(p.inner()),
-                   static_cast<float>(p.outer())}) {}
+      : ShapeLight(SphereShape(p.center, p.radius), p, p.radiance_for(p.watts_per_radiance()),
+                   {Vec3f(p.direction.normalized()), static_cast<float>(p.inner()),
+                    static_cast<float>(p.outer())}) {}
 };
 
 }  // namespace

@@ -1,15 +1,15 @@
 // A disk in the sky, infinitely far: every place sees it in the same direction.
 #include <vug/base/maths.h>
-#include <vug/exchange/lamp.h>
+#include <vug/exchange/light.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/light_output.h>
-#include <vug/render/sampling.h>
 #include <vug/render/lighting/sun_position.h>
+#include <vug/render/sampling.h>
 
 namespace vug::render {
 namespace {
 
-struct Sun : SunParams, LightNotes {
+struct Sun : SunParams, LightLinking {
   double angle = 0.533 * kPi / 180;
   double turbidity = 3;
   std::optional<Vec3d> irradiance;
@@ -29,13 +29,13 @@ struct Sun : SunParams, LightNotes {
         .param(
             "irradiance", &Sun::irradiance,
             {.doc = "W/m^2 that reach a surface that faces it, instead of the air's.", .min = 0});
-    describe_notes(s);
+    describe_linking(s);
   }
 };
 
 class SunLight final : public Light {
  public:
-  explicit SunLight(const Sun& p) : Light(notes_of(p)), axes_(Vec3f(p.direction())) {
+  explicit SunLight(const Sun& p) : Light(linking_of(p)), axes_(Vec3f(p.direction())) {
     const double cosine = maths::cos(p.angle / 2), sine = maths::sin(p.angle / 2);
     part_ = static_cast<float>(sine * sine / (1 + cosine));
     const Vec3d irradiance = p.irradiance.value_or(sun_irradiance(p.direction(), p.turbidity));
@@ -45,17 +45,17 @@ class SunLight final : public Light {
     sine_ = static_cast<float>(sine);
   }
 
-  LightSample sample(const LitPoint&, const Vec2f& u) const override {
+  LightSample sample(const LightSampleContext&, const Vec2f& u) const override {
     LightSample s;
     s.direction = axes_.to_world(direction_off_axis(u.x * part_, u.y));
     s.distance = kFar;
     s.pdf = 1 / (2 * kPif * part_);
     return s;
   }
-  float pdf(const LitPoint&, const Vec3f& direction) const override {
+  float pdf(const LightSampleContext&, const Vec3f& direction) const override {
     return inside(direction) ? 1 / (2 * kPif * part_) : 0;
   }
-  float importance(const LitPoint& point) const override {
+  float importance(const LightSampleContext& point) const override {
     if (!point.on_surface()) return strength_;
     const float cosine = dot(point.normal, axes_.z);
     return cosine > -sine_ ? strength_ * std::max(cosine, 0.02f) : 0;
@@ -69,11 +69,11 @@ class SunLight final : public Light {
   Rgb escape_radiance(const Vec3f& direction) const override {
     return inside(direction) ? radiance_ : Rgb(0.0f);
   }
-  bool as_data(exchange::Lamp& lamp) const override {
-    lamp.shape = exchange::Lamp::Shape::sun;
-    lamp.place = exchange::looking(Vec3d(0.0), -Vec3d(axes_.z));
-    lamp.radiance = Vec3d(radiance_);
-    lamp.angle = 2 * maths::atan2(static_cast<double>(sine_), 1 - static_cast<double>(part_));
+  bool as_data(exchange::Light& light) const override {
+    light.shape = exchange::Light::Shape::sun;
+    light.place = exchange::look_along(Vec3d(0.0), -Vec3d(axes_.z));
+    light.radiance = Vec3d(radiance_);
+    light.angle = 2 * maths::atan2(static_cast<double>(sine_), 1 - static_cast<double>(part_));
     return true;
   }
 

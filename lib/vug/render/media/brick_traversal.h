@@ -11,11 +11,11 @@
 
 namespace vug::render {
 
-class BrickWalk {
+class BrickTraversal {
  public:
   /// The part of the segment that lies in the density; through its bricks of one size.
-  BrickWalk(const volume::Density& density, const volume::Bricks& bricks, const Ray& ray,
-            const Segment& segment)
+  BrickTraversal(const volume::Density& density, const volume::MajorantGrid& bricks, const Ray& ray,
+                 const Segment& segment)
       : bricks_(bricks),
         origin_(density.to_index(ray.origin)),
         direction_(density.direction_to_index(ray.direction)),
@@ -54,13 +54,13 @@ class BrickWalk {
   Vec3f index(float t) const { return origin_ + direction_ * t; }
 
   /// The part of the ray in one brick.
-  struct Step {
+  struct Interval {
     float begin = 0, end = 0;
-    volume::Bricks::Range range;
+    volume::MajorantGrid::Range range;
   };
   /// To the next brick that is not empty; false when there is none. A way that rounding takes out
   /// of the bricks is in their empty rim, and at its end.
-  bool next(Step& step) {
+  bool next(Interval& step) {
     while (t_ < end_) {
       step = {t_, std::min(std::min(next_.x, next_.y), std::min(next_.z, end_)),
               bricks_.range(at_)};
@@ -72,13 +72,13 @@ class BrickWalk {
       next_.y += y ? apart_.y : 0;
       next_.z += z ? apart_.z : 0;
       t_ = std::max(t_, step.end);
-      if (step.range.most > 0 && step.end > step.begin) return true;
+      if (step.range.max > 0 && step.end > step.begin) return true;
     }
     return false;
   }
 
  private:
-  const volume::Bricks& bricks_;
+  const volume::MajorantGrid& bricks_;
   Vec3f origin_, direction_, next_{0, 0, 0}, apart_{0, 0, 0};
   std::array<ptrdiff_t, 3> step_{0, 0, 0};
   size_t at_ = 0;

@@ -7,20 +7,20 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
-#include <vug/render/lighting/blackbody.h>
-#include <vug/render/media/brick_traversal.h>
-#include <vug/render/materials/material_input.h>
 #include <vug/render/kind.h>
+#include <vug/render/lighting/blackbody.h>
+#include <vug/render/materials/material_input.h>
+#include <vug/render/media/brick_traversal.h>
 #include <vug/render/media/phase.h>
 #include <vug/volume/io.h>
-#include <vug/volume/sampled.h>
+#include <vug/volume/resampled.h>
 
 #include <fmt/format.h>
 
 namespace vug::render {
 namespace {
 
-using Range = volume::Bricks::Range;
+using Range = volume::MajorantGrid::Range;
 /// To pass a brick takes this part of the time of a look at the density.
 constexpr double kPassing = 0.2;
 
@@ -90,15 +90,15 @@ void DenseCloud::describe(Schema<DenseCloud>& s) {
 }
 
 /// A place in the air as masks and paints see it.
-paint::Spot spot_at(const Vec3f& point) {
-  paint::Spot spot;
-  spot.position = Vec3d(point);
-  spot.normal = Vec3d(0, 1, 0);
-  return spot;
+paint::EvalPoint eval_point_at(const Vec3f& point) {
+  paint::EvalPoint out;
+  out.position = Vec3d(point);
+  out.normal = Vec3d(0, 1, 0);
+  return out;
 }
 
 float value_at(const NumberInput& input, const Vec3f& point) {
-  return input.varying ? input.at(spot_at(point)) : static_cast<float>(input.constant);
+  return input.varying ? input.at(eval_point_at(point)) : static_cast<float>(input.constant);
 }
 
 /// Grids of one file by name.
@@ -146,8 +146,8 @@ class CloudMedium final : public Medium {
     fill(std::make_shared<const volume::Density>(file.density(p.grid)));
   }
 
-  MediumPtr fitted(const Box3f&) const override { return nullptr; }
-  MediumPtr filled(DensityPtr density) const override {
+  MediumPtr with_bounds(const Box3f&) const override { return nullptr; }
+  MediumPtr with_density(DensityPtr density) const override {
     auto copy = std::make_shared<CloudMedium>(*this);
     copy->fill(std::move(density));
     return copy;
@@ -160,49 +160,50 @@ class CloudMedium final : public Medium {
     CloudData data{{p_.extinction, p_.albedo.constant, p_.g, p_.emission, hot() ? 1.0 : 0.0},
                    {body.named("density")}};
     if (p_.albedo.varying || colour_[0]) {
-      data.cloud.albedo = Vec3d(1.0);
-      data.grids.push_back(
-          volume::sampled_vectors(body, [&](const Vec3f& p) { return albedo(p); }).named("color"));
+      data.medium.albedo = Vec3d(1.0);
+      data.grids.push_back(volume::resampled_vectors(body, [&](const Vec3f& p) {
+                             return albedo(p);
+                           }).named("color"));
     }
     if (hot()) {
       const volume::Grid& where = heat_ ? file->find(p_.temperature_grid) : body;
       data.grids.push_back(
-          volume::sampled(where, [&](const Vec3f& p) { return kelvin(p); }).named("temperature"));
+          volume::resampled(where, [&](const Vec3f& p) { return kelvin(p); }).named("temperature"));
     }
-    if (flames_ || (p_.emission_mask.varying && shines())) {
+    if (flames_ || (p_.emission_mask.varying && has_emission())) {
       const volume::Grid& where = flames_ ? file->find(p_.emission_grid) : body;
       const auto burning = [&](const Vec3f& p) {
-        return share(p) * (flames_ ? flames_->anywhere(p) : extinction(p));
+        return emission_factor(p) * (flames_ ? flames_->at_world(p) : extinction(p));
       };
-      data.grids.push_back(volume::sampled(where, burning).named("flame"));
+      data.grids.push_back(volume::resampled(where, burning).named("flame"));
     } else {
-      data.cloud.emission *= p_.emission_mask.constant;
-      data.cloud.heat *= p_.emission_mask.constant;
+      data.medium.emission *= p_.emission_mask.constant;
+      data.medium.heat *= p_.emission_mask.constant;
     }
     return data;
   }
-  bool hollow() const override { return density_ == nullptr; }
+  bool needs_density() const override { return density_ == nullptr; }
 
   Segment clip(const Ray& ray, float end) const override {
-    return bounds_.isEmpty() ? Segment{0, 0} : clipped(bounds_, ray, end);
+    return bounds_.isEmpty() ? Segment{0, 0} : clip_to_box(bounds_, ray, end);
   }
-  float transmittance(const Ray& ray, const Segment& whole,
-                      TrackingNumbers& numbers) const override {
+  float transmittance(const Ray& ray, const Segment& whole, TrackingRng& numbers) const override {
     const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return 1;
     // As if bricks were even; what differs from that is left to chance.
     float through = 1, known = 0;
-    BrickWalk walk(*density_, *bricks_, ray, segment);
+    BrickTraversal walk(*density_, *bricks_, ray, segment);
     float left = free_path(numbers.next());
-    for (BrickWalk::Step step; walk.next(step);) {
+    for (BrickTraversal::Interval step; walk.next(step);) {
       const Range& range = step.range;
       known += (step.end - step.begin) * range.mean;
-      const float most = std::max(range.most - range.mean, range.mean - range.least),
+      const float most = std::max(range.max - range.mean, range.mean - range.min),
                   bound = most * extinction_;
       float t = step.begin;
       while (left < (step.end - t) * bound) {
         t += left / bound;
-        through *= 1 - (density_->one_at(walk.index(t), numbers.triple()) - range.mean) / most;
+        through *=
+            1 - (density_->stochastic_at(walk.index(t), numbers.triple()) - range.mean) / most;
         if (through < 0.1f) {
           // Dim light goes on by lot: the mean stays.
           if (numbers.next() >= 2 * through) return 0;
@@ -212,86 +213,94 @@ class CloudMedium final : public Medium {
       }
       left -= (step.end - t) * bound;
     }
-    return through * fall(known);
+    return through * attenuation(known);
   }
-  DistanceSample cross(const Ray& ray, const Segment& whole, float u, std::span<Mark> marks,
-                       TrackingNumbers& numbers) const override {
-    for (Mark& mark : marks) mark.clear = 1;
+  DistanceSample sample_distance(const Ray& ray, const Segment& whole, float u,
+                                 std::span<ScatterPoint> scatter_points,
+                                 TrackingRng& numbers) const override {
+    for (ScatterPoint& point : scatter_points) point.transmittance = 1;
     const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return {};
-    BrickWalk walk(*density_, *bricks_, ray, segment);
+    BrickTraversal walk(*density_, *bricks_, ray, segment);
     float known = 0, done = -kFar, left = free_path(u);
-    for (BrickWalk::Step step; walk.next(step); done = step.end) {
+    for (BrickTraversal::Interval step; walk.next(step); done = step.end) {
       const Range& range = step.range;
       const auto known_to = [&](float t) {
         return known + std::max(t - step.begin, 0.0f) * range.mean;
       };
-      const float bound = range.most * extinction_;
+      const float bound = range.max * extinction_;
       float t = step.begin;
       while (left < (step.end - t) * bound) {
         t += left / bound;
         left = free_path(numbers.next());
-        const float density = density_->one_at(walk.index(t), numbers.triple());
-        const bool collides = numbers.next() * range.most < density;
-        for (Mark& mark : marks) {
-          if (!(mark.distance > t)) continue;
-          mark.clear *= 1 - (density - range.mean) / range.most;
+        const float density = density_->stochastic_at(walk.index(t), numbers.triple());
+        const bool collides = numbers.next() * range.max < density;
+        for (ScatterPoint& point : scatter_points) {
+          if (!(point.distance > t)) continue;
+          point.transmittance *= 1 - (density - range.mean) / range.max;
           if (collides)
-            mark.clear *= fall(known_to(t)) * transmittance(ray, {t, mark.distance}, numbers);
+            point.transmittance *=
+                attenuation(known_to(t)) * transmittance(ray, {t, point.distance}, numbers);
         }
         if (collides) {
-          for (Mark& mark : marks)
-            if (mark.distance > done && mark.distance <= t)
-              mark.clear *= fall(known_to(mark.distance));
+          for (ScatterPoint& point : scatter_points)
+            if (point.distance > done && point.distance <= t)
+              point.transmittance *= attenuation(known_to(point.distance));
           return {t, true};
         }
       }
       left -= (step.end - t) * bound;
-      for (Mark& mark : marks)
-        if (mark.distance > done && mark.distance <= step.end)
-          mark.clear *= fall(known_to(mark.distance));
+      for (ScatterPoint& point : scatter_points)
+        if (point.distance > done && point.distance <= step.end)
+          point.transmittance *= attenuation(known_to(point.distance));
       known = known_to(step.end);
     }
-    for (Mark& mark : marks)
-      if (mark.distance > done) mark.clear *= fall(known);
+    for (ScatterPoint& point : scatter_points)
+      if (point.distance > done) point.transmittance *= attenuation(known);
     return {};
   }
   float extinction(const Vec3f& point) const override {
     return extinction_ * density_->at(density_->to_index(point));
   }
-  void expect(const Vec3f& point) const override { density_->expect(density_->to_index(point)); }
+  void prefetch(const Vec3f& point) const override {
+    density_->prefetch(density_->to_index(point));
+  }
   Rgb albedo(const Vec3f& point) const override {
-    const Rgb own = p_.albedo.varying ? p_.albedo.at(spot_at(point)) : Rgb(p_.albedo.constant);
+    const Rgb own =
+        p_.albedo.varying ? p_.albedo.at(eval_point_at(point)) : Rgb(p_.albedo.constant);
     if (!colour_[0]) return own;
     Rgb colour;
     for (int c = 0; c < 3; ++c)
-      colour[c] = std::min(colour_[static_cast<size_t>(c)]->anywhere(point), 1.0f);
+      colour[c] = std::min(colour_[static_cast<size_t>(c)]->at_world(point), 1.0f);
     return own * colour;
   }
-  float usual_extinction() const override { return usual_; }
+  float typical_extinction() const override { return typical_; }
 
-  Rgb glow(const Vec3f& point) const override { return flames_ ? Rgb(0.0f) : shine(point); }
-  bool burns() const override { return flames_ != nullptr; }
+  Rgb emission(const Vec3f& point) const override {
+    return flames_ ? Rgb(0.0f) : emitted_radiance(point);
+  }
+  bool is_emissive() const override { return flames_ != nullptr; }
   /// One place by the bounds of the bricks, weighed by the clear part of the way to it.
-  Rgb flames(const Ray& ray, const Segment& whole, TrackingNumbers& numbers) const override {
+  Rgb sample_emission(const Ray& ray, const Segment& whole, TrackingRng& numbers) const override {
     const Segment segment = within(*flames_, ray, whole);
     if (segment.empty()) return Rgb(0.0f);
     float all = 0;
-    BrickWalk::Step step;
-    for (BrickWalk walk(*flames_, flames_->bricks().front(), ray, segment); walk.next(step);)
-      all += (step.end - step.begin) * step.range.most;
+    BrickTraversal::Interval step;
+    for (BrickTraversal walk(*flames_, flames_->majorants().front(), ray, segment);
+         walk.next(step);)
+      all += (step.end - step.begin) * step.range.max;
     float left = numbers.next() * all, distance = -1, bound = 0;
-    BrickWalk walk(*flames_, flames_->bricks().front(), ray, segment);
+    BrickTraversal walk(*flames_, flames_->majorants().front(), ray, segment);
     while (left > 0 && walk.next(step)) {
-      distance = std::min(step.begin + left / step.range.most, step.end);
-      bound = step.range.most;
-      left -= (step.end - step.begin) * step.range.most;
+      distance = std::min(step.begin + left / step.range.max, step.end);
+      bound = step.range.max;
+      left -= (step.end - step.begin) * step.range.max;
     }
     if (!(distance >= 0)) return Rgb(0.0f);
     const float flame = flames_->at(walk.index(distance));
     if (!(flame > 0)) return Rgb(0.0f);
     const float clear = transmittance(ray, {whole.begin, distance}, numbers);
-    return shine(ray.at(distance)) * (flame * clear * all / bound);
+    return emitted_radiance(ray.at(distance)) * (flame * clear * all / bound);
   }
 
   float phase(float cosine) const override {
@@ -303,49 +312,49 @@ class CloudMedium final : public Medium {
 
  private:
   /// Part of the light that comes through a way, as the integral of density along it.
-  float fall(float way) const {
+  float attenuation(float way) const {
     return static_cast<float>(maths::exp(-static_cast<double>(way * extinction_)));
   }
   /// The part of a segment in which a grid has values.
   Segment within(const volume::Density& grid, const Ray& ray, const Segment& whole) const {
-    if (grid.bricks().empty()) return {0, 0};
+    if (grid.majorants().empty()) return {0, 0};
     if (!flames_) return whole;  // then the medium is where its density is
     if (grid.bounds().isEmpty()) return {0, 0};
-    const Segment part = clipped(grid.bounds(), ray, whole.end);
+    const Segment part = clip_to_box(grid.bounds(), ray, whole.end);
     return {std::max(part.begin, whole.begin), part.end};
   }
   /// What is sent out, before extinction or flame.
-  Rgb shine(const Vec3f& point) const {
-    if (!shines()) return Rgb(0.0f);
-    const float part = share(point);
+  Rgb emitted_radiance(const Vec3f& point) const {
+    if (!has_emission()) return Rgb(0.0f);
+    const float part = emission_factor(point);
     if (!(part > 0)) return Rgb(0.0f);
     Rgb sum(p_.emission);
     if (hot()) sum += thermal_radiance(kelvin(point));
     return sum * part;
   }
   bool hot() const { return p_.temperature > 0; }
-  bool shines() const { return hot() || p_.emission != Vec3d(0); }
+  bool has_emission() const { return hot() || p_.emission != Vec3d(0); }
   /// Part of all that a place sends out.
-  float share(const Vec3f& point) const { return value_at(p_.emission_mask, point); }
+  float emission_factor(const Vec3f& point) const { return value_at(p_.emission_mask, point); }
   float kelvin(const Vec3f& point) const {
     const float own = static_cast<float>(p_.temperature) * value_at(p_.temperature_mask, point);
-    return heat_ ? own * heat_->anywhere(point) : own;
+    return heat_ ? own * heat_->at_world(point) : own;
   }
   void fill(DensityPtr density) {
     density_ = std::move(density);
     bounds_ = density_->bounds();
     if (flames_ && !flames_->bounds().isEmpty()) bounds_.extendBy(flames_->bounds());
-    bricks_ = nullptr, usual_ = 0;
-    const std::vector<volume::Bricks>& bricks = density_->bricks();
+    bricks_ = nullptr, typical_ = 0;
+    const std::vector<volume::MajorantGrid>& bricks = density_->majorants();
     if (bricks.empty()) return;
     const double voxels = static_cast<double>(density_->size().x) *
                           static_cast<double>(density_->size().y) *
                           static_cast<double>(density_->size().z);
-    usual_ = extinction_ * static_cast<float>(0.5 * bricks.front().bound() / voxels);
+    typical_ = extinction_ * static_cast<float>(0.5 * bricks.front().bound() / voxels);
     // Large bricks are few to pass, small ones have tighter bounds: fewer looks at densities.
     const double voxel = 1 / static_cast<double>(length(density_->direction_to_index({1, 0, 0})));
     double least = 0;
-    for (const volume::Bricks& each : bricks) {
+    for (const volume::MajorantGrid& each : bricks) {
       const double looks = static_cast<double>(extinction_) * each.bound() / voxels;
       const double cost = looks + kPassing / (voxel * each.size());
       if (!bricks_ || cost < least) bricks_ = &each, least = cost;
@@ -353,9 +362,10 @@ class CloudMedium final : public Medium {
   }
 
   DenseCloud p_;
-  float extinction_, usual_ = 0;
+  float extinction_, typical_ = 0;
   DensityPtr density_, heat_, flames_;
-  const volume::Bricks* bricks_ = nullptr;  ///< Of the density, that walks take least time through.
+  const volume::MajorantGrid* bricks_ =
+      nullptr;  ///< Of the density, that walks take least time through.
   std::array<DensityPtr, 3> colour_;
   Box3f bounds_;
 };

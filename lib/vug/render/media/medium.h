@@ -1,7 +1,7 @@
 // The seam of media: what the air does to light between surfaces.
 #pragma once
 
-#include <vug/exchange/cloud.h>
+#include <vug/exchange/medium.h>
 #include <vug/render/media/tracking.h>
 #include <vug/render/vectors.h>
 #include <vug/volume/grid.h>
@@ -25,7 +25,7 @@ struct Segment {
 };
 
 /// The part of a ray before `end` (may be kFar) that lies in a box.
-Segment clipped(const Box3f& box, const Ray& ray, float end);
+Segment clip_to_box(const Box3f& box, const Ray& ray, float end);
 
 struct DistanceSample {
   float distance = 0;  ///< From the ray's origin.
@@ -33,14 +33,14 @@ struct DistanceSample {
 };
 
 /// A place on a ray, in metres from its origin, and the part of the light that comes through to it.
-struct Mark {
+struct ScatterPoint {
   float distance = 0;
-  float clear = 1;
+  float transmittance = 1;
 };
 
-/// A cloud for other programs: grids with the names that exchange::Cloud has for them.
+/// A cloud for other programs: grids with the names that exchange::Medium has for them.
 struct CloudData {
-  exchange::Cloud cloud;
+  exchange::Medium medium;
   std::vector<volume::Grid> grids;  ///< The density first.
 };
 
@@ -50,9 +50,9 @@ class Medium {
   virtual ~Medium() = default;
   /// This medium with its region set to the scene's box, when it was given no region of its own;
   /// null when it has one.
-  virtual std::shared_ptr<const Medium> fitted(const Box3f& scene) const = 0;
+  virtual std::shared_ptr<const Medium> with_bounds(const Box3f& scene) const = 0;
   /// This medium with its density told; null when it needs none.
-  virtual std::shared_ptr<const Medium> filled(
+  virtual std::shared_ptr<const Medium> with_density(
       std::shared_ptr<const volume::Density> density) const {
     (void)density;
     return nullptr;
@@ -65,35 +65,36 @@ class Medium {
     return (void)density, std::nullopt;
   }
   /// It has no density yet.
-  virtual bool hollow() const { return false; }
+  virtual bool needs_density() const { return false; }
   /// The part of the ray before `end` (may be kFar) that lies in the medium.
   virtual Segment clip(const Ray& ray, float end) const = 0;
   /// Part of the light that comes through a segment: exact, or an estimate whose mean it is.
   virtual float transmittance(const Ray& ray, const Segment& segment,
-                              TrackingNumbers& numbers) const = 0;
+                              TrackingRng& numbers) const = 0;
   /// A distance with the density of the first collision. By the way the marks, which lie in the
   /// segment, are told what `transmittance` would be to them: right in the mean, not independent of
   /// the distance and of each other.
-  virtual DistanceSample cross(const Ray& ray, const Segment& segment, float u,
-                               std::span<Mark> marks, TrackingNumbers& numbers) const = 0;
+  virtual DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
+                                         std::span<ScatterPoint> scatter_points,
+                                         TrackingRng& numbers) const = 0;
   DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
-                                 TrackingNumbers& numbers) const {
-    return cross(ray, segment, u, {}, numbers);
+                                 TrackingRng& numbers) const {
+    return sample_distance(ray, segment, u, {}, numbers);
   }
   /// Collisions per metre, and which part of the light they scatter instead of swallowing.
   virtual float extinction(const Vec3f& point) const = 0;
   /// Calls from memory what `extinction` will ask for there.
-  virtual void expect(const Vec3f& point) const { (void)point; }
+  virtual void prefetch(const Vec3f& point) const { (void)point; }
   virtual Rgb albedo(const Vec3f& point) const = 0;
   /// Collisions per metre as a round number, to share samples out along rays.
-  virtual float usual_extinction() const = 0;
+  virtual float typical_extinction() const = 0;
   /// What the medium sends out by itself where it is dense: times the extinction, radiance that is
   /// added per metre.
-  virtual Rgb glow(const Vec3f& point) const { return (void)point, Rgb(0.0f); }
+  virtual Rgb emission(const Vec3f& point) const { return (void)point, Rgb(0.0f); }
   /// It also shines where its density does not tell: flames.
-  virtual bool burns() const { return false; }
+  virtual bool is_emissive() const { return false; }
   /// That light over a segment as it arrives at the ray's origin: an estimate whose mean it is.
-  virtual Rgb flames(const Ray& ray, const Segment& segment, TrackingNumbers& numbers) const {
+  virtual Rgb sample_emission(const Ray& ray, const Segment& segment, TrackingRng& numbers) const {
     (void)ray, (void)segment, (void)numbers;
     return Rgb(0.0f);
   }

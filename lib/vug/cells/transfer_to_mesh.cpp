@@ -1,0 +1,238 @@
+#include <vug/base/parallel.h>
+#include <vug/cells/transfer_to_mesh.h>
+#include <vug/mesh/normals.h>
+#include <vug/mesh/point_grid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vug::cells {
+namespace {
+
+struct Share {
+  uint32_t cell;
+  double weight;
+};
+
+/// An attribute on its way: read of cells, written to vertices.
+struct Way {
+  std::variant<const std::vector<float>*, const std::vector<Vec3f>*, const std::vector<int32_t>*,
+               const std::vector<CellState>*>
+      from;
+  mesh::Attribute to;
+  bool is_colour = false;
+};
+
+double component(float value, int) { return static_cast<double>(value); }
+double component(const Vec3f& value, int c) { return static_cast<double>(value[c]); }
+double component(int32_t value, int) { return value; }
+double component(CellState value, int) { return value == CellState::transparent ? 1 : 0; }
+
+/// Mean as the first one's value and what the others differ from it: exact where they are alike.
+template <class T, class Value>
+double mean(const std::vector<Share>& shares, const Value& value) {
+  const double first = value(shares[0].cell);
+  double sum = 0, weights = 0;
+  for (const Share& share : shares) {
+    sum += share.weight * (value(share.cell) - first);
+    weights += share.weight;
+  }
+  return first + sum / weights;
+}
+
+void write(Way& way, const std::vector<Share>& shares, size_t vertex) {
+  const auto arity = static_cast<size_t>(way.to.arity);
+  float* out = way.to.values.data() + vertex * arity;
+  std::visit(
+      [&](const auto* from) {
+        using T = typename std::decay_t<decltype(*from)>::value_type;
+        for (int c = 0; c < way.to.arity; ++c) {
+          const auto under = static_cast<double>(out[c]);
+          out[c] = static_cast<float>(mean<T>(shares, [&](uint32_t cell) {
+            const T& value = (*from)[cell];
+            if constexpr (std::is_same_v<T, Vec3f>)
+              if (way.is_colour && value == Vec3f(0)) return under;
+            return component(value, c);
+          }));
+        }
+      },
+      way.from);
+}
+
+class Carrier {
+ public:
+  Carrier(const Network& network, const mesh::Mesh& mesh, std::vector<Way>& ways)
+      : network_(network), mesh_(mesh), ways_(ways) {}
+
+  /// Fills these vertices from cells within the radius; gives those that found none.
+  std::vector<uint32_t> carry(const std::vector<uint32_t>& vertices, double radius,
+                              bool any_side) const {
+    const auto cells = static_cast<uint32_t>(network_.size());
+    std::vector<Vec3f> points = network_.position;
+    for (const uint32_t v : vertices) points.push_back(mesh_.positions[v]);
+    std::vector<uint8_t> found(vertices.size(), 0);
+    const mesh::PointGrid grid(points, radius);
+    grid.for_each_cube([&](const mesh::PointGrid::Run& own, const mesh::PointGrid::Runs& around) {
+      std::vector<uint32_t> near;
+      std::vector<Share> shares;
+      bool looked = false;
+      for (uint32_t place = own.begin; place < own.end; ++place) {
+        if (grid.order()[place] < cells) continue;
+        if (!looked)
+          for (const mesh::PointGrid::Run& run : around)
+            for (uint32_t k = run.begin; k < run.end; ++k)
+              if (grid.order()[k] < cells) near.push_back(grid.order()[k]);
+        looked = true;
+        const uint32_t at = grid.order()[place] - cells;
+        weigh(vertices[at], near, radius, any_side, shares);
+        if (shares.empty()) continue;
+        for (Way& way : ways_) write(way, shares, vertices[at]);
+        found[at] = 1;
+      }
+    });
+    std::vector<uint32_t> left;
+    for (size_t i = 0; i < vertices.size(); ++i)
+      if (!found[i]) left.push_back(vertices[i]);
+    return left;
+  }
+
+ private:
+  void weigh(uint32_t vertex, const std::vector<uint32_t>& near, double radius, bool any_side,
+             std::vector<Share>& shares) const {
+    shares.clear();
+    size_t heaviest = 0;
+    for (const uint32_t cell : near) {
+      const Vec3d d = Vec3d(network_.position[cell]) - Vec3d(mesh_.positions[vertex]);
+      const double within = 1 - d.length2() / (radius * radius);
+      if (within <= 0) continue;
+      const double alike =
+          any_side ? 1 : Vec3d(network_.normal[cell]).dot(Vec3d(mesh_.normals[vertex]));
+      const double weight = alike > 0 ? within * within * alike * alike : 0;
+      if (weight < std::numeric_limits<float>::min()) continue;
+      shares.push_back({cell, weight});
+      if (weight > shares[heaviest].weight) heaviest = shares.size() - 1;
+    }
+    if (!shares.empty()) std::swap(shares[0], shares[heaviest]);
+  }
+
+  const Network& network_;
+  const mesh::Mesh& mesh_;
+  std::vector<Way>& ways_;
+};
+
+/// Takes the attribute of that name from the mesh; where there is none all 0, colours white.
+mesh::Attribute taken(mesh::Mesh& mesh, const std::string& name, int arity) {
+  mesh::Attribute out{name, arity, {}};
+  auto& all = mesh.attributes;
+  const auto known = std::find_if(all.begin(), all.end(),
+                                  [&](const mesh::Attribute& each) { return each.name == name; });
+  if (known != all.end() && known->arity == arity) out.values = std::move(known->values);
+  if (known != all.end()) all.erase(known);
+  out.values.resize(mesh.positions.size() * static_cast<size_t>(arity),
+                    name == mesh::kColour ? 1.0f : 0.0f);
+  return out;
+}
+
+std::vector<Way> ways_of(const Simulation& simulation, mesh::Mesh& mesh) {
+  std::vector<Way> ways;
+  for (const Attribute& attribute : simulation.attributes().all()) {
+    if (attribute.name == "P" || attribute.name == "N") continue;
+    std::visit(
+        [&](const auto& column) {
+          const bool vector = std::is_same_v<std::decay_t<decltype(column)>, Column<Vec3f>>;
+          ways.push_back({&column.now, taken(mesh, attribute.name, vector ? 3 : 1),
+                          vector && attribute.name == mesh::kColour});
+        },
+        attribute.column);
+  }
+  if (!simulation.attributes().find(kTransparent))
+    ways.push_back({&simulation.states(), taken(mesh, std::string(kTransparent), 1), false});
+  return ways;
+}
+
+/// How far each cell has gone; none where no rule moves them.
+std::vector<Vec3f> ways_gone(const Simulation& simulation) {
+  const Attribute* place = simulation.attributes().find(kPlace);
+  const auto* column = place ? std::get_if<Column<Vec3f>>(&place->column) : nullptr;
+  if (!column) return {};
+  std::vector<Vec3f> ways(column->now.size());
+  for (size_t i = 0; i < ways.size(); ++i)
+    ways[i] = column->now[i] - simulation.network().position[i];
+  return ways;
+}
+
+/// Moves the vertices by `ways` (three numbers each) and by `height` along their normals; either
+/// may be null.
+void move_vertices(mesh::Mesh& mesh, const std::vector<float>* ways,
+                   const std::vector<float>* height) {
+  const std::vector<Vec3f> before = mesh::vertex_normals(mesh);
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    Vec3f& p = mesh.positions[v];
+    if (ways) p += Vec3f((*ways)[3 * v], (*ways)[3 * v + 1], (*ways)[3 * v + 2]);
+    if (height) p += mesh.normals[v] * (*height)[v];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw Error(ErrorCode::bad_input, "cells move the surface to places that are not finite");
+  }
+  const std::vector<Vec3f> after = mesh::vertex_normals(mesh);
+  for (size_t v = 0; v < mesh.normals.size(); ++v) {
+    const Vec3f turned = mesh.normals[v] + (after[v] - before[v]);
+    mesh.normals[v] = turned.dot(after[v]) > 0 ? turned.normalized() : after[v];
+  }
+}
+
+void add_normals(mesh::Mesh& mesh) {
+  std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0));
+  for (size_t face = 0; face < mesh.triangles.size(); ++face)
+    for (const uint32_t v : mesh.triangles[face]) sums[v] += double_area_vector(mesh, face);
+  for (const Vec3d& sum : sums) mesh.normals.emplace_back(Vec3f(sum.normalized()));
+}
+
+double mean_edge(const mesh::Mesh& mesh) {
+  double sum = 0;
+  for (const mesh::Triangle& t : mesh.triangles)
+    for (size_t k = 0; k < 3; ++k)
+      sum += (Vec3d(mesh.positions[t[k]]) - Vec3d(mesh.positions[t[(k + 1) % 3]])).length();
+  return mesh.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
+}  // namespace
+
+void transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
+                      const TransferOptions& options, Progress& progress) {
+  const Network& network = simulation.network();
+  std::vector<Way> ways = ways_of(simulation, mesh);
+  const std::vector<Vec3f> gone = options.move ? ways_gone(simulation) : std::vector<Vec3f>();
+  if (!gone.empty()) ways.push_back({&gone, taken(mesh, "", 3), false});
+  const bool bare = mesh.normals.empty();
+  if (bare) add_normals(mesh);
+  const Box3d box = mesh::bounds(mesh);
+  progress.begin("cells onto the mesh", 1);
+  if (network.size() > 0 && !box.isEmpty()) {
+    Box3d all = box;
+    for (const Vec3f& p : network.position) all.extendBy(Vec3d(p));
+    const Carrier carrier(network, mesh, ways);
+    double radius = std::max(network.reach, mean_edge(mesh));
+    std::vector<uint32_t> left(mesh.positions.size());
+    for (size_t i = 0; i < left.size(); ++i) left[i] = static_cast<uint32_t>(i);
+    for (bool any_side = false; !left.empty(); radius *= 2) {
+      progress.check();
+      left = carrier.carry(left, radius, any_side);
+      any_side = radius > all.size().length();
+    }
+  }
+  progress.advance();
+  progress.end();
+  const auto height = std::find_if(ways.begin(), ways.end(), [](const Way& way) {
+    return way.to.name == kHeight && way.to.arity == 1;
+  });
+  const bool rises = options.move && height != ways.end();
+  if (rises || !gone.empty())
+    move_vertices(mesh, gone.empty() ? nullptr : &ways.back().to.values,
+                  rises ? &height->to.values : nullptr);
+  if (!gone.empty()) ways.pop_back();
+  if (bare) mesh.normals.clear();
+  for (Way& way : ways) mesh.attributes.push_back(std::move(way.to));
+}
+
+}  // namespace vug::cells

@@ -1,0 +1,15 @@
+#include <vug/sgm/production_step.h>
+
+namespace vug::sgm {
+
+std::string to_string(Operation operation) {
+  constexpr const char* kNames[] = {"union", "difference", "intersection", "morph"};
+  return kNames[static_cast<size_t>(operation)];
+}
+
+std::string sign_of(Operation operation) {
+  constexpr const char* kSigns[] = {"+", "-", "&", "~"};
+  return kSigns[static_cast<size_t>(operation)];
+}
+
+}  // namespace vug::sgm

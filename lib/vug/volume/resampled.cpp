@@ -1,0 +1,61 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/volume/grid_access.h>
+#include <vug/volume/resampled.h>
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Prune.h>
+
+namespace vug::volume {
+namespace {
+
+openvdb::Vec3s stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
+float stored(float value) { return value; }
+
+template <class Made, class Source, class Function>
+Grid made_on(const Source& where, const Function& value) {
+  using Tree = typename Made::TreeType;
+  using Leaf = typename Tree::LeafNodeType;
+  const auto nothing = openvdb::zeroVal<typename Made::ValueType>();
+  const auto grid =
+      Made::create(typename Tree::Ptr(new Tree(where.tree(), nothing, openvdb::TopologyCopy())));
+  grid->setTransform(where.transform().copy());
+  grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+  grid->tree().voxelizeActiveTiles();
+  std::vector<Leaf*> leaves;
+  grid->tree().getNodes(leaves);
+  parallel_for(leaves.size(), [&](size_t n) {
+    for (auto voxel = leaves[n]->beginValueOn(); voxel; ++voxel) {
+      const openvdb::Vec3d at = grid->indexToWorld(voxel.getCoord().asVec3d());
+      voxel.setValue(stored(value(Vec3f(static_cast<float>(at.x()), static_cast<float>(at.y()),
+                                        static_cast<float>(at.z())))));
+    }
+  });
+  openvdb::tools::prune(grid->tree());
+  return wrap(grid);
+}
+
+template <class Made, class Function>
+Grid made_on(const Grid& where, const Function& value) {
+  initialise_openvdb();
+  const openvdb::GridBase* grid = where.data().grid.get();
+  if (const auto* floats = dynamic_cast<const openvdb::FloatGrid*>(grid))
+    return made_on<Made>(*floats, value);
+  if (const auto* vectors = dynamic_cast<const openvdb::Vec3SGrid*>(grid))
+    return made_on<Made>(*vectors, value);
+  throw Error(ErrorCode::bad_input,
+              fmt::format("the grid '{}' holds {}, not floats or vectors of floats", where.name(),
+                          where.value_type()));
+}
+
+}  // namespace
+
+Grid resampled(const Grid& where, const std::function<float(const Vec3f&)>& value) {
+  return made_on<openvdb::FloatGrid>(where, value);
+}
+Grid resampled_vectors(const Grid& where, const std::function<Vec3f(const Vec3f&)>& value) {
+  return made_on<openvdb::Vec3SGrid>(where, value);
+}
+
+}  // namespace vug::volume
