@@ -1,7 +1,7 @@
 // A plugin that brings one primitive, written as those in lib/vug/field/primitives are:
 //   volume glass = level_set(lens(radius: 2m, thickness: 1m), voxel: 5cm)
 #include <vug/field/primitive.h>
-#include <vug/session/plugin.h>
+#include <vug/loading/plugin.h>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // A plugin that brings one rule of cells, written as those in lib/vug/cells/rules are:
 //   cells skin on wall { spacing 2cm  run sprinkle("heat", share: 1%), cooling(rate: 5%) }
 #include <vug/cells/rule.h>
-#include <vug/session/plugin.h>
+#include <vug/loading/plugin.h>
 
 namespace vug::cells {
 namespace {

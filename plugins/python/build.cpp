@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/building/cells_checkpoint.h>
+#include <vug/delivery/describe_cells.h>
+#include <vug/delivery/measure.h>
+#include <vug/delivery/write_products.h>
+#include <vug/loading/dependencies.h>
 #include <vug/metrics/report.h>
-#include <vug/session/cells_checkpoint.h>
-#include <vug/session/describe_cells.h>
-#include <vug/session/find.h>
-#include <vug/session/inputs.h>
-#include <vug/session/measure.h>
-#include <vug/session/write.h>
+#include <vug/shot/queries.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::python {
@@ -28,54 +28,55 @@ Build make_build(const std::shared_ptr<Scene>& scene, const Memory& max_memory, 
 }
 
 LevelSet level_set(Build& build, const std::string& name) {
-  const session::Shot& shot = build.scene()->shot();
-  const session::VolumePtr plan = session::find_volume(shot, name);
+  const shot::Shot& shot = build.scene()->shot();
+  const shot::VolumePtr plan = shot::find_volume(shot, name);
   std::optional<volume::Grid> made;
-  build.work([&](session::Builder& builder) {
+  build.work([&](building::Builder& builder) {
     made = builder.level_set(plan).named(plan->name).stored_as_half(plan->half);
   });
-  return {{*made, session::write_options(shot)}};
+  return {{*made, delivery::write_options(shot)}};
 }
 
 std::variant<LevelSet, Grid> volume_of(Build& build, const std::string& name) {
-  const session::VolumePtr plan = session::find_volume(build.scene()->shot(), name);
+  const shot::VolumePtr plan = shot::find_volume(build.scene()->shot(), name);
   if (!plan->fog) return level_set(build, name);
   std::optional<volume::Grid> made;
-  build.work([&](session::Builder& builder) {
-    made = session::volume_grid(*plan, builder.level_set(plan));
+  build.work([&](building::Builder& builder) {
+    made = delivery::volume_grid(*plan, builder.level_set(plan));
   });
-  return Grid{*made, session::write_options(build.scene()->shot())};
+  return Grid{*made, delivery::write_options(build.scene()->shot())};
 }
 
 Mesh mesh(Build& build, const std::string& name) {
-  const session::MeshPtr plan = session::find_mesh(build.scene()->shot(), name);
+  const shot::MeshPtr plan = shot::find_mesh(build.scene()->shot(), name);
   Mesh made;
-  made.notes = session::mesh_notes(build.scene()->shot());
-  build.work([&](session::Builder& builder) { made.mesh = builder.mesh(plan); });
+  made.notes = delivery::mesh_notes(build.scene()->shot());
+  build.work([&](building::Builder& builder) { made.mesh = builder.mesh(plan); });
   return made;
 }
 
 Cells cells_of(Build& build, const std::string& name) {
-  const session::Shot& shot = build.scene()->shot();
+  const shot::Shot& shot = build.scene()->shot();
   Cells made;
-  made.plan = session::find_cells(shot, name);
-  made.write = session::write_options(shot);
-  build.work([&](session::Builder& builder) { made.skin = builder.skin(made.plan); });
+  made.plan = shot::find_cells(shot, name);
+  made.write = delivery::write_options(shot);
+  build.work([&](building::Builder& builder) { made.skin = builder.skin(made.plan); });
   return made;
 }
 
 py::dict measure(Build& build, const std::string& name) {
   std::string json;
-  build.work(
-      [&](session::Builder& builder) { json = metrics::to_json(session::measure(builder, name)); });
+  build.work([&](building::Builder& builder) {
+    json = metrics::to_json(delivery::measure(builder, name));
+  });
   return from_json(json);
 }
 
 py::dict measure_cells(Build& build, const std::string& name) {
-  const session::CellsPtr plan = session::find_cells(build.scene()->shot(), name);
+  const shot::CellsPtr plan = shot::find_cells(build.scene()->shot(), name);
   std::string json;
-  build.work([&](session::Builder& builder) {
-    json = session::describe_cells(builder, plan->name).dump();
+  build.work([&](building::Builder& builder) {
+    json = delivery::describe_cells(builder, plan->name).dump();
   });
   return from_json(json);
 }
@@ -83,17 +84,17 @@ py::dict measure_cells(Build& build, const std::string& name) {
 /// All into a folder, or the grids into one file; never over what the scene is made of.
 std::vector<std::filesystem::path> save(Build& build, const std::filesystem::path& to) {
   const bool grids = extension_of(to) == ".vdb";
-  const session::Shot& shot = build.scene()->shot();
-  const auto paths = grids ? std::vector{to} : session::product_paths(shot, to);
+  const shot::Shot& shot = build.scene()->shot();
+  const auto paths = grids ? std::vector{to} : delivery::product_paths(shot, to);
   if (paths.empty() || (grids && shot.volumes.empty()))
     throw Error(ErrorCode::bad_input, "the scene declares nothing to build", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  require_outputs(paths, session::files_named(build.scene()->loaded()));
-  build.work([&](session::Builder& builder) {
+  require_outputs(paths, loading::files_named(build.scene()->loaded()));
+  build.work([&](building::Builder& builder) {
     if (grids)
-      session::write_volumes(builder, to);
+      delivery::write_volumes(builder, to);
     else
-      session::write_products(builder, to);
+      delivery::write_products(builder, to);
     if (const auto& checkpoint = builder.options().checkpoint; checkpoint && !grids)
       checkpoint->remove();
   });
@@ -155,7 +156,7 @@ void bind_build(py::module_& module) {
           [](Build& build, const std::string& name, const Callback& progress,
              const py::kwargs& given) {
             const Build::Heard listening(build, progress);
-            session::RenderOptions options = render_options(*build.scene(), given);
+            picture::RenderOptions options = render_options(*build.scene(), given);
             options.picture.render = name;
             return render(build, options);
           },
@@ -191,7 +192,7 @@ void bind_build(py::module_& module) {
       "render",
       [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,
          int threads, const Callback& progress, const py::kwargs& given) {
-        session::RenderOptions options = render_options(*self, given);
+        picture::RenderOptions options = render_options(*self, given);
         options.picture.render = name;
         Build build = make_build(self, memory, threads, progress, {});
         return render(build, options);

@@ -6,8 +6,8 @@
 
 #include "follow.h"
 
-#include <vug/session/build.h>
-#include <vug/session/long_render.h>
+#include <vug/building/builder.h>
+#include <vug/picture/render_job.h>
 
 #include <functional>
 #include <memory>
@@ -30,11 +30,11 @@ class Build {
  public:
   Build(ScenePtr scene, BuildSettings settings);
   /// Of another shot of the scene's.
-  Build(ScenePtr scene, std::shared_ptr<const session::Shot> shot, BuildSettings settings);
+  Build(ScenePtr scene, std::shared_ptr<const shot::Shot> shot, BuildSettings settings);
 
   /// Calls `work` with the builder, on a thread of its own (see follow). RuntimeError while another
   /// does: a builder is not for several at once. What was cancelled can be asked for again.
-  void work(const std::function<void(session::Builder&)>& work);
+  void work(const std::function<void(building::Builder&)>& work);
 
   /// While it lives another callback is told how the build gets on; none leaves it as it is.
   class Heard {
@@ -60,7 +60,7 @@ class Build {
   std::unique_ptr<Shop> open();
 
   ScenePtr scene_;
-  std::shared_ptr<const session::Shot> shot_;
+  std::shared_ptr<const shot::Shot> shot_;
   BuildSettings settings_;
   std::shared_ptr<Shop> shop_;
   bool busy_ = false;  ///< Guarded by the interpreter's lock.
@@ -70,8 +70,8 @@ uint64_t memory_of(const Memory& given);
 int threads_of(int given);
 
 /// The options of `render` by their names in Python.
-session::RenderOptions render_options(const Scene& scene, const py::kwargs& given);
+picture::RenderOptions render_options(const Scene& scene, const py::kwargs& given);
 
-Image render(Build& build, const session::RenderOptions& options);
+Image render(Build& build, const picture::RenderOptions& options);
 
 }  // namespace vug::python

@@ -3,15 +3,15 @@
 
 #include "binding.h"
 
-#include <vug/session/skin.h>
+#include <vug/building/cell_layer.h>
 #include <vug/volume/io.h>
 
 namespace vug::python {
 
 /// Immutable; its arrays share what it points to.
 struct Cells {
-  session::CellsPtr plan;
-  session::SkinPtr skin;
+  shot::CellsPtr plan;
+  building::SkinPtr skin;
   volume::WriteOptions write;
 };
 

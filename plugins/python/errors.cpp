@@ -82,7 +82,7 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
-void raise(const session::Loaded& faulty) {
+void raise(const loading::Loaded& faulty) {
   py::list all;
   const Diagnostic* first = nullptr;
   for (const Diagnostic& each : faulty.diagnostics.all()) {
@@ -103,7 +103,7 @@ void warn(const std::vector<std::string>& texts) {
       throw py::error_already_set();
 }
 
-std::vector<std::string> warnings_of(const session::Loaded& loaded,
+std::vector<std::string> warnings_of(const loading::Loaded& loaded,
                                      const Diagnostics& diagnostics) {
   std::vector<std::string> texts;
   for (const Diagnostic& each : diagnostics.all()) {

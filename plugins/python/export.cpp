@@ -3,17 +3,17 @@
 #include "errors.h"
 
 #include <vug/base/atomic_file.h>
-#include <vug/session/assemble.h>
-#include <vug/session/export_set.h>
-#include <vug/session/inputs.h>
+#include <vug/delivery/assembly.h>
+#include <vug/delivery/export_set.h>
+#include <vug/loading/dependencies.h>
 
 namespace vug::python {
 namespace {
 
-session::ExportOptions export_options(const std::string& program,
-                                      const std::optional<std::string>& up,
-                                      const std::optional<std::string>& unit, int lod) {
-  session::ExportOptions options;
+delivery::ExportOptions export_options(const std::string& program,
+                                       const std::optional<std::string>& up,
+                                       const std::optional<std::string>& unit, int lod) {
+  delivery::ExportOptions options;
   options.program = &exchange::program(program);
   if (up && *up != "y" && *up != "z") throw py::value_error("up must be 'y' or 'z'");
   if (unit && *unit != "m" && *unit != "cm") throw py::value_error("unit must be 'm' or 'cm'");
@@ -31,16 +31,17 @@ std::vector<std::filesystem::path> export_scene(const std::shared_ptr<Scene>& sc
                                                 const std::optional<std::string>& unit, int lod,
                                                 const Memory& memory, int threads,
                                                 const Callback& progress) {
-  const session::ExportOptions options = export_options(program, up, unit, lod);
-  const auto shot = std::make_shared<const session::Shot>(session::with_meshes(scene->shot()));
-  require_outputs(session::export_paths(*shot, folder, options),
-                  session::files_named(scene->loaded()));
+  const delivery::ExportOptions options = export_options(program, up, unit, lod);
+  const auto shot = std::make_shared<const shot::Shot>(delivery::with_meshes(scene->shot()));
+  require_outputs(delivery::export_paths(*shot, folder, options),
+                  loading::files_named(scene->loaded()));
   Build build(scene, shot, {memory_of(memory), threads_of(threads), progress});
-  session::Exported written;
-  build.work(
-      [&](session::Builder& builder) { written = session::export_set(builder, folder, options); });
-  for (std::string& each : written.left_out) each = "left out: " + each;
-  warn(written.left_out);
+  delivery::Exported written;
+  build.work([&](building::Builder& builder) {
+    written = delivery::export_set(builder, folder, options);
+  });
+  for (std::string& each : written.unsupported) each = "left out: " + each;
+  warn(written.unsupported);
   return written.files;
 }
 

@@ -3,7 +3,7 @@
 
 #include "binding.h"
 
-#include <vug/session/views.h>
+#include <vug/picture/stereo_views.h>
 
 #include <memory>
 #include <optional>
@@ -13,11 +13,11 @@ namespace vug::python {
 
 /// What was rendered, or one view of it. Immutable; its arrays share what it points to.
 struct Image {
-  std::shared_ptr<const std::vector<session::Rendered>> rendered;
+  std::shared_ptr<const std::vector<picture::Rendered>> rendered;
   std::optional<size_t> view = {};        ///< None: all, of which arrays show the left one.
   std::filesystem::path checkpoint = {};  ///< Of its rendering; needed until it is in a file.
 
-  const session::Rendered& part() const { return (*rendered)[view.value_or(0)]; }
+  const picture::Rendered& part() const { return (*rendered)[view.value_or(0)]; }
   bool in_stereo() const { return !view && rendered->size() > 1; }
   const image::Image& image() const { return *part().image; }
 };

@@ -10,7 +10,7 @@
 namespace vug::python {
 namespace {
 
-using session::PictureOptions;
+using picture::PictureOptions;
 
 template <class T>
 T read(const std::string& name, const py::handle& given, const std::string& meaning) {
@@ -119,8 +119,8 @@ const std::map<std::string, Setter>& setters() {
 
 }  // namespace
 
-session::RenderOptions render_options(const Scene& scene, const py::kwargs& given) {
-  session::RenderOptions options;
+picture::RenderOptions render_options(const Scene& scene, const py::kwargs& given) {
+  picture::RenderOptions options;
   options.picture.config = image::environment_config();
   options.picture.seed = scene.settings().load.seed;
   for (const auto& [key, value] : given) {
@@ -143,11 +143,11 @@ session::RenderOptions render_options(const Scene& scene, const py::kwargs& give
   return options;
 }
 
-Image render(Build& build, const session::RenderOptions& options) {
-  auto rendered = std::make_shared<std::vector<session::Rendered>>();
-  build.work([&](session::Builder& builder) {
-    *rendered = session::render_views(builder, options);
-    session::warn_of_exposure(builder, rendered->front());
+Image render(Build& build, const picture::RenderOptions& options) {
+  auto rendered = std::make_shared<std::vector<picture::Rendered>>();
+  build.work([&](building::Builder& builder) {
+    *rendered = picture::render_views(builder, options);
+    picture::warn_of_exposure(builder, rendered->front());
   });
   return {rendered, {}, options.checkpoint};
 }

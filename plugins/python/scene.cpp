@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/session/data_folders.h>
-#include <vug/session/find.h>
-#include <vug/session/inputs.h>
-#include <vug/session/recipe.h>
+#include <vug/delivery/recipe.h>
+#include <vug/loading/data_folders.h>
+#include <vug/loading/dependencies.h>
+#include <vug/shot/queries.h>
 
 #include <algorithm>
 #include <string_view>
@@ -48,15 +48,15 @@ Settings changed(Settings settings, const py::dict& params, const std::optional<
 
 Settings fresh() {
   Settings settings;
-  settings.load.include_folders = session::data_folders();
+  settings.load.include_folders = loading::data_folders();
   return settings;
 }
 
 /// Angles need a unit in a scene's text; Python's are radians. False where there are none.
-bool give_units(Settings& settings, const session::Loaded& loaded) {
+bool give_units(Settings& settings, const loading::Loaded& loaded) {
   bool given = false;
   for (scene::Override& each : settings.load.overrides)
-    for (const session::Parameter& param : loaded.parameters) {
+    for (const loading::Parameter& param : loaded.parameters) {
       const Number* number = param.fallback.get<Number>();
       if (param.name != each.name || !number || number->dimension != Dimension::angle) continue;
       if (settings.numbers.erase(each.name) == 0) continue;
@@ -83,7 +83,7 @@ SharedScene loads(const std::string& text, const std::filesystem::path& base,
 
 /// Files keep no frame in the text: it is the one argument that they may name.
 SharedScene scene_of(const std::filesystem::path& file, const std::filesystem::path& base) {
-  const session::Recipe recipe = session::recipe_of(file);
+  const delivery::Recipe recipe = delivery::recipe_of(file);
   std::optional<double> frame;
   for (const std::string& argument : recipe.arguments)
     if (constexpr std::string_view kFrame = "--frame "; argument.rfind(kFrame, 0) == 0)
@@ -101,7 +101,7 @@ SharedScene change(const Scene& scene, const py::dict& params, const std::option
 py::dict params(const Scene& scene) {
   const py::object type = py::module_::import("vug._params").attr("Param");
   py::dict out;
-  for (const session::Parameter& each : scene.loaded().parameters) {
+  for (const loading::Parameter& each : scene.loaded().parameters) {
     const Number* number = each.fallback.get<Number>();
     const auto* vector = each.fallback.get<Value::Vector>();
     const Dimension dimension = number   ? number->dimension
@@ -119,14 +119,14 @@ py::dict params(const Scene& scene) {
 }
 
 std::vector<std::filesystem::path> files(const Scene& scene) {
-  std::vector<std::filesystem::path> out = session::files_named(scene.loaded());
+  std::vector<std::filesystem::path> out = loading::files_named(scene.loaded());
   std::sort(out.begin(), out.end());
   return out;
 }
 
 py::dict derivations(const SharedScene& scene) {
   py::dict out;
-  for (const session::Derivation& each : scene->shot().derivations)
+  for (const shot::Derivation& each : scene->shot().derivations)
     out[py::str(each.name)] = Derivation{scene, &each};
   return out;
 }
@@ -143,7 +143,7 @@ const std::string& name_of(const Plan& plan) {
 
 /// Names in one of the shot's lists, in the order of the text.
 template <class List>
-auto names(List session::Shot::*list) {
+auto names(List shot::Shot::*list) {
   return [list](const Scene& scene) {
     std::vector<std::string> out;
     for (const auto& each : scene.shot().*list) out.push_back(name_of(each));
@@ -159,13 +159,13 @@ std::vector<std::string> names_of(const Plans& plans) {
 }
 
 void bind_names(py::class_<Scene, SharedScene>& type) {
-  using session::Shot;
+  using shot::Shot;
   type.def_property_readonly("volumes", names(&Shot::volumes), "Names, as are all these lists.")
       .def_property_readonly(
-          "meshes", [](const Scene& s) { return names_of(session::meshes_of(s.shot())); },
+          "meshes", [](const Scene& s) { return names_of(shot::meshes_of(s.shot())); },
           "Those that are declared, else one for each level set.")
       .def_property_readonly(
-          "cells", [](const Scene& s) { return names_of(session::declared_cells(s.shot())); })
+          "cells", [](const Scene& s) { return names_of(shot::declared_cells(s.shot())); })
       .def_property_readonly("objects", names(&Shot::objects))
       .def_property_readonly("places", names(&Shot::places))
       .def_property_readonly("lights", names(&Shot::lights))
@@ -190,22 +190,22 @@ Scene::Scene(std::string text, std::string file, Settings settings)
   warn(warnings_of(loaded_, loaded_.diagnostics));
 }
 
-session::Loaded Scene::at(double frame) const {
+loading::Loaded Scene::at(double frame) const {
   const std::lock_guard lock(loading_);
-  session::LoadOptions options = settings_.load;
+  loading::LoadOptions options = settings_.load;
   options.frame = frame;
   options.still = &still_;
-  return session::load_text(text_, file_, options);
+  return loading::load_text(text_, file_, options);
 }
 
-std::function<std::shared_ptr<const session::Shot>(double)> Scene::moments() const {
+std::function<std::shared_ptr<const shot::Shot>(double)> Scene::moments() const {
   return [this](double frame) {
-    session::Loaded loaded = at(frame);
+    loading::Loaded loaded = at(frame);
     for (const Diagnostic& each : loaded.diagnostics.all())
       if (each.severity == Severity::error)
         throw Error(ErrorCode::bad_input, each.message, each.where, each.hint)
             .within(fmt::format("loading the moment {}", frame));
-    return std::make_shared<const session::Shot>(std::move(loaded.shot));
+    return std::make_shared<const shot::Shot>(std::move(loaded.shot));
   };
 }
 

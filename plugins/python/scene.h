@@ -3,7 +3,7 @@
 
 #include "binding.h"
 
-#include <vug/session/load.h>
+#include <vug/loading/load.h>
 
 #include <functional>
 #include <memory>
@@ -15,7 +15,7 @@ namespace vug::python {
 
 /// What a scene is loaded with.
 struct Settings {
-  session::LoadOptions load;
+  loading::LoadOptions load;
   std::set<std::string> numbers;  ///< Overrides that are Python's numbers: angles are radians.
 };
 
@@ -26,31 +26,31 @@ class Scene {
   /// Throws vug.Error with all faults of the text; warns of what is doubtful.
   Scene(std::string text, std::string file, Settings settings);
 
-  const session::Loaded& loaded() const { return loaded_; }
-  const session::Shot& shot() const { return loaded_.shot; }
+  const loading::Loaded& loaded() const { return loaded_; }
+  const shot::Shot& shot() const { return loaded_.shot; }
   const std::string& text() const { return text_; }
   const std::string& file() const { return file_; }
   const Settings& settings() const { return settings_; }
 
   /// With all that stands still taken from other moments. Faults are in its diagnostics.
-  session::Loaded at(double frame) const;
+  loading::Loaded at(double frame) const;
   /// For PictureOptions::moment; any thread may call it while the scene lives.
-  std::function<std::shared_ptr<const session::Shot>(double)> moments() const;
+  std::function<std::shared_ptr<const shot::Shot>(double)> moments() const;
 
  private:
   std::string text_;
   std::string file_;
   Settings settings_;
-  mutable session::Still still_;  ///< Of all its moments.
+  mutable loading::Still still_;  ///< Of all its moments.
   mutable std::mutex loading_;    ///< Guards that.
-  session::Loaded loaded_;
+  loading::Loaded loaded_;
 };
 using ScenePtr = std::shared_ptr<const Scene>;
 
 /// One of a scene's, which it keeps alive.
 struct Derivation {
   ScenePtr scene;
-  const session::Derivation* derivation;
+  const shot::Derivation* derivation;
 
   const grammar::Tree& tree() const { return derivation->tree; }
 };

@@ -2,22 +2,22 @@
 #include "errors.h"
 
 #include <vug/base/memory.h>
-#include <vug/session/cells_checkpoint.h>
+#include <vug/building/cells_checkpoint.h>
 
 namespace vug::python {
 
 struct Build::Shop {
-  Shop(const Scene& scene, const session::Shot& shot, const BuildSettings& settings)
+  Shop(const Scene& scene, const shot::Shot& shot, const BuildSettings& settings)
       : progress([this](const std::string& stage, double share) { post.report(stage, share); }),
         builder(shot, options(scene, shot, settings), progress) {}
 
-  session::BuildOptions options(const Scene& scene, const session::Shot& shot,
-                                const BuildSettings& settings) {
-    session::BuildOptions out;
+  building::BuildOptions options(const Scene& scene, const shot::Shot& shot,
+                                 const BuildSettings& settings) {
+    building::BuildOptions out;
     out.max_memory = settings.max_memory;
     if (!settings.checkpoint.empty())
-      out.checkpoint = std::make_shared<session::CellsCheckpoint>(
-          session::CheckpointOptions{settings.checkpoint, std::nullopt, true}, shot);
+      out.checkpoint = std::make_shared<building::CellsCheckpoint>(
+          building::CheckpointOptions{settings.checkpoint, std::nullopt, true}, shot);
     out.tell = [this, &scene](const Diagnostics& doubtful) {
       post.warn(warnings_of(scene.loaded(), doubtful));
     };
@@ -26,13 +26,13 @@ struct Build::Shop {
 
   Post post;
   Progress progress;
-  session::Builder builder;
+  building::Builder builder;
 };
 
 Build::Build(ScenePtr scene, BuildSettings settings)
     : Build(scene, {scene, &scene->shot()}, std::move(settings)) {}
 
-Build::Build(ScenePtr scene, std::shared_ptr<const session::Shot> shot, BuildSettings settings)
+Build::Build(ScenePtr scene, std::shared_ptr<const shot::Shot> shot, BuildSettings settings)
     : scene_(std::move(scene)), shot_(std::move(shot)), settings_(std::move(settings)) {
   shop_ = open();
 }
@@ -41,7 +41,7 @@ std::unique_ptr<Build::Shop> Build::open() {
   return std::make_unique<Shop>(*scene_, *shot_, settings_);
 }
 
-void Build::work(const std::function<void(session::Builder&)>& work) {
+void Build::work(const std::function<void(building::Builder&)>& work) {
   if (busy_) {
     PyErr_SetString(PyExc_RuntimeError, "this build is at work already");
     throw py::error_already_set();

@@ -4,9 +4,9 @@
 #include "peak.h"
 
 #include <vug/base/error.h>
-#include <vug/session/load.h>
-#include <vug/session/long_render.h>
-#include <vug/session/places.h>
+#include <vug/building/instance_source.h>
+#include <vug/loading/load.h>
+#include <vug/picture/render_job.h>
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ using namespace vug;
 
 int main(int argc, char** argv) {
   try {
-    session::RenderOptions options;
+    picture::RenderOptions options;
     options.picture.spp = 1;
     int width = 0, height = 0;
     if (argc > 1) {
@@ -30,18 +30,18 @@ int main(int argc, char** argv) {
     const auto seconds = [&] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    session::LoadOptions loading;
+    loading::LoadOptions loading;
     loading.include_folders = {std::filesystem::path(VUG_DATA)};
-    const session::Loaded loaded =
-        session::load(std::filesystem::path(VUG_DATA) / "scenes/bamboo/hectare.vug", loading);
+    const loading::Loaded loaded =
+        loading::load(std::filesystem::path(VUG_DATA) / "scenes/bamboo/hectare.vug", loading);
     if (!loaded.usable()) throw Error(ErrorCode::bad_input, loaded.report());
     fmt::print("{:24} {:6.1f} s, peak {:5.0f} MB\n", "four plants", seconds(),
                1e-6 * peak_memory());
-    session::Builder builder(loaded.shot);
+    building::Builder builder(loaded.shot);
     size_t culms = 0;
-    for (const session::PlacePlan& place : loaded.shot.places)
-      for (const session::Places& at : place.at) culms += (*at)(builder, place.key).size();
-    const session::Rendered picture = session::render_picture(builder, options);
+    for (const shot::PlacePlan& place : loaded.shot.places)
+      for (const shot::Places& at : place.at) culms += (*at)(builder, place.key).size();
+    const picture::Rendered picture = picture::render_picture(builder, options);
     fmt::print("{:24} {:6.1f} s, peak {:5.0f} MB (wanted: less than 500)\n",
                fmt::format("{}x{}, {} culms", picture.image->width, picture.image->height, culms),
                seconds(), 1e-6 * peak_memory());

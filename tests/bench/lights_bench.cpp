@@ -69,14 +69,14 @@ Choice choose(const LightSet& set, LightId count, bool tree) {
   const auto one = [&] { return static_cast<float>(random.bits() >> 8) * 0x1p-24f; };
   Choice out;
   for (int p = 0; p < kPoints; ++p) {
-    const LitPoint point{{static_cast<float>(random.uniform(-9, 9)), -3, 0}, {0, 1, 0}};
+    const LightSampleContext point{{static_cast<float>(random.uniform(-9, 9)), -3, 0}, {0, 1, 0}};
     double sum = 0, squares = 0;
     const double start = seconds();
     for (int i = 0; i < kDraws; ++i) {
       LightChoice c{random.below(count), 1 / static_cast<float>(count)};
       if (tree) {
-        LightOdds odds;
-        const LightChoices chosen = set.choose(point, one(), odds);
+        LightSelection selection;
+        const LightChoices chosen = set.choose(point, one(), selection);
         if (chosen.size() == 0) continue;
         c = *chosen.begin();
       }

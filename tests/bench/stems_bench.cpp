@@ -5,8 +5,8 @@
 #include <vug/base/rng.h>
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
-#include <vug/session/load.h>
-#include <vug/session/lsystem_plan.h>
+#include <vug/loading/load.h>
+#include <vug/shot/lsystem_plan.h>
 
 #include <filesystem>
 
@@ -14,13 +14,13 @@ namespace {
 
 using namespace vug;
 
-const session::Loaded& moso() {
-  static const session::Loaded loaded = [] {
-    session::LoadOptions options;
+const loading::Loaded& moso() {
+  static const loading::Loaded loaded = [] {
+    loading::LoadOptions options;
     options.include_folders = {std::filesystem::path(VUG_DATA)};
     options.seed = 3;
     options.overrides = {{"LEAVES", "8"}};
-    return session::load_text("include \"bamboo/moso_growth.vug\"\n", "bench.vug", options);
+    return loading::load_text("include \"bamboo/moso_growth.vug\"\n", "bench.vug", options);
   }();
   return loaded;
 }
@@ -32,7 +32,7 @@ flora::SweepOptions prototype() {
 }
 
 void prototype_of_a_grove(benchmark::State& state) {
-  const session::LSystemPlan& plan = *moso().shot.lsystems.at(0);
+  const shot::LSystemPlan& plan = *moso().shot.lsystems.at(0);
   const ThreadLimit threads(1);
   flora::MeshOptions mesh;
   mesh.tolerance = 1e-3;
@@ -51,7 +51,7 @@ void prototype_of_a_grove(benchmark::State& state) {
 BENCHMARK(prototype_of_a_grove)->Unit(benchmark::kMillisecond);
 
 void turtle(benchmark::State& state) {
-  const session::LSystemPlan& plan = *moso().shot.lsystems.at(0);
+  const shot::LSystemPlan& plan = *moso().shot.lsystems.at(0);
   const ThreadLimit threads(1);
   for (auto _ : state) benchmark::DoNotOptimize(plan.draw().instances.size());
 }

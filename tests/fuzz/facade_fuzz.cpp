@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       const auto again = facade::derive(rules, evaluator, options);
       require(again && facade::theta(again->tree) == facade::theta(made->tree),
               "a facade is the same each time");
-      const auto open = facade::derive(rules, evaluator, options, facade::Planning{{}, 0.01});
+      const auto open = facade::derive(rules, evaluator, options, facade::PlanOptions{{}, 0.01});
       if (open) check(open->derived.tree);
     } catch (const Error& error) {
       require(error.code() == ErrorCode::bad_input || error.code() == ErrorCode::too_large,

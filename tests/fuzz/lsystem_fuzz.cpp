@@ -43,7 +43,7 @@ void grow(lsystem::System system) {
     const lsystem::Derivation word = lsystem::derive(system);
     require(word == lsystem::derive(system), "a word is the same each time");
     check_word(system, word.word);
-    check_word(system, lsystem::interpreted(system, word));
+    check_word(system, lsystem::interpret(system, word));
   } catch (const Error& error) {
     require(error.code() == ErrorCode::bad_input || error.code() == ErrorCode::too_large,
             "errors blame the text");

@@ -1,8 +1,8 @@
 // Whatever the bytes, what tells a file's provenance gives texts or refuses with bad_input, and a
 // recipe becomes a scene text that says the same when it is taken apart again.
 #include <vug/base/error.h>
+#include <vug/delivery/recipe.h>
 #include <vug/exchange/format.h>
-#include <vug/session/recipe.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -11,12 +11,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   for (const vug::exchange::Format* format : vug::exchange::formats()) {
     try {
-      format->read_texts(bytes, "fuzz");
+      format->read_metadata(bytes, "fuzz");
     } catch (const vug::Error& error) {
       if (error.code() != vug::ErrorCode::bad_input || error.where().file != "fuzz") std::abort();
     }
   }
-  const vug::session::Recipe recipe = vug::session::recipe_in(std::string(bytes));
+  const vug::delivery::Recipe recipe = vug::delivery::recipe_in(std::string(bytes));
   if (recipe.scene.size() > 8 * size + 1024) std::abort();
   return 0;
 }

@@ -1,8 +1,8 @@
 // Whatever a recipe says, it is refused with its faults, or its cells run for a few steps on a box.
 #include <vug/base/error.h>
+#include <vug/building/cell_layer.h>
+#include <vug/loading/load.h>
 #include <vug/mesh/shapes.h>
-#include <vug/session/load.h>
-#include <vug/session/skin.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -19,15 +19,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   static const mesh::MeshPtr box =
       std::make_shared<const mesh::Mesh>(mesh::box_mesh(Box3d(Vec3d(-1), Vec3d(1, 0.5, 1))));
   try {
-    const session::Loaded loaded = session::load_text(text, "fuzz.vug");
+    const loading::Loaded loaded = loading::load_text(text, "fuzz.vug");
     if (!loaded.usable()) return 0;
-    for (const session::MeshPtr& mesh : loaded.shot.meshes) {
+    for (const shot::MeshPtr& mesh : loaded.shot.meshes) {
       if (!mesh->cells) continue;
-      session::CellsPlan plan = *mesh->cells;
+      shot::CellsPlan plan = *mesh->cells;
       if (!plan.from.empty()) continue;
       plan.steps = std::min(plan.length(), 6);
       plan.relax = std::min(plan.relax.value_or(2), 5);
-      session::make_skin(plan, {{box, nullptr}}, uint64_t{1} << 22, Progress::none());
+      building::make_skin(plan, {{box, nullptr}}, uint64_t{1} << 22, Progress::none());
     }
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) std::abort();

@@ -2,11 +2,11 @@
 // looks at what is promised of any scene: closed surfaces on the field, sound level sets.
 #include "facts.h"
 
+#include <vug/building/builder.h>
+#include <vug/delivery/write_products.h>
 #include <vug/mesh/topology.h>
-#include <vug/session/build.h>
-#include <vug/session/cells_plan.h>
-#include <vug/session/find.h>
-#include <vug/session/write.h>
+#include <vug/shot/cells_plan.h>
+#include <vug/shot/queries.h>
 #include <vug/volume/io.h>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Whether the volume's region cuts the solid off near the point.
-bool near_cut(const VolumePlan& plan, const Vec3d& p) {
+bool near_cut(const shot::VolumePlan& plan, const Vec3d& p) {
   if (!plan.from) return false;
   for (int axis = 0; axis < 3; ++axis)
     if (p[axis] < (*plan.from)[axis] + 2 * plan.voxel ||
@@ -33,7 +33,7 @@ bool near_cut(const VolumePlan& plan, const Vec3d& p) {
 }
 
 /// Root mean square of the vertices' distances from the exact surface, to first order, in voxels.
-double rms_distance(const mesh::Mesh& mesh, const VolumePlan& plan) {
+double rms_distance(const mesh::Mesh& mesh, const shot::VolumePlan& plan) {
   double squares = 0;
   size_t count = 0;
   for (const Vec3f& v : mesh.positions) {
@@ -49,35 +49,35 @@ double rms_distance(const mesh::Mesh& mesh, const VolumePlan& plan) {
 }
 
 /// The mesh without cells, which may have moved it.
-MeshPtr bare(const MeshPtr& plan) {
-  const MeshPtr under = below(*plan);
+shot::MeshPtr bare(const shot::MeshPtr& plan) {
+  const shot::MeshPtr under = shot::below(*plan);
   return under ? bare(under) : plan;
 }
 
 /// Holes are cut by cells or come with a file.
-bool may_be_open(const MeshPtr& plan) {
-  const MeshPtr under = below(*plan);
+bool may_be_open(const shot::MeshPtr& plan) {
+  const shot::MeshPtr under = shot::below(*plan);
   return under ? plan->cells->holes || may_be_open(under) : plan->given != nullptr;
 }
 
-void expect_sound(Builder& builder, const MeshPtr& plan, double residual) {
+void expect_sound(building::Builder& builder, const shot::MeshPtr& plan, double residual) {
   const mesh::Topology topology = mesh::inspect(*builder.mesh(plan));
   EXPECT_TRUE(may_be_open(plan) || topology.boundary_edges == 0);
   EXPECT_EQ(topology.nonmanifold_edges, 0U);
   EXPECT_EQ(topology.misoriented_edges, 0U);
   EXPECT_EQ(topology.unused_vertices, 0U);
-  const MeshPtr under = bare(plan);
+  const shot::MeshPtr under = bare(plan);
   if (!under->volume || under->volume->of) return;
   EXPECT_LT(rms_distance(*builder.mesh(under), *under->volume), residual);
 }
 
 /// The level sets and fogs that `vug build` writes, read back.
-void expect_written(Builder& builder, const std::string& scene) {
+void expect_written(building::Builder& builder, const std::string& scene) {
   const fs::path folder = fs::path(::testing::TempDir()) / "vug_scenes" / scene;
   fs::create_directories(folder);
-  const std::vector<fs::path> paths = write_products(builder, folder);
+  const std::vector<fs::path> paths = delivery::write_products(builder, folder);
   ASSERT_FALSE(paths.empty());
-  for (const VolumePtr& plan : builder.shot().volumes) {
+  for (const shot::VolumePtr& plan : builder.shot().volumes) {
     const volume::Grid grid = volume::read_grid(paths.front(), plan->name);
     if (plan->fog) {
       EXPECT_EQ(grid.grid_class(), volume::GridClass::fog) << plan->name;
@@ -90,10 +90,10 @@ void expect_written(Builder& builder, const std::string& scene) {
   fs::remove_all(folder);
 }
 
-bool has_mesh(const Shot& shot, const std::string& name) {
-  const std::vector<MeshPtr> meshes = meshes_of(shot);
+bool has_mesh(const shot::Shot& shot, const std::string& name) {
+  const std::vector<shot::MeshPtr> meshes = shot::meshes_of(shot);
   return std::any_of(meshes.begin(), meshes.end(),
-                     [&](const MeshPtr& plan) { return plan->name == name; });
+                     [&](const shot::MeshPtr& plan) { return plan->name == name; });
 }
 
 class EveryScene : public ::testing::TestWithParam<std::string> {};
@@ -107,12 +107,12 @@ TEST_P(EveryScene, IsAsKnown) {
   const json defines = facts.value("defines", json::object());
   for (const auto& [name, value] : defines.items())
     overrides.push_back({name, value.get<std::string>()});
-  const Loaded loaded = load_scene(GetParam(), overrides);
+  const loading::Loaded loaded = load_scene(GetParam(), overrides);
   ASSERT_TRUE(loaded.usable());
   expect_words(loaded.shot, facts);
-  ASSERT_TRUE(facts.contains("words") || !meshes_of(loaded.shot).empty());
-  Builder builder(loaded.shot);
-  for (const MeshPtr& plan : meshes_of(loaded.shot)) {
+  ASSERT_TRUE(facts.contains("words") || !shot::meshes_of(loaded.shot).empty());
+  building::Builder builder(loaded.shot);
+  for (const shot::MeshPtr& plan : shot::meshes_of(loaded.shot)) {
     SCOPED_TRACE(plan->name);
     const auto mesh = builder.mesh(plan);
     const json& known =
@@ -125,7 +125,7 @@ TEST_P(EveryScene, IsAsKnown) {
   const json meshes = facts.value("meshes", json::object());
   for (const auto& entry : meshes.items())
     EXPECT_TRUE(has_mesh(loaded.shot, entry.key())) << "the scene has no mesh " << entry.key();
-  if (!meshes_of(loaded.shot).empty()) expect_written(builder, GetParam());
+  if (!shot::meshes_of(loaded.shot).empty()) expect_written(builder, GetParam());
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {

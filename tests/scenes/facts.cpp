@@ -1,7 +1,7 @@
 #include "facts.h"
 
 #include <vug/base/atomic_file.h>
-#include <vug/session/lsystem_plan.h>
+#include <vug/shot/lsystem_plan.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,13 +43,13 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
-Loaded load_scene(const std::string& name, const std::vector<scene::Override>& overrides,
-                  std::optional<uint64_t> seed) {
-  LoadOptions options;
+loading::Loaded load_scene(const std::string& name, const std::vector<scene::Override>& overrides,
+                           std::optional<uint64_t> seed) {
+  loading::LoadOptions options;
   options.overrides = overrides;
   options.seed = seed;
   options.include_folders = {VUG_DATA};
-  Loaded loaded = load(kScenes / name, options);
+  loading::Loaded loaded = loading::load(kScenes / name, options);
   EXPECT_TRUE(loaded.usable()) << loaded.report();
   return loaded;
 }
@@ -77,19 +77,20 @@ void expect_facts(const metrics::Report& report, const json& facts) {
           << measured;
 }
 
-void expect_words(const Shot& shot, const json& facts) {
+void expect_words(const shot::Shot& shot, const json& facts) {
   const json wanted = facts.value("words", json::object());
   for (const auto& item : wanted.items()) {
     const std::string& name = item.key();
     const json& known = item.value();
     SCOPED_TRACE(name);
-    const auto plan = std::find_if(shot.lsystems.begin(), shot.lsystems.end(),
-                                   [&](const LSystemPtr& each) { return each->name == name; });
+    const auto plan =
+        std::find_if(shot.lsystems.begin(), shot.lsystems.end(),
+                     [&](const shot::LSystemPtr& each) { return each->name == name; });
     ASSERT_NE(plan, shot.lsystems.end()) << "the scene has no such L-system";
     const lsystem::System& system = *(*plan)->system;
     lsystem::Derivation derivation = (*plan)->derived();
     const lsystem::Word word = known.value("drawn", false)
-                                   ? lsystem::interpreted(system, std::move(derivation))
+                                   ? lsystem::interpret(system, std::move(derivation))
                                    : std::move(derivation.word);
     EXPECT_EQ(word.size(), known.at("modules").get<size_t>());
     std::map<std::string, size_t> counts;

@@ -2,8 +2,8 @@
 // held against it.
 #pragma once
 
+#include <vug/loading/load.h>
 #include <vug/metrics/report.h>
-#include <vug/session/load.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -17,8 +17,9 @@ namespace vug::session {
 std::vector<std::string> scene_names();
 
 /// Loads a scene of data/scenes; fails the test when it has faults.
-Loaded load_scene(const std::string& name, const std::vector<scene::Override>& overrides = {},
-                  std::optional<uint64_t> seed = {});
+loading::Loaded load_scene(const std::string& name,
+                           const std::vector<scene::Override>& overrides = {},
+                           std::optional<uint64_t> seed = {});
 
 /// The file: {"scenes": {NAME: {"defines": {...}, "meshes": {MESH: FACTS}}}, "shared": {MESH:
 /// FACTS}}. FACTS hold components, genus, area, volume, bounds and, where 1 % is not right,
@@ -32,7 +33,7 @@ void expect_facts(const metrics::Report& report, const nlohmann::json& facts);
 
 /// The same for the words of the scene's L-systems: "words" of a scene's facts are {GRAMMAR:
 /// {"modules": N, "symbols": {NAME: N}}}, as they are drawn where "drawn" is true.
-void expect_words(const Shot& shot, const nlohmann::json& facts);
+void expect_words(const shot::Shot& shot, const nlohmann::json& facts);
 
 /// The same for what the mesh carries.
 void expect_attributes(const mesh::Mesh& mesh, const nlohmann::json& facts);

@@ -9,6 +9,6 @@ function(vug_add_plugin name)
   add_library(${name} MODULE ${ARGN})
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX .so CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON CXX_EXTENSIONS OFF)
-  target_link_libraries(${name} PRIVATE Vug::session)
+  target_link_libraries(${name} PRIVATE Vug::loading)
   target_link_options(${name} PRIVATE LINKER:--exclude-libs,ALL LINKER:--no-undefined)
 endfunction()

@@ -4,8 +4,8 @@
 #include "bar.h"
 #include "verb.h"
 
-#include <vug/session/build.h>
-#include <vug/session/load.h>
+#include <vug/building/builder.h>
+#include <vug/loading/load.h>
 
 #include <functional>
 #include <memory>
@@ -26,17 +26,17 @@ struct SceneOptions {
   /// `work`: of the same verb, may be null; its limits hold while the scene is loaded, too.
   void add_to(CLI::App& app, const WorkOptions* work = nullptr);
   /// Loads the scene; prints its diagnostics on stderr. Throws Stop{kUnusable} when it has errors.
-  session::Loaded load() const;
-  /// The same at a frame of a sequence; see session::Still.
-  session::Loaded load(double at, session::Still& still) const;
+  loading::Loaded load() const;
+  /// The same at a frame of a sequence; see loading::Still.
+  loading::Loaded load(double at, loading::Still& still) const;
   /// For PictureOptions::moment; the options and `still` must outlive it.
-  std::function<std::shared_ptr<const session::Shot>(double)> moments(session::Still& still) const;
-  session::LoadOptions load_options() const;
+  std::function<std::shared_ptr<const shot::Shot>(double)> moments(loading::Still& still) const;
+  loading::LoadOptions load_options() const;
 
  private:
   const WorkOptions* work_ = nullptr;
 
-  session::Loaded load(const session::LoadOptions& options) const;
+  loading::Loaded load(const loading::LoadOptions& options) const;
 };
 
 struct WorkOptions {
@@ -50,9 +50,9 @@ struct WorkOptions {
   /// In bytes; without --max-memory nine tenths of what the machine has free.
   uint64_t memory_limit() const;
   /// Within that limit; warnings go to stderr as they come. `loaded` must outlive what is built.
-  session::BuildOptions build_options(const session::Loaded& loaded) const;
+  building::BuildOptions build_options(const loading::Loaded& loaded) const;
   /// Tells on stderr what was left out of the meshes, unless quiet.
-  void summarise(const session::Builder& builder) const;
+  void summarise(const building::Builder& builder) const;
 };
 
 }  // namespace vug::cli

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vug/base/diagnostics.h>
-#include <vug/session/plugin.h>
+#include <vug/loading/plugin.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -114,8 +114,8 @@ Error without_verb(const CLI::App& app) {
 
 /// One that does not fit says so and is done without: a scene that needs its words fails by itself.
 void load_plugins_in_path() {
-  for (const auto& plugin : session::plugins_in_path()) try {
-      session::load_plugin(plugin);
+  for (const auto& plugin : loading::plugins_in_path()) try {
+      loading::load_plugin(plugin);
     } catch (const Error& error) {
       warn(error, "it is done without, as it was only found in $VUG_PLUGIN_PATH");
     }
@@ -153,7 +153,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
   load_plugins_in_path();
-  for (const std::string& plugin : plugins) session::load_plugin(plugin);
+  for (const std::string& plugin : plugins) loading::load_plugin(plugin);
   return runs.at(app.get_subcommands().at(0))();
 }
 

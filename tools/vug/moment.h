@@ -9,10 +9,10 @@ namespace vug::cli {
 
 /// What is loaded of it, and a builder that tells of its text.
 struct Moment {
-  explicit Moment(session::Loaded from, const WorkOptions& work, Progress& progress)
+  explicit Moment(loading::Loaded from, const WorkOptions& work, Progress& progress)
       : loaded(std::move(from)), builder(loaded.shot, work.build_options(loaded), progress) {}
-  session::Loaded loaded;
-  session::Builder builder;
+  loading::Loaded loaded;
+  building::Builder builder;
 };
 
 }  // namespace vug::cli

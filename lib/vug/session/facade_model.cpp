@@ -1,8 +1,8 @@
 #include <vug/facade/grammar_output.h>
+#include <vug/loading/data_folders.h>
+#include <vug/loading/resolver.h>
 #include <vug/scene/parser.h>
-#include <vug/session/data_folders.h>
 #include <vug/session/facade_model.h>
-#include <vug/session/resolver.h>
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ constexpr double kFramedVoxel = 0.05;
 fs::path find_grammar(const fs::path& folder, const std::string& file) {
   std::vector<fs::path> folders;
   if (!folder.empty()) folders.push_back(folder);
-  for (const fs::path& data : data_folders()) {
+  for (const fs::path& data : loading::data_folders()) {
     folders.push_back(data);
     folders.push_back(data / "facades");
   }
@@ -45,12 +45,13 @@ modeller::StyleLoader facade_styles(const fs::path& folder) {
   return [folder](const std::string& file, const std::string& facade) {
     Diagnostics diagnostics;
     scene::ParseOptions options;
-    options.include_folders = data_folders();
+    options.include_folders = loading::data_folders();
     scene::Document document = scene::parse_file(find_grammar(folder, file), diagnostics, options);
     for (const Diagnostic& one : diagnostics.all())
       if (one.severity == Severity::error)
         throw Error(ErrorCode::bad_input, one.message, one.where, one.hint);
-    return modeller::Style::make(std::move(document), facade, std::make_shared<Resolver>());
+    return modeller::Style::make(std::move(document), facade,
+                                 std::make_shared<loading::Resolver>());
   };
 }
 

@@ -1,8 +1,8 @@
 // A page that shows a scene to whoever has a browser.
 #pragma once
 
-#include <vug/session/build.h>
-#include <vug/session/load.h>
+#include <vug/building/builder.h>
+#include <vug/loading/load.h>
 
 #include <filesystem>
 #include <string>
@@ -29,6 +29,7 @@ struct Preview {
 /// The model as glTF in the page, with the picture, the derivation trees, the metrics, the
 /// parameters and the recipe as JSON. The builder's shot is that of `loaded` by with_meshes. The
 /// same scene, the same bytes. Error(bad_input) where the page lacks a mark or the picture is none.
-Preview preview(Builder& builder, const Loaded& loaded, const PreviewOptions& options);
+Preview preview(building::Builder& builder, const loading::Loaded& loaded,
+                const PreviewOptions& options);
 
 }  // namespace vug::session

@@ -93,7 +93,7 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
   return scene;
 }
 
-void add_lamps(render::Scene& scene, int count) {
+void add_lights(render::Scene& scene, int count) {
   const Box3d box = mesh::bounds(*scene.objects.front().mesh);
   RandomStream random{RandomKey(1)};
   for (int i = 0; i < count; ++i) {

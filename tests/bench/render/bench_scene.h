@@ -13,6 +13,6 @@ render::Scene read_scene(const std::filesystem::path& path, const std::string& m
                          const std::string& sky = "", bool lamps = true, bool portals = false);
 
 /// So many small balls of together 20 W, anywhere in the box of the first object.
-void add_lamps(render::Scene& scene, int count);
+void add_lights(render::Scene& scene, int count);
 
 }  // namespace vug::bench

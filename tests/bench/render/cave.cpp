@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
   try {
     std::sscanf(size.c_str(), "%dx%d", &options.width, &options.height);
     render::Scene scene = bench::read_scene(file, mesh_file, sky, !no_lamps, portal);
-    bench::add_lamps(scene, lamps);
+    bench::add_lights(scene, lamps);
     if (haze > 0) scene.medium = render::make_medium("haze", {{"extinction", haze}});
     using Clock = std::chrono::steady_clock;
     Clock::time_point start = Clock::now();

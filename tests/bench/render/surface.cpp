@@ -7,10 +7,10 @@
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/base/rng.h>
-#include <vug/render/sampling.h>
+#include <vug/loading/load.h>
+#include <vug/picture/picture.h>
 #include <vug/render/prepared_scene.h>
-#include <vug/session/load.h>
-#include <vug/session/picture.h>
+#include <vug/render/sampling.h>
 
 #include <fmt/format.h>
 
@@ -58,23 +58,23 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
-    session::LoadOptions options;
+    loading::LoadOptions options;
     for (int i = 3; i < argc; ++i) {
       const std::string text = argv[i];
       options.overrides.push_back(
           {text.substr(0, text.find('=')), text.substr(text.find('=') + 1)});
     }
-    session::Loaded loaded = session::load(argv[1], options);
-    for (session::ObjectPlan& object : loaded.shot.objects)
+    loading::Loaded loaded = loading::load(argv[1], options);
+    for (shot::ObjectPlan& object : loaded.shot.objects)
       object.direct = std::string(argv[2]) == "direct" && object.emission.length2() == 0;
-    session::Builder builder(loaded.shot);
+    building::Builder builder(loaded.shot);
     const auto held = [] { return static_cast<double>(resident_memory()); };
     double active = 0;
-    for (const session::ObjectPlan& object : loaded.shot.objects)
+    for (const shot::ObjectPlan& object : loaded.shot.objects)
       active +=
           static_cast<double>(builder.level_set(object.mesh->volume).statistics().active_voxels);
     const double grids = held();
-    const render::Scene scene = session::assemble(builder, session::render_plan(loaded.shot, {}));
+    const render::Scene scene = picture::assemble(builder, picture::render_plan(loaded.shot, {}));
     const double made = held();
     const render::World world(scene);
     const double tree = held(), peak = peak_memory();

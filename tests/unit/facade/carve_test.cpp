@@ -9,7 +9,7 @@
 namespace vug::facade {
 namespace {
 
-field::Field wall_of(const std::string& rules, Frame frame = {}, double width = 12,
+field::Field wall_of(const std::string& rules, FacadeFrame frame = {}, double width = 12,
                      double height = 9) {
   const Sample s = facade_of(rules, 0, width, height);
   EXPECT_EQ(s.said, "");

@@ -32,11 +32,11 @@ struct Sample {
     }
   }
 
-  /// All places of elements of that kind, in the order of standing(); at least one, so that a test
-  /// of a facade with faults fails instead of crashing.
+  /// All places of elements of that kind, in the order of element_instances(); at least one, so
+  /// that a test of a facade with faults fails instead of crashing.
   std::vector<Rect> rects(const std::string& kind) const {
     std::vector<Rect> out;
-    for (const Standing& one : standing(tree))
+    for (const ElementInstance& one : element_instances(tree))
       if (tree.nodes[static_cast<size_t>(one.node)].element->kind() == kind)
         out.push_back(one.rect);
     EXPECT_FALSE(out.empty()) << "no " << kind << ": " << said;

@@ -10,7 +10,7 @@ namespace {
 /// Kinds and places of all elements, in millimetres, sorted; walls aside, which are what is left.
 std::vector<std::tuple<std::string, int, int, int, int>> elements_of(const Tree& tree) {
   std::vector<std::tuple<std::string, int, int, int, int>> out;
-  for (const Standing& one : standing(tree)) {
+  for (const ElementInstance& one : element_instances(tree)) {
     const std::string kind = tree.nodes[static_cast<size_t>(one.node)].element->kind();
     const auto mm = [](double metres) { return static_cast<int>(std::lround(metres * 1e3)); };
     if (kind != "wall")

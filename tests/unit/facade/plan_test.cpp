@@ -7,7 +7,7 @@
 namespace vug::facade {
 namespace {
 
-PlanPtr rule(int number, Told numbers = {}, std::map<Place, PlanPtr> parts = {}) {
+PlanPtr rule(int number, NumberValues numbers = {}, std::map<PartKey, PlanPtr> parts = {}) {
   Plan out;
   out.rule = number;
   out.numbers = std::move(numbers);
@@ -23,19 +23,19 @@ struct Desk {
         evaluator(document, resolver, diagnostics) {
     EXPECT_FALSE(diagnostics.has_errors());
   }
-  Planned of(PlanPtr plan, double least = 0.05) {
-    Planning planning{{}, least};
+  PlannedDerivation of(PlanPtr plan, double least = 0.05) {
+    PlanOptions planning{{}, least};
     planning.plan.parts[{}] = std::move(plan);
     auto made = derive(rules, evaluator, DeriveOptions(), planning);
     EXPECT_TRUE(made.has_value());
-    return made.value_or(Planned());
+    return made.value_or(PlannedDerivation());
   }
   /// Why the plan cannot be followed.
-  Unfit refused(PlanPtr plan, double least = 0.05) {
+  InfeasiblePlan refused(PlanPtr plan, double least = 0.05) {
     try {
       of(std::move(plan), least);
-    } catch (const Unfit& unfit) {
-      return unfit;
+    } catch (const InfeasiblePlan& error) {
+      return error;
     }
     ADD_FAILURE() << "nothing was refused";
     return {Reason::none, "", "nothing was refused"};
@@ -50,7 +50,7 @@ struct Desk {
 
 std::vector<Rect> sorted_rects(const Tree& tree) {
   std::vector<Rect> out;
-  for (const Standing& one : standing(tree)) out.push_back(one.rect);
+  for (const ElementInstance& one : element_instances(tree)) out.push_back(one.rect);
   std::sort(out.begin(), out.end(),
             [](const Rect& a, const Rect& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
   return out;
@@ -58,10 +58,10 @@ std::vector<Rect> sorted_rects(const Tree& tree) {
 
 TEST(Plan, WithoutARuleNodesStayOpen) {
   Desk desk("axiom A\n A -> rows(B, C)\n B -> window\n C -> wall");
-  const Planned nothing = desk.of(nullptr);
+  const PlannedDerivation nothing = desk.of(nullptr);
   ASSERT_EQ(nothing.derived.tree.nodes.size(), 1u);
   EXPECT_TRUE(nothing.derived.tree.nodes[0].stuck);
-  const Planned split = desk.of(rule(0, {{"heights", {4}}}));
+  const PlannedDerivation split = desk.of(rule(0, {{"heights", {4}}}));
   ASSERT_EQ(split.derived.tree.nodes.size(), 3u);
   expect_rect(split.derived.tree.nodes[2].rect, 0, 4, 12, 5);
   EXPECT_TRUE(split.derived.tree.nodes[1].stuck && split.derived.tree.nodes[2].stuck);
@@ -69,19 +69,19 @@ TEST(Plan, WithoutARuleNodesStayOpen) {
   ASSERT_EQ(split.nodes[0].free.size(), 1u);
   EXPECT_EQ(split.nodes[0].free[0].name, "heights");
   EXPECT_EQ(split.nodes[0].free[0].values, (std::vector<double>{4, 5}));
-  EXPECT_TRUE(split.nodes[0].free[0].told);
-  EXPECT_EQ(split.nodes[2].place, (Place{0, 1, 0, 1}));
+  EXPECT_TRUE(split.nodes[0].free[0].fixed);
+  EXPECT_EQ(split.nodes[2].place, (PartKey{0, 1, 0, 1}));
 }
 
 TEST(Plan, NumbersOfAGrid) {
   Desk desk("axiom A\n A -> grid(window)\n A -> grid(window, regular: false, identical: false)");
-  const Planned usual = desk.of(rule(0));
-  EXPECT_EQ(standing(usual.derived.tree).size(), 15u) << "every 2.4 m, every 3 m";
-  const Planned told = desk.of(
+  const PlannedDerivation usual = desk.of(rule(0));
+  EXPECT_EQ(element_instances(usual.derived.tree).size(), 15u) << "every 2.4 m, every 3 m";
+  const PlannedDerivation told = desk.of(
       rule(0, {{"columns", {4}}, {"rows", {2}}, {"x", {0.5}}, {"width", {1.5}}, {"dx", {3}}}));
-  EXPECT_EQ(standing(told.derived.tree).size(), 8u);
+  EXPECT_EQ(element_instances(told.derived.tree).size(), 8u);
   EXPECT_NEAR(sorted_rects(told.derived.tree)[7].x, 9.5, 1e-12);
-  const Planned uneven = desk.of(
+  const PlannedDerivation uneven = desk.of(
       rule(1, {{"columns", {3}}, {"rows", {1}}, {"x", {1}}, {"width", {1}}, {"dx", {2, 5}}}));
   const std::vector<Rect> rects = sorted_rects(uneven.derived.tree);
   ASSERT_EQ(rects.size(), 3u);
@@ -91,7 +91,9 @@ TEST(Plan, NumbersOfAGrid) {
 
 TEST(Plan, WhatIsToldWrongIsNamed) {
   Desk desk("axiom A\n A -> grid(window)\n A -> rows(B, B)\n B -> wall");
-  const auto number = [&](Told told) { return desk.refused(rule(0, std::move(told))).number(); };
+  const auto number = [&](NumberValues told) {
+    return desk.refused(rule(0, std::move(told))).number();
+  };
   EXPECT_EQ(number({{"columns", {0}}}), "columns");
   EXPECT_EQ(number({{"columns", {2.5}}}), "columns");
   EXPECT_EQ(number({{"columns", {std::nan("")}}}), "columns");
@@ -100,7 +102,7 @@ TEST(Plan, WhatIsToldWrongIsNamed) {
   EXPECT_EQ(number({{"columns", {3}}, {"width", {2}}, {"dx", {1}}}), "dx");
   EXPECT_EQ(number({{"columns", {3}}, {"width", {2}}, {"dx", {9}}}), "dx");
   EXPECT_EQ(number({{"columns", {3}}, {"x", {-1}}}), "x");
-  const Unfit unknown = desk.refused(rule(0, {{"columnx", {3}}}));
+  const InfeasiblePlan unknown = desk.refused(rule(0, {{"columnx", {3}}}));
   EXPECT_EQ(unknown.number(), "columnx");
   EXPECT_EQ(unknown.hint(), "did you mean 'columns'?");
   EXPECT_EQ(desk.refused(rule(1, {{"heights", {4, 4}}})).number(), "heights");
@@ -115,7 +117,7 @@ TEST(Plan, RulesThatDoNotApply) {
   EXPECT_EQ(desk.refused(rule(0)).reason(), Reason::condition);
   EXPECT_EQ(desk.refused(rule(1, {}, {{{}, rule(3)}})).reason(), Reason::wrong_arguments);
   EXPECT_EQ(desk.refused(rule(1, {}, {{{}, rule(4)}})).reason(), Reason::wrong_symbol);
-  const Unfit wide = desk.refused(rule(5, {}, {{{}, rule(4)}}));
+  const InfeasiblePlan wide = desk.refused(rule(5, {}, {{{}, rule(4)}}));
   EXPECT_EQ(wide.reason(), Reason::does_not_fit);
   EXPECT_NE(std::string(wide.what()).find("they need 20m of 12m"), std::string::npos);
 }
@@ -126,11 +128,11 @@ TEST(Plan, ApartStandsWhereCopiesStood) {
       "axiom A\n A -> repeat(x, B)\n B -> mirror(C, D)\n C -> mirror(D)\n"
       "D -> columns(1, window, 2, wall)");
   const PlanPtr d = rule(3);
-  const Place first{0, 0, 0, 0}, middle{0, 1, 0, 0};
+  const PartKey first{0, 0, 0, 0}, middle{0, 1, 0, 0};
   const PlanPtr c = rule(2, {}, {{first, d}});
   const PlanPtr b = rule(1, {{"width", {1}}}, {{first, c}, {middle, d}});
   const PlanPtr a = rule(0, {{"count", {3}}}, {{first, b}});
-  const Planned whole = desk.of(a);
+  const PlannedDerivation whole = desk.of(a);
 
   const auto broken = [](const PlanPtr& plan, const PlanPtr& part) {
     Plan out = *plan;
@@ -139,7 +141,7 @@ TEST(Plan, ApartStandsWhereCopiesStood) {
     return std::make_shared<const Plan>(std::move(out));
   };
   const PlanPtr all = broken(a, broken(b, broken(c, d)));
-  const Planned apart = desk.of(all);
+  const PlannedDerivation apart = desk.of(all);
   EXPECT_GT(apart.derived.tree.nodes.size(), 3 * whole.derived.tree.nodes.size());
   for (const Node& node : apart.derived.tree.nodes) EXPECT_TRUE(node.copies.empty());
   const std::vector<Rect> one = sorted_rects(whole.derived.tree);
@@ -148,8 +150,9 @@ TEST(Plan, ApartStandsWhereCopiesStood) {
   for (size_t i = 0; i < one.size(); ++i)
     expect_rect(other[i], one[i].x, one[i].y, one[i].width, one[i].height);
   const auto mirrored = [](const Tree& tree) {
-    const std::vector<Standing> seen = standing(tree);
-    return std::count_if(seen.begin(), seen.end(), [](const Standing& s) { return s.mirrored; });
+    const std::vector<ElementInstance> seen = element_instances(tree);
+    return std::count_if(seen.begin(), seen.end(),
+                         [](const ElementInstance& s) { return s.mirrored; });
   };
   EXPECT_EQ(mirrored(whole.derived.tree), mirrored(apart.derived.tree));
   EXPECT_GT(mirrored(apart.derived.tree), 0);
@@ -165,19 +168,19 @@ TEST(Plan, CellsThatAreOff) {
   plan.rule = 0;
   plan.numbers = {{"columns", {3}}, {"rows", {2}}, {"door", {1}}};
   plan.off = {{0, 0}, {2, 1}};
-  const Planned made = desk.of(std::make_shared<const Plan>(plan));
-  EXPECT_EQ(standing(made.derived.tree).size(), 4u) << "three windows and the door";
+  const PlannedDerivation made = desk.of(std::make_shared<const Plan>(plan));
+  EXPECT_EQ(element_instances(made.derived.tree).size(), 4u) << "three windows and the door";
 }
 
 TEST(Plan, NumbersOfASecondSplit) {
   Desk desk("axiom A\n A -> columns(B, B) wall rows(B, columns(B, B))\n B -> window");
-  const Planned made = desk.of(rule(0, {{"widths", {3}}, {"2.heights", {2}}}));
+  const PlannedDerivation made = desk.of(rule(0, {{"widths", {3}}, {"2.heights", {2}}}));
   ASSERT_EQ(made.nodes[0].free.size(), 2u);
   EXPECT_EQ(made.nodes[0].free[1].name, "2.heights");
   EXPECT_EQ(made.nodes[0].free[1].values, (std::vector<double>{2, 7}));
   // The inner split is a node of its own.
-  const Place inner{2, 1, 0, 1};
-  const Planned told = desk.of(rule(0, {}, {{inner, rule(-1, {{"widths", {5}}})}}));
+  const PartKey inner{2, 1, 0, 1};
+  const PlannedDerivation told = desk.of(rule(0, {}, {{inner, rule(-1, {{"widths", {5}}})}}));
   expect_rect(told.derived.tree.nodes.back().rect, 5, 3.5, 7, 5.5);
 }
 

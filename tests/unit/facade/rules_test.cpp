@@ -38,7 +38,7 @@ TEST(Rules, ThePapersGrammarDerives) {
   for (uint64_t seed = 0; seed < 200; ++seed) {
     const auto made = derive(ripperda(), evaluator, {.key = RandomKey(seed)});
     ASSERT_TRUE(made) << seed;
-    for (const Standing& one : standing(made->tree)) {
+    for (const ElementInstance& one : element_instances(made->tree)) {
       const Rect& r = one.rect;
       EXPECT_TRUE(r.x >= -1e-9 && r.right() <= 12 + 1e-9 && r.width > 0);
       EXPECT_TRUE(r.y >= -1e-9 && r.top() <= 9 + 1e-9 && r.height > 0);

@@ -9,7 +9,7 @@
 namespace vug::facade {
 namespace {
 
-Placed placed(const Sample& s, Frame frame = {}) {
+FacadeInstance placed(const Sample& s, FacadeFrame frame = {}) {
   EXPECT_EQ(s.said, "");
   return {std::make_shared<const Tree>(s.tree), frame};
 }
@@ -75,8 +75,8 @@ TEST(Semantics, FollowTheFrameAndCopies) {
 }
 
 TEST(Semantics, MeshesCarryKindsAndNodes) {
-  const auto first = std::make_shared<const Placed>(placed(front()));
-  const auto second = std::make_shared<const Placed>(placed(front(), {{20, 0, 0}, 0}));
+  const auto first = std::make_shared<const FacadeInstance>(placed(front()));
+  const auto second = std::make_shared<const FacadeInstance>(placed(front(), {{20, 0, 0}, 0}));
   mesh::Mesh mesh;
   for (const double x : {0.0, 20.0})
     for (const Vec3f& p :
@@ -106,12 +106,12 @@ TEST(Semantics, MeshesCarryKindsAndNodes) {
 }
 
 TEST(Semantics, WhatIsCarvedRemembersItsFacade) {
-  const Placed here = placed(front(), {{1, 2, 3}, 0.5});
-  const field::Field f = remembering(here, field::empty());
-  ASSERT_TRUE(placed_of(f));
-  EXPECT_EQ(placed_of(f)->tree, here.tree);
-  EXPECT_EQ(placed_of(f)->frame.yaw, 0.5);
-  EXPECT_FALSE(placed_of(field::empty()));
+  const FacadeInstance here = placed(front(), {{1, 2, 3}, 0.5});
+  const field::Field f = with_facade(here, field::empty());
+  ASSERT_TRUE(find_facade(f));
+  EXPECT_EQ(find_facade(f)->tree, here.tree);
+  EXPECT_EQ(find_facade(f)->frame.yaw, 0.5);
+  EXPECT_FALSE(find_facade(field::empty()));
 }
 
 }  // namespace

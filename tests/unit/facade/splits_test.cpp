@@ -41,7 +41,7 @@ TEST(Splits, MirrorStampsTheSideOnce) {
   expect_rect(s.rects("window")[1], 11, 0, 1, 9);
   expect_rect(s.rects("wall")[1], 7, 0, 4, 9);
   expect_rect(s.rects("door")[0], 5, 0, 2, 9);
-  EXPECT_TRUE(standing(s.tree)[1].mirrored);
+  EXPECT_TRUE(element_instances(s.tree)[1].mirrored);
 }
 
 TEST(Splits, MirrorsInRepeatsInMirrors) {

@@ -27,14 +27,14 @@ TEST(Tree, OccurrencesOfCopiesOfCopies) {
   EXPECT_EQ(occurrences(s.tree), (std::vector<double>{1, 2, 6, 24}));
   EXPECT_EQ(placements(s.tree, 3).size(), 24u);
   EXPECT_EQ(placements(s.tree, 3)[0], Placement{});
-  EXPECT_EQ(standing(s.tree).size(), 24u);
+  EXPECT_EQ(element_instances(s.tree).size(), 24u);
 }
 
 TEST(Tree, TooManyElementsAreRefused) {
   const Sample s =
       facade_of("axiom A\n A -> repeat(x, B, count: 2000)\n B -> repeat(y, window, count: 2000)");
   EXPECT_EQ(occurrences(s.tree)[2], 4e6);
-  EXPECT_THROW(standing(s.tree), Error);
+  EXPECT_THROW(element_instances(s.tree), Error);
 }
 
 TEST(Tree, PlacementsCompose) {

@@ -29,7 +29,7 @@ void expect_same_places(const facade::Rules& text, const Model& model, const Sta
     seen.insert(place_of(model.rules().symbol(state.tree[node].symbol).name, r.x0, r.y0,
                          r.x1 - r.x0, r.y1 - r.y0));
   });
-  for (const facade::Standing& one : standing(tree))
+  for (const facade::ElementInstance& one : standing(tree))
     stands.insert(place_of(tree.nodes[static_cast<size_t>(one.node)].symbol, one.rect.x / kPixel.x,
                            model.height() - one.rect.top() / kPixel.y, one.rect.width / kPixel.x,
                            one.rect.height / kPixel.y));

@@ -186,7 +186,7 @@ TEST(FacadeChain, TheMoreStepsTheNearer) {
 
 TEST(FacadeChain, WithoutTheRatioOfProposalsTheyDoNot) {
   for (const Toy& toy : toys())
-    EXPECT_GT(distance(toy, 100'000, {.weigh_proposals = false}), 0.3) << toy.name;
+    EXPECT_GT(distance(toy, 100'000, {.use_proposal_ratio = false}), 0.3) << toy.name;
 }
 
 /// One of the trees that the move can be made from.
@@ -198,7 +198,7 @@ State start_for(const Bench& bench, const inference::Move<State>& move,
     bench.prior.energy(state);
     State next = state;
     forward.draw(stream);
-    back.tell();
+    back.score();
     if (move.propose(next, forward, back) && std::isfinite(bench.prior.energy(next)) &&
         !(next.tree == state.tree))
       return state;

@@ -47,11 +47,11 @@ Rules all_rules() {
                    "RegularIdenticalGrid windows Window Door"});
 }
 
-inference::Profile lumpy(int size, uint64_t seed) {
+inference::DiscreteDistribution lumpy(int size, uint64_t seed) {
   RandomStream stream{RandomKey(seed)};
   std::vector<double> weights;
   for (int i = 0; i < size; ++i) weights.push_back(0.1 + stream.uniform());
-  return inference::Profile(weights);
+  return inference::DiscreteDistribution(weights);
 }
 
 Hints lumpy_hints(int width, int height) {
@@ -115,16 +115,16 @@ TEST(Moves, LeadBackByTheChoicesTheyTell) {
     const inference::Move<State>& move = all[stream.below(static_cast<uint32_t>(all.size()))];
     State state = here;
     forward.draw(stream);
-    back.tell();
+    back.score();
     if (!move.propose(state, forward, back) || !std::isfinite(model.energy(state))) continue;
     ++count, ++done[move.name];
     ASSERT_TRUE(forward.possible()) << move.name;
     ASSERT_TRUE(back.possible()) << move.name;
     State there = state;
-    again.replay(back.made());
-    returned.tell();
+    again.replay(back.trace());
+    returned.score();
     ASSERT_TRUE(move.propose(there, again, returned)) << move.name;
-    ASSERT_EQ(again.made().size(), back.made().size()) << move.name;
+    ASSERT_EQ(again.trace().size(), back.trace().size()) << move.name;
     ASSERT_TRUE(there.tree == here.tree) << move.name;
     ASSERT_NEAR(again.ln_probability(), back.ln_probability(), 1e-12) << move.name;
     ASSERT_NEAR(returned.ln_probability(), forward.ln_probability(), 1e-12) << move.name;

@@ -38,7 +38,7 @@ class AsPixels {
   std::vector<Painted> painted() const {
     std::vector<Painted> out;
     const int down = px(from_.height);
-    for (const facade::Standing& one : facade::standing(from_)) {
+    for (const facade::ElementInstance& one : facade::element_instances(from_)) {
       const facade::Rect& r = one.rect;
       out.push_back({from_.nodes[static_cast<size_t>(one.node)].element->kind(),
                      {px(r.x), down - px(r.y + r.height), px(r.x + r.width), down - px(r.y)}});

@@ -14,7 +14,7 @@ inline bool step_up(const Model& model, const inference::Moves<State>& moves, Ra
   State next = here;
   Choices forward, back;
   forward.draw(stream);
-  back.tell();
+  back.score();
   const inference::Move<State>& move = moves[stream.below(static_cast<uint32_t>(moves.size()))];
   if (!move.propose(next, forward, back) || !std::isfinite(model.energy(next))) return false;
   if (next.tree.size() < here.tree.size() && !(stream.uniform() < 0.3)) return false;

@@ -70,13 +70,13 @@ std::string below(const Tree& tree, const std::string& name) {
 TEST(Choice, OneBranchDoesNotChangeAnother) {
   for (uint64_t seed = 0; seed < 1000; ++seed) {
     Grammar g = shrub();
-    const Part branch = g.axiom[0];
+    const SuccessorItem branch = g.axiom[0];
     g.axiom = {part("Left"), part("Right")};
     g.productions.push_back(rule("Left", {branch}));
     g.productions.push_back(rule("Right", {branch}));
     const std::string right = below(derive(g, RandomKey(seed)), "Right");
     // The left branch gets another production, and a third branch comes before both.
-    g.productions[2].parts = {branch, branch, terminal("moss")};
+    g.productions[2].successor = {branch, branch, terminal("moss")};
     g.axiom.insert(g.axiom.begin(), part("Middle"));
     g.productions.push_back(rule("Middle", {branch}));
     ASSERT_EQ(below(derive(g, RandomKey(seed)), "Right"), right) << seed;

@@ -27,25 +27,26 @@ TEST(Derive, RewritesDepthFirstFromTheLeft) {
 TEST(Derive, ParametersReachChildrenAndGuards) {
   // Euclid's algorithm as a grammar: a second way to the same number.
   Grammar g;
-  Part start = part("gcd");
-  start.content = [](const Site&) { return Content{{Value(252), Value(105)}, {}, ""}; };
+  SuccessorItem start = part("gcd");
+  start.content = [](const RewriteSite&) { return Content{{Value(252), Value(105)}, {}, ""}; };
   g.axiom = {start};
-  Part next = part("gcd");
-  next.content = [](const Site& s) {
+  SuccessorItem next = part("gcd");
+  next.content = [](const RewriteSite& s) {
     return Content{{Value(number(s, 1)), Value(std::fmod(number(s, 0), number(s, 1)))}, {}, ""};
   };
   Production step = rule("gcd", {next});
   step.arity = 2;
-  step.guard = [](const Site& s) { return number(s, 1) > 0; };
-  Production done = rule("gcd", {computed("result", [](const Site& s) { return number(s); })});
-  done.guard = [](const Site& s) { return number(s, 1) == 0; };
+  step.guard = [](const RewriteSite& s) { return number(s, 1) > 0; };
+  Production done =
+      rule("gcd", {computed("result", [](const RewriteSite& s) { return number(s); })});
+  done.guard = [](const RewriteSite& s) { return number(s, 1) == 0; };
   g.productions = {step, done};
   EXPECT_EQ(word(derive(g, RandomKey(1))), "result(21)");
 }
 
 TEST(Derive, ArityTellsSymbolsOfOneNameApart) {
   Grammar g;
-  g.axiom = {part("A"), computed("A", [](const Site&) { return 7.0; })};
+  g.axiom = {part("A"), computed("A", [](const RewriteSite&) { return 7.0; })};
   g.productions = {rule("A", {terminal("none")}), rule("A", {terminal("one")})};
   g.productions[0].arity = 0;
   g.productions[1].arity = 1;
@@ -56,7 +57,7 @@ TEST(Derive, SymbolsWithoutAnApplicableProductionStayAndAreMarked) {
   Grammar g;
   g.axiom = {part("A")};
   g.productions = {rule("A", {terminal("a")})};
-  g.productions[0].guard = [](const Site&) { return false; };
+  g.productions[0].guard = [](const RewriteSite&) { return false; };
   const Tree tree = derive(g, RandomKey(1));
   EXPECT_EQ(word(tree), "A");
   EXPECT_TRUE(tree.nodes[1].stuck);
@@ -71,9 +72,11 @@ TEST(Derive, AnEmptyRightSideErases) {
 
 TEST(Derive, PayloadsTravelUntouched) {
   Grammar g;
-  Part p = terminal("box");
-  p.content = [](const Site& s) { return Content{{}, Vec3d(1, 2, double(s.repetition)), ""}; };
-  p.count = [](const Site&) { return int64_t{3}; };
+  SuccessorItem p = terminal("box");
+  p.content = [](const RewriteSite& s) {
+    return Content{{}, Vec3d(1, 2, double(s.repetition)), ""};
+  };
+  p.count = [](const RewriteSite&) { return int64_t{3}; };
   g.axiom = {p};
   const Tree tree = derive(g, RandomKey(1));
   EXPECT_EQ(std::any_cast<Vec3d>(tree.nodes[3].symbol.content.payload), Vec3d(1, 2, 2));

@@ -47,9 +47,9 @@ TEST(Layout, SubtreesNestWhereTheirContoursLetThem) {
 
 TEST(Layout, TakesALongChain) {
   Grammar g;
-  g.axiom = {computed("A", [](const Site&) { return 0.0; })};
-  g.productions = {rule("A", {computed("A", [](const Site& s) { return number(s) + 1; })})};
-  g.productions[0].guard = [](const Site& s) { return number(s) < 100000; };
+  g.axiom = {computed("A", [](const RewriteSite&) { return 0.0; })};
+  g.productions = {rule("A", {computed("A", [](const RewriteSite& s) { return number(s) + 1; })})};
+  g.productions[0].guard = [](const RewriteSite& s) { return number(s) < 100000; };
   for (const double place : tidy_layout(derive(g, RandomKey(1)))) ASSERT_EQ(place, 0);
 }
 

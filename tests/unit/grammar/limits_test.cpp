@@ -48,7 +48,7 @@ TEST(Limits, SymbolsAreCounted) {
 
 TEST(Limits, HugeCountsAreRefusedBeforeTheyAreMade) {
   Grammar g = bomb();
-  g.productions[0].parts = {terminal("x", int64_t{1} << 60)};
+  g.productions[0].successor = {terminal("x", int64_t{1} << 60)};
   const Error e = thrown([&] { derive(g, RandomKey(1)); });
   EXPECT_EQ(e.code(), ErrorCode::too_large);
   EXPECT_NE(std::string(e.what()).find("'Room' makes 'x'"), std::string::npos);
@@ -56,18 +56,18 @@ TEST(Limits, HugeCountsAreRefusedBeforeTheyAreMade) {
 
 TEST(Limits, ALongChainDoesNotOverflowTheStack) {
   Grammar g;
-  g.axiom = {computed("A", [](const Site&) { return 0.0; })};
-  g.productions = {rule("A", {computed("A", [](const Site& s) { return number(s) + 1; })})};
-  g.productions[0].guard = [](const Site& s) { return number(s) < 200000; };
+  g.axiom = {computed("A", [](const RewriteSite&) { return 0.0; })};
+  g.productions = {rule("A", {computed("A", [](const RewriteSite& s) { return number(s) + 1; })})};
+  g.productions[0].guard = [](const RewriteSite& s) { return number(s) < 200000; };
   EXPECT_EQ(word(derive(g, RandomKey(1))), "A(200000)");
 }
 
 TEST(Limits, BadWeightsAndCountsAreNamed) {
   Grammar g = bomb();
-  g.productions[0].parts = {terminal("x", -2)};
+  g.productions[0].successor = {terminal("x", -2)};
   EXPECT_STREQ(thrown([&] { derive(g, RandomKey(1)); }).what(), "'x' shall be repeated -2 times");
   for (const double weight : {-1.0, std::numeric_limits<double>::quiet_NaN(), kInfinity}) {
-    g.productions[0].weight = [weight](const Site&) { return weight; };
+    g.productions[0].weight = [weight](const RewriteSite&) { return weight; };
     const Error e = thrown([&] { derive(g, RandomKey(1)); });
     EXPECT_EQ(e.code(), ErrorCode::bad_input);
     EXPECT_NE(std::string(e.what()).find("the weight of 'Room -> x'"), std::string::npos);

@@ -11,13 +11,14 @@ namespace {
 Tree tiny() {
   Grammar g;
   g.name = "cave";
-  g.axiom = {part("Room", 2), part("Lost")};
-  g.productions = {rule("Room", {computed("hall", [](const Site& s) { return s.depth + 0.5; })}),
-                   rule("Lost", {})};
+  g.axiom = {part("Room", 2), part("SkippedNames")};
+  g.productions = {
+      rule("Room", {computed("hall", [](const RewriteSite& s) { return s.depth + 0.5; })}),
+      rule("SkippedNames", {})};
   g.productions[0].where = {"tiny.vug", 3, 1};
   g.productions[0].name = "Room -> hall & <door>";
-  g.productions[0].parts[0].terminal = true;
-  g.productions[1].guard = [](const Site&) { return false; };
+  g.productions[0].successor[0].terminal = true;
+  g.productions[1].guard = [](const RewriteSite&) { return false; };
   return derive(g, RandomKey(2012));
 }
 
@@ -28,7 +29,7 @@ TEST(TreeText, Golden) {
             "│  └─ hall(1.5)\n"
             "├─ Room  ⟵ Room -> hall & <door> (tiny.vug:3:1)\n"
             "│  └─ hall(1.5)\n"
-            "└─ Lost  (no production applies)\n");
+            "└─ SkippedNames  (no production applies)\n");
   TextOptions bare;
   bare.provenance = false;
   EXPECT_EQ(tree_text(tiny(), bare).substr(0, 25), "cave\n├─ Room\n│  └");

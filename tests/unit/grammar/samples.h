@@ -5,51 +5,51 @@
 
 namespace vug::grammar {
 
-inline double number(const Site& site, size_t i = 0) {
+inline double number(const RewriteSite& site, size_t i = 0) {
   return site.symbol.content.params.at(i).get<Number>()->value;
 }
 
 /// Parts with fixed content.
-inline Part part(std::string symbol, int64_t count = 1) {
-  Part p;
+inline SuccessorItem part(std::string symbol, int64_t count = 1) {
+  SuccessorItem p;
   p.symbol = std::move(symbol);
-  p.count = [count](const Site&) { return count; };
+  p.count = [count](const RewriteSite&) { return count; };
   return p;
 }
-inline Part terminal(std::string symbol, int64_t count = 1) {
-  Part p = part(std::move(symbol), count);
+inline SuccessorItem terminal(std::string symbol, int64_t count = 1) {
+  SuccessorItem p = part(std::move(symbol), count);
   p.terminal = true;
   return p;
 }
 /// A part whose one parameter is computed.
-inline Part computed(std::string symbol, std::function<double(const Site&)> value) {
-  Part p = part(std::move(symbol));
-  p.content = [value = std::move(value)](const Site& site) {
+inline SuccessorItem computed(std::string symbol, std::function<double(const RewriteSite&)> value) {
+  SuccessorItem p = part(std::move(symbol));
+  p.content = [value = std::move(value)](const RewriteSite& site) {
     return Content{{Value(value(site))}, {}, ""};
   };
   return p;
 }
-inline Production rule(std::string symbol, std::vector<Part> parts, double weight = 1) {
+inline Production rule(std::string symbol, std::vector<SuccessorItem> parts, double weight = 1) {
   Production p;
   p.symbol = std::move(symbol);
-  p.parts = std::move(parts);
-  p.weight = [weight](const Site&) { return weight; };
+  p.successor = std::move(parts);
+  p.weight = [weight](const RewriteSite&) { return weight; };
   return p;
 }
 
 /// A branch splits in two to four with random sizes until they are small: stochastic in choice,
 /// parameters and counts.
 inline Grammar shrub() {
-  const auto smaller = [](const Site& s) {
+  const auto smaller = [](const RewriteSite& s) {
     return number(s) * RandomStream(s.key).uniform(0.4, 0.8);
   };
   Grammar g;
   g.name = "shrub";
-  g.axiom = {computed("Branch", [](const Site&) { return 1.0; })};
-  Part some = computed("Branch", smaller);
-  some.count = [](const Site& s) { return int64_t{1} + RandomStream(s.key).below(3); };
+  g.axiom = {computed("Branch", [](const RewriteSite&) { return 1.0; })};
+  SuccessorItem some = computed("Branch", smaller);
+  some.count = [](const RewriteSite& s) { return int64_t{1} + RandomStream(s.key).below(3); };
   Production fork = rule("Branch", {some, computed("Branch", smaller)}, 2);
-  fork.guard = [](const Site& s) { return number(s) > 0.15; };
+  fork.guard = [](const RewriteSite& s) { return number(s) > 0.15; };
   Production stop = rule("Branch", {terminal("leaf")});
   g.productions = {fork, stop};
   return g;

@@ -107,7 +107,7 @@ TEST(Chain, StatesComeAsOftenAsTheyShould) {
 }
 
 TEST(Chain, WithoutTheRatioOfProposalsTheyDoNot) {
-  EXPECT_GT(after(1'000'000, {.weigh_proposals = false}), 0.05);
+  EXPECT_GT(after(1'000'000, {.use_proposal_ratio = false}), 0.05);
 }
 
 TEST(Chain, EveryMoveLeadsBackTheWayItTells) {
@@ -120,11 +120,11 @@ TEST(Chain, EveryMoveLeadsBackTheWayItTells) {
     for (const Move<Digits>& move : moves()) {
       Digits digits = chain.state();
       forward.draw(stream);
-      back.tell();
+      back.score();
       if (!move.propose(digits, forward, back)) continue;
       ++done;
-      again.replay(back.made());
-      returned.tell();
+      again.replay(back.trace());
+      returned.score();
       ASSERT_TRUE(move.propose(digits, again, returned));
       EXPECT_EQ(digits, chain.state());
       EXPECT_NEAR(again.ln_probability(), back.ln_probability(), 1e-12);
@@ -190,7 +190,7 @@ TEST(Tempering, TemperaturesMoveToWhereNeighboursExchangeOften) {
   chains.run(2000, true);
   chains.forget_swaps();
   chains.run(1000, false);
-  for (const Ladder::Swaps& swaps : chains.ladder().swaps()) {
+  for (const TemperatureLadder::Swaps& swaps : chains.ladder().swaps()) {
     EXPECT_GT(swaps.rate(), 0.2);
     EXPECT_LT(swaps.rate(), 0.6);
   }
@@ -198,9 +198,9 @@ TEST(Tempering, TemperaturesMoveToWhereNeighboursExchangeOften) {
 }
 
 TEST(Tempering, TemperaturesMustRise) {
-  EXPECT_THROW(Ladder(0, 1, 2), Error);
-  EXPECT_THROW(Ladder(2, 0, 2), Error);
-  EXPECT_THROW(Ladder(2, 2, 2), Error);
+  EXPECT_THROW(TemperatureLadder(0, 1, 2), Error);
+  EXPECT_THROW(TemperatureLadder(2, 0, 2), Error);
+  EXPECT_THROW(TemperatureLadder(2, 2, 2), Error);
 }
 
 }  // namespace

@@ -111,10 +111,10 @@ TEST(Chance, KeysDiffer) {
 
 TEST(Chance, NumbersAreThoseOfPhilox) {
   const uint64_t key = 0x0123456789abcdef;
-  Draws draws(key, 2);
+  RandomNumbers draws(key, 2);
   const std::array<uint64_t, 3> modules{0, 0xfedcba9876543210, ~uint64_t{0}};
-  for (const uint64_t module : modules) draws.ask(module, 3);
-  const double* numbers = draws.make();
+  for (const uint64_t module : modules) draws.request(module, 3);
+  const double* numbers = draws.generate();
   for (const uint64_t module : modules)
     for (uint32_t block = 0; block < 3; ++block) {
       const auto bits =

@@ -47,7 +47,7 @@ TEST(Growth, LengthsMoveContinuously) {
   for (double time = 0; time < 5; time += 1.0 / 64) {
     DeriveOptions options;
     options.time = time;
-    const Word word = interpreted(*system, derive(*system, options));
+    const Word word = interpret(*system, derive(*system, options));
     double length = 0;
     for (const double x : word.values()) length += x;
     EXPECT_NEAR(length, std::pow(2, time), 1e-9 * length) << time;

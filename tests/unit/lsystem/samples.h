@@ -53,7 +53,7 @@ inline std::string after(const System& system, int steps) {
 inline std::string drawn(const System& system, int steps) {
   DeriveOptions options;
   options.steps = steps;
-  return to_string(interpreted(system, derive(system, options)), system.alphabet);
+  return to_string(interpret(system, derive(system, options)), system.alphabet);
 }
 
 }  // namespace vug::lsystem

@@ -110,7 +110,7 @@ TEST(SubSystems, EachDrawsOnItsOwn) {
     grammar Leaf: lsystem { axiom F(0..1) }
     grammar plant: lsystem { axiom Leaf Leaf })");
   ASSERT_TRUE(compiled.system) << compiled.report;
-  const Word word = interpreted(*compiled.system, derive(*compiled.system));
+  const Word word = interpret(*compiled.system, derive(*compiled.system));
   ASSERT_EQ(word.size(), 2u);
   EXPECT_NE(word.parameters(0)[0], word.parameters(1)[0]);
 }

@@ -19,7 +19,7 @@ TEST(Alphabet, TellsNamesApartByTheirParameters) {
   EXPECT_EQ(alphabet.find("G", 0), std::nullopt);
   EXPECT_EQ(alphabet.name(with), "F");
   EXPECT_EQ(alphabet.parameters(with), 1u);
-  EXPECT_THROW(alphabet.add("A", Alphabet::kMostParameters + 1), Error);
+  EXPECT_THROW(alphabet.add("A", Alphabet::kMaxParameters + 1), Error);
 }
 
 TEST(Word, KeepsEachModulesParameters) {

@@ -54,7 +54,7 @@ inline std::string bytes(const State& state) { return facade::tree_json(state.tr
 /// Places of all elements, from the left, then from the bottom.
 inline std::vector<facade::Rect> rects(const State& state, const std::string& kind = "window") {
   std::vector<facade::Rect> out;
-  for (const facade::Standing& one : facade::standing(state.tree()))
+  for (const facade::ElementInstance& one : facade::element_instances(state.tree()))
     if (state.node(one.node).element->kind() == kind) out.push_back(one.rect);
   std::sort(out.begin(), out.end(), [](const facade::Rect& a, const facade::Rect& b) {
     return std::pair(a.x, a.y) < std::pair(b.x, b.y);

@@ -24,10 +24,10 @@ TEST(Retrace, WhatIsModelledComesBack) {
        "toggle 0.1.0.0 column=1 row=0", "act 0.1.1 RegularIdenticalGrid columns=2 rows=2 door=1"});
   Retraced way;
   const State back = again(state, way);
-  EXPECT_EQ(way.elements, facade::standing(state.tree()).size());
+  EXPECT_EQ(way.elements, facade::element_instances(state.tree()).size());
   EXPECT_EQ(way.moved, 0u) << way.farthest;
   EXPECT_EQ(way.missing, 0u);
-  EXPECT_EQ(facade::standing(back.tree()).size(), way.elements);
+  EXPECT_EQ(facade::element_instances(back.tree()).size(), way.elements);
   EXPECT_EQ(back.tree().nodes.size(), state.tree().nodes.size());
 }
 
@@ -67,7 +67,7 @@ TEST(Retrace, IntoTheGrammarThatWasWrittenFromTheTree) {
                       "act 0.1 Grid columns=3 rows=2 dx=2,5"});
   const StylePtr own = style_of(facade::grammar_text(state.tree(), {.name = "own"}));
   const Retraced way = retraced(State(own, state.sheet()), state.tree());
-  EXPECT_EQ(way.elements, facade::standing(state.tree()).size());
+  EXPECT_EQ(way.elements, facade::element_instances(state.tree()).size());
   EXPECT_EQ(way.moved + way.missing, 0u) << way.farthest;
   const StylePtr other = style_of("grammar other: facade {\n axiom A\n A -> window\n}\n");
   EXPECT_THROW(retraced(State(other, state.sheet()), state.tree()), Error);

@@ -69,7 +69,7 @@ void expect_whole(const State& state) {
     ASSERT_EQ(node.stuck, !node.element && state.rule(static_cast<int>(i)) < 0 &&
                               !state.style().rules_of(node.symbol).empty());
   }
-  for (const facade::Standing& one : facade::standing(tree)) {
+  for (const facade::ElementInstance& one : facade::element_instances(tree)) {
     ASSERT_GE(one.rect.x, -1e-6);
     ASSERT_LE(one.rect.right(), tree.width + 1e-6);
   }
@@ -129,7 +129,7 @@ TEST(Walk, WhatIsOfferedCanBeDone) {
           continue;
         }
         next.push_back(edited(state, edit));
-        // Told what is usual, the rule comes to the same.
+        // NumberValues what is usual, the rule comes to the same.
         Edit told = edit;
         for (const facade::FreeNumber& number : each.free)
           told.numbers[number.name] = number.values;

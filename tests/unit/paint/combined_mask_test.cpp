@@ -17,9 +17,9 @@ struct Carried : Attributes {
 
 double value(const Mask& mask, const Vec3d& normal = {0, 1, 0}) {
   const Carried carried;
-  Spot spot{Vec3d(0), normal};
-  spot.attributes = &carried;
-  return (*mask)(spot);
+  EvalPoint point{Vec3d(0), normal};
+  point.attributes = &carried;
+  return (*mask)(point);
 }
 
 Value made(const std::string& kind, const NamedValues& parameters) {

@@ -15,8 +15,8 @@ namespace vug::paint {
 namespace {
 
 Paint green() {
-  return make_paint([](const Spot& spot) {
-    return Vec3d(0.1, 0.5 + 0.5 * spot.attributes->read(kLeafAlong)->x, 0.2);
+  return make_paint([](const EvalPoint& point) {
+    return Vec3d(0.1, 0.5 + 0.5 * point.attributes->read(kLeafAlong)->x, 0.2);
   });
 }
 Mask blade() { return make_product(masks(), "leaf_blade", {{"widest", 0.35}, {"tip", 1.4}}); }

@@ -73,23 +73,23 @@ TEST(Inputs, AreReadAtTheHit) {
   surface.geometric_normal = surface.shading_normal = {0, 1, 0};
   surface.mesh = &floor;
   surface.triangle = 0, surface.u = 0.25f, surface.v = 0.5f;
-  const SurfaceSpot place(surface);
+  const SurfacePoint place(surface);
   const auto mask = make_product(paint::masks(), "attribute", {{"name", "wet"}});
   const auto color = make_product(paint::paints(), "vertex_color");
-  EXPECT_NEAR(NumberInput(mask).at(place.spot()), paint::ramp(0.75, 0, 1), 1e-6);
-  const Rgb rgb = ColorInput(color).at(place.spot());
+  EXPECT_NEAR(NumberInput(mask).at(place.eval_point()), paint::ramp(0.75, 0, 1), 1e-6);
+  const Rgb rgb = ColorInput(color).at(place.eval_point());
   EXPECT_NEAR(rgb.x, 0.25, 1e-6);
   EXPECT_NEAR(rgb.y, 0.25, 1e-6);
   EXPECT_NEAR(rgb.z, 0.5, 1e-6);
   const auto none =
       make_product(paint::masks(), "attribute", {{"name", "dry"}, {"otherwise", 0.3}});
-  EXPECT_NEAR(NumberInput(none).at(place.spot()), 0.3, 1e-6);
+  EXPECT_NEAR(NumberInput(none).at(place.eval_point()), 0.3, 1e-6);
   const auto rough =
       make_product(paint::masks(), "between",
                    {{"mask", ValueTraits<paint::Mask>::write(mask)}, {"from", 0.9}, {"to", 0.1}});
-  EXPECT_NEAR(NumberInput(rough).at(place.spot()), 0.9 - 0.8 * paint::ramp(0.75, 0, 1), 1e-6);
-  const auto nan = paint::make_mask([](const paint::Spot&) { return std::nan(""); });
-  EXPECT_EQ(NumberInput(nan).at(place.spot()), 0);
+  EXPECT_NEAR(NumberInput(rough).at(place.eval_point()), 0.9 - 0.8 * paint::ramp(0.75, 0, 1), 1e-6);
+  const auto nan = paint::make_mask([](const paint::EvalPoint&) { return std::nan(""); });
+  EXPECT_EQ(NumberInput(nan).at(place.eval_point()), 0);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
       for (const ParamInfo& p : kind->info.params)
         if (p.name == "angle") given.emplace_back("angle", radians(0.9));
       const LightPtr light = make_light(kind->info.name, given);
-      const LitPoint point{position, Vec3f(0.0f)};
+      const LightSampleContext point{position, Vec3f(0.0f)};
       RandomStream random(RandomKey(8).at(kind->info.name));
       if (!(light->importance(point) > 0)) {
         EXPECT_FALSE(light->sample(point, {0.3f, 0.6f}).pdf > 0) << "never chosen, yet samples";
@@ -122,8 +122,8 @@ TEST(ChiSquare, EveryPhaseFunctionSamplesItself) {
 TEST(ChiSquare, DistancesFallExponentially) {
   for (const auto* kind : media()) {
     const MediumPtr medium = make_medium(kind->info.name, {{"extinction", 0.7}});
-    if (medium->hollow()) continue;  // its density is tested beside it
-    TrackingNumbers numbers(Vec2f(0.1f, 0.2f));
+    if (medium->needs_density()) continue;  // its density is tested beside it
+    TrackingRng numbers(Vec2f(0.1f, 0.2f));
     const Ray ray{{0, 0, 0}, {0, 0, 1}};
     const Segment segment{1, 4};
     RandomStream random(RandomKey(10));

@@ -28,7 +28,7 @@ MediumPtr cloud(double extinction, double albedo, double g = 0, const Vec3d& emi
                                {"albedo", Vec3d(albedo)},
                                {"g", g},
                                {"emission", emission}})
-      ->filled(ball());
+      ->with_density(ball());
 }
 
 /// Density along a ray by the midpoint rule, between two distances.
@@ -75,7 +75,7 @@ TEST(Cloud, LetsThroughWhatTheIntegralSays) {
       for (int i = 0; i < kTrials; ++i) {
         const auto u = [&] { return static_cast<float>(random.uniform()); };
         const float a = u(), b = u();
-        TrackingNumbers numbers(Vec2f(a, b));
+        TrackingRng numbers(Vec2f(a, b));
         const auto t = static_cast<double>(medium->transmittance(ray, segment, numbers));
         sum += t, squares += t * t;
         through += !medium->sample_distance(ray, segment, u(), numbers).scattered;
@@ -102,13 +102,13 @@ TEST(Cloud, TellsMarksWhatComesThroughToThem) {
     for (int i = 0; i < kTrials; ++i) {
       const auto u = [&] { return static_cast<float>(random.uniform()); };
       const float a = u(), b = u();
-      TrackingNumbers numbers(Vec2f(a, b));
-      std::array<Mark, 4> marks;
-      for (size_t m = 0; m < marks.size(); ++m) marks[m].distance = places[m];
-      const DistanceSample sample = medium->cross(ray, segment, u(), marks, numbers);
+      TrackingRng numbers(Vec2f(a, b));
+      std::array<ScatterPoint, 4> scatter_points;
+      for (size_t m = 0; m < scatter_points.size(); ++m) scatter_points[m].distance = places[m];
+      const DistanceSample sample = medium->sample_distance(ray, segment, u(), scatter_points, numbers);
       met += sample.scattered && sample.distance < places[0];
-      for (size_t m = 0; m < marks.size(); ++m) {
-        const auto clear = static_cast<double>(marks[m].clear);
+      for (size_t m = 0; m < scatter_points.size(); ++m) {
+        const auto clear = static_cast<double>(scatter_points[m].transmittance);
         sum[m] += clear, squares[m] += clear * clear;
       }
     }

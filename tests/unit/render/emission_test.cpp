@@ -13,7 +13,7 @@ using Pattern = std::function<double(const Vec3d&)>;
 
 MaterialPtr shining(const Pattern& pattern, double radiance) {
   const paint::Mask mask =
-      paint::make_mask([pattern](const paint::Spot& s) { return pattern(s.position); });
+      paint::make_mask([pattern](const paint::EvalPoint& s) { return pattern(s.position); });
   return make_material("surface", {{"color", Vec3d(0)},
                                    {"specular", 0.0},
                                    {"emission", Vec3d(1, 0.5, 0.25)},

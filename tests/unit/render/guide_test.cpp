@@ -18,17 +18,17 @@ Vec2f pair(uint64_t i, uint64_t salt) {
 }
 
 /// A floor of 16 m by 16 m, seen evenly, with bright squares of 1 m about the given places.
-std::vector<Sighting> floor_with(const std::vector<Vec3f>& bright, float luminance) {
-  std::vector<Sighting> sightings;
+std::vector<RadianceSample> floor_with(const std::vector<Vec3f>& bright, float luminance) {
+  std::vector<RadianceSample> radiance_samples;
   for (uint64_t i = 0; i < 40000; ++i) {
     const Vec2f u = pair(i, 5);
     const Vec3f point(16 * u.x - 8, 0.01f, 16 * u.y - 8);
     float seen = 1;
     for (const Vec3f& b : bright)
       if (std::fabs(point.x - b.x) < 0.5f && std::fabs(point.z - b.z) < 0.5f) seen = luminance;
-    sightings.push_back({point, {0, 1, 0}, seen});
+    radiance_samples.push_back({point, {0, 1, 0}, seen});
   }
-  return sightings;
+  return radiance_samples;
 }
 
 const Box3f kRoom(Vec3f(-8, 0, -8), Vec3f(8, 8, 8));
@@ -42,8 +42,8 @@ TEST(Guide, TurnsAreAngles) {
   }
 }
 
-TEST(Cones, SampleTheirDensity) {
-  Cones cones;
+TEST(ConeMixture, SampleTheirDensity) {
+  ConeMixture cones;
   const auto add = [&](const Vec3f& to, float radius, float share, uint32_t name) {
     const Vec3f axis = normalized(to);
     const auto all = [](float v) { return _mm256_set1_ps(v); };
@@ -54,10 +54,10 @@ TEST(Cones, SampleTheirDensity) {
   add({0.5f, 2, -1}, 0.9f, 3, 7);
   add({0.2f, 1.5f, -1}, 0.8f, 1, 4);  // overlaps the first
   add({-3, 0, 0.1f}, 1.5f, 2, 0);
-  cones.settle(0.5f);
-  EXPECT_EQ(cones.name(cones.choose(0.2f)), 7u);
-  EXPECT_EQ(cones.name(cones.choose(0.6f)), 4u);
-  EXPECT_EQ(cones.name(cones.choose(0.9f)), 0u);
+  cones.normalize(0.5f);
+  EXPECT_EQ(cones.id(cones.choose(0.2f)), 7u);
+  EXPECT_EQ(cones.id(cones.choose(0.6f)), 4u);
+  EXPECT_EQ(cones.id(cones.choose(0.9f)), 0u);
   const Chi2 result = chi2(
       normalized(Vec3f(0.5f, 2, -1)), 2, 400000,
       [&](int s) {
@@ -71,53 +71,53 @@ TEST(Cones, SampleTheirDensity) {
 
 TEST(BrightPatches, AreWhereItIsBright) {
   const std::vector<Vec3f> bright = {{3, 0, 2}, {-5, 0, -4}};
-  const std::vector<BrightPatch> patches = find_bright_patches(floor_with(bright, 40), kEdge, 8);
-  ASSERT_EQ(patches.size(), 8u);
+  const std::vector<BrightCluster> clusters = find_bright_clusters(floor_with(bright, 40), kEdge, 8);
+  ASSERT_EQ(clusters.size(), 8u);
   float power = 0;
-  for (const BrightPatch& patch : patches) {
+  for (const BrightCluster& cluster : clusters) {
     float nearest = 100;
-    for (const Vec3f& b : bright) nearest = std::min(nearest, length(patch.centre - b));
-    EXPECT_LT(nearest + patch.radius, 1.4f);
-    power += patch.power;
+    for (const Vec3f& b : bright) nearest = std::min(nearest, length(cluster.centre - b));
+    EXPECT_LT(nearest + cluster.radius, 1.4f);
+    power += cluster.power;
   }
   // Two square metres of 40, and the rims of the cubes; each cube lacks one sighting of eleven.
   EXPECT_NEAR(power, 80, 20);
-  EXPECT_TRUE(find_bright_patches(floor_with({}, 1), kEdge, 8).empty());
-  EXPECT_TRUE(find_bright_patches({}, kEdge, 8).empty());
+  EXPECT_TRUE(find_bright_clusters(floor_with({}, 1), kEdge, 8).empty());
+  EXPECT_TRUE(find_bright_clusters({}, kEdge, 8).empty());
 }
 
 TEST(Guide, TurnsToWhatIsInSight) {
   const Vec3f one(4, 0, 0), other(-4, 0, 0), from(0, 6, 0);
   const Guide open(floor_with({one, other}, 200), kRoom);
   ASSERT_FALSE(open.empty());
-  std::vector<Glance> glances;
-  for (uint32_t k = 0; k < open.patches().size(); ++k)
+  std::vector<VisibilitySample> visibility_samples;
+  for (uint32_t k = 0; k < open.clusters().size(); ++k)
     for (int i = 0; i < 50; ++i) {
-      glances.push_back({from, k, open.patches()[k].centre.x > 0});
-      glances.push_back({{-7.5f, 1, 7.5f}, k, true});  // from another region
+      visibility_samples.push_back({from, k, open.clusters()[k].centre.x > 0});
+      visibility_samples.push_back({{-7.5f, 1, 7.5f}, k, true});  // from another region
     }
   Guide informed = open;
-  informed.learn(glances);
+  informed.update_visibility(visibility_samples);
   const auto towards = [&](const Guide& guide, const Vec3f& at) {
-    const Cones cones = guide.at(from, {0, -1, 0});
-    return cones.trust() * cones.pdf(normalized(at - from));
+    const ConeMixture cones = guide.at(from, {0, -1, 0});
+    return cones.mixture_weight() * cones.pdf(normalized(at - from));
   };
   // All of 50 against none, each with a prior of the two regions together: p is 25 times more.
   EXPECT_GT(towards(informed, one) * towards(open, other),
             3 * towards(informed, other) * towards(open, one));
   // Patches behind a surface are none of its light.
   EXPECT_EQ(informed.at(from, {0, 1, 0}).size(), 0u);
-  EXPECT_EQ(Guide().at(from, {0, -1, 0}).trust(), 0);
+  EXPECT_EQ(Guide().at(from, {0, -1, 0}).mixture_weight(), 0);
 }
 
-TEST(Chances, AreCountedRegionByRegion) {
-  std::vector<Glance> glances;
+TEST(VisibilityCache, AreCountedRegionByRegion) {
+  std::vector<VisibilitySample> visibility_samples;
   for (int i = 0; i < 200; ++i) {
-    glances.push_back({{-3, 1, 0}, 0, i % 4 == 0});  // a quarter
-    glances.push_back({{3, 1, 0}, 0, true});
-    glances.push_back({{3, 1, 0}, 1, false});
+    visibility_samples.push_back({{-3, 1, 0}, 0, i % 4 == 0});  // a quarter
+    visibility_samples.push_back({{3, 1, 0}, 0, true});
+    visibility_samples.push_back({{3, 1, 0}, 1, false});
   }
-  const Chances chances(kRoom, 2 / diagonal_of(kRoom), 2, glances);
+  const VisibilityCache chances(kRoom, 2 / diagonal_of(kRoom), 2, visibility_samples);
   const auto part = [&](const Vec3f& at, size_t thing) {
     const float root = chances.at(at)[thing];
     return root * root;
@@ -130,27 +130,27 @@ TEST(Chances, AreCountedRegionByRegion) {
   // Beyond the room the nearest region answers.
   EXPECT_EQ(chances.at({100, 1, 0}), chances.at({7.9f, 1, 0}));
   EXPECT_GT(part({3, 1, 0}, 1), 0) << "nothing is ruled out";
-  std::vector<Glance> backwards(glances.rbegin(), glances.rend());
-  const Chances same(kRoom, 2 / diagonal_of(kRoom), 2, backwards);
+  std::vector<VisibilitySample> backwards(visibility_samples.rbegin(), visibility_samples.rend());
+  const VisibilityCache same(kRoom, 2 / diagonal_of(kRoom), 2, backwards);
   EXPECT_EQ(same.at({-3, 1, 0})[0], chances.at({-3, 1, 0})[0]);
-  EXPECT_TRUE(Chances().empty());
+  EXPECT_TRUE(VisibilityCache().empty());
 }
 
-TEST(Brightness, IsToldApartByPlaceAndFacing) {
+TEST(RadianceCache, IsToldApartByPlaceAndFacing) {
   const Vec3f up(0, 1, 0), down(0, -1, 0);
-  std::vector<Sighting> sightings;
+  std::vector<RadianceSample> radiance_samples;
   for (int i = 0; i < 400; ++i) {
     const bool found = i % 4 == 0;  // a quarter of the paths comes to light of 4
-    sightings.push_back({{-3, 1, 0}, up, found ? 5.0f : 1.0f, true, found ? 4.0f : 0.0f});
-    sightings.push_back({{-3, 1, 0}, down, 0.1f, true, 0.1f});
-    sightings.push_back({{3, 1, 0}, up, 100, false, 0});
+    radiance_samples.push_back({{-3, 1, 0}, up, found ? 5.0f : 1.0f, true, found ? 4.0f : 0.0f});
+    radiance_samples.push_back({{-3, 1, 0}, down, 0.1f, true, 0.1f});
+    radiance_samples.push_back({{3, 1, 0}, up, 100, false, 0});
   }
-  const Brightness known(sightings, kRoom, 2 / diagonal_of(kRoom));
+  const RadianceCache known(radiance_samples, kRoom, 2 / diagonal_of(kRoom));
   // The mean over all places counts half a sighting.
   EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).all, 0.1f, 0.05f);
-  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).later, 0.1f, 0.05f);
-  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, up).later, 2, 0.01f) << "sqrt(16 / 4)";
-  EXPECT_NEAR(known.at({3, 1, 0}, up).later, 0, 0.1f);
+  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).indirect, 0.1f, 0.05f);
+  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, up).indirect, 2, 0.01f) << "sqrt(16 / 4)";
+  EXPECT_NEAR(known.at({3, 1, 0}, up).indirect, 0, 0.1f);
   // The camera sees 2 and 0.1, as often: nothing is worth less because something brighter is near.
   EXPECT_FLOAT_EQ(known.at({-3, 1, 0}, up).all, 1.05f);
   EXPECT_FLOAT_EQ(known.at({3, 1, 0}, up).all, 1.05f);
@@ -159,8 +159,8 @@ TEST(Brightness, IsToldApartByPlaceAndFacing) {
   EXPECT_GT(known.noise(), 0);
   EXPECT_LT(known.noise(), 1);
   // Where none looked, anything may still come.
-  EXPECT_GT(known.at({0, 7, 7}, up).later, 0.5f);
-  EXPECT_TRUE(Brightness().empty());
+  EXPECT_GT(known.at({0, 7, 7}, up).indirect, 0.5f);
+  EXPECT_TRUE(RadianceCache().empty());
 }
 
 }  // namespace

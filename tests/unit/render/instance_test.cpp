@@ -211,13 +211,13 @@ TEST(Instance, IsPaintedInItsOwnSpaceOrByItsPlace) {
     Hit hit;
     ASSERT_TRUE(world.intersect({{0.3f, 10, 0.2f}, {0, -1, 0}}, hit));
     hit.surface.footprint = 0.5f;
-    SurfaceSpot place(hit.surface);
-    EXPECT_NEAR(place.spot().position.y, by_place ? 3 : 0, 1e-6);
-    EXPECT_NEAR(place.spot().position.x, by_place ? 0.3 : 0.15, 1e-6);
-    EXPECT_NEAR(place.spot().footprint, by_place ? 0.5 : 0.25, 1e-6);
+    SurfacePoint place(hit.surface);
+    EXPECT_NEAR(place.eval_point().position.y, by_place ? 3 : 0, 1e-6);
+    EXPECT_NEAR(place.eval_point().position.x, by_place ? 0.3 : 0.15, 1e-6);
+    EXPECT_NEAR(place.eval_point().footprint, by_place ? 0.5 : 0.25, 1e-6);
     place.move_to({1, 3, 0});
     const Vec3d there(by_place ? 1 : 0.5, by_place ? 3 : 0, 0);
-    EXPECT_NEAR((place.spot().position - there).length(), 0, 1e-6);
+    EXPECT_NEAR((place.eval_point().position - there).length(), 0, 1e-6);
   }
 }
 

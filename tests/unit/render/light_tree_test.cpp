@@ -47,18 +47,18 @@ std::vector<Object> shining_ball() {
   return {object(floor_mesh(3), 0.5), ball};
 }
 
-LitPoint somewhere(RandomStream& random) {
-  LitPoint point{Vec3f(place(random)), Vec3f(place(random).normalized())};
+LightSampleContext somewhere(RandomStream& random) {
+  LightSampleContext point{Vec3f(place(random)), Vec3f(place(random).normalized())};
   if (random.bits() % 3 == 0) point.normal = Vec3f(0.0f);
   return point;
 }
 
 /// What is said to be known of lights in sight, the same everywhere.
-Chances some_chances(size_t branches) {
-  std::vector<Glance> glances;
+VisibilityCache some_chances(size_t branches) {
+  std::vector<VisibilitySample> visibility_samples;
   for (uint32_t i = 0; i < 20 * branches; ++i)
-    glances.push_back({{0, 0, 0}, i % static_cast<uint32_t>(branches), i % 7 < 3});
-  return Chances(Box3f(Vec3f(-1), Vec3f(1)), 3, branches, glances);
+    visibility_samples.push_back({{0, 0, 0}, i % static_cast<uint32_t>(branches), i % 7 < 3});
+  return VisibilityCache(Box3f(Vec3f(-1), Vec3f(1)), 3, branches, visibility_samples);
 }
 
 /// The estimate of sum 1 over the lights that can shine, 1 / p each time, must be their number.
@@ -68,11 +68,11 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
     all.push_back(make_light("portal", {{"center", Vec3d(0, 6, 0)}, {"width", 3.0}}));
     all.push_back(make_light("sky"));
     const LightSet set(all, shining_ball());
-    const Chances chances = some_chances(set.branches());
+    const VisibilityCache chances = some_chances(set.branches());
     RandomStream random{RandomKey(5)};
     for (int trial = 0; trial < 12; ++trial) {
-      const LitPoint point = somewhere(random);
-      LightOdds odds{trial % 3 == 2 ? 3.0f : 1.0f,
+      const LightSampleContext point = somewhere(random);
+      LightSelection selection{trial % 3 == 2 ? 3.0f : 1.0f,
                      trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree,
                      trial % 2 == 1 ? chances.at(point.position) : nullptr};
       SCOPED_TRACE(testing::Message() << count << " lamps, trial " << trial);
@@ -82,14 +82,14 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
       for (int i = 0; i < kDraws; ++i) {
         double sum = 0;
         std::set<LightId> at_once;
-        for (const LightChoice& c : set.choose(point, one(random), odds)) {
-          const float share = set.share(c.light, point, odds);
+        for (const LightChoice& c : set.choose(point, one(random), selection)) {
+          const float share = set.pmf(c.light, point, selection);
           ASSERT_NEAR(c.probability, share, 1e-4f * share);
           ASSERT_TRUE(at_once.insert(c.light).second) << "the same light twice";
           ++seen[c.light];
           sum += 1 / static_cast<double>(share);
         }
-        ASSERT_LE(at_once.size(), static_cast<size_t>(odds.samples) + 1);
+        ASSERT_LE(at_once.size(), static_cast<size_t>(selection.samples) + 1);
         inverse += sum, squares += sum * sum;
       }
       double sum = 0, possible = 0;
@@ -97,7 +97,7 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
         const bool known =
             id < all.size() || id - all.size() < shining_ball()[1].mesh->triangles.size();
         if (!known) break;
-        const double share = static_cast<double>(set.share(id, point, odds));
+        const double share = static_cast<double>(set.pmf(id, point, selection));
         sum += share;
         if (share > 0) possible += 1;
         EXPECT_TRUE(share > 0 || seen[id] == 0);
@@ -105,7 +105,7 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
         EXPECT_NEAR(seen[id], share * kDraws, 5.5 * std::sqrt(share * kDraws) + 3)
             << "light " << id;
       }
-      EXPECT_LT(sum, static_cast<double>(odds.samples) * (1 + 1e-4));
+      EXPECT_LT(sum, static_cast<double>(selection.samples) * (1 + 1e-4));
       const double mean = inverse / kDraws;
       const double error = std::sqrt(std::max(0.0, squares / kDraws - mean * mean) / kDraws);
       EXPECT_NEAR(mean, possible, 4.5 * error + 1e-4 * possible);
@@ -119,17 +119,17 @@ TEST(LightTree, EveryLightIsChosenWithItsProbabilityAlongRays) {
     std::vector<LightPtr> all = lamps(count, 3);
     all.push_back(make_light("portal", {{"center", Vec3d(0, 6, 0)}, {"width", 3.0}}));
     const LightSet set(all, shining_ball());
-    const Chances chances = some_chances(set.branches());
+    const VisibilityCache chances = some_chances(set.branches());
     RandomStream random{RandomKey(15)};
     for (int trial = 0; trial < 8; ++trial) {
       const Ray ray{Vec3f(place(random)), Vec3f(place(random).normalized())};
       constexpr int kDraws = 60000;
-      const LightOdds odds{trial % 3 == 2 ? 3.0f : 1.0f,
+      const LightSelection selection{trial % 3 == 2 ? 3.0f : 1.0f,
                            trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree};
       std::map<LightId, std::pair<int, float>> seen;
       for (int i = 0; i < kDraws; ++i)
-        for (const LightChoice& c : set.choose_along(ray, {0.5f, 3}, one(random), odds,
-                                                     trial % 2 == 1 ? chances : Chances())) {
+        for (const LightChoice& c : set.choose_along(ray, {0.5f, 3}, one(random), selection,
+                                                     trial % 2 == 1 ? chances : VisibilityCache())) {
           auto& [times, probability] = seen[c.light];
           if (times++ > 0) {
             ASSERT_NEAR(probability, c.probability, 1e-4f * probability);
@@ -151,21 +151,21 @@ TEST(LightTree, LightsInSightAreChosenMore) {
   for (const double x : {-2.0, -1.0, 0.0, 1.0, 2.0})
     all.push_back(make_light("sphere", {{"center", Vec3d(x, 2, 0)}, {"radius", 0.1}}));
   const LightSet set(all, {});
-  std::vector<Glance> glances;
-  for (uint32_t i = 0; i < 500; ++i) glances.push_back({{0, 0, 0}, i % 5, i % 5 == 2});
-  const Chances chances(Box3f(Vec3f(-1), Vec3f(1)), 1, 5, glances);
-  const LitPoint point{{0, 0, 0}};
-  LightOdds blind, knowing{1, LightSampler::tree, chances.at(point.position)};
+  std::vector<VisibilitySample> visibility_samples;
+  for (uint32_t i = 0; i < 500; ++i) visibility_samples.push_back({{0, 0, 0}, i % 5, i % 5 == 2});
+  const VisibilityCache chances(Box3f(Vec3f(-1), Vec3f(1)), 1, 5, visibility_samples);
+  const LightSampleContext point{{0, 0, 0}};
+  LightSelection blind, knowing{1, LightSampler::tree, chances.at(point.position)};
   set.choose(point, 0.5f, blind), set.choose(point, 0.5f, knowing);
   const LightId seen = set.choose_in(2, point, 0.5f).light;
   ASSERT_NE(seen, kNoLight);
   for (LightId id = 0; id < 5; ++id) {
     SCOPED_TRACE(id);
-    const float share = set.share(id, point, knowing) / set.share(seen, point, knowing);
+    const float share = set.pmf(id, point, knowing) / set.pmf(seen, point, knowing);
     EXPECT_GT(share, 0.009f);
-    // Of 100 glances none: sqrt(p) is a tenth of that of the one in sight, or less.
+    // Of 100 visibility_samples none: sqrt(p) is a tenth of that of the one in sight, or less.
     if (id != seen) {
-      EXPECT_LT(share, 0.3f * set.share(id, point, blind) / set.share(seen, point, blind));
+      EXPECT_LT(share, 0.3f * set.pmf(id, point, blind) / set.pmf(seen, point, blind));
     }
   }
 }
@@ -179,13 +179,13 @@ TEST(LightTree, NoLightThatShinesIsLeftOut) {
   const auto ids = static_cast<LightId>(all.size() + objects[1].mesh->triangles.size());
   int lit = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    const LitPoint point = somewhere(random);
-    LightOdds odds;
-    set.choose(point, 0.5f, odds);
+    const LightSampleContext point = somewhere(random);
+    LightSelection selection;
+    set.choose(point, 0.5f, selection);
     for (LightId id = 0; id < ids; ++id) {
       const LightSample s = set.sample(id, point, {one(random), one(random)});
       if (!(s.pdf > 0) || (point.on_surface() && dot(s.direction, point.normal) < 1e-3f)) continue;
-      EXPECT_GT(set.share(id, point, odds), 0) << "light " << id;
+      EXPECT_GT(set.pmf(id, point, selection), 0) << "light " << id;
       ++lit;
     }
   }
@@ -195,10 +195,10 @@ TEST(LightTree, NoLightThatShinesIsLeftOut) {
 /// Unshadowed light at points of a cave with lamps all along it: by the tree, and by choosing one
 /// of all lamps evenly.
 TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
-  constexpr int kLamps = 1000, kDraws = 20000;
+  constexpr int kLights = 1000, kDraws = 20000;
   std::vector<LightPtr> all;
   RandomStream random{RandomKey(31)};
-  for (int i = 0; i < kLamps; ++i) {
+  for (int i = 0; i < kLights; ++i) {
     const double x = random.uniform(-50, 50), y = random.uniform(-2, 2);
     all.push_back(make_light("sphere", {{"center", Vec3d(x, y, random.uniform(-2, 2))},
                                         {"radius", 0.02},
@@ -208,7 +208,7 @@ TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
   double gain = 0;
   constexpr int kPoints = 8;
   for (int trial = 0; trial < kPoints; ++trial) {
-    const LitPoint point{{static_cast<float>(random.uniform(-50, 50)), -2.5f, 0}, {0, 1, 0}};
+    const LightSampleContext point{{static_cast<float>(random.uniform(-50, 50)), -2.5f, 0}, {0, 1, 0}};
     const auto light = [&](LightId id) {
       const float u = one(random);
       const LightSample s = set.sample(id, point, {u, one(random)});
@@ -216,7 +216,7 @@ TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
                        : 0.0;
     };
     double exact = 0;
-    for (LightId id = 0; id < kLamps; ++id)
+    for (LightId id = 0; id < kLights; ++id)
       for (int i = 0; i < 16; ++i) exact += light(id) / 16;
     double variance[2] = {0, 0};
     for (const int tree : {0, 1}) {
@@ -224,11 +224,11 @@ TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
       for (int i = 0; i < kDraws; ++i) {
         double value = 0;
         if (tree) {
-          LightOdds odds;
-          for (const LightChoice& c : set.choose(point, one(random), odds))
+          LightSelection selection;
+          for (const LightChoice& c : set.choose(point, one(random), selection))
             value = light(c.light) / static_cast<double>(c.probability);
         } else {
-          value = kLamps * light(random.below(kLamps));
+          value = kLights * light(random.below(kLights));
         }
         sum += value, squares += value * value;
       }
@@ -265,12 +265,12 @@ TEST(LightTree, FacesOfCrystalsNearbyAreToldApart) {
   double relative = 0;
   constexpr int kPoints = 50, kDraws = 2000;
   for (int trial = 0; trial < kPoints; ++trial) {
-    const LitPoint point{{1 + 6 * one(random), 0, 1 + 6 * one(random)}, {0, 1, 0}};
+    const LightSampleContext point{{1 + 6 * one(random), 0, 1 + 6 * one(random)}, {0, 1, 0}};
     double sum = 0, squares = 0;
     for (int i = 0; i < kDraws; ++i) {
       double value = 0;
-      LightOdds odds;
-      for (const LightChoice& c : set.choose(point, one(random), odds)) {
+      LightSelection selection;
+      for (const LightChoice& c : set.choose(point, one(random), selection)) {
         const float u = one(random);
         const LightSample s = set.sample(c.light, point, {u, one(random)});
         if (s.pdf > 0 && s.direction.y > 0)
@@ -295,7 +295,7 @@ TEST(LightTree, UnitedConesHoldBoth) {
       b.cos_spread = static_cast<float>(random.uniform(-1, 1));
       b.strength = 1;
     }
-    const LightBounds both = united(parts[0], parts[1]);
+    const LightBounds both = union_of(parts[0], parts[1]);
     EXPECT_EQ(both.strength, 2);
     for (const LightBounds& b : parts)
       for (int i = 0; i < 20; ++i) {
@@ -316,7 +316,7 @@ TEST(LightTree, ARayMeetsTheSameLampsAsWithoutATree) {
     const float end = trial % 2 ? kFar : 3;
     std::vector<LightId> with, without;
     LightHit hit;
-    set.each_lamp_on(ray, end, kNoObject, [&](LightId id, const Light& lamp) {
+    set.for_each_light_on(ray, end, kNoObject, [&](LightId id, const Light& lamp) {
       if (lamp.intersect(ray, end, hit)) with.push_back(id);
     });
     for (LightId id = 0; id < all.size(); ++id)
@@ -343,7 +343,7 @@ TEST(Emitters, TrianglesSampleTheirDensity) {
   for (const Vec3f& position : points) {
     SCOPED_TRACE("from y = " + std::to_string(position.y));
     RandomStream random{RandomKey(13)};
-    const LitPoint point{position};
+    const LightSampleContext point{position};
     const Vec3f axis = normalized(emitters.centre(0) - position);
     const Vec3f &a = mesh.positions[0], &b = mesh.positions[1], &c = mesh.positions[2];
     const auto inside = [&](const Vec3f& d) {

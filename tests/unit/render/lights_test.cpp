@@ -224,7 +224,7 @@ TEST(Lights, BranchesKnowWhereLampsShine) {
     int shines = 0;
     for (int i = 0; i < 20000; ++i) {
       const float a = one(random), far = 0.05f + 4 * one(random) * one(random);
-      LitPoint point{lamp->centre() + sample_sphere({a, one(random)}) * far};
+      LightSampleContext point{lamp->centre() + sample_sphere({a, one(random)}) * far};
       const float b = one(random);
       if (i % 2) point.normal = sample_sphere({b, one(random)});
       const float u = one(random);
@@ -233,7 +233,7 @@ TEST(Lights, BranchesKnowWhereLampsShine) {
       if (point.on_surface() && !(dot(point.normal, s.direction) > 1e-3f)) continue;
       ++shines;
       EXPECT_GT(lamp->importance(point), 0);
-      EXPECT_GT(LightTree::importance(tree.fork(0), point)[0], 0);
+      EXPECT_GT(LightTree::importance(tree.node(0), point)[0], 0);
     }
     EXPECT_GT(shines, 100);
   }

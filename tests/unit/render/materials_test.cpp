@@ -120,7 +120,7 @@ TEST(Materials, SampleTheirDensity) {
             [&](int) -> DirectionSample {
               const float lobe = one(random);
               const BsdfSample s = bsdf.sample(lobe, two(random));
-              if (!(s.pdf > 0) || s.beneath || s.direction.z * side < 0) return {};
+              if (!(s.pdf > 0) || s.subsurface || s.direction.z * side < 0) return {};
               const Scattering f = bsdf.evaluate(s.direction);
               const auto agrees = [&](float weighed, float value) {
                 return std::fabs(weighed * s.pdf - value) <= 2e-3f * value + 1e-6f;

@@ -8,7 +8,7 @@
 namespace vug::render {
 namespace {
 
-Value as_mask(std::function<double(const paint::Spot&)> f) {
+Value as_mask(std::function<double(const paint::EvalPoint&)> f) {
   return ValueTraits<paint::Mask>::write(paint::make_mask(std::move(f)));
 }
 MaterialPtr black(const Value& opacity) {
@@ -19,7 +19,7 @@ mesh::Mesh at_height(mesh::Mesh mesh, float height) {
   return mesh;
 }
 /// A lamp of radiance 1 below, seen from above through `sheets` of the material.
-Scene over_a_lamp(const MaterialPtr& material, int sheets) {
+Scene over_a_light(const MaterialPtr& material, int sheets) {
   Scene scene;
   scene.camera = view({0, 3, 0}, {0, 0, 0}, 0.2, {0, 0, 1});
   Object lamp = object(at_height(floor_mesh(5), -0.5f), 0);
@@ -35,7 +35,7 @@ Scene over_a_lamp(const MaterialPtr& material, int sheets) {
 
 TEST(Opacity, LetsThroughWhatIsNotThere) {
   for (const int sheets : {1, 2}) {
-    const Mean seen = mean_of(render(over_a_lamp(black(0.3), sheets), options(32, 32, 64, 0)), "G");
+    const Mean seen = mean_of(render(over_a_light(black(0.3), sheets), options(32, 32, 64, 0)), "G");
     const double expected = sheets == 1 ? 0.7 : 0.49;
     EXPECT_NEAR(seen.value, expected, 4 * seen.error);
     EXPECT_LT(seen.error, 0.005);
@@ -61,8 +61,8 @@ TEST(Opacity, ShadowsHaveTheSameHoles) {
 }
 
 TEST(Opacity, MasksCutEdgesThatAreSharp) {
-  const auto right = as_mask([](const paint::Spot& spot) { return spot.position.x > 0 ? 1 : 0; });
-  const image::Image seen = render(over_a_lamp(black(right), 1), options(32, 32, 16, 0));
+  const auto right = as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
+  const image::Image seen = render(over_a_light(black(right), 1), options(32, 32, 16, 0));
   const auto green = static_cast<size_t>(seen.find_channel("G"));
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {
@@ -73,8 +73,8 @@ TEST(Opacity, MasksCutEdgesThatAreSharp) {
 }
 
 TEST(Opacity, OfAnInstanceIsThatOfItsOwnSpace) {
-  const auto right = as_mask([](const paint::Spot& spot) { return spot.position.x > 0 ? 1 : 0; });
-  Scene scene = over_a_lamp(black(right), 1);
+  const auto right = as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
+  Scene scene = over_a_light(black(right), 1);
   scene.objects[1].placing = std::make_shared<const Placing>(
       Transform::rotation({0, 1, 0}, kPi / 2) * Transform::scaling(Vec3d(0.9)));
   const Mean seen = mean_of(render(scene, options(32, 32, 16, 0)), "G");
@@ -84,7 +84,7 @@ TEST(Opacity, OfAnInstanceIsThatOfItsOwnSpace) {
 }
 
 TEST(Opacity, NothingAtAllIsAsIfItWereNotThere) {
-  Scene scene = over_a_lamp(black(as_mask([](const paint::Spot&) { return 0; })), 2);
+  Scene scene = over_a_light(black(as_mask([](const paint::EvalPoint&) { return 0; })), 2);
   scene.lights = {make_light("sky")};
   const Options o = options(16, 16, 16, 3);
   const image::Image with = render(scene, o);
@@ -118,7 +118,7 @@ TEST(Opacity, HalfASheetOfWhiteVanishesInAWhiteSky) {
 }
 
 TEST(Opacity, IsTheSameForAnyNumberOfThreads) {
-  const Scene scene = over_a_lamp(black(0.37), 3);
+  const Scene scene = over_a_light(black(0.37), 3);
   const auto picture = [&](int threads) {
     const ThreadLimit limit(threads);
     return render(scene, options(40, 40, 8, 2));
@@ -129,7 +129,7 @@ TEST(Opacity, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Opacity, LampsHaveNoHoles) {
-  Scene scene = over_a_lamp(black(0.3), 1);
+  Scene scene = over_a_light(black(0.3), 1);
   scene.objects[1].emission = Rgb(1);
   EXPECT_THROW(render(scene, options(4, 4, 1, 0)), Error);
   const MaterialPtr whole = black(1.0);

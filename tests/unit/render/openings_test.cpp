@@ -41,7 +41,7 @@ TEST(Openings, AreFoundWhereTheRoofIsOpen) {
   const World world(scene);
   const SamplerPtr sampler = make_sampler("sobol");
   const auto portals =
-      find_openings({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none());
+      find_automatic_portals({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none());
   ASSERT_EQ(portals.size(), 1u);
   EXPECT_NEAR(portals[0]->centre().x, 0.7, 0.1);
   EXPECT_NEAR(portals[0]->centre().y, 3, 1e-5);
@@ -56,7 +56,7 @@ TEST(Openings, AreNotSoughtInTheOpen) {
   const World world(scene);
   const SamplerPtr sampler = make_sampler("sobol");
   EXPECT_TRUE(
-      find_openings({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none()).empty());
+      find_automatic_portals({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none()).empty());
 }
 
 TEST(Openings, LeaveTheMeanAlone) {
@@ -92,7 +92,7 @@ TEST(Openings, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Openings, ExitsAreLaidAroundRays) {
-  Exits exits(Box3f(Vec3f(0.0f), Vec3f(64.0f)));
+  BoundaryHits exits(Box3f(Vec3f(0.0f), Vec3f(64.0f)));
   exits.count({{10.5f, 60, 20.5f}, {0, 1, 0}});
   exits.count({{12.5f, 60, 20.5f}, {0, 1, 0}});
   exits.count({{40.5f, 60, 20.5f}, {0, 1, 0}});

@@ -41,11 +41,11 @@ std::vector<std::pair<std::string, LightPtr>> all_lights() {
 }
 
 TEST(WorkingSpace, LightsSendOutTheSame) {
-  const LitPoint point{{0.3f, -1.2f, 0.4f}, {0, 0, 0}, kNoObject};
+  const LightSampleContext point{{0.3f, -1.2f, 0.4f}, {0, 0, 0}, kNoObject};
   size_t shone = 0;
   for (const auto& [name, plain] : all_lights()) {
     const LightPtr there = in_space(plain, way());
-    EXPECT_EQ(there->notes().group, plain->notes().group) << name;
+    EXPECT_EQ(there->linking().group, plain->linking().group) << name;
     EXPECT_EQ(there->is_sky(), plain->is_sky()) << name;
     EXPECT_EQ(there->is_portal(), plain->is_portal()) << name;
     EXPECT_EQ(there->beside_portals(), plain->beside_portals()) << name;
@@ -89,7 +89,7 @@ TEST(WorkingSpace, MaterialsReflectTheSame) {
       for (const bool painted : {false, true}) {
         const Vec3d colour(0.8, 0.3, 0.1);
         if (painted && param.type == "vector") continue;
-        const auto painting = paint::make_paint([colour](const paint::Spot&) { return colour; });
+        const auto painting = paint::make_paint([colour](const paint::EvalPoint&) { return colour; });
         NamedValues arguments = {
             {param.name, painted ? ValueTraits<paint::Paint>::write(painting) : Value(colour)}};
         for (const ParamInfo& other : kind->info.params)
@@ -122,14 +122,14 @@ TEST(WorkingSpace, MaterialsReflectTheSame) {
 TEST(WorkingSpace, MediaScatterTheSame) {
   for (const auto* kind : media()) {
     const MediumPtr plain = make_medium(kind->info.name, {{"albedo", Vec3d(0.9, 0.5, 0.2)}});
-    EXPECT_EQ(in_space(plain, way())->burns(), plain->burns());
+    EXPECT_EQ(in_space(plain, way())->is_emissive(), plain->is_emissive());
     const MediumPtr there = in_space(plain, way());
     expect_same(there->albedo({0, 0, 0}), plain->albedo({0, 0, 0}), kind->info.name);
-    EXPECT_EQ(there->usual_extinction(), plain->usual_extinction());
-    EXPECT_EQ(there->hollow(), plain->hollow());
+    EXPECT_EQ(there->typical_extinction(), plain->typical_extinction());
+    EXPECT_EQ(there->needs_density(), plain->needs_density());
     EXPECT_EQ(there->phase(0.3f), plain->phase(0.3f));
     const Box3f box({-1, -1, -1}, {1, 1, 1});
-    const MediumPtr fitted = plain->fitted(box), fitted_there = there->fitted(box);
+    const MediumPtr fitted = plain->with_bounds(box), fitted_there = there->with_bounds(box);
     EXPECT_EQ(fitted == nullptr, fitted_there == nullptr);
     if (fitted) expect_same(fitted_there->albedo({0, 0, 0}), fitted->albedo({0, 0, 0}), "fitted");
   }

@@ -50,7 +50,7 @@ TEST(Keys, StepsKeepAnyValue) {
 
 TEST(Keys, SmoothCurvesRestAtEndsAndNeverOvershoot) {
   const std::vector<double> frames = {0, 4, 5, 9, 20}, values = {0, 1, 8, 8, 3};
-  const auto at = [&](double f) { return between_keys(frames, values, Ease::smooth, f); };
+  const auto at = [&](double f) { return interpolate_keys(frames, values, Ease::smooth, f); };
   for (size_t i = 0; i < frames.size(); ++i) EXPECT_DOUBLE_EQ(at(frames[i]), values[i]);
   for (size_t i = 0; i + 1 < frames.size(); ++i) {
     const double low = std::min(values[i], values[i + 1]),

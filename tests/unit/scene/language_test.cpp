@@ -11,7 +11,8 @@ namespace vug::scene {
 namespace {
 
 std::vector<std::string> examples() {
-  const auto page = std::filesystem::path(VUG_DATA).parent_path() / "docs" / "reference" / "language.md";
+  const auto page =
+      std::filesystem::path(VUG_DATA).parent_path() / "docs" / "reference" / "language.md";
   const std::string text = read_text(page);
   std::vector<std::string> all;
   const std::string open = "```vug\n", close = "```";

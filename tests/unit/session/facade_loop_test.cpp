@@ -3,12 +3,12 @@
 #include "../fit/random_facade.h"
 
 #include <vug/base/median.h>
+#include <vug/building/builder.h>
 #include <vug/fit/as_facade.h>
 #include <vug/fit/polish/polish.h>
-#include <vug/session/build.h>
+#include <vug/loading/load.h>
+#include <vug/picture/stereo_views.h>
 #include <vug/session/facade_fit.h>
-#include <vug/session/load.h>
-#include <vug/session/views.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ struct Openings {
 
 Openings openings_of(const facade::Tree& tree) {
   Openings out;
-  for (const facade::Standing& one : facade::standing(tree)) {
+  for (const facade::ElementInstance& one : facade::element_instances(tree)) {
     const std::string& kind = tree.nodes[static_cast<size_t>(one.node)].element->kind();
     if (kind == "wall") continue;
     out.all.push_back(one.rect);
@@ -135,7 +135,7 @@ bool can_be_seen(const facade::Tree& tree) {
   for (const facade::Node& node : tree.nodes)
     if (std::max(number(node.numbers, "columns"), number(node.numbers, "rows")) > fit::kMostLines)
       return false;
-  for (const facade::Standing& one : facade::standing(tree))
+  for (const facade::ElementInstance& one : facade::element_instances(tree))
     if (std::min(one.rect.width, one.rect.height) < kLeast * kPixel) return false;
   return true;
 }
@@ -194,15 +194,15 @@ class FacadeLoop : public testing::Test {
 
   /// Nothing where the facade is no fair task.
   std::optional<Result> read_back(uint64_t seed) const {
-    LoadOptions load_options;
+    loading::LoadOptions load_options;
     load_options.seed = seed;
-    const Loaded loaded = load(folder_ / "truth.vug", load_options);
+    const loading::Loaded loaded = loading::load(folder_ / "truth.vug", load_options);
     EXPECT_TRUE(loaded.usable()) << loaded.report();
     const facade::Tree& truth = *loaded.shot.derivations.at(0).facade;
     if (!can_be_seen(truth)) return std::nullopt;
-    Builder builder(loaded.shot, {});
-    const std::vector<Rendered> rendered = render_views(builder, {});
-    write_picture(folder_ / "photo.exr", views_of(rendered));
+    building::Builder builder(loaded.shot, {});
+    const std::vector<picture::Rendered> rendered = picture::render_views(builder, {});
+    picture::write_picture(folder_ / "photo.exr", picture::views_of(rendered));
 
     FacadeFitOptions options;
     options.grammar = VUG_DATA "/facades/ripperda.vug";

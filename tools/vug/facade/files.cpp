@@ -3,10 +3,10 @@
 #include "bar.h"
 
 #include <fmt/format.h>
+#include <vug/delivery/write_products.h>
 #include <vug/image/io.h>
 #include <vug/scan/doubts.h>
 #include <vug/scene/check.h>
-#include <vug/session/write.h>
 
 #include <cctype>
 #include <cstdio>
@@ -33,13 +33,13 @@ std::string scene_name(const std::string& text) {
   return out;
 }
 
-void write_carving(const session::Loaded& loaded, const WorkOptions& work, const fs::path& vdb) {
+void write_carving(const loading::Loaded& loaded, const WorkOptions& work, const fs::path& vdb) {
   if (!loaded.usable()) {
     fmt::print(stderr, "{}", loaded.report());
     throw Error(ErrorCode::bad_input, "the facade cannot be carved");
   }
-  session::Builder builder(loaded.shot, work.build_options(loaded), terminal_progress(work.bar()));
-  session::write_volumes(builder, vdb);
+  building::Builder builder(loaded.shot, work.build_options(loaded), terminal_progress(work.bar()));
+  delivery::write_volumes(builder, vdb);
 }
 
 void warn_of_doubts(const scan::Cloud& cloud, const scan::PlaneFit& plane,

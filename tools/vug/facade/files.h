@@ -19,7 +19,7 @@ std::string scene_name(const std::string& text);
 
 /// Builds and writes the volumes of a facade that is carved, with its recipe. Error(bad_input)
 /// where its scene cannot be used, after that was told.
-void write_carving(const session::Loaded& loaded, const WorkOptions& work,
+void write_carving(const loading::Loaded& loaded, const WorkOptions& work,
                    const std::filesystem::path& vdb);
 
 /// What speaks against a facade in a scan, on stderr.

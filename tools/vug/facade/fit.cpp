@@ -10,11 +10,11 @@
 #include <vug/facade/tree_output.h>
 #include <vug/fit/learning/labelling.h>
 #include <vug/image/io.h>
+#include <vug/loading/load.h>
 #include <vug/scan/read.h>
 #include <vug/scan/report.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
-#include <vug/session/load.h>
 
 #include <cstdio>
 
@@ -137,7 +137,7 @@ void write(const Options& options, const Input& in, const session::FacadeFit& fi
     write_found(options, in, fit, hidden, options.folder);
     if (carve)
       write_carving(
-          session::load_text(session::facade_scene(fit, options.name, {}), files.scene.string()),
+          loading::load_text(session::facade_scene(fit, options.name, {}), files.scene.string()),
           options.work, hidden.carved);
   } catch (Error& error) {
     if (error.code() != ErrorCode::io && fs::exists(hidden.charts)) {

@@ -238,7 +238,7 @@ int run(Options options) {
     const fs::path scene = fs::path(options.carve).replace_extension(".vug");
     options.carving.name = scene_name(state.tree().name);
     write_carving(
-        session::load_text(session::carving_scene(state.tree(), options.carving), scene.string()),
+        loading::load_text(session::carving_scene(state.tree(), options.carving), scene.string()),
         options.work, options.carve);
     clear_bar();
   }

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/session/cells_checkpoint.h>
-#include <vug/session/inputs.h>
-#include <vug/session/sequence.h>
-#include <vug/session/write.h>
+#include <vug/building/cells_checkpoint.h>
+#include <vug/delivery/write_products.h>
+#include <vug/loading/dependencies.h>
+#include <vug/picture/frame_sequence.h>
 
 #include <cstdio>
 #include <memory>
@@ -23,27 +23,27 @@ struct Options {
   std::string folder;
   std::string frames;
   std::string checkpoint;
-  session::CheckpointOptions keep;
+  building::CheckpointOptions keep;
 };
 
 /// Makes the products of what is loaded; `frame` is empty where there is one only.
-void build_one(const Options& options, session::Builder& builder, const session::Loaded& loaded,
+void build_one(const Options& options, building::Builder& builder, const loading::Loaded& loaded,
                const std::string& frame) {
   std::vector<std::filesystem::path> outputs =
-      session::product_paths(loaded.shot, options.folder, frame);
+      delivery::product_paths(loaded.shot, options.folder, frame);
   if (outputs.empty())
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' declares nothing to build", options.scene.scene), {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
   if (!options.checkpoint.empty()) outputs.emplace_back(options.checkpoint);
-  require_outputs(outputs, session::files_named(loaded));
-  for (const auto& path : session::write_products(builder, options.folder, frame))
+  require_outputs(outputs, loading::files_named(loaded));
+  for (const auto& path : delivery::write_products(builder, options.folder, frame))
     fmt::print("{}\n", path.string());
 }
 
 int run_frames(const Options& options, Progress& progress) {
-  const std::vector<int> frames = session::parse_frames(options.frames);
-  session::Still still;
+  const std::vector<int> frames = picture::parse_frames(options.frames);
+  loading::Still still;
   std::unique_ptr<Moment> now;
   for (size_t i = 0; i < frames.size(); ++i) {
     auto next =
@@ -73,12 +73,12 @@ int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar());
   if (!options.frames.empty()) return run_frames(options, progress);
-  const session::Loaded loaded = options.scene.load();
-  session::BuildOptions build = options.work.build_options(loaded);
+  const loading::Loaded loaded = options.scene.load();
+  building::BuildOptions build = options.work.build_options(loaded);
   options.keep.file = options.checkpoint;
   if (!options.checkpoint.empty())
-    build.checkpoint = std::make_shared<session::CellsCheckpoint>(options.keep, loaded.shot);
-  session::Builder builder(loaded.shot, build, progress);
+    build.checkpoint = std::make_shared<building::CellsCheckpoint>(options.keep, loaded.shot);
+  building::Builder builder(loaded.shot, build, progress);
   build_one(options, builder, loaded, "");
   std::fflush(stdout);
   if (build.checkpoint) build.checkpoint->remove();

@@ -2,7 +2,7 @@
 #include "sha256.h"
 
 #include <vug/base/parallel.h>
-#include <vug/session/lsystem_plan.h>
+#include <vug/shot/lsystem_plan.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,9 +28,9 @@ struct Options {
 };
 
 /// The one that is asked for; of several one has to be named.
-session::LSystemPtr chosen(const session::Shot& shot, const std::string& wanted) {
+shot::LSystemPtr chosen(const shot::Shot& shot, const std::string& wanted) {
   std::vector<std::string> names;
-  for (const session::LSystemPtr& each : shot.lsystems) {
+  for (const shot::LSystemPtr& each : shot.lsystems) {
     if (each->name == wanted) return each;
     names.push_back(each->name);
   }
@@ -85,8 +85,8 @@ void print_json(const Options& options, const lsystem::System& system, const lsy
 }
 
 int run(const Options& options) {
-  const session::Loaded loaded = options.scene.load();
-  const session::LSystemPtr plan = chosen(loaded.shot, options.grammar);
+  const loading::Loaded loaded = options.scene.load();
+  const shot::LSystemPtr plan = chosen(loaded.shot, options.grammar);
   const lsystem::System& system = *plan->system;
   if (system.timed ? options.steps.has_value() : options.time.has_value())
     throw Error(ErrorCode::bad_input,
@@ -96,7 +96,7 @@ int run(const Options& options) {
   const ThreadLimit limit(options.threads);
   lsystem::Derivation derivation = plan->derived(options.steps, options.time);
   const lsystem::Word word =
-      options.drawn ? plan->interpreted(std::move(derivation)) : std::move(derivation.word);
+      options.drawn ? plan->interpret(std::move(derivation)) : std::move(derivation.word);
   const lsystem::Alphabet& alphabet = system.alphabet;
   if (options.json) {
     print_json(options, system, word);

@@ -6,9 +6,9 @@
 #include <fmt/ranges.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/session/assemble.h>
-#include <vug/session/export_set.h>
-#include <vug/session/inputs.h>
+#include <vug/delivery/assembly.h>
+#include <vug/delivery/export_set.h>
+#include <vug/loading/dependencies.h>
 
 namespace vug::cli {
 namespace {
@@ -23,21 +23,21 @@ struct Options {
 };
 
 int run(const Options& options) {
-  session::ExportOptions what;
+  delivery::ExportOptions what;
   what.program = &exchange::program(options.program);
   if (!options.up.empty()) what.up = options.up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
   if (!options.unit.empty()) what.metres_per_unit = options.unit == "cm" ? 0.01 : 1;
   what.levels = options.levels;
   const ThreadLimit threads(options.work.threads);
-  const session::Loaded loaded = options.scene.load();
-  const session::Shot shot = session::with_meshes(loaded.shot);
-  require_outputs(session::export_paths(shot, options.folder, what), session::files_named(loaded));
-  session::Builder builder(shot, options.work.build_options(loaded),
-                           terminal_progress(options.work.bar()));
-  const session::Exported written = session::export_set(builder, options.folder, what);
+  const loading::Loaded loaded = options.scene.load();
+  const shot::Shot shot = delivery::with_meshes(loaded.shot);
+  require_outputs(delivery::export_paths(shot, options.folder, what), loading::files_named(loaded));
+  building::Builder builder(shot, options.work.build_options(loaded),
+                            terminal_progress(options.work.bar()));
+  const delivery::Exported written = delivery::export_set(builder, options.folder, what);
   for (const auto& path : written.files) fmt::print("{}\n", path.string());
   clear_bar();
-  for (const std::string& each : written.left_out) fmt::print(stderr, "left out: {}\n", each);
+  for (const std::string& each : written.unsupported) fmt::print(stderr, "left out: {}\n", each);
   if (options.work.quiet) return kDone;
   for (const std::string& each : written.notes) fmt::print(stderr, "note: {}\n", each);
   for (const std::string& each : written.levels) fmt::print(stderr, "{}\n", each);

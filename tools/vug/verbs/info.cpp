@@ -1,7 +1,7 @@
 #include "print.h"
 #include "verb.h"
 
-#include <vug/session/describe_file.h>
+#include <vug/delivery/describe_file.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -21,7 +21,7 @@ Verb info_verb() {
             app.add_option("file", options->file, "the file")->required();
             app.add_flag("--json", options->json, "for programs, with whole texts");
             return [options] {
-              print_report(session::describe_file(options->file), options->json);
+              print_report(delivery::describe_file(options->file), options->json);
               return kDone;
             };
           }};

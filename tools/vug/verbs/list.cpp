@@ -1,7 +1,7 @@
 #include "verb.h"
 
 #include <fmt/format.h>
-#include <vug/session/catalogue.h>
+#include <vug/loading/catalogue.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -28,20 +28,20 @@ void print_overview(const std::vector<const KindInfo*>& kinds, bool first) {
 void print_kind(const KindInfo& kind) {
   fmt::print("{} ({}): {}\n", kind.name, kind.category, kind.doc);
   for (const ParamInfo& param : kind.params)
-    fmt::print("  {:<14} {}{}\n", param.name, session::describe(param),
+    fmt::print("  {:<14} {}{}\n", param.name, loading::describe(param),
                param.doc.empty() ? "" : "; " + param.doc);
 }
 
 int run(const Options& options) {
-  const std::vector<const KindInfo*> kinds = session::find_kinds(options.what);
+  const std::vector<const KindInfo*> kinds = loading::find_kinds(options.what);
   if (kinds.empty()) {
-    const std::string near = nearest_name(options.what, session::kind_words());
+    const std::string near = nearest_name(options.what, loading::kind_words());
     throw Error(
         ErrorCode::bad_input, fmt::format("there is no kind or category '{}'", options.what), {},
         near.empty() ? "'vug list' shows them all" : fmt::format("did you mean '{}'?", near));
   }
   if (options.json) {
-    fmt::print("{}\n", session::catalogue_json(kinds).dump(2));
+    fmt::print("{}\n", loading::catalogue_json(kinds).dump(2));
     return kDone;
   }
   std::vector<const KindInfo*> others;

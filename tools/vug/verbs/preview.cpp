@@ -24,7 +24,7 @@ struct Options {
 /// preview.html of the data folders, or that of the build.
 std::filesystem::path page_file() {
   std::vector<std::filesystem::path> files;
-  for (const std::filesystem::path& folder : session::data_folders())
+  for (const std::filesystem::path& folder : loading::data_folders())
     files.push_back(folder / "preview.html");
   files.emplace_back(VUG_BUILT_PAGE);
   for (const std::filesystem::path& file : files)
@@ -39,9 +39,9 @@ int run(Options options) {
     options.output = std::filesystem::path(options.scene.scene).stem().string() + ".html";
   require_ending(options.output, ".html", "the page is one .html file");
   const ThreadLimit threads(options.work.threads);
-  const session::Loaded loaded = options.scene.load();
-  const session::Shot shot = session::with_meshes(loaded.shot);
-  std::vector<std::filesystem::path> inputs = session::files_named(loaded);
+  const loading::Loaded loaded = options.scene.load();
+  const shot::Shot shot = delivery::with_meshes(loaded.shot);
+  std::vector<std::filesystem::path> inputs = loading::files_named(loaded);
   inputs.push_back(page);
   if (!options.picture.empty()) inputs.emplace_back(options.picture);
   require_outputs({options.output}, inputs);
@@ -50,8 +50,8 @@ int run(Options options) {
   what.page = read_text(page);
   what.picture = options.picture, what.render = options.render, what.mesh = options.mesh;
   what.max_triangles = static_cast<size_t>(options.max_triangles);
-  session::Builder builder(shot, options.work.build_options(loaded),
-                           terminal_progress(options.work.bar()));
+  building::Builder builder(shot, options.work.build_options(loaded),
+                            terminal_progress(options.work.bar()));
   const session::Preview made = session::preview(builder, loaded, what);
   write_text(options.output, made.page);
   fmt::print("{}\n", options.output);

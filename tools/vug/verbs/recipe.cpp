@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/session/recipe.h>
+#include <vug/delivery/recipe.h>
 
 namespace vug::cli {
 namespace {
@@ -12,7 +12,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  const session::Recipe recipe = session::recipe_of(options.file);
+  const delivery::Recipe recipe = delivery::recipe_of(options.file);
   if (options.output.empty()) {
     fmt::print("{}", recipe.scene);
   } else {

@@ -7,10 +7,10 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
-#include <vug/session/inputs.h>
-#include <vug/session/sequence.h>
-#include <vug/session/views.h>
-#include <vug/session/write.h>
+#include <vug/delivery/write_products.h>
+#include <vug/loading/dependencies.h>
+#include <vug/picture/frame_sequence.h>
+#include <vug/picture/stereo_views.h>
 
 #include <charconv>
 #include <chrono>
@@ -29,7 +29,7 @@ struct Options {
   std::string size, tile, samples, crop, frames, eye;
   std::string part, checkpoint, preview;
   std::string ocio, working_space;
-  session::RenderOptions render;
+  picture::RenderOptions render;
 };
 
 std::vector<std::string> space_names() {
@@ -60,7 +60,7 @@ std::vector<int> parse_numbers(const std::string& text, const std::string& patte
 }
 
 void parse(Options& options) {
-  session::RenderOptions& render = options.render;
+  picture::RenderOptions& render = options.render;
   if (!options.size.empty()) {
     const auto size = parse_numbers(options.size, "NxN", "size", "write --size 1920x1080");
     render.picture.size = Vec2i(size[0], size[1]);
@@ -113,45 +113,45 @@ std::string time_text(double seconds) {
 }
 
 /// Renders one picture of what is loaded, and writes it.
-void render_one(const Options& options, session::Builder& builder) {
-  const std::vector<session::Rendered> rendered = session::render_views(builder, options.render);
-  const std::vector<session::PictureView> views = session::views_of(rendered);
+void render_one(const Options& options, building::Builder& builder) {
+  const std::vector<picture::Rendered> rendered = picture::render_views(builder, options.render);
+  const std::vector<picture::PictureView> views = picture::views_of(rendered);
   if (views.empty()) {
     fmt::print("{}\n", options.part);
   } else {
-    session::warn_of_exposure(builder, rendered.front());
-    for (const auto& path : session::write_picture(options.output, views))
+    picture::warn_of_exposure(builder, rendered.front());
+    for (const auto& path : picture::write_picture(options.output, views))
       fmt::print("{}\n", path.string());
   }
   if (!options.products.empty())
-    for (const auto& path : session::write_products(builder, options.products))
+    for (const auto& path : delivery::write_products(builder, options.products))
       fmt::print("{}\n", path.string());
   std::fflush(stdout);
-  session::remove_checkpoint(options.render);
+  picture::remove_checkpoint(options.render);
 }
 
-void require_outputs(const Options& options, const session::Loaded& loaded) {
+void require_outputs(const Options& options, const loading::Loaded& loaded) {
   std::vector<std::filesystem::path> outputs;
   for (const std::string& path : {options.output, options.part, options.checkpoint})
     if (!path.empty()) outputs.emplace_back(path);
-  if (!options.output.empty()) outputs.push_back(session::png_beside(options.output));
+  if (!options.output.empty()) outputs.push_back(picture::png_beside(options.output));
   // A preview may become the picture.
   if (!options.preview.empty() &&
-      (options.output.empty() || options.preview != session::png_beside(options.output)))
+      (options.output.empty() || options.preview != picture::png_beside(options.output)))
     outputs.emplace_back(options.preview);
-  if (!options.output.empty() && session::render_plan(loaded.shot, options.render.picture).deep)
-    outputs.push_back(session::deep_beside(options.output));
+  if (!options.output.empty() && picture::render_plan(loaded.shot, options.render.picture).deep)
+    outputs.push_back(picture::deep_beside(options.output));
   if (!options.products.empty())
-    for (auto& path : session::product_paths(loaded.shot, options.products))
+    for (auto& path : delivery::product_paths(loaded.shot, options.products))
       outputs.push_back(std::move(path));
-  vug::require_outputs(outputs, session::files_named(loaded));
+  vug::require_outputs(outputs, loading::files_named(loaded));
 }
 
 /// Puts the frame's number where names have a place for it.
 Options with_number(const Options& options, int frame) {
   Options out = options;
   for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview})
-    if (session::has_frame(*path)) *path = session::at_frame(*path, frame).string();
+    if (picture::has_frame(*path)) *path = picture::at_frame(*path, frame).string();
   out.render.part = out.part, out.render.checkpoint = out.checkpoint;
   out.render.preview = out.preview;
   return out;
@@ -161,15 +161,15 @@ Options with_number(const Options& options, int frame) {
 Options at_frame(const Options& options, int frame) {
   for (const std::string* path :
        {&options.output, &options.part, &options.checkpoint, &options.products})
-    if (!path->empty()) session::at_frame(*path, frame);  // refuses a name that all would share
+    if (!path->empty()) picture::at_frame(*path, frame);  // refuses a name that all would share
   Options out = with_number(options, frame);
   if (out.checkpoint.empty()) out.render.resume = false;  // nothing but whole frames is kept
   return out;
 }
 
-int run_frames(const Options& options, session::Still& still, Progress& progress) {
+int run_frames(const Options& options, loading::Still& still, Progress& progress) {
   using Clock = std::chrono::steady_clock;
-  const std::vector<int> frames = session::parse_frames(options.frames);
+  const std::vector<int> frames = picture::parse_frames(options.frames);
   for (const int frame : frames) at_frame(options, frame);  // before any work
   std::unique_ptr<Moment> now;
   double seconds = 0;
@@ -181,8 +181,8 @@ int run_frames(const Options& options, session::Still& still, Progress& progress
     if (now) next->builder.take_over(std::move(now->builder));
     now = std::move(next);
     if (options.render.resume && one.part.empty() &&
-        session::is_finished(one.output, now->loaded.shot, one.render.picture)) {
-      session::remove_checkpoint(one.render);
+        picture::is_finished(one.output, now->loaded.shot, one.render.picture)) {
+      picture::remove_checkpoint(one.render);
       ++skipped;
       continue;
     }
@@ -222,7 +222,7 @@ int run(Options options) {
     };
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar());
-  session::Still still;
+  loading::Still still;
   options.render.picture.moment = options.scene.moments(still);
   if (!options.frames.empty()) return run_frames(options, still, progress);
   if (const auto& frame = options.scene.frame;

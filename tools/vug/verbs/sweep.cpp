@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
-#include <vug/session/measure.h>
+#include <vug/delivery/measure.h>
 
 #include <algorithm>
 #include <charconv>
@@ -114,10 +114,10 @@ Row measured(const Options& options, const std::string& value) {
   } else {
     scene.defines.push_back(options.param + "=" + value);
   }
-  const session::Loaded loaded = scene.load();
-  session::Builder builder(loaded.shot, options.work.build_options(loaded),
-                           terminal_progress(options.work.bar()));
-  return {value, session::measure(builder)};
+  const loading::Loaded loaded = scene.load();
+  building::Builder builder(loaded.shot, options.work.build_options(loaded),
+                            terminal_progress(options.work.bar()));
+  return {value, delivery::measure(builder)};
 }
 
 std::string table(const std::string& param, const std::vector<Row>& rows) {

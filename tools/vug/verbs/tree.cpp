@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 #include <vug/facade/tree_output.h>
 #include <vug/grammar/tree_output.h>
-#include <vug/session/lsystem_plan.h>
+#include <vug/shot/lsystem_plan.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -22,19 +22,19 @@ struct Options {
   bool facade() const { return theta || elements || elevation || !picture.empty(); }
 };
 
-std::string hint_for(const session::Shot& shot, const Options& options,
+std::string hint_for(const shot::Shot& shot, const Options& options,
                      const std::vector<std::string>& names) {
-  for (const session::LSystemPtr& each : shot.lsystems)
+  for (const shot::LSystemPtr& each : shot.lsystems)
     if (options.grammar.empty() || each->name == options.grammar)
       return fmt::format("'{}' is an L-system: 'vug derive' prints its word", each->name);
   return suggestion(options.grammar, names);
 }
 
 /// The derivations that are asked for: at least one, and only one where one document is printed.
-std::vector<const session::Derivation*> chosen(const session::Shot& shot, const Options& options) {
-  std::vector<const session::Derivation*> found;
+std::vector<const shot::Derivation*> chosen(const shot::Shot& shot, const Options& options) {
+  std::vector<const shot::Derivation*> found;
   std::vector<std::string> names;
-  for (const session::Derivation& derivation : shot.derivations) {
+  for (const shot::Derivation& derivation : shot.derivations) {
     if (options.facade() && !derivation.facade) continue;
     names.push_back(derivation.name);
     if (options.grammar.empty() || derivation.name == options.grammar) found.push_back(&derivation);
@@ -53,7 +53,7 @@ std::vector<const session::Derivation*> chosen(const session::Shot& shot, const 
   return found;
 }
 
-std::string text_of(const session::Derivation& derivation, const Options& options) {
+std::string text_of(const shot::Derivation& derivation, const Options& options) {
   if (options.theta) return facade::theta(*derivation.facade) + "\n";
   if (options.elements) return facade::elements_csv(*derivation.facade);
   if (options.elevation || !options.picture.empty())
@@ -65,8 +65,8 @@ std::string text_of(const session::Derivation& derivation, const Options& option
 }
 
 int run(const Options& options) {
-  const session::Loaded loaded = options.scene.load();
-  for (const session::Derivation* derivation : chosen(loaded.shot, options))
+  const loading::Loaded loaded = options.scene.load();
+  for (const shot::Derivation* derivation : chosen(loaded.shot, options))
     fmt::print("{}", text_of(*derivation, options));
   return kDone;
 }

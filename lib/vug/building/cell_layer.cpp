@@ -1,0 +1,137 @@
+#include <vug/building/cell_context.h>
+#include <vug/building/cell_layer.h>
+#include <vug/building/cell_points.h>
+#include <vug/building/cells_checkpoint.h>
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace vug::building {
+namespace {
+
+cells::BuildOptions build_options(const shot::CellsPlan& plan, uint64_t memory) {
+  cells::BuildOptions options;
+  options.grid = plan.grid ? *plan.grid : make_product(cells::grids(), "random");
+  options.spacing = plan.spacing;
+  options.key = plan.key;
+  options.relax = plan.relax;
+  options.force = plan.harmonise;
+  options.memory = memory;
+  return options;
+}
+
+/// Meshes that cannot have cells, as those turned inside out in part, are told at the cells' name.
+cells::Surface surface_of(const std::vector<mesh::MeshPtr>& meshes, const shot::CellsPlan& plan) {
+  try {
+    return cells::Surface(meshes);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;
+    throw error.at(plan.where);
+  }
+}
+
+cells::BuildResult network(const shot::CellsPlan& plan, const std::vector<Ground>& grounds,
+                     uint64_t memory, Progress& progress) {
+  std::vector<mesh::MeshPtr> meshes;
+  std::vector<uint32_t> numbers;  // of those with a surface among all
+  for (uint32_t i = 0; i < grounds.size(); ++i)
+    if (!grounds[i].mesh->triangles.empty())
+      meshes.push_back(grounds[i].mesh), numbers.push_back(i);
+  if (meshes.empty()) return {};
+  const cells::Surface surface = surface_of(meshes, plan);
+  try {
+    cells::BuildResult built = cells::build(surface, build_options(plan, memory), progress);
+    for (uint32_t& object : built.network.object) object = numbers[object];
+    return built;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
+    throw error.at(plan.spacing_where);
+  }
+}
+
+std::vector<cells::Stage> stages(const shot::CellsPlan& plan) {
+  std::vector<cells::Stage> all;
+  std::map<std::string, int> used;
+  for (const shot::CellStagePtr& stage : plan.run) {
+    // Two of one rule choose differently.
+    const int before = used[stage->name]++;
+    cells::Stage each{stage->rule, stage->name, stage->begin, stage->span(), {}};
+    if (before > 0) each.name += fmt::format(" {}", before + 1);
+    each.mask = stage->where;
+    each.draws = plan.key.at("where").at(each.name);
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
+Skin fresh_skin(const shot::CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
+                Progress& progress) {
+  cells::BuildResult built = network(plan, grounds, memory, progress);
+  const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
+  return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
+}
+
+void go_on_from(const volume::Grid& points, const shot::CellsPlan& plan, cells::Simulation& cells) {
+  try {
+    read_cells(points, cells);
+  } catch (const Error& error) {
+    throw Error(error.code(),
+                fmt::format("cannot go on from '{}': {}", plan.from.string(), error.what()),
+                error.where(), error.hint());
+  }
+}
+
+/// What masks and rules ask of the rock under cells and around them.
+void look_around(const shot::CellsPlan& plan, const std::vector<Ground>& grounds,
+                 cells::Simulation& cells, Progress& progress) {
+  std::vector<mesh::MeshPtr> meshes;
+  std::vector<std::shared_ptr<const field::SampledGrid>> solids;
+  for (const Ground& ground : grounds)
+    meshes.push_back(ground.mesh), solids.push_back(ground.solid);
+  cells.set_solids(std::move(solids));
+  for (const std::string& name : plan.surroundings)
+    if (!cells.attributes().find(name))
+      cells.attributes().column<float>(name).now =
+          surroundings_of(cells.network(), name, meshes, progress);
+}
+
+}  // namespace
+
+Skin make_skin(const shot::CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
+               Progress& progress, const SkinRun& how) {
+  const std::optional<volume::Grid> before = how.from ? std::nullopt : points_from(plan);
+  Skin skin = how.from ? *how.from : fresh_skin(plan, grounds, memory, progress);
+  if (skin.network().size() == 0) return skin;
+  try {
+    if (before) go_on_from(*before, plan, skin.simulation);
+    if (how.checkpoint) how.checkpoint->put_back(plan, skin);
+    if (skin.simulation.step() > plan.length() && !how.from)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the points are at step {} already, the run ends at {}",
+                              skin.simulation.step(), plan.length()),
+                  {}, "raise 'steps', or leave 'from' out");
+    look_around(plan, grounds, skin.simulation, progress);
+    const auto after = [&] { how.checkpoint->after_step(plan, skin); };
+    skin.simulation.run(stages(plan), plan.length() - skin.simulation.step(), progress,
+                        how.checkpoint ? std::function<void()>(after) : nullptr);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled && how.checkpoint)
+      throw how.checkpoint->stopped(plan, skin, error);
+    if (error.code() != ErrorCode::bad_input) throw;
+    throw error.at(plan.where);
+  }
+  if (how.checkpoint) how.checkpoint->finish(plan, skin);
+  return skin;
+}
+
+void require_skin_room(const shot::CellsPlan& plan, double area, uint64_t memory) {
+  const cells::BuildOptions options = build_options(plan, memory);
+  try {
+    cells::require_memory(cells::estimate(area, options.grid, options.spacing), options);
+  } catch (const Error& error) {
+    throw error.at(plan.spacing_where);
+  }
+}
+
+}  // namespace vug::building

@@ -1,0 +1,82 @@
+#include <vug/base/memory.h>
+#include <vug/building/make_mesh.h>
+#include <vug/building/memory_estimate.h>
+#include <vug/facade/semantics.h>
+#include <vug/mesh/refine.h>
+#include <vug/meshing/polygonize.h>
+#include <vug/shot/cells_plan.h>
+#include <vug/volume/level_set_field.h>
+
+#include <algorithm>
+
+namespace vug::building {
+
+void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::SampledGrid* solid) {
+  std::vector<paint::EvalPoint> points(mesh.positions.size());
+  for (size_t i = 0; i < points.size(); ++i)
+    points[i] = {Vec3d(mesh.positions[i]), Vec3d(mesh.normals.at(i)).normalized(), solid};
+  mesh::Attribute color{"Cd", 3, {}};
+  color.values.reserve(3 * points.size());
+  for (const Vec3f& rgb : paint::colors(paint, points))
+    for (int c = 0; c < 3; ++c) color.values.push_back(rgb[c]);
+  mesh.attributes.push_back(std::move(color));
+}
+
+mesh::LargeComponents make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
+                                uint64_t memory, Progress& progress) {
+  meshing::PolygonizeOptions polygonize;
+  polygonize.adaptivity = plan.adaptivity;
+  polygonize.polish = plan.polish;
+  const field::Field* exact = plan.polish && !plan.volume->of ? &plan.volume->field : nullptr;
+  const auto active = static_cast<double>(surface.statistics().active_voxels);
+  require_memory(meshing_bytes(active, 2 * plan.volume->half_width), memory, "the mesh");
+  mesh::LargeComponents pieces = mesh::large_components(
+      meshing::polygonize(surface, exact, polygonize, progress).mesh, plan.smallest_piece);
+  if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::sampled_grid(surface).get());
+  if (!plan.elements.empty()) facade::add_semantics(pieces.mesh, plan.elements);
+  return pieces;
+}
+
+mesh::LargeComponents make_mesh(const shot::MeshPlan& plan) {
+  mesh::LargeComponents pieces = mesh::large_components(*plan.given, plan.smallest_piece);
+  if (plan.paint) add_colors(pieces.mesh, plan.paint, nullptr);
+  return pieces;
+}
+
+mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts) {
+  mesh::Mesh all;
+  for (const mesh::MeshPtr& part : parts) {
+    const auto first = static_cast<uint32_t>(all.positions.size());
+    all.positions.insert(all.positions.end(), part->positions.begin(), part->positions.end());
+    all.normals.insert(all.normals.end(), part->normals.begin(), part->normals.end());
+    for (const mesh::Triangle& t : part->triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    for (const mesh::Attribute& own : part->attributes) {
+      const auto same = [&](const mesh::Attribute& each) {
+        return each.name == own.name && each.arity == own.arity;
+      };
+      auto known = std::find_if(all.attributes.begin(), all.attributes.end(), same);
+      if (known == all.attributes.end())
+        known = all.attributes.insert(known, {own.name, own.arity, {}});
+      known->values.resize(first * static_cast<size_t>(own.arity));
+      known->values.insert(known->values.end(), own.values.begin(), own.values.end());
+    }
+  }
+  for (mesh::Attribute& each : all.attributes)
+    each.values.resize(all.positions.size() * static_cast<size_t>(each.arity));
+  if (all.normals.size() != all.positions.size()) all.normals.clear();
+  return all;
+}
+
+mesh::MeshPtr refined_for(const shot::CellsPlan& plan, const mesh::Mesh& mesh, uint64_t memory) {
+  // With its vertices, half as many, and the table of edges.
+  constexpr uint64_t kTriangleBytes = 120;
+  try {
+    return std::make_shared<const mesh::Mesh>(
+        mesh::refined(mesh, plan.spacing, static_cast<size_t>(memory / kTriangleBytes)));
+  } catch (const Error& error) {
+    throw error.at(plan.spacing_where);
+  }
+}
+
+}  // namespace vug::building

@@ -1,0 +1,52 @@
+#include <vug/building/merge_copies.h>
+#include <vug/flora/merged.h>
+
+#include <map>
+#include <tuple>
+
+namespace vug::building {
+namespace {
+
+bool can_merge(const render::Object& object) {
+  return object.placing && !object.placing->moves() && object.mesh && !object.solid &&
+         !object.looks_by_place && object.emission == render::Rgb(0.0f) &&
+         !(object.material && object.material->shines());
+}
+
+Transform place_of(const render::Object& object) {
+  const render::Affine to = object.placing->at(0);
+  return {Vec3d(to.x), Vec3d(to.y), Vec3d(to.z), Vec3d(to.origin)};
+}
+
+}  // namespace
+
+std::vector<render::Object> merge_copies(const std::vector<render::Object>& objects) {
+  using Alike = std::tuple<const mesh::Mesh*, const render::Material*, std::string, bool>;
+  struct Group {
+    size_t at = 0;  ///< Of what is returned.
+    std::vector<flora::Copy> copies;
+  };
+  std::vector<render::Object> out;
+  std::map<Alike, Group> groups;  // asked for by what is alike, gone through by `at`
+  std::vector<Group*> of;         // of each that is returned; null: none
+  for (const render::Object& object : objects) {
+    if (!can_merge(object)) {
+      out.push_back(object), of.push_back(nullptr);
+      continue;
+    }
+    Group& group = groups[{object.mesh.get(), object.material.get(), object.name, object.flat}];
+    if (group.copies.empty()) {
+      group.at = out.size();
+      out.push_back(object), of.push_back(&group);
+    }
+    group.copies.push_back({0, place_of(object), RandomKey(group.copies.size())});
+  }
+  for (size_t i = 0; i < out.size(); ++i) {
+    if (!of[i] || of[i]->copies.size() < 2) continue;
+    out[i].mesh = std::make_shared<const mesh::Mesh>(flora::merged({*out[i].mesh}, of[i]->copies));
+    out[i].placing = nullptr;
+  }
+  return out;
+}
+
+}  // namespace vug::building

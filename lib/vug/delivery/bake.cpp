@@ -1,0 +1,114 @@
+#include <vug/base/parallel.h>
+#include <vug/delivery/bake.h>
+#include <vug/delivery/cutout_mesh.h>
+#include <vug/delivery/material_probe.h>
+#include <vug/exchange/channels.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::delivery {
+namespace {
+
+/// What varies by less looks the same.
+constexpr double kSame = 1.0 / 1024;
+
+double part_of(const exchange::Channel& channel, const exchange::Look& look, int part) {
+  return channel.color ? (look.*channel.color)[part] : look.*channel.number;
+}
+
+/// The smallest, the largest and the sum of what a channel's parts are.
+struct Spread {
+  Vec3d low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+
+  bool varies() const {
+    const Vec3d size = high - low;
+    return std::max({size.x, size.y, size.z}) > kSame * std::max(1.0, high.length());
+  }
+};
+
+/// What most surfaces have nowhere takes no room.
+bool may_vary(const render::Object& object, const exchange::Channel& channel, bool solid) {
+  const render::Material* material = object.material.get();
+  if (channel.number == &exchange::Look::opacity) return material && material->cut_out() && !solid;
+  if (channel.color == &exchange::Look::through) return material && material->thin();
+  if (channel.color == &exchange::Look::emission) return material && material->shines();
+  return true;
+}
+
+/// `solid`: what there is of the mesh is all there.
+Baked bake_as_it_is(const render::Object& object, bool solid) {
+  const Eye eye(object);
+  mesh::Mesh out = *object.mesh;
+  const size_t vertices = out.positions.size();
+  Baked baked;
+  if (vertices == 0) return {object.mesh, {}};
+  const auto look_at = [&](size_t vertex) {
+    exchange::Look look = eye.at(vertex);
+    if (solid) look.opacity = 1;
+    return look;
+  };
+  baked.look = look_at(0);
+  std::vector<mesh::Attribute> found;
+  for (const exchange::Channel& channel : exchange::channels()) {
+    const bool asked = may_vary(object, channel, solid);
+    found.push_back(
+        {std::string(channel.attribute), channel.arity(),
+         std::vector<float>(asked ? vertices * static_cast<size_t>(channel.arity()) : 0)});
+  }
+  parallel_for(
+      vertices,
+      [&](size_t v) {
+        const exchange::Look look = look_at(v);
+        for (size_t c = 0; c < found.size(); ++c)
+          for (int k = 0; k < found[c].arity && !found[c].values.empty(); ++k)
+            found[c].values[v * static_cast<size_t>(found[c].arity) + static_cast<size_t>(k)] =
+                static_cast<float>(part_of(exchange::channels()[c], look, k));
+      },
+      256);
+  for (size_t c = 0; c < found.size(); ++c) {
+    const exchange::Channel& channel = exchange::channels()[c];
+    const auto arity = static_cast<size_t>(found[c].arity);
+    Spread spread;
+    Vec3d sum(0.0);
+    for (size_t i = 0; i < found[c].values.size(); ++i) {
+      const auto k = static_cast<int>(i % arity);
+      const auto value = static_cast<double>(found[c].values[i]);
+      spread.low[k] = std::min(spread.low[k], value);
+      spread.high[k] = std::max(spread.high[k], value);
+      sum[k] += value;
+    }
+    for (int k = static_cast<int>(arity); k < 3; ++k) spread.low[k] = spread.high[k] = 0;
+    sum /= static_cast<double>(vertices);
+    const bool asked = !found[c].values.empty();
+    if (asked && channel.color) baked.look.*channel.color = sum;
+    if (asked && channel.number) baked.look.*channel.number = sum.x;
+    for (mesh::Attribute& own : out.attributes)
+      if (own.name == found[c].name && own.name != mesh::kColour)
+        own.name = fmt::format("raw_{}", own.name);
+    const auto colors =
+        std::remove_if(out.attributes.begin(), out.attributes.end(),
+                       [&](const mesh::Attribute& own) { return own.name == found[c].name; });
+    out.attributes.erase(colors, out.attributes.end());
+    if (asked && spread.varies())
+      out.attributes.insert(
+          channel.attribute == mesh::kColour ? out.attributes.begin() : out.attributes.end(),
+          std::move(found[c]));
+  }
+  if (object.flat) out.normals.clear();
+  baked.mesh = std::make_shared<const mesh::Mesh>(std::move(out));
+  return baked;
+}
+
+}  // namespace
+
+Baked bake(const render::Object& object) {
+  std::optional<mesh::Mesh> kept = cut_out(object);
+  if (!kept) return bake_as_it_is(object, false);
+  render::Object cut = object;
+  cut.mesh = std::make_shared<const mesh::Mesh>(std::move(*kept));
+  return bake_as_it_is(cut, true);
+}
+
+}  // namespace vug::delivery

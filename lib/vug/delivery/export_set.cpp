@@ -1,0 +1,230 @@
+#include <vug/base/atomic_file.h>
+#include <vug/base/memory.h>
+#include <vug/cells/to_points.h>
+#include <vug/delivery/assembly.h>
+#include <vug/delivery/cells_files.h>
+#include <vug/delivery/export_set.h>
+#include <vug/delivery/export_volume.h>
+#include <vug/delivery/point_file.h>
+#include <vug/delivery/write_products.h>
+#include <vug/exchange/channels.h>
+#include <vug/exchange/flat_mesh.h>
+#include <vug/exchange/levels.h>
+#include <vug/shot/queries.h>
+#include <vug/volume/converted.h>
+#include <vug/volume/io.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::delivery {
+namespace {
+
+exchange::Space space_of(const ExportOptions& options) {
+  exchange::Space space = options.program->space;
+  if (options.up) space.up = *options.up;
+  if (options.metres_per_unit) space.metres_per_unit = *options.metres_per_unit;
+  return space;
+}
+
+/// Names and places of files.
+class Names {
+ public:
+  Names(const shot::Shot& shot, std::filesystem::path folder, const ExportOptions& options)
+      : shot_(shot), folder_(std::move(folder)), options_(options) {}
+
+  std::filesystem::path scene(const std::string& format, int level = 0) const {
+    const std::string end = level > 0 ? fmt::format("_lod{}", level) : "";
+    return folder_ / fmt::format("{}{}.{}", shot_.name, end, format);
+  }
+  std::filesystem::path volume(const shot::VolumePlan& plan) const {
+    return folder_ / fmt::format("{}_{}.vdb", shot_.name, plan.name);
+  }
+  std::filesystem::path medium() const {
+    return folder_ / fmt::format("{}_{}_medium.vdb", shot_.name, shot_.medium_name);
+  }
+  std::filesystem::path points(const shot::CellsPlan& plan) const {
+    const std::string& format = options_.program->points_format;
+    return folder_ /
+           fmt::format("{}_{}_points.{}", shot_.name, plan.name, format.empty() ? "vdb" : format);
+  }
+  std::filesystem::path grids(const shot::CellsPlan& plan) const {
+    return folder_ / fmt::format("{}_{}_grids.vdb", shot_.name, plan.name);
+  }
+
+ private:
+  const shot::Shot& shot_;
+  std::filesystem::path folder_;
+  const ExportOptions& options_;
+};
+
+/// How many levels of detail there are: not every one that was asked for.
+int levels_of(const exchange::Assembly& assembly) {
+  size_t most = 0;
+  for (const exchange::Prototype& part : assembly.prototypes) most = std::max(most, part.coarser.size());
+  return static_cast<int>(most);
+}
+
+class Exporter {
+ public:
+  Exporter(building::Builder& builder, const std::filesystem::path& folder,
+           const ExportOptions& options)
+      : builder_(builder),
+        options_(options),
+        names_(builder.shot(), folder, options),
+        space_(space_of(options)),
+        way_(exchange::space_transform({}, space_)) {
+    vdb_ = write_options(builder.shot());
+    vdb_.metadata["vug:frame"] = builder.shot().frame;
+    vdb_.metadata["vug:upAxis"] = exchange::to_string(space_.up);
+    vdb_.metadata["vug:metersPerUnit"] = space_.metres_per_unit;
+  }
+
+  Exported all() {
+    Assembled made = assemble(builder_);
+    exchange::add_levels(made.assembly, options_.levels, builder_.progress());
+    const int levels = levels_of(made.assembly);
+    tell_levels(made.assembly, levels);
+    const shot::Shot& shot = builder_.shot();
+    for (const shot::VolumePtr& plan : shot.volumes)
+      made.assembly.volumes.push_back(write(export_volume(builder_, plan), names_.volume(*plan)));
+    if (has_own_grids(shot))
+      made.assembly.volumes.push_back(write(export_medium(builder_), names_.medium()));
+    else if (shot.medium && !shot.medium->has_grids())
+      made.left_out.push_back(
+          fmt::format("the haze '{}', which fills all space and has no grid", shot.medium_name));
+    for (const shot::CellsPtr& plan : shot::declared_cells(shot)) write(plan);
+    out_.unsupported = std::move(made.left_out);
+    for (const std::string& name : options_.program->formats) {
+      const exchange::Format& format = exchange::format(name);
+      const std::filesystem::path whole = names_.scene(name);
+      tell(write(format, made.assembly, whole), whole);
+      // Coarser files differ in meshes alone: what else there is to tell is told already.
+      for (int level = 1; level <= levels && !format.levels; ++level)
+        write(format, exchange::at_level(made.assembly, level), names_.scene(name, level), whole);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  /// `pictures_of`: the file beside which pictures of skies lie already; empty: this one.
+  exchange::WriteReport write(const exchange::Format& format, const exchange::Assembly& assembly,
+                          const std::filesystem::path& file,
+                          const std::filesystem::path& pictures_of = {}) {
+    exchange::FormatOptions options = options_.program->options;
+    options.pictures_of = pictures_of;
+    exchange::WriteReport more =
+        exchange::write(format, assembly, space_, file, options, builder_.progress());
+    out_.files.insert(out_.files.end(), more.files.begin(), more.files.end());
+    return more;
+  }
+  void tell(const exchange::WriteReport& written, const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    for (const std::string& what : written.unsupported)
+      out_.unsupported.push_back(fmt::format("{} ({})", what, name));
+    for (const std::string& what : written.notes)
+      out_.notes.push_back(fmt::format("{} ({})", what, name));
+  }
+  void tell_levels(const exchange::Assembly& assembly, int levels) {
+    for (const exchange::Prototype& part : assembly.prototypes)
+      for (size_t i = 0; i < part.coarser.size(); ++i)
+        out_.levels.push_back(
+            fmt::format("level {} of '{}': {} of {} triangles, {} off", i + 1, part.name,
+                        part.coarser[i].mesh->triangles.size(), part.mesh->triangles.size(),
+                        quantity_text(part.coarser[i].distance, Dimension::length)));
+    if (levels == 0 && options_.levels > 0)
+      out_.levels.push_back("no level of detail: the meshes are as coarse as they can be");
+    else if (levels < options_.levels)
+      out_.levels.push_back(
+          fmt::format("level {} is the last: nothing coarser is left of any mesh", levels));
+  }
+  exchange::Volume write(const ExportVolume& volume, const std::filesystem::path& file) {
+    write(file, volume.grids);
+    exchange::Volume out{volume.name, file.filename().string(), {}, {}, volume.medium};
+    for (const volume::Grid& grid : volume.grids) {
+      out.grids.push_back(
+          {grid.name(), volume::to_string(grid.grid_class()), exchange::is_color(grid.name())});
+      out.bounds.extendBy(grid.statistics().bounds);
+    }
+    return out;
+  }
+  void write(const shot::CellsPtr& plan) {
+    const building::SkinPtr skin = builder_.skin(plan);
+    if (plan->writes("grids")) write(names_.grids(*plan), cell_grids(builder_, plan));
+    if (!plan->writes("points")) return;
+    constexpr double kBytes = 150;  // see write_products
+    require_memory(kBytes * static_cast<double>(skin->network().size()), builder_.room(),
+                   fmt::format("the points of '{}'", plan->name), "leave them out of its files");
+    volume::Points points = cells::to_points(skin->simulation);
+    move(points);
+    const std::filesystem::path file = names_.points(*plan);
+    if (!options_.program->points_format.empty()) {
+      write_points(points, file, exchange::comments_of(provenance_of(builder_.shot()), space_));
+    } else {
+      if (plan->half)
+        for (volume::PointAttribute& each : points.attributes) each.half = true;
+      const double voxel = cells::voxel_of_points(skin->network()) * way_.max_stretch();
+      volume::write(file, {volume::point_grid(points, voxel).named(plan->name)}, vdb_);
+    }
+    out_.files.push_back(file);
+  }
+  /// Into the program's space: places, what points somewhere, and the size of points.
+  void move(volume::Points& points) const {
+    if (space_ == exchange::Space()) return;
+    const double scale = way_.max_stretch();
+    for (Vec3f& p : points.position) p = Vec3f(way_.point(Vec3d(p)));
+    for (volume::PointAttribute& each : points.attributes) {
+      if (auto* vectors = std::get_if<std::vector<Vec3f>>(&each.values);
+          vectors && !exchange::is_color(each.name))
+        for (Vec3f& v : *vectors) v = Vec3f(way_.vector(Vec3d(v)) / scale);
+      if (auto* sizes = std::get_if<std::vector<float>>(&each.values);
+          sizes && each.name == "pscale")
+        for (float& size : *sizes) size *= static_cast<float>(scale);
+    }
+  }
+  void write(const std::filesystem::path& file, const std::vector<volume::Grid>& grids) {
+    std::vector<volume::Grid> there;
+    for (const volume::Grid& grid : grids)
+      there.push_back(space_ == exchange::Space() ? grid : volume::converted(grid, way_));
+    volume::write(file, there, vdb_);
+    out_.files.push_back(file);
+  }
+
+  building::Builder& builder_;
+  const ExportOptions& options_;
+  Names names_;
+  exchange::Space space_;
+  Transform way_;
+  volume::WriteOptions vdb_;
+  Exported out_;
+};
+
+}  // namespace
+
+std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
+                                                const std::filesystem::path& folder,
+                                                const ExportOptions& options) {
+  const Names names(shot, folder, options);
+  std::vector<std::filesystem::path> paths;
+  for (const shot::VolumePtr& plan : shot.volumes) paths.push_back(names.volume(*plan));
+  if (has_own_grids(shot)) paths.push_back(names.medium());
+  for (const shot::CellsPtr& plan : shot::declared_cells(shot)) {
+    if (plan->writes("grids")) paths.push_back(names.grids(*plan));
+    if (plan->writes("points")) paths.push_back(names.points(*plan));
+  }
+  for (const std::string& format : options.program->formats) {
+    paths.push_back(names.scene(format));
+    for (int level = 1; level <= options.levels && !exchange::format(format).levels; ++level)
+      paths.push_back(names.scene(format, level));
+  }
+  return paths;
+}
+
+Exported export_set(building::Builder& builder, const std::filesystem::path& folder,
+                    const ExportOptions& options) {
+  for (const auto& path : export_paths(builder.shot(), folder, options)) require_writable(path);
+  return Exporter(builder, folder, options).all();
+}
+
+}  // namespace vug::delivery

@@ -1,0 +1,55 @@
+#include <vug/base/memory.h>
+#include <vug/delivery/export_volume.h>
+#include <vug/delivery/write_products.h>
+#include <vug/volume/density.h>
+
+#include <fmt/format.h>
+
+namespace vug::delivery {
+namespace {
+
+/// A level set of the air of a cave has another sign than its rock.
+std::string grid_name(const shot::VolumePlan& plan) {
+  if (plan.fog) return "density";
+  return plan.name == "air" ? "air" : "surface";
+}
+
+/// The cloud's grids in place of its density alone.
+void add_cloud(const building::Builder& builder, const volume::Grid& density, bool half,
+               ExportVolume& out) {
+  // Vectors, numbers and the place of each voxel, before what is the same in a block shrinks.
+  constexpr double kBytes = 32;
+  require_memory(kBytes * static_cast<double>(density.statistics().active_voxels), builder.room(),
+                 fmt::format("the grids of '{}'", out.name), "use larger voxels");
+  const render::MediumPtr medium =
+      builder.shot().medium->with_density(std::make_shared<const volume::Density>(density));
+  std::optional<render::CloudData> data = medium ? medium->as_data(&density) : std::nullopt;
+  if (!data) return;
+  out.medium = data->medium;
+  out.grids.clear();
+  for (const volume::Grid& grid : data->grids) out.grids.push_back(grid.stored_as_half(half));
+}
+
+}  // namespace
+
+ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& plan) {
+  const volume::Grid grid = volume_grid(*plan, builder.level_set(plan)).named(grid_name(*plan));
+  ExportVolume out{plan->name, {grid}, {}};
+  if (builder.shot().medium && builder.shot().medium_volume == plan)
+    add_cloud(builder, grid, plan->half, out);
+  return out;
+}
+
+bool has_own_grids(const shot::Shot& shot) {
+  return shot.medium && !shot.medium_volume && shot.medium->has_grids();
+}
+
+ExportVolume export_medium(building::Builder& builder) {
+  const shot::Shot& shot = builder.shot();
+  ExportVolume out{shot.medium_name, {}, {}};
+  std::optional<render::CloudData> data = shot.medium->as_data(nullptr);
+  if (data) out.grids = std::move(data->grids), out.medium = data->medium;
+  return out;
+}
+
+}  // namespace vug::delivery

@@ -1,0 +1,20 @@
+// The metrics of what a scene builds, or of a file.
+#pragma once
+
+#include <vug/building/builder.h>
+#include <vug/metrics/report.h>
+
+#include <filesystem>
+
+namespace vug::delivery {
+
+/// Measures one mesh of the shot: the named one, else the first. Cells are counted on the
+/// volume's own lattice; productions are those of all of the shot's grammars.
+/// Error(bad_input) when the shot has no such mesh.
+metrics::Report measure(building::Builder& builder, const std::string& mesh = {});
+
+/// Measures a mesh file, or the surface of a level set in a .vdb file.
+metrics::Report measure_file(const std::filesystem::path& file,
+                             Progress& progress = Progress::none());
+
+}  // namespace vug::delivery

@@ -1,0 +1,125 @@
+#include <vug/exchange/program.h>
+#include <vug/facade/split.h>
+#include <vug/image/measure.h>
+#include <vug/loading/catalogue.h>
+#include <vug/loading/facade_binding.h>
+#include <vug/loading/grammar_binding.h>
+#include <vug/loading/reader.h>
+#include <vug/shot/lsystem_plan.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::loading {
+namespace {
+
+std::vector<const KindInfo*> all_kinds() {
+  std::vector<const KindInfo*> kinds;
+  for (const DeclarationKind* kind : declaration_kinds()) kinds.push_back(&kind->info);
+  kinds.push_back(&grammar_info());
+  kinds.push_back(&shot::lsystem_schema().info());
+  kinds.push_back(&facade_info());
+  for (const facade::SplitKind* split : facade::splits()) kinds.push_back(&split->info);
+  for (const Family& family : families())
+    for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
+  for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);
+  for (const exchange::Format* format : exchange::formats()) kinds.push_back(&format->info);
+  for (const exchange::Program* program : exchange::programs()) kinds.push_back(&program->info);
+  return kinds;
+}
+
+}  // namespace
+
+std::vector<const KindInfo*> find_kinds(const std::string& word) {
+  std::vector<const KindInfo*> kinds = all_kinds();
+  if (word.empty()) return kinds;
+  const Family* family = find_family(word);
+  const auto belongs = [&](const KindInfo* kind) {
+    return kind->name == word || kind->category == word ||
+           (family && family->find(kind->name) && family->find(kind->name)->info == kind);
+  };
+  std::vector<const KindInfo*> kept;
+  std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept), belongs);
+  return kept;
+}
+
+std::vector<std::string> kind_words() {
+  std::vector<std::string> words;
+  for (const KindInfo* kind : all_kinds()) {
+    words.push_back(kind->name);
+    if (std::find(words.begin(), words.end(), kind->category) == words.end())
+      words.push_back(kind->category);
+  }
+  for (const Family& family : families()) words.push_back(family.type);
+  return words;
+}
+
+namespace {
+
+/// A bound as people write it; whole numbers to their last digit.
+std::string bound_text(double bound, Dimension dimension) {
+  return dimension == Dimension::none ? fmt::format("{}", bound) : quantity_text(bound, dimension);
+}
+
+/// What a program counts the bounds of a parameter in.
+const char* unit_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length:
+      return "m";
+    case Dimension::angle:
+      return "rad";
+    case Dimension::per_length:
+      return "1/m";
+    case Dimension::time:
+      return "s";
+    default:
+      return "1";
+  }
+}
+
+}  // namespace
+
+std::string describe(const ParamInfo& param) {
+  std::string text = param.type;
+  if (param.dimension != Dimension::none) text += fmt::format(" ({})", to_string(param.dimension));
+  if (!param.choices.empty()) text = fmt::format("one of {}", fmt::join(param.choices, ", "));
+  if (std::isfinite(param.min))
+    text += fmt::format(", {} {}", param.above_min ? "above" : "at least",
+                        bound_text(param.min, param.dimension));
+  if (std::isfinite(param.max))
+    text += fmt::format(", at most {}", bound_text(param.max, param.dimension));
+  if (param.required) return text + ", required";
+  return param.fallback.empty() ? text + ", optional" : text + ", default " + param.fallback;
+}
+
+nlohmann::ordered_json catalogue_json(const std::vector<const KindInfo*>& kinds) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const KindInfo* kind : kinds) {
+    nlohmann::ordered_json params = nlohmann::ordered_json::array();
+    for (const ParamInfo& param : kind->params) {
+      nlohmann::ordered_json p = {{"name", param.name}, {"type", param.type}, {"doc", param.doc}};
+      if (param.dimension != Dimension::none) {
+        p["dimension"] = to_string(param.dimension);
+        p["unit"] = unit_of(param.dimension);
+      }
+      if (param.required) p["required"] = true;
+      if (!param.fallback.empty()) p["default"] = param.fallback;
+      if (std::isfinite(param.min)) p[param.above_min ? "above" : "min"] = param.min;
+      if (std::isfinite(param.max)) p["max"] = param.max;
+      if (!param.choices.empty()) p["choices"] = param.choices;
+      params.push_back(std::move(p));
+    }
+    nlohmann::ordered_json entry = {
+        {"name", kind->name}, {"category", kind->category}, {"doc", kind->doc}};
+    if (!kind->cite.empty()) entry["cite"] = kind->cite;
+    entry["params"] = std::move(params);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace vug::loading

@@ -1,0 +1,15 @@
+#include <vug/loading/data_folders.h>
+
+#include <cstdlib>
+
+namespace vug::loading {
+
+std::vector<std::filesystem::path> data_folders() {
+  std::vector<std::filesystem::path> folders;
+  if (const char* folder = std::getenv("VUG_DATA")) folders.emplace_back(folder);
+  for (const char* folder : {VUG_SOURCE_DATA, VUG_INSTALLED_DATA})
+    if (std::filesystem::is_directory(folder)) folders.emplace_back(folder);
+  return folders;
+}
+
+}  // namespace vug::loading

@@ -1,0 +1,194 @@
+#include <vug/loading/reader.h>
+#include <vug/shot/cell_names.h>
+#include <vug/shot/cell_stages.h>
+
+#include <algorithm>
+
+namespace vug::loading {
+namespace {
+
+Schema<shot::CellsPlan> schema() {
+  Schema<shot::CellsPlan> s("cells", "declaration");
+  ParamSpec spacing = positive_length("from one cell to the next");
+  spacing.required = true;
+  s.doc(
+       "The mesh, or several meshes, with what a network of cells on them has come to carry, as "
+       "attributes of their vertices: cells NAME on MESH { spacing 2cm  run RULE, RULE(...) }.")
+      .cite("gobron2006")
+      .param("spacing", &shot::CellsPlan::spacing, spacing)
+      .param("grid", &shot::CellsPlan::grid,
+             {.doc = "the pattern of the cells; random if not given"})
+      .param("relax", &shot::CellsPlan::relax,
+             {.doc = "steps in which cells push each other apart; the grid's own number if not "
+                     "given",
+              .min = 0,
+              .max = 1000})
+      .choice("harmonise", &shot::CellsPlan::harmonise,
+              {{"squared", cells::Force::squared}, {"paper", cells::Force::paper}},
+              "the law of that push: squared is more even, paper that of the source")
+      .param("run", &shot::CellsPlan::run,
+             {.doc = "rules, with begin, steps and where, or lists of them; in a step each after "
+                     "those before it",
+              .required = true})
+      .param("move", &shot::CellsPlan::move,
+             {.doc = "the mesh goes where cells go: to their P, and their height along its normal"})
+      .param("holes", &shot::CellsPlan::holes,
+             {.doc = "cut the mesh away where cells are gone, so that one sees through"})
+      .param("refine", &shot::CellsPlan::refine,
+             {.doc = "cut large triangles into some as small as cells, so that all of these show; "
+                     "those of meshes from files if not given"})
+      .param("steps", &shot::CellsPlan::steps,
+             {.doc = "of the whole run; if not given, as many as rules need: those that work to "
+                     "the end 100 each",
+              .min = 0,
+              .max = 1000000})
+      .param("from", &shot::CellsPlan::from,
+             {.doc = "a .vdb of points that vug build has written of such cells: they begin with "
+                     "what these carry, at the step that these were at"})
+      .param("files", &shot::CellsPlan::files,
+             {.doc = "what vug build writes beside the mesh: any of \"points\" (a .vdb), \"grids\" "
+                     "(beside the level set) and \"csv\""})
+      .param("half", &shot::CellsPlan::half, {.doc = "numbers in points and grids have 16 bits"});
+  return s;
+}
+
+/// Tells of texts among the values that name no file of cells; false where there is one.
+bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
+  const std::vector<std::string>& known = shot::cell_files();
+  bool fine = true;
+  if (expr->kind == scene::ExprKind::text &&
+      std::find(known.begin(), known.end(), expr->text) == known.end()) {
+    fine = false;
+    diagnostics.error(expr->where, "'" + expr->text + "' is no file of cells",
+                      suggestion(expr->text, known));
+  }
+  for (const scene::Operand& operand : expr->operands)
+    fine &= are_files(operand.value, diagnostics);
+  return fine;
+}
+
+/// The values of an entry that names kinds of a family.
+Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key,
+               Reading& reading) {
+  List all;
+  for (const scene::ExprPtr& expr : entry.values) {
+    Value made = kind_value(*find_family(type), *expr, key.at(entry.key).at(all.size()), reading);
+    // A list, as of a recipe that has a name, stands for what is in it.
+    const List* list = made.get<List>();
+    if (!list) all.push_back(std::move(made));
+    if (list) all.insert(all.end(), list->begin(), list->end());
+  }
+  if (std::any_of(all.begin(), all.end(), [](const Value& each) { return each.empty(); }))
+    return Value();
+  return all.size() == 1 ? all[0] : Value(std::move(all));
+}
+
+/// `still`: whether nothing but `steps` depends on the frame.
+Arguments arguments_of(const scene::Declaration& declaration, Reading& reading, bool& still) {
+  const auto type_of = [](const scene::Entry& entry) -> std::string {
+    return entry.key == "run" ? "rule" : entry.key == "grid" ? "grid" : "";
+  };
+  const uint64_t frame_uses = reading.resolver.frame_uses();
+  scene::Declaration plain = declaration, clock = declaration;
+  plain.entries.clear();
+  clock.entries.clear();
+  Arguments arguments;
+  for (const scene::Entry& entry : declaration.entries) {
+    if (type_of(entry).empty())
+      (entry.key == "steps" ? clock : plain).entries.push_back(entry);
+    else
+      arguments.push_back(
+          {entry.key, kinds_of(type_of(entry), entry, reading.evaluator.key(declaration), reading),
+           entry.where});
+  }
+  const auto is_choice = [](const std::string& key, const std::string& word) {
+    return has_choice(schema().info(), key, word);
+  };
+  for (Argument& each : block_arguments(plain, is_choice, reading)) {
+    const Number* number = each.value.get<Number>();
+    if (each.name == "spacing" && number && !(number->value > 0)) {
+      reading.diagnostics.error(each.where, "the spacing of cells is a length above 0",
+                                "for instance: spacing 2cm");
+      each.value = Value();
+    }
+    if (each.name == "files")
+      for (const scene::ExprPtr& value : declaration.find_entry("files")->values)
+        if (!are_files(value, reading.diagnostics)) each.value = Value();
+    arguments.push_back(std::move(each));
+  }
+  still = reading.resolver.frame_uses() == frame_uses;
+  for (Argument& each : block_arguments(clock, is_choice, reading))
+    arguments.push_back(std::move(each));
+  return arguments;
+}
+
+/// The meshes to stand on, those that are several in one taken apart; none with a diagnostic.
+std::vector<shot::MeshPtr> grounds(const scene::Declaration& declaration, Reading& reading) {
+  std::vector<shot::MeshPtr> all;
+  const auto targets = read_targets<shot::AnyMesh>(declaration, reading, "mesh");
+  for (size_t i = 0; i < targets.size(); ++i)
+    for (const shot::MeshPtr& part : shot::parts_of(targets[i].mesh)) {
+      for (const shot::MeshPtr& other : all)
+        if (*part == *other) {
+          reading.diagnostics.error(declaration.target_at(i).where,
+                                    "'" + part->name + "' is there already", "name it once");
+          return {};
+        }
+      all.push_back(part);
+    }
+  return all;
+}
+
+/// Each of them wearing the cells.
+std::vector<shot::MeshPtr> worn(const shot::CellsPtr& cells) {
+  std::vector<shot::MeshPtr> all;
+  for (const shot::MeshPtr& bare : cells->on) {
+    shot::MeshPlan plan = *bare;
+    plan.ground = all.size();
+    plan.name = cells->on.size() == 1 ? cells->name : cells->name + "_" + bare->name;
+    plan.cells = cells;
+    all.push_back(std::make_shared<const shot::MeshPlan>(std::move(plan)));
+  }
+  return all;
+}
+
+shot::MeshPtr in_one(const std::string& name, const std::vector<shot::MeshPtr>& parts) {
+  if (parts.size() == 1) return parts.front();
+  shot::MeshPlan plan;
+  plan.name = name;
+  plan.parts = parts;
+  return std::make_shared<const shot::MeshPlan>(std::move(plan));
+}
+
+}  // namespace
+
+const DeclarationKind& cells_declaration() {
+  static const DeclarationKind kind = {
+      schema().info(),
+      [](const scene::Declaration& declaration, Reading& reading) -> Value {
+        std::optional<shot::CellsPlan> plan;
+        Arguments arguments;
+        bool still = false;
+        if (has_block(declaration, reading)) {
+          arguments = arguments_of(declaration, reading, still);
+          plan = bind_block(schema(), arguments, declaration, reading);
+        }
+        const std::vector<shot::MeshPtr> on = grounds(declaration, reading);
+        if (!plan || on.empty()) return Value();
+        plan->name = declaration.name;
+        plan->on = on;
+        plan->key = reading.evaluator.key(declaration);
+        plan->where = declaration.where;
+        for (const Argument& each : arguments)
+          if (each.name == "spacing") plan->spacing_where = each.where;
+        plan->still = still;
+        shot::read_names(*plan, reading.diagnostics);
+        const auto made = worn(std::make_shared<const shot::CellsPlan>(std::move(*plan)));
+        for (const shot::MeshPtr& mesh : made) reading.shot.meshes.push_back(mesh);
+        return Object{"mesh", in_one(declaration.name, made)};
+      },
+      "mesh", true};
+  return kind;
+}
+
+}  // namespace vug::loading

@@ -1,0 +1,93 @@
+#include <vug/loading/reader.h>
+#include <vug/render/lighting/light_output.h>
+#include <vug/shot/cells_plan.h>
+
+#include <fmt/format.h>
+
+namespace vug::loading {
+namespace {
+
+struct Block : shot::ObjectPlan {
+  shot::AnyMesh of;
+};
+
+Schema<Block> schema() {
+  Schema<Block> s("object", "declaration");
+  s.doc("A mesh as the picture shows it: object NAME on MESH { material ... }.")
+      .param("material", &Block::material, {.doc = "what it is made of"})
+      .param("flat", &Block::flat, {.doc = "shade every face flat"})
+      .param("direct", &Block::direct,
+             {.doc = "trace the level set itself and make no mesh: a fraction of the memory"})
+      .param("emission", &Block::emission,
+             {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside",
+              .min = 0,
+              .max = render::kMaxRadiance})
+      .param("light_group", &Block::light_group,
+             {.doc = "group of its light in the picture's layers of lights"})
+      .param("of", &Block::of,
+             {.doc = "which one of several meshes that wear the same cells; all if not given"});
+  return s;
+}
+
+/// A fault of what the object asks of its mesh and material, and its hint; empty where there is
+/// none.
+std::pair<std::string, std::string> fault(const shot::ObjectPlan& plan, const std::string& name) {
+  const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->shines());
+  const bool holes = plan.material && plan.material->cut_out();
+  if (shines && holes)
+    return {fmt::format("'{}' shines and has holes by its material's opacity", name),
+            "make it of two objects, or use emission_mask"};
+  if (!plan.direct) return {};
+  const std::string hint = "leave out 'direct'";
+  if (plan.mesh->given)
+    return {fmt::format("'{}' is to be traced, but '{}' is a mesh of no level set", name,
+                        plan.mesh->name),
+            hint};
+  const char* what = shines             ? "shines"
+                     : holes            ? "has holes by its material's opacity"
+                     : plan.mesh->cells ? "wears cells"
+                                        : nullptr;
+  if (!what) return {};
+  return {fmt::format("'{}' {}, for which it needs a mesh", name, what), hint};
+}
+
+/// The parts of the mesh to show; none, with a diagnostic, where `of` is none of them.
+std::vector<shot::MeshPtr> shown(const shot::MeshPtr& mesh, const shot::MeshPtr& of,
+                                 const scene::Declaration& declaration, Reading& reading) {
+  if (!of) return shot::parts_of(mesh);
+  if (const shot::MeshPtr part = shot::part_on(mesh, of)) return {part};
+  std::vector<std::string> names;
+  for (const shot::MeshPtr& part : shot::parts_of(mesh))
+    if (part->cells) names.push_back(shot::below(*part)->name);
+  reading.diagnostics.error(declaration.find_entry("of")->values.at(0)->where,
+                            fmt::format("'{}' is not of '{}'", of->name, mesh->name),
+                            suggestion(of->name, names));
+  return {};
+}
+
+}  // namespace
+
+const DeclarationKind& object_declaration() {
+  static const DeclarationKind kind = {
+      schema().info(),
+      [](const scene::Declaration& declaration, Reading& reading) -> Value {
+        std::optional<Block> block = read_block(schema(), declaration, reading);
+        const shot::MeshPtr mesh = read_target<shot::MeshPtr>(declaration, reading);
+        if (!block || !mesh) return Value();
+        for (const shot::MeshPtr& part : shown(mesh, block->of.mesh, declaration, reading)) {
+          shot::ObjectPlan plan = *block;
+          plan.name = declaration.name;
+          plan.mesh = part;
+          if (const auto [told, hint] = fault(plan, plan.name); !told.empty()) {
+            reading.diagnostics.error(declaration.where, told, hint);
+            return Value();
+          }
+          reading.shot.objects.push_back(std::move(plan));
+        }
+        return Value(Value::Name{declaration.name});
+      },
+      "mesh"};
+  return kind;
+}
+
+}  // namespace vug::loading

@@ -1,0 +1,166 @@
+#include <vug/building/instance_source.h>
+#include <vug/loading/reader.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::loading {
+namespace {
+
+namespace fs = std::filesystem;
+
+Schema<shot::PlacePlan> schema() {
+  Schema<shot::PlacePlan> s("place", "declaration");
+  s.doc(
+       "Things that stand in one or many places: place NAME { of OBJECT at PLACES }. An object "
+       "that is placed shows nowhere else.")
+      .param(
+          "of", &shot::PlacePlan::of,
+          {.doc = "what stands there: an object, a scene(\"file.vug\"), or several to choose from",
+           .required = true})
+      .param(
+          "at", &shot::PlacePlan::at,
+          {.doc =
+               "where: points such as (1, 0, 2), pose(...), scatter(...), grove(...), points(...)",
+           .required = true})
+      .param("shares", &shot::PlacePlan::shares,
+             {.doc = "how often each of several things is chosen, against the others", .min = 0})
+      .param("material", &shot::PlacePlan::material,
+             {.doc = "what all of it is made of, instead; its masks see the places, where those of "
+                     "a thing's own material see the thing"})
+      .param("apart", &shot::PlacePlan::apart,
+             {.doc = "in mattes each is an object NAME/1, NAME/2 ... of its own"});
+  return s;
+}
+
+scene::Override override_of(const std::string& text) {
+  const size_t at = text.find('=');
+  if (at == text.npos)
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no NAME=VALUE", text));
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+/// The file as it is named from the text, or in the folders of what comes with us, as `include`
+/// looks for it; the first of these places where there is none.
+fs::path found(const fs::path& file, const SourceLocation& where, const LoadOptions& options) {
+  std::error_code failed;
+  if (fs::exists(file, failed)) return file;
+  const fs::path named = file.lexically_relative(fs::path(where.file).parent_path());
+  for (const fs::path& folder : options.include_folders)
+    if (!named.empty() && fs::is_regular_file(folder / named, failed)) return folder / named;
+  return file;
+}
+
+/// The other scene's shot; null with a diagnostic where it cannot be had.
+std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const SourceLocation& where,
+                                             Reading& reading) {
+  LoadOptions options;
+  options.include_folders = reading.options.include_folders;
+  options.within = reading.options.within;
+  options.frame = reading.options.frame;
+  options.max_memory = reading.options.max_memory;
+  options.within.push_back(fs::weakly_canonical(reading.file));
+  const fs::path own = fs::weakly_canonical(model.file);
+  const auto refuse = [&](const std::string& what, const std::string& hint) {
+    reading.diagnostics.error(where, what, hint);
+    return nullptr;
+  };
+  if (std::find(options.within.begin(), options.within.end(), own) != options.within.end())
+    return refuse(fmt::format("the scene '{}' would stand inside of itself", model.name), "");
+  try {
+    for (const std::string& text : model.with) options.overrides.push_back(override_of(text));
+    if (model.seed) options.seed = static_cast<uint64_t>(*model.seed);
+    Loaded loaded = load(model.file, options);
+    for (const Diagnostic& fault : loaded.diagnostics.all())
+      if (fault.severity == Severity::error)
+        return refuse(fmt::format("the scene '{}' has faults and cannot be placed", model.name),
+                      fmt::format("{}: {}", to_string(fault.where), fault.message));
+    if (loaded.shot.moves) reading.resolver.use_frame();
+    Hasher texts;
+    texts.add_value(reading.shot.texts)
+        .add_value(loaded.shot.texts)
+        .add_value(options.seed.value_or(~0ull));
+    for (const std::string& text : model.with) texts.add_value(text.size()).add(text);
+    reading.shot.texts = texts.finish();
+    return std::make_shared<const shot::Shot>(std::move(loaded.shot));
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;
+    return refuse(error.what(), error.hint());
+  }
+}
+
+/// Makes sure that there is what is to be placed; false with a diagnostic.
+bool complete(shot::Model& model, const SourceLocation& where, Reading& reading) {
+  if (!model.file.empty()) {
+    model.file = found(model.file, where, reading.options);
+    model.scene = load_model(model, where, reading);
+    return model.scene != nullptr;
+  }
+  std::vector<std::string> names;
+  for (const shot::ObjectPlan& object : reading.shot.objects) names.push_back(object.name);
+  if (std::find(names.begin(), names.end(), model.name) != names.end())
+    model.mesh = nullptr;  // the object of that name, rather than its mesh
+  else if (!model.mesh) {
+    reading.diagnostics.error(where, fmt::format("there is no object '{}' to place", model.name),
+                              suggestion(model.name, names));
+    return false;
+  }
+  return true;
+}
+
+/// Of an entry of the block; the declaration's name where it is not there.
+SourceLocation where_of(const char* key, const scene::Declaration& declaration) {
+  const scene::Entry* entry = declaration.find_entry(key);
+  return entry ? entry->where : declaration.where;
+}
+
+/// A sentence on shares and numbers of things that do not fit, with its place; else nothing.
+std::optional<Error> misfit(const shot::PlacePlan& plan, const scene::Declaration& declaration) {
+  const auto refuse = [&](const char* key, const std::string& what, const std::string& hint = {}) {
+    return Error(ErrorCode::bad_input, what, where_of(key, declaration), hint);
+  };
+  if (plan.of.empty()) return refuse("of", "there is nothing to place: the list is empty");
+  if (!plan.shares.empty() && plan.shares.size() != plan.of.size())
+    return refuse("shares", fmt::format("{} shares do not fit {} things", plan.shares.size(),
+                                        plan.of.size()));
+  if (!plan.shares.empty() &&
+      std::all_of(plan.shares.begin(), plan.shares.end(), [](double s) { return s == 0; }))
+    return refuse("shares", "the shares are all 0: nothing could be chosen");
+  const auto count = static_cast<int>(plan.of.size());
+  for (const shot::Places& at : plan.at) {
+    const auto* numbered = at->target<building::NumberedPlaces>();
+    if (numbered && numbered->last >= count)
+      return refuse(
+          "at",
+          fmt::format("a place asks for thing number {}, but the last of '{}' is "
+                      "number {}",
+                      numbered->last, declaration.name, count - 1),
+          "they are counted from 0, in the order of 'of'; a grove's 'diameters' have one each");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const DeclarationKind& place_declaration() {
+  static const DeclarationKind kind = {
+      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
+        std::optional<shot::PlacePlan> plan = read_block(schema(), declaration, reading);
+        if (!plan) return Value();
+        plan->name = declaration.name;
+        plan->where = declaration.where;
+        plan->key = reading.evaluator.key(declaration);
+        if (const std::optional<Error> fault = misfit(*plan, declaration)) {
+          reading.diagnostics.error(fault->where(), fault->what(), fault->hint());
+          return Value();
+        }
+        for (shot::Model& model : plan->of)
+          if (!complete(model, declaration.where, reading)) return Value();
+        reading.shot.places.push_back(std::move(*plan));
+        return Value(Value::Name{declaration.name});
+      }};
+  return kind;
+}
+
+}  // namespace vug::loading

@@ -1,0 +1,29 @@
+#include <vug/loading/dependencies.h>
+#include <vug/scene/lexer.h>
+
+#include <algorithm>
+
+namespace vug::loading {
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_named(const Loaded& scene) {
+  std::vector<fs::path> files;
+  std::error_code code;
+  const auto add = [&](const fs::path& file) {
+    if (fs::is_regular_file(file, code) &&
+        std::find(files.begin(), files.end(), file) == files.end())
+      files.push_back(file);
+  };
+  for (const auto& source : scene.sources) {
+    const fs::path text = source->file;
+    add(text);
+    Diagnostics known;
+    for (const scene::Token& token : scene::lex(source->text, source->file, known)) {
+      if (token.kind != scene::TokenKind::text || token.faulty) continue;
+      add(text.parent_path() / scene::unquote(token.text));
+    }
+  }
+  return files;
+}
+
+}  // namespace vug::loading

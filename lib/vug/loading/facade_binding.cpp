@@ -1,0 +1,99 @@
+#include <vug/facade/carve.h>
+#include <vug/facade/derive.h>
+#include <vug/field/registry.h>
+#include <vug/loading/facade_binding.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::loading {
+namespace {
+
+struct FacadeBlock {
+  double width = facade::DeriveOptions().width;
+  double height = facade::DeriveOptions().height;
+  double thickness = 0.6;
+  Vec3d at{0, 0, 0};
+  double yaw = 0;
+  int steps = static_cast<int>(facade::DeriveOptions().limits.productions);
+  int limit = static_cast<int>(facade::DeriveOptions().limits.symbols);
+  std::optional<int> seed;
+
+  static void describe(Schema<FacadeBlock>& s) {
+    s.doc("A facade that rules divide: grammar NAME: facade { axiom ...  SYMBOL -> rows(...) }.")
+        .cite("ripperda2009")
+        .param("width", &FacadeBlock::width, positive_length("of the whole facade"))
+        .param("height", &FacadeBlock::height, positive_length("of the whole facade"))
+        .param("thickness", &FacadeBlock::thickness,
+               positive_length("of the wall that it is carved into when it stands alone"))
+        .param("at", &FacadeBlock::at, any_length("the middle of its foot"))
+        .param("yaw", &FacadeBlock::yaw,
+               {.doc = "its turn about the upright axis; it looks along +z at 0",
+                .dimension = Dimension::angle})
+        .param("steps", &FacadeBlock::steps, {.doc = "rules applied at most", .min = 1})
+        .param("limit", &FacadeBlock::limit, {.doc = "symbols at most", .min = 1})
+        .param("seed", &FacadeBlock::seed, {.doc = "in place of the scene's", .min = 0});
+  }
+};
+
+const Schema<FacadeBlock>& schema() {
+  static const Schema<FacadeBlock> made = [] {
+    Schema<FacadeBlock> s("facade", "declaration");
+    FacadeBlock::describe(s);
+    return s;
+  }();
+  return made;
+}
+
+/// The options of the block, evaluated; nothing where one of them has no value.
+std::optional<FacadeBlock> read_block(const scene::Grammar& grammar, RandomKey key,
+                                      Reading& reading) {
+  Arguments arguments;
+  bool sound = true;
+  for (const scene::Entry& entry : grammar.options) {
+    const std::vector<Value> values = reading.evaluator.eval(entry, key);
+    sound = sound && std::none_of(values.begin(), values.end(),
+                                  [](const Value& value) { return value.empty(); });
+    arguments.push_back({entry.key,
+                         values.size() == 1 ? values[0] : Value(List(values.begin(), values.end())),
+                         entry.where});
+  }
+  if (!sound) return std::nullopt;
+  Diagnostics found;
+  auto block = schema().bind(arguments, grammar.where, found);
+  reading.evaluator.report(found, arguments);
+  return block;
+}
+
+}  // namespace
+
+const KindInfo& facade_info() { return schema().info(); }
+
+Value bind_facade(const scene::Grammar& grammar, Reading& reading) {
+  RandomKey key = reading.evaluator.root().at("grammar").at(grammar.name);
+  const std::optional<FacadeBlock> block = read_block(grammar, key, reading);
+  Diagnostics found;
+  const facade::Rules rules = facade::read_rules(reading.document, grammar, found);
+  reading.diagnostics.append(found);
+  if (!block || grammar.broken || found.has_errors()) return {};
+  if (block->seed) key = RandomKey(static_cast<uint64_t>(*block->seed)).at("facade");
+  try {
+    const auto derived = facade::derive(rules, reading.evaluator,
+                                        {.width = block->width,
+                                         .height = block->height,
+                                         .limits = {block->steps, block->limit},
+                                         .key = key});
+    if (!derived) return {};
+    const auto tree = std::make_shared<const facade::Tree>(derived->tree);
+    reading.shot.derivations.push_back(
+        {grammar.name, derived->derivation, derived->derivation.applied, tree});
+    return field::as_value(facade::wall(tree, {block->at, block->yaw}, block->thickness));
+  } catch (const Error& error) {
+    reading.diagnostics.error(error.where().known() ? error.where() : grammar.where, error.what(),
+                              error.hint());
+    return {};
+  }
+}
+
+}  // namespace vug::loading

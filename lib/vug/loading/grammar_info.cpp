@@ -1,0 +1,65 @@
+#include <vug/loading/grammar_binding.h>
+#include <vug/sgm/bond.h>
+
+namespace vug::loading {
+namespace {
+
+ParamInfo choice(const std::string& name, std::vector<std::string> choices,
+                 const std::string& fallback, const std::string& doc) {
+  ParamInfo info;
+  info.name = name;
+  info.type = "name";
+  info.choices = std::move(choices);
+  info.fallback = fallback;
+  info.doc = doc;
+  return info;
+}
+
+ParamInfo whole(const std::string& name, double min, double max, const std::string& fallback,
+                const std::string& doc) {
+  ParamInfo info;
+  info.name = name;
+  info.type = "whole number";
+  info.min = min;
+  info.max = max;
+  info.fallback = fallback;
+  info.doc = doc;
+  return info;
+}
+
+}  // namespace
+
+const KindInfo& grammar_info() {
+  static const KindInfo kind = [] {
+    KindInfo info{"grammar",
+                  "declaration",
+                  "A solid that rules grow: grammar NAME { axiom ...  SYMBOL -> + SHAPE ... }.",
+                  "zawadzki2012",
+                  {}};
+    ParamInfo blend;
+    blend.name = "blend";
+    blend.type = "blend";
+    blend.doc = "how a shape meets what is there";
+    ParamInfo overlap;
+    overlap.name = "overlap";
+    overlap.type = "number";
+    overlap.min = 0;
+    overlap.max = 1;
+    overlap.dimension = Dimension::ratio;
+    overlap.doc = "how far a shape is pressed in, as a share of its extent; else by its operation";
+    info.params = {
+        choice("label", sgm::label_names(), "random", "the side that a shape is glued to"),
+        blend,
+        overlap,
+        choice("reach", {"local", "whole"}, "local", "how far the effect of a shape goes"),
+        whole("pieces", 0, 1000, "1",
+              "shapes that are joined before they are glued; 0 counts as 1"),
+        choice("piece_label", sgm::label_names(), "random", "the side that each piece is glued to"),
+        whole("steps", 1, 1e9, std::to_string(kMostProductions), "productions at most"),
+        whole("limit", 1, 1e9, std::to_string(kMostSymbols), "symbols at most")};
+    return info;
+  }();
+  return kind;
+}
+
+}  // namespace vug::loading

@@ -1,0 +1,182 @@
+#include <vug/base/atomic_file.h>
+#include <vug/loading/attribute_check.h>
+#include <vug/loading/grammar_binding.h>
+#include <vug/loading/load.h>
+#include <vug/loading/reader.h>
+#include <vug/loading/validate.h>
+#include <vug/scene/check.h>
+#include <vug/scene/parser.h>
+#include <vug/scene/report.h>
+#include <vug/volume/level_set_field.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace vug::loading {
+namespace {
+
+const DeclarationKind* find_declaration_kind(const std::string& word) {
+  for (const DeclarationKind* kind : declaration_kinds())
+    if (kind->info.name == word) return kind;
+  return nullptr;
+}
+
+std::vector<std::string> declaration_words() {
+  std::vector<std::string> words = {"param", "let", "seed", "include", "grammar"};
+  for (const DeclarationKind* kind : declaration_kinds()) words.push_back(kind->info.name);
+  return words;
+}
+
+/// Only some kinds stand on something; elsewhere an `on` would mean nothing.
+void check_target(const scene::Declaration& declaration, const DeclarationKind& kind,
+                  Diagnostics& diagnostics) {
+  if (!declaration.target) return;
+  if (!kind.stands_on.empty()) {
+    if (!declaration.more_targets.empty() && !kind.on_several)
+      diagnostics.error(declaration.more_targets[0]->where,
+                        fmt::format("a {} stands on one {}", declaration.kind, kind.stands_on),
+                        "what stands on several: cells");
+    return;
+  }
+  std::vector<std::string> standing;
+  for (const DeclarationKind* each : declaration_kinds())
+    if (!each->stands_on.empty())
+      standing.push_back(fmt::format("{} (on a {})", each->info.name, each->stands_on));
+  diagnostics.error(
+      declaration.on_where, fmt::format("a {} stands on nothing", declaration.kind),
+      fmt::format("leave out 'on'; what stands on something: {}", fmt::join(standing, ", ")));
+}
+
+/// The scene's own text and what was changed from outside: enough to make it again.
+std::string recipe(const scene::Document& document, const LoadOptions& options, uint64_t seed,
+                   bool moves) {
+  std::string text = document.sources.empty() ? "" : document.sources[0]->text;
+  for (const scene::Override& change : options.overrides)
+    text += fmt::format("# -D {}={}\n", change.name, change.text);
+  if (options.seed) text += fmt::format("# --seed {}\n", seed);
+  if (moves) text += fmt::format("# --frame {}\n", options.frame);
+  return text;
+}
+
+/// Makes the values of declarations, or finds them among what stands still. A reader first asks for
+/// what it needs, which may make other declarations, and then adds its own to the shot.
+class Maker {
+ public:
+  Maker(Still* still, Reading& reading) : still_(still), reading_(reading) {}
+
+  Value operator()(const std::string& kind, const std::string& name,
+                   const std::function<Value()>& make) {
+    if (!still_) return make();
+    shot::Shot& shot = reading_.shot;
+    const std::pair<std::string, std::string> key(kind, name);
+    if (const auto made = still_->declarations.find(key); made != still_->declarations.end()) {
+      shot.add(made->second.shot);
+      if (made->second.texts) shot.texts = *made->second.texts;
+      settled_ = shot.ends();
+      return made->second.value;
+    }
+    const uint64_t uses = reading_.resolver.frame_uses();
+    const Digest texts = shot.texts;
+    settled_ = shot.ends();
+    const Value value = make();
+    if (!value.empty() && reading_.resolver.frame_uses() == uses) {
+      Still::Made& made = still_->declarations[key];
+      made.value = value;
+      made.shot = shot.since(settled_);
+      if (!(shot.texts == texts)) made.texts = shot.texts;
+    }
+    settled_ = shot.ends();
+    return value;
+  }
+
+ private:
+  Still* still_;
+  Reading& reading_;
+  shot::Shot::Ends settled_;  ///< What some declaration has added already.
+};
+
+void announce(const scene::Document& document, Reading& reading, Maker& maker) {
+  for (const scene::Declaration& declaration : document.declarations) {
+    const DeclarationKind* kind = find_declaration_kind(declaration.kind);
+    if (!kind || declaration.broken)
+      reading.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });
+    if (declaration.broken) continue;  // its fault has been told
+    if (!kind) {
+      reading.diagnostics.error(declaration.kind_where,
+                                fmt::format("nothing is declared by '{}'", declaration.kind),
+                                suggestion(declaration.kind, declaration_words()));
+      continue;
+    }
+    check_target(declaration, *kind, reading.diagnostics);
+    const auto make = [&declaration, kind, &reading] {
+      Value value = kind->read(declaration, reading);
+      return declaration.incomplete ? Value() : value;
+    };
+    reading.resolver.declare(declaration.kind, declaration.name, [&declaration, &maker, make] {
+      return maker(declaration.kind, declaration.name, make);
+    });
+  }
+  for (const scene::Grammar& grammar : document.grammars)
+    reading.resolver.declare("grammar", grammar.name, [&grammar, &reading, &maker] {
+      return maker("grammar", grammar.name, [&] { return bind_grammar(grammar, reading); });
+    });
+}
+
+Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
+                const LoadOptions& options) {
+  volume::install_grid_loader();
+  Resolver resolver;
+  scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
+                             {options.overrides, options.seed, options.frame});
+  loaded.sources = evaluator.sources();  // with the texts of overrides, which reports quote
+  loaded.shot.name = file.stem().string();
+  loaded.shot.seed = evaluator.seed();
+  loaded.shot.frame = options.frame;
+  Hasher texts;
+  for (const auto& source : document.sources)
+    texts.add_value(source->text.size()).add(source->text);
+  loaded.shot.texts = texts.finish();
+  Reading reading{document, evaluator, resolver, loaded.diagnostics, loaded.shot, options, file};
+  Maker maker(options.still, reading);
+  announce(document, reading, maker);
+  evaluator.check_all();
+  for (const scene::ParamValue& each : evaluator.params())
+    loaded.parameters.push_back({each.param->name, each.value, each.fallback, each.low, each.high,
+                                 each.param->doc, each.param->where});
+  for (const scene::Declaration& declaration : document.declarations)
+    resolver.declared(declaration.kind, declaration.name, declaration.where, loaded.diagnostics);
+  for (const scene::Grammar& grammar : document.grammars)
+    resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
+  scene::check_params_read(document, loaded.diagnostics);
+  foresee(loaded.shot, document, loaded.diagnostics);
+  if (!loaded.diagnostics.has_errors())
+    warn_of_misspelt_attributes(document, loaded.shot, loaded.diagnostics);
+  loaded.shot.moves = resolver.frame_uses() > 0;
+  loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.moves);
+  return loaded;
+}
+
+}  // namespace
+
+std::string Loaded::report(const Diagnostics& others) const {
+  return scene::report(others, sources);
+}
+
+Loaded load_text(std::string text, const std::string& file, const LoadOptions& options) {
+  Loaded loaded;
+  scene::ParseOptions parse_options;
+  parse_options.include_folders = options.include_folders;
+  const scene::Document document =
+      scene::parse(std::move(text), file, loaded.diagnostics, parse_options);
+  return evaluate(document, std::move(loaded), file, options);
+}
+
+Loaded load(const std::filesystem::path& file, const LoadOptions& options) {
+  return load_text(read_text(file), file.string(), options);
+}
+
+}  // namespace vug::loading

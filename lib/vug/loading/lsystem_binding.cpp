@@ -1,0 +1,113 @@
+#include <vug/loading/lsystem_binding.h>
+#include <vug/lsystem/compile.h>
+#include <vug/lsystem/turtle_environment.h>
+#include <vug/shot/lsystem_plan.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace vug::loading {
+namespace {
+
+/// A list of bare names, `instances leaf, flower`, whatever is declared under them.
+bool is_names(const std::string& key) { return key == "instances"; }
+
+/// One of the values, or several where a list is written out between brackets.
+void add_values(const scene::Entry& entry, const scene::Expr& expr, RandomKey key, Reading& reading,
+                List& values) {
+  const bool names = is_names(entry.key);
+  if (names && expr.kind == scene::ExprKind::list) {
+    for (const scene::Operand& part : expr.operands)
+      add_values(entry, *part.value, key, reading, values);
+    return;
+  }
+  const bool bare = names && expr.kind == scene::ExprKind::name;
+  values.push_back(bare ? Value(expr.text) : reading.evaluator.eval(expr, key.at(values.size())));
+}
+
+Value entry_value(const scene::Entry& entry, const scene::Grammar& grammar, Reading& reading) {
+  const RandomKey key = reading.evaluator.root().at("grammar").at(grammar.name).at(entry.key);
+  List values;
+  for (const scene::ExprPtr& expr : entry.values) add_values(entry, *expr, key, reading, values);
+  for (const Value& value : values)
+    if (value.empty()) return {};
+  return values.size() == 1 ? values[0] : Value(std::move(values));
+}
+
+/// Nothing, with diagnostics, where an entry is at fault.
+std::optional<shot::LSystemBlock> block_of(const scene::Grammar& grammar, Reading& reading) {
+  Arguments entries;
+  bool sound = true;
+  for (const scene::Entry& entry : grammar.options) {
+    Value value = entry_value(entry, grammar, reading);
+    sound = sound && !value.empty();
+    entries.push_back({entry.key, std::move(value), entry.where});
+  }
+  if (!sound) return std::nullopt;
+  std::optional<shot::LSystemBlock> block =
+      shot::lsystem_schema().bind(entries, grammar.where, reading.diagnostics);
+  if (block && !lsystem::check_whole(*block, grammar, reading.diagnostics)) block.reset();
+  return block;
+}
+
+/// Queries that the turtle does not answer, and ?D where there is nothing to be far from. False
+/// with diagnostics.
+bool check_queries(const scene::LSystem& text, bool has_field, Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (const lsystem::TurtleQuery& query : lsystem::turtle_queries()) known.push_back(query.name);
+  bool sound = true, told = false;
+  const auto check = [&](const auto& modules) {
+    for (const auto& module : modules) {
+      if (!lsystem::System::is_query(module.name)) continue;
+      if (std::find(known.begin(), known.end(), module.name) == known.end()) {
+        diagnostics.error(module.where, fmt::format("there is no query '{}'", module.name),
+                          fmt::format("queries are {}", fmt::join(known, ", ")));
+        sound = false;
+      } else if (module.name == "?D" && !has_field && !std::exchange(told, true)) {
+        diagnostics.warning(module.where,
+                            "'?D' asks how far the 'field' is, but the block has none: it is told "
+                            "1e6 m everywhere",
+                            "field rock");
+      }
+    }
+  };
+  check(text.axiom);
+  scene::for_each_production(text, [&](const scene::Production& one) {
+    check(one.left);
+    check(one.right);
+    check(one.word);
+  });
+  return sound;
+}
+
+}  // namespace
+
+Value bind_lsystem(const scene::Grammar& grammar, Reading& reading) {
+  std::optional<shot::LSystemBlock> block = block_of(grammar, reading);
+  if (grammar.broken || !grammar.lsystem) return {};
+  const bool has_field = !block || block->field.has_value();
+  const bool sound = check_queries(*grammar.lsystem, has_field, reading.diagnostics);
+  const lsystem::FindSystem find = [&](const std::string& name,
+                                       const SourceLocation& where) -> lsystem::SystemPtr {
+    const auto& all = reading.document.grammars;
+    const bool known = std::any_of(all.begin(), all.end(), [&](const scene::Grammar& other) {
+      return other.name == name && other.kind == "lsystem";
+    });
+    if (!known || name == grammar.name) return nullptr;
+    const auto value = reading.resolver.declared("grammar", name, where, reading.diagnostics);
+    const auto* other = value ? value->object<shot::LSystemPtr>() : nullptr;
+    return other ? (*other)->system : nullptr;
+  };
+  const lsystem::SystemPtr system =
+      lsystem::compile(grammar, block.value_or(shot::LSystemBlock()), reading.evaluator, find);
+  if (!system || !block || !sound) return {};
+  const auto made = std::make_shared<const shot::LSystemPlan>(
+      grammar.name, system, std::move(*block), reading.options.max_memory);
+  reading.shot.lsystems.push_back(made);
+  return ValueTraits<shot::LSystemPtr>::write(shot::LSystemPtr(made));
+}
+
+}  // namespace vug::loading

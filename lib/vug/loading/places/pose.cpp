@@ -1,0 +1,48 @@
+// One place, with a turn and a size.
+#include <vug/loading/instance_source_kinds.h>
+
+namespace vug::loading {
+namespace {
+
+struct Pose {
+  Vec3d position{0, 0, 0};
+  double yaw = 0, pitch = 0, roll = 0;
+  double scale = 1;
+  Vec3d stretch{1, 1, 1};
+  std::optional<int> model;
+
+  static void describe(Schema<Pose>& s) {
+    const auto angle = [](std::string doc) {
+      return ParamSpec{.doc = std::move(doc), .dimension = Dimension::angle};
+    };
+    s.doc("One place: the thing is stretched, turned about its own origin, then moved.")
+        .param("position", &Pose::position, any_length("where its origin goes"))
+        .param("yaw", &Pose::yaw, angle("about the upright, from z towards x; the last turn"))
+        .param("pitch", &Pose::pitch, angle("about x, the second turn"))
+        .param("roll", &Pose::roll, angle("about z, the first turn"))
+        .param("scale", &Pose::scale, {.doc = "times its size", .min = 0, .above_min = true})
+        .param("stretch", &Pose::stretch,
+               {.doc = "times its size along its own axes; below 0 mirrors it"})
+        .param("model", &Pose::model,
+               {.doc = "which of the things, counted from 0; else chance decides", .min = 0});
+  }
+  std::string fault() const {
+    return stretch.x == 0 || stretch.y == 0 || stretch.z == 0
+               ? "a thing that is stretched by 0 is flat, and cannot be placed"
+               : "";
+  }
+};
+
+}  // namespace
+}  // namespace vug::loading
+
+VUG_PLACES_KIND(pose) {
+  return make_kind<shot::Places, Pose>("pose", "places", [](const Pose& p) -> shot::Places {
+    const int model = p.model.value_or(-1);
+    const Transform at = building::pose(p.position, p.yaw, p.pitch, p.roll, p.stretch * p.scale);
+    const auto make = [at, model](building::Builder&, RandomKey key) {
+      return std::vector<building::Place>{{at, key, model}};
+    };
+    return std::make_shared<const building::PlacesMaker>(building::NumberedPlaces{make, model});
+  });
+}

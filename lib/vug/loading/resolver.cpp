@@ -1,0 +1,154 @@
+#include <vug/field/boolean.h>
+#include <vug/field/registry.h>
+#include <vug/loading/resolver.h>
+
+#include <fmt/format.h>
+
+namespace vug::loading {
+SoundArguments::SoundArguments(const Arguments& given) {
+  bool placed = true;  // behind one that is lost nobody knows the others' places
+  for (const Argument& each : given) {
+    if (each.value.empty()) {
+      whole = false;
+      placed = placed && !each.name.empty();
+    } else if (placed || !each.name.empty()) {
+      arguments.push_back(each);
+    }
+  }
+}
+
+void SoundArguments::report(const Diagnostics& found, const SourceLocation& where,
+                            Diagnostics& diagnostics) const {
+  for (const Diagnostic& one : found.all()) {
+    if (!whole && one.where == where) continue;
+    one.severity == Severity::error ? diagnostics.error(one.where, one.message, one.hint)
+                                    : diagnostics.warning(one.where, one.message, one.hint);
+  }
+}
+
+void Resolver::declare(const std::string& kind, const std::string& name, Maker maker) {
+  std::vector<Entry>& entries = entries_[name];
+  for (Entry& entry : entries)
+    if (entry.kind == kind) return entry.makers.push_back(std::move(maker));
+  entries.push_back({kind, {std::move(maker)}, {}, false, false, false});
+}
+
+Value Resolver::value(Entry& entry, const std::string& name, const SourceLocation& where,
+                      Diagnostics& diagnostics) {
+  if (entry.pending) {
+    diagnostics.error(where, fmt::format("'{}' is made of itself", name));
+    return Value();
+  }
+  if (!entry.made && pending_ >= kMaxPending) {
+    diagnostics.error(where,
+                      fmt::format("more than {} names depend on each other in a row", kMaxPending));
+    return Value();
+  }
+  if (!entry.made) {
+    entry.pending = true;
+    ++pending_;
+    const uint64_t uses = frame_uses();
+    for (const Maker& maker : entry.makers) entry.value = maker();
+    if (entry.makers.size() > 1) entry.value = Value();
+    entry.pending = false;
+    --pending_;
+    entry.made = true;
+    entry.moves = frame_uses() > uses;
+  } else if (entry.moves) {
+    use_frame();
+  }
+  return entry.value;
+}
+
+std::optional<Value> Resolver::declared(const std::string& kind, const std::string& name,
+                                        const SourceLocation& where, Diagnostics& diagnostics) {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) return std::nullopt;
+  for (Entry& entry : found->second)
+    if (entry.kind == kind) return value(entry, name, where, diagnostics);
+  return std::nullopt;
+}
+
+std::optional<Value> Resolver::name(const std::string& name, const SourceLocation& where,
+                                    Diagnostics& diagnostics) {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) return std::nullopt;
+  for (Entry& entry : found->second)
+    if (!entry.pending) return value(entry, name, where, diagnostics);
+  return value(found->second.front(), name, where, diagnostics);
+}
+
+std::optional<Value> Resolver::make(const Family& family, const std::string& name,
+                                    const Arguments& arguments, const SourceLocation& where,
+                                    Diagnostics& diagnostics) {
+  const FamilyKind* kind = family.find(name);
+  if (!kind) return std::nullopt;
+  const SoundArguments sound(arguments);
+  Diagnostics found;
+  Value made;
+  try {
+    if (auto value = kind->make(sound.arguments, where, found); value && sound.whole) made = *value;
+  } catch (const Error& error) {
+    found.error(error.where().known() ? error.where() : where, error.what(), error.hint());
+  }
+  sound.report(found, where, diagnostics);
+  return made;
+}
+
+std::optional<Value> Resolver::call(const std::string& name, const Arguments& arguments,
+                                    const SourceLocation& where, RandomKey,
+                                    Diagnostics& diagnostics) {
+  for (const Family& family : families())
+    if (auto value = make(family, name, arguments, where, diagnostics)) return value;
+  return std::nullopt;
+}
+
+bool Resolver::is_choice(const std::string& call, size_t position, const std::string& argument,
+                         const std::string& word) const {
+  for (const Family& family : families()) {
+    const FamilyKind* kind = family.find(call);
+    if (!kind) continue;
+    const std::vector<ParamInfo>& params = kind->info->params;
+    const bool placed = argument.empty() && position < params.size();
+    if (has_choice(*kind->info, placed ? params[position].name : argument, word)) return true;
+  }
+  return false;
+}
+
+std::optional<Value> Resolver::binary(char op, const Value& a, const Value& b,
+                                      const SourceLocation& where, Diagnostics& diagnostics) {
+  const auto* f = a.object<field::Field>();
+  const auto* g = b.object<field::Field>();
+  if (f && g) {
+    if (op == '+') return field::as_value(field::unite({*f, *g}));
+    if (op == '-') return field::as_value(field::subtract(*f, {*g}));
+    if (op == '&') return field::as_value(field::intersect({*f, *g}));
+  }
+  diagnostics.error(where,
+                    fmt::format("'{}' does not join {} and {}", op, a.type_name(), b.type_name()),
+                    f && g ? "fields know + (union), - (difference) and & (intersection)" : "");
+  return Value();
+}
+
+std::optional<Value> Resolver::unary(char op, const Value& a, const SourceLocation& where,
+                                     Diagnostics& diagnostics) {
+  const auto* f = a.object<field::Field>();
+  if (f && op == '-') return field::as_value(field::complement(*f));
+  diagnostics.error(where, fmt::format("'{}' does not go before {}", op, a.type_name()));
+  return Value();
+}
+
+std::vector<std::string> Resolver::known_names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, entries] : entries_) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> Resolver::known_calls() const {
+  std::vector<std::string> names;
+  for (const Family& family : families())
+    for (const FamilyKind& kind : family.kinds) names.push_back(kind.info->name);
+  return names;
+}
+
+}  // namespace vug::loading

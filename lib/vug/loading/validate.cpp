@@ -1,0 +1,150 @@
+#include <vug/loading/validate.h>
+#include <vug/render/render.h>
+#include <vug/shot/queries.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vug::loading {
+namespace {
+
+/// What stands behind "NAME/"; nothing where the text does not begin so.
+std::optional<std::string> behind(const std::string& text, const std::string& name) {
+  if (text.compare(0, name.size() + 1, name + "/") != 0) return std::nullopt;
+  return text.substr(name.size() + 1);
+}
+
+bool shows_several(const shot::Shot& shot) {
+  return shot::shown_objects(shot).size() != 1 || !shot.places.empty();
+}
+
+/// `rest` is what stands behind the place's own name.
+bool holds(const shot::PlacePlan& place, std::string rest) {
+  if (place.apart) {
+    const size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    if (digits == 0) return false;
+    if (digits == rest.size()) return true;
+    if (rest[digits] != '/') return false;
+    rest = rest.substr(digits + 1);
+  }
+  return std::any_of(place.of.begin(), place.of.end(), [&](const shot::Model& model) {
+    return model.scene && shows_several(*model.scene) && can_be_linked(*model.scene, rest);
+  });
+}
+
+/// Where the light is declared.
+SourceLocation where_of(const std::string& light, const scene::Document& document) {
+  for (const scene::Declaration& made : document.declarations)
+    if (made.kind == "light" && made.name == light) return made.where;
+  return {};
+}
+
+std::string link_hint(const shot::Shot& shot, const std::string& name) {
+  std::vector<std::string> names;
+  for (const shot::ObjectPlan& object : shot::shown_objects(shot)) names.push_back(object.name);
+  for (const shot::PlacePlan& place : shot.places) {
+    names.push_back(place.name);
+    shot::PlacePlan told_apart = place;
+    told_apart.apart = true;
+    if (const auto rest = behind(name, place.name); rest && holds(told_apart, *rest))
+      return fmt::format("write 'apart true' in the place '{}' to tell its copies apart",
+                         place.name);
+    for (const shot::Model& model : place.of)
+      if (model.name == name)
+        return fmt::format("where it stands '{}' goes by the name of its place: '{}'", name,
+                           place.name);
+  }
+  return suggestion(name, names);
+}
+
+/// It is there in the text, or may be in what was not understood.
+bool is_declared(const std::string& name, const scene::Document& document) {
+  const std::string first = name.substr(0, name.find('/'));
+  return document.skipped.may_declare(first) ||
+         std::any_of(document.declarations.begin(), document.declarations.end(),
+                     [&](const scene::Declaration& made) { return made.name == first; });
+}
+
+/// A portal adds no light, and a sun is found without.
+void warn_of_dark_portals(const shot::Shot& shot, const scene::Document& document,
+                          Diagnostics& diagnostics) {
+  const auto shines_through = [](const auto& named) {
+    const render::Light& light = *named.second;
+    return light.is_sky() && !light.is_portal() && !light.beside_portals();
+  };
+  if (std::any_of(shot.lights.begin(), shot.lights.end(), shines_through)) return;
+  for (const auto& [name, light] : shot.lights)
+    if (light->is_portal())
+      diagnostics.warning(
+          where_of(name, document),
+          fmt::format("nothing shines through the portal '{}': there is no sky", name),
+          "a portal adds no light of its own: declare a sky, as light NAME = daylight()");
+}
+
+}  // namespace
+
+bool can_be_linked(const shot::Shot& shot, const std::string& name) {
+  for (const shot::ObjectPlan& object : shot::shown_objects(shot))
+    if (object.name == name) return true;
+  for (const shot::PlacePlan& place : shot.places) {
+    if (place.name == name) return true;
+    if (const auto rest = behind(name, place.name); rest && holds(place, *rest)) return true;
+  }
+  return false;
+}
+
+bool shows_nothing(const shot::Shot& shot) {
+  return shot::shown_objects(shot).empty() && shot.places.empty() && shot.lights.empty();
+}
+
+render::LayerPlan foreseen_layers(const shot::Shot& shot, const shot::RenderPlan& plan) {
+  render::Scene lights;
+  for (const std::string& group : shot::light_groups(shot))
+    lights.objects.emplace_back().light_group = group;
+  for (const shot::MeshPtr& mesh : shot.meshes)
+    lights.objects.emplace_back().elements = shot::element_names(*mesh);
+  try {
+    return render::scene_layers(lights, plan.layers);
+  } catch (const Error& error) {
+    throw error.at(plan.where);
+  }
+}
+
+void require_sound(const shot::Shot& shot, const shot::RenderPlan& plan) {
+  if (plan.deep && plan.noise > 0)
+    throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once",
+                plan.where, "leave 'noise' away; a crop is no matter");
+  foreseen_layers(shot, plan);
+  if (plan.crop.empty()) return;
+  render::Options options;
+  options.width = plan.size.at(0), options.height = plan.size.at(1);
+  options.crop = {plan.crop.at(0), plan.crop.at(1), plan.crop.at(2), plan.crop.at(3)};
+  try {
+    render::wanted_region(options);
+  } catch (const Error& error) {
+    throw error.at(plan.where);
+  }
+}
+
+void foresee(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics) {
+  const bool whole = !diagnostics.has_errors();
+  for (const auto& [name, light] : shot.lights)
+    for (const auto* names : {&light->linking().only, &light->linking().except})
+      for (const std::string& linked : *names)
+        if (!can_be_linked(shot, linked) && (whole || !is_declared(linked, document)))
+          diagnostics.error(
+              where_of(name, document),
+              fmt::format("the light is linked to '{}', but no object that shows has that name",
+                          linked),
+              link_hint(shot, linked));
+  if (!whole) return;
+  warn_of_dark_portals(shot, document, diagnostics);
+  for (const shot::RenderPlan& plan : shot.renders) try {
+      require_sound(shot, plan);
+    } catch (const Error& error) {
+      diagnostics.error(error.where(), error.what(), error.hint());
+    }
+}
+
+}  // namespace vug::loading

@@ -1,0 +1,113 @@
+#include <vug/cells/simulation.h>
+#include <vug/shot/cell_names.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace vug::shot {
+namespace {
+
+cells::Simulation few_cells() {
+  static const cells::NetworkPtr few =
+      std::make_shared<const cells::Network>(cells::flat_torus(4, 4, 4, 0.25));
+  return cells::Simulation(few, RandomKey(0));
+}
+
+/// What rules bring they tell by doing it, on a few cells.
+class Trial {
+ public:
+  explicit Trial(const CellsPlan& plan) : cells_(few_cells()) {
+    for (const CellStagePtr& stage : plan.run) step(*stage);
+    // Again, now that each finds what later ones bring.
+    faults_.clear();
+    for (const CellStagePtr& stage : plan.run) step(*stage);
+  }
+
+  void tell(Diagnostics& diagnostics) const {
+    for (const auto& [where, error] : faults_) diagnostics.error(where, error.what(), error.hint());
+  }
+  const std::map<std::string, bool>& requested_attributes() const { return cells_.requested_attributes(); }
+  std::vector<std::string> names() const {
+    std::vector<std::string> all = surroundings();
+    for (const cells::Attribute& each : cells_.attributes().all()) all.push_back(each.name);
+    all.emplace_back(cells::kTransparent);
+    return all;
+  }
+  bool brings(const std::string& name) const { return cells_.attributes().find(name); }
+
+ private:
+  void step(const CellStage& stage) {
+    try {
+      cells_.run({{stage.rule, stage.name, cells_.step(), 1}}, 1);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::bad_input) throw;
+      faults_.emplace_back(stage.at, error);
+    }
+  }
+
+  cells::Simulation cells_;
+  std::vector<std::pair<SourceLocation, Error>> faults_;
+};
+
+/// What is wrong with a name that files are to carry; empty where nothing is.
+std::string fault_of_name(const std::string& name) {
+  static const std::set<std::string> kept = {
+      "x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "id", "pscale", "object"};
+  const auto good = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), good) ||
+      std::isdigit(static_cast<unsigned char>(name[0])) || name.size() > 100)
+    return fmt::format("'{}' cannot be the name of an attribute", name);
+  if (kept.count(name) > 0)
+    return fmt::format("cells cannot bring an attribute '{}', which files use for their own", name);
+  return "";
+}
+
+}  // namespace
+
+const std::vector<std::string>& surroundings() {
+  static const std::vector<std::string> names = {kExposure, kOcclusion, kCurvature};
+  return names;
+}
+
+void read_names(CellsPlan& plan, Diagnostics& diagnostics) {
+  const Trial trial(plan);
+  trial.tell(diagnostics);
+  const std::vector<std::string> known = trial.names();
+  std::set<std::string> named, told;
+  const auto look = [&](const std::string& name, const SourceLocation& where) {
+    named.insert(name);
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    if (!plan.from.empty()) return;  // points may carry it
+    if (!told.insert(to_string(where) + name).second) return;
+    diagnostics.error(where,
+                      fmt::format("no rule of '{}' brings an attribute '{}'", plan.name, name),
+                      suggestion(name, known));
+  };
+  for (const CellStagePtr& stage : plan.run) {
+    paint::AttributeUses uses = stage->rule->mask_attributes();
+    if (stage->where)
+      uses.insert(uses.end(), stage->where->uses().begin(), stage->where->uses().end());
+    for (const paint::AttributeUse& use : uses) look(use.attribute, use.where);
+    // Of a rule that names one itself the text has only the rule's place.
+    cells::Simulation alone = few_cells();
+    try {
+      alone.run({{stage->rule, stage->name, 0, 1}}, 1);
+    } catch (const Error&) {  // told above
+    }
+    for (const auto& [name, needed] : alone.requested_attributes()) {
+      named.insert(name);
+      if (needed) look(name, stage->at);
+    }
+  }
+  plan.brings = known;
+  for (const std::string& name : known)
+    if (const std::string fault = fault_of_name(name); !fault.empty())
+      diagnostics.error(plan.where, fault, "letters, digits and _ that do not begin with a digit");
+  for (const std::string& name : surroundings())
+    if (named.count(name) > 0 && !trial.brings(name)) plan.surroundings.push_back(name);
+}
+
+}  // namespace vug::shot

@@ -1,0 +1,48 @@
+#include <vug/shot/cells_plan.h>
+
+#include <algorithm>
+
+namespace vug::shot {
+
+const std::vector<std::string>& cell_files() {
+  static const std::vector<std::string> all = {"points", "grids", "csv"};
+  return all;
+}
+
+int CellsPlan::length() const {
+  if (steps) return *steps;
+  constexpr int kOpenEnd = 100;  // for rules that work to the end
+  int last = 0;
+  for (const CellStagePtr& stage : run)
+    last = std::max(last, stage->begin + (stage->span() < 0 ? kOpenEnd : stage->span()));
+  return last;
+}
+
+bool CellsPlan::writes(const std::string& what) const {
+  return std::find(files.begin(), files.end(), what) != files.end();
+}
+
+std::string CellsPlan::fault() const {
+  const std::vector<std::string>& known = cell_files();
+  for (const std::string& each : files)
+    if (std::find(known.begin(), known.end(), each) == known.end())
+      return "'" + each + "' is no file of cells";
+  return {};
+}
+
+MeshPtr below(const MeshPlan& mesh) {
+  return mesh.cells ? mesh.cells->on.at(mesh.ground) : nullptr;
+}
+
+std::vector<MeshPtr> parts_of(const MeshPtr& mesh) {
+  return mesh->parts.empty() ? std::vector<MeshPtr>{mesh} : mesh->parts;
+}
+
+MeshPtr part_on(const MeshPtr& mesh, const MeshPtr& ground) {
+  for (const MeshPtr& part : parts_of(mesh))
+    for (MeshPtr each = part; each; each = below(*each))
+      if (*each == *ground) return part;
+  return nullptr;
+}
+
+}  // namespace vug::shot

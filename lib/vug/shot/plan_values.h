@@ -1,0 +1,34 @@
+// How the plans of volumes and meshes travel through scene expressions as Values.
+#pragma once
+
+#include <vug/base/kind.h>
+#include <vug/render/kinds.h>
+#include <vug/shot/shot.h>
+
+namespace vug {
+
+template <>
+struct ValueTraits<shot::VolumePtr> : ObjectTraits<shot::VolumePtr> {
+  static constexpr const char* kWord = "volume";
+};
+template <>
+struct ValueTraits<shot::MeshPtr> : ObjectTraits<shot::MeshPtr> {
+  static constexpr const char* kWord = "mesh";
+};
+
+/// A mesh, or a level set that stands for a plain mesh of it.
+namespace shot {
+struct AnyMesh {
+  MeshPtr mesh;
+};
+}  // namespace shot
+template <>
+struct ValueTraits<shot::AnyMesh> {
+  static std::string type() { return "mesh or level set"; }
+  static std::optional<shot::AnyMesh> read(const Value& value);
+  static Value write(const shot::AnyMesh& any) {
+    return ValueTraits<shot::MeshPtr>::write(any.mesh);
+  }
+};
+
+}  // namespace vug

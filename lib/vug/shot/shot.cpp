@@ -1,0 +1,60 @@
+#include <vug/shot/shot.h>
+
+namespace vug::shot {
+namespace {
+
+/// Calls with each list of both: the one place that names them all.
+template <class A, class B, class With>
+void with_lists(A& a, B& b, const With& with) {
+  with(a.volumes, b.volumes);
+  with(a.meshes, b.meshes);
+  with(a.objects, b.objects);
+  with(a.places, b.places);
+  with(a.cameras, b.cameras);
+  with(a.lights, b.lights);
+  with(a.materials, b.materials);
+  with(a.renders, b.renders);
+  with(a.derivations, b.derivations);
+  with(a.lsystems, b.lsystems);
+}
+
+void copy_medium(const Shot& from, Shot& to) {
+  to.medium = from.medium;
+  to.medium_name = from.medium_name;
+  to.medium_volume = from.medium_volume;
+}
+
+}  // namespace
+
+MeshPtr plain_mesh(const VolumePtr& volume) {
+  MeshPlan plan;
+  plan.name = volume->name;
+  plan.volume = volume;
+  return std::make_shared<const MeshPlan>(std::move(plan));
+}
+
+Shot::Ends Shot::ends() const {
+  Ends out;
+  out.medium = medium != nullptr;
+  with_lists(*this, *this,
+             [&](const auto& list, const auto&) { out.lists.push_back(list.size()); });
+  return out;
+}
+
+Shot Shot::since(const Ends& ends) const {
+  Shot out;
+  size_t i = 0;
+  with_lists(*this, out, [&](const auto& from, auto& to) {
+    to.assign(from.begin() + static_cast<std::ptrdiff_t>(ends.lists.at(i++)), from.end());
+  });
+  if (!ends.medium) copy_medium(*this, out);
+  return out;
+}
+
+void Shot::add(const Shot& more) {
+  with_lists(more, *this,
+             [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); });
+  if (more.medium) copy_medium(more, *this);
+}
+
+}  // namespace vug::shot

@@ -1,0 +1,50 @@
+#include <vug/field/kind.h>
+#include <vug/shot/volume_kinds.h>
+
+namespace vug::shot {
+
+#define VUG_KIND(name) const Kind<VolumePtr>& name##_volume();
+#include <vug/shot/volumes_kinds.inc>
+#undef VUG_KIND
+
+const Kinds<VolumePtr>& volume_kinds() {
+#define VUG_KIND(name) &name##_volume(),
+  static const Kinds<VolumePtr> kinds = {
+#include <vug/shot/volumes_kinds.inc>
+  };
+#undef VUG_KIND
+  return kinds;
+}
+
+std::string VolumePlan::fault() const {
+  if (from.has_value() != to.has_value()) return "'from' and 'to' are given together";
+  const Box3d& bounds = field.bounds();
+  if (!from && !bounds.isEmpty() && !is_finite(bounds))
+    return "a solid without an end needs 'from' and 'to', or a box to be cut to";
+  if (!from) return {};
+  for (int axis = 0; axis < 3; ++axis)
+    if ((*from)[axis] >= (*to)[axis]) return "'to' must lie above 'from' on every axis";
+  return {};
+}
+
+Schema<VolumePlan> volume_schema(std::string name, std::string doc) {
+  Schema<VolumePlan> s(std::move(name), "volume");
+  s.doc(std::move(doc))
+      .param("field", &VolumePlan::field, {.doc = "the solid", .required = true})
+      .param("voxel", &VolumePlan::voxel, positive_length("edge of a voxel"))
+      .param("half_width", &VolumePlan::half_width,
+             {.doc = "voxels kept on each side of the surface", .min = 3, .max = 100})
+      .param("half", &VolumePlan::half, {.doc = "store 16-bit floats"})
+      .param("from", &VolumePlan::from, any_length("lowest corner of the region that is kept"))
+      .param("to", &VolumePlan::to, any_length("highest corner of the region that is kept"));
+  return s;
+}
+
+Kind<VolumePtr> volume_kind(Schema<VolumePlan> schema, bool fog) {
+  return make_kind<VolumePtr>(std::move(schema), [fog](VolumePlan plan) {
+    plan.fog = fog;
+    return std::make_shared<const VolumePlan>(std::move(plan));
+  });
+}
+
+}  // namespace vug::shot

@@ -1,0 +1,215 @@
+// What `place` makes of a scene's text: instances with transforms, names, materials and lamps.
+#include <gtest/gtest.h>
+#include <vug/base/atomic_file.h>
+#include <vug/building/instances.h>
+#include <vug/loading/load.h>
+#include <vug/picture/picture.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+namespace vug::building {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStones = R"(
+seed 5
+volume ball  = level_set(sphere(0.2m), voxel: 5cm)
+volume block = level_set(box(size: (0.3, 0.2, 0.3)), voxel: 5cm)
+volume earth = level_set(box(size: (6, 0.5, 6)), voxel: 20cm)
+mesh round on ball {}
+mesh cube on block {}
+mesh ground on earth {}
+material moss = lambert(albedo: (0.1, 0.3, 0.1))
+object soil on ground {}
+object pebble on round { material lambert() }
+object brick on cube {}
+)";
+
+/// A folder of its own that goes away with the test.
+class shot::Places : public testing::Test {
+ protected:
+  shot::Places() {
+    std::string name = (fs::temp_directory_path() / "vug_places_XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~shot::Places() override { fs::remove_all(folder_); }
+
+  void file(const std::string& name, const std::string& text) const {
+    write_text(folder_ / name, text);
+  }
+  loading::Loaded loaded(const std::string& text) const {
+    return loading::load_text(text, (folder_ / "t.vug").string());
+  }
+  /// What the text shows, and nothing but warnings said of it.
+  Cast cast(const std::string& text) const {
+    const loading::Loaded scene = loaded(text);
+    EXPECT_TRUE(scene.usable()) << scene.report();
+    Builder builder(scene.shot);
+    return cast_of(builder);
+  }
+  std::string faults(const std::string& text) const { return loaded(text).report(); }
+
+  fs::path folder_;
+};
+
+Vec3d origin(const render::Object& object) { return Vec3d(object.placing->at(0).origin); }
+
+TEST_F(shot::Places, OnePlaceAndAList) {
+  const Cast made = cast(std::string(kStones) +
+                         "place pile { of pebble  at [(1, 2, 3), pose(position: (0, 1, 0), yaw: "
+                         "90deg, scale: 2, stretch: (1, 1, -1))] }\n");
+  ASSERT_EQ(made.objects.size(), 4u);  // soil and brick stand where they are, the pebble does not
+  EXPECT_EQ(made.objects[0].name, "soil");
+  EXPECT_EQ(made.objects[1].name, "brick");
+  EXPECT_EQ(made.objects[2].name, "pile");
+  EXPECT_EQ(made.objects[2].mesh, made.objects[3].mesh);
+  EXPECT_EQ(made.objects[2].material_name, "pebble");
+  EXPECT_EQ(origin(made.objects[2]), Vec3d(1, 2, 3));
+  const render::Affine to = made.objects[3].placing->at(0);
+  EXPECT_LT((to.point({0, 0, 1}) - Vec3f(-2, 1, 0)).length(), 1e-6f);  // mirrored, then z goes to x
+  EXPECT_LT(to.determinant(), 0);
+}
+
+TEST_F(shot::Places, MaterialIsThatOfThePlaceIfItHasOne) {
+  const Cast made =
+      cast(std::string(kStones) +
+           "place a { of brick  at (1, 0, 0) }\n"
+           "place b { of pebble  at [(1, 0, 0), (2, 0, 0)]  material moss  apart true }\n");
+  ASSERT_EQ(made.objects.size(), 4u);
+  EXPECT_EQ(made.objects[1].material, nullptr);
+  EXPECT_FALSE(made.objects[1].looks_by_place);
+  EXPECT_EQ(made.objects[2].name, "b/1");
+  EXPECT_EQ(made.objects[3].name, "b/2");
+  EXPECT_EQ(made.objects[3].material_name, "moss");
+  EXPECT_TRUE(made.objects[3].looks_by_place);
+}
+
+TEST_F(shot::Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
+  const auto text = [](const std::string& more) {
+    return std::string(kStones) +
+           "place stones { of [pebble, brick]  shares [3, 1]  at scatter(on: ground, spacing: "
+           "30cm, "
+           "scale: [0.5, 1.5]" +
+           more + ") }\n";
+  };
+  const std::string top = ", where: slope(from: 30deg, to: 20deg)";
+  const Cast made = cast(text(top)), again = cast(text(top)), other = cast(text(top + ", seed: 1"));
+  ASSERT_GT(made.objects.size(), 150u);
+  ASSERT_EQ(made.objects.size(), again.objects.size());
+  size_t pebbles = 0, same = 0;
+  for (size_t i = 1; i < made.objects.size(); ++i) {
+    const Vec3d p = origin(made.objects[i]);
+    EXPECT_EQ(p, origin(again.objects[i]));
+    if (i < other.objects.size()) same += p == origin(other.objects[i]);
+    EXPECT_NEAR(p.y, 0.25, 0.05);  // on top, not at the sides or beneath
+    for (size_t j = 1; j < i; ++j) EXPECT_GE((p - origin(made.objects[j])).length(), 0.2999);
+    const auto size = static_cast<double>(made.objects[i].placing->stretch());
+    EXPECT_GE(size, 0.499);
+    EXPECT_LE(size, 1.501);
+    pebbles += made.objects[i].material != nullptr;
+  }
+  EXPECT_LT(same, 5u);
+  const auto all = static_cast<double>(made.objects.size() - 1);
+  EXPECT_NEAR(static_cast<double>(pebbles), 0.75 * all, 5 * std::sqrt(0.75 * 0.25 * all));
+}
+
+TEST_F(shot::Places, PointsOfATable) {
+  file("p.csv",
+       "x,y,z,yaw,scale,model,name\n1,2,3,90,2,1,\"a, b\"\n\n# a remark\n-4, 0,0,0,1,0,c\n");
+  const Cast made = cast(std::string(kStones) +
+                         "place t { of [pebble, brick]  at points(file: \"p.csv\", unit: 1cm) }\n");
+  ASSERT_EQ(made.objects.size(), 3u);
+  EXPECT_LT((origin(made.objects[1]) - Vec3d(0.01, 0.02, 0.03)).length(), 1e-7);
+  EXPECT_EQ(made.objects[1].material, nullptr);
+  EXPECT_NE(made.objects[2].material, nullptr);
+  EXPECT_NEAR(made.objects[1].placing->stretch(), 2, 1e-6);
+
+  file("p.csv", "x,y,z\n1,2,three\n");
+  EXPECT_NE(faults(std::string(kStones) + "place t { of pebble  at points(file: \"p.csv\") }\n")
+                .find("p.csv:2"),
+            std::string::npos);
+  file("p.csv", "x,y\n1,2\n");
+  EXPECT_NE(faults(std::string(kStones) + "place t { of pebble  at points(file: \"p.csv\") }\n")
+                .find("no column 'z'"),
+            std::string::npos);
+}
+
+TEST_F(shot::Places, AWholeSceneWithItsLampsAndInstances) {
+  file("inner.vug", std::string(kStones) +
+                        "place pile { of pebble  at [(1, 0, 0), (2, 0, 0)] }\n"
+                        "light lamp = sphere(center: (0, 1, 0), radius: 0.1, radiance: (9, 9, 9), "
+                        "only: [\"soil\"])\n"
+                        "light sky = sky(radiance: (1, 1, 1))\n");
+  const Cast made = cast(
+      "place hall { of scene(\"inner.vug\")  at [(0, 0, 0), pose(position: (10, "
+      "0, 0), scale: 2)] }\n");
+  ASSERT_EQ(made.objects.size(), 8u);
+  EXPECT_EQ(made.objects[0].name, "hall/soil");
+  EXPECT_EQ(made.objects[2].name, "hall/pile");
+  EXPECT_EQ(origin(made.objects[7]), Vec3d(14, 0, 0));
+  EXPECT_EQ(made.objects[2].mesh, made.objects[7].mesh);
+  ASSERT_EQ(made.lights.size(), 2u);  // the sky stays behind
+  EXPECT_LT((made.lights[1]->centre() - Vec3f(10, 2, 0)).length(), 1e-5f);
+  EXPECT_EQ(made.lights[1]->notes().only, std::vector<std::string>{"hall/soil"});
+  const float strength = made.lights[0]->bounds().strength;
+  EXPECT_NEAR(made.lights[1]->bounds().strength, 4 * strength, 1e-3 * strength);
+}
+
+// A grove of plants, each with its leaves: an instance for each leaf of each plant would be too
+// many.
+TEST_F(shot::Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
+  file("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  file(
+      "plant.vug",
+      "mesh blade { file \"leaf.obj\" }\nmesh wood { file \"leaf.obj\" }\nobject stem on wood {}\n"
+      "object leaf on blade { material surface(thin: true) }\n"
+      "place crown { of leaf  at grove(polygon: [(0, 0), (9, 0), (9, 9), (0, 9)], count: 300) }\n");
+  const auto text = [](int count) {
+    return "place grove { of scene(\"plant.vug\")  at grove(polygon: [(0, 0), (99, 0), (99, 99)], "
+           "count: " +
+           std::to_string(count) + ") }\n";
+  };
+  const Cast few = cast(text(3)), many = cast(text(200));
+  EXPECT_EQ(few.objects.size(), 3u * 301);
+  ASSERT_EQ(many.objects.size(), 2u * 200);
+  EXPECT_EQ(many.objects[0].name, "grove/stem");
+  EXPECT_EQ(many.objects[1].name, "grove/crown");
+  EXPECT_EQ(many.objects[1].mesh, many.objects[3].mesh);
+  EXPECT_EQ(many.objects[1].mesh->triangles.size(), 300u);
+  ASSERT_TRUE(mesh::find_attribute(*many.objects[1].mesh, "copy"));
+  // The same points of the scene either way, for the first plant.
+  for (size_t leaf = 0; leaf < 300; ++leaf)
+    for (uint32_t corner = 0; corner < 3; ++corner) {
+      const render::Object& one = few.objects[1 + leaf];
+      const Vec3f alone = one.placing->at(0).point(one.mesh->positions[corner]);
+      const auto number = many.objects[1].mesh->triangles[leaf][corner];
+      const Vec3f merged =
+          many.objects[1].placing->at(0).point(many.objects[1].mesh->positions[number]);
+      ASSERT_LT((alone - merged).length(), 1e-4f);
+    }
+}
+
+TEST_F(shot::Places, WhatCannotBePlacedIsTold) {
+  const std::string stones = kStones;
+  EXPECT_NE(faults(stones + "place a { of pebbel  at (0, 0, 0) }\n").find("pebbel"),
+            std::string::npos);
+  EXPECT_NE(faults(stones + "place a { of pebble  at (0, 0, 0)  shares [1, 2] }\n").find("shares"),
+            std::string::npos);
+  EXPECT_NE(faults(stones + "place a { of pebble  at pose(stretch: (1, 0, 1)) }\n").find("flat"),
+            std::string::npos);
+  EXPECT_NE(faults(stones + "place a { of []  at (0, 0, 0) }\n").find("nothing to place"),
+            std::string::npos);
+  file("loop.vug", "place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n");
+  EXPECT_NE(faults("place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n").find("inside of itself"),
+            std::string::npos);
+  EXPECT_NE(loading::load(folder_ / "loop.vug").report().find("inside of itself"),
+            std::string::npos);
+  file("lamp.vug", "light lamp = sphere(radius: 0.1)\n");
+  EXPECT_THROW(cast("place a { of scene(\"lamp.vug\")  at pose(stretch: (1, 2, 1)) }\n"), Error);
+}
+
+}  // namespace
+}  // namespace vug::building

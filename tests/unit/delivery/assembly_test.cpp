@@ -1,0 +1,351 @@
+// Scenes as plain data for other programs.
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/delivery/assembly.h>
+#include <vug/delivery/export_set.h>
+#include <vug/loading/load.h>
+#include <vug/paint/leaf_pattern.h>
+#include <vug/volume/density.h>
+#include <vug/volume/io.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::delivery {
+namespace {
+
+constexpr const char* kScene = R"(
+seed 5
+volume rock = level_set(box(size: (1, 1, 1)), voxel: 10cm)
+volume mist = fog(sphere(1m), voxel: 25cm)
+volume stone = level_set(sphere(30cm), voxel: 10cm)
+mesh wall on rock { paint layer(under: (0.5, 0.4, 0.3), over: (0.1, 0.2, 0.04), mask: height(from: -40cm, to: 40cm)) }
+mesh pebble on stone {}
+material wet = surface(color: (0.5, 1, 1), roughness: 0.6, coat: height(from: -40cm, to: 40cm))
+object wall on wall { material wet }
+object glow on pebble { emission (2, 1, 0.5) }
+place heap { of glow at [(3, 0, 0), (4, 0, 0)] }
+camera main { eye (0, 2, 6) fov 60deg }
+camera round { kind panoramic }
+light ball = sphere(center: (0, 3, 0), power: 100)
+render main { size 300x100 }
+)";
+
+struct Made {
+  loading::Loaded loaded;
+  shot::Shot shot;
+  Assembled out;
+
+  explicit Made(const std::string& text = kScene) {
+    loaded = loading::load_text(text, "t.vug", {});
+    EXPECT_EQ(loaded.report(), "");
+    shot = with_meshes(loaded.shot);
+    building::Builder builder(shot);
+    out = assemble(builder);
+  }
+};
+
+TEST(Assemble, WhatAShotShows) {
+  const Made made;
+  const exchange::Assembly& all = made.out.assembly;
+  ASSERT_EQ(all.parts.size(), 2u);
+  ASSERT_EQ(all.groups.size(), 2u);
+  EXPECT_EQ(all.groups[0].name, "wall");
+  EXPECT_EQ(all.groups[1].name, "heap");
+  EXPECT_EQ(all.groups[1].places.size(), 2u);
+  EXPECT_EQ(all.groups[1].places[1].origin(), Vec3d(4, 0, 0));
+  ASSERT_EQ(all.cameras.size(), 1u);
+  EXPECT_EQ(all.cameras[0].aspect, 3);
+  ASSERT_EQ(all.lamps.size(), 1u);
+  EXPECT_EQ(all.lamps[0].name, "ball");
+  EXPECT_NEAR(exchange::luminance(exchange::power(all.lamps[0])), 100, 1e-3);
+  EXPECT_EQ(all.provenance.recipe, kScene);
+  EXPECT_EQ(all.provenance.seed, 5u);
+  ASSERT_EQ(made.out.left_out.size(), 1u);
+  EXPECT_NE(made.out.left_out[0].find("round"), std::string::npos);
+}
+
+TEST(Assemble, LooksAreBakedAtTheVertices) {
+  const Made made;
+  const exchange::Prototype& wall = made.out.assembly.parts[0];
+  const mesh::Attribute* color = mesh::find_attribute(*wall.mesh, "Cd", 3);
+  const mesh::Attribute* wet = mesh::find_attribute(*wall.mesh, "wetness", 1);
+  ASSERT_TRUE(color && wet);
+  // Nothing else of the look varies.
+  EXPECT_EQ(wall.mesh->attributes.size(), 2u);
+  EXPECT_NEAR(wall.look.roughness, 0.6, 1e-6);
+  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
+  for (size_t v = 0; v < wall.mesh->positions.size(); ++v) {
+    const auto y = static_cast<double>(wall.mesh->positions[v].y);
+    const double t = smooth(std::clamp((y + 0.4) / 0.8, 0.0, 1.0));
+    EXPECT_NEAR(static_cast<double>(wet->values[v]), t, 1e-5);
+    // The paint times the material's colour.
+    EXPECT_NEAR(static_cast<double>(color->values[3 * v]), 0.5 * (0.5 + t * (0.1 - 0.5)), 1e-5);
+  }
+}
+
+TEST(Assemble, FlatObjectsHaveNoNormals) {
+  const Made made(R"(
+volume ball = level_set(sphere(30cm), voxel: 10cm)
+mesh skin on ball {}
+object even on skin {}
+object edged on skin { flat true }
+camera main { eye (0, 2, 6) fov 60deg }
+)");
+  const std::vector<exchange::Prototype>& parts = made.out.assembly.parts;
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].mesh->normals.size(), parts[0].mesh->positions.size());
+  EXPECT_TRUE(parts[1].mesh->normals.empty());
+  EXPECT_EQ(parts[1].mesh->positions.size(), parts[0].mesh->positions.size());
+}
+
+TEST(Assemble, WhatShinesSaysSo) {
+  const Made made;
+  const exchange::Prototype& glow = made.out.assembly.parts[1];
+  EXPECT_LT((glow.look.emission - Vec3d(2, 1, 0.5)).length(), 1e-6);
+  EXPECT_TRUE(glow.mesh->attributes.empty());
+  EXPECT_EQ(glow.look.base_color, Vec3d(0.5));
+}
+
+TEST(ExportSet, AirIsCalledAir) {
+  const loading::Loaded scene = loading::load_text(
+      "let room = sphere(1m)\nvolume rock = level_set(box(size: (3, 3, 3)) - room, voxel: 20cm)\n"
+      "volume air = level_set(room, voxel: 20cm)\n",
+      "t.vug", {});
+  ASSERT_TRUE(scene.usable()) << scene.report();
+  const std::filesystem::path folder = testing::TempDir() + "vug_export_air";
+  ExportOptions options;
+  options.program = exchange::programs().front();
+  const shot::Shot shot = with_meshes(scene.shot);
+  building::Builder builder(shot);
+  export_set(builder, folder, options);
+  EXPECT_EQ(volume::info(folder / "t_air.vdb").grids.at(0).name, "air");
+  EXPECT_EQ(volume::info(folder / "t_rock.vdb").grids.at(0).name, "surface");
+}
+
+TEST(Assemble, LooksThatDependOnThePlaceAreThoseOfThePlace) {
+  const std::string text = R"(
+volume stone = level_set(sphere(30cm), voxel: 10cm)
+mesh pebble on stone {}
+material grown = surface(color: layer(under: (0.5, 0.4, 0.3), over: (0.1, 0.2, 0.04), mask: height(from: 0m, to: 4m)))
+material plain = lambert(albedo: (0.3, 0.3, 0.3))
+place tower { of pebble at [(0, 0, 0), (5, 0, 0), pose(position: (0, 2, 0), scale: 2), (0, 9, 0)] material grown }
+place row { of pebble at [(0, 0, 3), (1, 0, 3)] material plain }
+)";
+  const Made made(text);
+  const exchange::Assembly& all = made.out.assembly;
+  EXPECT_TRUE(made.out.left_out.empty());
+  // Two stand on the same ground, and what looks the same everywhere is one part.
+  ASSERT_EQ(all.parts.size(), 4u);
+  std::vector<std::string> names;
+  for (const exchange::InstanceGroup& group : all.groups) names.push_back(group.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"tower", "tower_2", "tower_3", "row"}));
+  EXPECT_EQ(all.groups[0].places.size(), 2u);
+  EXPECT_EQ(all.groups[3].places.size(), 2u);
+  const auto red = [&](size_t group, float height) {
+    const exchange::Prototype& part = all.parts[all.groups[group].part];
+    const mesh::Attribute* color = mesh::find_attribute(*part.mesh, "Cd", 3);
+    if (!color) return part.look.base_color.x;
+    for (size_t v = 0; v < part.mesh->positions.size(); ++v)
+      if (std::fabs(part.mesh->positions[v].y - height) < 0.011f)
+        return static_cast<double>(color->values[3 * v]);
+    return -1.0;
+  };
+  const auto wanted = [](double y) {
+    const double t = std::clamp(y / 4, 0.0, 1.0);
+    return 0.5 + t * t * (3 - 2 * t) * (0.1 - 0.5);
+  };
+  EXPECT_NEAR(red(0, 0.3f), wanted(0.3), 2e-2);
+  EXPECT_NEAR(red(1, 0.3f), wanted(2.6), 2e-2);  // twice as large, at 2 m
+  EXPECT_NEAR(red(1, -0.3f), wanted(1.4), 2e-2);
+  EXPECT_NEAR(red(2, 0), 0.1, 1e-6);  // above all of it
+}
+
+TEST(Assemble, ThingsOfOnePlaceHaveNamesOfTheirOwn) {
+  const Made made(R"(
+volume stone = level_set(sphere(30cm), voxel: 10cm)
+volume block = level_set(box(size: (1, 1, 1)), voxel: 10cm)
+mesh pebble on stone {}
+mesh slab on block {}
+object pebble on pebble {}
+object slab on slab {}
+place heap { of [pebble, slab] at [pose(position: (0, 0, 0), model: 0), pose(position: (3, 0, 0), model: 1)] }
+)");
+  std::vector<std::string> names;
+  for (const exchange::InstanceGroup& group : made.out.assembly.groups) names.push_back(group.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"heap", "heap_2"}));
+}
+
+TEST(Assemble, WithoutLightsThereIsTheSkyOfThePicture) {
+  const Made made("volume rock = level_set(sphere(1m), voxel: 20cm)\n");
+  ASSERT_EQ(made.out.assembly.lamps.size(), 1u);
+  const exchange::Light& sky = made.out.assembly.lamps[0];
+  EXPECT_EQ(sky.name, "sky");
+  EXPECT_EQ(sky.shape, exchange::Light::Shape::dome);
+  EXPECT_LT((sky.radiance - Vec3d(0.9, 0.95, 1)).length(), 1e-6);
+}
+
+TEST(ExportSet, CloudsLeaveWithTheirGrids) {
+  const loading::Loaded scene = loading::load_text(R"(
+volume banks = fog(sphere(1m), voxel: 10cm)
+mesh ball on rock {}
+volume rock = level_set(sphere(20cm), voxel: 10cm)
+medium mist on banks { kind cloud extinction 2/m g 0.5 temperature 1800 temperature_mask height(from: -1m, to: 1m)
+  albedo layer(under: (0.9, 0.5, 0.1), over: (0.1, 0.5, 0.9), mask: height(from: -1m, to: 1m)) }
+)",
+                                                   "t.vug", {});
+  ASSERT_TRUE(scene.usable()) << scene.report();
+  const std::filesystem::path folder = testing::TempDir() + "vug_export_cloud";
+  ExportOptions options;
+  options.program = &exchange::program("maya");
+  const shot::Shot shot = with_meshes(scene.shot);
+  building::Builder builder(shot);
+  const Exported written = export_set(builder, folder, options);
+  EXPECT_TRUE(written.left_out.empty());
+  const std::vector<volume::Grid> grids = volume::read(folder / "t_banks.vdb");
+  std::vector<std::string> names;
+  for (const volume::Grid& grid : grids) names.push_back(grid.name());
+  EXPECT_EQ(names, (std::vector<std::string>{"density", "color", "temperature"}));
+  const volume::Density red(grids[1], 0), kelvin(grids[2]);
+  for (const double y : {-0.4, 0.0, 0.4}) {
+    const Vec3f centimetres(0, static_cast<float>(100 * y), 0);
+    const double t = (y + 1) / 2, smooth = t * t * (3 - 2 * t);
+    EXPECT_NEAR(red.anywhere(centimetres), 0.9 + smooth * (0.1 - 0.9), 1e-2);
+    EXPECT_NEAR(kelvin.anywhere(centimetres), 1800 * smooth, 20);
+  }
+  std::string text = read_text(folder / "t.usda");
+  EXPECT_NE(text.find("custom double vug:extinction = 0.02"), std::string::npos);
+  EXPECT_NE(text.find("token vectorDataRoleHint = \"Color\""), std::string::npos);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ExportSet, CloudsOfFilesAndHazeAreTold) {
+  const loading::Loaded fire = loading::load_text(
+      "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
+      "medium fire = cloud(file: \"" VUG_TEST_DATA
+      "/volumes/fire.vdb\", temperature: 1, "
+      "temperature_grid: \"temperature\", emission_grid: \"flame\", color_grid: \"Cd\")\n",
+      "t.vug", {});
+  ASSERT_TRUE(fire.usable()) << fire.report();
+  const std::filesystem::path folder = testing::TempDir() + "vug_export_fire";
+  ExportOptions options;
+  options.program = &exchange::program("gltf");
+  const shot::Shot shot = with_meshes(fire.shot);
+  building::Builder builder(shot);
+  const Exported written = export_set(builder, folder, options);
+  const volume::FileInfo info = volume::info(folder / "t_fire_medium.vdb");
+  ASSERT_EQ(info.grids.size(), 4u);
+  EXPECT_EQ(info.grids[0].name, "density");
+  EXPECT_EQ(info.grids[3].name, "flame");
+  for (const auto& path : export_paths(shot, folder, options))
+    EXPECT_TRUE(std::filesystem::exists(path)) << path;
+  std::filesystem::remove_all(folder);
+  const loading::Loaded haze = loading::load_text(
+      "volume rock = level_set(sphere(1m), voxel: 20cm)\nlight l = sphere()\n"
+      "medium air = haze(extinction: 0.1/m)\n",
+      "t.vug", {});
+  ASSERT_TRUE(haze.usable()) << haze.report();
+  const shot::Shot other = with_meshes(haze.shot);
+  building::Builder again(other);
+  const std::vector<std::string> told = export_set(again, folder, options).left_out;
+  EXPECT_NE(
+      std::find(told.begin(), told.end(), "the haze 'air', which fills all space and has no grid"),
+      told.end());
+  std::filesystem::remove_all(folder);
+}
+
+constexpr const char* kCard = R"(
+mesh blade { of leaf(length: 1m, width: 20cm, rows: 4, card: true) }
+mesh plain { of leaf(length: 1m, width: 20cm, rows: 60) }
+object cut on blade { material surface(thin: true, opacity: leaf_blade()) }
+object veil on blade { material surface(thin: true, opacity: attribute(name: "leaf_along")) }
+object pane on blade { material surface(thin: true, opacity: 0.25) }
+object whole on plain { material surface(thin: true, color: (0.2, 0.4, 0.1), subsurface: 0.8, through: 0.25, through_color: (0.5, 1, 1)) }
+)";
+
+double area_of(const mesh::Mesh& mesh) {
+  double area = 0;
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto p = mesh::corners(mesh, i);
+    area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).length();
+  }
+  return area;
+}
+
+TEST(Assemble, OpacityIsCutOutOrKept) {
+  const Made made(kCard);
+  const std::vector<exchange::Prototype>& parts = made.out.assembly.parts;
+  ASSERT_EQ(parts.size(), 4u);
+  const auto opacity = [](const exchange::Prototype& part) {
+    return mesh::find_attribute(*part.mesh, "opacity", 1);
+  };
+  // The card is cut to the leaf that the mesh of its outline is; the stalk is a little wider there.
+  const exchange::Prototype& cut = parts[0];
+  EXPECT_EQ(cut.look.opacity, 1);
+  EXPECT_EQ(opacity(cut), nullptr);
+  EXPECT_NEAR(area_of(*cut.mesh) / area_of(*parts[3].mesh), 1, 0.02);
+  EXPECT_LT(cut.mesh->triangles.size(), 20000u);
+  const auto* across = mesh::find_attribute(*cut.mesh, "leaf_across", 1);
+  const auto* along = mesh::find_attribute(*cut.mesh, "leaf_along", 1);
+  ASSERT_TRUE(across && along);
+  const paint::LeafOutline outline;
+  for (size_t v = 0; v < cut.mesh->positions.size(); ++v)
+    EXPECT_LE(std::fabs(static_cast<double>(across->values[v])),
+              outline.half_width(static_cast<double>(along->values[v])) + 0.01);
+  // What is there in part stays so.
+  ASSERT_NE(opacity(parts[1]), nullptr);
+  EXPECT_EQ(parts[1].mesh->triangles.size(), 16u);
+  const auto* far = mesh::find_attribute(*parts[1].mesh, "leaf_along", 1);
+  for (size_t v = 0; v < far->values.size(); ++v) {
+    const float t = far->values[v];
+    EXPECT_NEAR(opacity(parts[1])->values[v], t * t * (3 - 2 * t), 1e-6f);
+  }
+  EXPECT_EQ(parts[2].look.opacity, 0.25);
+  // A thin sheet shares its light between both sides.
+  const exchange::Look& leaf = parts[3].look;
+  EXPECT_NEAR(leaf.base_color.y, 0.4 * (1 - 0.8 * 0.25), 1e-6);
+  EXPECT_NEAR(leaf.through.y, 0.4 * 0.8 * 0.25, 1e-6);
+  EXPECT_NEAR(leaf.through.x, 0.5 * 0.2 * 0.8 * 0.25, 1e-6);
+  EXPECT_EQ(opacity(parts[2]), nullptr);
+}
+
+TEST(Assemble, TheCameraOfTheFirstPictureComesFirst) {
+  const Made made("camera a {}\ncamera b {}\ncamera c {}\nrender b { size 320x180 }\n");
+  std::vector<std::string> names;
+  for (const exchange::Camera& each : made.out.assembly.cameras) names.push_back(each.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"b", "a", "c"}));
+  EXPECT_EQ(made.out.assembly.cameras[0].size, Vec2i(320, 180));
+}
+
+TEST(ExportSet, VolumesStandInTheProgramsSpace) {
+  const Made made;
+  const std::filesystem::path folder = testing::TempDir() + "vug_export_set";
+  for (const exchange::Program* program : exchange::programs()) {
+    std::filesystem::remove_all(folder);
+    ExportOptions options;
+    options.program = program;
+    building::Builder builder(made.shot);
+    const exchange::WriteReport written = export_set(builder, folder, options);
+    for (const auto& path : export_paths(made.shot, folder, options))
+      EXPECT_TRUE(std::filesystem::exists(path)) << path;
+    const volume::FileInfo info = volume::info(folder / "t_rock.vdb");
+    ASSERT_EQ(info.grids.size(), 1u);
+    EXPECT_EQ(info.grids[0].name, "surface");
+    EXPECT_EQ(info.grids[0].grid_class, volume::GridClass::level_set);
+    EXPECT_EQ(info.metadata.at("vug:metersPerUnit"),
+              volume::MetaValue(program->space.metres_per_unit));
+    EXPECT_EQ(info.metadata.at("vug:upAxis"),
+              volume::MetaValue(exchange::to_string(program->space.up)));
+    EXPECT_EQ(info.metadata.at("vug:recipe"), volume::MetaValue(std::string(kScene)));
+    EXPECT_NEAR(info.grids[0].voxel_size.x * program->space.metres_per_unit, 0.1, 1e-9);
+    const volume::FileInfo fog = volume::info(folder / "t_mist.vdb");
+    EXPECT_EQ(fog.grids.at(0).name, "density");
+    EXPECT_EQ(fog.grids.at(0).grid_class, volume::GridClass::fog);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace vug::delivery

@@ -1,0 +1,54 @@
+// Every scene in tests/data/broken/scenes is reported exactly as its .expected file says. These
+// scenes read well but mean nothing; tests/data/broken/syntax has those that do not even read.
+// A first line "# run: -D NAME=EXPR" gives an override. With VUG_UPDATE=1 in the environment the
+// expected files are written anew; read the difference before committing it.
+#include <gtest/gtest.h>
+#include <vug/base/atomic_file.h>
+#include <vug/loading/load.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+namespace vug::loading {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder() { return fs::path(VUG_TEST_DATA) / "broken" / "scenes"; }
+
+std::vector<fs::path> broken_scenes() {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(folder()))
+    if (entry.path().extension() == ".vug") all.push_back(entry.path().filename());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+LoadOptions options_of(const std::string& text) {
+  LoadOptions options;
+  const std::string run = "# run: -D ";
+  if (text.compare(0, run.size(), run) != 0) return options;
+  const std::string given = text.substr(run.size(), text.find('\n') - run.size());
+  options.overrides.push_back(
+      {given.substr(0, given.find('=')), given.substr(given.find('=') + 1)});
+  return options;
+}
+
+class Broken : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Broken, IsReportedAsExpected) {
+  fs::current_path(folder());  // so that messages name the file alone
+  fs::path expected = GetParam();
+  expected.replace_extension(".expected");
+  const Loaded loaded = load(GetParam(), options_of(read_text(GetParam())));
+  EXPECT_FALSE(loaded.usable());
+  if (std::getenv("VUG_UPDATE")) write_text(expected, loaded.report());
+  EXPECT_EQ(loaded.report(), read_text(expected));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Broken, testing::ValuesIn(broken_scenes()),
+                         [](const auto& scene) { return scene.param.stem().string(); });
+
+}  // namespace
+}  // namespace vug::loading

@@ -1,0 +1,90 @@
+// What is no fault and yet hardly meant is told with its place, and the work goes on.
+#include <gtest/gtest.h>
+#include <vug/loading/load.h>
+#include <vug/picture/render_job.h>
+
+namespace vug::picture {
+namespace {
+
+/// Everything that loading and rendering a small picture says.
+std::string told(const std::string& text) {
+  const loading::Loaded loaded = loading::load_text(text, "t.vug");
+  std::string out = loaded.report();
+  if (!loaded.usable()) return out;
+  building::BuildOptions options;
+  options.tell = [&](const Diagnostics& doubtful) { out += loaded.report(doubtful); };
+  building::Builder builder(loaded.shot, options);
+  RenderOptions render;
+  render.picture.size = Vec2i(4, 3);
+  render.picture.spp = 1;
+  render_picture(builder, render);
+  return out;
+}
+
+/// The line that the warning stands on is shown, too; here its text counts.
+std::string lines(const std::string& report, const std::string& start) {
+  std::string out;
+  for (size_t at = 0; at < report.size(); at = report.find('\n', at) + 1) {
+    const std::string line = report.substr(at, report.find('\n', at) - at);
+    if (line.find(start) == 0) out += line + "\n";
+  }
+  return out;
+}
+
+const std::string kRoom =
+    "volume rock = level_set(box(size: (6, 6, 6)) - sphere(2m), voxel: 20cm)\n";
+
+TEST(Warning, ACameraInsideOfRock) {
+  const std::string report = told(kRoom + "camera main { eye (2.5, 0, 0) }\n");
+  EXPECT_EQ(report,
+            "t.vug:2:8: warning: the camera stands inside the solid of 'rock'\n"
+            "camera main { eye (2.5, 0, 0) }\n"
+            "       ^\n"
+            "hint: move its eye into the open\n");
+  EXPECT_EQ(told(kRoom + "camera main { eye (1, 0, 0) }\n"), "");
+  EXPECT_EQ(told(kRoom + "camera main { eye (9, 0, 0) }\n"), "");
+  EXPECT_EQ(told(kRoom), "") << "the camera that looks from outside";
+}
+
+TEST(Warning, OnlyTheCameraAndTheObjectsOfThePictureCount) {
+  const std::string cameras = "camera out { eye (9, 0, 0) }\ncamera inside { eye (2.5, 0, 0) }\n";
+  EXPECT_EQ(told(kRoom + cameras), "");
+  EXPECT_EQ(lines(told(kRoom + cameras + "render main { camera inside }\n"), "t.vug:"),
+            "t.vug:3:8: warning: the camera stands inside the solid of 'rock'\n");
+  const std::string shown =
+      "volume ball = level_set(sphere(1m), voxel: 20cm)\n"
+      "mesh wall on ball {}\nobject all on wall {}\n";
+  EXPECT_EQ(told(kRoom + shown + "camera inside { eye (2.5, 0, 0) }\n"), "");
+}
+
+TEST(Warning, AnEmptyGrid) {
+  const auto hint = [](const std::string& volume) {
+    const std::string report = told("volume rock = " + volume + "\n");
+    EXPECT_EQ(lines(report, "t.vug:"), "t.vug:1:8: warning: the volume 'rock' comes out empty\n");
+    return lines(report, "hint: ");
+  };
+  EXPECT_EQ(hint("level_set(sphere(1m) & sphere(1m).translate((9, 0, 0)), voxel: 10cm)"),
+            "hint: its solid is empty\n");
+  EXPECT_EQ(hint("level_set(sphere(1m), voxel: 10cm, from: (5, 5, 5), to: (6, 6, 6))"),
+            "hint: its solid lies outside of 'from' and 'to'\n");
+  const std::string thin = "hint: its solid is empty or thinner than a voxel\n";
+  EXPECT_EQ(hint("level_set(sphere(1m).offset(-2m), voxel: 1m)"), thin);
+  EXPECT_EQ(hint("level_set(box(size: (2, 2, 0.01)).translate((0, 0, 0.05)), voxel: 20cm)"), thin);
+}
+
+TEST(Warning, AGrammarThatGrowsNothing) {
+  const auto grammar = [](const std::string& axiom) {
+    return "param N = 0\ngrammar cave {\n  axiom " + axiom +
+           "\n  Room if N > 0 -> + sphere(1m)\n}\n" +
+           "volume rock = level_set(box() + cave, voxel: 20cm)\n";
+  };
+  EXPECT_EQ(lines(told(grammar("Room*N")), "t.vug:"),
+            "t.vug:2:9: warning: the grammar 'cave' grows nothing\n");
+  EXPECT_EQ(lines(told(grammar("Room")), "t.vug:"),
+            "t.vug:2:9: warning: 'Room' at cave/Room[0] was never rewritten to a production\n"
+            "t.vug:2:9: warning: the grammar 'cave' grows nothing\n");
+  EXPECT_EQ(told(grammar("+ sphere(1m) Room*N")), "");
+}
+
+}  // namespace
+}  // namespace vug::picture
