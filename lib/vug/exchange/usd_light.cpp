@@ -48,9 +48,9 @@ void write_usd_light(UsdText& out, const Light& light, const std::string& name,
   std::vector<std::string> metadata;
   if (shaped) metadata.emplace_back("prepend apiSchemas = [\"ShapingAPI\"]");
   out.def(type_of(light.shape), name, metadata);
-  const Vec3d light = light.shape == Shape::sun ? peak_intensity(light) : light.radiance;
-  const double most = std::max({light.x, light.y, light.z});
-  out.line("color3f inputs:color = {}", usd_tuple(most > 0 ? light / most : Vec3d(1.0)));
+  const Vec3d emitted = light.shape == Shape::sun ? peak_intensity(light) : light.radiance;
+  const double most = std::max({emitted.x, emitted.y, emitted.z});
+  out.line("color3f inputs:color = {}", usd_tuple(most > 0 ? emitted / most : Vec3d(1.0)));
   out.line("float inputs:intensity = {}", most);
   out.line("bool inputs:normalize = {}", light.shape == Shape::sun ? 1 : 0);
   if (light.shape == Shape::rectangle) {

@@ -83,10 +83,10 @@ class Writer {
     if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
   }
   /// What glTF has no words for and this add-on of ours reads.
-  void in_extras(const std::string& what) {
+  void note_as_extras(const std::string& what) {
     notes_.push_back(what + ": glTF has no words for it, only Vug's add-on for Blender reads it");
   }
-  void stand(tinygltf::Node node) {
+  void add_root_node(tinygltf::Node node) {
     model_.nodes.push_back(std::move(node));
     model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()) - 1);
   }
@@ -102,17 +102,18 @@ class Writer {
   }
 
   int material_of(const Prototype& prototype) {
-    tinygltf::Material made = gltf_material(part, options_.emission_scale.value_or(kLumenPerWatt));
+    tinygltf::Material made =
+        gltf_material(prototype, options_.emission_scale.value_or(kLumenPerWatt));
     for (const auto& [name, value] : made.extensions) use(name);
     if (prototype.look.through != Vec3d(0.0))
-      in_extras(fmt::format("the light that comes through '{}'", prototype.name));
+      note_as_extras(fmt::format("the light that comes through '{}'", prototype.name));
     const auto same = std::find(model_.materials.begin(), model_.materials.end(), made);
     if (same != model_.materials.end()) return static_cast<int>(same - model_.materials.begin());
     model_.materials.push_back(std::move(made));
     return static_cast<int>(model_.materials.size()) - 1;
   }
   int add_mesh(const Prototype& prototype) {
-    model_.meshes.push_back(gltf_mesh(part, material_of(part), buffer_, unsupported_));
+    model_.meshes.push_back(gltf_mesh(prototype, material_of(prototype), buffer_, unsupported_));
     return static_cast<int>(model_.meshes.size()) - 1;
   }
   int mesh_of(size_t part) {
@@ -122,7 +123,7 @@ class Writer {
   }
   /// The part where a map that shears takes it, which no node can say.
   int sheared_mesh(const Prototype& prototype, const Transform& place) {
-    Prototype moved = part;
+    Prototype moved = prototype;
     moved.mesh = std::make_shared<const mesh::Mesh>(transformed(*prototype.mesh, place));
     return add_mesh(moved);
   }
@@ -143,8 +144,8 @@ class Writer {
       }
       tinygltf::Node one = node(many ? fmt::format("{}.{}", group.name, i + 1) : group.name,
                                 parts.value_or(TrsTransform()));
-      one.mesh = parts ? mesh_of(group.prototype) : sheared_mesh(part, group.places[i]);
-      stand(std::move(one));
+      one.mesh = parts ? mesh_of(group.prototype) : sheared_mesh(prototype, group.places[i]);
+      add_root_node(std::move(one));
     }
     if (!together.empty()) add_instances(group, together);
   }
@@ -165,7 +166,7 @@ class Writer {
                                                                {"ROTATION", accessor(turns, 4)},
                                                                {"SCALE", accessor(scales, 3)}})}});
     use("EXT_mesh_gpu_instancing");
-    stand(std::move(all));
+    add_root_node(std::move(all));
   }
 
   void add_camera(const Camera& camera) {
@@ -190,13 +191,13 @@ class Writer {
     if (camera.aperture > 0) {
       extras.emplace("vug:aperture", Value(camera.aperture));
       extras.emplace("vug:focus", Value(camera.focus));
-      in_extras(fmt::format("the depth of field of the camera '{}'", camera.name));
+      note_as_extras(fmt::format("the depth of field of the camera '{}'", camera.name));
     }
     if (!extras.empty()) made.extras = Value(extras);
     model_.cameras.push_back(std::move(made));
     tinygltf::Node at = node(camera.name, decompose_trs(camera.place).value_or(TrsTransform()));
     at.camera = static_cast<int>(model_.cameras.size()) - 1;
-    stand(std::move(at));
+    add_root_node(std::move(at));
   }
 
   /// Skies share a file's stem, so a scene's second has another name.
@@ -207,7 +208,7 @@ class Writer {
         there ? sky_file(dome, options_.pictures_of, name) : write_sky(dome, file_, name);
     if (picture && !there) files_.push_back(*picture);
     skies_.push_back(gltf_sky(dome, picture ? picture->filename().string() : ""));
-    in_extras(fmt::format("the sky '{}'", dome.name));
+    note_as_extras(fmt::format("the sky '{}'", dome.name));
   }
 
   void add_light(const Light& light) {
@@ -235,7 +236,8 @@ class Writer {
     if (light.shape == Shape::rectangle || light.shape == Shape::disk) {
       made.spot.outerConeAngle = 0.5 * kPi;
       made.spot.innerConeAngle = 0;
-      in_extras(fmt::format("the size of the light '{}', which is a spot to others", light.name));
+      note_as_extras(
+          fmt::format("the size of the light '{}', which is a spot to others", light.name));
     }
     if (light.shape == Shape::rectangle) {
       shape.emplace("vug:width", Value(light.width));
@@ -254,7 +256,7 @@ class Writer {
     tinygltf::Node at = node(light.name, decompose_trs(light.place).value_or(TrsTransform()));
     at.extensions["KHR_lights_punctual"] =
         Value(Value::Object{{"light", Value(static_cast<int>(model_.lights.size()) - 1)}});
-    stand(std::move(at));
+    add_root_node(std::move(at));
   }
 
   const Assembly& assembly_;

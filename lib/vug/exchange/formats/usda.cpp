@@ -70,11 +70,11 @@ class Writer {
             fmt::format("the light that comes through '{}'", prototype.name));
       std::string& path = material_[i];
       for (size_t j = 0; j < i && path.empty(); ++j)
-        if (same_usd_material(assembly_.prototypes[j], part)) path = material_[j];
+        if (same_usd_material(assembly_.prototypes[j], prototype)) path = material_[j];
       if (!path.empty()) continue;
       const std::string name = names.unique(prototype.material);
       path = fmt::format("/{}/materials/{}", root_, name);
-      write_usd_material(out_, part, path, name);
+      write_usd_material(out_, prototype, path, name);
     }
     out_.end();
   }
