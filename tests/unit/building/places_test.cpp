@@ -29,13 +29,13 @@ object brick on cube {}
 )";
 
 /// A folder of its own that goes away with the test.
-class shot::Places : public testing::Test {
+class Places : public testing::Test {
  protected:
-  shot::Places() {
+  Places() {
     std::string name = (fs::temp_directory_path() / "vug_places_XXXXXX").string();
     folder_ = mkdtemp(name.data());
   }
-  ~shot::Places() override { fs::remove_all(folder_); }
+  ~Places() override { fs::remove_all(folder_); }
 
   void file(const std::string& name, const std::string& text) const {
     write_text(folder_ / name, text);
@@ -57,7 +57,7 @@ class shot::Places : public testing::Test {
 
 Vec3d origin(const render::Object& object) { return Vec3d(object.placing->at(0).origin); }
 
-TEST_F(shot::Places, OnePlaceAndAList) {
+TEST_F(Places, OnePlaceAndAList) {
   const Cast made = cast(std::string(kStones) +
                          "place pile { of pebble  at [(1, 2, 3), pose(position: (0, 1, 0), yaw: "
                          "90deg, scale: 2, stretch: (1, 1, -1))] }\n");
@@ -73,7 +73,7 @@ TEST_F(shot::Places, OnePlaceAndAList) {
   EXPECT_LT(to.determinant(), 0);
 }
 
-TEST_F(shot::Places, MaterialIsThatOfThePlaceIfItHasOne) {
+TEST_F(Places, MaterialIsThatOfThePlaceIfItHasOne) {
   const Cast made =
       cast(std::string(kStones) +
            "place a { of brick  at (1, 0, 0) }\n"
@@ -87,7 +87,7 @@ TEST_F(shot::Places, MaterialIsThatOfThePlaceIfItHasOne) {
   EXPECT_TRUE(made.objects[3].looks_by_place);
 }
 
-TEST_F(shot::Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
+TEST_F(Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
   const auto text = [](const std::string& more) {
     return std::string(kStones) +
            "place stones { of [pebble, brick]  shares [3, 1]  at scatter(on: ground, spacing: "
@@ -116,7 +116,7 @@ TEST_F(shot::Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
   EXPECT_NEAR(static_cast<double>(pebbles), 0.75 * all, 5 * std::sqrt(0.75 * 0.25 * all));
 }
 
-TEST_F(shot::Places, PointsOfATable) {
+TEST_F(Places, PointsOfATable) {
   file("p.csv",
        "x,y,z,yaw,scale,model,name\n1,2,3,90,2,1,\"a, b\"\n\n# a remark\n-4, 0,0,0,1,0,c\n");
   const Cast made = cast(std::string(kStones) +
@@ -137,7 +137,7 @@ TEST_F(shot::Places, PointsOfATable) {
             std::string::npos);
 }
 
-TEST_F(shot::Places, AWholeSceneWithItsLampsAndInstances) {
+TEST_F(Places, AWholeSceneWithItsLampsAndInstances) {
   file("inner.vug", std::string(kStones) +
                         "place pile { of pebble  at [(1, 0, 0), (2, 0, 0)] }\n"
                         "light lamp = sphere(center: (0, 1, 0), radius: 0.1, radiance: (9, 9, 9), "
@@ -160,7 +160,7 @@ TEST_F(shot::Places, AWholeSceneWithItsLampsAndInstances) {
 
 // A grove of plants, each with its leaves: an instance for each leaf of each plant would be too
 // many.
-TEST_F(shot::Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
+TEST_F(Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
   file("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   file(
       "plant.vug",
@@ -192,7 +192,7 @@ TEST_F(shot::Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
     }
 }
 
-TEST_F(shot::Places, WhatCannotBePlacedIsTold) {
+TEST_F(Places, WhatCannotBePlacedIsTold) {
   const std::string stones = kStones;
   EXPECT_NE(faults(stones + "place a { of pebbel  at (0, 0, 0) }\n").find("pebbel"),
             std::string::npos);

@@ -27,7 +27,7 @@ std::string camera_of(const shot::Shot& shot, const std::string& render,
   return "";
 }
 
-TEST(shot::RenderPlan, TakesItsCameraElseTheOneOfItsNameElseTheFirst) {
+TEST(RenderPlan, TakesItsCameraElseTheOneOfItsNameElseTheFirst) {
   const loading::Loaded loaded = loading::load_text(kScene, "t.vug");
   ASSERT_EQ(loaded.report(), "");
   EXPECT_EQ(camera_of(loaded.shot, "plain"), "left");
@@ -36,7 +36,7 @@ TEST(shot::RenderPlan, TakesItsCameraElseTheOneOfItsNameElseTheFirst) {
   EXPECT_EQ(camera_of(loaded.shot, "above", "above"), "above");
 }
 
-TEST(shot::RenderPlan, WithoutARenderTheCameraMainGoesFirst) {
+TEST(RenderPlan, WithoutARenderTheCameraMainGoesFirst) {
   const loading::Loaded loaded =
       loading::load_text("camera a { eye (1, 0, 0) }\ncamera main { eye (0, 0, 1) }\n", "t.vug");
   ASSERT_EQ(loaded.report(), "");
