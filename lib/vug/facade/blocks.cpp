@@ -55,7 +55,7 @@ double rise_of(Head head, double rise, double width, double height) {
   return std::min(rise > 0 ? rise : own, 0.999 * height);
 }
 
-field::Field headed(const Rect& rect, Head head, double rise, double back, double front) {
+field::Field arched_block(const Rect& rect, Head head, double rise, double back, double front) {
   const double up = rise_of(head, rise, rect.width, rect.height);
   if (!(up > 0)) return block(rect, back, front);
   const double half = rect.width / 2, spring = rect.top() - up, middle = rect.x + half;
@@ -81,20 +81,20 @@ std::string Opening::opening_fault() const {
 }
 
 field::Field Opening::sheet(double width, double height, double back, double front) const {
-  return headed({0, 0, width, height}, head, rise, -back, -front);
+  return arched_block({0, 0, width, height}, head, rise, -back, -front);
 }
 
 Solids Opening::around(double width, double height, double depth) const {
   Solids out;
   const Rect hole{0, 0, width, height};
-  const double out_most = std::max({frame > 0 ? frame_depth : 0, kBefore});
-  out.cut.push_back(headed(hole, head, rise, -depth, out_most));
+  const double out_most = std::max({frame > 0 ? frame_depth : 0, kCutMargin});
+  out.cut.push_back(arched_block(hole, head, rise, -depth, out_most));
   if (frame > 0) {
     // The moulding steps back once towards the opening.
     const auto ring = [&](double outer, double inner, double front) {
       const auto grown = [&](double by, double from, double to) {
-        return headed({-by, 0, width + 2 * by, height + by}, head, rise > 0 ? rise + by : 0, from,
-                      to);
+        return arched_block({-by, 0, width + 2 * by, height + by}, head, rise > 0 ? rise + by : 0,
+                            from, to);
       };
       return field::subtract(grown(outer, -0.02, front), {grown(inner, -1, 1)});
     };

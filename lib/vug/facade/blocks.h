@@ -11,7 +11,7 @@ field::Field block(const Rect& rect, double back, double front, double rounding 
 
 /// How far holes begin before the face, metres. Nothing of it is left over them, not even after
 /// weather has moved what was carved by half of that.
-inline constexpr double kBefore = 0.1;
+inline constexpr double kCutMargin = 0.1;
 
 /// Thickness of panes. Glass is thinner, but a sheet thinner than a voxel falls between the samples
 /// of a level set; only its front is seen.
@@ -26,7 +26,7 @@ enum class Head { flat, segmental, round, pointed };
 double rise_of(Head head, double rise, double width, double height);
 
 /// A box with such a head, over a rectangle, from z = `back` to `front`.
-field::Field headed(const Rect& rect, Head head, double rise, double back, double front);
+field::Field arched_block(const Rect& rect, Head head, double rise, double back, double front);
 
 /// The measures of a hole in a wall and of what goes around it. Base of windows and doors.
 struct Opening {

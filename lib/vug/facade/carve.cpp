@@ -15,7 +15,7 @@ constexpr double kJoin = 0.1;
 
 class Carver {
  public:
-  explicit Carver(const Tree& tree) : tree_(tree) { standing(tree); }
+  explicit Carver(const Tree& tree) : tree_(tree) { element_instances(tree); }
 
   Carving run() {
     for (size_t i = 0; i < tree_.nodes.size(); ++i) plane(static_cast<int>(i));
@@ -39,7 +39,7 @@ class Carver {
     add_ = add;
     for (const Placement& place : placements(tree_, index))
       planes_.push_back(add ? block(place(node.rect), from - kJoin, node.depth)
-                            : block(place(node.rect), node.depth, from + kBefore));
+                            : block(place(node.rect), node.depth, from + kCutMargin));
   }
   void flush() {
     if (!planes_.empty()) out_.layers.push_back({add_, field::unite(std::move(planes_))});
@@ -70,10 +70,10 @@ class Carver {
 /// A field that passes everything on and remembers what it was made of.
 class FacadeNode final : public field::Node {
  public:
-  FacadeNode(Placed placed, field::NodePtr child)
+  FacadeNode(FacadeInstance placed, field::NodePtr child)
       : Node(child->traits()), placed_(std::move(placed)), child_(std::move(child)) {}
 
-  const Placed& placed() const { return placed_; }
+  const FacadeInstance& placed() const { return placed_; }
 
   double eval(const field::Point<double>& p) const override { return child_->eval(p); }
   field::Dual<double> eval(const field::Point<field::Dual<double>>& p) const override {
@@ -97,13 +97,13 @@ class FacadeNode final : public field::Node {
   std::vector<field::NodePtr> children() const override { return {child_}; }
 
  private:
-  Placed placed_;
+  FacadeInstance placed_;
   field::NodePtr child_;
 };
 
 }  // namespace
 
-Transform Frame::transform(double width) const {
+Transform FacadeFrame::transform(double width) const {
   return Transform::translation(at) * Transform::rotation({0, 1, 0}, yaw) *
          Transform::translation({-0.5 * width, 0, 0});
 }
@@ -137,7 +137,7 @@ Carving carve(const Tree& tree) { return Carver(tree).run(); }
 field::Field zones(const Tree& tree, const std::vector<std::string>& kinds, double behind,
                    double before) {
   std::vector<field::Field> out;
-  for (const Standing& one : standing(tree)) {
+  for (const ElementInstance& one : element_instances(tree)) {
     const Node& node = tree.nodes[static_cast<size_t>(one.node)];
     const auto called = [&](const std::string& kind) {
       return kind == node.element->kind() || kind == node.symbol;
@@ -148,18 +148,18 @@ field::Field zones(const Tree& tree, const std::vector<std::string>& kinds, doub
   return out.empty() ? field::empty() : field::unite(std::move(out));
 }
 
-field::Field wall(TreePtr tree, const Frame& frame, double thickness) {
+field::Field wall(TreePtr tree, const FacadeFrame& frame, double thickness) {
   const field::Field slab = block({0, 0, tree->width, tree->height}, -thickness, 0);
   const field::Field carved =
       field::transformed(carve(*tree).applied(slab), frame.transform(tree->width));
-  return remembering({std::move(tree), frame}, carved);
+  return with_facade({std::move(tree), frame}, carved);
 }
 
-field::Field remembering(Placed placed, const field::Field& field) {
+field::Field with_facade(FacadeInstance placed, const field::Field& field) {
   return field::Field(std::make_shared<FacadeNode>(std::move(placed), field.node()));
 }
 
-std::optional<Placed> placed_of(const field::Field& field) {
+std::optional<FacadeInstance> find_facade(const field::Field& field) {
   const auto* node = dynamic_cast<const FacadeNode*>(field.node().get());
   return node ? std::optional(node->placed()) : std::nullopt;
 }
@@ -167,13 +167,13 @@ std::optional<Placed> placed_of(const field::Field& field) {
 FacadeParams::FacadeParams() = default;
 
 std::string FacadeParams::facade_fault() const {
-  return placed_of(facade)
+  return find_facade(facade)
              ? ""
              : "'facade' is a grammar of kind facade, or what carve(...) has made with one";
 }
 
-Placed FacadeParams::placed() const {
-  Placed out = *placed_of(facade);
+FacadeInstance FacadeParams::placed() const {
+  FacadeInstance out = *find_facade(facade);
   if (at) out.frame.at = *at;
   if (yaw) out.frame.yaw = *yaw;
   return out;

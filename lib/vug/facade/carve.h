@@ -15,7 +15,7 @@ using TreePtr = std::shared_ptr<const Tree>;
 
 /// Where a facade stands in the world: `at` is the middle of its foot. It looks along +z, turned by
 /// `yaw` (radians) about the upright axis, counter-clockwise seen from above.
-struct Frame {
+struct FacadeFrame {
   Vec3d at{0, 0, 0};
   double yaw = 0;
 
@@ -52,17 +52,17 @@ field::Field zones(const Tree& tree, const std::vector<std::string>& kinds, doub
 
 /// A wall of that thickness with the facade carved into it, whose plane is the wall's front face.
 /// The field remembers its tree and frame; facade_of finds them.
-field::Field wall(TreePtr tree, const Frame& frame, double thickness);
+field::Field wall(TreePtr tree, const FacadeFrame& frame, double thickness);
 
-struct Placed {
+struct FacadeInstance {
   TreePtr tree;
-  Frame frame;
+  FacadeFrame frame;
 };
 /// The field, which passes everything on, with what was carved into it.
-field::Field remembering(Placed placed, const field::Field& field);
+field::Field with_facade(FacadeInstance placed, const field::Field& field);
 /// What is remembered of a facade: of wall(), of a solid that one was carved into, of an infill;
 /// nothing for other fields.
-std::optional<Placed> placed_of(const field::Field& field);
+std::optional<FacadeInstance> find_facade(const field::Field& field);
 
 /// The argument of kinds that take a facade: its field as it is, and perhaps another frame.
 struct FacadeParams {
@@ -85,7 +85,7 @@ struct FacadeParams {
   }
   /// A sentence where the field is no facade.
   std::string facade_fault() const;
-  Placed placed() const;
+  FacadeInstance placed() const;
 };
 
 using SolidKind = field::FieldKind;

@@ -2,7 +2,7 @@
 // its count the number of places that the split gives it. A split inside a split is a symbol of its
 // own with one production.
 #include <vug/facade/derive.h>
-#include <vug/facade/placing.h>
+#include <vug/facade/scope_evaluator.h>
 
 #include <fmt/format.h>
 
@@ -17,10 +17,10 @@ namespace {
 class Divider {
  public:
   Divider(const Rules& rules, scene::Evaluator& evaluator, const DeriveOptions& options,
-          const Planning* planning = nullptr)
+          const PlanOptions* planning = nullptr)
       : rules_(rules),
         evaluator_(evaluator),
-        placer_(evaluator),
+        scope_evaluator_(evaluator),
         options_(options),
         planning_(planning) {
     grammar_.name = rules.name;
@@ -35,13 +35,13 @@ class Divider {
       add(rules.rules[i], seen[rules.rules[i].head]++, static_cast<int>(i));
   }
 
-  std::optional<Derived> run() {
+  std::optional<FacadeDerivation> run() {
     Diagnostics found;
     grammar::check(grammar_, found);
     evaluator_.diagnostics().append(found);
     if (found.has_errors()) return std::nullopt;
     try {
-      Derived out;
+      FacadeDerivation out;
       out.derivation = grammar::derive(grammar_, options_.key, options_.limits);
       out.tree = tree_of(out.derivation);
       out.tree.width = options_.width;
@@ -51,7 +51,7 @@ class Divider {
       else
         warn_of_stuck(out);
       return out;
-    } catch (const Faulty&) {
+    } catch (const AlreadyReported&) {
       return std::nullopt;
     }
   }
@@ -60,8 +60,8 @@ class Divider {
   PlannedNode planned(const grammar::Symbol& symbol) const {
     const Scope& scope = scope_of(symbol);
     PlannedNode out{scope.place, scope.plan, {}, scope.mirrored};
-    const auto begin = asked_.lower_bound({scope.key.state(), 0});
-    for (auto at = begin; at != asked_.end() && at->first.first == scope.key.state(); ++at)
+    const auto begin = requested_.lower_bound({scope.key.state(), 0});
+    for (auto at = begin; at != requested_.end() && at->first.first == scope.key.state(); ++at)
       out.free.insert(out.free.end(), at->second.begin(), at->second.end());
     return out;
   }
@@ -75,21 +75,21 @@ class Divider {
   }
 
   /// Every rule of the plan has been applied.
-  void check_followed(const Derived& made) const {
+  void check_followed(const FacadeDerivation& made) const {
     for (const grammar::Node& node : made.derivation.nodes) {
       const Scope& scope = scope_of(node.symbol);
       if (!node.stuck || !scope.plan || scope.plan->rule < 0) continue;
       const Rule& rule = rules_.rules.at(static_cast<size_t>(scope.plan->rule));
       const bool other = rule.head != node.symbol.name;
-      throw Unfit(other ? Reason::wrong_symbol : Reason::wrong_arguments, "",
-                  fmt::format("'{}' does not divide {}", to_string(rule), to_string(node.symbol)),
-                  other ? "" : fmt::format("it takes {} arguments", rule.formals.size()),
-                  rule.where);
+      throw InfeasiblePlan(
+          other ? Reason::wrong_symbol : Reason::wrong_arguments, "",
+          fmt::format("'{}' does not divide {}", to_string(rule), to_string(node.symbol)),
+          other ? "" : fmt::format("it takes {} arguments", rule.formals.size()), rule.where);
     }
   }
 
   /// One warning for each symbol that was left over.
-  void warn_of_stuck(const Derived& made) {
+  void warn_of_stuck(const FacadeDerivation& made) {
     std::set<std::string> told;
     for (size_t i = 0; i < made.tree.nodes.size(); ++i) {
       const Node& node = made.tree.nodes[i];
@@ -131,34 +131,38 @@ class Divider {
     };
     try {
       return work();
-    } catch (const Unfit& unfit) {
-      throw Unfit(unfit.reason(), unfit.number(), unfit.what() + context(), unfit.hint(), where);
+    } catch (const InfeasiblePlan& error) {
+      throw InfeasiblePlan(error.reason(), error.number(), error.what() + context(), error.hint(),
+                           where);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
       if (planning_)
-        throw Unfit(Reason::does_not_fit, "", error.what() + context(), error.hint(), where);
+        throw InfeasiblePlan(Reason::does_not_fit, "", error.what() + context(), error.hint(),
+                             where);
       diagnostics.error(error.where().known() ? error.where() : where, error.what() + context(),
                         error.hint());
-      throw Faulty{};
+      throw AlreadyReported{};
     }
   }
 
-  bool holds(const Rule& rule, const grammar::Site& site) {
+  bool holds(const Rule& rule, const grammar::RewriteSite& site) {
     if (!rule.guard) return true;
-    const Value holds = placer_.eval(*rule.guard, site.key, names(rule.formals, site.symbol));
+    const Value holds =
+        scope_evaluator_.eval(*rule.guard, site.key, names(rule.formals, site.symbol));
     if (const bool* truth = holds.get<bool>()) return *truth;
-    return placer_.fail(rule.guard->where, "a guard is true or false, not " + holds.type_name());
+    return scope_evaluator_.fail(rule.guard->where,
+                                 "a guard is true or false, not " + holds.type_name());
   }
 
   /// Whether the plan has the rule for this symbol.
-  bool chosen(const Rule& rule, int number, const grammar::Site& site) {
+  bool chosen(const Rule& rule, int number, const grammar::RewriteSite& site) {
     const Scope& scope = scope_of(site.symbol);
     if (!scope.plan || scope.plan->rule != number) return false;
     if (holds(rule, site)) return true;
-    throw Unfit(Reason::condition, "",
-                fmt::format("the condition of '{}' is false for {}", to_string(rule),
-                            to_string(site.symbol)),
-                "", rule.guard->where);
+    throw InfeasiblePlan(Reason::condition, "",
+                         fmt::format("the condition of '{}' is false for {}", to_string(rule),
+                                     to_string(site.symbol)),
+                         "", rule.guard->where);
   }
 
   void add(const Rule& rule, int number, int in_all) {
@@ -168,28 +172,31 @@ class Divider {
     production.where = rule.where;
     production.name = to_string(rule);
     if (planning_)
-      production.guard = [this, &rule, in_all](const grammar::Site& site) {
+      production.guard = [this, &rule, in_all](const grammar::RewriteSite& site) {
         return chosen(rule, in_all, site);
       };
     else if (rule.guard)
-      production.guard = [this, &rule](const grammar::Site& site) { return holds(rule, site); };
+      production.guard = [this, &rule](const grammar::RewriteSite& site) {
+        return holds(rule, site);
+      };
     if (rule.weight && !planning_)
-      production.weight = [this, &rule](const grammar::Site& site) {
-        const Value weight = placer_.eval(*rule.weight, site.key, names(rule.formals, site.symbol));
+      production.weight = [this, &rule](const grammar::RewriteSite& site) {
+        const Value weight =
+            scope_evaluator_.eval(*rule.weight, site.key, names(rule.formals, site.symbol));
         const Number* n = weight.get<Number>();
         if (!n || !(n->value >= 0) || !std::isfinite(n->value))
-          placer_.fail(rule.weight->where,
-                       "a weight is a number from 0 on, not " + to_string(weight));
+          scope_evaluator_.fail(rule.weight->where,
+                                "a weight is a number from 0 on, not " + to_string(weight));
         return n->value;
       };
     const std::string name = fmt::format("{}/{}", rule.head, number);
-    add(rule.items, rule.formals, name, production.parts);
+    add(rule.items, rule.formals, name, production.successor);
     grammar_.productions.push_back(std::move(production));
   }
 
   /// Free numbers of the first split have plain names.
   void add(const std::vector<Item>& items, const Formals& formals, const std::string& name,
-           std::vector<grammar::Part>& parts) {
+           std::vector<grammar::SuccessorItem>& parts) {
     int splits = 0;
     for (const Item& item : items) {
       if (item.kind == ItemKind::split && ++splits > 1)
@@ -200,7 +207,7 @@ class Divider {
 
   /// An item that has the whole scope, or all parts of a split of it.
   void add(const Item& item, const Formals& formals, const std::string& name,
-           std::vector<grammar::Part>& parts) {
+           std::vector<grammar::SuccessorItem>& parts) {
     if (item.kind != ItemKind::split) {
       parts.push_back(part(item, formals, name, nullptr, 0));
       return;
@@ -210,9 +217,9 @@ class Divider {
   }
 
   /// `split` is what places it; null: it has the whole scope.
-  grammar::Part part(const Item& item, const Formals& formals, const std::string& name,
-                     const Item* split, size_t number) {
-    grammar::Part out;
+  grammar::SuccessorItem part(const Item& item, const Formals& formals, const std::string& name,
+                              const Item* split, size_t number) {
+    grammar::SuccessorItem out;
     out.where = item.where;
     out.symbol = item.name;
     out.terminal = item.kind == ItemKind::element || item.kind == ItemKind::value;
@@ -222,25 +229,25 @@ class Divider {
       inner.symbol = out.symbol;
       inner.where = item.where;
       inner.name = "inside";
-      add(item, formals, name, inner.parts);
+      add(item, formals, name, inner.successor);
       grammar_.productions.push_back(std::move(inner));
     }
     const int which = static_cast<int>(number);
     if (split)
-      out.count = [this, split, &formals, which](const grammar::Site& site) {
+      out.count = [this, split, &formals, which](const grammar::RewriteSite& site) {
         int64_t count = 0;
-        for (const Cell& cell : placed(*split, formals, site.symbol).layout->cells)
+        for (const Cell& cell : evaluated(*split, formals, site.symbol).layout->cells)
           count += cell.part == which;
         return count;
       };
-    out.content = [this, &item, split, &formals, which](const grammar::Site& site) {
+    out.content = [this, &item, split, &formals, which](const grammar::RewriteSite& site) {
       return content(item, split, formals, which, site);
     };
     return out;
   }
 
   grammar::Content content(const Item& item, const Item* split, const Formals& formals, int which,
-                           const grammar::Site& site) {
+                           const grammar::RewriteSite& site) {
     Scope scope = scope_of(site.symbol);
     const Rect whole = scope.rect;
     scope.key = site.key;
@@ -251,7 +258,7 @@ class Divider {
     scope.place = {static_cast<int>(split ? split->position : item.position), which, 0, 0};
     Value value;
     if (split) {
-      const Placed& all = placed(*split, formals, site.symbol);
+      const EvaluatedSplit& all = evaluated(*split, formals, site.symbol);
       place(*all.layout, which, site.repetition, whole, scope);
       scope.layout = all.layout;
       scope.split = split->name;
@@ -266,13 +273,13 @@ class Divider {
     grammar::Content out;
     if (item.kind == ItemKind::symbol) {
       for (Argument& argument : evaluator_.arguments(*item.expr, site.key, &known)) {
-        if (argument.value.empty()) throw Faulty{};
+        if (argument.value.empty()) throw AlreadyReported{};
         out.params.push_back(std::move(argument.value));
       }
     } else if (item.kind == ItemKind::split) {
       out.params = site.symbol.content.params;
     } else {
-      scope.element = placer_.element(item, value, site.key, known);
+      scope.element = scope_evaluator_.element(item, value, site.key, known);
     }
     out.text = grammar::to_string(
         {item.name, {item.kind == ItemKind::split ? std::vector<Value>{} : out.params, {}, {}}});
@@ -308,47 +315,49 @@ class Divider {
   }
 
   /// The split in the symbol's scope. One is kept, as all parts ask for it one after the other.
-  const Placed& placed(const Item& split, const Formals& formals, const grammar::Symbol& symbol) {
+  const EvaluatedSplit& evaluated(const Item& split, const Formals& formals,
+                                  const grammar::Symbol& symbol) {
     const Scope& scope = scope_of(symbol);
-    if (last_ == &split && last_key_ == scope.key.state()) return placed_;
+    if (last_ == &split && last_key_ == scope.key.state()) return evaluated_;
     const auto named = prefixes_.find(&split);
     const std::string prefix = named == prefixes_.end() ? "" : named->second;
-    placed_ = doing(symbol, split.where, [&] {
-      return placer_.place(split, scope, names(formals, symbol), planning_, prefix);
+    evaluated_ = doing(symbol, split.where, [&] {
+      return scope_evaluator_.place(split, scope, names(formals, symbol), planning_, prefix);
     });
-    if (planning_) asked_[{scope.key.state(), split.position}] = placed_.free;
+    if (planning_) requested_[{scope.key.state(), split.position}] = evaluated_.free;
     last_ = &split;
     last_key_ = scope.key.state();
-    return placed_;
+    return evaluated_;
   }
 
   const Rules& rules_;
   scene::Evaluator& evaluator_;
-  Placer placer_;
+  ScopeEvaluator scope_evaluator_;
   DeriveOptions options_;
-  const Planning* planning_;
+  const PlanOptions* planning_;
   grammar::Grammar grammar_;
   Scope root_;
   const Item* last_ = nullptr;
   uint64_t last_key_ = 0;
-  Placed placed_;
+  EvaluatedSplit evaluated_;
   std::map<const Item*, std::string> prefixes_;
-  std::map<std::pair<uint64_t, size_t>, std::vector<FreeNumber>> asked_;  ///< By scope and item.
+  std::map<std::pair<uint64_t, size_t>, std::vector<FreeNumber>>
+      requested_;  ///< By scope and item.
 };
 
 }  // namespace
 
-std::optional<Derived> derive(const Rules& rules, scene::Evaluator& evaluator,
-                              const DeriveOptions& options) {
+std::optional<FacadeDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
+                                       const DeriveOptions& options) {
   return Divider(rules, evaluator, options).run();
 }
 
-std::optional<Planned> derive(const Rules& rules, scene::Evaluator& evaluator,
-                              const DeriveOptions& options, const Planning& planning) {
+std::optional<PlannedDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
+                                        const DeriveOptions& options, const PlanOptions& planning) {
   Divider divider(rules, evaluator, options, &planning);
-  std::optional<Derived> made = divider.run();
+  std::optional<FacadeDerivation> made = divider.run();
   if (!made) return std::nullopt;
-  Planned out;
+  PlannedDerivation out;
   for (const grammar::Node& node : made->derivation.nodes)
     out.nodes.push_back(divider.planned(node.symbol));
   out.root = out.nodes.front();

@@ -18,19 +18,19 @@ struct DeriveOptions {
   RandomKey key{0};
 };
 
-struct Derived {
+struct FacadeDerivation {
   grammar::Tree derivation;  ///< With the rules that were chosen, for traces.
   Tree tree;
 };
 
 /// A derivation whose rules and numbers are chosen; see plan.h.
-struct Planning {
+struct PlanOptions {
   Plan plan;         ///< Of the facade itself; its parts are those of the axiom.
   double least = 0;  ///< Metres; no part is narrower or lower.
 };
 
-struct Planned {
-  Derived derived;
+struct PlannedDerivation {
+  FacadeDerivation derived;
   PlannedNode root;                ///< Of the facade itself.
   std::vector<PlannedNode> nodes;  ///< Index as in Tree::nodes.
 };
@@ -39,12 +39,13 @@ struct Planned {
 /// in which `width` and `height` are the scope's, `index` and `total` say which of how many places
 /// of its split a symbol has. Faults go to the evaluator's diagnostics, and then nothing is
 /// derived; symbols that no rule applies to are warnings. Error(too_large) beyond the limits.
-std::optional<Derived> derive(const Rules& rules, scene::Evaluator& evaluator,
-                              const DeriveOptions& options);
+std::optional<FacadeDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
+                                       const DeriveOptions& options);
 
 /// The same with chosen rules and numbers: symbols without a rule stay as they are, stuck. Numbers
-/// that are not told are what is usual for the size. Unfit where a rule or a number cannot be had.
-std::optional<Planned> derive(const Rules& rules, scene::Evaluator& evaluator,
-                              const DeriveOptions& options, const Planning& planning);
+/// that are not told are what is usual for the size. InfeasiblePlan where a rule or a number cannot
+/// be had.
+std::optional<PlannedDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
+                                        const DeriveOptions& options, const PlanOptions& planning);
 
 }  // namespace vug::facade

@@ -38,7 +38,7 @@ class Element {
 using ElementPtr = std::shared_ptr<const Element>;
 
 using ElementKind = Kind<ElementPtr>;
-/// Made from the list in CMakeLists.txt.
+/// ParametricElement from the list in CMakeLists.txt.
 const Kinds<ElementPtr>& elements();
 
 /// An element of that kind with arguments that its schema has accepted, as scenes write it.
@@ -48,8 +48,8 @@ std::string element_text(const KindInfo& kind, const Arguments& arguments);
 /// `Solids solids(double width, double height) const`.
 template <class P>
 ElementKind element_kind(const std::string& name) {
-  struct Made final : Element {
-    Made(const KindInfo& kind, const Arguments& arguments, const P& p)
+  struct ParametricElement final : Element {
+    ParametricElement(const KindInfo& kind, const Arguments& arguments, const P& p)
         : Element(kind.name, element_text(kind, arguments)), params(p) {}
     Solids solids(double width, double height) const override {
       return params.solids(width, height);
@@ -63,7 +63,7 @@ ElementKind element_kind(const std::string& name) {
                    Diagnostics& diagnostics) -> std::optional<ElementPtr> {
             const std::optional<P> params = schema.bind(arguments, where, diagnostics);
             if (!params) return std::nullopt;
-            return std::make_shared<const Made>(schema.info(), arguments, *params);
+            return std::make_shared<const ParametricElement>(schema.info(), arguments, *params);
           }};
 }
 

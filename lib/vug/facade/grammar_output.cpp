@@ -84,7 +84,7 @@ class Writer {
   }
 
   std::string body(int i) {
-    for (const auto form : {&Writer::in_a_row, &Writer::repeated, &Writer::mirrored}) {
+    for (const auto form : {&Writer::lay_out_row, &Writer::repeated, &Writer::mirrored}) {
       std::string text = (this->*form)(i);
       if (!text.empty()) return text;
     }
@@ -95,7 +95,7 @@ class Writer {
   }
 
   /// rows(...) or columns(...), where the children fill their parent so.
-  std::string in_a_row(int i) {
+  std::string lay_out_row(int i) {
     const std::vector<int>& children = node(i).children;
     if (children.size() < 2) return "";
     for (const bool upright : {true, false}) {

@@ -18,7 +18,7 @@ class Reader {
     for (const scene::Let& let : document.lets) values_.insert(let.name);
     for (const scene::Rule& rule : grammar.rules) arities_[rule.head].insert(rule.formals.size());
     for (const std::string& head : grammar.broken_rules) broken_.insert(head);
-    lost_ = document.lost;
+    skipped_ = document.skipped;
   }
 
   Rules read() {
@@ -122,7 +122,7 @@ class Reader {
   }
 
   void unknown(const scene::Expr& expr) {
-    if (lost_.may_declare(expr.text)) return;
+    if (skipped_.may_declare(expr.text)) return;
     std::vector<std::string> names(formals_.begin(), formals_.end());
     for (const auto& [head, arity] : arities_) names.push_back(head);
     for (const ElementKind* kind : elements()) names.push_back(kind->info.name);
@@ -139,7 +139,7 @@ class Reader {
   Diagnostics& diagnostics_;
   std::map<std::string, std::set<size_t>> arities_;
   std::set<std::string> values_, formals_, broken_;
-  scene::Lost lost_;
+  scene::SkippedNames skipped_;
 };
 
 std::string to_string(const Item& item) {

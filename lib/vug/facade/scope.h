@@ -16,7 +16,7 @@ struct Scope {
   double depth = 0;  ///< As in Node.
   double index = 0, total = 1;
   bool mirrored = false;  ///< Its frame runs from the right to the left.
-  Place place;
+  PartKey place;
   PlanPtr plan;                          ///< Null: nothing is decided.
   RandomKey key{0};                      ///< Of this occurrence.
   ElementPtr element;                    ///< Null for symbols.

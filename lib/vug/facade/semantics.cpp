@@ -26,10 +26,10 @@ const std::string& kind_of(const Node& node) {
 
 }  // namespace
 
-Semantics::Semantics(Placed placed)
+Semantics::Semantics(FacadeInstance placed)
     : placed_(std::move(placed)),
       to_facade_(placed_.frame.transform(placed_.tree->width).inverse()) {
-  standing(tree());  // refuses too many
+  element_instances(tree());  // refuses too many
   for (size_t i = 0; i < tree().nodes.size(); ++i) {
     const Node& node = tree().nodes[i];
     const int index = static_cast<int>(i);

@@ -20,7 +20,7 @@ inline constexpr double kReach = 0.3;
 class Semantics {
  public:
   /// Error where an element's measures do not fit, as from carve().
-  explicit Semantics(Placed placed);
+  explicit Semantics(FacadeInstance placed);
 
   const Tree& tree() const { return *placed_.tree; }
   /// Index in Tree::nodes, the inner one of those that are equally near (in one plane the part
@@ -36,13 +36,13 @@ class Semantics {
   };
   void add(int node, field::Field solid);
 
-  Placed placed_;
+  FacadeInstance placed_;
   Transform to_facade_;
   std::vector<Piece> pieces_;
   mesh::BoxTree boxes_;
 };
 
-using Facades = std::vector<std::shared_ptr<const Placed>>;
+using Facades = std::vector<std::shared_ptr<const FacadeInstance>>;
 
 /// Adds to a mesh of these facades, vertex by vertex, "node", the number that `vug tree --json`
 /// gives the node (-1: none; those of a second facade follow those of the first), and for each kind

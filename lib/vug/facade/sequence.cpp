@@ -17,7 +17,7 @@ constexpr double kStorey = 3.5;
 std::string length_text(double metres) { return quantity_text(metres, Dimension::length); }
 
 /// "'Base' 4m, 'Cornice' 60cm"
-std::string listed(const std::vector<Sized>& parts, const std::vector<double>& sizes) {
+std::string listed(const std::vector<SizedPart>& parts, const std::vector<double>& sizes) {
   std::string out;
   for (size_t i = 0; i < parts.size(); ++i)
     if (sizes[i] > 0)
@@ -28,10 +28,10 @@ std::string listed(const std::vector<Sized>& parts, const std::vector<double>& s
 
 }  // namespace
 
-std::vector<Sized> pairs(const std::vector<Step>& steps, std::string& fault) {
-  std::vector<Sized> out;
+std::vector<SizedPart> sized_parts(const std::vector<SizeOrPart>& steps, std::string& fault) {
+  std::vector<SizedPart> out;
   std::optional<Number> size;
-  for (const Step& step : steps) {
+  for (const SizeOrPart& step : steps) {
     if (!step.is_part) {
       if (size) fault = "two sizes follow one another; each stands before its part";
       if (!(step.size.value > 0)) fault = "a size is above 0";
@@ -46,28 +46,28 @@ std::vector<Sized> pairs(const std::vector<Step>& steps, std::string& fault) {
   return out;
 }
 
-std::string fault_of(const std::vector<Step>& steps) {
+std::string fault_of(const std::vector<SizeOrPart>& steps) {
   std::string fault;
-  pairs(steps, fault);
+  sized_parts(steps, fault);
   return fault;
 }
 
-bool all_free(const std::vector<Sized>& parts) {
+bool all_free(const std::vector<SizedPart>& parts) {
   return std::none_of(parts.begin(), parts.end(),
-                      [](const Sized& part) { return part.size.has_value(); });
+                      [](const SizedPart& part) { return part.size.has_value(); });
 }
 
-double measured(const Number& size, double extent) {
+double resolve_size(const Number& size, double extent) {
   if (size.dimension == Dimension::length) return size.value;
   if (size.dimension == Dimension::ratio) return size.value * extent;
   throw Error(ErrorCode::bad_input, fmt::format("the size {} has no unit", size.value), {},
               "give it in metres, or in per cent of the whole");
 }
 
-Layout in_a_row(const std::vector<Step>& steps, bool along_x, double width, double height,
-                Free& free) {
+Layout lay_out_row(const std::vector<SizeOrPart>& steps, bool along_x, double width, double height,
+                   FreeNumbers& free) {
   std::string none;
-  const std::vector<Sized> all = pairs(steps, none);
+  const std::vector<SizedPart> all = sized_parts(steps, none);
   const double extent = along_x ? width : height;
   std::vector<double> usual;
   // Of two rows the lower is mostly a ground floor.
@@ -92,12 +92,12 @@ Layout in_a_row(const std::vector<Step>& steps, bool along_x, double width, doub
   return out;
 }
 
-std::vector<double> divide(const std::vector<Sized>& parts, double extent) {
+std::vector<double> divide(const std::vector<SizedPart>& parts, double extent) {
   std::vector<double> sizes(parts.size(), 0.0), shares(parts.size(), 0.0);
   for (size_t i = 0; i < parts.size(); ++i) {
     const Number size = parts[i].size.value_or(Number{1, Dimension::none});
     if (size.dimension == Dimension::length || size.dimension == Dimension::ratio)
-      sizes[i] = measured(size, extent);
+      sizes[i] = resolve_size(size, extent);
     else if (size.dimension == Dimension::none)
       shares[i] = size.value;
     else

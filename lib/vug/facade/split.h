@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/base/kind.h>
-#include <vug/facade/free.h>
+#include <vug/facade/free_numbers.h>
 #include <vug/facade/rect.h>
 
 #include <memory>
@@ -42,7 +42,7 @@ class Split {
   virtual ~Split() = default;
   /// The places in a scope of that size in metres; `free` answers for what the text leaves open.
   /// Error(bad_input) where the sizes do not fit.
-  virtual Layout layout(double width, double height, Free& free) const = 0;
+  virtual Layout layout(double width, double height, FreeNumbers& free) const = 0;
 };
 using SplitPtr = std::shared_ptr<const Split>;
 
@@ -61,29 +61,29 @@ struct Size {
 Value as_sizes(const Value& value);
 
 /// A size or a part: what sequences like `4m, Base, 1, Upper` are made of.
-struct Step {
+struct SizeOrPart {
   bool is_part = false;
   Number size;
   PartRef part;
 };
 
 using SplitKind = Kind<SplitPtr>;
-/// Made from the list in CMakeLists.txt.
+/// ParametricSplit from the list in CMakeLists.txt.
 const Kinds<SplitPtr>& splits();
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
-/// `Layout layout(double, double, Free&) const`.
+/// `Layout layout(double, double, FreeNumbers&) const`.
 template <class P>
 SplitKind split_kind(const std::string& name) {
-  struct Made final : Split {
-    explicit Made(const P& p) : params(p) {}
-    Layout layout(double width, double height, Free& free) const override {
+  struct ParametricSplit final : Split {
+    explicit ParametricSplit(const P& p) : params(p) {}
+    Layout layout(double width, double height, FreeNumbers& free) const override {
       return params.layout(width, height, free);
     }
     P params;
   };
   return make_kind<SplitPtr, P>(name, "split", [](const P& params) -> SplitPtr {
-    return std::make_shared<const Made>(params);
+    return std::make_shared<const ParametricSplit>(params);
   });
 }
 
@@ -103,15 +103,15 @@ struct ValueTraits<facade::Size> : ObjectTraits<facade::Size> {
   static constexpr const char* kWord = "size";
 };
 template <>
-struct ValueTraits<facade::Step> {
+struct ValueTraits<facade::SizeOrPart> {
   static std::string type() { return "size or part"; }
-  static std::optional<facade::Step> read(const Value& value) {
+  static std::optional<facade::SizeOrPart> read(const Value& value) {
     if (const auto* size = value.object<facade::Size>())
-      return facade::Step{false, size->number, {}};
+      return facade::SizeOrPart{false, size->number, {}};
     const auto* part = value.object<facade::PartRef>();
-    return part ? std::optional(facade::Step{true, {}, *part}) : std::nullopt;
+    return part ? std::optional(facade::SizeOrPart{true, {}, *part}) : std::nullopt;
   }
-  static Value write(const facade::Step& step) {
+  static Value write(const facade::SizeOrPart& step) {
     return step.is_part ? ValueTraits<facade::PartRef>::write(step.part)
                         : ValueTraits<facade::Size>::write({step.size});
   }

@@ -39,7 +39,7 @@ std::vector<Placement> placements(const Tree& tree, int node) {
   return out;
 }
 
-std::vector<Standing> standing(const Tree& tree) {
+std::vector<ElementInstance> element_instances(const Tree& tree) {
   const std::vector<double> counts = occurrences(tree);
   double total = 0;
   for (size_t i = 0; i < counts.size(); ++i)
@@ -48,7 +48,7 @@ std::vector<Standing> standing(const Tree& tree) {
     throw Error(ErrorCode::too_large,
                 fmt::format("the facade '{}' has {:.3g} elements, more than {:.0f}", tree.name,
                             total, kMostElements));
-  std::vector<Standing> out;
+  std::vector<ElementInstance> out;
   out.reserve(static_cast<size_t>(total));
   for (size_t i = 0; i < counts.size(); ++i) {
     if (!tree.nodes[i].element) continue;

@@ -35,7 +35,7 @@ struct Tree {
 };
 
 /// One element where it stands.
-struct Standing {
+struct ElementInstance {
   int node = 0;
   Rect rect;
   bool mirrored = false;
@@ -50,6 +50,6 @@ std::vector<Placement> placements(const Tree& tree, int node);
 
 /// Every element at every place, in the order of nodes, then of copies. Error(too_large) beyond a
 /// million.
-std::vector<Standing> standing(const Tree& tree);
+std::vector<ElementInstance> element_instances(const Tree& tree);
 
 }  // namespace vug::facade

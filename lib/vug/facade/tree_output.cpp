@@ -104,7 +104,7 @@ std::string tree_json(const Tree& tree) {
   out["nodes"] = Json::array();
   for (size_t i = 0; i < tree.nodes.size(); ++i) out["nodes"].push_back(json_of(tree, i));
   out["elements"] = Json::array();
-  for (const Standing& one : standing(tree)) {
+  for (const ElementInstance& one : element_instances(tree)) {
     Json element{{"kind", tree.nodes[static_cast<size_t>(one.node)].element->kind()},
                  {"node", one.node},
                  {"rect", json_of(one.rect)}};
@@ -150,7 +150,7 @@ std::string theta(const Tree& tree) {
 
 std::string elements_csv(const Tree& tree) {
   std::string out = "kind,x,y,width,height,mirrored\n";
-  for (const Standing& one : standing(tree))
+  for (const ElementInstance& one : element_instances(tree))
     out += fmt::format(
         "{},{},{},{},{},{}\n", tree.nodes[static_cast<size_t>(one.node)].element->kind(),
         number_text(one.rect.x), number_text(one.rect.y), number_text(one.rect.width),
@@ -175,7 +175,7 @@ std::string elevation_svg(const Tree& tree, const SvgOptions& options) {
         number(r.x), number(tree.height - r.top()), number(r.width), number(r.height), style,
         title_of(node, r));
   };
-  for (const Standing& one : standing(tree)) {
+  for (const ElementInstance& one : element_instances(tree)) {
     const Node& node = tree.nodes[static_cast<size_t>(one.node)];
     const std::string color = color_of(node.element->kind());
     rect(one.rect,

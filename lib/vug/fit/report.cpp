@@ -134,7 +134,7 @@ Report report_of(const std::vector<Sampled>& runs) {
   out.scale_reduction = inference::scale_reduction(out.traces);
   if (!runs.empty()) out.temperatures = runs.front().temperatures;
   for (size_t pair = 0; !runs.empty() && pair < runs.front().swaps.size(); ++pair) {
-    inference::Ladder::Swaps sum;
+    inference::TemperatureLadder::Swaps sum;
     for (const Sampled& run : runs) {
       sum.tried += run.swaps[pair].tried;
       sum.taken += run.swaps[pair].taken;

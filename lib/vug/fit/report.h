@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/fit/search/sampler.h>
-#include <vug/inference/diagnosis.h>
+#include <vug/inference/convergence.h>
 
 namespace vug::fit {
 

@@ -25,10 +25,10 @@ double weight_at(const Production& production, const Node& node, uint64_t index)
 }
 
 /// Children that `parts` make under `node`.
-std::vector<Node> apply(const std::vector<Part>& parts, const Node& node, int64_t room) {
+std::vector<Node> apply(const std::vector<SuccessorItem>& parts, const Node& node, int64_t room) {
   std::vector<Node> children;
   std::map<std::string, int64_t> ordinals;
-  for (const Part& part : parts) {
+  for (const SuccessorItem& part : parts) {
     const RandomKey named = node.key.at(part.symbol);
     int64_t& ordinal = ordinals[part.symbol];
     int64_t count = 1;
@@ -82,7 +82,8 @@ Expansion expand(const Grammar& grammar, const Node& node, int64_t room) {
   while (chosen + 1 < candidates.size() && dart >= candidates[chosen].second)
     dart -= candidates[chosen++].second;
   out.production = candidates[chosen].first;
-  out.children = apply(grammar.productions[static_cast<size_t>(out.production)].parts, node, room);
+  out.children =
+      apply(grammar.productions[static_cast<size_t>(out.production)].successor, node, room);
   return out;
 }
 

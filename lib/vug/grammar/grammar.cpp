@@ -19,7 +19,7 @@ std::string to_string(const Symbol& symbol) {
 std::string to_string(const Production& production) {
   if (!production.name.empty()) return production.name;
   std::string out = production.symbol + " ->";
-  for (const Part& part : production.parts) out += " " + part.symbol;
+  for (const SuccessorItem& part : production.successor) out += " " + part.symbol;
   return out;
 }
 
@@ -31,8 +31,8 @@ struct Checker {
   std::multimap<std::string, const Production*> by_symbol;
   std::set<std::string> reached;
 
-  void visit(const std::vector<Part>& parts, std::vector<std::string>& pending) {
-    for (const Part& part : parts) {
+  void visit(const std::vector<SuccessorItem>& parts, std::vector<std::string>& pending) {
+    for (const SuccessorItem& part : parts) {
       if (part.terminal) continue;
       if (by_symbol.count(part.symbol) == 0) {
         std::vector<std::string> known;
@@ -62,7 +62,8 @@ void check(const Grammar& grammar, Diagnostics& diagnostics) {
     const std::string symbol = std::move(pending.back());
     pending.pop_back();
     const auto range = checker.by_symbol.equal_range(symbol);
-    for (auto it = range.first; it != range.second; ++it) checker.visit(it->second->parts, pending);
+    for (auto it = range.first; it != range.second; ++it)
+      checker.visit(it->second->successor, pending);
   }
   for (const Production& production : grammar.productions)
     if (checker.reached.count(production.symbol) == 0)

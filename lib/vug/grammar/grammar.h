@@ -32,7 +32,7 @@ std::string to_string(const Symbol& symbol);
 
 /// What the callables of a production are given. `key` belongs to that one call alone, so drawing
 /// from it changes nothing else. Callables may run on several threads at once.
-struct Site {               // NOLINT(cppcoreguidelines-pro-type-member-init): key has no default
+struct RewriteSite {        // NOLINT(cppcoreguidelines-pro-type-member-init): key has no default
   const Symbol& symbol;     ///< The occurrence that is being rewritten.
   RandomKey key;            ///< Source of this call's random numbers.
   int depth = 0;            ///< The occurrence's distance from the tree's root.
@@ -41,12 +41,13 @@ struct Site {               // NOLINT(cppcoreguidelines-pro-type-member-init): k
 };
 
 /// One symbol of a production's right side, repeated.
-struct Part {
+struct SuccessorItem {
   std::string symbol;
   bool terminal = false;  ///< Never rewritten, whatever productions there are.
   SourceLocation where;
-  std::function<int64_t(const Site&)> count;    ///< Null: once. Below 0 is an Error.
-  std::function<Content(const Site&)> content;  ///< Null: nothing. Called for each repetition.
+  std::function<int64_t(const RewriteSite&)> count;  ///< Null: once. Below 0 is an Error.
+  std::function<Content(const RewriteSite&)>
+      content;  ///< Null: nothing. Called for each repetition.
 };
 
 /// symbol : guard @weight -> parts. Applies where name and arity fit and the guard holds.
@@ -55,9 +56,10 @@ struct Production {
   int arity = -1;    ///< Number of parameters the symbol must have; -1: any.
   std::string name;  ///< For traces and messages; empty: symbol and right side.
   SourceLocation where;
-  std::function<bool(const Site&)> guard;     ///< Null: always.
-  std::function<double(const Site&)> weight;  ///< Null: 1. Finite and >= 0, otherwise an Error.
-  std::vector<Part> parts;                    ///< Empty: the symbol vanishes.
+  std::function<bool(const RewriteSite&)> guard;  ///< Null: always.
+  std::function<double(const RewriteSite&)>
+      weight;                            ///< Null: 1. Finite and >= 0, otherwise an Error.
+  std::vector<SuccessorItem> successor;  ///< Empty: the symbol vanishes.
 };
 
 /// The production's name, or "Room -> + Room" made of its parts.
@@ -65,7 +67,7 @@ std::string to_string(const Production& production);
 
 struct Grammar {
   std::string name = "grammar";  ///< Symbol of the tree's root, which the axiom hangs on.
-  std::vector<Part> axiom;
+  std::vector<SuccessorItem> axiom;
   std::vector<Production> productions;
   SourceLocation where;
 };

@@ -45,7 +45,7 @@ class Chain {
   using Energy = std::function<double(S&)>;
   struct Options {
     double temperature = 1;
-    bool weigh_proposals = true;  ///< False is wrong: it is there to show that tests see it.
+    bool use_proposal_ratio = true;  ///< False is wrong: it is there to show that tests see it.
   };
 
   /// The moves must outlive the chain.
@@ -57,7 +57,7 @@ class Chain {
         options_(options),
         counts_(moves.size()) {
     for (const Move<S>& move : moves_) weights_.push_back(move.weight);
-    which_ = Profile(weights_);
+    which_ = DiscreteDistribution(weights_);
     energy_ = of_(state_);
   }
 
@@ -66,12 +66,12 @@ class Chain {
     ++counts_[which].tried;
     before_ = state_;
     forward_.draw(stream_);
-    back_.tell();
+    back_.score();
     if (!moves_[which].propose(state_, forward_, back_)) return reject();
     ++counts_[which].possible;
     const double energy = of_(state_);
     double ln = kLn2 * (energy_ - energy) / options_.temperature;
-    if (options_.weigh_proposals) ln += ln_ratio(forward_, back_);
+    if (options_.use_proposal_ratio) ln += ln_ratio(forward_, back_);
     if (!(ln >= 0) && !(stream_.uniform() < maths::exp(ln))) return reject();
     ++counts_[which].accepted;
     energy_ = energy;
@@ -99,7 +99,7 @@ class Chain {
   RandomStream stream_;
   Options options_;
   std::vector<double> weights_;
-  Profile which_;
+  DiscreteDistribution which_;
   Choices forward_, back_;
   std::vector<MoveCount> counts_;
 };

@@ -25,8 +25,8 @@ double ln_of(int count) {
 
 void Choices::begin() {
   stream_ = nullptr;
-  tape_ = nullptr;
-  made_.clear();
+  replayed_ = nullptr;
+  trace_.clear();
   ln_ = 0;
 }
 
@@ -35,45 +35,45 @@ void Choices::draw(RandomStream& stream) {
   stream_ = &stream;
 }
 
-void Choices::replay(const Tape& tape) {
+void Choices::replay(const ChoiceTrace& trace) {
   begin();
-  tape_ = &tape;
+  replayed_ = &trace;
 }
 
-void Choices::tell() { begin(); }
+void Choices::score() { begin(); }
 
 bool Choices::possible() const { return ln_ > kImpossible; }
 
 int Choices::next() {
-  if (made_.size() >= tape_->size())
-    throw Error(ErrorCode::internal, "a move asks for more choices than its tape holds");
-  return (*tape_)[made_.size()];
+  if (trace_.size() >= replayed_->size())
+    throw Error(ErrorCode::internal, "a move asks for more choices than its trace holds");
+  return (*replayed_)[trace_.size()];
 }
 
-int Choices::below(int count, int told) {
-  int made = told;
+int Choices::below(int count, int given) {
+  int value = given;
   if (stream_)
-    made = count > 0 ? static_cast<int>(stream_->below(static_cast<uint32_t>(count))) : 0;
-  else if (tape_)
-    made = next();
-  made_.push_back(made);
-  ln_ = made >= 0 && made < count ? ln_ - ln_of(count) : kImpossible;
-  return made;
+    value = count > 0 ? static_cast<int>(stream_->below(static_cast<uint32_t>(count))) : 0;
+  else if (replayed_)
+    value = next();
+  trace_.push_back(value);
+  ln_ = value >= 0 && value < count ? ln_ - ln_of(count) : kImpossible;
+  return value;
 }
 
-int Choices::among(const Profile& profile, int low, int high, int told) {
-  int made = told;
+int Choices::among(const DiscreteDistribution& profile, int low, int high, int given) {
+  int value = given;
   if (stream_)
-    made = low < high ? profile.find(low, high, stream_->uniform()) : low;
-  else if (tape_)
-    made = next();
-  made_.push_back(made);
-  ln_ = low < high ? ln_ + profile.ln_probability(low, high, made) : kImpossible;
-  return made;
+    value = low < high ? profile.find(low, high, stream_->uniform()) : low;
+  else if (replayed_)
+    value = next();
+  trace_.push_back(value);
+  ln_ = low < high ? ln_ + profile.ln_probability(low, high, value) : kImpossible;
+  return value;
 }
 
 void Choices::append(const Choices& others) {
-  made_.insert(made_.end(), others.made_.begin(), others.made_.end());
+  trace_.insert(trace_.end(), others.trace_.begin(), others.trace_.end());
   ln_ += others.ln_;
 }
 

@@ -6,7 +6,7 @@
 #include <vug/base/parallel.h>
 #include <vug/base/progress.h>
 #include <vug/inference/chain.h>
-#include <vug/inference/ladder.h>
+#include <vug/inference/temperature_ladder.h>
 
 #include <algorithm>
 #include <optional>
@@ -64,35 +64,35 @@ class Tempering {
   const S& best() const { return best_; }
   double best_energy() const { return best_energy_; }
   const std::vector<Chain<S>>& chains() const { return chains_; }
-  const Ladder& ladder() const { return ladder_; }
+  const TemperatureLadder& ladder() const { return ladder_; }
   void forget_swaps() { ladder_.forget(); }
 
  private:
-  struct Found {
+  struct Candidate {
     S state;
     double energy = 0;
   };
 
   void steps(size_t i) {
     Chain<S>& chain = chains_[i];
-    std::optional<Found>& found = found_[i];
-    double least = found ? found->energy : best_energy_;
+    std::optional<Candidate>& candidate = candidates_[i];
+    double least = candidate ? candidate->energy : best_energy_;
     for (int64_t step = 0; step < options_.per_round; ++step) {
       chain.step();
       if (chain.energy() < least) {
         least = chain.energy();
-        found = Found{chain.state(), least};
+        candidate = Candidate{chain.state(), least};
       }
     }
   }
 
   void keep_best(size_t i) {
-    std::optional<Found>& found = found_[i];
-    if (found && found->energy < best_energy_) {
-      best_ = std::move(found->state);
-      best_energy_ = found->energy;
+    std::optional<Candidate>& candidate = candidates_[i];
+    if (candidate && candidate->energy < best_energy_) {
+      best_ = std::move(candidate->state);
+      best_energy_ = candidate->energy;
     }
-    found.reset();
+    candidate.reset();
   }
 
   /// Neighbours in turn: those of even place, then those of odd place.
@@ -114,10 +114,10 @@ class Tempering {
 
   Options options_;
   double scale_ = 1;
-  Ladder ladder_;
+  TemperatureLadder ladder_;
   std::vector<Chain<S>> chains_;
-  std::vector<std::optional<Found>> found_ =
-      std::vector<std::optional<Found>>(static_cast<size_t>(options_.chains));
+  std::vector<std::optional<Candidate>> candidates_ =
+      std::vector<std::optional<Candidate>>(static_cast<size_t>(options_.chains));
   RandomStream swaps_;
   bool odd_ = false;
   S best_{};

@@ -7,11 +7,11 @@ namespace vug::lsystem {
 
 SymbolId Alphabet::add(std::string_view name, size_t parameters) {
   if (const auto known = find(name, parameters)) return *known;
-  if (parameters > kMostParameters)
+  if (parameters > kMaxParameters)
     throw Error(ErrorCode::too_large,
                 fmt::format("a module '{}' of {} parameters", name, parameters), {},
-                fmt::format("a module has {} at most", kMostParameters));
-  if (symbols_.size() >= kMostSymbols)
+                fmt::format("a module has {} at most", kMaxParameters));
+  if (symbols_.size() >= kMaxSymbols)
     throw Error(ErrorCode::too_large, fmt::format("an alphabet of more than {} symbols", size()));
   const auto id = static_cast<SymbolId>(symbols_.size());
   symbols_.emplace_back(name, parameters);

@@ -17,8 +17,8 @@ using SymbolId = uint16_t;
 
 class Alphabet {
  public:
-  static constexpr size_t kMostSymbols = 60000;
-  static constexpr size_t kMostParameters = 250;
+  static constexpr size_t kMaxSymbols = 60000;
+  static constexpr size_t kMaxParameters = 250;
 
   /// The id of the symbol, a new one if need be. Ids count from 0 in the order of first use.
   /// Error(too_large) beyond the limits above.

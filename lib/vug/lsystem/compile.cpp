@@ -1,7 +1,7 @@
-#include <vug/lsystem/chooser.h>
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/expressions.h>
 #include <vug/lsystem/nontermination.h>
+#include <vug/lsystem/production_selector.h>
 #include <vug/lsystem/rule_book.h>
 #include <vug/lsystem/unreachable_rules.h>
 
@@ -38,7 +38,7 @@ class Compiler {
     marks();
     guarded([&] { subsystems(); });
     finish_books();
-    if (faults_ || !check_ends(system_, evaluator_.diagnostics())) return nullptr;
+    if (faults_ || !check_termination(system_, evaluator_.diagnostics())) return nullptr;
     return std::make_shared<const System>(std::move(system_));
   }
 
@@ -47,14 +47,14 @@ class Compiler {
   void guarded(const Work& work) {
     try {
       work();
-    } catch (const Faulty&) {
+    } catch (const AlreadyReported&) {
       faults_ = true;
     }
   }
 
   [[noreturn]] void fail(const SourceLocation& where, std::string message, std::string hint = {}) {
     evaluator_.diagnostics().error(where, std::move(message), std::move(hint));
-    throw Faulty{};
+    throw AlreadyReported{};
   }
 
   void options() {
@@ -208,7 +208,7 @@ class Compiler {
       guarded([&, out = stage, depth = text->depth] {
         if (!depth) return;
         const auto count = evaluator_.count(*depth, evaluator_.root().at("depth"));
-        if (!count) throw Faulty{};
+        if (!count) throw AlreadyReported{};
         out->depth = *count;
       });
   }
@@ -217,7 +217,7 @@ class Compiler {
     for (const scene::ScheduleTurn& turn : text_.schedule) {
       std::optional<int> count = 1;
       if (turn.count) count = evaluator_.count(*turn.count, evaluator_.root().at("schedule"));
-      if (!count) throw Faulty{};
+      if (!count) throw AlreadyReported{};
       if (system_.schedule.size() + static_cast<size_t>(*count) > 1'000'000)
         fail(turn.where, "a schedule of more than a million steps");
       const auto table = std::find_if(text_.tables.begin(), text_.tables.end(),
@@ -245,13 +245,13 @@ class Compiler {
       const auto id = static_cast<SymbolId>(i);
       const std::string& name = alphabet.name(id);
       const bool bracket = id == system_.open || id == system_.close;
-      system_.unseen.push_back(
+      system_.ignored.push_back(
           !bracket &&
           (named(text_.ignore, name) || (!text_.consider.empty() && !named(text_.consider, name))));
       system_.ages.push_back(alphabet.parameters(id) > 0 &&
                              (aged_.count(id) > 0 || named(text_.ages, name)));
       system_.query.push_back(System::is_query(name));
-      system_.asks = system_.asks || System::is_query(name);
+      system_.has_queries = system_.has_queries || System::is_query(name);
     }
     system_.timed = std::find(system_.ages.begin(), system_.ages.end(), true) != system_.ages.end();
     for (Production& p : system_.productions)
@@ -300,7 +300,7 @@ class Compiler {
     }
     // Symbols that came with them are constants here.
     for (size_t i = own; i < system_.alphabet.size(); ++i) {
-      system_.unseen.push_back(false);
+      system_.ignored.push_back(false);
       system_.ages.push_back(false);
       system_.query.push_back(false);
     }
@@ -308,7 +308,7 @@ class Compiler {
 
   RuleBook book(const std::vector<uint16_t>& indices) {
     RuleBook out = rule_book(system_, indices);
-    warn_of_unreached(system_, out, evaluator_.diagnostics(), warned_);
+    warn_unreachable_rules(system_, out, evaluator_.diagnostics(), warned_);
     return out;
   }
 

@@ -4,7 +4,7 @@
 
 namespace vug::lsystem {
 
-Surroundings::Surroundings(const System& system, const Word& word, bool contexts)
+ContextMatcher::ContextMatcher(const System& system, const Word& word, bool contexts)
     : system_(system), word_(word) {
   if (!contexts) return;
   const size_t size = word.size();
@@ -23,7 +23,7 @@ Surroundings::Surroundings(const System& system, const Word& word, bool contexts
       partner_[open.back().first] = i;
       last = open.back().second;  // past the side branch
       open.pop_back();
-    } else if (!unseen(i)) {
+    } else if (!ignored(i)) {
       last = i;
     }
   }
@@ -31,17 +31,17 @@ Surroundings::Surroundings(const System& system, const Word& word, bool contexts
   right_[size] = nothing;
   for (size_t i = size; i-- > 0;) {
     right_[i] = static_cast<uint32_t>(i);
-    if (unseen(i)) right_[i] = right_[i + 1];
+    if (ignored(i)) right_[i] = right_[i + 1];
     if (opens(i)) right_[i] = partner_[i] < size ? right_[partner_[i] + 1] : nothing;
   }
 }
 
-double* Surroundings::put(size_t i, double* formals) const {
+double* ContextMatcher::put(size_t i, double* formals) const {
   const std::span<const double> given = word_.parameters(i);
   return std::copy(given.begin(), given.end(), formals);
 }
 
-bool Surroundings::left(const Production& production, size_t i, double*& formals) const {
+bool ContextMatcher::left(const Production& production, size_t i, double*& formals) const {
   // Found from right to left, but numbered from left to right.
   size_t values = 0;
   for (const ContextModule& wanted : production.left)
@@ -59,8 +59,8 @@ bool Surroundings::left(const Production& production, size_t i, double*& formals
 }
 
 /// The pattern from `from` up to `to` against what follows from module `at` on.
-bool Surroundings::right(const std::vector<ContextModule>& pattern, size_t from, size_t to,
-                         size_t at, double*& formals) const {
+bool ContextMatcher::right(const std::vector<ContextModule>& pattern, size_t from, size_t to,
+                           size_t at, double*& formals) const {
   for (size_t k = from; k < to;) {
     if (pattern[k].kind == ContextModule::Kind::open) {
       size_t end = k + 1;  // of the pattern's branch
@@ -70,7 +70,7 @@ bool Surroundings::right(const std::vector<ContextModule>& pattern, size_t from,
                                                                    : 0;
       double* const before = formals;
       bool found = false;
-      for (; !found && at < word_.size() && (opens(at) || unseen(at)); ++at) {
+      for (; !found && at < word_.size() && (opens(at) || ignored(at)); ++at) {
         if (!opens(at)) continue;
         formals = before;
         found = right(pattern, k + 1, end - 1, at + 1, formals);
@@ -88,7 +88,7 @@ bool Surroundings::right(const std::vector<ContextModule>& pattern, size_t from,
   return true;
 }
 
-bool Surroundings::match(const Production& production, size_t i, double* formals) const {
+bool ContextMatcher::match(const Production& production, size_t i, double* formals) const {
   if (!left(production, i, formals)) return false;
   formals = put(i, formals);
   return right(production.right, 0, production.right.size(), i + 1, formals);

@@ -6,10 +6,10 @@
 namespace vug::lsystem {
 
 /// Looks around in one word. The word and the system must outlive it.
-class Surroundings {
+class ContextMatcher {
  public:
   /// Finds the way from each module to its neighbours, in one pass, if some rule looks around.
-  Surroundings(const System& system, const Word& word, bool contexts);
+  ContextMatcher(const System& system, const Word& word, bool contexts);
 
   /// Whether both contexts of the production fit around module `i`; then its formals, those of the
   /// module itself included, are in `formals`, which must have room.
@@ -23,7 +23,7 @@ class Surroundings {
   bool left(const Production& production, size_t i, double*& formals) const;
   bool right(const std::vector<ContextModule>& pattern, size_t from, size_t to, size_t at,
              double*& formals) const;
-  bool unseen(size_t i) const { return system_.unseen[word_.symbol(i)]; }
+  bool ignored(size_t i) const { return system_.ignored[word_.symbol(i)]; }
   bool opens(size_t i) const { return system_.open == word_.symbol(i); }
   bool closes(size_t i) const { return system_.close == word_.symbol(i); }
   double* put(size_t i, double* formals) const;

@@ -13,26 +13,27 @@ namespace {
 
 /// Rounds after which rules without an end are given up, and all modules that they look at: with
 /// large words that many rounds would take minutes.
-constexpr int kMostRounds = 10000;
-constexpr size_t kMostLookedAt = 2'000'000'000;
+constexpr int kMaxRounds = 10000;
+constexpr size_t kMaxModulesVisited = 2'000'000'000;
 
 /// Counts what rules without an end take.
-class Patience {
+class RoundLimit {
  public:
-  bool lasts(const Derivation& word) {
-    looked_at_ += word.word.size();
-    return rounds_++ < kMostRounds && looked_at_ < kMostLookedAt;
+  bool allows(const Derivation& word) {
+    modules_visited_ += word.word.size();
+    return rounds_++ < kMaxRounds && modules_visited_ < kMaxModulesVisited;
   }
 
  private:
   int rounds_ = 0;
-  size_t looked_at_ = 0;
+  size_t modules_visited_ = 0;
 };
 
 constexpr uint32_t kDecomposing = 1, kInterpreting = 2;
 
-[[noreturn]] void endless(const System& system, const Rewriter& rewriter, const std::string& what,
-                          int rounds, const std::string& hint) {
+[[noreturn]] void fail_nonterminating(const System& system, const Rewriter& rewriter,
+                                      const std::string& what, int rounds,
+                                      const std::string& hint) {
   const Production* rule = rewriter.applied();
   throw Error(
       ErrorCode::too_large,
@@ -44,15 +45,15 @@ constexpr uint32_t kDecomposing = 1, kInterpreting = 2;
 void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivation& word,
           uint32_t salt, Progress& progress) {
   if (stage.book.empty()) return;
-  Patience patience;
+  RoundLimit limit;
   for (int round = 0; !stage.depth || round < *stage.depth; ++round) {
     progress.check();
-    if (!patience.lasts(word))
-      endless(system, rewriter, salt == kDecomposing ? "the decomposition" : "the interpretation",
-              round,
-              stage.depth ? "let a guard end it, or take a 'depth' that is less"
-                          : "let a guard end it, or give it a 'depth'");
-    if (!rewriter.rewrite(stage.book, word, Mode::passing, salt)) return;
+    if (!limit.allows(word))
+      fail_nonterminating(system, rewriter,
+                          salt == kDecomposing ? "the decomposition" : "the interpretation", round,
+                          stage.depth ? "let a guard end it, or take a 'depth' that is less"
+                                      : "let a guard end it, or give it a 'depth'");
+    if (!rewriter.rewrite(stage.book, word, RewriteMode::passing, salt)) return;
   }
 }
 
@@ -64,12 +65,12 @@ void age(const System& system, Rewriter& rewriter, Derivation& word, double time
                 system.where, "time begins at 0");
   for (size_t i = 0; i < word.word.size(); ++i)
     if (system.ages[word.word.symbol(i)]) word.word.parameters(i)[0] += time;
-  Patience patience;
-  for (int round = 0; rewriter.rewrite(system.books[0], word, Mode::passing); ++round) {
+  RoundLimit limit;
+  for (int round = 0; rewriter.rewrite(system.books[0], word, RewriteMode::passing); ++round) {
     progress.check();
-    if (!patience.lasts(word))
-      endless(system, rewriter, "the growth", round,
-              "successors have to be younger than the age at which they are replaced");
+    if (!limit.allows(word))
+      fail_nonterminating(system, rewriter, "the growth", round,
+                          "successors have to be younger than the age at which they are replaced");
   }
 }
 
@@ -80,11 +81,11 @@ std::vector<size_t> queries_of(const System& system, const Word& word) {
   return places;
 }
 
-void ask(const System& system, const DeriveOptions& options, Derivation& derivation,
-         Progress& progress) {
+void answer_queries(const System& system, const DeriveOptions& options, Derivation& derivation,
+                    Progress& progress) {
   const std::vector<size_t> asking = queries_of(system, derivation.word);
   if (asking.empty()) return;
-  Word drawn = interpreted(system, derivation, progress, options.memory);
+  Word drawn = interpret(system, derivation, progress, options.memory);
   options.environment->answer(system, drawn);
   const std::vector<size_t> answered = queries_of(system, drawn);
   if (answered.size() != asking.size())
@@ -99,7 +100,7 @@ void ask(const System& system, const DeriveOptions& options, Derivation& derivat
 }
 
 /// Steps that a module may ask for.
-constexpr double kMostSteps = 1e6;
+constexpr double kMaxSteps = 1e6;
 
 /// The words of the systems that modules stand for, made once each where chance has no part.
 class SubWords {
@@ -112,10 +113,10 @@ class SubWords {
     options.memory = memory_;
     if (!parameters.empty()) {
       const double count = std::max(parameters[0], 0.0);
-      if (count > kMostSteps)
+      if (count > kMaxSteps)
         throw Error(ErrorCode::too_large,
                     fmt::format("grammar '{}' asks for {} steps of '{}'; {} are the most",
-                                outer_.name, count, sub.system->name, kMostSteps),
+                                outer_.name, count, sub.system->name, kMaxSteps),
                     outer_.where);
       if (sub.system->timed)
         options.time = count;
@@ -130,7 +131,7 @@ class SubWords {
     }
     if (varies) options.key = RandomKey(key).at(sub.system->name).state();
     Word inner =
-        interpreted(*sub.system, derive(*sub.system, options, progress_), progress_, memory_);
+        interpret(*sub.system, derive(*sub.system, options, progress_), progress_, memory_);
     for (SymbolId& symbol : inner.symbols()) symbol = sub.symbols[symbol];
     if (varies) return last_ = std::move(inner);
     return words_[{sub.system.get(), options.steps.value_or(-1), options.time.value_or(-1)}] =
@@ -178,23 +179,23 @@ Derivation derive(const System& system, const DeriveOptions& options, Progress& 
     pass(system, system.decompose, rewriter, word, kDecomposing, progress);
     return word;
   }
-  const auto settle = [&] {
+  const auto finish_step = [&] {
     pass(system, system.decompose, rewriter, word, kDecomposing, progress);
-    if (system.asks && options.environment) ask(system, options, word, progress);
+    if (system.has_queries && options.environment) answer_queries(system, options, word, progress);
   };
-  settle();
+  finish_step();
   const int steps = options.steps.value_or(system.steps);
   for (int step = 0; step < steps; ++step) {
     progress.check();
     const uint16_t book = system.schedule[static_cast<size_t>(step) % system.schedule.size()];
-    rewriter.rewrite(system.books[book], word, Mode::step);
-    settle();
+    rewriter.rewrite(system.books[book], word, RewriteMode::step);
+    finish_step();
   }
   return word;
 }
 
-Word interpreted(const System& system, Derivation derivation, Progress& progress,
-                 std::optional<uint64_t> memory) {
+Word interpret(const System& system, Derivation derivation, Progress& progress,
+               std::optional<uint64_t> memory) {
   Rewriter rewriter(system, memory);
   pass(system, system.interpret, rewriter, derivation, kInterpreting, progress);
   if (system.subsystems.empty()) return std::move(derivation.word);

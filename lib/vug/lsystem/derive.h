@@ -39,7 +39,7 @@ Derivation derive(const System& system, const DeriveOptions& options = {},
 
 /// The word as it is drawn: interpretation rules applied, modules that stand for other systems
 /// replaced by their words. `memory` as DeriveOptions::memory.
-Word interpreted(const System& system, Derivation derivation, Progress& progress = Progress::none(),
-                 std::optional<uint64_t> memory = {});
+Word interpret(const System& system, Derivation derivation, Progress& progress = Progress::none(),
+               std::optional<uint64_t> memory = {});
 
 }  // namespace vug::lsystem

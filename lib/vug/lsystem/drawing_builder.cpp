@@ -11,7 +11,7 @@ Station station(const TurtleState& state, double radius, double along) {
 
 }  // namespace
 
-void Pen::begin(TurtleState& state, double radius) {
+void DrawingBuilder::begin(TurtleState& state, double radius) {
   if (state.axis != Axis::kNone) {
     // A node may stand where a stem begins, before anything says how thick that is.
     Axis& begun = drawing_.axes[state.axis];
@@ -33,23 +33,24 @@ void Pen::begin(TurtleState& state, double radius) {
   drawing_.axes.push_back(std::move(axis));
 }
 
-void Pen::extend(TurtleState& state, double length, double radius) {
+void DrawingBuilder::extend(TurtleState& state, double length, double radius) {
   Axis& axis = drawing_.axes[state.axis];
   axis.stations.push_back(station(state, radius, axis.length() + length));
 }
 
-void Pen::node(TurtleState& state, double size) {
+void DrawingBuilder::node(TurtleState& state, double size) {
   begin(state, state.radius);
   Axis& axis = drawing_.axes[state.axis];
   axis.nodes.push_back({axis.length(), size, {}});
 }
 
-int Pen::order(const TurtleState& state) const {
+int DrawingBuilder::order(const TurtleState& state) const {
   const uint32_t axis = state.axis != Axis::kNone ? state.axis : state.parent;
   return axis == Axis::kNone ? 0 : drawing_.axes[axis].order;
 }
 
-void Pen::instance(const TurtleState& state, uint32_t name, std::span<const double> parameters) {
+void DrawingBuilder::instance(const TurtleState& state, uint32_t name,
+                              std::span<const double> parameters) {
   Instance out;
   out.name = name;
   out.position = state.pose.position;
@@ -62,15 +63,17 @@ void Pen::instance(const TurtleState& state, uint32_t name, std::span<const doub
   drawing_.instances.push_back(std::move(out));
 }
 
-void Pen::open(const TurtleState& state) { open_.push_back({{}, state.colour, order(state)}); }
+void DrawingBuilder::open(const TurtleState& state) {
+  open_.push_back({{}, state.colour, order(state)});
+}
 
-void Pen::corner(const TurtleState& state) {
+void DrawingBuilder::corner(const TurtleState& state) {
   std::vector<Vec3d>& corners = open_.back().corners;
   if (corners.empty() || corners.back() != state.pose.position)
     corners.push_back(state.pose.position);
 }
 
-void Pen::close() {
+void DrawingBuilder::close() {
   Polygon polygon = std::move(open_.back());
   open_.pop_back();
   std::vector<Vec3d>& corners = polygon.corners;

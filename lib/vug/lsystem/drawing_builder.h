@@ -22,9 +22,9 @@ struct TurtleState {
   std::array<Vec3d, 3> guide_axes;  ///< Where the guide's x, y and z point.
 };
 
-class Pen {
+class DrawingBuilder {
  public:
-  explicit Pen(Drawing& drawing) : drawing_(drawing) {}
+  explicit DrawingBuilder(Drawing& drawing) : drawing_(drawing) {}
 
   /// Makes sure that there is an axis to go on with from here; `radius` is that of its start.
   void begin(TurtleState& state, double radius);

@@ -55,7 +55,7 @@ std::optional<uint32_t> place_of(const Functions& all, const std::string& name) 
 
 void Expressions::fail(const Expr& expr, std::string message, std::string hint) {
   evaluator_.diagnostics().error(expr.where, std::move(message), std::move(hint));
-  throw Faulty{};
+  throw AlreadyReported{};
 }
 
 std::optional<uint32_t> Expressions::formal(const std::string& name) const {
@@ -75,7 +75,7 @@ bool Expressions::is_constant(const Expr& expr) const {
 std::optional<Value> Expressions::constant(const Expr& expr) {
   if (!is_constant(expr)) return std::nullopt;
   const Value value = evaluator_.eval(expr, evaluator_.root());
-  if (value.empty()) throw Faulty{};
+  if (value.empty()) throw AlreadyReported{};
   const auto* unknown = value.get<Value::Name>();
   if (unknown && expr.kind == ExprKind::name)
     fail(expr, fmt::format("unknown name '{}'", unknown->text),

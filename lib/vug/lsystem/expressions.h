@@ -11,7 +11,7 @@
 namespace vug::lsystem {
 
 /// Thrown after a fault was reported.
-struct Faulty {};
+struct AlreadyReported {};
 
 /// Compiles the expressions of one production. What holds no formal and draws nothing is evaluated
 /// here and now, with all that scenes know; the rest is arithmetic, comparisons, `if`, draws and
@@ -21,7 +21,7 @@ class Expressions {
   Expressions(scene::Evaluator& evaluator, std::vector<std::string> formals)
       : evaluator_(evaluator), formals_(std::move(formals)) {}
 
-  /// Appends what leaves the number on the stack; Faulty after a report.
+  /// Appends what leaves the number on the stack; AlreadyReported after a report.
   void number(const scene::Expr& expr, Program& program) { expect(expr, Type::number, program); }
   void truth(const scene::Expr& expr, Program& program) { expect(expr, Type::truth, program); }
 

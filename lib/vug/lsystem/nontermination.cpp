@@ -10,10 +10,11 @@ namespace {
 
 /// Symbols that the stage makes out of `symbol` whatever chance and parameters say: those that each
 /// rule makes which may be taken, if one is taken for certain.
-std::vector<SymbolId> surely_made(const System& system, const RuleBook& book, SymbolId symbol) {
+std::vector<SymbolId> certain_successors(const System& system, const RuleBook& book,
+                                         SymbolId symbol) {
   std::vector<SymbolId> made;
   bool certain = false;
-  const Choosing& rules = book.symbols[symbol];
+  const RuleSelection& rules = book.symbols[symbol];
   for (uint32_t r = rules.first; r < rules.end; ++r) {
     const Production& p = system.productions[book.rules[r]];
     std::vector<SymbolId> own(p.symbols), both;
@@ -29,12 +30,12 @@ std::vector<SymbolId> surely_made(const System& system, const RuleBook& book, Sy
 }
 
 /// A symbol that makes the next, and so on, and the last the first; empty where there is none.
-std::vector<SymbolId> circle(const System& system, const RuleBook& book) {
+std::vector<SymbolId> cycle(const System& system, const RuleBook& book) {
   const size_t count = system.alphabet.size();
   std::vector<std::vector<SymbolId>> makes(count), made_by(count);
   std::vector<size_t> left(count);  // how many of those it makes may go on for ever
   for (size_t s = 0; s < count; ++s) {
-    makes[s] = surely_made(system, book, static_cast<SymbolId>(s));
+    makes[s] = certain_successors(system, book, static_cast<SymbolId>(s));
     left[s] = makes[s].size();
     for (const SymbolId next : makes[s]) made_by[next].push_back(static_cast<SymbolId>(s));
   }
@@ -60,12 +61,12 @@ std::vector<SymbolId> circle(const System& system, const RuleBook& book) {
 
 }  // namespace
 
-bool check_ends(const System& system, Diagnostics& diagnostics) {
+bool check_termination(const System& system, Diagnostics& diagnostics) {
   bool sound = true;
   for (const auto& [stage, name] : {std::pair(&system.decompose, "decomposition"),
                                     std::pair(&system.interpret, "interpretation")}) {
     if (stage->depth || stage->book.empty()) continue;
-    const std::vector<SymbolId> way = circle(system, stage->book);
+    const std::vector<SymbolId> way = cycle(system, stage->book);
     if (way.empty()) continue;
     std::string names;
     for (const SymbolId symbol : way)

@@ -8,6 +8,6 @@ namespace vug::lsystem {
 
 /// False, with an error, where a stage without a depth must go on for ever: a symbol whose every
 /// rule makes, without any condition, in the end that symbol again (A -> B, B -> A + F).
-bool check_ends(const System& system, Diagnostics& diagnostics);
+bool check_termination(const System& system, Diagnostics& diagnostics);
 
 }  // namespace vug::lsystem

@@ -8,7 +8,7 @@
 
 namespace vug::lsystem {
 
-void clear_pages(std::initializer_list<Memory> all) {
+void prefault_pages(std::initializer_list<MemoryRange> all) {
   std::vector<volatile char*> pages;
   for (const Memory& one : all) {
     const auto begin = reinterpret_cast<uintptr_t>(one.place), end = begin + one.bytes;

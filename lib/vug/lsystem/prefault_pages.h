@@ -6,7 +6,7 @@
 
 namespace vug::lsystem {
 
-struct Memory {
+struct MemoryRange {
   void* place;
   size_t bytes;
 };
@@ -14,6 +14,6 @@ struct Memory {
 /// Has the system clear what will be written next, all threads at once and each large page (see
 /// base/huge_pages.h) by one of them. As they come to it while writing, two threads on one page
 /// would both clear it, and one in vain. Overwrites a byte of each page.
-void clear_pages(std::initializer_list<Memory> all);
+void prefault_pages(std::initializer_list<MemoryRange> all);
 
 }  // namespace vug::lsystem

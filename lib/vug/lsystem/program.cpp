@@ -38,7 +38,7 @@ double power(double base, double exponent) {
 template <class Holds>
 void compare(double* top, const Holds& holds) {
   const double a = top[-1], b = *top;
-  if ((a - a) + (b - b) != 0) throw Incomparable{std::isfinite(a) ? b : a};
+  if ((a - a) + (b - b) != 0) throw InvalidComparison{std::isfinite(a) ? b : a};
   top[-1] = holds(a, b) ? 1 : 0;
 }
 

@@ -59,7 +59,7 @@ const std::vector<Function2>& functions2();
 const std::vector<Function3>& functions3();
 
 /// What a run ends with that compares with a number which is none: 1/0, 0/0.
-struct Incomparable {
+struct InvalidComparison {
   double value;
 };
 
@@ -72,7 +72,7 @@ struct Program {
 
 /// Runs the program; what it leaves on the stack begins at `stack`, and the end of it is returned.
 /// `stack` has room for Program::depth numbers. `numbers` are the module's random ones, in [0, 1);
-/// see Draws. Throws Incomparable.
+/// see RandomNumbers. Throws InvalidComparison.
 double* run(const Program& program, const double* formals, double* stack, const double* numbers);
 
 }  // namespace vug::lsystem

@@ -47,7 +47,7 @@ void stored(const Lanes& x, double* out) {
 
 }  // namespace
 
-const double* Draws::make() {
+const double* RandomNumbers::generate() {
   const size_t count = (counters_.size() + 7) / 8 * 8;
   counters_.resize(count);
   blocks_.resize(count);

@@ -28,14 +28,14 @@ inline uint64_t child_key(uint64_t key, uint64_t place, uint32_t salt) {
 /// Blocks that have the numbers 0..last.
 constexpr uint32_t blocks_with(uint32_t last) { return last / 2 + 1; }
 
-class Draws {
+class RandomNumbers {
  public:
-  Draws(uint64_t system_key, uint32_t salt) : system_key_(system_key), salt_(salt) {}
+  RandomNumbers(uint64_t system_key, uint32_t salt) : system_key_(system_key), salt_(salt) {}
 
   void clear() { counters_.clear(), blocks_.clear(); }
 
   /// Wants the first 2 * `blocks` numbers of a module.
-  void ask(uint64_t key, uint32_t blocks) {
+  void request(uint64_t key, uint32_t blocks) {
     for (uint32_t block = 0; block < blocks; ++block) {
       counters_.push_back(key);
       blocks_.push_back(block);
@@ -44,7 +44,7 @@ class Draws {
 
   /// All that was asked for, in that order: uniform in [0, 1) with 52 random bits. Valid until
   /// the next call.
-  const double* make();
+  const double* generate();
 
  private:
   uint64_t system_key_;

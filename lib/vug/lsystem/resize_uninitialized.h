@@ -12,11 +12,11 @@ namespace vug::lsystem {
 /// large memory page by page, as it is written to (base/huge_pages.h), and what has been given once
 /// need not be cleared again.
 template <class T>
-void resize_unset(UninitializedVector<T>& array, size_t size) {
-  constexpr size_t kLarge = (size_t{1} << 20) / sizeof(T), kMostAhead = 256 * kLarge;
+void resize_uninitialized(UninitializedVector<T>& array, size_t size) {
+  constexpr size_t kLarge = (size_t{1} << 20) / sizeof(T), kMaxInFlight = 256 * kLarge;
   array.clear();  // nothing is to be carried along
   if (size > array.capacity())
-    array.reserve(size + std::min((size < kLarge ? 2 : 30) * size, kMostAhead));
+    array.reserve(size + std::min((size < kLarge ? 2 : 30) * size, kMaxInFlight));
   array.resize(size);
 }
 

@@ -1,8 +1,8 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
-#include <vug/lsystem/chooser.h>
 #include <vug/lsystem/cut.h>
 #include <vug/lsystem/prefault_pages.h>
+#include <vug/lsystem/production_selector.h>
 #include <vug/lsystem/random_numbers.h>
 #include <vug/lsystem/resize_uninitialized.h>
 #include <vug/lsystem/rewriting.h>
@@ -28,7 +28,8 @@ void check_finite(const Production& p, const double* values, size_t count) {
     size_t module = 0;
     while (p.ends[module] <= k) ++module;
     const size_t first = module == 0 ? 0 : p.ends[module - 1];
-    no_number(p, fmt::format("parameter {} of module {}", k - first + 1, module + 1), values[k]);
+    fail_invalid_number(p, fmt::format("parameter {} of module {}", k - first + 1, module + 1),
+                        values[k]);
   }
 }
 
@@ -61,20 +62,20 @@ struct Rewriter::Chunk {
   bool applied = false;
 };
 
-void Rewriter::choose(const RuleBook& book, const Surroundings& around, Chunk& chunk,
+void Rewriter::choose(const RuleBook& book, const ContextMatcher& around, Chunk& chunk,
                       uint32_t salt) {
   const Word& word = from_->word;
-  Chooser chooser(system_, book, word, around);
-  Draws draws(from_->key, salt);
+  ProductionSelector selector(system_, book, word, around);
+  RandomNumbers draws(from_->key, salt);
   const double* numbers = nullptr;
   for (size_t i = chunk.begin; i < chunk.end; ++i) {
     if (system_.random && (i - chunk.begin) % kBatch == 0) {
       draws.clear();
       for (size_t k = i; k < std::min(i + kBatch, chunk.end); ++k)
-        draws.ask(from_->keys[k], book.symbols[word.symbol(k)].blocks);
-      numbers = draws.make();
+        draws.request(from_->keys[k], book.symbols[word.symbol(k)].blocks);
+      numbers = draws.generate();
     }
-    const uint16_t choice = chooser.choose(i, numbers);
+    const uint16_t choice = selector.choose(i, numbers);
     numbers += 2 * size_t{book.symbols[word.symbol(i)].blocks};
     choice_[i] = choice;
     if (choice == 0) {
@@ -89,11 +90,11 @@ void Rewriter::choose(const RuleBook& book, const Surroundings& around, Chunk& c
   }
 }
 
-void Rewriter::write(const RuleBook& book, const Surroundings& around, const Chunk& chunk,
-                     Mode mode, uint32_t salt) {
+void Rewriter::write(const RuleBook& book, const ContextMatcher& around, const Chunk& chunk,
+                     RewriteMode mode, uint32_t salt) {
   const Word& word = from_->word;
-  Scratch scratch(system_);
-  Draws draws(from_->key, salt);
+  ProgramScratch scratch(system_);
+  RandomNumbers draws(from_->key, salt);
   const double* numbers = nullptr;
   const SymbolId* symbols = word.symbols().data();
   const uint32_t* starts = word.starts().data();
@@ -108,14 +109,15 @@ void Rewriter::write(const RuleBook& book, const Surroundings& around, const Chu
     if (key && (i - chunk.begin) % kBatch == 0) {
       draws.clear();
       for (size_t k = i; k < std::min(i + kBatch, chunk.end); ++k)
-        if (choice_[k] > 0) draws.ask(from_->keys[k], system_.productions[choice_[k] - 1u].blocks);
-      numbers = draws.make();
+        if (choice_[k] > 0)
+          draws.request(from_->keys[k], system_.productions[choice_[k] - 1u].blocks);
+      numbers = draws.generate();
     }
     if (choice_[i] == 0) {
       *symbol++ = symbols[i];
       for (uint32_t v = starts[i]; v < starts[i + 1]; ++v) *value++ = values[v];
       *end++ = static_cast<uint32_t>(value - first);
-      const bool waits = mode == Mode::step && book.has(symbols[i]);
+      const bool waits = mode == RewriteMode::step && book.has(symbols[i]);
       if (key) *key++ = waits ? child_key(from_->keys[i], 0, salt) : from_->keys[i];
       continue;
     }
@@ -164,7 +166,7 @@ void Rewriter::refuse(const std::string& what, bool by_values) const {
               p.where, "take fewer steps, let a guard end the growth, or raise 'limit'");
 }
 
-void Rewriter::require_room(size_t modules, size_t values) const {
+void Rewriter::require_capacity(size_t modules, size_t values) const {
   if (static_cast<int64_t>(modules) > system_.limit)
     refuse(fmt::format("its limit of {} modules: the next step makes {}", system_.limit, modules),
            false);
@@ -188,13 +190,13 @@ const Production* Rewriter::applied() const {
 
 void Rewriter::start(Derivation& out, std::optional<uint64_t> key) const {
   const Production& axiom = system_.axiom;
-  Scratch scratch(system_);
+  ProgramScratch scratch(system_);
   out.word.clear();
   out.keys.clear();
   out.key = key.value_or(system_.key);
-  Draws draws(out.key, 0);
-  draws.ask(out.key, axiom.blocks);
-  compute(axiom, axiom.values, nullptr, scratch.values(), draws.make());
+  RandomNumbers draws(out.key, 0);
+  draws.request(out.key, axiom.blocks);
+  compute(axiom, axiom.values, nullptr, scratch.values(), draws.generate());
   check_finite(axiom, scratch.values(), axiom.value_count());
   size_t value = 0;
   for (size_t k = 0; k < axiom.symbols.size(); ++k) {
@@ -209,14 +211,16 @@ void Rewriter::start(Derivation& out, std::optional<uint64_t> key) const {
                 axiom.where, "raise 'limit'");
 }
 
-bool Rewriter::rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32_t salt) {
+bool Rewriter::rewrite(const RuleBook& book, Derivation& word, RewriteMode mode, uint32_t salt) {
   if (system_.cut) cut_branches(system_, word);
   from_ = &word;
   const size_t size = word.word.size();
-  resize_unset(choice_, size);
-  const auto memory = [](auto numbers) { return Memory{numbers.data(), numbers.size_bytes()}; };
-  clear_pages({memory(std::span(choice_))});
-  const Surroundings around(system_, word.word, book.contexts);
+  resize_uninitialized(choice_, size);
+  const auto memory = [](auto numbers) {
+    return MemoryRange{numbers.data(), numbers.size_bytes()};
+  };
+  prefault_pages({memory(std::span(choice_))});
+  const ContextMatcher around(system_, word.word, book.contexts);
   std::vector<Chunk> chunks((size + kChunk - 1) / kChunk);
   parallel_for(chunks.size(), [&](size_t c) {
     chunks[c].begin = c * kChunk;
@@ -232,13 +236,13 @@ bool Rewriter::rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32
     values += chunk.values;
     applied = applied || chunk.applied;
   }
-  if (mode == Mode::passing && !applied) return false;
-  require_room(modules, values);
+  if (mode == RewriteMode::passing && !applied) return false;
+  require_capacity(modules, values);
   to_.word.resize(modules, values);
-  resize_unset(to_.keys, system_.random ? modules : 0);
+  resize_uninitialized(to_.keys, system_.random ? modules : 0);
   to_.key = word.key;
-  clear_pages({memory(to_.word.symbols()), memory(to_.word.starts()), memory(to_.word.values()),
-               memory(std::span(to_.keys))});
+  prefault_pages({memory(to_.word.symbols()), memory(to_.word.starts()), memory(to_.word.values()),
+                  memory(std::span(to_.keys))});
   to_.word.starts()[0] = 0;
   parallel_for(chunks.size(), [&](size_t c) { write(book, around, chunks[c], mode, salt); });
   std::swap(word, to_);

@@ -21,7 +21,7 @@ struct Derivation {
   bool operator==(const Derivation&) const = default;
 };
 
-enum class Mode {
+enum class RewriteMode {
   step,     ///< Where no production of a module fits, it stays, but draws anew in the next step.
   passing,  ///< Of a stage, or of time: a module that stays is the same as before.
 };
@@ -40,17 +40,18 @@ class Rewriter {
   /// where there is a "%". `salt` tells the draws of stages apart. Error(too_large) beyond the
   /// system's limit or what memory there is, Error(bad_input) where a parameter, a weight or an age
   /// is no finite number, both naming the production.
-  bool rewrite(const RuleBook& book, Derivation& word, Mode mode, uint32_t salt = 0);
+  bool rewrite(const RuleBook& book, Derivation& word, RewriteMode mode, uint32_t salt = 0);
 
   /// A production that the last call has applied; null where it was none.
   const Production* applied() const;
 
  private:
   struct Chunk;
-  void choose(const RuleBook& book, const class Surroundings& around, Chunk& chunk, uint32_t salt);
-  void write(const RuleBook& book, const class Surroundings& around, const Chunk& chunk, Mode mode,
-             uint32_t salt);
-  void require_room(size_t modules, size_t values) const;
+  void choose(const RuleBook& book, const class ContextMatcher& around, Chunk& chunk,
+              uint32_t salt);
+  void write(const RuleBook& book, const class ContextMatcher& around, const Chunk& chunk,
+             RewriteMode mode, uint32_t salt);
+  void require_capacity(size_t modules, size_t values) const;
   [[noreturn]] void refuse(const std::string& what, bool by_values) const;
 
   const System& system_;

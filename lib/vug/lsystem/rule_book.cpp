@@ -34,10 +34,10 @@ std::optional<double> plain_weight(const Production& p) {
   return weight >= 0 && std::isfinite(weight) ? std::optional(weight) : std::nullopt;
 }
 
-Choosing choosing_of(const System& system, RuleBook& book, uint32_t first, uint32_t end) {
-  Choosing out{first, end, 0, Choosing::How::never};
+RuleSelection rule_selection(const System& system, RuleBook& book, uint32_t first, uint32_t end) {
+  RuleSelection out{first, end, 0, RuleSelection::How::never};
   if (first == end) return out;
-  out.how = Choosing::How::tries;
+  out.how = RuleSelection::How::sequential;
   const auto rule = [&](uint32_t r) -> const Production& {
     return system.productions[book.rules[r]];
   };
@@ -54,12 +54,12 @@ Choosing choosing_of(const System& system, RuleBook& book, uint32_t first, uint3
       lottery = lottery && plain_weight(p);
       total += plain_weight(p).value_or(0);
     }
-    book.upto[r] = total;
+    book.cumulative_weights[r] = total;
   }
   const Production& p = rule(first);
-  if (lottery && total > 0 && std::isfinite(total)) out.how = Choosing::How::lottery;
+  if (lottery && total > 0 && std::isfinite(total)) out.how = RuleSelection::How::weighted;
   if (p.weight.empty() && p.guard.empty() && p.after.empty() && !p.has_context()) {
-    out.how = Choosing::How::always;
+    out.how = RuleSelection::How::always;
     out.blocks = 0;
   }
   return out;
@@ -86,13 +86,13 @@ RuleBook rule_book(const System& system, const std::vector<uint16_t>& production
   std::vector<std::vector<uint16_t>> by_symbol(system.alphabet.size());
   const auto looks_around = [&](uint16_t rule) { return system.productions[rule].has_context(); };
   for (const uint16_t rule : productions) by_symbol[system.productions[rule].head].push_back(rule);
-  out.upto.resize(productions.size());
+  out.cumulative_weights.resize(productions.size());
   for (std::vector<uint16_t>& rules : by_symbol) {
     std::stable_partition(rules.begin(), rules.end(), looks_around);
     const auto first = static_cast<uint32_t>(out.rules.size());
     out.rules.insert(out.rules.end(), rules.begin(), rules.end());
     const auto end = static_cast<uint32_t>(out.rules.size());
-    out.symbols.push_back(choosing_of(system, out, first, end));
+    out.symbols.push_back(rule_selection(system, out, first, end));
   }
   out.contexts = std::any_of(productions.begin(), productions.end(), looks_around);
   return out;

@@ -36,34 +36,35 @@ struct Production {
   bool simple = false;            ///< Each instruction of `values` makes one value.
   bool in_place = false;          ///< `values` needs no more room than its results.
   std::vector<uint32_t> ages;     ///< Which values are ages.
-  uint32_t blocks = 0;            ///< Of random numbers for `values` and `after`; see Draws.
+  uint32_t blocks = 0;  ///< Of random numbers for `values` and `after`; see RandomNumbers.
 
   bool has_context() const { return !left.empty() || !right.empty(); }
   size_t value_count() const { return ends.empty() ? 0 : ends.back(); }
 };
 
 /// How a symbol's production is found among `first` up to, not including, `end` of a book's rules.
-struct Choosing {
+struct RuleSelection {
   enum class How : uint8_t {
-    never,    ///< There is none.
-    always,   ///< The first one.
-    lottery,  ///< Weights that are constants and nothing else: RuleBook::upto.
-    tries,    ///< Each in turn.
+    never,       ///< There is none.
+    always,      ///< The first one.
+    weighted,    ///< Weights that are constants and nothing else: RuleBook::cumulative_weights.
+    sequential,  ///< Each in turn.
   };
   uint32_t first = 0, end = 0;
-  uint32_t blocks = 0;  ///< Of random numbers that it takes; see Draws.
+  uint32_t blocks = 0;  ///< Of random numbers that it takes; see RandomNumbers.
   How how = How::never;
 };
 
 /// The productions of each symbol, as indices, in the order in which they are tried.
 struct RuleBook {
-  std::vector<Choosing> symbols;  ///< By symbol.
+  std::vector<RuleSelection> symbols;  ///< By symbol.
   std::vector<uint16_t> rules;
-  std::vector<double> upto;  ///< By rule: the sum of the weights of its symbol's rules up to it.
-  bool contexts = false;     ///< Some of them look around.
+  std::vector<double>
+      cumulative_weights;  ///< By rule: the sum of the weights of its symbol's rules up to it.
+  bool contexts = false;   ///< Some of them look around.
 
   bool empty() const { return rules.empty(); }
-  bool has(SymbolId symbol) const { return symbols[symbol].how != Choosing::How::never; }
+  bool has(SymbolId symbol) const { return symbols[symbol].how != RuleSelection::How::never; }
 };
 
 /// Decomposition or interpretation: rules that are applied until none fits.
@@ -91,14 +92,14 @@ struct System {
   std::vector<uint16_t> schedule;  ///< The book of each step, over and over; never empty.
   Stage decompose;
   Stage interpret;
-  std::vector<bool> unseen;  ///< By symbol: contexts look past it.
-  std::vector<bool> ages;    ///< By symbol: the first parameter is an age.
-  std::vector<bool> query;   ///< By symbol: an Environment sets its parameters.
+  std::vector<bool> ignored;  ///< By symbol: contexts look past it.
+  std::vector<bool> ages;     ///< By symbol: the first parameter is an age.
+  std::vector<bool> query;    ///< By symbol: an Environment sets its parameters.
   std::map<SymbolId, SubSystem> subsystems;
   std::optional<SymbolId> open, close, cut;  ///< [ ] %
   bool random = false;                       ///< Something is drawn: modules need keys.
   bool timed = false;                        ///< Modules age; `time` counts, not `steps`.
-  bool asks = false;                         ///< There are queries.
+  bool has_queries = false;                  ///< There are queries.
   int steps = 1;
   double time = 0;             ///< Of timed systems.
   int64_t limit = 10'000'000;  ///< Modules that a word may have.

@@ -1,5 +1,5 @@
 #include <vug/base/error.h>
-#include <vug/lsystem/walker.h>
+#include <vug/lsystem/turtle_interpreter.h>
 
 #include <fmt/format.h>
 
@@ -12,150 +12,152 @@ namespace {
 
 constexpr double kLargestNode = 100;
 
-void require_sound(const TurtleOptions& options) {
+void require_valid(const TurtleOptions& options) {
   const Vec3d& t = options.tropism;
   for (const double value : {options.angle, options.step, options.width, options.thinner, t.x, t.y,
                              t.z, options.elasticity, options.smooth})
     if (!std::isfinite(value))
       throw Error(ErrorCode::bad_input, "an option of the turtle is not a finite number");
-  if (!(options.width >= 0 && options.width <= Walker::kFarthest))
+  if (!(options.width >= 0 && options.width <= TurtleInterpreter::kFarthest))
     throw Error(ErrorCode::bad_input,
                 fmt::format("the turtle's width is {} m; 0 to {} can be drawn", options.width,
-                            Walker::kFarthest));
+                            TurtleInterpreter::kFarthest));
   if (!(options.thinner >= 0 && options.smooth > 0))
     throw Error(ErrorCode::bad_input, "the turtle's 'thinner' or 'smooth' is below 0");
 }
 
 }  // namespace
 
-Walker::Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& options, Pen* pen)
+TurtleInterpreter::TurtleInterpreter(const Word& word, const Alphabet& alphabet,
+                                     const TurtleOptions& options, DrawingBuilder* builder)
     : word_(word),
       alphabet_(alphabet),
       options_(options),
-      pen_(pen),
-      meanings_(meanings(alphabet, options)) {
-  require_sound(options);
+      builder_(builder),
+      symbol_actions_(symbol_actions(alphabet, options)) {
+  require_valid(options);
   for (const Bezier& guide : options.guides) guides_.emplace_back(guide);
   state_.radius = 0.5 * options.width;
   state_.elasticity = options.elasticity;
 }
 
-void Walker::walk(const std::vector<SymbolId>& symbols, const PoseVisitor& visit) {
+void TurtleInterpreter::walk(const std::vector<SymbolId>& symbols, const PoseVisitor& visit) {
   std::vector<bool> asked(alphabet_.size());
   for (const SymbolId id : symbols) asked[id] = true;
   for (at_ = 0; at_ < word_.size(); ++at_) {
     const SymbolId id = word_.symbol(at_);
     if (asked[id]) visit(at_, state_.pose);
-    if (meanings_[id].turn != Turn::nothing) obey(meanings_[id], word_.parameters(at_));
+    if (symbol_actions_[id].type != TurtleAction::nothing)
+      execute(symbol_actions_[id], word_.parameters(at_));
   }
   if (!stack_.empty()) fail("a '[' is not closed");
   if (braces_ > 0) fail("a '{' is not closed");
 }
 
-void Walker::fail(const std::string& what) const {
+void TurtleInterpreter::fail(const std::string& what) const {
   const size_t at = std::min(at_, word_.size() - 1);
   throw Error(ErrorCode::bad_input, fmt::format("{}, at '{}', module {} of the word", what,
                                                 to_string(word_, alphabet_, at, at + 1), at + 1));
 }
 
-void Walker::obey(const Meaning& meaning, Parameters p) {
+void TurtleInterpreter::execute(const SymbolAction& action, Parameters p) {
   for (const double value : p)
     if (!std::isfinite(value)) fail("a parameter is not a finite number");
   const Frame& frame = state_.pose.frame;
   const double angle = p.empty() ? options_.angle : p[0];
-  switch (meaning.turn) {
-    case Turn::draw:
+  switch (action.type) {
+    case TurtleAction::draw:
       forward(p, braces_ == 0);
-      if (braces_ > 0 && pen_) pen_->corner(state_);
+      if (braces_ > 0 && builder_) builder_->corner(state_);
       break;
-    case Turn::trace:
+    case TurtleAction::trace:
       forward(p, true);
       break;
-    case Turn::move:
+    case TurtleAction::move:
       forward(p, false);
       state_.axis = Axis::kNone;
-      if (braces_ > 0 && pen_) pen_->corner(state_);
+      if (braces_ > 0 && builder_) builder_->corner(state_);
       break;
-    case Turn::left:
+    case TurtleAction::left:
       turn(frame.binormal, angle);
       break;
-    case Turn::right:
+    case TurtleAction::right:
       turn(frame.binormal, -angle);
       break;
-    case Turn::down:
+    case TurtleAction::down:
       turn(frame.normal, angle);
       break;
-    case Turn::up:
+    case TurtleAction::up:
       turn(frame.normal, -angle);
       break;
-    case Turn::roll_left:
+    case TurtleAction::roll_left:
       turn(frame.tangent, -angle);
       break;
-    case Turn::roll_right:
+    case TurtleAction::roll_right:
       turn(frame.tangent, angle);
       break;
-    case Turn::back:
+    case TurtleAction::back:
       state_.pose.frame = {-frame.tangent, -frame.normal, frame.binormal};
       break;
-    case Turn::level:
+    case TurtleAction::level:
       level();
       break;
-    case Turn::width:
+    case TurtleAction::width:
       if (!p.empty() && p[0] < 0) fail("a width is below 0");
       set_radius(p.empty() ? state_.radius * options_.thinner : 0.5 * p[0]);
       break;
-    case Turn::colour:
+    case TurtleAction::colour:
       state_.colour = p.empty() ? state_.colour + 1 : static_cast<int>(std::clamp(p[0], -1e9, 1e9));
       break;
-    case Turn::push:
+    case TurtleAction::push:
       push();
       break;
-    case Turn::pop:
+    case TurtleAction::pop:
       pop();
       break;
-    case Turn::open:
-    case Turn::corner:
-    case Turn::close:
-      brace(meaning.turn);
+    case TurtleAction::open:
+    case TurtleAction::corner:
+    case TurtleAction::close:
+      brace(action.type);
       break;
-    case Turn::node:
+    case TurtleAction::node:
       if (!p.empty() && !(p[0] >= 0 && p[0] <= kLargestNode))
         fail(fmt::format("a node's size is 0 to {}", kLargestNode));
-      if (pen_) pen_->node(state_, p.empty() ? 1 : p[0]);
+      if (builder_) builder_->node(state_, p.empty() ? 1 : p[0]);
       break;
-    case Turn::age:
+    case TurtleAction::age:
       state_.age = p[0];
       break;
-    case Turn::guide:
+    case TurtleAction::guide:
       begin_guide(p);
       break;
-    case Turn::elasticity:
+    case TurtleAction::elasticity:
       state_.elasticity = p[0];
       break;
-    case Turn::instance:
+    case TurtleAction::instance:
       if (!p.empty() && std::fabs(p[0]) > kFarthest)
         fail(fmt::format("a size of more than {} m", kFarthest));
-      if (pen_) pen_->instance(state_, meaning.name, p);
+      if (builder_) builder_->instance(state_, action.name, p);
       break;
-    case Turn::nothing:
+    case TurtleAction::nothing:
       break;
   }
 }
 
-void Walker::turn(const Vec3d& axis, double angle) {
+void TurtleInterpreter::turn(const Vec3d& axis, double angle) {
   constexpr double kExact = 1e5;  // of the sine: see base/maths.h
   if (!std::isfinite(angle)) fail("a turn is no finite angle");
   if (std::fabs(angle) > kExact) angle = std::remainder(angle, 2 * kPi);
   state_.pose.frame = state_.pose.frame.rotated(axis, angle);
 }
 
-void Walker::set_radius(double radius) {
+void TurtleInterpreter::set_radius(double radius) {
   if (!(radius <= kFarthest)) fail(fmt::format("a stem of more than {} m radius", kFarthest));
   state_.radius = radius;
   state_.radius_set = true;
 }
 
-void Walker::level() {
+void TurtleInterpreter::level() {
   Frame& frame = state_.pose.frame;
   const Vec3d left = Vec3d(0, 1, 0).cross(frame.tangent);
   if (left.length() < 1e-9) return;  // plumb: every roll is level
@@ -163,12 +165,12 @@ void Walker::level() {
   frame = frame.orthonormalized();
 }
 
-void Walker::push() {
-  if (stack_.size() >= options_.most_depth)
-    fail(fmt::format("more than {} brackets within brackets", options_.most_depth));
+void TurtleInterpreter::push() {
+  if (stack_.size() >= options_.max_depth)
+    fail(fmt::format("more than {} brackets within brackets", options_.max_depth));
   stack_.push_back(state_);
-  if (state_.axis != Axis::kNone && pen_) {
-    state_.parent_along = pen_->length(state_);
+  if (state_.axis != Axis::kNone && builder_) {
+    state_.parent_along = builder_->length(state_);
     state_.parent = state_.axis;
     state_.axis = Axis::kNone;
     state_.radius_set = false;
@@ -176,34 +178,35 @@ void Walker::push() {
   state_.guide = -1;  // a branch goes its own way
 }
 
-void Walker::pop() {
+void TurtleInterpreter::pop() {
   if (stack_.empty()) fail("a ']' closes nothing");
   state_ = stack_.back();
   stack_.pop_back();
 }
 
-void Walker::brace(Turn turn) {
-  if (turn == Turn::open) {
+void TurtleInterpreter::brace(TurtleAction action) {
+  if (action == TurtleAction::open) {
     ++braces_;
-    if (pen_) pen_->open(state_);
+    if (builder_) builder_->open(state_);
     return;
   }
-  if (braces_ == 0) fail(turn == Turn::close ? "a '}' closes nothing" : "a '.' outside of { }");
-  if (turn == Turn::close) --braces_;
-  if (pen_) turn == Turn::close ? pen_->close() : pen_->corner(state_);
+  if (braces_ == 0)
+    fail(action == TurtleAction::close ? "a '}' closes nothing" : "a '.' outside of { }");
+  if (action == TurtleAction::close) --braces_;
+  if (builder_) action == TurtleAction::close ? builder_->close() : builder_->corner(state_);
 }
 
 Drawing draw(const Word& word, const Alphabet& alphabet, const TurtleOptions& options) {
   Drawing drawing;
   drawing.names = options.instances;
-  Pen pen(drawing);
-  Walker(word, alphabet, options, &pen).walk({}, {});
+  DrawingBuilder builder(drawing);
+  TurtleInterpreter(word, alphabet, options, &builder).walk({}, {});
   return drawing;
 }
 
 void visit_poses(const Word& word, const Alphabet& alphabet, const TurtleOptions& options,
                  const std::vector<SymbolId>& symbols, const PoseVisitor& visit) {
-  Walker(word, alphabet, options, nullptr).walk(symbols, visit);
+  TurtleInterpreter(word, alphabet, options, nullptr).walk(symbols, visit);
 }
 
 }  // namespace vug::lsystem

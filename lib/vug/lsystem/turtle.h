@@ -24,7 +24,7 @@ struct TurtleOptions {
   std::vector<Bezier> guides = {};          ///< Of guide(0), guide(1), ...
   std::vector<std::string> instances = {};  ///< Names of symbols that set a thing: leaf, flower.
   double smooth = 0.05;                     ///< Radians that a guide may bend between two stations.
-  size_t most_depth = 100000;               ///< Brackets within brackets.
+  size_t max_depth = 100000;                ///< Brackets within brackets.
 };
 
 /// A symbol that means something to the turtle; all others it passes over.

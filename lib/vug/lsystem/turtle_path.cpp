@@ -1,7 +1,7 @@
 // Where a turtle goes: straight, along a guide, and how stems bend to the tropism.
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
-#include <vug/lsystem/walker.h>
+#include <vug/lsystem/turtle_interpreter.h>
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace vug::lsystem {
 namespace {
 
 /// v under the least turn that takes one direction to another.
-Vec3d carried(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
+Vec3d rotate_with(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
   const Vec3d axis = from.cross(to);
   const double sine = axis.length();
   if (sine < 1e-12) return v;
@@ -21,12 +21,12 @@ Vec3d carried(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
 
 }  // namespace
 
-Vec3d Walker::in_world(const Vec3d& v) const {
+Vec3d TurtleInterpreter::to_world(const Vec3d& v) const {
   const auto& axes = state_.guide_axes;
   return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z;
 }
 
-void Walker::forward(Parameters p, bool drawn) {
+void TurtleInterpreter::forward(Parameters p, bool drawn) {
   const double length = p.empty() ? options_.step : p[0];
   if (length < 0 && drawn) fail("a stem's length is below 0");
   const bool tapers = drawn && p.size() > 1;
@@ -34,14 +34,14 @@ void Walker::forward(Parameters p, bool drawn) {
   const double begun = tapers && !state_.radius_set ? p[1] : state_.radius;
   if (tapers) set_radius(p[1]);
   if (drawn && length == 0) return;
-  if (drawn && pen_) pen_->begin(state_, begun);
+  if (drawn && builder_) builder_->begin(state_, begun);
   advance(length, begun, state_.radius, drawn);
   if (!(state_.pose.position.length() <= kFarthest))
     fail(fmt::format("the turtle is more than {} m from where it began", kFarthest));
   if (state_.elasticity != 0) bend();
 }
 
-void Walker::advance(double length, double begun, double radius, bool drawn) {
+void TurtleInterpreter::advance(double length, double begun, double radius, bool drawn) {
   if (state_.guide >= 0) {
     const double whole = guides_[static_cast<size_t>(state_.guide)].length() * state_.guide_scale;
     const double bent = std::min(length, whole - state_.guide_along);
@@ -59,7 +59,7 @@ void Walker::advance(double length, double begun, double radius, bool drawn) {
 }
 
 /// Bends as the guide does on this stretch: both keep the angle that is between them.
-void Walker::follow(double length, double begun, double radius, bool drawn) {
+void TurtleInterpreter::follow(double length, double begun, double radius, bool drawn) {
   const ArcBezier& guide = guides_[static_cast<size_t>(state_.guide)];
   const double scale = state_.guide_scale, from = state_.guide_along;
   constexpr int kProbes = 4;
@@ -70,14 +70,14 @@ void Walker::follow(double length, double begun, double radius, bool drawn) {
     bend += maths::atan2(a.cross(b).length(), a.dot(b));
   }
   const int steps = std::clamp(static_cast<int>(std::ceil(bend / options_.smooth)), 1, 1000);
-  Vec3d point = guide.point(from / scale), tangent = in_world(guide.tangent(from / scale));
+  Vec3d point = guide.point(from / scale), tangent = to_world(guide.tangent(from / scale));
   for (int i = 1; i <= steps; ++i) {
     const double along = from + length * i / steps;
-    const Vec3d next = guide.point(along / scale), ahead = in_world(guide.tangent(along / scale));
+    const Vec3d next = guide.point(along / scale), ahead = to_world(guide.tangent(along / scale));
     TurtlePose& pose = state_.pose;
     const Vec3d heading = pose.frame.tangent;
-    const Vec3d to = pose.position + carried(in_world(next - point) * scale, tangent, heading);
-    pose.frame = transported(pose.frame, pose.position, to, carried(ahead, tangent, heading));
+    const Vec3d to = pose.position + rotate_with(to_world(next - point) * scale, tangent, heading);
+    pose.frame = transported(pose.frame, pose.position, to, rotate_with(ahead, tangent, heading));
     pose.position = to;
     // The last is the radius itself: by rounding 0 could come out below 0.
     step(length / steps, i == steps ? radius : begun + (radius - begun) * i / steps, drawn);
@@ -87,14 +87,14 @@ void Walker::follow(double length, double begun, double radius, bool drawn) {
   state_.guide_along = from + length;
 }
 
-void Walker::bend() {
+void TurtleInterpreter::bend() {
   const Vec3d axis = state_.pose.frame.tangent.cross(options_.tropism);
   const double torque = axis.length();
   if (!std::isfinite(torque)) fail("a tropism beyond all bounds");
   if (torque > 1e-12) turn(axis / torque, state_.elasticity * torque);
 }
 
-void Walker::begin_guide(Parameters p) {
+void TurtleInterpreter::begin_guide(Parameters p) {
   const double last = static_cast<double>(guides_.size()) - 1;
   if (p[0] < 0) {
     state_.guide = -1;
@@ -110,9 +110,9 @@ void Walker::begin_guide(Parameters p) {
   state_.guide_along = 0;
   Frame& frame = state_.pose.frame;
   state_.guide_axes = {-frame.normal, frame.tangent, frame.binormal};
-  const Vec3d ahead = in_world(guides_[static_cast<size_t>(state_.guide)].tangent(0));
-  frame =
-      Frame{ahead, carried(frame.normal, frame.tangent, ahead), frame.binormal}.orthonormalized();
+  const Vec3d ahead = to_world(guides_[static_cast<size_t>(state_.guide)].tangent(0));
+  frame = Frame{ahead, rotate_with(frame.normal, frame.tangent, ahead), frame.binormal}
+              .orthonormalized();
 }
 
 }  // namespace vug::lsystem

@@ -5,7 +5,7 @@
 
 namespace vug::lsystem {
 
-enum class Turn : uint8_t {
+enum class TurtleAction : uint8_t {
   nothing,
   draw,
   trace,
@@ -33,16 +33,16 @@ enum class Turn : uint8_t {
 };
 
 struct TurtleEntry {
-  Turn turn;
+  TurtleAction action;
   TurtleCommand command;
 };
 const std::vector<TurtleEntry>& turtle_table();
 
 /// What a symbol of an alphabet means: looked up once for each word.
-struct Meaning {
-  Turn turn = Turn::nothing;
+struct SymbolAction {
+  TurtleAction type = TurtleAction::nothing;
   uint32_t name = 0;  ///< Of an instance: index into the options' list.
 };
-std::vector<Meaning> meanings(const Alphabet& alphabet, const TurtleOptions& options);
+std::vector<SymbolAction> symbol_actions(const Alphabet& alphabet, const TurtleOptions& options);
 
 }  // namespace vug::lsystem

@@ -40,9 +40,9 @@ const Production* what_hides(const Production& p, const std::vector<const Produc
 
 }  // namespace
 
-void warn_of_unreached(const System& system, const RuleBook& book, Diagnostics& diagnostics,
-                       std::set<uint16_t>& told) {
-  for (const Choosing& symbol : book.symbols) {
+void warn_unreachable_rules(const System& system, const RuleBook& book, Diagnostics& diagnostics,
+                            std::set<uint16_t>& reported) {
+  for (const RuleSelection& symbol : book.symbols) {
     std::vector<const Production*> before;  // those that are taken somewhere
     for (uint32_t r = symbol.first; r < symbol.end; ++r) {
       const Production& p = system.productions[book.rules[r]];
@@ -51,7 +51,7 @@ void warn_of_unreached(const System& system, const RuleBook& book, Diagnostics& 
         if (!never_weighs(p)) before.push_back(&p);
         continue;
       }
-      if (!told.insert(book.rules[r]).second) continue;
+      if (!reported.insert(book.rules[r]).second) continue;
       diagnostics.warning(
           p.where,
           fmt::format("this rule of '{}' is never taken: one before it always fits", p.text),

@@ -10,8 +10,8 @@ namespace vug::lsystem {
 
 /// Warns of each rule of the book that others of its symbol always go before: behind one that
 /// always fits, or, without a weight of its own, behind one that always fits with a weight above 0.
-/// Those in `told` (by index) are passed over; the others that are told join them.
-void warn_of_unreached(const System& system, const RuleBook& book, Diagnostics& diagnostics,
-                       std::set<uint16_t>& told);
+/// Those in `reported` (by index) are passed over; the others that are reported join them.
+void warn_unreachable_rules(const System& system, const RuleBook& book, Diagnostics& diagnostics,
+                            std::set<uint16_t>& reported);
 
 }  // namespace vug::lsystem

@@ -12,7 +12,7 @@ namespace vug::lsystem {
 
 namespace {
 
-void check_room(size_t values) {
+void require_capacity(size_t values) {
   if (values > std::numeric_limits<uint32_t>::max())
     throw Error(ErrorCode::too_large, "a word of more than 2^32 parameters");
 }
@@ -20,14 +20,14 @@ void check_room(size_t values) {
 }  // namespace
 
 void Word::append(SymbolId symbol, std::span<const double> parameters) {
-  check_room(values_.size() + parameters.size());
+  require_capacity(values_.size() + parameters.size());
   symbols_.push_back(symbol);
   values_.insert(values_.end(), parameters.begin(), parameters.end());
   starts_.push_back(static_cast<uint32_t>(values_.size()));
 }
 
 void Word::append(const Word& other) {
-  check_room(values_.size() + other.values_.size());
+  require_capacity(values_.size() + other.values_.size());
   const auto base = static_cast<uint32_t>(values_.size());
   symbols_.insert(symbols_.end(), other.symbols_.begin(), other.symbols_.end());
   values_.insert(values_.end(), other.values_.begin(), other.values_.end());
@@ -42,10 +42,10 @@ void Word::clear() {
 }
 
 void Word::resize(size_t modules, size_t values) {
-  check_room(values);
-  resize_unset(symbols_, modules);
-  resize_unset(starts_, modules + 1);
-  resize_unset(values_, values);
+  require_capacity(values);
+  resize_uninitialized(symbols_, modules);
+  resize_uninitialized(starts_, modules + 1);
+  resize_uninitialized(values_, values);
 }
 
 std::string to_string(const Word& word, const Alphabet& alphabet, size_t begin, size_t end) {

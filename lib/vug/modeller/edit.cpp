@@ -81,9 +81,9 @@ State edited(const State& state, const Edit& edit) {
   return blaming(whole, [&] {
     try {
       return kind.run(state, node, edit);
-    } catch (const facade::Unfit& unfit) {
-      const bool number = edit.numbers.count(unfit.number()) > 0;
-      throw Refused(number ? "numbers/" + unfit.number() : whole, unfit);
+    } catch (const facade::InfeasiblePlan& error) {
+      const bool number = edit.numbers.count(error.number()) > 0;
+      throw Refused(number ? "numbers/" + error.number() : whole, error);
     }
   });
 }

@@ -10,10 +10,11 @@ namespace vug::modeller {
 
 /// What is done to one node.
 struct Edit {
-  std::string kind;      ///< "apply"; see edit_kinds.
-  std::string node;      ///< A path, as of the state that is edited.
-  std::string rule;      ///< By name, as Style::find_rule takes it; empty where none is needed.
-  facade::Told numbers;  ///< Metres from the lower left corner of the node, counts, columns.
+  std::string kind;  ///< "apply"; see edit_kinds.
+  std::string node;  ///< A path, as of the state that is edited.
+  std::string rule;  ///< By name, as Style::find_rule takes it; empty where none is needed.
+  facade::NumberValues
+      numbers;  ///< Metres from the lower left corner of the node, counts, columns.
   bool operator==(const Edit&) const = default;
 };
 
@@ -36,7 +37,7 @@ struct EditKind {
   bool rule = false;
   bool free_numbers = false;         ///< Those of the node's split.
   std::vector<std::string> numbers;  ///< Its own; each is needed and is one number.
-  /// Unfit and Error(bad_input) where it cannot be done.
+  /// InfeasiblePlan and Error(bad_input) where it cannot be done.
   State (*run)(const State& state, int node, const Edit& edit);
 };
 /// Made from the list in CMakeLists.txt.

@@ -26,8 +26,8 @@ double extent(const State& state, int node, bool upright) {
 }
 
 /// Lines between parts of these sizes. What the parts leave between them is on both sides alike.
-void add_between(const State& state, int node, const FreeNumber& sizes, bool upright,
-                 std::vector<Line>& out) {
+void split_edge(const State& state, int node, const FreeNumber& sizes, bool upright,
+                std::vector<Line>& out) {
   double total = 0, at = 0;
   for (const double size : sizes.values) total += size;
   const size_t gaps = sizes.values.size() - 1;
@@ -60,7 +60,7 @@ std::vector<Line> lines(const State& state, int node) {
   for (const FreeNumber& each : state.planned(node).free) {
     const std::string plain = each.name.substr(each.name.find('.') + 1);
     if (plain == "widths" || plain == "heights")
-      add_between(state, node, each, plain == "widths", out);
+      split_edge(state, node, each, plain == "widths", out);
   }
   const FreeNumber* middle = number(state, node, "width");
   if (node != State::kWhole && state.node(node).split == "mirror" && middle) {
@@ -76,7 +76,7 @@ std::vector<Line> lines(const State& state, int node) {
   return out;
 }
 
-facade::Told moved(const State& state, int node, const Line& line, double to) {
+facade::NumberValues moved(const State& state, int node, const Line& line, double to) {
   const double by = to - line.at;
   if (line.number == "width") {
     const double whole = extent(state, node, true);
@@ -92,7 +92,7 @@ facade::Told moved(const State& state, int node, const Line& line, double to) {
   std::vector<double> all = starts(state, node, axis);
   const FreeNumber* pitch = number(state, node, axis.pitch);
   const bool regular = pitch && pitch->per.empty();
-  facade::Told out = {{axis.start, {all[0]}}};
+  facade::NumberValues out = {{axis.start, {all[0]}}};
   if (!pitch) {
     out[axis.start] = {to};
     return out;

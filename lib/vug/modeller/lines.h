@@ -19,6 +19,6 @@ std::vector<Line> lines(const State& state, int node);
 
 /// The numbers with the line at another place. Other lines stay, but for those of a regular grid:
 /// its first one takes all along, any other changes the distance of all.
-facade::Told moved(const State& state, int node, const Line& line, double to);
+facade::NumberValues moved(const State& state, int node, const Line& line, double to);
 
 }  // namespace vug::modeller

@@ -78,7 +78,7 @@ int State::find(const std::string& path) const {
     }
     int found = kWhole;
     for (size_t i = 0; i < named.size(); ++i) {
-      const facade::Place& place = planned(named[i]).place;
+      const facade::PartKey& place = planned(named[i]).place;
       if (step.numbers.size() == 1
               ? static_cast<int>(i) == step.numbers[0]
               : place.column == step.numbers[0] && place.row == step.numbers[1])

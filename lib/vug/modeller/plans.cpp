@@ -8,9 +8,9 @@
 
 namespace vug::modeller {
 
+using facade::InfeasiblePlan;
 using facade::Plan;
 using facade::PlanPtr;
-using facade::Unfit;
 
 namespace {
 
@@ -25,7 +25,7 @@ std::string called(const State& state, int node) {
 }
 
 /// One number fewer, as with_what_fits says; false where it is not the numbers' fault.
-bool without(Plan& plan, const std::string& name, const facade::Told& needed) {
+bool without(Plan& plan, const std::string& name, const facade::NumberValues& needed) {
   const auto found = plan.numbers.find(name);
   if (found == plan.numbers.end() || needed.count(name)) return false;
   std::vector<double>& values = found->second;
@@ -49,10 +49,10 @@ Plan with_part(const Plan& plan, const Plan& part) {
 void require_open(const State& state, int node) {
   if (node == State::kWhole) throw bad("the facade itself has no rules", "its axiom is node 0");
   if (state.rule(node) >= 0)
-    throw Unfit(facade::Reason::divided, "",
-                fmt::format("{} is divided already, by {}", called(state, node),
-                            state.style().rule_name(state.rule(node))),
-                "retract that, or change it");
+    throw InfeasiblePlan(facade::Reason::divided, "",
+                         fmt::format("{} is divided already, by {}", called(state, node),
+                                     state.style().rule_name(state.rule(node))),
+                         "retract that, or change it");
   if (state.node(node).element)
     throw bad(fmt::format("{} is an element", called(state, node)), "it is not divided further");
   if (!state.node(node).stuck)
@@ -67,7 +67,7 @@ void require_divided(const State& state, int node) {
               it.stuck ? "apply a rule first" : "it is an element");
 }
 
-PlanPtr plan_of(int rule, const facade::Told& numbers) {
+PlanPtr plan_of(int rule, const facade::NumberValues& numbers) {
   Plan out;
   out.rule = rule;
   for (const auto& [name, values] : numbers)
@@ -80,7 +80,7 @@ State first_fitting(const State& state, int node, const std::vector<PlanPtr>& pl
   for (const PlanPtr& plan : plans) {
     try {
       return state.with(node, plan);
-    } catch (const Unfit&) {
+    } catch (const InfeasiblePlan&) {
       if (!first) first = std::current_exception();
     }
   }
@@ -101,7 +101,7 @@ PlanPtr translated(const Style& style, const PlanPtr& plan, const std::string& s
   return nullptr;
 }
 
-State with_what_fits(const State& state, int node, Plan plan, const facade::Told& needed) {
+State with_what_fits(const State& state, int node, Plan plan, const facade::NumberValues& needed) {
   // A rule that hands its rectangle on has its numbers in the part's plan.
   const bool handed = plan.rule >= 0 && state.style().passes_to(plan.rule) && !plan.parts.empty();
   Plan inner = handed && plan.parts.begin()->second ? *plan.parts.begin()->second : Plan();
@@ -109,13 +109,13 @@ State with_what_fits(const State& state, int node, Plan plan, const facade::Told
     const Plan whole = handed ? with_part(plan, inner) : plan;
     try {
       return state.with(node, std::make_shared<const Plan>(whole));
-    } catch (const Unfit& unfit) {
-      if (!without(handed ? inner : plan, unfit.number(), needed)) throw;
+    } catch (const InfeasiblePlan& error) {
+      if (!without(handed ? inner : plan, error.number(), needed)) throw;
     }
   }
 }
 
-facade::Told merged(facade::Told numbers, const facade::Told& changes) {
+facade::NumberValues merged(facade::NumberValues numbers, const facade::NumberValues& changes) {
   for (const auto& [name, values] : changes) {
     if (values.empty())
       numbers.erase(name);
@@ -130,7 +130,7 @@ bool has_cells(const State& state, int node) {
   const std::vector<int> parts = state.parts(node);
   for (const int part : parts) {
     if (!state.node(part).copies.empty()) return false;
-    const facade::Place& place = state.planned(part).place;
+    const facade::PartKey& place = state.planned(part).place;
     if (place.row >= 0) places.insert({place.column, place.row});
   }
   const auto& off = state.decided(node).off;

@@ -11,9 +11,9 @@ void require_open(const State& state, int node);
 void require_divided(const State& state, int node);
 
 /// A plan with that rule and no parts; names without a number are left out.
-facade::PlanPtr plan_of(int rule, const facade::Told& numbers);
+facade::PlanPtr plan_of(int rule, const facade::NumberValues& numbers);
 
-/// The state with the first of these that can be followed; Unfit as for the first.
+/// The state with the first of these that can be followed; InfeasiblePlan as for the first.
 State first_fitting(const State& state, int node, const std::vector<facade::PlanPtr>& plans);
 
 /// The plan for another symbol: by the rule of that symbol with the same right side; null where
@@ -23,11 +23,13 @@ facade::PlanPtr translated(const Style& style, const facade::PlanPtr& plan,
 
 /// The state after `plan` at the node, with fewer numbers where they do not fit any more: of those
 /// that are refused a list becomes its mean, one number is left out. Where the rule hands its
-/// rectangle on, the numbers are those of its part. Unfit where one of `needed` does not fit.
-State with_what_fits(const State& state, int node, facade::Plan plan, const facade::Told& needed);
+/// rectangle on, the numbers are those of its part. InfeasiblePlan where one of `needed` does not
+/// fit.
+State with_what_fits(const State& state, int node, facade::Plan plan,
+                     const facade::NumberValues& needed);
 
 /// Both; in `changes` a name without numbers is one to forget.
-facade::Told merged(facade::Told numbers, const facade::Told& changes);
+facade::NumberValues merged(facade::NumberValues numbers, const facade::NumberValues& changes);
 
 /// Whether each cell of the node's split is a node of its own.
 bool has_cells(const State& state, int node);

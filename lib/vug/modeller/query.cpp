@@ -17,7 +17,7 @@ Choice barred(int rule, Reason reason, std::string why, std::string hint = {}) {
 
 }  // namespace
 
-Choice considered(const State& state, int node, int rule, const facade::Told& numbers) {
+Choice considered(const State& state, int node, int rule, const facade::NumberValues& numbers) {
   const std::string symbol = node == State::kWhole ? "" : state.node(node).symbol;
   const Style& style = state.style();
   if (symbol != style.rule(rule).head)
@@ -38,8 +38,8 @@ Choice considered(const State& state, int node, int rule, const facade::Told& nu
   try {
     const State tried = state.with(state.alone(node, std::make_shared<const Plan>(plan)));
     return {.rule = rule, .free = tried.planned(tried.at(state.way(node))).free};
-  } catch (const facade::Unfit& unfit) {
-    return barred(rule, unfit.reason(), unfit.what(), unfit.hint());
+  } catch (const facade::InfeasiblePlan& error) {
+    return barred(rule, error.reason(), error.what(), error.hint());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
     return barred(rule, Reason::does_not_fit, error.what(), error.hint());

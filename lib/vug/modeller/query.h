@@ -18,7 +18,7 @@ struct Choice {
 };
 
 /// The rule with these numbers at a node, which stays as it is.
-Choice considered(const State& state, int node, int rule, const facade::Told& numbers = {});
+Choice considered(const State& state, int node, int rule, const facade::NumberValues& numbers = {});
 /// All rules of the node's symbol.
 std::vector<Choice> choices(const State& state, int node);
 /// All rules of the grammar: those of other symbols too, marked as such.

@@ -177,8 +177,8 @@ class Walk {
   }
 
   /// What the split of a node may have left free, as its parts tell.
-  facade::Told told(const Node& from, const Rect& room) const {
-    facade::Told out;
+  facade::NumberValues told(const Node& from, const Rect& room) const {
+    facade::NumberValues out;
     if (from.children.empty()) return out;
     const Node& first = node(from.children[0]);
     if (from.split == "rows") out["heights"] = sizes(from, true);
@@ -197,7 +197,7 @@ class Walk {
     return out;
   }
 
-  void tell_grid(const Node& from, const Rect& room, facade::Told& out) const {
+  void tell_grid(const Node& from, const Rect& room, facade::NumberValues& out) const {
     // One size for all: that of the most.
     const Node* most = nullptr;
     const std::string& cell = node(from.children[0]).symbol;
@@ -248,9 +248,9 @@ class Walk {
   /// How far everything stands from where it did; of each kind the nearest.
   void compare() {
     std::map<std::string, std::vector<Rect>> now;
-    for (const facade::Standing& one : facade::standing(state_.tree()))
+    for (const facade::ElementInstance& one : facade::element_instances(state_.tree()))
       now[state_.node(one.node).element->kind()].push_back(one.rect);
-    for (const facade::Standing& one : facade::standing(tree_)) {
+    for (const facade::ElementInstance& one : facade::element_instances(tree_)) {
       ++out_.elements;
       double least = INFINITY;
       for (const Rect& r : now[node(one.node).element->kind()])

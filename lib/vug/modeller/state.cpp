@@ -9,11 +9,11 @@ namespace vug::modeller {
 
 namespace {
 
-using facade::Place;
+using facade::PartKey;
 using facade::Plan;
 using facade::PlanPtr;
 
-Plan replaced(const Plan& plan, const std::vector<Place>& way, size_t at, const PlanPtr& part,
+Plan replaced(const Plan& plan, const std::vector<PartKey>& way, size_t at, const PlanPtr& part,
               bool alone) {
   Plan out = plan;
   if (alone) out.parts.clear();
@@ -49,7 +49,7 @@ State::State(StylePtr style, const Sheet& sheet, Plan plan) {
   facade::DeriveOptions options{.width = sheet.width, .height = sheet.height};
   options.limits = {sheet.limit, sheet.limit};
   options.key = RandomKey(sheet.seed).at("grammar").at(style->name());
-  facade::Planned made = style->derive(options, {plan, sheet.least});
+  facade::PlannedDerivation made = style->derive(options, {plan, sheet.least});
   inner_ = std::make_shared<const Inner>(Inner{std::move(style), sheet, std::move(plan),
                                                std::move(made.derived.tree), std::move(made.root),
                                                std::move(made.nodes)});
@@ -72,16 +72,16 @@ std::vector<int> State::open() const {
   return out;
 }
 
-std::vector<Place> State::way(int index) const {
-  std::vector<Place> out;
+std::vector<PartKey> State::way(int index) const {
+  std::vector<PartKey> out;
   for (int at = index; at >= 0; at = node(at).parent) out.push_back(planned(at).place);
   std::reverse(out.begin(), out.end());
   return out;
 }
 
-int State::at(const std::vector<Place>& way) const {
+int State::at(const std::vector<PartKey>& way) const {
   int found = kWhole;
-  for (const Place& place : way) {
+  for (const PartKey& place : way) {
     const std::vector<int> all = parts(found);
     const auto next = std::find_if(all.begin(), all.end(),
                                    [&](int part) { return planned(part).place == place; });

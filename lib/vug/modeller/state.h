@@ -54,8 +54,8 @@ class State {
 
   /// The places on the way from the facade to the node, and back; kWhole for a way that nothing
   /// stands at the end of.
-  std::vector<facade::Place> way(int index) const;
-  int at(const std::vector<facade::Place>& way) const;
+  std::vector<facade::PartKey> way(int index) const;
+  int at(const std::vector<facade::PartKey>& way) const;
   /// Nodes whose parent it is.
   std::vector<int> parts(int index) const;
 

@@ -169,11 +169,12 @@ void Style::collect_actions() {
   }
 }
 
-facade::Planned Style::derive(const facade::DeriveOptions& options,
-                              const facade::Planning& planning) const {
+facade::PlannedDerivation Style::derive(const facade::DeriveOptions& options,
+                                        const facade::PlanOptions& planning) const {
   Diagnostics diagnostics;
   scene::Evaluator evaluator(document_, *resolver_, diagnostics);
-  std::optional<facade::Planned> made = facade::derive(rules_, evaluator, options, planning);
+  std::optional<facade::PlannedDerivation> made =
+      facade::derive(rules_, evaluator, options, planning);
   throw_first_error(diagnostics);
   if (!made) throw Error(ErrorCode::internal, "a derivation failed without a reason");
   return std::move(*made);

@@ -53,10 +53,10 @@ class Style {
   /// What a rule gives its whole rectangle to: the one symbol on its right side, if it is that.
   std::optional<std::string> passes_to(int rule) const;
 
-  /// Derives by the plan. Unfit where it cannot be followed, Error(bad_input) where the text is at
-  /// fault, Error(too_large) beyond the limits.
-  facade::Planned derive(const facade::DeriveOptions& options,
-                         const facade::Planning& planning) const;
+  /// Derives by the plan. InfeasiblePlan where it cannot be followed, Error(bad_input) where the
+  /// text is at fault, Error(too_large) beyond the limits.
+  facade::PlannedDerivation derive(const facade::DeriveOptions& options,
+                                   const facade::PlanOptions& planning) const;
 
  private:
   Style(scene::Document document, std::shared_ptr<scene::Resolver> resolver)

@@ -36,17 +36,17 @@ bool is_finite(const Vec3d& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Value checked(Number n, const Site& site) {
+Value checked(Number n, const FaultSite& site) {
   return std::isfinite(n.value) ? Value(n) : site.fault("the result is not a finite number");
 }
 
-Value checked(Vector v, const Site& site) {
+Value checked(Vector v, const FaultSite& site) {
   return is_finite(v.value) ? Value(v) : site.fault("the result is not a finite vector");
 }
 
 std::string adding(char op) { return op == '+' ? "cannot add" : "cannot subtract"; }
 
-Value power(Number a, Number b, const Site& site) {
+Value power(Number a, Number b, const FaultSite& site) {
   if (powers(b.dimension) != Powers{})
     return site.fault(fmt::format("an exponent is a plain number, not {}", type_of(b.dimension)));
   Dimension dimension = a.dimension;
@@ -75,7 +75,7 @@ Value power(Number a, Number b, const Site& site) {
   return checked({a.value == 0 ? 0 : maths::pow(a.value, b.value), dimension}, site);
 }
 
-Value scaled(char op, const Vector& v, Number by, bool by_first, const Site& site) {
+Value scaled(char op, const Vector& v, Number by, bool by_first, const FaultSite& site) {
   if (op == '/' && by_first) return site.fault("cannot divide by a vector");
   if (op == '^') return site.fault("vectors have no powers");
   if (op != '*' && op != '/')
@@ -89,10 +89,10 @@ Value scaled(char op, const Vector& v, Number by, bool by_first, const Site& sit
   return checked(Vector{op == '*' ? v.value * by.value : v.value / by.value, *dimension}, site);
 }
 
-Value numbers(char op, Number a, Number b, const Site& site) {
+Value numbers(char op, Number a, Number b, const FaultSite& site) {
   if (op == '^') return power(a, b, site);
   if (op == '+' || op == '-') {
-    if (!adapt(a, b, adding(op), site)) return {};
+    if (!unify_dimensions(a, b, adding(op), site)) return {};
     return checked({op == '+' ? a.value + b.value : a.value - b.value, a.dimension}, site);
   }
   const auto dimension = product(a.dimension, b.dimension, op == '*' ? 1 : -1);
@@ -104,13 +104,13 @@ Value numbers(char op, Number a, Number b, const Site& site) {
   return checked({op == '*' ? a.value * b.value : a.value / b.value, *dimension}, site);
 }
 
-Value vectors(char op, const Vector& a, const Vector& b, const Site& site) {
+Value vectors(char op, const Vector& a, const Vector& b, const FaultSite& site) {
   if (op != '+' && op != '-')
     return site.fault("vectors only add and subtract", "see dot(a, b) and cross(a, b)");
   Number da{1, a.dimension}, db{1, b.dimension};
   if (a.value == Vec3d(0)) da.value = 0;
   if (b.value == Vec3d(0)) db.value = 0;
-  if (!adapt(da, db, adding(op), site)) return {};
+  if (!unify_dimensions(da, db, adding(op), site)) return {};
   return checked(Vector{op == '+' ? a.value + b.value : a.value - b.value, da.dimension}, site);
 }
 
@@ -129,7 +129,7 @@ std::optional<Dimension> product(Dimension a, Dimension b, int power) {
   return std::nullopt;
 }
 
-bool adapt(Number& a, Number& b, const std::string& doing, const Site& site) {
+bool unify_dimensions(Number& a, Number& b, const std::string& doing, const FaultSite& site) {
   if (a.dimension == b.dimension) return true;
   Number* bare = a.dimension == Dimension::none   ? &a
                  : b.dimension == Dimension::none ? &b
@@ -148,7 +148,7 @@ bool adapt(Number& a, Number& b, const std::string& doing, const Site& site) {
   return true;
 }
 
-std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const Site& site) {
+std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const FaultSite& site) {
   if (op == '&') return std::nullopt;
   const Number* na = a.get<Number>();
   const Number* nb = b.get<Number>();
@@ -161,7 +161,7 @@ std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const S
   return std::nullopt;
 }
 
-std::optional<Value> negated(char op, const Value& a) {
+std::optional<Value> negate(char op, const Value& a) {
   if (const Number* n = a.get<Number>())
     return Value(Number{op == '-' ? -n->value : n->value, n->dimension});
   if (const Vector* v = a.get<Vector>())
@@ -169,13 +169,13 @@ std::optional<Value> negated(char op, const Value& a) {
   return std::nullopt;
 }
 
-std::optional<Value> compared(const std::string& op, const Value& a, const Value& b,
-                              const Site& site) {
+std::optional<Value> compare(const std::string& op, const Value& a, const Value& b,
+                             const FaultSite& site) {
   const auto* na = a.get<Number>();
   const auto* nb = b.get<Number>();
   if (na && nb) {
     Number x = *na, y = *nb;
-    if (!adapt(x, y, "cannot compare", site)) return Value();
+    if (!unify_dimensions(x, y, "cannot compare", site)) return Value();
     const double p = x.value, q = y.value;
     return Value(op == "<"    ? p < q
                  : op == "<=" ? p <= q
@@ -196,11 +196,11 @@ std::optional<Value> compared(const std::string& op, const Value& a, const Value
   return std::nullopt;
 }
 
-Value vector_of(std::vector<Number> parts, const Site& site) {
+Value vector_of(std::vector<Number> parts, const FaultSite& site) {
   for (size_t i = 1; i < parts.size(); ++i) {
     // A dimension found late goes back to the bare parts before it.
     for (size_t j = 0; j < i; ++j)
-      if (!adapt(parts[j], parts[i], "a vector cannot mix", site)) return {};
+      if (!unify_dimensions(parts[j], parts[i], "a vector cannot mix", site)) return {};
   }
   if (parts.size() == 2) return List{parts[0], parts[1]};
   return Vector{Vec3d(parts[0].value, parts[1].value, parts[2].value), parts[0].dimension};

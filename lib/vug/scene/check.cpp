@@ -35,12 +35,12 @@ class NameChecker {
       return first != second ? first < second : a.where->line < b.where->line;
     });
     for (const Global& one : all)
-      if (!global(one.what, *one.name, *one.where)) document.lost.doubtful.insert(*one.name);
+      if (!global(one.what, *one.name, *one.where)) document.skipped.doubtful.insert(*one.name);
     for (const Declaration& made : document.declarations)
       if (!made.broken && !declared(made.kind, made.name, made.where))
-        document.lost.doubtful.insert(made.name);
+        document.skipped.doubtful.insert(made.name);
     for (Grammar& made : document.grammars) {
-      if (!declared("grammar", made.name, made.where)) document.lost.doubtful.insert(made.name);
+      if (!declared("grammar", made.name, made.where)) document.skipped.doubtful.insert(made.name);
       const size_t before = diagnostics_.all().size();
       grammar(made);
       const auto told = diagnostics_.all().begin() + static_cast<std::ptrdiff_t>(before);
@@ -226,8 +226,8 @@ void check_params_read(const Document& document, Diagnostics& diagnostics) {
     if (grammar.lsystem) reader.add(*grammar.lsystem);
   }
   for (const Param& param : document.params)
-    if (!reader.names.count(param.name) && !document.lost.may_mention(param.name) &&
-        !document.lost.doubtful.count(param.name))
+    if (!reader.names.count(param.name) && !document.skipped.may_mention(param.name) &&
+        !document.skipped.doubtful.count(param.name))
       diagnostics.error(param.where, fmt::format("param '{}' is never read", param.name),
                         "use it in an expression or remove it");
 }

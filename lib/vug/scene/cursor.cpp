@@ -185,7 +185,7 @@ void Cursor::recover_entry() {
   }
 }
 
-Cursor::Nest::Nest(Cursor& cursor) : cursor_(cursor) {
+Cursor::NestingGuard::NestingGuard(Cursor& cursor) : cursor_(cursor) {
   if (++cursor_.nesting_ <= cursor_.options_.max_nesting) return;
   --cursor_.nesting_;  // the destructor of a throwing constructor does not run
   cursor_.fail(cursor_.peek(),

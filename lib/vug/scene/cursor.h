@@ -68,36 +68,36 @@ class Cursor {
   bool at_statement() const;
 
   /// While it lives, line breaks are invisible.
-  class Brackets {
+  class BracketScope {
    public:
-    explicit Brackets(Cursor& cursor) : cursor_(cursor) { ++cursor_.brackets_; }
-    ~Brackets() { --cursor_.brackets_; }
-    Brackets(const Brackets&) = delete;
-    Brackets& operator=(const Brackets&) = delete;
+    explicit BracketScope(Cursor& cursor) : cursor_(cursor) { ++cursor_.brackets_; }
+    ~BracketScope() { --cursor_.brackets_; }
+    BracketScope(const BracketScope&) = delete;
+    BracketScope& operator=(const BracketScope&) = delete;
 
    private:
     Cursor& cursor_;
   };
 
   /// While it lives, an expression ends with its line: the next one may start with any sign.
-  class Line {
+  class LineScope {
    public:
-    explicit Line(Cursor& cursor) : cursor_(cursor) { ++cursor_.lines_; }
-    ~Line() { --cursor_.lines_; }
-    Line(const Line&) = delete;
-    Line& operator=(const Line&) = delete;
+    explicit LineScope(Cursor& cursor) : cursor_(cursor) { ++cursor_.lines_; }
+    ~LineScope() { --cursor_.lines_; }
+    LineScope(const LineScope&) = delete;
+    LineScope& operator=(const LineScope&) = delete;
 
    private:
     Cursor& cursor_;
   };
 
   /// Bounds recursion; fails when too deep.
-  class Nest {
+  class NestingGuard {
    public:
-    explicit Nest(Cursor& cursor);
-    ~Nest() { --cursor_.nesting_; }
-    Nest(const Nest&) = delete;
-    Nest& operator=(const Nest&) = delete;
+    explicit NestingGuard(Cursor& cursor);
+    ~NestingGuard() { --cursor_.nesting_; }
+    NestingGuard(const NestingGuard&) = delete;
+    NestingGuard& operator=(const NestingGuard&) = delete;
 
    private:
     Cursor& cursor_;

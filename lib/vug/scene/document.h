@@ -116,7 +116,7 @@ struct Grammar {
 };
 
 /// What faults have hidden of a text. It is there so that nobody blames the rest for it.
-struct Lost {
+struct SkippedNames {
   std::set<std::string> declared;   ///< Names that statements may give which nobody understood.
   std::set<std::string> mentioned;  ///< Names in faulty statements, which may use them.
   std::set<std::string> doubtful;   ///< Parameters and lets of which several meanings are given.
@@ -132,7 +132,7 @@ struct Document {
   std::vector<Let> lets;
   std::vector<Declaration> declarations;
   std::vector<Grammar> grammars;
-  Lost lost;  ///< Empty in a text without faults.
+  SkippedNames skipped;  ///< Empty in a text without faults.
   /// Files in the order they were opened, the scene first.
   std::vector<std::shared_ptr<const Source>> sources;
 

@@ -84,7 +84,7 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
   auto declared = resolver_.name(expr.text, expr.where, diagnostics_);
   deepest_ = deepest;
   if (declared) return *std::move(declared);
-  if (document_.lost.may_declare(expr.text)) return {};
+  if (document_.skipped.may_declare(expr.text)) return {};
   return Value::Name{expr.text};
 }
 
@@ -92,13 +92,13 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
 bool Evaluator::is_known(const Value& value, const Expr& expr) {
   const auto* unknown = value.get<Value::Name>();
   if (!unknown) return true;
-  const std::string hint = meant(unknown->text);
+  const std::string hint = name_hint(unknown->text);
   site(expr).fault(fmt::format("unknown name '{}'", unknown->text), hint);
   return false;
 }
 
 /// "did you mean 'x'?" for the nearest name that has a value, or nothing.
-std::string Evaluator::meant(const std::string& name) const {
+std::string Evaluator::name_hint(const std::string& name) const {
   std::vector<std::string> names = resolver_.known_names();
   for (const auto& [known, value] : globals_) names.push_back(known);
   const std::string near = nearest_name(name, names);
@@ -155,7 +155,7 @@ Value Evaluator::unary(const Expr& expr, const Context& context) {
     return site(expr).fault(fmt::format("no '{}' for the unknown name '{}'", op, letter->text),
                             "directions are +X, -X, +Y, -Y, +Z and -Z");
   if (!is_known(value, inner)) return {};
-  if (auto result = negated(op, value)) return *std::move(result);
+  if (auto result = negate(op, value)) return *std::move(result);
   if (value.get<Object>())
     if (auto result = resolver_.unary(op, value, expr.where, diagnostics_))
       return *std::move(result);
@@ -170,7 +170,7 @@ Value Evaluator::binary(const Expr& expr, const Context& context) {
   if (a.empty() || b.empty()) return {};
   const bool comparison = std::string_view("<>=!").find(expr.text[0]) != std::string_view::npos;
   if (comparison) {
-    if (auto result = compared(expr.text, a, b, site(expr))) return *std::move(result);
+    if (auto result = compare(expr.text, a, b, site(expr))) return *std::move(result);
   } else {
     if (auto result = arithmetic(expr.text[0], a, b, site(expr))) return *std::move(result);
   }
@@ -212,7 +212,7 @@ Value Evaluator::range(const Expr& expr, const Context& context) {
   const Number* nb = b.get<Number>();
   if (na && nb) {
     Number x = *na, y = *nb;
-    if (!adapt(x, y, "a range cannot mix", site(expr))) return {};
+    if (!unify_dimensions(x, y, "a range cannot mix", site(expr))) return {};
     if (x.value > y.value)
       return site(expr).fault(
           fmt::format("the range {}..{} runs backwards", to_string(Value(x)), to_string(Value(y))));
@@ -224,7 +224,7 @@ Value Evaluator::range(const Expr& expr, const Context& context) {
     return site(expr).fault(fmt::format("no range from {} to {}", a.type_name(), b.type_name()));
   Number x{va->value == Vec3d(0) ? 0.0 : 1.0, va->dimension};
   Number y{vb->value == Vec3d(0) ? 0.0 : 1.0, vb->dimension};
-  if (!adapt(x, y, "a range cannot mix", site(expr))) return {};
+  if (!unify_dimensions(x, y, "a range cannot mix", site(expr))) return {};
   Vec3d point;
   for (int axis = 0; axis < 3; ++axis) {
     if (va->value[axis] > vb->value[axis])
@@ -272,12 +272,12 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
   return arguments;
 }
 
-void Evaluator::tell(const Diagnostics& found, const Arguments& given) {
+void Evaluator::report(const Diagnostics& found, const Arguments& given) {
   for (Diagnostic one : found.all()) {
     for (const Argument& argument : given)
       if (const auto* unknown = argument.value.get<Value::Name>();
           unknown && one.hint.empty() && argument.where == one.where)
-        one.hint = meant(unknown->text);
+        one.hint = name_hint(unknown->text);
     one.severity == Severity::error ? diagnostics_.error(one.where, one.message, one.hint)
                                     : diagnostics_.warning(one.where, one.message, one.hint);
   }
@@ -293,7 +293,7 @@ std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& give
     found.error(error.where().known() ? error.where() : call.where, error.what(), error.hint());
     result = Value();
   }
-  tell(found, given);
+  report(found, given);
   return result;
 }
 

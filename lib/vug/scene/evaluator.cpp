@@ -43,7 +43,7 @@ void Evaluator::read_overrides() {
   for (const Override& given : options_.overrides) {
     const std::string file = "-D " + given.name;
     if (!document_.find_param(given.name)) {
-      if (document_.lost.may_declare(given.name)) continue;
+      if (document_.skipped.may_declare(given.name)) continue;
       std::vector<std::string> names;
       for (const Param& param : document_.params) names.push_back(param.name);
       const std::string near = nearest_name(given.name, names);
@@ -125,13 +125,13 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   const auto first = std::find(pending_.begin(), pending_.end(), name);
   if (first != pending_.end()) {
     const std::vector<std::string> circle(first, pending_.end());
-    return Site{where, diagnostics_}.fault(
+    return FaultSite{where, diagnostics_}.fault(
         fmt::format("'{}' depends on itself", name),
         fmt::format("{} -> {}", fmt::join(circle, " -> "), name));
   }
-  if (pending_.size() >= Resolver::kMostPending)
-    return Site{where, diagnostics_}.fault(
-        fmt::format("more than {} names depend on each other in a row", Resolver::kMostPending));
+  if (pending_.size() >= Resolver::kMaxPending)
+    return FaultSite{where, diagnostics_}.fault(
+        fmt::format("more than {} names depend on each other in a row", Resolver::kMaxPending));
   pending_.push_back(name);
   const uint64_t uses = resolver_.frame_uses();
   const int deepest = std::exchange(deepest_, depth_);
@@ -140,7 +140,7 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   pending_.pop_back();
   if (value.get<Object>() || value.get<List>()) global.height = deepest_ - depth_;
   deepest_ = deepest;
-  if (document_.lost.doubtful.count(name)) value = {};
+  if (document_.skipped.doubtful.count(name)) value = {};
   global.value = value;
   global.moves = resolver_.frame_uses() > uses;
   return upon(global, where);
@@ -151,7 +151,7 @@ Value Evaluator::upon(const Global& global, const SourceLocation& where) {
   constexpr int kHighest = 10000;
   const int height = depth_ + global.height;
   if (height > kHighest)
-    return Site{where, diagnostics_}.fault(
+    return FaultSite{where, diagnostics_}.fault(
         fmt::format("more than {} steps upon each other", kHighest),
         "make what can stand side by side so: union([a, b, c])");
   deepest_ = std::max(deepest_, height);
@@ -180,7 +180,7 @@ Value Evaluator::param(ParamValue& param, RandomKey key) {
 Value Evaluator::like(const Value& fallback, Value given, const std::string& name,
                       const SourceLocation& where) {
   if (fallback.empty() || given.empty()) return {};
-  const Site there{where, diagnostics_};
+  const FaultSite there{where, diagnostics_};
   const Number* model = fallback.get<Number>();
   const Number* number = given.get<Number>();
   const bool names = fallback.get<Value::Name>() && given.get<Value::Name>();
@@ -190,7 +190,8 @@ Value Evaluator::like(const Value& fallback, Value given, const std::string& nam
   if (model && number && (is_bare(*number) || number->dimension == model->dimension)) {
     Number value = *number, wanted = *model;
     if (is_bare(wanted)) return value;
-    if (!adapt(value, wanted, fmt::format("param '{}' cannot mix", name), there)) return {};
+    if (!unify_dimensions(value, wanted, fmt::format("param '{}' cannot mix", name), there))
+      return {};
     return value;
   }
   if (names || (!model && given.type_name() == fallback.type_name())) return given;
@@ -205,15 +206,15 @@ bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLoca
   const Number* high = param.high.get<Number>();
   const Number* n = value.get<Number>();
   if (!low || !high || !n) {
-    Site{where, diagnostics_}.fault(
+    FaultSite{where, diagnostics_}.fault(
         fmt::format("only numbers have ranges, and param '{}' is {}", name, value.type_name()));
     return false;
   }
   Number least = *low, most = *high, given = *n;
-  const Site there{where, diagnostics_};
-  if (!adapt(least, most, "the ends of a range are", there) ||
-      !adapt(given, least, fmt::format("param '{}' cannot mix", name), there) ||
-      !adapt(given, most, fmt::format("param '{}' cannot mix", name), there))
+  const FaultSite there{where, diagnostics_};
+  if (!unify_dimensions(least, most, "the ends of a range are", there) ||
+      !unify_dimensions(given, least, fmt::format("param '{}' cannot mix", name), there) ||
+      !unify_dimensions(given, most, fmt::format("param '{}' cannot mix", name), there))
     return false;
   value = given;
   if (given.value >= least.value && given.value <= most.value) return true;

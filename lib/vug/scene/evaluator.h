@@ -84,7 +84,7 @@ class Evaluator {
 
   /// Tells what a maker found wrong with what it was given. Where it refuses a name that nothing
   /// declares, the nearest declared one becomes the hint.
-  void tell(const Diagnostics& found, const Arguments& given);
+  void report(const Diagnostics& found, const Arguments& given);
 
   /// The document's sources and those of the overrides, for `report`.
   std::vector<std::shared_ptr<const Source>> sources() const;
@@ -126,10 +126,10 @@ class Evaluator {
   Value like(const Value& fallback, Value given, const std::string& name,
              const SourceLocation& where);
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
-  std::string meant(const std::string& name) const;
+  std::string name_hint(const std::string& name) const;
   std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key);
   bool is_known(const Value& value, const Expr& expr);
-  Site site(const Expr& expr) const { return {expr.where, diagnostics_}; }
+  FaultSite site(const Expr& expr) const { return {expr.where, diagnostics_}; }
 
   const Document& document_;
   Resolver& resolver_;

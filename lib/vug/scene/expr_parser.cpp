@@ -29,15 +29,15 @@ bool is_operator_word(const Token& token) {
 }
 
 /// Puts back the path when a call or argument is done, also on a fault.
-class Step {
+class PathScope {
  public:
-  Step(std::string& path, std::string_view name) : path_(path), size_(path.size()) {
+  PathScope(std::string& path, std::string_view name) : path_(path), size_(path.size()) {
     path_ += '/';
     path_ += name;
   }
-  ~Step() { path_.resize(size_); }
-  Step(const Step&) = delete;
-  Step& operator=(const Step&) = delete;
+  ~PathScope() { path_.resize(size_); }
+  PathScope(const PathScope&) = delete;
+  PathScope& operator=(const PathScope&) = delete;
 
  private:
   std::string& path_;
@@ -101,7 +101,7 @@ const Token& ExprParser::operator_ahead() const {
 }
 
 ExprPtr ExprParser::binary(int least) {
-  const Cursor::Nest nest(cursor_);
+  const Cursor::NestingGuard nest(cursor_);
   ExprPtr left = prefix();
   for (;;) {
     const int level = strength(operator_ahead());
@@ -129,13 +129,13 @@ ExprPtr ExprParser::prefix() {
     if (!cursor_.peek().is("^")) return base;
     Expr power = begin(ExprKind::binary, cursor_.take(), "^");
     cursor_.skip_newlines();
-    const Cursor::Nest nest(cursor_);
+    const Cursor::NestingGuard nest(cursor_);
     const ExprPtr exponent = prefix();
     power.operands = {{"", base->where, base}, {"", exponent->where, exponent}};
     return finish(std::move(power));
   }
   cursor_.take();
-  const Cursor::Nest nest(cursor_);
+  const Cursor::NestingGuard nest(cursor_);
   Expr expr = begin(ExprKind::unary, token, std::string(token.text));
   // "not a < b" turns the comparison round; "-a ^ 2" is -(a ^ 2).
   const ExprPtr inner = expr.text == "not" ? binary(kCompare) : prefix();
@@ -194,7 +194,7 @@ ExprPtr ExprParser::primary() {
 
 ExprPtr ExprParser::bracketed() {
   const Token& open = cursor_.take();
-  const Cursor::Brackets brackets(cursor_);
+  const Cursor::BracketScope brackets(cursor_);
   Expr vector = begin(ExprKind::vector, open);
   do {
     if (!vector.operands.empty() && cursor_.peek().is(")")) break;  // a trailing comma
@@ -211,7 +211,7 @@ ExprPtr ExprParser::bracketed() {
 
 ExprPtr ExprParser::list() {
   const Token& open = cursor_.take();
-  const Cursor::Brackets brackets(cursor_);
+  const Cursor::BracketScope brackets(cursor_);
   Expr expr = begin(ExprKind::list, open);
   while (!cursor_.peek().is("]")) {
     const ExprPtr part = binary(1);
@@ -225,12 +225,12 @@ ExprPtr ExprParser::list() {
 ExprPtr ExprParser::call(const Token& name, ExprPtr receiver) {
   Expr expr = begin(ExprKind::call, name, std::string(name.text));
   const Token& open = cursor_.take();
-  const Cursor::Brackets brackets(cursor_);
+  const Cursor::BracketScope brackets(cursor_);
   if (receiver) {
     expr.method = true;
     expr.operands.push_back({"", receiver->where, receiver});
   }
-  const Step step(path_, expr.text);
+  const PathScope step(path_, expr.text);
   expr.path = identity("()");
   bool named = false;
   while (!cursor_.peek().is(")")) {
@@ -266,7 +266,7 @@ void ExprParser::operand(Expr& call, bool& named) {
                   "put it first, or name it too");
   }
   const size_t index = call.operands.size();
-  const Step step(path_, result.name.empty() ? fmt::format("{}", index) : result.name);
+  const PathScope step(path_, result.name.empty() ? fmt::format("{}", index) : result.name);
   result.value = binary(1);
   call.operands.push_back(std::move(result));
 }

@@ -49,7 +49,7 @@ class Formatter {
       breaks = 0;
       at = end;
     }
-    return in_columns(rows_);
+    return align_columns(rows_);
   }
 
  private:
@@ -66,7 +66,7 @@ class Formatter {
   bool in_brackets() const { return !open_.empty() && open_.back().sign != '{'; }
 
   void line(size_t begin, size_t end) {
-    Row row;
+    FormattedLine row;
     if (tokens_[end - 1].kind == TokenKind::comment) {
       --end;
       row.comment = std::string(tokens_[end].text);
@@ -129,7 +129,7 @@ class Formatter {
 
   static bool is_clause(const Token& t) { return t.is_name("label") || t.is_name("blend"); }
 
-  void fill(Row& row, size_t begin, size_t end) {
+  void fill(FormattedLine& row, size_t begin, size_t end) {
     row.kind = kind(begin, end);
     row.cells.emplace_back();
     bool key = false;  // the token before is an entry's key
@@ -208,13 +208,13 @@ class Formatter {
     return count;
   }
 
-  bool breaks_cell(const Row& row, size_t i, bool key) const {
+  bool breaks_cell(const FormattedLine& row, size_t i, bool key) const {
     const size_t now = row.cells.size() - 1;
     return cell(row, i) > now && (row.kind != "entry" || key);
   }
 
   /// The cell that token `i` belongs to.
-  size_t cell(const Row& row, size_t i) const {
+  size_t cell(const FormattedLine& row, size_t i) const {
     const size_t now = row.cells.size() - 1;
     const Token& t = tokens_[i];
     if (row.kind.empty()) return now;
@@ -259,7 +259,7 @@ class Formatter {
 
   const std::vector<Token>& tokens_;
   std::vector<LSystemToken> marks_;  ///< By token.
-  std::vector<Row> rows_;
+  std::vector<FormattedLine> rows_;
   std::vector<Open> open_;
   std::set<std::string_view> heads_;
   bool items_ = false;    ///< The line before holds items that a clause may go on.

@@ -37,7 +37,7 @@ void append(std::vector<std::string>& lines, const Part& part, size_t gap) {
   }
 }
 
-void write_run(const std::vector<Row>& rows, size_t begin, size_t end, std::string& out) {
+void write_run(const std::vector<FormattedLine>& rows, size_t begin, size_t end, std::string& out) {
   const auto indent = static_cast<size_t>(rows[begin].indent);
   std::vector<std::string> lines(end - begin, std::string(indent, ' '));
   size_t cells = 0;
@@ -45,7 +45,7 @@ void write_run(const std::vector<Row>& rows, size_t begin, size_t end, std::stri
   static const std::string nothing;
   for (size_t cell = 0; cell < cells; ++cell) {
     const auto part = [&](size_t i) -> const std::string& {
-      const Row& row = rows[begin + i];
+      const FormattedLine& row = rows[begin + i];
       return cell < row.cells.size() ? row.cells[cell] : nothing;
     };
     append(lines, part, cell == 0 ? 0 : static_cast<size_t>(cell_gap(rows[begin].kind, cell)));
@@ -64,11 +64,11 @@ int cell_gap(const std::string& kind, size_t cell) {
   return wide ? 2 : 1;
 }
 
-std::string in_columns(const std::vector<Row>& rows) {
+std::string align_columns(const std::vector<FormattedLine>& rows) {
   std::string out;
   for (size_t begin = 0, end; begin < rows.size(); begin = end) {
     for (end = begin + 1; end < rows.size(); ++end) {
-      const Row &first = rows[begin], &next = rows[end];
+      const FormattedLine &first = rows[begin], &next = rows[end];
       if (first.kind.empty() || next.kind != first.kind || next.indent != first.indent ||
           next.blank_before)
         break;

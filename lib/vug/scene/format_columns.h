@@ -7,7 +7,7 @@
 namespace vug::scene {
 
 /// One line. Neighbours of the same kind and indent form a run whose cells line up.
-struct Row {
+struct FormattedLine {
   bool blank_before = false;
   int indent = 0;
   std::string kind;                ///< Empty: lines up with nothing.
@@ -19,6 +19,6 @@ struct Row {
 int cell_gap(const std::string& kind, size_t cell);
 
 /// All rows as text.
-std::string in_columns(const std::vector<Row>& rows);
+std::string align_columns(const std::vector<FormattedLine>& rows);
 
 }  // namespace vug::scene

@@ -34,27 +34,27 @@ bool is_angle(const Number& n) {
 }
 
 /// Gives all numbers one dimension; false after a report.
-bool adapt_all(std::vector<Number>& all, const Site& site) {
+bool unify_all_dimensions(std::vector<Number>& all, const FaultSite& site) {
   for (size_t round = 0; round < 2; ++round)
     for (size_t i = 1; i < all.size(); ++i)
-      if (!adapt(all[0], all[i], "cannot compare", site)) return false;
+      if (!unify_dimensions(all[0], all[i], "cannot compare", site)) return false;
   return true;
 }
 
-Value checked(double value, Dimension dimension, const Site& site) {
+Value checked(double value, Dimension dimension, const FaultSite& site) {
   if (!std::isfinite(value)) return site.fault("the result is not a finite number");
   return Number{value, dimension};
 }
 
 template <double (*F)(double)>
-Result plain(const Arguments& arguments, const Site& site) {
+Result plain(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
   return checked(F(n[0].value), Dimension::none, site);
 }
 
 template <double (*F)(double)>
-Result of_angle(const Arguments& arguments, const Site& site) {
+Result of_angle(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers(arguments);
   if (n.size() != 1 || !is_angle(n[0])) return std::nullopt;
   return checked(F(n[0].value), Dimension::none, site);
@@ -65,30 +65,30 @@ double ceil_of(double x) { return std::ceil(x); }
 double round_of(double x) { return std::floor(x + 0.5); }
 
 template <bool Smallest>
-Result extreme(const Arguments& arguments, const Site& site) {
+Result extreme(const Arguments& arguments, const FaultSite& site) {
   auto n = numbers(arguments);
   if (n.empty()) return std::nullopt;
-  if (!adapt_all(n, site)) return Value();
+  if (!unify_all_dimensions(n, site)) return Value();
   double best = n[0].value;
   for (const Number& one : n)
     best = Smallest ? std::min(best, one.value) : std::max(best, one.value);
   return Value(Number{best, n[0].dimension});
 }
 
-Result absolute(const Arguments& arguments, const Site&) {
+Result absolute(const Arguments& arguments, const FaultSite&) {
   const auto n = numbers(arguments);
   if (n.size() != 1) return std::nullopt;
   return Value(Number{std::fabs(n[0].value), n[0].dimension});
 }
 
-Result root(const Arguments& arguments, const Site& site) {
+Result root(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
   if (n[0].value < 0) return site.fault("the square root of a negative number");
   return Value(std::sqrt(n[0].value));
 }
 
-Result logarithm(const Arguments& arguments, const Site& site) {
+Result logarithm(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
   if (n[0].value <= 0) return site.fault("the logarithm of a number that is not positive");
@@ -96,7 +96,7 @@ Result logarithm(const Arguments& arguments, const Site& site) {
 }
 
 template <bool Sine>
-Result arc(const Arguments& arguments, const Site& site) {
+Result arc(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
   if (std::fabs(n[0].value) > 1) return site.fault("an arc of a number outside -1..1");
@@ -105,37 +105,37 @@ Result arc(const Arguments& arguments, const Site& site) {
                       Dimension::angle});
 }
 
-Result arc_tangent(const Arguments& arguments, const Site& site) {
+Result arc_tangent(const Arguments& arguments, const FaultSite& site) {
   auto n = numbers(arguments);
   if (n.size() == 1 && is_plain(n[0])) n.push_back({1});
   if (n.size() != 2) return std::nullopt;
-  if (!adapt_all(n, site)) return Value();
+  if (!unify_all_dimensions(n, site)) return Value();
   return Value(Number{maths::atan2(n[0].value, n[1].value), Dimension::angle});
 }
 
-Result power(const Arguments& arguments, const Site& site) {
+Result power(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers(arguments);
   return n.size() == 2 ? arithmetic('^', n[0], n[1], site) : std::nullopt;
 }
 
-Result modulo(const Arguments& arguments, const Site& site) {
+Result modulo(const Arguments& arguments, const FaultSite& site) {
   auto n = numbers(arguments);
   if (n.size() != 2) return std::nullopt;
-  if (!adapt_all(n, site)) return Value();
+  if (!unify_all_dimensions(n, site)) return Value();
   if (n[1].value == 0) return site.fault("division by zero");
   const double whole = std::floor(n[0].value / n[1].value);
   return checked(n[0].value - n[1].value * whole, n[0].dimension, site);
 }
 
-Result clamp(const Arguments& arguments, const Site& site) {
+Result clamp(const Arguments& arguments, const FaultSite& site) {
   auto n = numbers(arguments);
   if (n.size() != 3) return std::nullopt;
-  if (!adapt_all(n, site)) return Value();
+  if (!unify_all_dimensions(n, site)) return Value();
   if (n[1].value > n[2].value) return site.fault("the bounds of clamp run backwards");
   return Value(Number{std::clamp(n[0].value, n[1].value, n[2].value), n[0].dimension});
 }
 
-Result mix(const Arguments& arguments, const Site& site) {
+Result mix(const Arguments& arguments, const FaultSite& site) {
   if (arguments.size() != 3 || !arguments[2].value.get<Number>()) return std::nullopt;
   for (const Argument& argument : arguments)
     if (!argument.name.empty()) return std::nullopt;
@@ -155,13 +155,13 @@ const Vector* vector_at(const Arguments& arguments, size_t index) {
              : nullptr;
 }
 
-Result length(const Arguments& arguments, const Site& site) {
+Result length(const Arguments& arguments, const FaultSite& site) {
   const Vector* v = vector_at(arguments, 0);
   if (arguments.size() != 1 || !v) return std::nullopt;
   return checked(v->value.length(), v->dimension, site);
 }
 
-Result normalize(const Arguments& arguments, const Site& site) {
+Result normalize(const Arguments& arguments, const FaultSite& site) {
   const Vector* v = vector_at(arguments, 0);
   if (arguments.size() != 1 || !v) return std::nullopt;
   if (v->value.length() == 0) return site.fault("a vector of length 0 has no direction");
@@ -169,7 +169,7 @@ Result normalize(const Arguments& arguments, const Site& site) {
 }
 
 template <bool Dot>
-Result times(const Arguments& arguments, const Site& site) {
+Result times(const Arguments& arguments, const FaultSite& site) {
   const Vector* a = vector_at(arguments, 0);
   const Vector* b = vector_at(arguments, 1);
   if (arguments.size() != 2 || !a || !b) return std::nullopt;
@@ -181,14 +181,14 @@ Result times(const Arguments& arguments, const Site& site) {
   return Value(Vector{a->value.cross(b->value), *dimension});
 }
 
-Result count(const Arguments& arguments, const Site&) {
+Result count(const Arguments& arguments, const FaultSite&) {
   if (arguments.size() != 1 || !arguments[0].name.empty()) return std::nullopt;
   const List* list = arguments[0].value.get<List>();
   if (!list) return std::nullopt;
   return Value(static_cast<double>(list->size()));
 }
 
-Result at(const Arguments& arguments, const Site& site) {
+Result at(const Arguments& arguments, const FaultSite& site) {
   if (arguments.size() != 2 || !arguments[0].name.empty()) return std::nullopt;
   const List* list = arguments[0].value.get<List>();
   const Vector* vector = arguments[0].value.get<Vector>();

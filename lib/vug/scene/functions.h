@@ -17,7 +17,7 @@ struct Function {
   const char* doc;
   /// Nothing when the arguments are of other types (then the resolver is asked, so that kinds
   /// may bear the same name: round(2.4) here, round(10cm) there).
-  std::optional<Value> (*apply)(const Arguments& arguments, const Site& site);
+  std::optional<Value> (*apply)(const Arguments& arguments, const FaultSite& site);
 };
 
 const std::vector<Function>& functions();

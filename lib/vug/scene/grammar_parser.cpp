@@ -140,7 +140,7 @@ Rule GrammarParser::rule() {
 std::vector<Formal> GrammarParser::formals() {
   std::vector<Formal> formals;
   cursor_.take();
-  const Cursor::Brackets brackets(cursor_);
+  const Cursor::BracketScope brackets(cursor_);
   while (!cursor_.peek().is(")")) {
     const Token& name = cursor_.expect_name("the name of a parameter");
     formals.push_back({std::string(name.text), cursor_.where(name)});

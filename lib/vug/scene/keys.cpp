@@ -51,8 +51,8 @@ Number measure_of(const Value& value) {
 
 }  // namespace
 
-double between_keys(const std::vector<double>& frames, const std::vector<double>& values, Ease ease,
-                    double frame) {
+double interpolate_keys(const std::vector<double>& frames, const std::vector<double>& values,
+                        Ease ease, double frame) {
   if (!(frame > frames.front())) return values.front();
   if (!(frame < frames.back())) return values.back();
   const auto after = std::upper_bound(frames.begin(), frames.end(), frame);
@@ -75,7 +75,7 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
   bool sound = true;
   for (size_t i = 0; i < expr.operands.size(); ++i) {
     const Operand& part = expr.operands[i];
-    const Site here{part.where, diagnostics_};
+    const FaultSite here{part.where, diagnostics_};
     if (const auto named = part.name.empty() && i == 0 ? ease_named(*part.value) : std::nullopt) {
       ease = *named;
       continue;
@@ -109,13 +109,13 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
         return site(expr).fault(fmt::format("keys cannot mix {} and {}", values.front().type_name(),
                                             value.type_name()));
       Number other = measure_of(value);
-      if (!adapt(common, other, "keys cannot mix", site(expr))) return {};
+      if (!unify_dimensions(common, other, "keys cannot mix", site(expr))) return {};
     }
   std::vector<double> at;
   for (size_t part = 0; part < first.size(); ++part) {
     std::vector<double> curve;
     for (const Value& value : values) curve.push_back(parts_of(value)[part]);
-    at.push_back(between_keys(frames, curve, ease, options_.frame));
+    at.push_back(interpolate_keys(frames, curve, ease, options_.frame));
   }
   if (at.size() == 1) return Number{at[0], common.dimension};
   return Value::Vector{{at[0], at[1], at[2]}, common.dimension};

@@ -15,7 +15,7 @@ enum class Ease {
 /// the last it keeps still. The frames increase; there is at least one. Smooth curves are cubic
 /// with the slopes of Fritsch and Butland 1984, "A method for constructing local monotone piecewise
 /// cubic interpolants" (fritsch1984monotone).
-double between_keys(const std::vector<double>& frames, const std::vector<double>& values, Ease ease,
-                    double frame);
+double interpolate_keys(const std::vector<double>& frames, const std::vector<double>& values,
+                        Ease ease, double frame);
 
 }  // namespace vug::scene

@@ -91,7 +91,7 @@ void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
   if (first.kind != TokenKind::name || (!grammar && !first.is_name("depth")))
     cursor_.fail(first, fmt::format("expected a rule, found {}", describe(first)),
                  "rules are written: head -> successor");
-  const Cursor::Line line(cursor_);
+  const Cursor::LineScope line(cursor_);
   if (grammar) {
     grammar->options.push_back(parse_entry(cursor_, exprs_));
     const Token& next = cursor_.peek();
@@ -166,7 +166,7 @@ void LSystemParser::stage(ProductionStage& stage) {
 
 void LSystemParser::schedule() {
   const Token& word = cursor_.last();
-  const Cursor::Line line(cursor_);
+  const Cursor::LineScope line(cursor_);
   while (!cursor_.at_line_end()) {
     const Token& name = cursor_.expect_name("the name of a table");
     ScheduleTurn turn{std::string(name.text), cursor_.where(name), nullptr};
@@ -372,7 +372,7 @@ void LSystemParser::module(ModuleString& word) {
 std::vector<ExprPtr> LSystemParser::arguments(const Module& whose) {
   std::vector<ExprPtr> out;
   const Token& open = cursor_.take();
-  const Cursor::Brackets brackets(cursor_);
+  const Cursor::BracketScope brackets(cursor_);
   while (!cursor_.peek().is(")")) {
     out.push_back(exprs_.whole());
     if (cursor_.peek().is(":"))

@@ -54,7 +54,7 @@ class Loader {
     Cursor cursor(tokens, source->file, diagnostics_, options_);
     parse_statements(cursor, document_,
                      [&](const std::string& wanted, const SourceLocation& where) {
-                       if (!include(wanted, path, where)) document_.lost.file = true;
+                       if (!include(wanted, path, where)) document_.skipped.file = true;
                      });
     chain_.pop_back();
     return true;

@@ -65,19 +65,20 @@ std::string report(const Diagnostics& diagnostics,
                                     [&](const auto& source) { return source->file == file; });
     return static_cast<size_t>(found - sources.begin());
   };
-  struct Row {
+  struct LocatedDiagnostic {
     size_t rank;
     const Diagnostic* what;
   };
-  std::vector<Row> rows;
+  std::vector<LocatedDiagnostic> rows;
   for (const Diagnostic& one : diagnostics.all()) rows.push_back({rank(one.where.file), &one});
-  const auto order = [](const Row& row) {
+  const auto order = [](const LocatedDiagnostic& row) {
     const Diagnostic& d = *row.what;
     return std::tie(row.rank, d.where.file, d.where.line, d.where.column);
   };
-  std::stable_sort(rows.begin(), rows.end(),
-                   [&](const Row& a, const Row& b) { return order(a) < order(b); });
-  const auto same = [&](const Row& a, const Row& b) {
+  std::stable_sort(
+      rows.begin(), rows.end(),
+      [&](const LocatedDiagnostic& a, const LocatedDiagnostic& b) { return order(a) < order(b); });
+  const auto same = [&](const LocatedDiagnostic& a, const LocatedDiagnostic& b) {
     return order(a) == order(b) && a.what->message == b.what->message;
   };
   rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());

@@ -41,7 +41,7 @@ class Resolver {
   virtual std::vector<std::string> known_calls() const { return {}; }
 
   /// Names that wait for one another; more is a text made by a program gone wrong.
-  static constexpr int kMostPending = 200;
+  static constexpr int kMaxPending = 200;
 
   /// Counts how often a value was read that depends on the frame: what is made without any such
   /// reading is the same in every frame.

@@ -55,10 +55,10 @@ class StatementParser {
 
   /// After a fault: keeps what is known of the statement that began at `start`.
   void lose(const Counts& before, size_t start, bool includes) {
-    Lost& lost = document_.lost;
-    cursor_.add_names_since(start, lost.mentioned);
+    SkippedNames& skipped = document_.skipped;
+    cursor_.add_names_since(start, skipped.mentioned);
     if (includes) {
-      lost.file = true;
+      skipped.file = true;
       return;
     }
     const Counts now = counts();
@@ -77,7 +77,7 @@ class StatementParser {
     for (size_t i = before.grammars; i < now.grammars; ++i) document_.grammars[i].broken = true;
     const bool named = now.params + now.lets + now.declarations + now.grammars >
                        before.params + before.lets + before.declarations + before.grammars;
-    if (!named) cursor_.add_names_since(start, lost.declared);
+    if (!named) cursor_.add_names_since(start, skipped.declared);
   }
 
   void statement() {

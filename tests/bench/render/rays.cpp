@@ -37,16 +37,16 @@ double seconds(const auto& work) {
 
 }  // namespace
 
-using Search = vug::render::RaySearch;
-#define SEARCH _ZN3vug6render9RaySearchC1ERKNS0_7RayTreeERKNS0_3RayEfNS1_3AimE
+using Search = vug::raytree::BvhTraversal;
+#define SEARCH _ZN3vug7raytree12BvhTraversalC1ERKNS0_7WideBvhERKNS0_3RayEfNS1_5QueryE
 #define JOINED(a, b) a##b
 #define NAMED(a, b) JOINED(a, b)
 extern "C" {
-void NAMED(__real_, SEARCH)(Search*, const vug::render::RayTree&, const vug::render::Ray&, float,
-                            Search::Aim);
-void NAMED(__wrap_, SEARCH)(Search* search, const vug::render::RayTree& tree,
-                            const vug::render::Ray& ray, float distance, Search::Aim aim) {
-  if (recording) rays.push_back({ray, distance, aim == Search::Aim::any});
+void NAMED(__real_, SEARCH)(Search*, const vug::raytree::WideBvh&, const vug::render::Ray&, float,
+                            Search::Query);
+void NAMED(__wrap_, SEARCH)(Search* search, const vug::raytree::WideBvh& tree,
+                            const vug::render::Ray& ray, float distance, Search::Query aim) {
+  if (recording) rays.push_back({ray, distance, aim == Search::Query::any});
   NAMED(__real_, SEARCH)(search, tree, ray, distance, aim);
 }
 }

@@ -43,7 +43,7 @@ struct Niche : Opening {
     const field::Field pressed =
         field::transformed(round, Transform::scaling({1, 1, deep / radius}));
     out.cut.push_back(
-        field::intersect({pressed, block({0, 0, width, height}, -deep - 0.1, kBefore)}));
+        field::intersect({pressed, block({0, 0, width, height}, -deep - 0.1, kCutMargin)}));
     if (plinth > 0) {
       const double r = 0.55 * radius;
       out.add.push_back(field::transformed(revolved({{0, -0.1},

@@ -29,8 +29,8 @@ struct Panel {
     Solids out;
     const Rect field{margin, margin, width - 2 * margin, height - 2 * margin};
     (depth > 0 ? out.cut : out.add)
-        .push_back(
-            headed(field, head, 0, depth > 0 ? -depth : -0.05, depth > 0 ? kBefore : -depth));
+        .push_back(arched_block(field, head, 0, depth > 0 ? -depth : -0.05,
+                                depth > 0 ? kCutMargin : -depth));
     return out;
   }
 };

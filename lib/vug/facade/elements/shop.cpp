@@ -33,7 +33,8 @@ struct Shop : Opening {
     const double tall = height - below - above, wide = (width - post * (bays + 1)) / bays;
     std::vector<field::Field> panes;
     for (int i = 0; i < bays; ++i)
-      panes.push_back(headed({post + i * (wide + post), below, wide, tall}, head, rise, -1e2, 1e2));
+      panes.push_back(
+          arched_block({post + i * (wide + post), below, wide, tall}, head, rise, -1e2, 1e2));
     out.add.push_back(
         field::subtract(block({0, 0, width, height}, -back, -0.5 * reveal), std::move(panes)));
     const double glass = -reveal - 0.015;

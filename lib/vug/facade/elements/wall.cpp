@@ -34,7 +34,7 @@ struct Wall {
   Solids solids(double width, double height) const {
     Solids out;
     const Rect all{0, 0, width, height};
-    if (relief < 0) out.cut.push_back(block(all, relief, kBefore));
+    if (relief < 0) out.cut.push_back(block(all, relief, kCutMargin));
     std::vector<field::Field> joints;
     if (course > 0) {
       const int courses = std::max(1, static_cast<int>(std::lround(height / course)));
@@ -44,7 +44,7 @@ struct Wall {
         throw Error(ErrorCode::too_large,
                     fmt::format("a wall would have {:.3g} joints", courses * (blocks + 1.0)));
       const double tall = height / courses, deep = std::max(relief, 0.0) - joint_depth;
-      const double front = std::max(relief, 0.0) + kBefore;
+      const double front = std::max(relief, 0.0) + kCutMargin;
       for (int i = 0; i < courses; ++i) {
         if (i > 0) joints.push_back(block({0, i * tall - joint / 2, width, joint}, deep, front));
         // Every other course is shifted by half a block.

@@ -50,7 +50,7 @@ struct Window : Opening {
                         pane_height};
         // Panes under the head end as it does, an edge further in.
         holes.push_back(j + 1 == up && up == 1 && across == 1
-                            ? headed(pane, head, rise, -back - 1, -front + 1)
+                            ? arched_block(pane, head, rise, -back - 1, -front + 1)
                             : block(pane, -back - 1, -front + 1));
       }
     out.add.push_back(field::subtract(sheet(width, height, back, front), std::move(holes)));

@@ -29,7 +29,7 @@ struct Carve : FacadeParams {
 };
 
 field::Field made(const Carve& c) {
-  const Placed placed = c.placed();
+  const FacadeInstance placed = c.placed();
   const Tree& tree = *placed.tree;
   const Transform frame = placed.frame.transform(tree.width);
   field::Field out = c.field;
@@ -41,7 +41,7 @@ field::Field made(const Carve& c) {
             frame)});
   Carving carving = carve(tree);
   for (Carving::Layer& layer : carving.layers) layer.solid = field::transformed(layer.solid, frame);
-  return remembering(placed, carving.applied(out));
+  return with_facade(placed, carving.applied(out));
 }
 
 }  // namespace

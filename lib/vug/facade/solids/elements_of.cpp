@@ -32,7 +32,7 @@ struct ElementsOf : FacadeParams {
   }
   bool has(const std::string& kind) const {
     if (find_kind(elements(), kind)) return true;  // another seed may well bring one
-    const Placed facade_here = placed();
+    const FacadeInstance facade_here = placed();
     for (const Node& node : facade_here.tree->nodes)
       if (node.element && node.symbol == kind) return true;
     return false;
@@ -40,7 +40,7 @@ struct ElementsOf : FacadeParams {
 };
 
 field::Field made(const ElementsOf& e) {
-  const Placed placed = e.placed();
+  const FacadeInstance placed = e.placed();
   return field::transformed(zones(*placed.tree, e.kinds, e.behind, e.before),
                             placed.frame.transform(placed.tree->width));
 }

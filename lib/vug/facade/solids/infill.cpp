@@ -16,8 +16,8 @@ struct Infill : FacadeParams {
 };
 
 field::Field made(const Infill& i) {
-  const Placed placed = i.placed();
-  return remembering(placed, field::transformed(carve(*placed.tree).fill,
+  const FacadeInstance placed = i.placed();
+  return with_facade(placed, field::transformed(carve(*placed.tree).fill,
                                                 placed.frame.transform(placed.tree->width)));
 }
 

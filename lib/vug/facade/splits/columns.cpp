@@ -4,7 +4,7 @@ namespace vug::facade {
 namespace {
 
 struct Columns {
-  std::vector<Step> parts;
+  std::vector<SizeOrPart> parts;
 
   static void describe(Schema<Columns>& s) {
     s.doc(std::string("One part beside the other, the first on the left. ") + kSizesDoc)
@@ -13,8 +13,8 @@ struct Columns {
   }
   std::string fault() const { return fault_of(parts); }
 
-  Layout layout(double width, double height, Free& free) const {
-    return in_a_row(parts, true, width, height, free);
+  Layout layout(double width, double height, FreeNumbers& free) const {
+    return lay_out_row(parts, true, width, height, free);
   }
 };
 

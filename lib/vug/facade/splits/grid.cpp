@@ -72,18 +72,18 @@ struct Grid {
   /// The number for one axis (0 or 1) of a list; nothing without one.
   static std::optional<double> given(const std::vector<Size>& list, size_t axis, double extent) {
     if (list.empty()) return std::nullopt;
-    return measured(list[std::min(axis, list.size() - 1)].number, extent);
+    return resolve_size(list[std::min(axis, list.size() - 1)].number, extent);
   }
   double margin_of(size_t side, double extent) const {
     if (margin.empty()) return 0;
-    return measured(margin[margin.size() == 4   ? side
-                           : margin.size() == 2 ? side / 2
-                                                : 0]
-                        .number,
-                    extent);
+    return resolve_size(margin[margin.size() == 4   ? side
+                               : margin.size() == 2 ? side / 2
+                                                    : 0]
+                            .number,
+                        extent);
   }
 
-  Line line(size_t axis, double extent, Free& free) const {
+  Line line(size_t axis, double extent, FreeNumbers& free) const {
     const std::optional<int>& asked = axis == 0 ? columns : rows;
     double before = margin_of(2 * axis, extent), behind = margin_of(2 * axis + 1, extent);
     const RandomKey key = free.key().at(axis == 0 ? "columns" : "rows");
@@ -98,7 +98,7 @@ struct Grid {
         const int most = std::clamp(static_cast<int>(extent / 2), 1, 20);
         return 1 + static_cast<int>(random.below(static_cast<uint32_t>(most)));
       });
-      if (!free.drawn()) return told_line(axis, extent, n, free);
+      if (!free.is_random()) return told_line(axis, extent, n, free);
       if (margin.empty()) before = behind = random.uniform(0.05, 0.5) * extent / n;
     }
     const double inner = extent - before - behind;
@@ -121,9 +121,9 @@ struct Grid {
     if (!regular && n > 1) {
       const double total = justified ? left_over : left_over * (n - 1) / n;
       const double walked = total + width * (n - 1);
-      spaces = free.drawn() ? free.shares("", "", spaces.size(), total, key.at("spaces"))
-                            : free.shares(names(axis).pitch, "", spaces.size(), walked, key);
-      if (!free.drawn())
+      spaces = free.is_random() ? free.shares("", "", spaces.size(), total, key.at("spaces"))
+                                : free.shares(names(axis).pitch, "", spaces.size(), walked, key);
+      if (!free.is_random())
         for (double& space : spaces) space = gap_of(space, width, axis);
     }
     double start = before + (justified ? (n == 1 ? left_over / 2 : 0) : left_over / n / 2);
@@ -143,20 +143,20 @@ struct Grid {
     return all[axis];
   }
 
-  /// What is left between two cells of that distance. Unfit where they would overlap.
+  /// What is left between two cells of that distance. InfeasiblePlan where they would overlap.
   static double gap_of(double pitch, double width, size_t axis) {
     if (pitch < width * (1 - 1e-9))
-      throw Unfit(Reason::does_not_fit, names(axis).pitch,
-                  fmt::format("cells of {} overlap at a distance of {}",
-                              quantity_text(width, Dimension::length),
-                              quantity_text(pitch, Dimension::length)),
-                  fmt::format("make '{}' less", names(axis).size));
+      throw InfeasiblePlan(Reason::does_not_fit, names(axis).pitch,
+                           fmt::format("cells of {} overlap at a distance of {}",
+                                       quantity_text(width, Dimension::length),
+                                       quantity_text(pitch, Dimension::length)),
+                           fmt::format("make '{}' less", names(axis).size));
     return std::max(0.0, pitch - width);
   }
 
   /// Where neither counts nor spacings are given: a model says where the first cell begins, how
   /// large cells are and how far it is from one to the next, unless margins, sizes or gaps do.
-  Line told_line(size_t axis, double extent, int n, Free& free) const {
+  Line told_line(size_t axis, double extent, int n, FreeNumbers& free) const {
     const Names& name = names(axis);
     const double before = margin_of(2 * axis, extent), behind = margin_of(2 * axis + 1, extent);
     const double inner = extent - before - behind, even = inner / n;
@@ -166,9 +166,9 @@ struct Grid {
     if (between) size_here = (inner - (n - 1) * *between) / n;
     const double width = size_here ? *size_here : free.length(name.size, 0, even, 0.5 * even);
     if (!(width > 0) || n * width > inner * (1 + 1e-9))
-      throw Unfit(Reason::does_not_fit, name.count,
-                  fmt::format("{} {} do not fit into {}", n, name.count,
-                              quantity_text(inner, Dimension::length)));
+      throw InfeasiblePlan(Reason::does_not_fit, name.count,
+                           fmt::format("{} {} do not fit into {}", n, name.count,
+                                       quantity_text(inner, Dimension::length)));
     Line out;
     out.size = width;
     std::vector<double> pitches(count - 1, 0.0);
@@ -184,7 +184,7 @@ struct Grid {
         pitches = free.shares(name.pitch, name.count, count - 1, walk, free.key());
     } else {
       const double room = extent - width;
-      const bool placed = free.is_told(name.start), spaced = free.is_told(name.pitch);
+      const bool placed = free.is_fixed(name.start), spaced = free.is_fixed(name.pitch);
       // Unless told, as much is left before the first cell as behind the last.
       if (!spaced || placed)
         start = free.length(name.start, 0, room - (n - 1) * width, 0.5 * (even - width));
@@ -199,10 +199,10 @@ struct Grid {
       const double usual = std::max(0.0, (room - walk) / 2);
       if (spaced && !placed) start = free.length(name.start, 0, std::max(0.0, room), usual);
       if (start + walk > room * (1 + 1e-9) + 1e-9)
-        throw Unfit(Reason::does_not_fit, spaced ? name.pitch : name.start,
-                    fmt::format("the {} need {} of {}", name.count,
-                                quantity_text(start + walk + width, Dimension::length),
-                                quantity_text(extent, Dimension::length)));
+        throw InfeasiblePlan(Reason::does_not_fit, spaced ? name.pitch : name.start,
+                             fmt::format("the {} need {} of {}", name.count,
+                                         quantity_text(start + walk + width, Dimension::length),
+                                         quantity_text(extent, Dimension::length)));
     }
     out.at.push_back(start);
     for (const double pitch : pitches)
@@ -226,7 +226,7 @@ struct Grid {
     return out;
   }
 
-  int door_column(uint32_t across, Free& free) const {
+  int door_column(uint32_t across, FreeNumbers& free) const {
     if (at) return *at;
     const auto draw = [&] {
       return static_cast<int>(RandomStream(free.key().at("door")).below(across));
@@ -235,7 +235,7 @@ struct Grid {
     return free.count("door", 0, static_cast<int>(across) - 1, (across - 1) / 2, draw);
   }
 
-  Layout layout(double width, double height, Free& free) const {
+  Layout layout(double width, double height, FreeNumbers& free) const {
     const Line x = line(0, width, free);
     const Line y = line(1, height, free);
     const auto across = static_cast<uint32_t>(x.at.size());

@@ -6,7 +6,7 @@ namespace vug::facade {
 namespace {
 
 struct Inset {
-  std::vector<Step> parts;
+  std::vector<SizeOrPart> parts;
   std::optional<PartRef> frame;
 
   static void describe(Schema<Inset>& s) {
@@ -28,11 +28,11 @@ struct Inset {
     return "";
   }
 
-  Layout layout(double width, double height, Free&) const {
+  Layout layout(double width, double height, FreeNumbers&) const {
     const size_t count = parts.size() - 1;
     const auto margin = [&](size_t side) {  // left, right, below, above
       const size_t at = count == 4 ? side : count == 2 ? side / 2 : 0;
-      return measured(parts[at].size, side < 2 ? width : height);
+      return resolve_size(parts[at].size, side < 2 ? width : height);
     };
     const double left = margin(0), right = margin(1), below = margin(2), above = margin(3);
     const Rect inner{left, below, width - left - right, height - below - above};

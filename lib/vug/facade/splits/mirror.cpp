@@ -4,7 +4,7 @@ namespace vug::facade {
 namespace {
 
 struct Mirror {
-  std::vector<Step> parts;
+  std::vector<SizeOrPart> parts;
 
   static void describe(Schema<Mirror>& s) {
     s.doc(
@@ -17,12 +17,12 @@ struct Mirror {
   }
   std::string fault() const {
     std::string fault;
-    const size_t count = pairs(parts, fault).size();
+    const size_t count = sized_parts(parts, fault).size();
     if (fault.empty() && count > 2) fault = "'mirror' has a side and at most a middle";
     return fault;
   }
 
-  static void add_sides(int part, double side, double width, double height, const Free& free,
+  static void add_sides(int part, double side, double width, double height, const FreeNumbers& free,
                         Layout& out) {
     Cell left{.part = part, .rect = {0, 0, side, height}};
     if (!free.apart()) left.copies = {Placement::mirror(width / 2)};
@@ -34,9 +34,9 @@ struct Mirror {
     out.cells.push_back(left);
   }
 
-  Layout layout(double width, double height, Free& free) const {
+  Layout layout(double width, double height, FreeNumbers& free) const {
     std::string none;
-    const std::vector<Sized> all = pairs(parts, none);
+    const std::vector<SizedPart> all = sized_parts(parts, none);
     Layout out;
     if (all.size() == 1) {
       const double half = divide({all[0], all[0]}, width)[0];

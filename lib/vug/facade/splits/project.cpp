@@ -18,7 +18,7 @@ struct Project {
         .param("part", &Project::part, {.doc = "what lies there", .required = true});
   }
 
-  Layout layout(double width, double height, Free&) const {
+  Layout layout(double width, double height, FreeNumbers&) const {
     const Rect all{0, 0, width, height};
     Layout out;
     out.cells.push_back({.part = part.part, .rect = all, .depth = depth});

@@ -22,7 +22,7 @@ struct Recess {
         .param("front", &Recess::front, {.doc = "what stands in the wall's plane before it"});
   }
 
-  Layout layout(double width, double height, Free&) const {
+  Layout layout(double width, double height, FreeNumbers&) const {
     const Rect all{0, 0, width, height};
     Layout out;
     out.cells.push_back({.part = part.part, .rect = all, .depth = -depth});

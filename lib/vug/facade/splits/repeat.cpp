@@ -12,7 +12,7 @@ enum class Axis { x, y };
 
 struct Repeat {
   Axis axis = Axis::x;
-  std::vector<Step> parts;
+  std::vector<SizeOrPart> parts;
   std::optional<int> count;
   double gap = 0;
   bool alike = true;
@@ -35,7 +35,7 @@ struct Repeat {
   }
   std::string fault() const {
     std::string fault;
-    const std::vector<Sized> all = pairs(parts, fault);
+    const std::vector<SizedPart> all = sized_parts(parts, fault);
     if (!fault.empty()) return fault;
     if (all.size() > 1) return "'repeat' has one part";
     if (all[0].size && count) return "give a size or a count, not both";
@@ -43,12 +43,12 @@ struct Repeat {
     return "";
   }
 
-  int counted(double extent, Free& free) const {
+  int copy_count(double extent, FreeNumbers& free) const {
     std::string none;
-    const std::vector<Sized> all = pairs(parts, none);
+    const std::vector<SizedPart> all = sized_parts(parts, none);
     if (count) return *count;
     if (all[0].size) {
-      const double fits = (extent + gap) / (measured(*all[0].size, extent) + gap);
+      const double fits = (extent + gap) / (resolve_size(*all[0].size, extent) + gap);
       if (fits > 10000)
         throw Error(ErrorCode::too_large,
                     fmt::format("'{}' would be repeated {:.3g} times", all[0].part.name, fits));
@@ -61,11 +61,11 @@ struct Repeat {
     });
   }
 
-  Layout layout(double width, double height, Free& free) const {
+  Layout layout(double width, double height, FreeNumbers& free) const {
     std::string none;
-    const int part = pairs(parts, none)[0].part.part;
+    const int part = sized_parts(parts, none)[0].part.part;
     const double extent = axis == Axis::x ? width : height;
-    const int n = counted(extent, free);
+    const int n = copy_count(extent, free);
     const double filled = extent - (n - 1) * gap;
     if (!(filled > 0))
       throw Error(ErrorCode::bad_input, fmt::format("the gaps of {} parts need {} of {}", n,

@@ -4,7 +4,7 @@ namespace vug::facade {
 namespace {
 
 struct Rows {
-  std::vector<Step> parts;
+  std::vector<SizeOrPart> parts;
 
   static void describe(Schema<Rows>& s) {
     s.doc(std::string("One part above the other, the first at the bottom. ") + kSizesDoc)
@@ -13,8 +13,8 @@ struct Rows {
   }
   std::string fault() const { return fault_of(parts); }
 
-  Layout layout(double width, double height, Free& free) const {
-    return in_a_row(parts, false, width, height, free);
+  Layout layout(double width, double height, FreeNumbers& free) const {
+    return lay_out_row(parts, false, width, height, free);
   }
 };
 

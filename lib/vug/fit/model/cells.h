@@ -1,8 +1,8 @@
 // Columns and rows of a grid's cells as lines come and go.
 #pragma once
 
-#include <vug/fit/move.h>
 #include <vug/fit/model/sizes.h>
+#include <vug/fit/move.h>
 
 namespace vug::fit {
 
@@ -22,7 +22,7 @@ class GridAxis {
   int16_t& count;
   int room;    ///< Of the area, in pixels.
   int origin;  ///< Of the area in the picture.
-  const inference::Profile& profile;
+  const inference::DiscreteDistribution& profile;
   bool regular;
   bool differing;  ///< Whether it has cells.
   int kinds = 0;   ///< Of windows.

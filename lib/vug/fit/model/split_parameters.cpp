@@ -74,10 +74,10 @@ class Chooser {
     return at < told_.nodes.size() ? told_.nodes[at] : nothing;
   }
   /// A place along x between low and high, both included, in the area.
-  int along_x(const inference::Profile& profile, int low, int high, int told) {
+  int along_x(const inference::DiscreteDistribution& profile, int low, int high, int told) {
     return choices_.among(profile, x0_ + low, x0_ + high + 1, x0_ + told) - x0_;
   }
-  int along_y(const inference::Profile& profile, int low, int high, int told) {
+  int along_y(const inference::DiscreteDistribution& profile, int low, int high, int told) {
     return choices_.among(profile, y0_ + low, y0_ + high + 1, y0_ + told) - y0_;
   }
 
@@ -121,8 +121,8 @@ class Chooser {
   }
 
   /// How many, and where.
-  int lines(int room, const inference::Profile& profile, bool regular, int origin, int told_count,
-            const Lines& told, Lines& out) {
+  int lines(int room, const inference::DiscreteDistribution& profile, bool regular, int origin,
+            int told_count, const Lines& told, Lines& out) {
     const int step = limits_.least + 1;
     const int count =
         choices_.between(1, std::min(limits_.most_lines, (room + 1) / step), told_count);

@@ -24,7 +24,7 @@ bool line(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   back.flip(far);
   if (far) {
     const Area& area = state.area(i);
-    const inference::Profile& profile = along_x ? shop.hints.left : shop.hints.top;
+    const inference::DiscreteDistribution& profile = along_x ? shop.hints.left : shop.hints.top;
     const int origin = along_x ? state.frame(area, 0).x : area.y;
     const int room = along_x ? area.width : area.height;
     const int low = origin + (which > 0 ? lines[at - 1] + 1 : 0);

@@ -26,8 +26,9 @@ bool redraw(const Workshop& shop, State& state, Choices& forward, Choices& back)
   const int stands = along_x ? node.x : node.y;
   const int first_line = along_x ? above.left[0] : above.top[0];
   const Area& area = state.area(i);
-  const inference::Profile& profile = along_x ? (low_edge ? shop.hints.left : shop.hints.right)
-                                              : (low_edge ? shop.hints.top : shop.hints.bottom);
+  const inference::DiscreteDistribution& profile =
+      along_x ? (low_edge ? shop.hints.left : shop.hints.right)
+              : (low_edge ? shop.hints.top : shop.hints.bottom);
   const Edge edge{along_x ? state.frame(area, 0).x : area.y, along_x ? area.width : area.height,
                   shop.model.in_grid(node) ? first_line : stands,
                   along_x ? node.width : node.height, low_edge};

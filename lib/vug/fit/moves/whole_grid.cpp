@@ -53,7 +53,7 @@ bool whole_grid(const Workshop& shop, State& state, Choices& forward, Choices& b
   const Parts old_windows = parts_of(state, i + 1);
   take_parts(state, i + 1);
   Choices told;
-  told.tell();
+  told.score();
   if (!choose_parts(shop, state, i + 1, way.second, told, old_windows, windows)) return false;
   const Parts old_grid = parts_of(state, i);
   take_parts(state, i);

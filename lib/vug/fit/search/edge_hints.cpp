@@ -1,5 +1,5 @@
-#include <vug/fit/search/edge_hints.h>
 #include <vug/fit/likelihood.h>
+#include <vug/fit/search/edge_hints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace vug::fit {
 namespace {
 
-using inference::Profile;
+using inference::DiscreteDistribution;
 using Weights = std::vector<double>;
 
 /// Pixels on each side of a place that are compared.
@@ -40,8 +40,8 @@ double difference(const Sums& sums, Look a, Look b) {
 }  // namespace
 
 Hints Hints::none(int width, int height) {
-  const Profile x(Weights(static_cast<size_t>(width) + 1, 1));
-  const Profile y(Weights(static_cast<size_t>(height) + 1, 1));
+  const DiscreteDistribution x(Weights(static_cast<size_t>(width) + 1, 1));
+  const DiscreteDistribution y(Weights(static_cast<size_t>(height) + 1, 1));
   return {x, x, y, y, y};
 }
 
@@ -52,9 +52,12 @@ Hints Hints::of_clusters(const Evidence& evidence) {
       sum += std::fabs(static_cast<double>(before.lane[i]) - static_cast<double>(behind.lane[i]));
     return sum;
   };
-  const Profile x = Profile::mixed(changes(evidence, true, kReach, change), kTrust);
-  const Profile y = Profile::mixed(changes(evidence, false, kReach, change), kTrust);
-  const Profile floor = Profile::mixed(changes(evidence, false, 8 * kReach, change), kTrust);
+  const DiscreteDistribution x =
+      DiscreteDistribution::mixture(changes(evidence, true, kReach, change), kTrust);
+  const DiscreteDistribution y =
+      DiscreteDistribution::mixture(changes(evidence, false, kReach, change), kTrust);
+  const DiscreteDistribution floor =
+      DiscreteDistribution::mixture(changes(evidence, false, 8 * kReach, change), kTrust);
   return {x, x, y, y, floor};
 }
 
@@ -71,7 +74,7 @@ Hints Hints::of_looks(const Evidence& looks) {
     return difference(behind, Look::wall, Look::shop) - difference(before, Look::wall, Look::shop);
   };
   const auto profile = [&](bool along_x, int reach, const auto& change) {
-    return Profile::mixed(changes(looks, along_x, reach, change), kTrust);
+    return DiscreteDistribution::mixture(changes(looks, along_x, reach, change), kTrust);
   };
   return {profile(true, kReach, begins), profile(true, kReach, ends),
           profile(false, kReach, begins), profile(false, kReach, ends),

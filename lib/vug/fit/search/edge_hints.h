@@ -2,16 +2,16 @@
 #pragma once
 
 #include <vug/fit/evidence/evidence.h>
-#include <vug/inference/profile.h>
+#include <vug/inference/discrete_distribution.h>
 
 namespace vug::fit {
 
 /// Over places between pixels: 0 is the picture's left or upper border, its width or height the
 /// other one. Chains reach the same distribution with any hints, but not as soon.
 struct Hints {
-  inference::Profile left, right;  ///< Of windows, places along x.
-  inference::Profile top, bottom;  ///< Of windows, places along y.
-  inference::Profile floor;        ///< Between the ground floor and the part above, along y.
+  inference::DiscreteDistribution left, right;  ///< Of windows, places along x.
+  inference::DiscreteDistribution top, bottom;  ///< Of windows, places along y.
+  inference::DiscreteDistribution floor;  ///< Between the ground floor and the part above, along y.
 
   /// Every place is as likely as any other.
   static Hints none(int width, int height);

@@ -31,7 +31,7 @@ struct Sampled {
   std::vector<Structure> structures;  ///< Of the coldest chain, the most frequent first.
   std::vector<double> trace;          ///< Energies of the coldest chain after each round,
   std::vector<int> visited;           ///< and places of its structures in `structures`.
-  std::vector<inference::Ladder::Swaps> swaps;
+  std::vector<inference::TemperatureLadder::Swaps> swaps;
   std::vector<double> temperatures;
   std::vector<inference::MoveCount> moves;  ///< Of the coldest chain, in the order of move_kinds.
   bool stopped = false;                     ///< Told to stop: the best so far.

@@ -167,7 +167,7 @@ bool fold_or_unfold(const Workshop& shop, State& state, Op op, Choices& forward,
   const Fold way{op, times(forward, 0)};
   // What was folded has to be unfolded by the same choices: the node first, the places then.
   Choices places;
-  places.tell();
+  places.score();
   if (!fold(shop, state, i, folded_way(shop, state, i, op), way, places)) return false;
   tell_pick(state, back, i, folded);
   back.append(places);

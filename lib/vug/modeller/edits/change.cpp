@@ -13,7 +13,7 @@ Error bad(const std::string& message, const std::string& hint = {}) {
 /// `bare`, where nothing is decided of the parts.
 void keep_parts(const State& bare, int node, const Plan& old, Plan& plan) {
   for (const int part : bare.parts(node)) {
-    const facade::Place& place = bare.planned(part).place;
+    const facade::PartKey& place = bare.planned(part).place;
     const auto known = old.parts.find(place);
     if (known == old.parts.end()) continue;
     if (auto kept = translated(bare.style(), known->second, bare.node(part).symbol))

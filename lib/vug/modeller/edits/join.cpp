@@ -11,7 +11,7 @@ State run(const State& state, int node, const Edit&) {
   State made = state.with(node, std::make_shared<const facade::Plan>(plan));
   // What was decided of the others is forgotten.
   const int here = made.at(state.way(node));
-  std::map<facade::Place, facade::PlanPtr> parts;
+  std::map<facade::PartKey, facade::PlanPtr> parts;
   for (const int part : made.parts(here))
     if (const auto known = plan.parts.find(made.planned(part).place); known != plan.parts.end())
       parts.insert(*known);

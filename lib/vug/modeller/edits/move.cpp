@@ -11,12 +11,12 @@ State run(const State& state, int node, const Edit& edit) {
   const std::vector<Line> all = lines(state, node);
   const double number = edit.numbers.at("line")[0];
   if (!(number >= 0) || number >= static_cast<double>(all.size()) || number != std::floor(number))
-    throw facade::Unfit(facade::Reason::does_not_fit, "line",
-                        fmt::format("there is no line {}", number),
-                        all.empty() ? "the rule says where its lines are"
-                                    : fmt::format("it has {} lines, counted from 0", all.size()));
+    throw facade::InfeasiblePlan(
+        facade::Reason::does_not_fit, "line", fmt::format("there is no line {}", number),
+        all.empty() ? "the rule says where its lines are"
+                    : fmt::format("it has {} lines, counted from 0", all.size()));
   facade::Plan plan = state.decided(node);
-  const facade::Told told =
+  const facade::NumberValues told =
       moved(state, node, all[static_cast<size_t>(number)], edit.numbers.at("to")[0]);
   plan.numbers = merged(std::move(plan.numbers), told);
   return state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));

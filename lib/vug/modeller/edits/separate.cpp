@@ -16,7 +16,7 @@ State run(const State& state, int node, const Edit&) {
   const State apart = state.with(node, std::make_shared<const facade::Plan>(plan));
   // Each place begins as what was stamped there.
   for (const int part : apart.parts(apart.at(state.way(node)))) {
-    const facade::Place place = apart.planned(part).place;
+    const facade::PartKey place = apart.planned(part).place;
     const auto stamped = plan.parts.find({place.item, place.part, 0, 0});
     if (stamped != plan.parts.end()) plan.parts.try_emplace(place, stamped->second);
   }

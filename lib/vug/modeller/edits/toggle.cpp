@@ -14,9 +14,9 @@ int whole(const facade::Node& grid, const Edit& edit, const std::string& name,
     if (known == counts) most = value;
   const double value = edit.numbers.at(name)[0];
   if (value >= 0 && value < most && value == std::floor(value)) return static_cast<int>(value);
-  throw facade::Unfit(facade::Reason::does_not_fit, name,
-                      fmt::format("there is no {} {}", name, value),
-                      fmt::format("the grid has {} {}, counted from 0", most, counts));
+  throw facade::InfeasiblePlan(facade::Reason::does_not_fit, name,
+                               fmt::format("there is no {} {}", name, value),
+                               fmt::format("the grid has {} {}, counted from 0", most, counts));
 }
 
 State run(const State& state, int node, const Edit& edit) {

@@ -9,9 +9,9 @@
 namespace vug::lsystem {
 
 /// Room for what a production's programs need at once.
-class Scratch {
+class ProgramScratch {
  public:
-  explicit Scratch(const System& system);
+  explicit ProgramScratch(const System& system);
 
   double* formals() { return formals_.data(); }
   double* values() { return values_.data(); }
@@ -26,42 +26,44 @@ double* compute(const Production& production, const Program& program, const doub
 
 /// The one number that such a program leaves.
 double single(const Production& production, const Program& program, const double* formals,
-              Scratch& scratch, const double* numbers);
+              ProgramScratch& scratch, const double* numbers);
 
 /// The formals of production `p` at module `i`: without a context they lie in the word.
 const double* formals_at(const Production& p, const Word& word, size_t i,
-                         const Surroundings& around, Scratch& scratch);
+                         const ContextMatcher& around, ProgramScratch& scratch);
 
 /// What weights have to be, as a hint.
 inline constexpr const char* kWeights = "weights are 0 or more; only their proportions count";
 
 /// Error(bad_input) that names the production.
-[[noreturn]] void no_number(const Production& production, const std::string& what, double value,
-                            const std::string& hint = "numbers in words are finite");
+[[noreturn]] void fail_invalid_number(const Production& production, const std::string& what,
+                                      double value,
+                                      const std::string& hint = "numbers in words are finite");
 
 /// Of one task; all must outlive it.
-class Chooser {
+class ProductionSelector {
  public:
-  Chooser(const System& system, const RuleBook& book, const Word& word, const Surroundings& around)
+  ProductionSelector(const System& system, const RuleBook& book, const Word& word,
+                     const ContextMatcher& around)
       : system_(system), book_(book), word_(word), around_(around), scratch_(system) {}
 
   /// The production that module `i` takes and 1, or 0 for none. `numbers` are its random ones, as
-  /// many blocks as Choosing::blocks.
+  /// many blocks as RuleSelection::blocks.
   uint16_t choose(size_t i, const double* numbers);
 
  private:
-  uint16_t drawn(const Choosing& symbol, double number) const;
-  uint16_t tried(const Choosing& symbol, size_t i, const double* numbers);
-  double draw_lots(const Choosing& symbol, uint32_t r, size_t i, const double* numbers);
+  uint16_t select_by_weight(const RuleSelection& symbol, double number) const;
+  uint16_t select_first_match(const RuleSelection& symbol, size_t i, const double* numbers);
+  double collect_weights(const RuleSelection& symbol, uint32_t r, size_t i, const double* numbers);
   bool fits(const Production& p, size_t i, const double* numbers);
   double weight(const Production& p, size_t i, const double* numbers);
 
   const System& system_;
   const RuleBook& book_;
   const Word& word_;
-  const Surroundings& around_;
-  Scratch scratch_;
-  std::vector<std::pair<uint16_t, double>> lots_;
+  const ContextMatcher& around_;
+  ProgramScratch scratch_;
+  std::vector<std::pair<uint16_t, double>> weighted_;
 };
 
 }  // namespace vug::lsystem

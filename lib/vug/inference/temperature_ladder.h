@@ -6,11 +6,11 @@
 
 namespace vug::inference {
 
-class Ladder {
+class TemperatureLadder {
  public:
   /// From the coldest to the hottest by equal factors. Error(bad_input) for no chain, or
   /// temperatures that are not above 0 and rising.
-  Ladder(int chains, double coldest, double hottest);
+  TemperatureLadder(int chains, double coldest, double hottest);
 
   double temperature(int i) const { return temperatures_[static_cast<size_t>(i)]; }
   /// Probability of exchanging the states, of these energies in bits, of chain i and the next.

@@ -13,7 +13,7 @@
 namespace vug::facade {
 
 /// Numbers by name: {"columns": {4}, "dx": {2.1, 2.4, 2.1}}. Lengths are metres.
-using Told = std::map<std::string, std::vector<double>>;
+using NumberValues = std::map<std::string, std::vector<double>>;
 
 /// A number, or a row of them, that a split has asked for.
 struct FreeNumber {
@@ -22,7 +22,7 @@ struct FreeNumber {
   double least = 0, most = 0;  ///< Of each.
   std::string per = {};        ///< The count that says how many there are; empty: always as many.
   std::vector<double> values = {};
-  bool told = false;  ///< Else they are what is usual, or drawn.
+  bool fixed = false;  ///< Else they are what is usual, or drawn.
 };
 
 /// Why a rule is not there to be applied.
@@ -38,11 +38,11 @@ enum class Reason {
 std::string to_string(Reason reason);
 
 /// A choice that cannot be followed.
-class Unfit : public Error {
+class InfeasiblePlan : public Error {
  public:
   /// `number` names what was told wrong; empty: none of them alone.
-  Unfit(Reason reason, std::string number, const std::string& message, std::string hint = {},
-        SourceLocation where = {});
+  InfeasiblePlan(Reason reason, std::string number, const std::string& message,
+                 std::string hint = {}, SourceLocation where = {});
   Reason reason() const { return reason_; }
   const std::string& number() const { return number_; }
 
@@ -51,20 +51,20 @@ class Unfit : public Error {
   std::string number_;
 };
 
-class Free {
+class FreeNumbers {
  public:
   /// Draws from the key.
-  explicit Free(RandomKey key) : key_(key) {}
+  explicit FreeNumbers(RandomKey key) : key_(key) {}
   /// Takes what is told. `apart`: what a split would stamp again are places of their own.
-  explicit Free(Told told, bool apart = false)
-      : key_(0), drawn_(false), apart_(apart), told_(std::move(told)) {}
+  explicit FreeNumbers(NumberValues fixed, bool apart = false)
+      : key_(0), random_(false), apart_(apart), fixed_(std::move(fixed)) {}
 
-  bool drawn() const { return drawn_; }
+  bool is_random() const { return random_; }
   bool apart() const { return apart_; }
   RandomKey key() const { return key_; }
-  bool is_told(const std::string& name) const { return told_.count(name) > 0; }
+  bool is_fixed(const std::string& name) const { return fixed_.count(name) > 0; }
 
-  /// A whole number in least..most. Unfit when another is told; so do all below.
+  /// A whole number in least..most. InfeasiblePlan when another is told; so do all below.
   int count(const std::string& name, int least, int most, double usual,
             const std::function<int()>& draw);
   /// Metres in least..most. With a tolerance of rounding.
@@ -79,18 +79,18 @@ class Free {
                              double extent, RandomKey key, const std::vector<double>& usual = {});
 
   /// All that was asked for, with the answers.
-  const std::vector<FreeNumber>& asked() const { return asked_; }
-  /// Unfit where something was told that nothing asks for.
-  void check_told() const;
+  const std::vector<FreeNumber>& requested() const { return requested_; }
+  /// InfeasiblePlan where something was told that nothing asks for.
+  void check_all_used() const;
 
  private:
-  const std::vector<double>* told(const std::string& name) const;
-  void refuse(const FreeNumber& asked, double value) const;
+  const std::vector<double>* find_fixed(const std::string& name) const;
+  void refuse(const FreeNumber& request, double value) const;
 
   RandomKey key_;
-  bool drawn_ = true, apart_ = false;
-  Told told_;
-  std::vector<FreeNumber> asked_;
+  bool random_ = true, apart_ = false;
+  NumberValues fixed_;
+  std::vector<FreeNumber> requested_;
 };
 
 }  // namespace vug::facade

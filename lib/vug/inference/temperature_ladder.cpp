@@ -1,13 +1,13 @@
 #include <vug/base/error.h>
 #include <vug/inference/bits.h>
-#include <vug/inference/ladder.h>
+#include <vug/inference/temperature_ladder.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace vug::inference {
 
-Ladder::Ladder(int chains, double coldest, double hottest) {
+TemperatureLadder::TemperatureLadder(int chains, double coldest, double hottest) {
   if (chains < 1 || !(coldest > 0) || !std::isfinite(hottest) || (chains > 1 && hottest <= coldest))
     throw Error(ErrorCode::bad_input, "temperatures of chains rise from above 0");
   for (int i = 0; i < chains; ++i)
@@ -20,14 +20,14 @@ Ladder::Ladder(int chains, double coldest, double hottest) {
   terms_.assign(swaps_.size(), 0);
 }
 
-void Ladder::forget() { swaps_.assign(temperatures_.size() - 1, {}); }
+void TemperatureLadder::forget() { swaps_.assign(temperatures_.size() - 1, {}); }
 
-double Ladder::acceptance(int i, double energy, double next_energy) const {
+double TemperatureLadder::acceptance(int i, double energy, double next_energy) const {
   const double colder = 1 / temperature(i) - 1 / temperature(i + 1);
   return std::min(1.0, maths::exp(colder * (energy - next_energy) * kLn2));
 }
 
-void Ladder::count(int i, double acceptance, bool swapped) {
+void TemperatureLadder::count(int i, double acceptance, bool swapped) {
   const auto at = static_cast<size_t>(i);
   ++swaps_[at].tried;
   if (swapped) ++swaps_[at].taken;
@@ -35,7 +35,7 @@ void Ladder::count(int i, double acceptance, bool swapped) {
   ++terms_[at];
 }
 
-void Ladder::adapt() {
+void TemperatureLadder::adapt() {
   constexpr double kLag = 200;  // calls until the steps have halved
   const double rate = 0.3 * kLag / (kLag + static_cast<double>(adapted_++));
   const size_t pairs = swaps_.size();

@@ -12,25 +12,25 @@
 namespace vug::facade {
 
 /// Thrown out of a derivation whose text is at fault; the diagnostics already say why.
-struct Faulty {};
+struct AlreadyReported {};
 
 /// What a split comes to in one scope: its places, and its arguments by operand.
-struct Placed {
+struct EvaluatedSplit {
   std::shared_ptr<const Layout> layout;
   std::vector<Value> values;
   std::vector<FreeNumber> free;  ///< What it asked for.
 };
 
-class Placer {
+class ScopeEvaluator {
  public:
-  explicit Placer(scene::Evaluator& evaluator) : evaluator_(evaluator) {}
+  explicit ScopeEvaluator(scene::Evaluator& evaluator) : evaluator_(evaluator) {}
 
   /// The split in the scope, whose names are `known`. Without a plan its free numbers are drawn.
-  Placed place(const Item& split, const Scope& scope, const scene::Scope& known,
-               const Planning* planning, const std::string& prefix);
+  EvaluatedSplit place(const Item& split, const Scope& scope, const scene::Scope& known,
+                       const PlanOptions* planning, const std::string& prefix);
   /// An element of a kind, or `value`, which a name stands for; empty: not looked up yet.
   ElementPtr element(const Item& item, Value value, RandomKey key, const scene::Scope& known);
-  /// Throws Faulty instead of giving nothing.
+  /// Throws AlreadyReported instead of giving nothing.
   Value eval(const scene::Expr& expr, RandomKey key, const scene::Scope& scope);
   bool fail(const SourceLocation& where, const std::string& message);
 

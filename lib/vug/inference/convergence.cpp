@@ -1,4 +1,4 @@
-#include <vug/inference/diagnosis.h>
+#include <vug/inference/convergence.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,13 +6,14 @@
 
 namespace vug::lsystem {
 
-class Walker {
+class TurtleInterpreter {
  public:
   /// Metres from the start, beyond which a turtle is lost, and of any radius and size.
   static constexpr double kFarthest = 1e9;
 
-  /// Without a pen it only walks. All must outlive it.
-  Walker(const Word& word, const Alphabet& alphabet, const TurtleOptions& options, Pen* pen);
+  /// Without a builder it only walks. All must outlive it.
+  TurtleInterpreter(const Word& word, const Alphabet& alphabet, const TurtleOptions& options,
+                    DrawingBuilder* builder);
 
   void walk(const std::vector<SymbolId>& symbols, const PoseVisitor& visit);
 
@@ -21,7 +22,7 @@ class Walker {
 
   /// Error(bad_input) that names the module.
   [[noreturn]] void fail(const std::string& what) const;
-  void obey(const Meaning& meaning, Parameters p);
+  void execute(const SymbolAction& action, Parameters p);
   void turn(const Vec3d& axis, double angle);
   void set_radius(double radius);
   void level();
@@ -31,18 +32,18 @@ class Walker {
   void advance(double length, double begun, double radius, bool drawn);
   void follow(double length, double begun, double radius, bool drawn);
   void step(double length, double radius, bool drawn) {
-    if (drawn && pen_) pen_->extend(state_, length, radius);
+    if (drawn && builder_) builder_->extend(state_, length, radius);
   }
   void bend();
   void begin_guide(Parameters p);
-  Vec3d in_world(const Vec3d& v) const;  ///< A direction of the guide's own space.
-  void brace(Turn turn);
+  Vec3d to_world(const Vec3d& v) const;  ///< A direction of the guide's own space.
+  void brace(TurtleAction action);
 
   const Word& word_;
   const Alphabet& alphabet_;
   const TurtleOptions& options_;
-  Pen* pen_;
-  std::vector<Meaning> meanings_;
+  DrawingBuilder* builder_;
+  std::vector<SymbolAction> symbol_actions_;
   std::vector<ArcBezier> guides_;
   TurtleState state_;
   std::vector<TurtleState> stack_;

@@ -8,14 +8,14 @@ namespace vug::inference {
 
 /// Windows are [low, high) with 0 <= low < high <= size; a place's probability is its weight over
 /// the window's sum. Drawing takes the logarithm of the window's length in steps.
-class Profile {
+class DiscreteDistribution {
  public:
-  Profile() = default;
+  DiscreteDistribution() = default;
   /// Error(bad_input) for weights that are not finite and above 0: every place can be drawn, so
   /// that whatever a chain leaves it can return to.
-  explicit Profile(const std::vector<double>& weights);
+  explicit DiscreteDistribution(const std::vector<double>& weights);
   /// A mixture: `share` of the weights, made to sum to 1, and the rest even.
-  static Profile mixed(std::vector<double> weights, double share);
+  static DiscreteDistribution mixture(std::vector<double> weights, double share);
 
   int size() const { return static_cast<int>(sums_.size()) - 1; }
   /// The place at which the weights before it reach the share u in [0, 1) of the window's sum.

@@ -1,6 +1,6 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
-#include <vug/inference/profile.h>
+#include <vug/inference/discrete_distribution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace vug::inference {
 
-Profile::Profile(const std::vector<double>& weights) {
+DiscreteDistribution::DiscreteDistribution(const std::vector<double>& weights) {
   sums_.reserve(weights.size() + 1);
   for (const double weight : weights) {
     if (!(weight > 0) || !std::isfinite(weight))
@@ -18,21 +18,21 @@ Profile::Profile(const std::vector<double>& weights) {
   }
 }
 
-Profile Profile::mixed(std::vector<double> weights, double share) {
+DiscreteDistribution DiscreteDistribution::mixture(std::vector<double> weights, double share) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   const double scale = sum > 0 ? share / sum : 0;
   const double even = (sum > 0 ? 1 - share : 1) / static_cast<double>(weights.size());
   for (double& weight : weights) weight = weight * scale + even;
-  return Profile(weights);
+  return DiscreteDistribution(weights);
 }
 
-int Profile::find(int low, int high, double u) const {
+int DiscreteDistribution::find(int low, int high, double u) const {
   const double aim = sums_[static_cast<size_t>(low)] + u * sum(low, high);
   const auto first = sums_.begin() + low + 1, last = sums_.begin() + high;
   return static_cast<int>(std::upper_bound(first, last, aim) - first) + low;
 }
 
-double Profile::ln_probability(int low, int high, int place) const {
+double DiscreteDistribution::ln_probability(int low, int high, int place) const {
   if (place < low || place >= high) return -std::numeric_limits<double>::infinity();
   return maths::log(sum(place, place + 1) / sum(low, high));
 }

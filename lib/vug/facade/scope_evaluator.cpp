@@ -1,4 +1,4 @@
-#include <vug/facade/placing.h>
+#include <vug/facade/scope_evaluator.h>
 
 #include <fmt/format.h>
 
@@ -17,15 +17,15 @@ namespace {
 void check_sizes(const Layout& layout, double least, const Item& split) {
   for (const Cell& cell : layout.cells)
     if (const double size = std::min(cell.rect.width, cell.rect.height); size < least)
-      throw Unfit(Reason::too_small, "",
-                  fmt::format("'{}' would be {}, and nothing is smaller than {} m",
-                              split.parts.at(static_cast<size_t>(cell.part)).name,
-                              size_text(cell.rect), metres(least)));
+      throw InfeasiblePlan(Reason::too_small, "",
+                           fmt::format("'{}' would be {}, and nothing is smaller than {} m",
+                                       split.parts.at(static_cast<size_t>(cell.part)).name,
+                                       size_text(cell.rect), metres(least)));
 }
 
 /// Those of the numbers whose names begin so, without it.
-Told numbers_of(const Told& all, const std::string& prefix) {
-  Told out;
+NumberValues numbers_of(const NumberValues& all, const std::string& prefix) {
+  NumberValues out;
   for (const auto& [name, values] : all)
     if (prefix.empty() ? name.find('.') == name.npos : name.rfind(prefix, 0) == 0)
       out[name.substr(prefix.size())] = values;
@@ -34,27 +34,27 @@ Told numbers_of(const Told& all, const std::string& prefix) {
 
 }  // namespace
 
-bool Placer::fail(const SourceLocation& where, const std::string& message) {
+bool ScopeEvaluator::fail(const SourceLocation& where, const std::string& message) {
   evaluator_.diagnostics().error(where, message);
-  throw Faulty{};
+  throw AlreadyReported{};
 }
 
-Value Placer::eval(const scene::Expr& expr, RandomKey key, const scene::Scope& scope) {
+Value ScopeEvaluator::eval(const scene::Expr& expr, RandomKey key, const scene::Scope& scope) {
   Value value = evaluator_.eval(expr, key, &scope);
-  if (value.empty()) throw Faulty{};
+  if (value.empty()) throw AlreadyReported{};
   return value;
 }
 
-ElementPtr Placer::element(const Item& item, Value value, RandomKey key,
-                           const scene::Scope& known) {
+ElementPtr ScopeEvaluator::element(const Item& item, Value value, RandomKey key,
+                                   const scene::Scope& known) {
   if (item.kind == ItemKind::element) {
     Diagnostics found;
     const Arguments given = evaluator_.arguments(*item.expr, key, &known);
     for (const Argument& argument : given)
-      if (argument.value.empty()) throw Faulty{};
+      if (argument.value.empty()) throw AlreadyReported{};
     const auto made = item.element->make(given, item.where, found);
-    evaluator_.tell(found, given);
-    if (!made) throw Faulty{};
+    evaluator_.report(found, given);
+    if (!made) throw AlreadyReported{};
     return *made;
   }
   if (value.empty()) value = eval(*item.expr, key, known);
@@ -63,29 +63,30 @@ ElementPtr Placer::element(const Item& item, Value value, RandomKey key,
   return nullptr;
 }
 
-Placed Placer::place(const Item& item, const Scope& scope, const scene::Scope& known,
-                     const Planning* planning, const std::string& prefix) {
+EvaluatedSplit ScopeEvaluator::place(const Item& item, const Scope& scope,
+                                     const scene::Scope& known, const PlanOptions* planning,
+                                     const std::string& prefix) {
   const RandomKey key = scope.key.at("split").at(item.name).at(item.position);
-  Placed out;
+  EvaluatedSplit out;
   const SplitPtr made = split(item, key, known, out.values);
   static const Plan nothing;
   const Plan& plan = scope.plan ? *scope.plan : nothing;
-  Free free =
-      planning ? Free(numbers_of(plan.numbers, prefix), plan.apart) : Free(key.at("layout"));
+  FreeNumbers free = planning ? FreeNumbers(numbers_of(plan.numbers, prefix), plan.apart)
+                              : FreeNumbers(key.at("layout"));
   Layout layout = made->layout(scope.rect.width, scope.rect.height, free);
-  free.check_told();
+  free.check_all_used();
   if (planning) check_sizes(layout, planning->least, item);
   std::erase_if(layout.cells, [&](const Cell& cell) {
     return cell.copies.empty() && plan.off.count({cell.column, cell.row}) > 0;
   });
   out.layout = std::make_shared<const Layout>(std::move(layout));
-  out.free = free.asked();
+  out.free = free.requested();
   for (FreeNumber& number : out.free) number.name = prefix + number.name;
   return out;
 }
 
-SplitPtr Placer::split(const Item& split, RandomKey key, const scene::Scope& known,
-                       std::vector<Value>& values) {
+SplitPtr ScopeEvaluator::split(const Item& split, RandomKey key, const scene::Scope& known,
+                               std::vector<Value>& values) {
   values.resize(split.expr->operands.size());
   Arguments given;
   std::vector<Value> packed;
@@ -114,15 +115,15 @@ SplitPtr Placer::split(const Item& split, RandomKey key, const scene::Scope& kno
     given.push_back({params[list].name, Value(List(packed.begin(), packed.end())), packed_where});
   Diagnostics found;
   const auto made = split.split->make(given, split.where, found);
-  evaluator_.tell(found, given);
-  if (!made) throw Faulty{};
+  evaluator_.report(found, given);
+  if (!made) throw AlreadyReported{};
   return *made;
 }
 
 /// A part as a reference to it (an element that a name stands for goes to `named`), a choice as
 /// itself, anything else by its value.
-Value Placer::argument(const Item& split, size_t i, RandomKey key, const scene::Scope& known,
-                       Value& named) {
+Value ScopeEvaluator::argument(const Item& split, size_t i, RandomKey key,
+                               const scene::Scope& known, Value& named) {
   const scene::Expr& expr = *split.expr->operands[i].value;
   for (size_t p = 0; p < split.parts.size(); ++p) {
     const Item& part = split.parts[p];

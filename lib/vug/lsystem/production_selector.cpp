@@ -1,5 +1,5 @@
 #include <vug/base/error.h>
-#include <vug/lsystem/chooser.h>
+#include <vug/lsystem/production_selector.h>
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 
 namespace vug::lsystem {
 
-Scratch::Scratch(const System& system) {
+ProgramScratch::ProgramScratch(const System& system) {
   size_t formals = 0, values = 0;
   const auto add = [&](const Production& p) {
-    size_t own = system.alphabet.size() > 0 ? Alphabet::kMostParameters : 0;
+    size_t own = system.alphabet.size() > 0 ? Alphabet::kMaxParameters : 0;
     for (const auto* side : {&p.left, &p.right})
       for (const ContextModule& module : *side)
         if (module.kind == ContextModule::Kind::module)
@@ -30,55 +30,55 @@ double* compute(const Production& production, const Program& program, const doub
                 double* stack, const double* numbers) {
   try {
     return run(program, formals, stack, numbers);
-  } catch (const Incomparable& fault) {
-    no_number(production, "one side of a comparison", fault.value,
-              "look at the divisor first: if x != 0 and 1 / x > 2");
+  } catch (const InvalidComparison& fault) {
+    fail_invalid_number(production, "one side of a comparison", fault.value,
+                        "look at the divisor first: if x != 0 and 1 / x > 2");
   }
 }
 
 double single(const Production& production, const Program& program, const double* formals,
-              Scratch& scratch, const double* numbers) {
+              ProgramScratch& scratch, const double* numbers) {
   compute(production, program, formals, scratch.values(), numbers);
   return scratch.values()[0];
 }
 
 const double* formals_at(const Production& p, const Word& word, size_t i,
-                         const Surroundings& around, Scratch& scratch) {
+                         const ContextMatcher& around, ProgramScratch& scratch) {
   if (!p.has_context()) return word.values().data() + word.starts()[i];
   around.match(p, i, scratch.formals());
   return scratch.formals();
 }
 
-void no_number(const Production& production, const std::string& what, double value,
-               const std::string& hint) {
+void fail_invalid_number(const Production& production, const std::string& what, double value,
+                         const std::string& hint) {
   throw Error(ErrorCode::bad_input,
               fmt::format("{} of the rule of '{}' is {}", what, production.text,
                           std::isnan(value) ? "not a number" : fmt::format("{}", value)),
               production.where, hint);
 }
 
-uint16_t Chooser::choose(size_t i, const double* numbers) {
-  const Choosing& symbol = book_.symbols[word_.symbol(i)];
+uint16_t ProductionSelector::choose(size_t i, const double* numbers) {
+  const RuleSelection& symbol = book_.symbols[word_.symbol(i)];
   switch (symbol.how) {
-    case Choosing::How::never:
+    case RuleSelection::How::never:
       return 0;
-    case Choosing::How::always:
+    case RuleSelection::How::always:
       return static_cast<uint16_t>(book_.rules[symbol.first] + 1);
-    case Choosing::How::lottery:
-      return drawn(symbol, numbers[0]);
+    case RuleSelection::How::weighted:
+      return select_by_weight(symbol, numbers[0]);
     default:
-      return tried(symbol, i, numbers);
+      return select_first_match(symbol, i, numbers);
   }
 }
 
-uint16_t Chooser::drawn(const Choosing& symbol, double number) const {
-  const double dart = number * book_.upto[symbol.end - 1];
+uint16_t ProductionSelector::select_by_weight(const RuleSelection& symbol, double number) const {
+  const double target = number * book_.cumulative_weights[symbol.end - 1];
   uint32_t rule = symbol.first;
-  while (!(dart < book_.upto[rule]) && rule + 1 < symbol.end) ++rule;
+  while (!(target < book_.cumulative_weights[rule]) && rule + 1 < symbol.end) ++rule;
   return static_cast<uint16_t>(book_.rules[rule] + 1);
 }
 
-bool Chooser::fits(const Production& p, size_t i, const double* numbers) {
+bool ProductionSelector::fits(const Production& p, size_t i, const double* numbers) {
   const double* formals = word_.values().data() + word_.starts()[i];
   if (p.has_context()) {
     if (!around_.match(p, i, scratch_.formals())) return false;
@@ -86,39 +86,41 @@ bool Chooser::fits(const Production& p, size_t i, const double* numbers) {
   }
   if (!p.after.empty()) {
     const double age = single(p, p.after, formals, scratch_, numbers);
-    if (std::isnan(age)) no_number(p, "the age", age);
+    if (std::isnan(age)) fail_invalid_number(p, "the age", age);
     if (!(formals[0] >= age)) return false;
   }
   return p.guard.empty() || single(p, p.guard, formals, scratch_, numbers) != 0;
 }
 
-double Chooser::weight(const Production& p, size_t i, const double* numbers) {
+double ProductionSelector::weight(const Production& p, size_t i, const double* numbers) {
   const double* formals = formals_at(p, word_, i, around_, scratch_);
   const double weight = single(p, p.weight, formals, scratch_, numbers);
-  if (weight < 0) no_number(p, "the weight", weight, kWeights);
-  if (!std::isfinite(weight)) no_number(p, "the weight", weight);
+  if (weight < 0) fail_invalid_number(p, "the weight", weight, kWeights);
+  if (!std::isfinite(weight)) fail_invalid_number(p, "the weight", weight);
   return weight;
 }
 
-uint16_t Chooser::tried(const Choosing& symbol, size_t i, const double* numbers) {
+uint16_t ProductionSelector::select_first_match(const RuleSelection& symbol, size_t i,
+                                                const double* numbers) {
   for (uint32_t r = symbol.first; r < symbol.end; ++r) {
     const Production& p = system_.productions[book_.rules[r]];
     if (!fits(p, i, numbers)) continue;
     if (p.weight.empty()) return static_cast<uint16_t>(book_.rules[r] + 1);
     if (weight(p, i, numbers) == 0) continue;  // as if it did not fit
-    const double total = draw_lots(symbol, r, i, numbers);
-    const double dart = numbers[0] * total;
-    for (const auto& [choice, upto] : lots_)
-      if (dart < upto) return choice;
-    return lots_.back().first;
+    const double total = collect_weights(symbol, r, i, numbers);
+    const double target = numbers[0] * total;
+    for (const auto& [choice, upto] : weighted_)
+      if (target < upto) return choice;
+    return weighted_.back().first;
   }
   return 0;
 }
 
 /// The lots of all that fit from rule `r` on and look around as it does; their weights' sum.
-double Chooser::draw_lots(const Choosing& symbol, uint32_t r, size_t i, const double* numbers) {
+double ProductionSelector::collect_weights(const RuleSelection& symbol, uint32_t r, size_t i,
+                                           const double* numbers) {
   const bool looks = system_.productions[book_.rules[r]].has_context();
-  lots_.clear();
+  weighted_.clear();
   double total = 0;
   for (uint32_t s = r; s < symbol.end; ++s) {
     const Production& other = system_.productions[book_.rules[s]];
@@ -127,8 +129,9 @@ double Chooser::draw_lots(const Choosing& symbol, uint32_t r, size_t i, const do
     const double own = weight(other, i, numbers);
     if (own == 0) continue;
     total += own;
-    if (std::isinf(total)) no_number(other, "the sum of the weights up to that", total, kWeights);
-    lots_.emplace_back(static_cast<uint16_t>(book_.rules[s] + 1), total);
+    if (std::isinf(total))
+      fail_invalid_number(other, "the sum of the weights up to that", total, kWeights);
+    weighted_.emplace_back(static_cast<uint16_t>(book_.rules[s] + 1), total);
   }
   return total;
 }
