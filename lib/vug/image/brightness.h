@@ -1,4 +1,4 @@
-// How bright pictures are.
+// Statistics about the luminance of images.
 #pragma once
 
 #include <vug/image/colour_space.h>
@@ -6,7 +6,7 @@
 
 namespace vug::image {
 
-/// The share of pixels whose luminance is above `luminance`; 0 without R, G and B.
+/// The fraction of pixels whose luminance exceeds `luminance`; 0 for images without R, G and B.
 double fraction_above(const Image& linear, double luminance,
                       WorkingSpace space = WorkingSpace::rec709);
 

@@ -1,4 +1,4 @@
-// The spaces that light can be computed in, and the way of a colour from one to another.
+// Linear working spaces and conversion between them.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -10,31 +10,31 @@
 
 namespace vug::image {
 
-/// Places of red, green, blue and white in the CIE 1931 diagram: x and y of each, in EXR's order.
+/// CIE 1931 x and y of red, green, blue and white, in the order of EXR.
 using Chromaticities = std::array<double, 8>;
 
-/// A space whose numbers are proportional to light.
+/// A linear, scene-referred colour space.
 enum class WorkingSpace { rec709, acescg };
 
 struct WorkingSpaceInfo {
   WorkingSpace space;
-  std::string name;         ///< In scenes and options: "rec709".
-  std::string public_name;  ///< Among programs of others (colorInteropID): "lin_rec709_scene".
-  std::vector<std::string> aliases;  ///< As OpenColorIO configurations call it.
+  std::string name;                  ///< Name in scenes and options: "rec709".
+  std::string public_name;           ///< Interchange name (colorInteropID): "lin_rec709_scene".
+  std::vector<std::string> aliases;  ///< Names of the space in OpenColorIO configurations.
   Chromaticities chromaticities;
 };
 
 /// Rec.709: ITU-R BT.709, item 1. ACEScg: AP1 of the Academy, S-2014-004 (aces2014s004).
 const std::vector<WorkingSpaceInfo>& working_spaces();
 const WorkingSpaceInfo& info(WorkingSpace space);
-/// The one of these primaries, if there is one.
+/// Returns the working space with these primaries, if there is one.
 std::optional<WorkingSpace> find_space(const Chromaticities& chromaticities);
 
-/// A linear map of colours; leaves them as they are unless made otherwise.
+/// A linear map of colours; the identity by default.
 class ColourMatrix {
  public:
   ColourMatrix() = default;
-  /// From the light's primaries to others. Whites go to whites, by Bradford's adaptation as in
+  /// Converts between primaries. White maps to white by the Bradford adaptation as described in
   /// Lindbloom, "Chromatic adaptation" (cite lindbloom2017adaptation).
   ColourMatrix(const Chromaticities& from, const Chromaticities& to);
   ColourMatrix(WorkingSpace from, WorkingSpace to);

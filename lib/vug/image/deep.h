@@ -1,4 +1,5 @@
-// Deep pictures: what each pixel sees at which depth, so that others can put things in between.
+// Deep images: samples with depth for each pixel, so that other programs can composite objects
+// between them.
 #pragma once
 
 #include <vug/image/io.h>
@@ -8,8 +9,8 @@
 
 namespace vug::image {
 
-/// Something seen from `near` to `far`, in metres as the layer Z; colour premultiplied by alpha,
-/// and alpha as it hides what lies behind.
+/// Content visible from `near` to `far`, in metres as in the layer Z. The colour is premultiplied
+/// by alpha; alpha is the opacity towards everything behind.
 struct DeepSample {
   float near = 0, far = 0;
   float alpha = 0;
@@ -18,7 +19,7 @@ struct DeepSample {
   bool operator==(const DeepSample&) const = default;
 };
 
-/// The samples of each pixel, row by row from the top, the nearest first; they do not overlap.
+/// The samples of each pixel, row by row from the top, nearest first and without overlap.
 struct DeepImage {
   int width = 0, height = 0;
   std::vector<std::vector<DeepSample>> pixels;
@@ -31,11 +32,12 @@ struct DeepImage {
   }
 };
 
-/// The picture that compositing a deep one from front to back gives: R, G, B, A.
+/// Composites a deep image front to back into R, G, B, A.
 Image flatten(const DeepImage& deep);
 
-/// A deep EXR of lines with the channels R, G, B, A, Z, ZBack (ZIPS); of the options `half` is for
-/// colours and alpha, `parts` and `tiles` have no meaning here. Errors as write_exr.
+/// Writes a deep scan-line EXR with the channels R, G, B, A, Z, ZBack (ZIPS compression). The
+/// option `half` applies to colours and alpha; `parts` and `tiles` are ignored. Throws the same
+/// errors as write_exr.
 void write_deep_exr(const std::filesystem::path& path, const DeepImage& deep,
                     const ExrOptions& options = {});
 
@@ -45,7 +47,7 @@ struct DeepView {
   const DeepImage& image;
   ExrOptions options;
 };
-/// The same of several views, a part for each.
+/// Writes several views, each as one part.
 void write_deep_exr(const std::filesystem::path& path, const std::vector<DeepView>& views);
 
 }  // namespace vug::image

@@ -1,4 +1,4 @@
-// What is in a file with a deep picture.
+// Summary of a deep image file.
 #pragma once
 
 #include <vug/image/io.h>
@@ -11,10 +11,10 @@ namespace vug::image {
 
 struct DeepInfo {
   FileInfo file;
-  uint64_t samples = 0;  ///< Of all pixels and views together.
+  uint64_t samples = 0;  ///< Total over all pixels and views.
 };
 
-/// Reads all of the file; nothing where its picture is flat. Errors as read_info.
+/// Reads the whole file; returns nothing for flat images. Throws the same errors as read_info.
 std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path);
 
 }  // namespace vug::image

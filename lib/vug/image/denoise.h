@@ -1,4 +1,4 @@
-// A smoother picture out of a noisy one and its layers, for previews.
+// Denoising of a rendered image with the help of its feature layers, for previews.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -7,20 +7,20 @@
 namespace vug::image {
 
 struct DenoiseOptions {
-  int window = 8;         ///< Pixels on each side whose values may be borrowed.
-  int patch = 2;          ///< Pixels on each side that are compared.
-  double strength = 0.6;  ///< Differences below this many standard errors count as noise.
+  int window = 8;         ///< Radius of the search window, pixels.
+  int patch = 2;          ///< Radius of the compared patches, pixels.
+  double strength = 0.6;  ///< Differences below this number of standard errors count as noise.
 };
 
-/// Means of R, G, B over pixels that look alike: non-local means weighed by the colour's distance
-/// in units of its variance and, jointly, by albedo, normal and depth (Rousselle, Manzi and Zwicker
-/// 2013, "Robust denoising using feature and color information", cite rousselle2013denoising). We
-/// differ in one scale instead of three candidates, in filtering light without the albedo where
-/// there is one, and in a polynomial in place of the exponential. The picture needs R, G, B and
-/// variance.R .G .B, and uses albedo, N and Z when they are there. Biased: it smooths what the
-/// layers do not tell apart, such as the edges of soft shadows. Error(bad_input) when a needed
-/// channel is missing. The result has the channels denoised.R, denoised.G, denoised.B. Same bytes
-/// for any threads.
+/// Non-local means of R, G, B: pixels are weighted by the colour distance in units of its variance
+/// and, jointly, by albedo, normal and depth (Rousselle, Manzi and Zwicker 2013, "Robust denoising
+/// using feature and color information", cite rousselle2013denoising). Differences from the paper:
+/// one scale instead of three candidates, filtering of light without the albedo if there is an
+/// albedo layer, and a polynomial instead of the exponential. The image needs R, G, B and
+/// variance.R .G .B; albedo, N and Z are used if present. The filter is biased: it smooths features
+/// that no layer distinguishes, such as the edges of soft shadows. Throws Error(bad_input) if a
+/// required channel is missing. The result has the channels denoised.R, denoised.G, denoised.B and
+/// the same bytes for any number of threads.
 Image denoise(const Image& picture, const DenoiseOptions& options = {},
               Progress& progress = Progress::none());
 

@@ -1,5 +1,5 @@
-// Two pictures of one scene: the same, or different? Measures for every layer, limits on them, and
-// where the noise is known a test of significance.
+// Comparison of two images of one scene: measures for every layer, limits on them, and a
+// significance test if the noise is known.
 #pragma once
 
 #include <vug/image/io.h>
@@ -15,24 +15,24 @@
 
 namespace vug::image {
 
-/// A picture with what its file tells about it.
+/// An image with the relevant information from its file.
 struct ImageUnderTest {
-  std::string name;  ///< For messages: the file.
+  std::string name;  ///< File name, for messages.
   Image image;
   Metadata metadata;
-  int left = 0, top = 0;                      ///< Where it lies in a larger picture.
-  WorkingSpace space = WorkingSpace::rec709;  ///< Of its colours.
-  bool screen = false;  ///< Integer codes of a screen's picture (PNG), read as linear light.
+  int left = 0, top = 0;                      ///< Position in a larger image (crop).
+  WorkingSpace space = WorkingSpace::rec709;  ///< Working space of its colours.
+  bool screen = false;  ///< True for integer display values (PNG), read as linear light.
 };
 
-/// Error(bad_input) as for `read`.
+/// Throws Error(bad_input) as `read` does.
 ImageUnderTest read_image_under_test(const std::filesystem::path& file);
 
-/// A pixel counts where the mask's first channel is at least 0.5. Error(bad_input) when the file
-/// cannot be read, is not of this size, or lets nothing through.
+/// Pixels whose first mask channel is at least 0.5 are compared. Throws Error(bad_input) if the
+/// file cannot be read, has another size or selects no pixel.
 std::vector<uint8_t> read_mask(const std::filesystem::path& file, int width, int height);
 
-/// What a measure may be at most, or at least where more is better.
+/// Maximum of a measure, or minimum if larger values are better.
 struct Limit {
   std::string layer;  ///< Empty: the main layers.
   std::string measure;
@@ -40,16 +40,19 @@ struct Limit {
 };
 
 struct DiffOptions {
-  /// Layers to compare; these are then the main ones. Empty: all but `variance` and `samples`,
-  /// which both pictures must share, and the main one is the beauty, or all where there is none.
+  /// Layers to compare, which become the main layers. Empty: all layers except `variance` and
+  /// `samples`, which both images must have in common; the main layer is then the beauty, or all
+  /// layers if there is none.
   std::vector<std::string> layers;
-  std::vector<std::string> measures;  ///< For the main layers; empty: all that fit.
-  /// A layer with limits is judged by them. A beauty without is judged by the test of significance
-  /// where a variance is there. Without any limit or variance all layers are judged by kRounding.
+  std::vector<std::string> measures;  ///< For the main layers; empty: all applicable measures.
+  /// Layers with limits are judged by them. A beauty layer without limits is judged by the
+  /// significance test if there is a variance. Without any limit or variance all layers are judged
+  /// by kRounding.
   std::vector<Limit> limits;
-  /// Demands the test of significance, also beside limits, at this rate of false alarms.
+  /// Requires the significance test, in addition to limits, with this false-alarm rate.
   std::optional<double> false_alarm_rate;
-  std::optional<double> exposure;    ///< Stops for what is shown; none: that makes middle grey.
+  std::optional<double> exposure;    ///< Exposure of the displayed images in stops; none: the
+                                     ///< exposure that yields middle grey.
   bool reference_exposures = false;  ///< See Comparison.
   std::vector<uint8_t> mask;
 };
@@ -62,52 +65,54 @@ struct LayerResult {
   bool passed = true;
 };
 
-/// How the verdict was reached.
+/// The basis of the verdict.
 enum class Basis {
-  identical,     ///< Every value of every layer compared is the same.
-  limits,        ///< Limits were given; the test of significance may have had a say (`tested`).
-  significance,  ///< That test alone.
-  rounding,      ///< Neither: relative_max of every layer against kRounding.
+  identical,     ///< Every value of every compared layer is identical.
+  limits,        ///< Limits were given; the significance test may also have contributed (`tested`).
+  significance,  ///< The significance test alone.
+  rounding,      ///< Neither: relative_max of every layer is compared with kRounding.
 };
 
-/// The limit without any other: twice what rounding to 16-bit floats does to a value.
+/// The default limit: twice the rounding error of 16-bit floats.
 inline constexpr double kRounding = 1e-3;
 inline constexpr double kFalseAlarmRate = 0.01;
 
 struct Diff {
   bool same = true;
   Basis basis = Basis::identical;
-  std::vector<LayerResult>
-      rows;  ///< Layer by layer; of identical ones that are not main only limits.
-  std::vector<std::string> identical;  ///< Layers without a difference, the main ones aside.
+  std::vector<LayerResult> rows;  ///< Layer by layer; identical layers other than the main ones
+                                  ///< appear only if they have limits.
+  std::vector<std::string> identical;  ///< Identical layers, excluding the main ones.
   std::optional<Significance> significance;
-  /// The same of a stereo picture's other views, with their names.
+  /// The significance tests of the other views of a stereo image, by view name.
   std::vector<std::pair<std::string, Significance>> other_views;
-  bool tested = false;                ///< Whether the verdict heeds `significance`.
-  size_t not_finite = 0;              ///< Values in either picture, among those that count.
-  std::vector<std::string> unjudged;  ///< Layers that differ but no limit or test speaks about.
-  std::vector<std::string> reasons;   ///< Why they are different, in sentences.
-  double exposure = 0;                ///< Stops at which the measures of an eye looked.
+  bool tested = false;    ///< Whether the verdict takes `significance` into account.
+  size_t not_finite = 0;  ///< NaN and infinite values in either image, among the compared pixels.
+  std::vector<std::string> unjudged;  ///< Layers that differ but are covered by no limit or test.
+  std::vector<std::string> reasons;   ///< Reasons for the verdict "different", as sentences.
+  double exposure = 0;                ///< Exposure in stops used by the perceptual measures.
 
-  // For reports; of the first main layer.
+  // Data for reports, from the first main layer.
   std::string shown_layer;
   Comparison shown;
-  std::string heat_measure;  ///< "flip" for colours, else "max".
-  std::vector<float> heat;   ///< In [0, 1], for each pixel.
+  std::string heat_measure;  ///< "flip" for colours, otherwise "max".
+  std::vector<float> heat;   ///< One value in [0, 1] per pixel.
 };
 
-/// Error(bad_input) with a hint: different sizes or colour spaces, channels that one picture lacks,
-/// layers, measures or limits that do not exist, a test of significance without variance. Swapping
-/// the pictures swaps signs and roles, but never the verdict. Of pictures for stereo both views are
-/// compared, and share the rate of false alarms; "right.N" names a layer of one, "N" that of both.
+/// Throws Error(bad_input) with a hint for different sizes or colour spaces, channels missing in
+/// one image, unknown layers, measures or limits, and a significance test without variance.
+/// Swapping the images swaps signs and roles, but never the verdict. For stereo images both views
+/// are compared and share the false-alarm rate; "right.N" names a layer of one view, "N" that of
+/// both.
 Diff diff(const ImageUnderTest& reference, const ImageUnderTest& test,
           const DiffOptions& options = {});
 
-/// "beauty.rmse" or "rmse", with its value; Error(bad_input) for an unknown measure, or
-/// where not even equal pictures pass.
+/// Parses "beauty.rmse" or "rmse" with its value. Throws Error(bad_input) for an unknown measure,
+/// or if not even equal images would pass.
 Limit limit_of(const std::string& name, double value);
 
-/// From black over red to pale yellow, light rising with t in [0, 1]: linear channels R, G, B.
+/// Colour map from black through red to pale yellow, with luminance increasing with the value in
+/// [0, 1]: linear channels R, G, B.
 Image heat_map(const std::vector<float>& values, int width, int height);
 
 }  // namespace vug::image

@@ -1,11 +1,11 @@
-// How one view of a picture compares; `diff` puts the views together.
+// Comparison of one view; `diff` combines the views.
 #pragma once
 
 #include <vug/image/diff.h>
 
 namespace vug::image {
 
-/// `diff` of pictures of one view, with this rate of false alarms where significance is tested.
+/// `diff` for images with one view, with the given false-alarm rate for the significance test.
 Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
                const DiffOptions& options, double alarm);
 

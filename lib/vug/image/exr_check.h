@@ -1,4 +1,4 @@
-// A look at an EXR's headers before the system's reader sees them.
+// Validation of EXR headers before OpenImageIO reads the file.
 #pragma once
 
 #include <filesystem>
@@ -6,9 +6,9 @@
 
 namespace vug::image {
 
-/// What is wrong with the headers of an EXR, as the end of a sentence; empty where nothing is, or
-/// where the file is none by its first bytes. OpenImageIO 2.4 ends the program at a channel of an
-/// unknown type, so that a damaged file must not get there.
+/// Returns the fault in the headers of an EXR as the end of a sentence; empty if there is none, or
+/// if the first bytes are not those of an EXR. OpenImageIO 2.4 terminates the program at a channel
+/// of unknown type, so damaged files must be rejected first.
 std::string exr_fault(const std::filesystem::path& path);
 
 }  // namespace vug::image

@@ -1,5 +1,5 @@
-// What all our EXRs share: headers, and the way to the file. For sources of this module: it opens
-// OpenImageIO.
+// Headers and output shared by all EXR writers. For sources of this module only, because it
+// includes OpenImageIO.
 #pragma once
 
 #include <vug/image/io.h>
@@ -14,26 +14,26 @@
 
 namespace vug::image {
 
-/// Size, windows, tiles, primaries and camera; ZIP, no channels, no texts.
+/// Size, windows, tiles, primaries and camera, with ZIP compression and without channels or texts.
 OIIO::ImageSpec exr_spec(int width, int height, const ExrOptions& options);
 
-/// A file of parts on its way out, under a temporary name; its faults as errors about `path`.
+/// A multi-part file being written under a temporary name; errors refer to `path`.
 class ExrOutput {
  public:
   ExrOutput(const std::filesystem::path& path, const std::filesystem::path& temporary,
             const std::vector<OIIO::ImageSpec>& parts);
-  /// Turns to a part; in order.
+  /// Starts a part; parts are written in order.
   void begin(size_t part);
-  /// Error(io) unless what was asked of the file went well.
+  /// Throws Error(io) if `done` is false.
   void check(bool done) const;
-  /// Error(io) unless all of it is in the file.
+  /// Throws Error(io) unless the file is complete.
   void close();
   OIIO::ImageOutput* operator->() { return output_.get(); }
 
  private:
   std::filesystem::path path_, temporary_;
   const std::vector<OIIO::ImageSpec>& parts_;
-  // OpenImageIO's own way to the file does not see when its last bytes find no room.
+  // OpenImageIO's own file output does not notice if the last bytes do not fit on the disk.
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   OIIO::Filesystem::IOFile io_;
   std::unique_ptr<OIIO::ImageOutput> output_;

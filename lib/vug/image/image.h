@@ -1,4 +1,4 @@
-// Pictures as plain data: float pixels with named channels.
+// Images as plain data: float pixels with named channels.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Image {
   std::vector<float> pixels;
 
   Image() = default;
-  /// All pixels 0. Error(bad_input) when a size is not positive or there is no channel.
+  /// All pixels are 0. Throws Error(bad_input) if a size is not positive or there is no channel.
   Image(int w, int h, std::vector<std::string> names);
 
   size_t pixel_count() const { return static_cast<size_t>(width) * static_cast<size_t>(height); }
@@ -30,9 +30,10 @@ struct Image {
   float at(int x, int y, size_t channel = 0) const { return pixels[index(x, y, channel)]; }
   float& at(int x, int y, size_t channel = 0) { return pixels[index(x, y, channel)]; }
 
-  /// Index of a channel by name, -1 when there is none.
+  /// Returns the index of a channel, or -1.
   int find_channel(std::string_view name) const;
-  /// A picture of the named channels in that order; Error(bad_input) names a missing one.
+  /// Returns an image with the named channels in that order; throws Error(bad_input) with the name
+  /// of a missing channel.
   Image select(const std::vector<std::string>& names) const;
 
   bool operator==(const Image&) const = default;

@@ -1,5 +1,5 @@
-// Reading and writing picture files. Files with the same content have the same bytes: no time
-// stamps and no host names are written.
+// Reading and writing of image files. Equal content gives equal bytes: neither time stamps nor host
+// names are written.
 #pragma once
 
 #include <vug/image/colour_space.h>
@@ -15,47 +15,48 @@
 
 namespace vug::image {
 
-/// Texts kept in a file's header, e.g. {"vug:seed", "7"}.
+/// Texts in a file's header, e.g. {"vug:seed", "7"}.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 struct ExrOptions {
-  /// 16-bit floats (relative error 5e-4, largest value 65504); false: 32-bit.
+  /// 16-bit floats (relative error 5e-4, largest value 65504) instead of 32-bit floats.
   bool half = false;
-  /// Channels or layers, also numbered ones, kept in 32 bits even when `half` is set: what 16 bits
-  /// would spoil.
+  /// Channels or layers, including numbered ones, that stay in 32 bits even if `half` is set
+  /// because 16 bits are not precise enough.
   std::vector<std::string> full_channels = {"Z", "P", "variance", "samples"};
   Metadata metadata;
-  /// Where a crop lies: the image's top left pixel in a picture of full_width x full_height (EXR's
-  /// data and display windows). Zeros: the image is the whole picture.
+  /// Position of a crop: the image's top left pixel in an image of full_width x full_height (EXR's
+  /// data and display windows). Zeros: the image is complete.
   struct Window {
     int x = 0, y = 0, full_width = 0, full_height = 0;
   } window;
-  /// One part for each layer instead of all channels in one: readers that want one layer need not
-  /// read the others.
+  /// One part per layer instead of all channels in one part, so that readers of one layer can skip
+  /// the others.
   bool parts = false;
-  /// Tiles of 64 x 64 pixels instead of lines.
+  /// Tiles of 64 x 64 pixels instead of scan lines.
   bool tiles = false;
-  /// What red, green and blue mean: the standard attributes `chromaticities` and `colorInteropID`.
+  /// Primaries of red, green and blue: the standard attributes `chromaticities` and
+  /// `colorInteropID`.
   WorkingSpace space = WorkingSpace::rec709;
-  /// Standard attributes of the camera, row after row, for points as rows: p * M.
+  /// Standard camera attributes, row by row, for row vectors: p * M.
   std::optional<std::array<float, 16>> world_to_camera, world_to_ndc;
 };
 
-/// Multi-channel EXR, ZIP compression, whole or not there (AtomicFile).
-/// Values beyond the range of half are clamped to it when they are stored as half.
-/// Throws Error(io) when the file cannot be written, Error(bad_input) on an unusable image.
+/// Writes a multi-channel EXR with ZIP compression; the file is complete or absent (AtomicFile).
+/// Values beyond the range of half are clamped when stored as half. Throws Error(io) if the file
+/// cannot be written, Error(bad_input) for an unusable image.
 void write_exr(const std::filesystem::path& path, const Image& image,
                const ExrOptions& options = {});
 
-/// One of several views of a picture, "left" and "right" for stereo.
+/// One of several views of an image, "left" and "right" for stereo.
 struct ExrView {
   std::string name;
   const Image& image;
   ExrOptions options;
 };
 
-/// The same of several views, each in a part of its own (or in several, see ExrOptions::parts) that
-/// says which it is by EXR's attribute `view`. The first is the one that readers of one view show.
+/// Writes several views, each in a part of its own (or in several, see ExrOptions::parts) with the
+/// EXR attribute `view`. Readers of a single view show the first one.
 void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& views);
 
 /// 8-bit PNG, sRGB unless a configured view says otherwise, of the channels R, G, B (or of the one

@@ -1,4 +1,4 @@
-// How far two pictures are apart, in numbers and as a map of where.
+// Measures of the difference between two images, as a number and as a map.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -11,15 +11,15 @@
 
 namespace vug::image {
 
-/// One layer of two pictures as a measure sees it: same size, same channels, without the layer's
-/// name. Measures that need an eye look at it through `view`.
+/// One layer of two images as input of a measure: same size and channels, names without the layer.
+/// Perceptual measures apply `view` first.
 struct Comparison {
   Image reference;
   Image test;
-  std::vector<uint8_t> mask;  ///< Pixels that count (not 0), row by row; empty: all of them.
+  std::vector<uint8_t> mask;  ///< Non-zero for pixels to compare, row by row; empty: all.
   ViewOptions view;
-  /// HDR-FLIP takes its exposures from the reference alone, as its paper does, and then tells
-  /// reference from test; else from both.
+  /// HDR-FLIP takes its exposures from the reference alone, as in its paper, and is then not
+  /// symmetric; otherwise from both images.
   bool reference_exposures = false;
 
   size_t pixel_count() const { return reference.pixel_count(); }
@@ -28,42 +28,45 @@ struct Comparison {
 
 struct MeasureResult {
   double value = 0;
-  std::vector<float> map;  ///< For each pixel, masked ones too; empty when there is no such map.
+  std::vector<float>
+      map;  ///< One value per pixel, including masked ones; empty if the measure has no map.
 };
 
-/// A kind of measure. Symmetric in the two pictures, and `equal` for equal ones.
+/// A kind of measure. It is symmetric in the two images and returns `equal` for equal ones.
 struct Measure {
   enum class Better { low, high };
 
   KindInfo info;
   Better better = Better::low;
-  bool needs_colour = false;  ///< Only for layers with R, G and B.
-  double equal = 0;           ///< The value of two equal pictures.
+  bool needs_colour = false;  ///< Requires a layer with R, G and B.
+  double equal = 0;           ///< The value for two equal images.
   MeasureResult (*measure)(const Comparison&) = nullptr;
 };
 
 const std::vector<const Measure*>& measures();
-/// By name; Error(bad_input) with the nearest one when there is none.
+/// Returns the measure with this name; throws Error(bad_input) with the nearest name if there is
+/// none.
 const Measure& measure_of(const std::string& name);
-/// One value without ado: pictures of any channels, all pixels. Error(bad_input) when sizes or
-/// channels differ.
+/// Computes one measure over all channels and pixels. Throws Error(bad_input) if sizes or channels
+/// differ.
 double measure(const std::string& name, const Image& reference, const Image& test);
 
-/// Error(bad_input), in a sentence, where sizes or channels differ.
+/// Throws Error(bad_input) with a full sentence if sizes or channels differ.
 void require_comparable(const Image& reference, const Image& test);
 
-/// The mean of the map over the pixels that count; 0 without any.
+/// The mean of the map over the compared pixels; 0 if there are none.
 double pooled_mean(const Comparison& pair, const std::vector<float>& map);
 
-/// Differences of the values that count, channel by channel. Where both are the same infinity or
-/// both NaN there is no difference; any other pair with one that is not finite is infinitely apart.
+/// Differences of the compared values, channel by channel. Two equal infinities or two NaN have no
+/// difference; any other pair with a value that is not finite differs infinitely.
 struct Differences {
   double squares = 0;     ///< Mean of squared differences.
-  double mean = 0;        ///< Mean of differences without sign.
-  double largest = 0;     ///< Of differences without sign.
-  double magnitude = 0;   ///< Mean of all values of both pictures without sign.
-  size_t not_finite = 0;  ///< Values that are NaN or infinite in one picture at least.
-  std::vector<float> largest_of_pixel;  ///< Over the pixel's channels.
+  double mean = 0;        ///< Mean of absolute differences.
+  double largest = 0;     ///< Largest absolute difference.
+  double magnitude = 0;   ///< Mean absolute value of both images.
+  size_t not_finite = 0;  ///< Values that are NaN or infinite in at least one image.
+  std::vector<float>
+      largest_of_pixel;  ///< Largest absolute difference over the channels of each pixel.
 };
 Differences differences(const Comparison& pair);
 

@@ -1,5 +1,5 @@
-// What a file of a measure needs: the macro that opens its one exported definition, outside of any
-// namespace:
+// Definitions for the source file of a measure. The macro opens its one exported definition,
+// outside of any namespace:
 //   VUG_MEASURE(rmse) { return lower_is_better("rmse", "...", "", measure); }
 #pragma once
 

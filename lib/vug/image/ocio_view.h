@@ -1,4 +1,4 @@
-// Views of pictures through OpenColorIO: of a user's configuration, or of one that is built in.
+// Display views through OpenColorIO, from a user's configuration or a built-in one.
 #pragma once
 
 #include <vug/image/view.h>
@@ -9,32 +9,33 @@
 
 namespace vug::image {
 
-/// From the light of a working space to the values of a display.
+/// Converts from a working space to display values.
 class OcioView {
  public:
   virtual ~OcioView() = default;
-  /// In place: R, G, B of each pixel.
+  /// Converts R, G, B of each pixel in place.
   virtual void apply(float* rgb, size_t pixels) const = 0;
-  /// Whether the values are for an sRGB screen.
+  /// Whether the result is for an sRGB display.
   virtual bool srgb() const = 0;
 };
 
-/// What people choose, by name.
+/// View, display and configuration by name.
 struct ViewSelection {
-  /// A view of the configuration, or one of our own: "filmic", "standard"; and without a
-  /// configuration "aces": the reference rendering and output transform for video of ACES 1.0, as
-  /// OpenColorIO has it (cite aces2016rrt). Empty: the configuration's default, or "filmic".
+  /// A view of the configuration, or a built-in one: "filmic", "standard"; and without a
+  /// configuration "aces": the reference rendering and output transform for video of ACES 1.0 as
+  /// implemented in OpenColorIO (cite aces2016rrt). Empty: the configuration's default, or
+  /// "filmic".
   std::string view;
   std::string display;           ///< Of the configuration; empty: its default.
-  std::filesystem::path config;  ///< An .ocio file; empty: there is none.
+  std::filesystem::path config;  ///< An .ocio file; empty: no configuration.
 };
 
-/// The options that show light of that space so. Error(bad_input): a configuration that cannot be
-/// used or that does not know the space, and a view or display that is not there, with those that
-/// are.
+/// Returns the options that display light of this space with the selection. Throws Error(bad_input)
+/// for a configuration that cannot be used or does not contain the space, and for an unknown view
+/// or display, listing the known ones.
 ViewOptions view_options(const ViewSelection& choice, WorkingSpace space);
 
-/// The file that $OCIO names; empty without.
+/// The file that $OCIO names, or empty.
 std::filesystem::path environment_config();
 
 }  // namespace vug::image

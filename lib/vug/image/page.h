@@ -1,14 +1,14 @@
-// The look of the project's report pages: HTML around their content, without anything from outside.
+// HTML frame of the report pages, self-contained without external resources.
 #pragma once
 
 #include <string>
 
 namespace vug::image {
 
-/// Up to and with <body>; `title` is plain text.
+/// Up to and including <body>; `title` is plain text.
 std::string page_head(const std::string& title);
 std::string page_foot();
-/// The buttons and the slider of a stage with two pictures, and the script that moves them.
+/// The buttons and the slider of a comparison of two images, and the script that operates them.
 std::string page_controls(bool blocks);
 std::string page_script();
 

@@ -1,4 +1,4 @@
-// A look at a PNG before the system's reader sees it.
+// Validation of a PNG before libpng reads the file.
 #pragma once
 
 #include <filesystem>
@@ -6,9 +6,9 @@
 
 namespace vug::image {
 
-/// What is wrong with a PNG, as the end of a sentence: cut short, or a checksum that does not fit;
-/// empty where nothing is, or where the file is none by its first bytes. libpng tells of such
-/// faults on the standard error by itself, so that a damaged file must not get there.
+/// Returns the fault in a PNG as the end of a sentence: truncated, or a wrong checksum; empty if
+/// there is none, or if the first bytes are not those of a PNG. libpng prints such faults to
+/// standard error itself, so damaged files must be rejected first.
 std::string png_fault(const std::filesystem::path& path);
 
 }  // namespace vug::image

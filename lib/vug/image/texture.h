@@ -1,6 +1,5 @@
-// Pictures looked up at places, blurred to what one look takes in: OpenImageIO's texture system,
-// whose tiles and smaller copies of the picture are read when needed and kept in a cache that all
-// textures share.
+// Filtered texture lookups through OpenImageIO's texture system, which loads tiles and MIP levels
+// on demand and keeps them in a cache shared by all textures.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -12,14 +11,14 @@ namespace vug::image {
 
 class Texture {
  public:
-  /// Error(bad_input), naming the file: missing, no picture, or holding numbers that are not
-  /// finite. Integer files are taken for sRGB, files of floats for linear light of the primaries
-  /// that they tell, or of Rec.709.
+  /// Throws Error(bad_input) with the file name if it is missing, not an image, or contains numbers
+  /// that are not finite. Integer files are taken as sRGB, float files as linear light with the
+  /// primaries given in the file, or Rec.709.
   explicit Texture(const std::filesystem::path& path);
 
-  /// Linear Rec.709, of grey files three times the same. (0, 0) is the top left corner, (1, 1) the
-  /// bottom right; the picture repeats. `width`: of the look, as a part of the picture's. The
-  /// blur is taken of the numbers in the file, before sRGB is turned to linear light.
+  /// Linear Rec.709; grey files give three equal values. (0, 0) is the top left corner, (1, 1) the
+  /// bottom right; the image repeats. `width` is the filter width as a fraction of the image. The
+  /// filter is applied to the stored values, before sRGB is converted to linear light.
   Vec3d at(double s, double t, double width) const;
 
  private:

@@ -1,4 +1,4 @@
-// Pictures seen from elsewhere: maps of the plane that keep straight lines straight.
+// Projective transformation of images.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -18,11 +18,11 @@ struct Homography {
   }
 };
 
-/// The picture of width x height pixels to which `to_target` takes the given one's. Places are in
-/// pixels from the upper left corner, y down; the middle of the first pixel is (0.5, 0.5). Each
-/// pixel is what a Lanczos filter of three lobes [@duchon1979] takes in, as wide as the pixel is in
-/// the given picture, one pixel of that at least; what lies beyond the picture is 0. Values of
-/// channels without negative ones stay so. Error(bad_input) for sizes that are not positive.
+/// Resamples the image into width x height pixels through `to_target`. Coordinates are in pixels
+/// from the upper left corner, y down; the centre of the first pixel is (0.5, 0.5). The filter is a
+/// Lanczos filter with three lobes [@duchon1979], as wide as the target pixel in the source image
+/// and at least one source pixel; the image is 0 beyond its border. Channels without negative
+/// values stay non-negative. Throws Error(bad_input) for sizes that are not positive.
 Image warped(const Image& picture, const Homography& to_target, int width, int height);
 
 }  // namespace vug::image

@@ -1,5 +1,6 @@
-// A binary tree of boxes over numbered things (triangles): nearest-first walks and overlap pairs.
-// Split at the median centre along the widest axis: the same tree for any number of threads.
+// A binary bounding volume hierarchy over numbered items such as triangles, with nearest-first
+// traversal and overlap queries. Nodes are split at the median centre along the widest axis, so the
+// tree is the same for any number of threads.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -14,7 +15,8 @@ class BoxTree {
  public:
   struct Node {
     Box3d box;
-    uint32_t first = 0;  ///< Leaf: first of `count` items. Inner: the left child; right is first+1.
+    uint32_t first = 0;  ///< Leaf: index of its first item. Inner node: left child; the right child
+                         ///< is first + 1.
     uint32_t count = 0;  ///< 0 for inner nodes.
   };
 
@@ -24,8 +26,8 @@ class BoxTree {
   bool empty() const { return nodes_.empty(); }
   const Box3d& bounds() const { return nodes_.front().box; }
 
-  /// Calls `visit(item)`, which returns the new squared limit, for items whose box is not
-  /// further from p than the limit; near boxes first.
+  /// Calls `visit(item)` for the items whose box is within the limit of p, near boxes first.
+  /// `visit` returns the new squared limit.
   template <class Visit>
   void visit_nearest(const Vec3d& p, double squared_limit, const Visit& visit) const;
 
@@ -58,7 +60,8 @@ void BoxTree::visit_nearest(const Vec3d& p, double squared_limit, const Visit& v
     uint32_t node;
     double distance;
   };
-  // Median splits keep the depth below 2 + log2 of 2^32 items; one waiting sibling a level.
+  // Median splits limit the depth to 2 + log2 of 2^32 items, and each level leaves one sibling on
+  // the stack.
   std::array<Entry, 64> stack;
   size_t size = 0;
   if (!nodes_.empty()) stack[size++] = {0, squared_distance(p, nodes_[0].box)};

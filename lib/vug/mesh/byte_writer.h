@@ -1,4 +1,4 @@
-// Bytes of a mesh file on their way out, in large chunks.
+// A buffered writer for the bytes of a mesh file, which passes them to the sink in large chunks.
 #pragma once
 
 #include <vug/mesh/format.h>
@@ -19,14 +19,14 @@ class ByteWriter {
     buffer_.append(s);
     return flush_if_full();
   }
-  /// The shortest decimal that reads back the same.
+  /// Writes the shortest decimal that reads back as the same value.
   template <class T>
   ByteWriter& number(T value) {
     char digits[kRoom];
     const auto result = std::to_chars(digits, digits + kRoom, value);
     return text({digits, static_cast<size_t>(result.ptr - digits)});
   }
-  /// As it lies in memory: little-endian on every machine this project builds for.
+  /// Writes the bytes as they lie in memory: little-endian on every supported machine.
   template <class T>
   ByteWriter& binary(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -34,7 +34,7 @@ class ByteWriter {
     std::memcpy(bytes, &value, sizeof(T));
     return text({bytes, sizeof(T)});
   }
-  /// To be called once at the end.
+  /// Flushes the buffer. Call once at the end.
   void finish() {
     sink_(buffer_);
     buffer_.clear();

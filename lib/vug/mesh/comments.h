@@ -1,4 +1,4 @@
-// What a mesh file says beside the mesh, in its comments.
+// Information stored in the comments of a mesh file.
 #pragma once
 
 #include <string>
@@ -9,15 +9,17 @@
 namespace vug::mesh {
 
 struct Comments {
-  std::string space = "metres, y up";                      ///< What numbers mean.
-  std::vector<std::pair<std::string, std::string>> texts;  ///< By name, as of any file of ours.
+  std::string space = "metres, y up";  ///< Unit and orientation of the coordinates.
+  std::vector<std::pair<std::string, std::string>>
+      texts;  ///< Name and text of each entry, as in all files written by Vug.
 };
 
-/// A line for the space and lines for the texts, each behind `prefix` ("# ") and of at most some
-/// 200 bytes, whatever the texts hold: readers have narrow buffers.
+/// Returns one line for the space and lines for the texts, each preceded by `prefix` ("# ") and
+/// limited to about 200 bytes whatever the texts contain, because readers have small buffers.
 std::string comment_lines(const Comments& notes, std::string_view prefix);
 
-/// The texts again, of the comments at the beginning of a file in `bytes`; none in others' files.
+/// Reads the texts back from the comments at the beginning of `bytes`. The result is empty for
+/// files of other programs.
 std::vector<std::pair<std::string, std::string>> read_comments(std::string_view bytes);
 
 }  // namespace vug::mesh

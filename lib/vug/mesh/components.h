@@ -1,4 +1,4 @@
-// Crumbs and closed bubbles taken out of a mesh.
+// Removes small connected components from a mesh.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -7,13 +7,13 @@ namespace vug::mesh {
 
 struct LargeComponents {
   Mesh mesh;
-  size_t removed = 0;  ///< Pieces.
+  size_t removed = 0;  ///< Number of removed components.
 };
 
-/// The mesh without its pieces (joined along edges) whose bounding box has a diagonal below
-/// `smallest` metres: crumbs afloat as well as bubbles inside a solid. The largest piece stays
-/// whatever its size. What stays keeps its order, normals and attributes. With 0 the mesh comes
-/// back as it is.
+/// Removes the components (triangles connected by edges) whose bounding box has a diagonal below
+/// `smallest` metres: floating crumbs as well as bubbles inside a solid. The largest component
+/// always remains. The remaining triangles keep their order, normals and attributes. With 0 the
+/// mesh is returned unchanged.
 LargeComponents large_components(Mesh mesh, double smallest);
 
 }  // namespace vug::mesh

@@ -1,5 +1,5 @@
-// Union-find over 0..n-1 whose roots are the smallest members, so that results do not depend on
-// the order of joins.
+// Union-find over 0..n-1 with the smallest member of each set as its root, so that results do not
+// depend on the order of joins.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class DisjointSets {
     return i;
   }
 
-  /// True when the two were apart before.
+  /// Returns true if the two were in different sets.
   bool join(uint32_t a, uint32_t b) {
     a = root(a);
     b = root(b);

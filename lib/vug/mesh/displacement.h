@@ -1,14 +1,15 @@
-// How far a mesh has gone from where it was: two meshes of the same triangles.
+// Compares two meshes with the same triangles, before and after their vertices moved.
 #pragma once
 
 #include <vug/mesh/mesh.h>
 
 namespace vug::mesh {
 
-/// Metres of the vertex that has gone farthest; 0 for no vertices.
+/// The largest distance that a vertex moved, in metres; 0 for meshes without vertices.
 double max_displacement(const Mesh& before, const Mesh& after);
 
-/// Triangles that face away from where they faced: of a surface that was fine, folds.
+/// The number of triangles whose normal turned by more than 90 degrees. On a surface that was
+/// smooth before, these are folds.
 size_t flipped_triangles(const Mesh& before, const Mesh& after);
 
 }  // namespace vug::mesh

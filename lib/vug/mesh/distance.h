@@ -1,7 +1,7 @@
-// Signed distance to a closed triangle mesh, exact up to rounding.
-// The nearest triangle comes from a bounding volume hierarchy; the sign from the angle-weighted
-// pseudonormal of the nearest feature (baerentzen2005), which is right for any closed, outward
-// oriented mesh. A mesh with holes still gets a distance, but its sign flips across the gaps.
+// Signed distance to a closed triangle mesh, exact up to rounding. A bounding volume hierarchy
+// finds the nearest triangle; the angle-weighted pseudonormal of the nearest feature
+// (baerentzen2005) gives the sign, which is correct for any closed, outward-oriented mesh. A mesh
+// with holes also gets a distance, but its sign flips across the gaps.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -18,15 +18,15 @@ class MeshDistance {
     Vec3d normal;  ///< Unit pseudonormal of the nearest face, edge or vertex.
   };
 
-  /// Error(bad_input) when the mesh has no triangle with an area. Keeps its own copy of what it
-  /// needs; copies of this object share it.
+  /// Throws Error(bad_input) if no triangle of the mesh has an area. The object keeps its own copy
+  /// of the data it needs; copies of the object share it.
   explicit MeshDistance(const Mesh& mesh);
 
-  /// Negative inside; thread-safe.
+  /// Signed distance in metres, negative inside. Thread-safe.
   double signed_distance(const Vec3d& p) const;
   Closest closest(const Vec3d& p) const;
 
-  /// Box around the surface.
+  /// The bounding box of the surface.
   const Box3d& bounds() const;
 
  private:

@@ -1,4 +1,4 @@
-// Files that are written piece by piece.
+// Writing a file in chunks.
 #pragma once
 
 #include <vug/mesh/format.h>
@@ -8,8 +8,8 @@
 
 namespace vug::mesh {
 
-/// Hands `write` what takes the file's bytes; the file is there when it returns, whole, or as it
-/// was when anything throws. Error(io).
+/// Calls `write` with a sink for the file's bytes. The file is complete on return; if anything
+/// throws, the previous file remains unchanged. Throws Error(io).
 void write_file(const std::filesystem::path& file,
                 const std::function<void(const ByteSink&)>& write);
 

@@ -1,5 +1,6 @@
-// Mesh files. Numbers in files are metres; what a format cannot hold is left out on writing
-// (see each format's doc). Files of unknown extension name the extensions that are known.
+// Mesh file formats. Coordinates in files are in metres. Data that a format cannot hold is dropped
+// on writing (see the documentation of each format). The error for an unknown extension lists the
+// known extensions.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -13,26 +14,27 @@
 
 namespace vug::mesh {
 
-/// Takes the next bytes of a file being written.
+/// Takes the next bytes of a file that is being written.
 using ByteSink = std::function<void(std::string_view)>;
 
-/// One kind of file, known by its extension (the kind's name).
+/// A file format, identified by its extension (the kind's name).
 struct Format {
   KindInfo info;
-  /// The mesh in `bytes`. Error(bad_input) with `file` and line (text) or byte offset (binary)
-  /// for anything truncated, inconsistent, out of range or not finite.
+  /// Parses `bytes`. Throws Error(bad_input) with `file` and the line (text) or byte offset
+  /// (binary) for anything truncated, inconsistent, out of range or not finite.
   Mesh (*read)(std::string_view bytes, const std::string& file) = nullptr;
   void (*write)(const Mesh& mesh, const Comments& notes, const ByteSink& sink) = nullptr;
 };
 
 const std::vector<const Format*>& formats();
 
-/// The format for a file's extension (any case); Error(bad_input) when there is none.
+/// Returns the format for a file's extension in any case; throws Error(bad_input) if there is none.
 const Format& format_of(const std::filesystem::path& file);
 
 Mesh read_mesh(const std::filesystem::path& file);
 
-/// Writes beside the target and renames. The same mesh gives the same bytes.
+/// Writes to a temporary file next to the target and renames it. The same mesh gives the same
+/// bytes.
 void write_mesh(const Mesh& mesh, const std::filesystem::path& file, const Comments& notes = {});
 
 }  // namespace vug::mesh

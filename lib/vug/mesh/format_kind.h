@@ -1,5 +1,5 @@
-// What a file of a mesh format needs: the macro that opens its one exported definition, outside of
-// any namespace:
+// Definitions for the source file of a mesh format. The macro opens its one exported definition,
+// outside of any namespace:
 //   VUG_MESH_FORMAT(ply) { return mesh_format("ply", "...", "...", read, write); }
 #pragma once
 

@@ -1,18 +1,18 @@
-// Vertex normals from the triangles around a vertex.
+// Vertex normals from the adjacent triangles.
 #pragma once
 
 #include <vug/mesh/mesh.h>
 
 namespace vug::mesh {
 
-/// Angle at corner k of a triangle, radians; 0 when an edge there has no length.
+/// Angle at corner k of a triangle in radians; 0 if an edge at the corner has no length.
 double corner_angle(const std::array<Vec3d, 3>& triangle, int k);
 
-/// Unit normals weighted by the angles of the triangles at each vertex (thurmer1998), which do
-/// not depend on how a face is cut into triangles. Vertices without any get (0, 1, 0).
+/// Unit normals weighted by the angles of the triangles at each vertex (thurmer1998), which do not
+/// depend on how a face is triangulated. Vertices without triangles get (0, 1, 0).
 std::vector<Vec3f> vertex_normals(const Mesh& mesh);
 
-/// The same sums in double precision and not normalised: the vertex pseudonormals of
+/// The same sums in double precision, without normalisation: the vertex pseudonormals of
 /// baerentzen2005.
 std::vector<Vec3d> vertex_pseudonormals(const Mesh& mesh);
 

@@ -1,4 +1,4 @@
-// The numbers of a PLY file behind its header, in any of the three encodings.
+// Readers for the numbers that follow the header of a PLY file, in any of the three encodings.
 #pragma once
 
 #include <vug/mesh/ply_header.h>
@@ -12,10 +12,10 @@
 
 namespace vug::mesh {
 
-/// What becomes of NaN and infinities: meshes have no use for them, scanners write them.
+/// Treatment of NaN and infinities: meshes refuse them, files of scanners contain them.
 enum class NotFinite { refused, kept };
 
-/// Numbers as words of a text.
+/// Numbers as words of text.
 class PlyTextBody {
  public:
   PlyTextBody(std::string_view bytes, const std::string& file, const PlyHeader& header,
@@ -32,7 +32,7 @@ class PlyTextBody {
       return value;
     return scan_.number(word);
   }
-  /// Throws unless `count` more numbers of the type can follow.
+  /// Throws unless at least `count` more numbers of this type can follow.
   void require(uint64_t count, PlyType) const {
     if (count > (scan_.left() + 1) / 2) fail("the file ends inside a list");
   }
@@ -45,7 +45,7 @@ class PlyTextBody {
   NotFinite not_finite_;
 };
 
-/// Numbers as bytes, in either order.
+/// Numbers as bytes, in either byte order.
 class PlyBinaryBody {
  public:
   PlyBinaryBody(std::string_view bytes, std::string file, const PlyHeader& header,

@@ -1,4 +1,4 @@
-// The header of a PLY file: which elements follow, with which properties, in which encoding.
+// The header of a PLY file: its elements, their properties and the encoding.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct PlyProperty {
   std::string name;
   PlyType type = PlyType::float32;
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;  ///< Of lists.
+  PlyType count_type = PlyType::uint8;  ///< For lists only.
 };
 
 struct PlyElement {
@@ -34,12 +34,12 @@ struct PlyHeader {
   enum class Encoding { ascii, little_endian, big_endian };
   Encoding encoding = Encoding::ascii;
   std::vector<PlyElement> elements;
-  size_t body = 0;    ///< Byte offset of what follows the header.
-  int body_line = 1;  ///< Its line.
+  size_t body = 0;    ///< Byte offset of the data after the header.
+  int body_line = 1;  ///< Line number of the data after the header.
 };
 
-/// Error(bad_input) with the line for anything that is no PLY header, and for elements that the
-/// bytes behind the header cannot hold.
+/// Throws Error(bad_input) with the line for anything that is not a PLY header, and for elements
+/// that are larger than the bytes after the header.
 PlyHeader read_ply_header(std::string_view bytes, const std::string& file);
 
 }  // namespace vug::mesh

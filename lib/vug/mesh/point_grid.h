@@ -1,5 +1,6 @@
-// Points sorted into cubes of space, so that those near each other are near in memory: one within
-// a cube's edge of another lies in one of 27 cubes, which are nine runs of the sorted order.
+// Points sorted into cubic cells, so that neighbours in space are close in memory. All points
+// within one cell edge of a point lie in 27 cells, which are nine contiguous runs of the sorted
+// order.
 #pragma once
 
 #include <vug/base/parallel.h>
@@ -14,26 +15,26 @@ namespace vug::mesh {
 
 class PointGrid {
  public:
-  /// Places begin .. end-1 of the sorted order.
+  /// The sorted points begin .. end - 1.
   struct Run {
     uint32_t begin = 0;
     uint32_t end = 0;
   };
   using Runs = std::array<Run, 9>;
 
-  /// Sorts by cube, along the longest axis of all points first, and within a cube by coordinates:
-  /// the order does not depend on the order given, except among points that are equal. `edge` in
-  /// metres, above 0. Error(too_large) where an axis has more than 2^20 cubes.
+  /// Sorts by cell, along the longest axis of the bounding box first, and within a cell by
+  /// coordinates. The result does not depend on the input order, except among equal points. `edge`
+  /// is in metres, above 0. Throws Error(too_large) if an axis has more than 2^20 cells.
   PointGrid(const std::vector<Vec3f>& points, double edge);
 
   size_t size() const { return points_.size(); }
-  /// In sorted order.
+  /// The points in sorted order.
   const std::vector<Vec3f>& points() const { return points_; }
-  /// The number that the point at a place of the sorted order was given under.
+  /// For each sorted point, its index in the input.
   const std::vector<uint32_t>& order() const { return order_; }
 
-  /// Calls body(cube, around) for each cube that holds points, in parallel: the places of its
-  /// points, and the runs of the cubes around it, its own among them.
+  /// Calls body(cube, around) in parallel for each cell that contains points: the run of its own
+  /// points, and the runs of the surrounding cells including itself.
   template <class Body>
   void for_each_cube(const Body& body) const;
 
@@ -52,9 +53,9 @@ class PointGrid {
 
   std::vector<Vec3f> points_;
   std::vector<uint32_t> order_;
-  std::vector<Cube> cubes_;  ///< By key; one more at the end, behind all others.
-  uint64_t row_ = 0;         ///< From one cube's key to the next one's along the second axis.
-  uint64_t slab_ = 0;        ///< The same along the first.
+  std::vector<Cube> cubes_;  ///< Sorted by key, with one sentinel at the end.
+  uint64_t row_ = 0;         ///< Difference of keys between neighbours along the second axis.
+  uint64_t slab_ = 0;        ///< Difference of keys between neighbours along the first axis.
 };
 
 template <class Body>
@@ -62,7 +63,8 @@ void PointGrid::for_each_cube(const Body& body) const {
   const size_t cubes = cubes_.size() - 1;
   parallel_for((cubes + kChunk - 1) / kChunk, [&](size_t chunk) {
     const size_t first = chunk * kChunk, last = std::min(cubes, first + kChunk);
-    // The keys of the nine rows' cubes grow with the key of the middle one: cursors follow.
+    // The keys of the nine rows grow with the key of the middle cell, so one cursor per row
+    // suffices.
     std::array<uint64_t, 9> offset;
     std::array<size_t, 9> cursor;
     for (size_t r = 0; r < 9; ++r) {

@@ -1,15 +1,15 @@
-// A mesh with smaller triangles of the same shape.
+// Refinement of a mesh into smaller triangles of the same shape.
 #pragma once
 
 #include <vug/mesh/mesh.h>
 
 namespace vug::mesh {
 
-/// Edges longer than `longest` metres are halved until there are none; triangles that share an edge
-/// share its middle, so no gap opens. The surface stays where it is; normals and attributes of new
-/// vertices are interpolated, normals of unit length. The vertices of the mesh keep their numbers.
-/// The same for any order in which a triangle names its corners. Error(too_large) where that would
-/// make more than `most` triangles.
+/// Halves edges longer than `longest` metres until none remain. Triangles that share an edge share
+/// its midpoint, so no gap opens. The surface does not change; normals (of unit length) and
+/// attributes of new vertices are interpolated. Existing vertices keep their numbers. The result
+/// does not depend on the order of a triangle's corners. Throws Error(too_large) if that needs more
+/// than `most` triangles.
 Mesh refined(Mesh mesh, double longest, size_t most = size_t{1} << 31);
 
 }  // namespace vug::mesh

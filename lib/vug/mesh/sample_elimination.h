@@ -1,5 +1,5 @@
-// Thins a set of points until none that are left are too close: the choice that someone makes who
-// takes them one by one by rising rank, made by all threads at once.
+// Parallel greedy sample elimination: removes points until no two are too close, with the same
+// result as visiting the points one by one in order of rank.
 #pragma once
 
 #include <vug/mesh/point_grid.h>
@@ -8,11 +8,11 @@
 
 namespace vug::mesh {
 
-/// By places of the grid's order: 1 for each point that stays, 0 for the others. A point stays
-/// unless `close(i, j)` for a point j of smaller rank that stays. Points of rank 0 all stay; other
-/// ranks that are equal go by place. `close` is symmetric, says no for points an edge of the grid
-/// or more apart and may be called by several threads. Ranks should be as good as random, or many
-/// rounds are needed.
+/// Returns, in the grid's sorted order, 1 for each point that stays and 0 for the others. A point
+/// is removed if `close(i, j)` for a remaining point j of smaller rank. Points of rank 0 always
+/// stay; other equal ranks are ordered by position in the grid. `close` must be symmetric, return
+/// false for points at least one grid edge apart, and be thread-safe. Ranks should be random,
+/// otherwise many rounds are needed.
 template <class Close>
 std::vector<uint8_t> eliminate_samples(const PointGrid& grid, const std::vector<uint64_t>& rank,
                                        const Close& close) {
@@ -22,14 +22,15 @@ std::vector<uint8_t> eliminate_samples(const PointGrid& grid, const std::vector<
   const auto before = [&](uint32_t i, uint32_t j) {
     return rank[i] != rank[j] ? rank[i] < rank[j] : i < j;
   };
-  // A decision depends only on final ones, so it does not matter when a thread sees another's.
+  // A decision depends only on final decisions, so the order in which threads see them is
+  // irrelevant.
   const auto fate_of = [&](uint32_t i) {
     return std::atomic_ref(fate[i]).load(std::memory_order_relaxed);
   };
   const auto decide = [&](uint32_t i, uint8_t as) {
     std::atomic_ref(fate[i]).store(as, std::memory_order_relaxed);
   };
-  std::vector<std::vector<uint32_t>> rivals(grid.size());  // those that decide about a point
+  std::vector<std::vector<uint32_t>> rivals(grid.size());  // the points that can eliminate a point
   grid.for_each_cube([&](PointGrid::Run cube, const PointGrid::Runs& around) {
     for (uint32_t i = cube.begin; i < cube.end; ++i) {
       if (rank[i] == 0) continue;

@@ -1,4 +1,4 @@
-// Points strewn over a mesh, no two too close together.
+// Poisson-disk samples on the surface of a mesh.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -10,29 +10,30 @@
 
 namespace vug::mesh {
 
-/// A place on a triangle: `u` and `v` are the shares of its second and third corner.
+/// A point on a triangle; `u` and `v` are the barycentric weights of its second and third corner.
 struct SurfaceSample {
   Vec3d position;
-  Vec3d normal;  ///< Unit, out of the solid; interpolated where the mesh has normals.
+  Vec3d normal;  ///< Unit length, out of the solid; interpolated if the mesh has normals.
   uint32_t triangle = 0;
   double u = 0, v = 0;
-  RandomKey key{0};  ///< Its own, whatever becomes of other spots.
+  RandomKey key{0};  ///< Random key of this sample, independent of the other samples.
 };
 
 struct ScatterOptions {
-  double spacing = 0.3;         ///< Metres that any two spots are apart at least; above 0.
-  size_t max_count = 1u << 20;  ///< Spots at most; these are spread over the whole mesh, too.
+  double spacing = 0.3;         ///< Minimum distance between two samples, metres; above 0.
+  size_t max_count = 1u << 20;  ///< Maximum number of samples; these still cover the whole mesh.
   RandomKey key{0};
-  /// Share of the spots that stay at a place, 0 to 1; empty: all. Called by several threads.
+  /// Probability in 0..1 that a sample at this point is kept; empty: 1. Called from several
+  /// threads.
   std::function<double(const SurfaceSample&)> keep_probability = nullptr;
 };
 
-/// Spots by dart throwing, which makes a Poisson-disk set (Cook 1986, "Stochastic sampling in
-/// computer graphics", cite cook1986stochastic): candidates spread evenly over the area are taken
-/// in turn, unless one that stays is nearer than `spacing` through the air. So many are tried that
-/// few others would find room. Of the spots, `share` keeps some by chance, so the density
-/// goes with it. The same for any number of threads. Error(too_large) where that takes more than
-/// 2^26 candidates.
+/// Dart throwing, which yields a Poisson-disk set (Cook 1986, "Stochastic sampling in computer
+/// graphics", cite cook1986stochastic): candidates with a uniform density over the area are
+/// accepted in turn unless an accepted one is nearer than `spacing` (straight-line distance). The
+/// number of candidates is large enough that few more would fit. Then each sample is kept with
+/// `keep_probability`, which modulates the density. The result is the same for any number of
+/// threads. Throws Error(too_large) if more than 2^26 candidates are needed.
 std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& options,
                                    Progress& progress = Progress::none());
 

@@ -1,13 +1,13 @@
-// A new vertex between two of a mesh.
+// Adds a new vertex between two existing ones.
 #pragma once
 
 #include <vug/mesh/mesh.h>
 
 namespace vug::mesh {
 
-/// Adds a vertex to `out`, which has the attributes of `from` in the same order and may be `from`
-/// itself: its position, normal and attributes are blend(that of a, that of b), the normal of unit
-/// length (a's where a is b, or where the two cancel out). Returns its number.
+/// Adds a vertex to `out`, which has the same attributes in the same order as `from` and may be
+/// `from` itself. Its position, normal and attributes are blend(value at a, value at b); the normal
+/// is normalised (the normal of a if a == b or the two cancel out). Returns the vertex number.
 template <class Blend>
 uint32_t split_edge(const Mesh& from, uint32_t a, uint32_t b, const Blend& blend, Mesh& out) {
   out.positions.push_back(blend(from.positions[a], from.positions[b]));

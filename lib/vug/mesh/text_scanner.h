@@ -1,4 +1,4 @@
-// Words and numbers out of the text of a mesh file, with their line for messages.
+// A scanner for words and numbers in the text of a mesh file, with line numbers for messages.
 #pragma once
 
 #include <vug/base/error.h>
@@ -8,23 +8,23 @@
 
 namespace vug::mesh {
 
-/// Reads forward over a text it does not own. Line ends are \n or \r\n.
+/// Reads forward over a text that it does not own. Lines end with \n or \r\n.
 class TextScanner {
  public:
   TextScanner(std::string_view text, std::string file, size_t start = 0, int line = 1)
       : text_(text), file_(std::move(file)), at_(start), line_(line) {}
 
-  /// The next word, over line ends; empty at the end of the text.
+  /// The next word, across line ends; empty at the end of the text.
   std::string_view word();
-  /// The next word of this line; empty at the line's end, which is not passed.
+  /// The next word on this line; empty at the end of the line, which is not consumed.
   std::string_view word_in_line();
-  /// Passes to the start of the next line; false at the end of the text.
+  /// Advances to the start of the next line; false at the end of the text.
   bool next_line();
-  /// The rest of this line without its end, which is passed.
+  /// The rest of this line without its line end, which is consumed.
   std::string_view rest_of_line();
 
-  double number(std::string_view word) const;    ///< Finite, or Error.
-  int64_t integer(std::string_view word) const;  ///< Whole, or Error.
+  double number(std::string_view word) const;    ///< Finite, or throws Error.
+  int64_t integer(std::string_view word) const;  ///< An integer, or throws Error.
 
   size_t offset() const { return at_; }
   int line() const { return line_; }
@@ -42,7 +42,7 @@ class TextScanner {
   int line_;
 };
 
-/// `word` as messages quote it: shortened, and without unprintable bytes.
+/// `word` as quoted in messages: shortened and without unprintable bytes.
 std::string printable(std::string_view word);
 
 }  // namespace vug::mesh
