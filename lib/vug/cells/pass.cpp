@@ -50,7 +50,7 @@ OptionalReader Pass::reads_optional(const std::string& name, float otherwise) co
 
 OptionalReader Pass::reads_expected(const std::string& name, float otherwise) const {
   simulation_->requested_.try_emplace(name, false);
-  return given(name, otherwise);
+  return reads_optional(name, otherwise);
 }
 
 NumericReader Pass::reads_as_numbers(const std::string& name) const {

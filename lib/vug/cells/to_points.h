@@ -8,7 +8,7 @@ namespace vug::cells {
 
 /// What a points file is for.
 enum class PointFormat {
-  shown,  ///< Other programs: 16 bits where they do, and what renderers of points ask for.
+  interchange,  ///< Other programs: 16 bits where they do, and what renderers of points ask for.
   exact,  ///< Going on: every bit of what the cells carry, and nothing that the network tells.
 };
 

@@ -1,4 +1,4 @@
-// Fields carried along by an affine map.
+// Affine transformation of fields.
 #pragma once
 
 #include <vug/base/transform.h>
@@ -6,8 +6,8 @@
 
 namespace vug::field {
 
-/// The solid's image under `map`. Rigid maps and uniform scalings keep distances exact;
-/// others give a lower bound: the child's value times the map's smallest stretch.
+/// Transforms the solid by `map`. Rigid maps and uniform scalings preserve exact distances; other
+/// maps give a lower bound: the child's value times the smallest stretch of the map.
 Field transformed(const Field& field, const Transform& map);
 
 }  // namespace vug::field

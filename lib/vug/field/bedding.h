@@ -1,16 +1,16 @@
-// Planes at uneven distances along an axis: bed boundaries and joints.
+// Planes at irregular distances along an axis: bed boundaries and joints.
 #pragma once
 
 #include <vug/field/lattice.h>
 
 namespace vug::field {
 
-/// The bed around height u, where beds are 1 thick on average: boundary k lies at
-/// k + 0.8 (random - 1/2), so a bed is 0.2 to 1.8 thick.
+/// The bed around height u, for a mean bed thickness of 1: boundary k lies at k + 0.8 (random -
+/// 1/2), so a bed is 0.2 to 1.8 thick.
 template <class T>
 struct Bed {
-  T index;         ///< Its number, whole; boundary `index` is its foot.
-  T below, above;  ///< Distances to its foot and to its top, in mean thicknesses; >= 0.
+  T index;         ///< Integer number of the bed; boundary `index` is its lower face.
+  T below, above;  ///< Distances to the lower and upper face in mean thicknesses; >= 0.
 };
 inline constexpr double kThinnestBed = 0.2;
 
@@ -26,13 +26,13 @@ Bed<T> bed_at(const T& u, uint32_t seed) {
   return {select(under, k - one, select(over, k + one, k)), u - low, high - u};
 }
 
-/// A height along `normal` (unit, per metre scaled by 1/thickness), its surfaces warped by low
-/// noise: u = (normal.p + wander * noise(p / reach)) / thickness.
+/// A height along `normal` (unit, scaled by 1/thickness per metre), with surfaces warped by
+/// low-frequency noise: u = (normal.p + wander * noise(p / reach)) / thickness.
 struct Layering {
   Vec3d normal{0, 1, 0};
-  double thickness = 1;  ///< metres
-  double wander = 0;     ///< metres
-  double reach = 10;     ///< metres
+  double thickness = 1;  ///< Metres.
+  double wander = 0;     ///< Metres.
+  double reach = 10;     ///< Metres.
   uint32_t seed = 0;
 
   template <class T>
@@ -42,7 +42,7 @@ struct Layering {
         wander == 0 ? along : along + T(wander) * gradient_noise(p * T(1 / reach), seed ^ 0x5bd1u);
     return bent * T(1 / thickness);
   }
-  /// Steepest slope of the height, per metre.
+  /// The maximum slope of the height, per metre.
   double slope() const { return (1 + wander * kGradientNoiseSlope / reach) / thickness; }
 };
 

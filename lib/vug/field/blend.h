@@ -1,6 +1,7 @@
-// How two solids meet: smooth minima of compact support. All have the form
+// Blends between solids: smooth minima of compact support. All have the form
 //   smin(a, b) = min(a, b) - k g(h),  h = max(0, 1 - |a - b| / k),
-// so operands further apart than k do not touch each other, and 1-Lipschitz stays 1-Lipschitz.
+// so operands that differ by more than k do not affect each other, and 1-Lipschitz operands give a
+// 1-Lipschitz result.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -19,7 +20,7 @@ struct Blend {
   Profile profile = Profile::sharp;
   double radius = 0;  ///< k, metres: where |a - b| >= k the operands do not blend.
 
-  /// The most that smin lies below min.
+  /// The maximum of min - smin.
   double depth() const;
 
   template <class T>

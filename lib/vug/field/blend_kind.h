@@ -1,10 +1,10 @@
-// The kinds of blends: what the `blend` parameter of an operator takes.
+// The kinds of blends, which are values of the `blend` parameter of operators.
 #pragma once
 
 #include <vug/field/blend.h>
 #include <vug/field/kind.h>
 
-/// Opens the one definition that a file in blends/ exports; see VUG_FIELD_KIND.
+/// Opens the one definition exported by a file in blends/; see VUG_FIELD_KIND.
 #define VUG_BLEND_KIND(name) VUG_EXPORT_KIND(vug::field, BlendKind, name##_kind)
 
 namespace vug::field {

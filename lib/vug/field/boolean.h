@@ -8,20 +8,20 @@
 
 namespace vug::field {
 
-/// min over the operands. Without operands: the empty field.
+/// min over the operands; the empty field if there are none.
 Field unite(std::vector<Field> operands, const Blend& blend = {});
-/// max over the operands; at least one.
+/// max over at least one operand.
 Field intersect(std::vector<Field> operands, const Blend& blend = {});
-/// base without every one of `cuts`: max(base, -cut, ...).
+/// Removes all `cuts` from the base: max(base, -cut, ...).
 Field subtract(Field base, std::vector<Field> cuts, const Blend& blend = {});
-/// Where exactly one of the two is: max(min(a, b), -max(a, b)).
+/// The region inside exactly one of the two: max(min(a, b), -max(a, b)).
 Field symmetric_difference(const Field& a, const Field& b, const Blend& blend = {});
-/// Solid and air exchanged.
+/// Exchanges solid and air.
 Field complement(const Field& a);
-/// (1 - amount) a + amount b (SG+M eq. 5, zawadzki2012), amount in 0..1; the very fields at 0
-/// and 1.
+/// (1 - amount) a + amount b (SG+M eq. 5, zawadzki2012), amount in 0..1. Returns the operands
+/// themselves at 0 and 1.
 Field morph(const Field& a, const Field& b, double amount);
-/// A field without a solid: +infinity-like everywhere (1e6 m), bounds empty.
+/// A field without a solid: 1e6 m everywhere, as a substitute for infinity, with empty bounds.
 Field empty();
 
 }  // namespace vug::field

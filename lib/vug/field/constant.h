@@ -1,11 +1,11 @@
-// A field with one value everywhere.
+// A constant field.
 #pragma once
 
 #include <vug/field/field.h>
 
 namespace vug::field {
 
-/// `value` metres at every point; `bounds` as for its sign.
+/// `value` metres at every point; `bounds` depends on its sign.
 Field constant_field(double value);
 
 }  // namespace vug::field

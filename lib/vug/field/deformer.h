@@ -1,4 +1,4 @@
-// Nodes that move the point before a child sees it: f(p) = scale * child(map(p)).
+// Nodes that transform the point before they evaluate the child: f(p) = scale * child(map(p)).
 #pragma once
 
 #include <vug/field/kind.h>
@@ -11,7 +11,7 @@ namespace vug::field {
 ///   double scale() const                          factor on the child's value, > 0
 ///   Traits traits(const Traits& child) const
 ///   template <class S> Point<S> pull_back(const Point<S>& gradient) const
-///     optional, for maps whose derivative is constant: a gradient of the child, seen outside
+///     optional, for maps with a constant derivative: transforms a gradient of the child outwards
 template <class D>
 class DeformerNode final : public EvaluationModes<DeformerNode<D>> {
  public:

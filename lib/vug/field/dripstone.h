@@ -1,4 +1,4 @@
-// Stone that dripping water leaves in a cave: where drips fall, and what grows there.
+// Dripstone in caves: the positions of drips and the speleothems that grow there.
 #pragma once
 
 #include <vug/field/noise.h>
@@ -8,32 +8,32 @@
 
 namespace vug::field {
 
-/// Metres throughout.
+/// All lengths are in metres.
 struct DripOptions {
-  Vec3d from{-5, -5, -5}, to{5, 5, 5};  ///< the box that is searched for roofs
-  double spacing = 0.8;                 ///< mean distance between places where a drip may fall
-  double length = 1.5;                  ///< of the longest stalactites
-  double girth = 0.12;                  ///< radius at the root, as a part of the length
-  double tip = 0.03;                    ///< radius of every tip
-  double stalagmites = 0.6;             ///< share of the drips that built one below, 0..1
-  double root = 0.3;                    ///< over which roots flow into the rock
-  std::optional<Noise> where;           ///< none where it is -1, every place where it is 1
+  Vec3d from{-5, -5, -5}, to{5, 5, 5};  ///< Box in which roofs are searched.
+  double spacing = 0.8;                 ///< Mean distance between possible drips.
+  double length = 1.5;                  ///< Length of the longest stalactites.
+  double girth = 0.12;                  ///< Radius at the root as a fraction of the length.
+  double tip = 0.03;                    ///< Radius of every tip.
+  double stalagmites = 0.6;             ///< Fraction of the drips with a stalagmite below, 0..1.
+  double root = 0.3;                    ///< Distance over which roots blend into the rock.
+  std::optional<Noise> where;           ///< Density mask: no drips at -1, all drips at 1.
   int seed = 1;
 };
 
-/// A place where water falls from a roof onto a floor, plumb below it.
+/// A drip: a point of a roof and the point of the floor vertically below it.
 struct Drip {
   Vec3d roof, floor;
-  double stalactite = 0;  ///< length
-  double stalagmite = 0;  ///< height; 0 for none
-  bool column = false;    ///< both have met
+  double stalactite = 0;  ///< Length.
+  double stalagmite = 0;  ///< Height; 0 for none.
+  bool column = false;    ///< The two have met.
 };
 
-/// Every drip inside the box, in the order of the places. Air is where `rock` is positive; roofs
-/// are places where the rock's gradient points down, floors where it points up.
+/// Finds all drips inside the box, in lattice order. Air is where `rock` is positive; at roofs the
+/// gradient of the rock points down, at floors up.
 std::vector<Drip> find_drips(const Field& rock, const DripOptions& options);
 
-/// What `drips` built, without the rock.
+/// The speleothems of `drips`, without the rock.
 Field dripstone(const std::vector<Drip>& drips, const DripOptions& options);
 
 }  // namespace vug::field

@@ -1,4 +1,4 @@
-// A parameter that takes one number or a vector of three: scale factors, noise scales.
+// A parameter that is one number or a vector of three: scale factors, noise scales.
 #pragma once
 
 #include <vug/base/schema.h>

@@ -1,4 +1,4 @@
-// The handle to a field expression: a cheap value, immutable, safe to share.
+// The handle to a field expression: a cheap, immutable value that can be shared between threads.
 #pragma once
 
 #include <vug/field/node.h>
@@ -10,17 +10,17 @@ struct Gradient {
   Vec3d gradient{0, 0, 0};
 };
 
-/// A function of space, metres in and metres out, negative inside. Never null.
+/// A function of space in metres, negative inside. Never null.
 class Field {
  public:
-  /// The empty field: no solid anywhere.
+  /// The empty field, which has no solid.
   Field();
   explicit Field(NodePtr node) : node_(std::move(node)) {}
 
   double value(const Vec3d& p) const { return node_->eval(point(p)); }
-  /// Value and gradient by forward differentiation (exact up to rounding; at creases one side's).
+  /// Value and gradient by forward differentiation (exact up to rounding; one-sided at creases).
   Gradient gradient(const Vec3d& p) const;
-  /// Bounds of the value over a box: natural interval arithmetic met with the Lipschitz bound.
+  /// Bounds of the value over a box: interval arithmetic intersected with the Lipschitz bound.
   Interval interval(const Box3d& box) const;
 
   /// Batches of 8 * count points; see Node.
@@ -32,7 +32,7 @@ class Field {
   }
 
   struct RestrictedField;
-  /// The same field, seen inside a ball only: smaller where operands cannot matter there.
+  /// The same field restricted to a ball: operands that cannot matter there are removed.
   RestrictedField restricted(const Ball& ball) const;
 
   double lipschitz() const { return node_->traits().lipschitz; }
@@ -49,16 +49,17 @@ struct Field::RestrictedField {
   Interval range;
 };
 
-/// The expression as one indented line a node: for people.
+/// The expression with one indented line per node, for people.
 std::string to_string(const Field& field);
 
-/// Nodes of the expression, shared ones counted once.
+/// Number of nodes of the expression; shared nodes count once.
 size_t node_count(const Field& field);
 
-/// What one evaluation costs.
+/// The cost of one evaluation.
 struct EvaluationCost {
-  double visits = 1;  ///< Nodes, shared ones once for each place: too many for an integer at times.
-  size_t depth = 1;   ///< Nodes on the longest way down.
+  double visits =
+      1;  ///< Visited nodes; shared nodes count once per use. May exceed the range of integers.
+  size_t depth = 1;  ///< Nodes on the longest path.
 };
 EvaluationCost extent(const Field& field);
 

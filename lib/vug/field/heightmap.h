@@ -1,4 +1,4 @@
-// Heights over a rectangle, from the samples of a picture.
+// Heights over a rectangle, interpolated from the samples of an image.
 #pragma once
 
 #include <vug/base/interval.h>
@@ -11,11 +11,11 @@ namespace vug::field {
 
 enum class Sampling {
   bilinear,  ///< Continuous; creases along the rows and columns of samples.
-  bicubic,   ///< Catmull and Rom's spline: smooth, through the samples, overshoots by up to 28 %.
+  bicubic,   ///< Catmull-Rom spline: smooth, interpolates the samples, overshoots by up to 28 %.
 };
 
-/// Row 0 lies at v = 0; the first and last samples lie on the rectangle's edges. Beyond the edges
-/// heights go on unchanged. Immutable; copies share the samples.
+/// Row 0 lies at v = 0; the first and last samples lie on the edges of the rectangle. Heights are
+/// constant beyond the edges. Immutable; copies share the samples.
 class Heightmap {
  public:
   struct Height {
@@ -23,15 +23,15 @@ class Heightmap {
     double slope_u = 0, slope_v = 0;
   };
 
-  /// At least 2 x 2 heights, row by row; the rectangle measures `width` by `depth`.
+  /// At least 2 x 2 heights, row by row; the rectangle is `width` by `depth` in size.
   Heightmap(int columns, int rows, std::vector<float> heights, double width, double depth,
             Sampling sampling);
 
   /// u in 0..width, v in 0..depth.
   Height at(double u, double v) const;
-  /// Holds every height.
+  /// Bounds of all heights.
   Interval range() const { return range_; }
-  /// No slope is steeper.
+  /// The maximum slope.
   double max_slope() const { return max_slope_; }
 
  private:

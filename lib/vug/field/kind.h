@@ -1,10 +1,12 @@
-// What a file of a field kind needs: the schema types and the macro that names its maker.
+// Definitions for the source file of a field kind: the schema types and the macro that exports the
+// kind.
 #pragma once
 
 #include <vug/base/kind.h>
 #include <vug/field/field.h>
 
-/// Opens the one definition a kind's file exports, under the name of its line in CMakeLists.txt:
+/// Opens the one definition exported by a kind's file, with the name from its line in
+/// CMakeLists.txt:
 ///   VUG_FIELD_KIND(torus) { return primitive_kind<Torus>("torus"); }
 #define VUG_FIELD_KIND(name) VUG_EXPORT_KIND(vug::field, FieldKind, name##_kind)
 

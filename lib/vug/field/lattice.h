@@ -1,4 +1,4 @@
-// Random values on the integer lattice, and gradient noise between them; over doubles and packs.
+// Random values on the integer lattice and gradient noise between them, over doubles and packs.
 // Everything is a hash of (cell, seed): no tables, no state, the same on every machine.
 #pragma once
 
@@ -13,17 +13,17 @@ namespace vug::field {
 /// standard deviation is 1/3.
 double gradient_noise(const Point<double>& p, uint32_t seed);
 Pack gradient_noise(const Point<Pack>& p, uint32_t seed);
-/// With the derivative along p's own coordinates.
+/// With the derivatives along the coordinates of p.
 Dual<double> gradient_noise_slope(const Point<double>& p, uint32_t seed);
 Dual<Pack> gradient_noise_slope(const Point<Pack>& p, uint32_t seed);
 
-/// The greatest |value|, at a cell's middle: sqrt(3)/2 before scaling.
+/// The maximum of |value|, at the centre of a cell: sqrt(3)/2 before scaling.
 inline constexpr double kGradientNoiseBound = 1.512;
-/// The steepest slope: 2.691 before scaling, the maximum over a cell, a direction and the choice of
+/// The maximum slope: 2.691 before scaling, over all positions in a cell, directions and choices of
 /// gradients.
 inline constexpr double kGradientNoiseSlope = 4.75;
 
-/// By the chain rule for a point that is itself differentiated.
+/// Applies the chain rule for a point that is itself differentiated.
 template <class S>
 Dual<S> gradient_noise(const Point<Dual<S>>& p, uint32_t seed) {
   const Dual<S> n = gradient_noise_slope(Point<S>{p.x.v, p.y.v, p.z.v}, seed);
@@ -32,7 +32,7 @@ Dual<S> gradient_noise(const Point<Dual<S>>& p, uint32_t seed) {
           n.dx * p.x.dz + n.dy * p.y.dz + n.dz * p.z.dz};
 }
 
-/// Uniform in [0, 1), a hash of the whole number `cell` and the seed.
+/// Uniform in [0, 1): a hash of the integer `cell` and the seed.
 double lattice_random(double cell, uint32_t seed);
 Pack lattice_random(Pack cell, uint32_t seed);
 template <class S>
@@ -40,21 +40,23 @@ Dual<S> lattice_random(const Dual<S>& cell, uint32_t seed) {
   return {lattice_random(cell.v, seed), S(0.0), S(0.0), S(0.0)};
 }
 
-/// A point of cellular noise: the way from it to p, and that way's length squared.
+/// A feature point of cellular noise: the vector from it to p, and the squared length of the
+/// vector.
 template <class S>
 struct Site {
   Point<S> way;
   S squared;
 };
 
-/// The nearest two of a random point in every cell (worley1996); cells have side 1.
+/// The two nearest feature points of p, with one random point per cell (worley1996); cells have
+/// side 1.
 template <class S>
 struct Sites {
   Site<S> first, second;
 };
 Sites<double> nearest_sites(const Point<double>& p, uint32_t seed);
 Sites<Pack> nearest_sites(const Point<Pack>& p, uint32_t seed);
-/// The sites stand still as p moves.
+/// The feature points do not depend on p.
 template <class S>
 Sites<Dual<S>> nearest_sites(const Point<Dual<S>>& p, uint32_t seed) {
   const Sites<S> plain = nearest_sites(Point<S>{p.x.v, p.y.v, p.z.v}, seed);

@@ -1,4 +1,4 @@
-// Integer lanes beside the number types: what lattice.cpp hashes with.
+// Integer lanes for the number types, used by the hashes of lattice.cpp.
 #pragma once
 
 #include <vug/field/numbers/pack.h>
@@ -25,9 +25,9 @@ struct Lanes<double> {
   static Int shift_right(Int a, int bits) { return a >> bits; }
   /// The low 24 bits as a number in [0, 1).
   static double to_unit(Int a) { return static_cast<double>(a & 0xffffff) * 0x1p-24; }
-  /// Entry `index` of eight.
+  /// Entry `index` of a table with eight entries.
   static double lookup(const float* table, Int index) { return static_cast<double>(table[index]); }
-  /// -x where the top bit of `a` is set.
+  /// -x if the top bit of `a` is set.
   static double flip_sign(double x, Int a) { return a >> 31 ? -x : x; }
 };
 

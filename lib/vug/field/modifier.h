@@ -1,4 +1,4 @@
-// Nodes that change a child's value point by point: offset, shell, complement, displacement.
+// Nodes that modify a child's value at each point: offset, shell, complement, displacement.
 #pragma once
 
 #include <vug/field/kind.h>
@@ -7,8 +7,8 @@ namespace vug::field {
 
 /// M has: template <class T> T apply(const T& value, const Point<T>& p) const
 ///        Traits traits(const Traits& child) const
-///        Interval range(Interval child) const   (bounds of apply over all points, given the
-///        child's)
+///        Interval range(Interval child) const   (bounds of apply over all points, given the bounds
+///        of the child)
 template <class M>
 class ModifierNode final : public EvaluationModes<ModifierNode<M>> {
  public:

@@ -1,4 +1,4 @@
-// One operation of a field expression, evaluated in five readings.
+// One operation of a field expression, with five evaluation modes.
 #pragma once
 
 #include <vug/field/point.h>
@@ -10,29 +10,28 @@
 
 namespace vug::field {
 
-/// What a field's value says beyond its sign; ordered from most to least.
+/// The relation between a field's value and the distance, ordered from strong to weak.
 enum class Exactness {
   exact,    ///< The signed Euclidean distance to the surface.
-  eikonal,  ///< At most that distance, and of slope 1 wherever it has one: minima and maxima of
-            ///< distances. First-order distances near the surface need no repair.
-  bound,    ///< At most that distance in magnitude: safe to step by, zero on the surface.
-  sign,     ///< Only the sign and the zero set are meant; Lipschitz with the stated constant.
+  eikonal,  ///< At most that distance, and of slope 1 wherever it is differentiable: minima and
+            ///< maxima of distances. First-order distances near the surface need no repair.
+  bound,    ///< At most that distance in magnitude: safe as a step length, zero on the surface.
+  sign,     ///< Only the sign and the zero set are meaningful; Lipschitz with the stated constant.
 };
 
 struct Traits {
   double lipschitz = 1;  ///< |f(p) - f(q)| <= lipschitz * |p - q| everywhere.
   Exactness exactness = Exactness::exact;
-  Box3d bounds;       ///< Holds every point with f <= 0; may be infinite, or empty.
-  double growth = 0;  ///< Promised of fields that are not exact; see growth_rate().
+  Box3d bounds;       ///< Contains every point with f <= 0; may be infinite or empty.
+  double growth = 0;  ///< Growth rate of fields that are not exact; see growth_rate().
 
-  /// f(p) >= growth_rate() * (distance from p to bounds) for every p outside; exact fields grow
-  /// by 1.
+  /// f(p) >= growth_rate() * (distance from p to bounds) for every p outside; 1 for exact fields.
   double growth_rate() const { return exactness == Exactness::exact ? 1 : growth; }
-  /// A box around every point with f <= level: what offsets and blends need.
+  /// A box around every point with f <= level, for offsets and blends.
   Box3d bounds_below(double level) const;
 };
 
-/// A ball of space: what the pruning asks about.
+/// A ball in space, the region that pruning considers.
 struct Ball {
   Vec3d centre;
   double radius = 0;
@@ -41,16 +40,16 @@ struct Ball {
 class Node;
 using NodePtr = std::shared_ptr<const Node>;
 
-/// What is left of an expression inside a ball: bounds of its value there, and a smaller
-/// expression that has the very same values there (null: the node itself).
+/// The restriction of an expression to a ball: bounds of its value there, and a smaller expression
+/// with identical values there (null: the node itself).
 struct Restriction {
   Interval range;
   NodePtr node;
 };
 
-/// Immutable; shared between expressions and threads. Values are metres, negative inside.
-/// Batches: `count` points in, `count` values out, or values with their derivatives along the
-/// points' coordinates; `out` may not overlap `points`.
+/// Immutable; shared between expressions and threads. Values are in metres, negative inside.
+/// Batches map `count` points to `count` values, or to values with their derivatives along the
+/// points' coordinates; `out` must not overlap `points`.
 class Node {
  public:
   explicit Node(Traits traits) : traits_(std::move(traits)) {}
@@ -65,7 +64,7 @@ class Node {
   virtual void eval(const Point<Pack>* points, int count, Dual<Pack>* out,
                     Scratch& scratch) const = 0;
 
-  /// Default: centre value +- lipschitz * radius, nothing dropped.
+  /// Default: centre value +- lipschitz * radius, with no operand dropped.
   virtual Restriction restrict_to(const Ball& ball) const;
 
   const Traits& traits() const { return traits_; }
@@ -73,17 +72,17 @@ class Node {
   virtual std::vector<NodePtr> children() const { return {}; }
 
  protected:
-  /// Bounds over a ball from the value at its centre, with slack for single precision.
+  /// Bounds over a ball from the value at its centre, with a tolerance for single precision.
   Interval centre_form(double value, const Ball& ball) const;
 
  private:
   Traits traits_;
 };
 
-/// Gives Derived the five virtual readings from two templates:
+/// Implements the five virtual evaluation modes for Derived from two templates:
 ///   template <class T> T at(const Point<T>&) const;
 ///   template <class T> void fill(const Point<Pack>* points, int count, T* out, Scratch&) const;
-/// with T a Pack or a Dual<Pack>; point_for<T> gives a formula its point.
+/// with T a Pack or a Dual<Pack>; point_for<T> converts a point for the formula.
 template <class Derived>
 class EvaluationModes : public Node {
  public:

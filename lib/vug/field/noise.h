@@ -1,4 +1,4 @@
-// Noise: a scalar function of space with bounds, for displacement, warping and colour.
+// Noise: a bounded scalar function of space for displacement, warping and colour.
 #pragma once
 
 #include <vug/field/kind.h>
@@ -7,39 +7,39 @@ namespace vug::field {
 
 constexpr const char* kDefaultNoise = "fbm";
 
-/// Values without a unit, about -1..1; `field` evaluates it (points in metres) and knows its
-/// Lipschitz constant per metre. By default: fbm with its defaults.
+/// Dimensionless values of about -1..1. `field` evaluates them (points in metres) and knows their
+/// Lipschitz constant per metre. The default is fbm with its default parameters.
 struct Noise {
   Noise();
   Noise(Field values, Interval bounds) : field(std::move(values)), range(bounds) {}
 
   Field field;
-  Interval range;           ///< Holds every value.
-  bool is_default = false;  ///< Whether it is the one by default.
+  Interval range;           ///< Bounds of all values.
+  bool is_default = false;  ///< Whether this is the default noise.
 };
 
 using NoiseKind = Kind<Noise>;
 
-/// Makers of noise: perlin, fbm, worley, ...
+/// The noise kinds: perlin, fbm, worley, ...
 const Kinds<Noise>& noises();
-/// By kind name and named values; Error(bad_input) as make() of fields.
+/// Creates a noise from a kind name and named values; throws Error(bad_input) as make() for fields.
 Noise make_noise(const std::string& kind, const NamedValues& params = {});
-/// The noise of that kind with its defaults; nothing when there is no such kind.
+/// The noise of this kind with default parameters; nothing if there is no such kind.
 std::optional<Noise> default_noise(const std::string& kind);
 
-/// Values at points, e.g. to colour the vertices of a mesh; 8 at a time, in parallel.
+/// Values at points, e.g. to colour the vertices of a mesh; evaluated in parallel, 8 at a time.
 std::vector<float> sample(const Field& field, const std::vector<Vec3f>& points);
 
 inline Value as_value(const Noise& noise);
 
 }  // namespace vug::field
 
-/// Opens the one definition that a file in noise/ exports; see VUG_FIELD_KIND.
+/// Opens the one definition exported by a file in noise/; see VUG_FIELD_KIND.
 #define VUG_NOISE_KIND(name) VUG_EXPORT_KIND(vug::field, NoiseKind, name##_kind)
 
 namespace vug {
 
-/// A noise, or a kind's bare name for its defaults: `noise: ridged`.
+/// A noise, or the name of a kind for its defaults: `noise: ridged`.
 template <>
 struct ValueTraits<field::Noise> : ObjectTraits<field::Noise> {
   static constexpr const char* kWord = "noise";

@@ -1,4 +1,4 @@
-// From a noise's formula to a node and a kind: what a file in noise/ is built with.
+// Node and kind of a noise formula, for the files in noise/.
 #pragma once
 
 #include <vug/field/noise.h>
@@ -33,7 +33,8 @@ class NoiseNode final : public EvaluationModes<NoiseNode<N>> {
   std::string name() const override { return name_; }
 
  private:
-  /// With slack for single precision, whose rounding grows with the distance from the origin.
+  /// Includes a tolerance for single precision, whose rounding grows with the distance from the
+  /// origin.
   Interval over(const Ball& ball) const {
     if (!(ball.radius < 1e9)) return noise_.range();
     const double slack = 1e-6 * (1 + noise_.lipschitz() * (ball.centre.length() + ball.radius));
@@ -43,7 +44,7 @@ class NoiseNode final : public EvaluationModes<NoiseNode<N>> {
   N noise_;
 };
 
-/// The plain bounds: the value at the centre and the Lipschitz constant, met with the range.
+/// Simple bounds: the value at the centre and the Lipschitz constant, intersected with the range.
 template <class N>
 Interval centred_bounds(const N& noise, const Ball& ball) {
   const double reach = noise.lipschitz() * ball.radius;
@@ -52,14 +53,14 @@ Interval centred_bounds(const N& noise, const Ball& ball) {
   return intersection({value - reach, value + reach}, noise.range());
 }
 
-/// The noise of a formula N.
+/// The noise with the formula N.
 template <class N>
 Noise formula_noise(const std::string& name, N formula) {
   const Interval range = formula.range();
   return Noise(Field(std::make_shared<NoiseNode<N>>(name, std::move(formula))), range);
 }
 
-/// `prepare` turns parameters into the formula.
+/// `prepare` converts parameters to the formula.
 template <class P, class Prepare>
 NoiseKind noise_kind(const std::string& name, Prepare prepare) {
   return make_kind<Noise, P>(name, "noise", [name, prepare](const P& params) {

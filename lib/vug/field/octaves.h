@@ -1,4 +1,4 @@
-// Sums of gradient noise at falling sizes: what the fractal kinds of noise/ have in common.
+// Sums of gradient noise at decreasing scales, shared by the fractal kinds of noise/.
 #pragma once
 
 #include <vug/field/factors.h>
@@ -9,10 +9,10 @@ namespace vug::field {
 
 /// The parameters, as a base of the kinds' structs.
 struct OctaveParams {
-  Factors scale;  ///< Metres a feature of the first octave measures.
+  Factors scale;  ///< Feature size of the first octave, metres.
   int octaves = 5;
-  double lacunarity = 2;  ///< Each octave is this many times finer than the one before ...
-  double gain = 0.5;      ///< ... and this many times as strong.
+  double lacunarity = 2;  ///< Ratio of the frequencies of successive octaves ...
+  double gain = 0.5;      ///< ... and of their amplitudes.
   int seed = 1;
 };
 
@@ -24,25 +24,25 @@ Schema<P>& describe_octaves(Schema<P>& s) {
               .dimension = Dimension::length,
               .min = 0,
               .above_min = true})
-      .param("octaves", &OctaveParams::octaves,
-             {.doc = "layers of ever finer features", .min = 1, .max = 16})
+      .param("octaves", &OctaveParams::octaves, {.doc = "number of octaves", .min = 1, .max = 16})
       .param("lacunarity", &OctaveParams::lacunarity,
-             {.doc = "how many times finer each layer is", .min = 1, .max = 8})
+             {.doc = "frequency ratio of successive octaves", .min = 1, .max = 8})
       .param("gain", &OctaveParams::gain,
-             {.doc = "strength of each layer against the one before", .min = 0, .max = 1})
-      .param("seed", &OctaveParams::seed, {.doc = "another seed, another noise"});
+             {.doc = "amplitude ratio of successive octaves", .min = 0, .max = 1})
+      .param("seed", &OctaveParams::seed,
+             {.doc = "random seed; each seed gives a different noise"});
 }
 
-/// The layers. Each has its own rotation and offset, so that no plane of lattice points, where
-/// gradient noise is zero, is common to two of them or aligned with an axis.
+/// The octaves. Each has its own rotation and offset, so that no plane of lattice points, where
+/// gradient noise is zero, is shared by two octaves or aligned with an axis.
 class Octaves {
  public:
   explicit Octaves(const OctaveParams& params);
 
   int count() const { return static_cast<int>(layers_.size()); }
-  /// Weights whose squares sum to 1.
+  /// Weights; their squares sum to 1.
   double weight(int i) const { return layer(i).weight; }
-  /// Steepest slope of the layer's noise, per metre.
+  /// The maximum slope of the octave's noise, per metre.
   double slope(int i) const { return layer(i).slope; }
 
   template <class T>
@@ -50,7 +50,7 @@ class Octaves {
     const Layer& l = layer(i);
     return gradient_noise(Point<T>{row(l, 0, p), row(l, 1, p), row(l, 2, p)}, l.seed);
   }
-  /// Bounds over a ball; not evaluated where they would say nothing.
+  /// Bounds over a ball; not evaluated where they would be trivial.
   Interval noise(int i, const Ball& ball) const;
 
  private:
@@ -69,7 +69,7 @@ class Octaves {
   std::vector<Layer> layers_;
 };
 
-/// The noise itself, as a Shape of Fractal.
+/// The unmodified noise, as a Shape of Fractal.
 struct PlainShape {
   static constexpr double kSlope = 1;
   template <class T>
@@ -78,8 +78,8 @@ struct PlainShape {
   }
 };
 
-/// sum of weight_i * Shape(noise_i); Shape: `template <class T> static T of(const T&)` and
-/// `kSlope`, its steepest slope.
+/// sum of weight_i * Shape(noise_i). Shape has `template <class T> static T of(const T&)` and
+/// `kSlope`, its maximum slope.
 template <class Shape>
 class Fractal {
  public:

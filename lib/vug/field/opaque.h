@@ -1,4 +1,4 @@
-// Nodes of fields that are known only point by point, without a formula: meshes, grids, images.
+// Nodes of fields that have samples but no formula: meshes, grids, images.
 #pragma once
 
 #include <vug/field/kind.h>
@@ -6,8 +6,8 @@
 namespace vug::field {
 
 /// S has: Gradient sample(const Vec3d& p) const   (value in metres and gradient; thread-safe)
-///        double value(const Vec3d& p) const      (optional: where the value alone costs less)
-/// Batches go lane by lane in double precision; intervals come from the Lipschitz constant.
+///        double value(const Vec3d& p) const      (optional: if the value alone costs less)
+/// Batches are evaluated lane by lane in double precision; intervals use the Lipschitz constant.
 template <class S>
 class OpaqueNode final : public EvaluationModes<OpaqueNode<S>> {
  public:

@@ -1,4 +1,4 @@
-// A point whose coordinates are any of the number types: what formulas take.
+// A point with coordinates of any number type, the argument of formulas.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -47,7 +47,7 @@ Point<T> max(const Point<T>& a, double b) {
   return {max(a.x, T(b)), max(a.y, T(b)), max(a.z, T(b))};
 }
 
-/// A constant vector as a point of the wanted number type.
+/// A constant vector as a point of the given number type.
 template <class T>
 Point<T> constant(const Vec3d& v) {
   return {T(v.x), T(v.y), T(v.z)};
@@ -62,7 +62,7 @@ Point<Dual<S>> seeded(const Point<S>& p) {
   return {{p.x, one, zero, zero}, {p.y, zero, one, zero}, {p.z, zero, zero, one}};
 }
 
-/// A point of a batch as a formula over T takes it: seeded where T is differentiated.
+/// Converts a point of a batch for a formula over T: seeded if T is differentiated.
 template <class T>
 Point<T> point_for(const Point<Pack>& p) {
   if constexpr (std::is_same_v<T, Pack>)
@@ -71,7 +71,7 @@ Point<T> point_for(const Point<Pack>& p) {
     return seeded(p);
 }
 
-/// A value with known gradient there, as a function of a point that is itself differentiated.
+/// A value with known gradient as a function of a point that is itself differentiated.
 template <class S>
 Dual<S> differentiated(const S& value, const Point<S>& gradient, const Point<Dual<S>>& p) {
   return {value, gradient.x * p.x.dx + gradient.y * p.y.dx + gradient.z * p.z.dx,

@@ -1,4 +1,4 @@
-// From a formula to a node and a kind: what a primitive's file is built with.
+// Node and kind of a primitive's formula.
 #pragma once
 
 #include <vug/field/kind.h>
@@ -10,9 +10,9 @@ namespace vug::field {
 /// P has: template <class T> T distance(const Point<T>&) const   (metres, negative inside)
 ///        Box3d bounds() const                                   (around the inside)
 ///        double lipschitz() const, Exactness exactness() const  (optional: 1 and exact)
-///        double growth() const   (optional: 1/2 where not exact; see Traits::grows)
-/// A parameter struct whose formula needs derived constants has `shape()` instead, which gives a
-/// struct P of the above; it is made once.
+///        double growth() const   (optional: 1/2 if not exact; see Traits::growth_rate)
+/// A parameter struct whose formula needs derived constants has `shape()` instead, which returns a
+/// struct P as above; it is called once.
 template <class P>
 class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
  public:
@@ -28,8 +28,7 @@ class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {
     if constexpr (std::is_trivially_copyable_v<P>) {
-      const P local =
-          params_;  // nothing written to `out` can change it: constants stay in registers
+      const P local = params_;  // cannot alias `out`, so constants stay in registers
       for (int i = 0; i < count; ++i) out[i] = local.distance(point_for<T>(points[i]));
     } else {
       for (int i = 0; i < count; ++i) out[i] = params_.distance(point_for<T>(points[i]));

@@ -1,15 +1,15 @@
-// Distances in the plane and how they become solids: the shared parts of the primitives whose
-// faces are flat or turned about the y axis (quilez2008distance; hart1996).
-// Each formula takes the signed distance to a face's line as it is wherever that face is nearest,
-// and a root only at edges: the gradient then holds on the surface itself, where a root has none.
+// Distances in the plane and their extension to solids, shared by the primitives with flat faces or
+// faces of revolution about the y axis (quilez2008distance; hart1996). Each formula uses the signed
+// distance to a face's line wherever that face is nearest, and a square root only at edges, so the
+// gradient is defined on the surface itself, where a root has none.
 #pragma once
 
 #include <vug/field/point.h>
 
 namespace vug::field {
 
-/// Where two solids of right angle meet: d and e are exact distances to each, along axes at right
-/// angles (a profile and a slab, the two slabs of a rectangle).
+/// The exact distance to the intersection of two orthogonal solids: d and e are the exact distances
+/// to each, along orthogonal axes (a profile and a slab, the two slabs of a rectangle).
 template <class T>
 T intersect_orthogonal(const T& d, const T& e) {
   const T inside = max(d, e);
@@ -29,7 +29,7 @@ class ProfileEdge {
   T height(const T& x, const T& y) const {
     return (x - T(ax_)) * T(ty_) - (y - T(ay_)) * T(tx_);
   }
-  /// True where the point's foot on the line lies between a and b.
+  /// True if the projection of the point onto the line lies between a and b.
   template <class T>
   auto projects_onto(const T& x, const T& y) const {
     const T along = (x - T(ax_)) * T(tx_) + (y - T(ay_)) * T(ty_) - T(0.5 * length_);
@@ -40,8 +40,8 @@ class ProfileEdge {
   double ax_, ay_, length_, tx_ = 0, ty_ = 0;
 };
 
-/// The solid between y = -half_height, of half-width `low` there, and y = half_height, of
-/// half-width `high`; x >= 0. At most one of the widths may be 0.
+/// The solid between y = -half_height, with half-width `low`, and y = half_height, with half-width
+/// `high`; x >= 0. At most one of the widths may be 0.
 class Trapezoid {
  public:
   Trapezoid(double low, double high, double half_height)

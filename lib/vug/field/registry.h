@@ -1,4 +1,4 @@
-// Every field kind there is, by folder; made from the lists in CMakeLists.txt.
+// All field kinds by folder, generated from the lists in CMakeLists.txt.
 #pragma once
 
 #include <vug/field/blend_kind.h>
@@ -13,11 +13,11 @@ const Kinds<Field>& details();
 /// All of the above.
 const Kinds<Field>& field_kinds();
 
-/// Makers of blends, for the `blend` of operators: sharp, smooth, round, chamfer.
+/// The kinds of blends for the `blend` parameter of operators: sharp, smooth, round, chamfer.
 const Kinds<Blend>& blends();
 
-/// A field by kind name and named values: make("torus", {{"radius", 1.2}, {"tube", 0.4}}).
-/// Error(bad_input) with all faults in its message.
+/// Creates a field from a kind name and named values: make("torus", {{"radius", 1.2}, {"tube",
+/// 0.4}}). Throws Error(bad_input) with all faults in its message.
 Field make(const std::string& kind, const NamedValues& params = {});
 
 /// A field as an argument of another kind.

@@ -7,8 +7,8 @@
 
 namespace vug::field {
 
-/// Arrays are taken while a Frame lives and given back together when it ends. Memory is kept,
-/// so after the first block evaluation allocates nothing.
+/// Arrays are allocated while a Frame exists and released together when it ends. The memory is
+/// reused, so evaluation allocates nothing after the first block.
 class Scratch {
  public:
   class Frame {

@@ -1,5 +1,5 @@
-// A value with its derivative along x, y and z: the gradient reading of a formula, over
-// doubles or packs. Forward mode: the point's coordinates are seeded with unit derivatives.
+// A value with its derivatives along x, y and z, for the gradient mode of a formula, over doubles
+// or packs. Forward mode: the point's coordinates are seeded with unit derivatives.
 #pragma once
 
 #include <vug/field/numbers/pack.h>
@@ -15,7 +15,7 @@ struct Dual {
   Dual(S value, S x, S y, S z) : v(value), dx(x), dy(y), dz(z) {}
 };
 
-/// f(a) given f's value and derivative there.
+/// f(a), given the value and derivative of f there.
 template <class S>
 Dual<S> chain(S value, S slope, const Dual<S>& a) {
   return {value, slope * a.dx, slope * a.dy, slope * a.dz};
@@ -126,7 +126,7 @@ template <class S>
 Dual<S> abs(const Dual<S>& a) {
   return select(a.v < S(0.0), -a, a);
 }
-/// The derivative at 0 is taken as 0: there a distance has no direction.
+/// The derivative at 0 is defined as 0, because a distance has no direction there.
 template <class S>
 Dual<S> sqrt(const Dual<S>& a) {
   const S root = sqrt(a.v);

@@ -1,4 +1,4 @@
-// The interval reading of a formula: bounds of its value over a box of points (Moore 1966).
+// Interval evaluation of a formula: bounds of its value over a box of points (Moore 1966).
 #pragma once
 
 #include <vug/base/interval.h>
@@ -17,14 +17,14 @@ inline Maybe operator!(Maybe a) { return {a.no, a.yes}; }
 
 }  // namespace vug::field
 
-// Operators stand beside the type, where argument-dependent lookup finds them.
+// Operators are defined in the namespace of the type, where argument-dependent lookup finds them.
 namespace vug {
 
 inline Interval operator+(Interval a, Interval b) { return {a.lo + b.lo, a.hi + b.hi}; }
 inline Interval operator-(Interval a, Interval b) { return {a.lo - b.hi, a.hi - b.lo}; }
 inline Interval operator-(Interval a) { return {-a.hi, -a.lo}; }
 Interval operator*(Interval a, Interval b);
-/// Everything when the divisor holds 0.
+/// The whole line if the divisor contains 0.
 Interval operator/(Interval a, Interval b);
 inline Interval& operator+=(Interval& a, Interval b) { return a = a + b; }
 inline Interval& operator-=(Interval& a, Interval b) { return a = a - b; }

@@ -1,5 +1,5 @@
-// Eight single-precision numbers in one AVX register: the batch reading of a formula.
-// Every operation is exactly rounded or a fixed polynomial, so all lanes of all machines agree.
+// Eight single-precision numbers in one AVX register, for the batch mode of a formula. Every
+// operation is exactly rounded or a fixed polynomial, so all lanes agree on all machines.
 #pragma once
 
 #include <vug/field/numbers/scalar.h>

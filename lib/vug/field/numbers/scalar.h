@@ -1,5 +1,5 @@
-// The vocabulary of field formulas, read over doubles. A formula is a template over a number
-// type T and uses only these names; pack.h, dual.h and interval.h give the other readings.
+// The vocabulary of field formulas for doubles. A formula is a template over a number type T and
+// uses only these names; pack.h, dual.h and interval.h define the other evaluation modes.
 #pragma once
 
 #include <vug/base/maths.h>
@@ -17,10 +17,10 @@ inline double sin(double x) { return maths::sin(x); }
 inline double cos(double x) { return maths::cos(x); }
 inline double exp(double x) { return maths::exp(x); }
 inline double atan2(double y, double x) { return maths::atan2(y, x); }
-/// Value of `yes` where the condition holds, else of `no`; both are computed.
+/// `yes` if the condition holds, otherwise `no`; both are computed.
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 
-/// Where two comparisons hold at once.
+/// The conjunction of two comparisons.
 template <class Mask>
 Mask both(const Mask& a, const Mask& b) {
   return Mask(a & b);
@@ -33,7 +33,7 @@ template <class T>
 T clamp(const T& x, const T& low, const T& high) {
   return min(max(x, low), high);
 }
-/// -1, 0 or 1 is not needed by any formula here; this is -1 below zero and 1 elsewhere.
+/// -1 below zero and 1 elsewhere; no formula here needs 0 at zero.
 template <class T>
 T sign(const T& x) {
   return select(x < T(0.0), T(-1.0), T(1.0));
