@@ -36,7 +36,7 @@ MaskKind attribute_mask_kind(std::string name, Build build) {
     SourceLocation named = where;
     for (const Argument& each : arguments)
       if (each.name == "name" && each.where.known()) named = each.where;
-    return build(*params, Uses{{params->name, named}});
+    return build(*params, AttributeUses{{params->name, named}});
   };
   return {std::move(info), make};
 }
@@ -56,7 +56,7 @@ struct ValueTraits<paint::Mask> : ObjectTraits<paint::Mask> {
   static std::optional<paint::Mask> read(const Value& v) {
     if (const Number* n = v.get<Number>()) {
       const double value = n->value;
-      return paint::make_mask([value](const paint::Spot&) { return value; });
+      return paint::make_mask([value](const paint::EvalPoint&) { return value; });
     }
     return ObjectTraits::read(v);
   }
@@ -69,7 +69,7 @@ struct ValueTraits<paint::Paint> : ObjectTraits<paint::Paint> {
   static std::optional<paint::Paint> read(const Value& v) {
     if (const auto* vector = v.get<Value::Vector>()) {
       const Vec3d color = vector->value;
-      return paint::make_paint([color](const paint::Spot&) { return color; });
+      return paint::make_paint([color](const paint::EvalPoint&) { return color; });
     }
     return ObjectTraits::read(v);
   }

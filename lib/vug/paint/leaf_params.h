@@ -25,11 +25,12 @@ void describe_outline(Schema<P>& s) {
 }
 
 /// Nothing on meshes that are no leaves.
-inline std::optional<LeafPlace> leaf_place(const Spot& spot) {
-  if (!spot.attributes) return std::nullopt;
-  const auto across = spot.attributes->read(kLeafAcross), along = spot.attributes->read(kLeafAlong);
+inline std::optional<LeafPoint> leaf_point(const EvalPoint& point) {
+  if (!point.attributes) return std::nullopt;
+  const auto across = point.attributes->read(kLeafAcross),
+             along = point.attributes->read(kLeafAlong);
   if (!across || !along) return std::nullopt;
-  return LeafPlace{across->x, along->x};
+  return LeafPoint{across->x, along->x};
 }
 
 }  // namespace vug::paint

@@ -20,11 +20,11 @@ double LeafOutline::half_width(double along) const {
   return maths::pow(along / widest, base) * maths::pow((1 - along) / (1 - widest), tip);
 }
 
-bool LeafOutline::holds(const LeafPlace& at) const {
+bool LeafOutline::contains(const LeafPoint& at) const {
   return std::fabs(at.across) < half_width(at.along);
 }
 
-double vein_at(const LeafPlace& at, const LeafOutline& outline, const LeafVeins& veins) {
+double vein_at(const LeafPoint& at, const LeafOutline& outline, const LeafVeins& veins) {
   const double half = outline.half_width(at.along), side = std::fabs(at.across);
   if (!(half > 0)) return 1;
   // The midrib tapers with the leaf, but less.

@@ -5,7 +5,7 @@
 namespace vug::paint {
 
 /// A place on a leaf.
-struct LeafPlace {
+struct LeafPoint {
   double across = 0;  ///< From -1 to 1 over the leaf's greatest width; 0 is the midrib.
   double along = 0;   ///< From 0 at the base to 1 at the tip.
 };
@@ -21,7 +21,7 @@ struct LeafOutline {
   /// Half of the width at `along`, of the greatest half: t^a (1 - t)^tip, a such that the most, 1,
   /// is at `widest`.
   double half_width(double along) const;
-  bool holds(const LeafPlace& at) const;
+  bool contains(const LeafPoint& at) const;
 };
 
 struct LeafVeins {
@@ -32,6 +32,6 @@ struct LeafVeins {
 };
 
 /// 1 on the midrib, 0.5 to 0 on veins and between; a smooth function of the place.
-double vein_at(const LeafPlace& at, const LeafOutline& outline, const LeafVeins& veins);
+double vein_at(const LeafPoint& at, const LeafOutline& outline, const LeafVeins& veins);
 
 }  // namespace vug::paint

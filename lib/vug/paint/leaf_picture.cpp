@@ -8,9 +8,9 @@ namespace vug::paint {
 namespace {
 
 /// A place on a leaf as its mesh would tell it.
-class PlaceOnLeaf : public Attributes {
+class LeafAttributes : public Attributes {
  public:
-  explicit PlaceOnLeaf(const LeafPlace& place) : place_(place) {}
+  explicit LeafAttributes(const LeafPoint& place) : place_(place) {}
   std::optional<Vec3d> read(std::string_view name) const override {
     if (name == kLeafAcross) return Vec3d(place_.across);
     if (name == kLeafAlong) return Vec3d(place_.along);
@@ -18,7 +18,7 @@ class PlaceOnLeaf : public Attributes {
   }
 
  private:
-  LeafPlace place_;
+  LeafPoint place_;
 };
 
 }  // namespace
@@ -36,12 +36,12 @@ image::Image leaf_picture(const Paint& color, const Mask& opacity,
       for (int k = 0; k < n * n; ++k) {
         const double x = (column + (k % n + 0.5) / n) / options.width;
         const double y = (static_cast<double>(row) + (k / n + 0.5) / n) / options.height;
-        const PlaceOnLeaf place({2 * x - 1, 1 - y});
+        const LeafAttributes place({2 * x - 1, 1 - y});
         // Flat on the ground, a unit long: what asks for more than the leaf sees that.
-        Spot spot{Vec3d(2 * x - 1, 1 - y, 0), Vec3d(0, 0, 1)};
-        spot.attributes = &place;
-        sum += (*color)(spot);
-        cover += opacity ? std::clamp((*opacity)(spot), 0.0, 1.0) : 1;
+        EvalPoint point{Vec3d(2 * x - 1, 1 - y, 0), Vec3d(0, 0, 1)};
+        point.attributes = &place;
+        sum += (*color)(point);
+        cover += opacity ? std::clamp((*opacity)(point), 0.0, 1.0) : 1;
       }
       for (size_t c = 0; c < 3; ++c)
         picture.at(column, static_cast<int>(row), c) =

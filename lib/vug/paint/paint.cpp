@@ -11,19 +11,19 @@ double ramp(double x, double from, double to) {
   return t * t * (3 - 2 * t);
 }
 
-Uses uses_of(const Mask& mask, const Paint& a, const Paint& b) {
-  Uses all = mask ? mask->uses() : Uses{};
+AttributeUses attribute_uses(const Mask& mask, const Paint& a, const Paint& b) {
+  AttributeUses all = mask ? mask->uses() : AttributeUses{};
   for (const Paint& paint : {a, b})
     if (paint) all.insert(all.end(), paint->uses().begin(), paint->uses().end());
   return all;
 }
 
-std::vector<Vec3f> colors(const Paint& paint, const std::vector<Spot>& spots) {
-  std::vector<Vec3f> out(spots.size());
+std::vector<Vec3f> colors(const Paint& paint, const std::vector<EvalPoint>& points) {
+  std::vector<Vec3f> out(points.size());
   parallel_for(
-      spots.size(),
+      points.size(),
       [&](size_t i) {
-        const Vec3d color = (*paint)(spots[i]);
+        const Vec3d color = (*paint)(points[i]);
         for (int c = 0; c < 3; ++c) out[i][c] = static_cast<float>(std::clamp(color[c], 0.0, 1.0));
       },
       1024);

@@ -24,7 +24,7 @@ class Attributes {
 };
 
 /// A place on a surface; the normal has unit length and points out of the solid.
-struct Spot {
+struct EvalPoint {
   Vec3d position;
   Vec3d normal;
   const field::SampledGrid* solid = nullptr;  ///< The level set whose surface it is, if known.
@@ -34,52 +34,53 @@ struct Spot {
 };
 
 /// An attribute that a mask or a paint looks at, and where a text says so.
-struct Use {
+struct AttributeUse {
   std::string attribute;
   SourceLocation where;
 };
-using Uses = std::vector<Use>;
+using AttributeUses = std::vector<AttributeUse>;
 
 /// A function of the spot that knows which attributes it looks at. Immutable, shared between
 /// threads.
 template <class T>
-class Look {
+class SurfaceFunction {
  public:
-  Look(std::function<T(const Spot&)> of, Uses uses) : of_(std::move(of)), uses_(std::move(uses)) {}
-  T operator()(const Spot& spot) const { return of_(spot); }
-  const Uses& uses() const { return uses_; }
+  SurfaceFunction(std::function<T(const EvalPoint&)> evaluate, AttributeUses uses)
+      : evaluate_(std::move(evaluate)), uses_(std::move(uses)) {}
+  T operator()(const EvalPoint& point) const { return evaluate_(point); }
+  const AttributeUses& uses() const { return uses_; }
 
  private:
-  std::function<T(const Spot&)> of_;
-  Uses uses_;
+  std::function<T(const EvalPoint&)> evaluate_;
+  AttributeUses uses_;
 };
-using Mask = std::shared_ptr<const Look<double>>;
-using Paint = std::shared_ptr<const Look<Vec3d>>;
+using Mask = std::shared_ptr<const SurfaceFunction<double>>;
+using Paint = std::shared_ptr<const SurfaceFunction<Vec3d>>;
 
 /// `uses` are those of the masks and paints that f asks: see uses_of.
 template <class F>
-Mask make_mask(F&& f, Uses uses = {}) {
-  return std::make_shared<const Look<double>>(std::forward<F>(f), std::move(uses));
+Mask make_mask(F&& f, AttributeUses uses = {}) {
+  return std::make_shared<const SurfaceFunction<double>>(std::forward<F>(f), std::move(uses));
 }
 template <class F>
-Paint make_paint(F&& f, Uses uses = {}) {
-  return std::make_shared<const Look<Vec3d>>(std::forward<F>(f), std::move(uses));
+Paint make_paint(F&& f, AttributeUses uses = {}) {
+  return std::make_shared<const SurfaceFunction<Vec3d>>(std::forward<F>(f), std::move(uses));
 }
 
 /// What masks and paints look at, one after the other; null ones look at nothing.
 template <class T>
-Uses uses_of(const std::vector<std::shared_ptr<const Look<T>>>& parts) {
-  Uses all;
+AttributeUses attribute_uses(const std::vector<std::shared_ptr<const SurfaceFunction<T>>>& parts) {
+  AttributeUses all;
   for (const auto& part : parts)
     if (part) all.insert(all.end(), part->uses().begin(), part->uses().end());
   return all;
 }
-Uses uses_of(const Mask& mask, const Paint& a, const Paint& b = nullptr);
+AttributeUses attribute_uses(const Mask& mask, const Paint& a, const Paint& b = nullptr);
 
 /// 0 up to `from`, 1 from `to` on, a smooth step between; from > to runs the other way.
 double ramp(double x, double from, double to);
 
 /// The paint at each spot; parallel. Values are clamped to 0..1.
-std::vector<Vec3f> colors(const Paint& paint, const std::vector<Spot>& spots);
+std::vector<Vec3f> colors(const Paint& paint, const std::vector<EvalPoint>& points);
 
 }  // namespace vug::paint

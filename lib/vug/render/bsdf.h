@@ -23,17 +23,18 @@ struct Scattering {
 class Bsdf;
 
 struct BsdfSample {
-  Vec3f direction;             ///< Local, unit; below the surface (z < 0) light is let through.
-  Rgb weight;                  ///< f |cos| / pdf, of all lobes together.
-  Rgb diffuse;                 ///< The part of `weight` that diffuse lobes have.
-  float pdf = 0;               ///< Over solid angle; zero means: nothing was sampled.
-  const Bsdf* body = nullptr;  ///< Whose `absorption` and `beneath` hold; null: of the one asked.
-  bool beneath = false;        ///< Goes on beneath the surface, as Bsdf::beneath() tells, and comes
-                               ///< out elsewhere: `direction` leads in; `evaluate` leaves it out.
+  Vec3f direction;  ///< Local, unit; below the surface (z < 0) light is let through.
+  Rgb weight;       ///< f |cos| / pdf, of all lobes together.
+  Rgb diffuse;      ///< The part of `weight` that diffuse lobes have.
+  float pdf = 0;    ///< Over solid angle; zero means: nothing was sampled.
+  const Bsdf* body =
+      nullptr;              ///< Whose `absorption` and `subsurface` hold; null: of the one asked.
+  bool subsurface = false;  ///< Goes on beneath the surface, as Bsdf::beneath() tells, and comes
+                            ///< out elsewhere: `direction` leads in; `evaluate` leaves it out.
 };
 
 /// Where light goes on beneath a surface: cloudy stone, ice, marble, scattering evenly.
-struct Cloud {
+struct SubsurfaceMedium {
   float mean_free_path = 0;  ///< Metres between two collisions.
   Rgb albedo{0, 0, 0};       ///< Share of the light that a collision scatters.
 };
@@ -50,11 +51,11 @@ class Bsdf {
   virtual Rgb albedo() const = 0;
   /// How much of the sampling a guide to the light may take over: about half of the share that
   /// broad lobes have; 0 where `sample` finds lobes that `evaluate` cannot see.
-  virtual float guided() const { return 0.5f; }
+  virtual float guided_fraction() const { return 0.5f; }
 
   /// What the clear body behind a face swallows, per metre.
   virtual Rgb absorption() const { return Rgb(0.0f); }
-  virtual Cloud beneath() const { return {}; }
+  virtual SubsurfaceMedium subsurface() const { return {}; }
   /// A sheet without a body: light from behind is scattered towards the viewer, too, and lights are
   /// looked for on both sides.
   virtual bool thin() const { return false; }

@@ -33,7 +33,7 @@ struct PathResult {
 };
 
 /// The picture that paths will be traced for, as far as they can learn from it beforehand.
-struct Rehearsal {
+struct TrainingContext {
   const World& world;
   const Camera& camera;
   const Sampler& sampler;
@@ -56,9 +56,9 @@ class Integrator {
   virtual ~Integrator() = default;
   /// The integrator that knows this scene; null when there is nothing to learn. The same for any
   /// number of threads and for every part of the picture.
-  virtual std::shared_ptr<const Integrator> rehearsed(const Rehearsal& rehearsal,
+  virtual std::shared_ptr<const Integrator> trained(const TrainingContext& context,
                                                       Progress& progress) const {
-    (void)rehearsal, (void)progress;
+    (void)context, (void)progress;
     return nullptr;
   }
   /// What makes pictures other than exact, on request: "clamp 3"; empty where nothing does.

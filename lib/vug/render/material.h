@@ -75,7 +75,7 @@ class Material {
   virtual bool bump(Surface& surface) const { return (void)surface, false; }
   /// Light that was scattered beneath the surface (BsdfSample::beneath) and comes out here; the
   /// surface is seen from outside. Null where nothing goes beneath.
-  virtual const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const {
+  virtual const Bsdf* subsurface_exit(const Surface& surface, BsdfMemory& memory) const {
     (void)surface, (void)memory;
     return nullptr;
   }

@@ -16,7 +16,7 @@ World::World(const Scene& scene)
       lights_(std::make_shared<const LightSet>(scene.lights, scene.objects)) {
   medium_ = scene.medium;
   if (medium_)
-    if (MediumPtr fitted = medium_->fitted(geometry_->bounds)) medium_ = fitted;
+    if (MediumPtr fitted = medium_->with_bounds(geometry_->bounds)) medium_ = fitted;
 }
 
 World::World(const World& other, const Scene& scene, const std::vector<LightPtr>& more)

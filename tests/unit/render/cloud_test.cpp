@@ -105,7 +105,8 @@ TEST(Cloud, TellsMarksWhatComesThroughToThem) {
       TrackingRng numbers(Vec2f(a, b));
       std::array<ScatterPoint, 4> scatter_points;
       for (size_t m = 0; m < scatter_points.size(); ++m) scatter_points[m].distance = places[m];
-      const DistanceSample sample = medium->sample_distance(ray, segment, u(), scatter_points, numbers);
+      const DistanceSample sample =
+          medium->sample_distance(ray, segment, u(), scatter_points, numbers);
       met += sample.scattered && sample.distance < places[0];
       for (size_t m = 0; m < scatter_points.size(); ++m) {
         const auto clear = static_cast<double>(scatter_points[m].transmittance);

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 #include <vug/base/rng.h>
-#include <vug/render/guiding/radiance_cache.h>
 #include <vug/render/guiding/guide.h>
+#include <vug/render/guiding/radiance_cache.h>
 #include <vug/render/sampling.h>
 
 namespace vug::render {
@@ -71,7 +71,8 @@ TEST(ConeMixture, SampleTheirDensity) {
 
 TEST(BrightPatches, AreWhereItIsBright) {
   const std::vector<Vec3f> bright = {{3, 0, 2}, {-5, 0, -4}};
-  const std::vector<BrightCluster> clusters = find_bright_clusters(floor_with(bright, 40), kEdge, 8);
+  const std::vector<BrightCluster> clusters =
+      find_bright_clusters(floor_with(bright, 40), kEdge, 8);
   ASSERT_EQ(clusters.size(), 8u);
   float power = 0;
   for (const BrightCluster& cluster : clusters) {

@@ -73,8 +73,8 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
     for (int trial = 0; trial < 12; ++trial) {
       const LightSampleContext point = somewhere(random);
       LightSelection selection{trial % 3 == 2 ? 3.0f : 1.0f,
-                     trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree,
-                     trial % 2 == 1 ? chances.at(point.position) : nullptr};
+                               trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree,
+                               trial % 2 == 1 ? chances.at(point.position) : nullptr};
       SCOPED_TRACE(testing::Message() << count << " lamps, trial " << trial);
       constexpr int kDraws = 60000;
       std::map<LightId, int> seen;
@@ -125,11 +125,12 @@ TEST(LightTree, EveryLightIsChosenWithItsProbabilityAlongRays) {
       const Ray ray{Vec3f(place(random)), Vec3f(place(random).normalized())};
       constexpr int kDraws = 60000;
       const LightSelection selection{trial % 3 == 2 ? 3.0f : 1.0f,
-                           trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree};
+                                     trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree};
       std::map<LightId, std::pair<int, float>> seen;
       for (int i = 0; i < kDraws; ++i)
-        for (const LightChoice& c : set.choose_along(ray, {0.5f, 3}, one(random), selection,
-                                                     trial % 2 == 1 ? chances : VisibilityCache())) {
+        for (const LightChoice& c :
+             set.choose_along(ray, {0.5f, 3}, one(random), selection,
+                              trial % 2 == 1 ? chances : VisibilityCache())) {
           auto& [times, probability] = seen[c.light];
           if (times++ > 0) {
             ASSERT_NEAR(probability, c.probability, 1e-4f * probability);
@@ -208,7 +209,8 @@ TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
   double gain = 0;
   constexpr int kPoints = 8;
   for (int trial = 0; trial < kPoints; ++trial) {
-    const LightSampleContext point{{static_cast<float>(random.uniform(-50, 50)), -2.5f, 0}, {0, 1, 0}};
+    const LightSampleContext point{{static_cast<float>(random.uniform(-50, 50)), -2.5f, 0},
+                                   {0, 1, 0}};
     const auto light = [&](LightId id) {
       const float u = one(random);
       const LightSample s = set.sample(id, point, {u, one(random)});

@@ -35,7 +35,8 @@ Scene over_a_light(const MaterialPtr& material, int sheets) {
 
 TEST(Opacity, LetsThroughWhatIsNotThere) {
   for (const int sheets : {1, 2}) {
-    const Mean seen = mean_of(render(over_a_light(black(0.3), sheets), options(32, 32, 64, 0)), "G");
+    const Mean seen =
+        mean_of(render(over_a_light(black(0.3), sheets), options(32, 32, 64, 0)), "G");
     const double expected = sheets == 1 ? 0.7 : 0.49;
     EXPECT_NEAR(seen.value, expected, 4 * seen.error);
     EXPECT_LT(seen.error, 0.005);
@@ -61,7 +62,8 @@ TEST(Opacity, ShadowsHaveTheSameHoles) {
 }
 
 TEST(Opacity, MasksCutEdgesThatAreSharp) {
-  const auto right = as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
+  const auto right =
+      as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
   const image::Image seen = render(over_a_light(black(right), 1), options(32, 32, 16, 0));
   const auto green = static_cast<size_t>(seen.find_channel("G"));
   for (int y = 0; y < 32; ++y)
@@ -73,7 +75,8 @@ TEST(Opacity, MasksCutEdgesThatAreSharp) {
 }
 
 TEST(Opacity, OfAnInstanceIsThatOfItsOwnSpace) {
-  const auto right = as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
+  const auto right =
+      as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
   Scene scene = over_a_light(black(right), 1);
   scene.objects[1].placing = std::make_shared<const Placing>(
       Transform::rotation({0, 1, 0}, kPi / 2) * Transform::scaling(Vec3d(0.9)));

@@ -2,8 +2,8 @@
 #include "scenes.h"
 
 #include <gtest/gtest.h>
-#include <vug/render/paths/boundary_hits.h>
 #include <vug/render/paths/automatic_portals.h>
+#include <vug/render/paths/boundary_hits.h>
 #include <vug/render/prepared_scene.h>
 
 namespace vug::render {
@@ -55,8 +55,8 @@ TEST(Openings, AreNotSoughtInTheOpen) {
   scene.camera = view({0, 2, 3}, {0, 0, 0}, 1);
   const World world(scene);
   const SamplerPtr sampler = make_sampler("sobol");
-  EXPECT_TRUE(
-      find_automatic_portals({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none()).empty());
+  EXPECT_TRUE(find_automatic_portals({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none())
+                  .empty());
 }
 
 TEST(Openings, LeaveTheMeanAlone) {

@@ -89,7 +89,8 @@ TEST(WorkingSpace, MaterialsReflectTheSame) {
       for (const bool painted : {false, true}) {
         const Vec3d colour(0.8, 0.3, 0.1);
         if (painted && param.type == "vector") continue;
-        const auto painting = paint::make_paint([colour](const paint::EvalPoint&) { return colour; });
+        const auto painting =
+            paint::make_paint([colour](const paint::EvalPoint&) { return colour; });
         NamedValues arguments = {
             {param.name, painted ? ValueTraits<paint::Paint>::write(painting) : Value(colour)}};
         for (const ParamInfo& other : kind->info.params)

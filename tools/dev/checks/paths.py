@@ -1,6 +1,6 @@
 """Files, folders and names in backquotes that documents point to exist.
 
-`session/load.cpp` may be written from the top, from lib/vug, from tests/unit or from the document's
+`loading/load.cpp` may be written from the top, from lib/vug, from tests/unit or from the document's
 folder. A name beside its file, as in `unite` in `field/boolean.cpp` or `field/boolean.cpp`, `unite`,
 has to stand in that file or in its header.
 """

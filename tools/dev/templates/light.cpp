@@ -22,15 +22,15 @@ class NewKindLight final : public Light {
  public:
   explicit NewKindLight(const NewKind& p) : radiance_(p.radiance) {}
 
-  LightSample sample(const LitPoint&, const Vec2f& u) const override {
+  LightSample sample(const LightSampleContext&, const Vec2f& u) const override {
     LightSample s;
     s.direction = sample_sphere(u);
     s.distance = kFar;
     s.pdf = kDensity;
     return s;
   }
-  float pdf(const LitPoint&, const Vec3f&) const override { return kDensity; }
-  float importance(const LitPoint&) const override { return luminance(radiance_); }
+  float pdf(const LightSampleContext&, const Vec3f&) const override { return kDensity; }
+  float importance(const LightSampleContext&) const override { return luminance(radiance_); }
   float importance_along(const Ray&, float begin, float end) const override {
     return luminance(radiance_) * (end - begin);
   }

@@ -17,11 +17,11 @@ struct Add {
 
 VUG_MASK_KIND(add) {
   return mask_kind<Add>("add", [](const Add& a) {
-    const auto ask = [a](const Spot& spot) {
+    const auto evaluate = [a](const EvalPoint& point) {
       double sum = 0;
-      for (const Mask& mask : a.of) sum += (*mask)(spot);
+      for (const Mask& mask : a.of) sum += (*mask)(point);
       return sum;
     };
-    return make_mask(ask, uses_of(a.of));
+    return make_mask(evaluate, attribute_uses(a.of));
   });
 }

@@ -25,12 +25,13 @@ struct AttributeMask {
 }  // namespace vug::paint
 
 VUG_MASK_KIND(attribute) {
-  return attribute_mask_kind<AttributeMask>("attribute", [](const AttributeMask& a, Uses uses) {
-    const auto ask = [a](const Spot& spot) {
-      const auto value = spot.attributes ? spot.attributes->read(a.name) : std::nullopt;
-      if (!value) return a.otherwise;
-      return ramp((value->x + value->y + value->z) / 3, a.from, a.to);
-    };
-    return make_mask(ask, std::move(uses));
-  });
+  return attribute_mask_kind<AttributeMask>(
+      "attribute", [](const AttributeMask& a, AttributeUses uses) {
+        const auto evaluate = [a](const EvalPoint& point) {
+          const auto value = point.attributes ? point.attributes->read(a.name) : std::nullopt;
+          if (!value) return a.otherwise;
+          return ramp((value->x + value->y + value->z) / 3, a.from, a.to);
+        };
+        return make_mask(evaluate, std::move(uses));
+      });
 }

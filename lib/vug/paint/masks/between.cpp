@@ -21,7 +21,8 @@ struct Between {
 
 VUG_MASK_KIND(between) {
   return mask_kind<Between>("between", [](const Between& b) {
-    return make_mask([b](const Spot& spot) { return b.from + (b.to - b.from) * (*b.mask)(spot); },
-                     b.mask->uses());
+    return make_mask(
+        [b](const EvalPoint& point) { return b.from + (b.to - b.from) * (*b.mask)(point); },
+        b.mask->uses());
   });
 }

@@ -21,10 +21,10 @@ struct Brightness {
 
 VUG_MASK_KIND(brightness) {
   return mask_kind<Brightness>("brightness", [](const Brightness& b) {
-    const auto ask = [b](const Spot& spot) {
-      const Vec3d rgb = (*b.paint)(spot);
+    const auto evaluate = [b](const EvalPoint& point) {
+      const Vec3d rgb = (*b.paint)(point);
       return ramp(0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z, b.from, b.to);
     };
-    return make_mask(ask, b.paint->uses());
+    return make_mask(evaluate, b.paint->uses());
   });
 }

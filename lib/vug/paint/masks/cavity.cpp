@@ -1,6 +1,6 @@
 // Hollows of the painted solid: where more than half of what is near is rock.
 #include <vug/paint/kind.h>
-#include <vug/paint/share.h>
+#include <vug/paint/solid_fraction.h>
 
 #include <algorithm>
 
@@ -23,8 +23,8 @@ struct Cavity {
 
 VUG_MASK_KIND(cavity) {
   return mask_kind<Cavity>("cavity", [](const Cavity& c) {
-    return make_mask([c](const Spot& spot) {
-      return std::clamp(4 * solid_share(spot, c.radius) - 2, 0.0, 1.0);
+    return make_mask([c](const EvalPoint& point) {
+      return std::clamp(4 * solid_fraction(point, c.radius) - 2, 0.0, 1.0);
     });
   });
 }

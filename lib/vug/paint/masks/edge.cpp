@@ -1,6 +1,6 @@
 // Edges of the painted solid, which weather first: where less than half of what is near is rock.
 #include <vug/paint/kind.h>
-#include <vug/paint/share.h>
+#include <vug/paint/solid_fraction.h>
 
 #include <algorithm>
 
@@ -23,8 +23,8 @@ struct Edge {
 
 VUG_MASK_KIND(edge) {
   return mask_kind<Edge>("edge", [](const Edge& e) {
-    return make_mask([e](const Spot& spot) {
-      return std::clamp(2 - 4 * solid_share(spot, e.radius), 0.0, 1.0);
+    return make_mask([e](const EvalPoint& point) {
+      return std::clamp(2 - 4 * solid_fraction(point, e.radius), 0.0, 1.0);
     });
   });
 }

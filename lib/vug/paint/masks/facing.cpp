@@ -27,8 +27,8 @@ struct Facing {
 
 VUG_MASK_KIND(facing) {
   return mask_kind<Facing>("facing", [](const Facing& f) {
-    return make_mask([f, way = f.toward.normalized()](const Spot& spot) {
-      const double along = std::clamp(spot.normal.dot(way), -1.0, 1.0);
+    return make_mask([f, way = f.toward.normalized()](const EvalPoint& point) {
+      const double along = std::clamp(point.normal.dot(way), -1.0, 1.0);
       return ramp(maths::acos(along), f.from, f.to);
     });
   });

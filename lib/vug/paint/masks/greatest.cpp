@@ -20,11 +20,11 @@ struct Greatest {
 
 VUG_MASK_KIND(greatest) {
   return mask_kind<Greatest>("greatest", [](const Greatest& g) {
-    const auto ask = [g](const Spot& spot) {
-      double found = (*g.of[0])(spot);
-      for (size_t i = 1; i < g.of.size(); ++i) found = std::max(found, (*g.of[i])(spot));
+    const auto evaluate = [g](const EvalPoint& point) {
+      double found = (*g.of[0])(point);
+      for (size_t i = 1; i < g.of.size(); ++i) found = std::max(found, (*g.of[i])(point));
       return found;
     };
-    return make_mask(ask, uses_of(g.of));
+    return make_mask(evaluate, attribute_uses(g.of));
   });
 }

@@ -19,6 +19,6 @@ struct Height {
 
 VUG_MASK_KIND(height) {
   return mask_kind<Height>("height", [](const Height& h) {
-    return make_mask([h](const Spot& spot) { return ramp(spot.position.y, h.from, h.to); });
+    return make_mask([h](const EvalPoint& point) { return ramp(point.position.y, h.from, h.to); });
   });
 }

@@ -17,6 +17,6 @@ struct Invert {
 
 VUG_MASK_KIND(invert) {
   return mask_kind<Invert>("invert", [](const Invert& i) {
-    return make_mask([i](const Spot& spot) { return 1 - (*i.mask)(spot); }, i.mask->uses());
+    return make_mask([i](const EvalPoint& point) { return 1 - (*i.mask)(point); }, i.mask->uses());
   });
 }

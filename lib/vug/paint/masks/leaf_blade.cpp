@@ -17,9 +17,9 @@ struct LeafBlade : LeafParams {
 
 VUG_MASK_KIND(leaf_blade) {
   return mask_kind<LeafBlade>("leaf_blade", [](const LeafBlade& p) {
-    return make_mask([outline = p.outline()](const Spot& spot) {
-      const auto place = leaf_place(spot);
-      return !place || outline.holds(*place) ? 1.0 : 0.0;
+    return make_mask([outline = p.outline()](const EvalPoint& point) {
+      const auto place = leaf_point(point);
+      return !place || outline.contains(*place) ? 1.0 : 0.0;
     });
   });
 }

@@ -30,8 +30,8 @@ struct LeafVeinsMask : LeafParams {
 VUG_MASK_KIND(leaf_veins) {
   return mask_kind<LeafVeinsMask>("leaf_veins", [](const LeafVeinsMask& p) {
     const LeafVeins veins{p.count, p.midrib, p.cross_veins};
-    return make_mask([outline = p.outline(), veins](const Spot& spot) {
-      const auto place = leaf_place(spot);
+    return make_mask([outline = p.outline(), veins](const EvalPoint& point) {
+      const auto place = leaf_point(point);
       return place ? vein_at(*place, outline, veins) : 0.0;
     });
   });

@@ -17,11 +17,11 @@ struct Multiply {
 
 VUG_MASK_KIND(multiply) {
   return mask_kind<Multiply>("multiply", [](const Multiply& m) {
-    const auto ask = [m](const Spot& spot) {
+    const auto evaluate = [m](const EvalPoint& point) {
       double product = 1;
-      for (const Mask& mask : m.of) product *= (*mask)(spot);
+      for (const Mask& mask : m.of) product *= (*mask)(point);
       return product;
     };
-    return make_mask(ask, uses_of(m.of));
+    return make_mask(evaluate, attribute_uses(m.of));
   });
 }

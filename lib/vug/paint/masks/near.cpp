@@ -22,6 +22,6 @@ struct Near {
 VUG_MASK_KIND(near) {
   return mask_kind<Near>("near", [](const Near& n) {
     return make_mask(
-        [n](const Spot& spot) { return ramp(n.field.value(spot.position), n.from, n.to); });
+        [n](const EvalPoint& point) { return ramp(n.field.value(point.position), n.from, n.to); });
   });
 }

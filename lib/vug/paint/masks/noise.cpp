@@ -22,7 +22,8 @@ struct NoiseMask {
 
 VUG_MASK_KIND(noise) {
   return mask_kind<NoiseMask>("noise", [](const NoiseMask& n) {
-    return make_mask(
-        [n](const Spot& spot) { return ramp(n.noise.field.value(spot.position), n.from, n.to); });
+    return make_mask([n](const EvalPoint& point) {
+      return ramp(n.noise.field.value(point.position), n.from, n.to);
+    });
   });
 }

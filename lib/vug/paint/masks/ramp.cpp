@@ -25,7 +25,7 @@ struct Ramp {
 
 VUG_MASK_KIND(ramp) {
   return mask_kind<Ramp>("ramp", [](const Ramp& r) {
-    return make_mask([r](const Spot& spot) { return ramp((*r.mask)(spot), r.from, r.to); },
+    return make_mask([r](const EvalPoint& point) { return ramp((*r.mask)(point), r.from, r.to); },
                      r.mask->uses());
   });
 }

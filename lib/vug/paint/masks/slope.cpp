@@ -25,6 +25,6 @@ struct Slope {
 VUG_MASK_KIND(slope) {
   return mask_kind<Slope>("slope", [](const Slope& s) {
     return make_mask(
-        [s](const Spot& spot) { return ramp(maths::acos(spot.normal.y), s.from, s.to); });
+        [s](const EvalPoint& point) { return ramp(maths::acos(point.normal.y), s.from, s.to); });
   });
 }

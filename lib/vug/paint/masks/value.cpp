@@ -20,11 +20,12 @@ struct AttributeValue {
 }  // namespace vug::paint
 
 VUG_MASK_KIND(value) {
-  return attribute_mask_kind<AttributeValue>("value", [](const AttributeValue& a, Uses uses) {
-    const auto ask = [a](const Spot& spot) {
-      const auto value = spot.attributes ? spot.attributes->read(a.name) : std::nullopt;
-      return value ? a.scale * (value->x + value->y + value->z) / 3 : a.otherwise;
-    };
-    return make_mask(ask, std::move(uses));
-  });
+  return attribute_mask_kind<AttributeValue>(
+      "value", [](const AttributeValue& a, AttributeUses uses) {
+        const auto evaluate = [a](const EvalPoint& point) {
+          const auto value = point.attributes ? point.attributes->read(a.name) : std::nullopt;
+          return value ? a.scale * (value->x + value->y + value->z) / 3 : a.otherwise;
+        };
+        return make_mask(evaluate, std::move(uses));
+      });
 }

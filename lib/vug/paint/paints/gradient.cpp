@@ -32,7 +32,7 @@ Vec3d color_at(const std::vector<Vec3d>& colors, double t) {
 
 VUG_PAINT_KIND(gradient) {
   return paint_kind<Gradient>("gradient", [](const Gradient& g) {
-    return make_paint([g](const Spot& spot) { return color_at(g.colors, (*g.mask)(spot)); },
+    return make_paint([g](const EvalPoint& point) { return color_at(g.colors, (*g.mask)(point)); },
                       g.mask->uses());
   });
 }

@@ -23,12 +23,12 @@ struct Layer {
 
 VUG_PAINT_KIND(layer) {
   return paint_kind<Layer>("layer", [](const Layer& l) {
-    const auto ask = [l](const Spot& spot) {
-      const double t = (*l.mask)(spot);
-      if (t <= 0) return (*l.under)(spot);
-      const Vec3d over = (*l.over)(spot);
-      return t >= 1 ? over : (*l.under)(spot) * (1 - t) + over * t;
+    const auto evaluate = [l](const EvalPoint& point) {
+      const double t = (*l.mask)(point);
+      if (t <= 0) return (*l.under)(point);
+      const Vec3d over = (*l.over)(point);
+      return t >= 1 ? over : (*l.under)(point) * (1 - t) + over * t;
     };
-    return make_paint(ask, uses_of(l.mask, l.under, l.over));
+    return make_paint(evaluate, attribute_uses(l.mask, l.under, l.over));
   });
 }

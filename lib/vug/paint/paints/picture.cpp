@@ -40,15 +40,15 @@ Vec3d project(const image::Texture& texture, const Vec3d& p, int axis, double wi
   return texture.at(p.x, -p.y, width);
 }
 
-Vec3d color_at(const Picture& picture, const image::Texture& texture, const Spot& spot) {
-  const Vec3d p = spot.position / picture.size;
-  const double width = spot.footprint / picture.size;
+Vec3d color_at(const Picture& picture, const image::Texture& texture, const EvalPoint& point) {
+  const Vec3d p = point.position / picture.size;
+  const double width = point.footprint / picture.size;
   if (picture.mapping != Mapping::triplanar)
     return project(texture, p, static_cast<int>(picture.mapping) - 1, width);
   Vec3d weight;
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double n = spot.normal[axis] * spot.normal[axis];
+    const double n = point.normal[axis] * point.normal[axis];
     weight[axis] = n * n;  // narrow seams
     sum += weight[axis];
   }
@@ -67,13 +67,14 @@ Vec3d color_at(const Picture& picture, const image::Texture& texture, const Spot
 VUG_PAINT_KIND(picture) {
   return paint_kind<Picture>("picture", [](const Picture& p) -> Paint {
     if (!std::filesystem::exists(p.file)) {
-      if (p.missing == Missing::show) return make_paint([](const Spot&) { return Vec3d(1, 0, 1); });
+      if (p.missing == Missing::show)
+        return make_paint([](const EvalPoint&) { return Vec3d(1, 0, 1); });
       throw Error(ErrorCode::bad_input,
                   fmt::format("the picture '{}' is not there", p.file.string()), {},
                   "missing: show paints magenta in its place");
     }
-    return make_paint([p, texture = image::Texture(p.file)](const Spot& spot) {
-      return color_at(p, texture, spot);
+    return make_paint([p, texture = image::Texture(p.file)](const EvalPoint& point) {
+      return color_at(p, texture, point);
     });
   });
 }

@@ -20,10 +20,10 @@ struct VertexColor {
 
 VUG_PAINT_KIND(vertex_color) {
   return paint_kind<VertexColor>("vertex_color", [](const VertexColor& v) {
-    return make_paint([v](const Spot& spot) {
-      const auto value = spot.attributes ? spot.attributes->read(v.name) : std::nullopt;
+    return make_paint([v](const EvalPoint& point) {
+      const auto value = point.attributes ? point.attributes->read(v.name) : std::nullopt;
       if (value) return *value;
-      return v.otherwise ? (*v.otherwise)(spot) : Vec3d(0.5);
+      return v.otherwise ? (*v.otherwise)(point) : Vec3d(0.5);
     });
   });
 }

@@ -29,11 +29,11 @@ struct Cube {
 };
 
 /// In the order in which they were first seen, so that sums do not depend on a hash.
-std::vector<Cube> average(const std::vector<Sighting>& sightings, float edge) {
+std::vector<Cube> average(const std::vector<RadianceSample>& radiance_samples, float edge) {
   std::unordered_map<CubeIndex, size_t, CubeHash> places;
   std::vector<Cube> cubes;
   std::vector<float> counts;
-  for (const Sighting& s : sightings) {
+  for (const RadianceSample& s : radiance_samples) {
     CubeIndex index;
     for (int axis = 0; axis < 3; ++axis)
       index[static_cast<size_t>(axis)] = static_cast<int32_t>(std::floor(s.point[axis] / edge));
@@ -71,7 +71,7 @@ struct Group {
 };
 
 /// Halves the box across its longest side. The first half stays in `group`.
-Group part(Group& group) {
+Group split(Group& group) {
   const Vec3f size = group.box.size();
   const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
   const float middle = 0.5f * (group.box.min[axis] + group.box.max[axis]);
@@ -84,10 +84,10 @@ Group part(Group& group) {
 
 }  // namespace
 
-std::vector<BrightPatch> find_bright_patches(const std::vector<Sighting>& sightings, float edge,
-                                             size_t most) {
-  const double mean = mean_luminance(sightings);
-  std::vector<Cube> bright = average(sightings, edge);
+std::vector<BrightCluster> find_bright_clusters(const std::vector<RadianceSample>& radiance_samples,
+                                                float edge, size_t most) {
+  const double mean = mean_luminance(radiance_samples);
+  std::vector<Cube> bright = average(radiance_samples, edge);
   bright.erase(std::remove_if(bright.begin(), bright.end(),
                               [&](const Cube& c) { return !(c.luminance > kBright * mean); }),
                bright.end());
@@ -99,14 +99,14 @@ std::vector<BrightPatch> find_bright_patches(const std::vector<Sighting>& sighti
         std::max_element(groups.begin(), groups.end(),
                          [](const Group& a, const Group& b) { return a.spread() < b.spread(); });
     if (!(widest->spread() > 0)) break;
-    Group upper = part(*widest);
+    Group upper = split(*widest);
     groups.push_back(std::move(upper));
   }
-  std::vector<BrightPatch> patches;
+  std::vector<BrightCluster> clusters;
   for (const Group& group : groups)
-    patches.push_back({group.box.center(), 0.5f * length(group.box.size()) + 0.5f * edge,
-                       static_cast<float>(group.luminance) * edge * edge});
-  return patches;
+    clusters.push_back({group.box.center(), 0.5f * length(group.box.size()) + 0.5f * edge,
+                        static_cast<float>(group.luminance) * edge * edge});
+  return clusters;
 }
 
 }  // namespace vug::render

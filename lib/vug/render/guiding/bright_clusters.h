@@ -10,16 +10,16 @@
 namespace vug::render {
 
 /// A ball around surfaces that are bright.
-struct BrightPatch {
+struct BrightCluster {
   Vec3f centre{0, 0, 0};
   float radius = 0;
   float power = 0;  ///< Luminance times area, as if each cube with surface had one face of it.
 };
 
 /// At most `most` patches from what paths have seen, by averages over cubes of edge `cube` metres.
-/// Cubes far brighter than the mean of all sightings are kept, and parted where that makes balls of
-/// much light small. The same patches for the same sightings.
-std::vector<BrightPatch> find_bright_patches(const std::vector<Sighting>& sightings, float cube,
-                                             size_t most);
+/// Cubes far brighter than the mean of all radiance_samples are kept, and parted where that makes
+/// balls of much light small. The same patches for the same radiance_samples.
+std::vector<BrightCluster> find_bright_clusters(const std::vector<RadianceSample>& radiance_samples,
+                                                float cube, size_t most);
 
 }  // namespace vug::render

@@ -5,9 +5,9 @@
 
 namespace vug::render {
 
-void Cones::settle(float trust) {
+void ConeMixture::normalize(float mixture_weight) {
   if (size_ == 0) return;
-  trust_ = trust;
+  mixture_weight_ = mixture_weight;
   const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   __m256 sum = _mm256_setzero_ps();
   for (size_t i = 0; i < size_; i += kLanes) {
@@ -18,7 +18,7 @@ void Cones::settle(float trust) {
     _mm256_store_ps(&share_[i], share);
     sum = _mm256_add_ps(sum, share);
   }
-  const __m256 all = _mm256_set1_ps(1 / sum_of_lanes(sum)), turn = _mm256_set1_ps(2 * kPif);
+  const __m256 all = _mm256_set1_ps(1 / lane_sum(sum)), turn = _mm256_set1_ps(2 * kPif);
   for (size_t i = 0; i < size_; i += kLanes) {
     const __m256 share = _mm256_mul_ps(_mm256_load_ps(&share_[i]), all);
     const __m256 density = _mm256_div_ps(share, _mm256_mul_ps(turn, _mm256_load_ps(&open_[i])));
@@ -28,14 +28,14 @@ void Cones::settle(float trust) {
   }
 }
 
-Cones::Found Cones::find(float u) const {
+ConeMixture::SelectedCone ConeMixture::find(float u) const {
   size_t i = 0;
   float before = 0;
   while (i + 1 < size_ && u >= before + share_[i]) before += share_[i++];
   return {i, std::clamp((u - before) / share_[i], 0.0f, 0.99999994f)};
 }
 
-Vec3f Cones::sample(const Vec2f& u) const {
+Vec3f ConeMixture::sample(const Vec2f& u) const {
   const auto [i, within] = find(u.x);
   return Frame({x_[i], y_[i], z_[i]}).to_world(direction_off_axis(open_[i] * within, u.y));
 }

@@ -12,38 +12,38 @@
 namespace vug::render {
 
 /// At most kMost cones with their shares, made anew for each place that asks for directions.
-class Cones {  // NOLINT: only what has been added is read
+class ConeMixture {  // NOLINT: only what has been added is read
  public:
-  static constexpr size_t kMost = 32;
+  static constexpr size_t kMax = 32;
 
   /// Eight that may be taken in. Axis: unit; opening: 1 - cosine at the rim; opening, share > 0.
-  /// `name` is the caller's, of the first; the others' follow.
-  struct Eight {
+  /// `id` is the caller's, of the first; the others' follow.
+  struct Batch {
     __m256 x, y, z, opening, share;
-    uint32_t name;
+    uint32_t id;
   };
 
   size_t size() const { return size_; }
   /// Of these the ones whose bits are set; at most kMost with those before.
-  void add(const Eight& all, unsigned mask) {
-    const __m256i order = chosen_lanes(mask);
-    const auto put = [&](Row& row, __m256 v) {
+  void add(const Batch& all, unsigned mask) {
+    const __m256i order = compressed_lanes(mask);
+    const auto put = [&](Values& row, __m256 v) {
       _mm256_storeu_ps(&row[size_], _mm256_permutevar8x32_ps(v, order));
     };
     put(x_, all.x), put(y_, all.y), put(z_, all.z), put(open_, all.opening);
     put(share_, all.share);
-    const __m256i names = _mm256_add_epi32(order, _mm256_set1_epi32(static_cast<int>(all.name)));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(&names_[size_]), names);
+    const __m256i ids = _mm256_add_epi32(order, _mm256_set1_epi32(static_cast<int>(all.id)));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(&ids_[size_]), ids);
     size_ += static_cast<size_t>(std::popcount(mask));
   }
   /// Makes the shares parts of one, and sets how much of all sampling is theirs.
-  void settle(float trust);
+  void normalize(float mixture_weight);
   /// 0 to 1; 0 without cones.
-  float trust() const { return trust_; }
+  float mixture_weight() const { return mixture_weight_; }
 
   /// A cone by its share; these three only with cones.
   size_t choose(float u) const { return find(u).cone; }
-  uint32_t name(size_t cone) const { return names_[cone]; }
+  uint32_t id(size_t cone) const { return ids_[cone]; }
   Vec3f sample(const Vec2f& u) const;
   /// Over solid angle.
   float pdf(const Vec3f& direction) const {
@@ -51,29 +51,29 @@ class Cones {  // NOLINT: only what has been added is read
                  z = _mm256_set1_ps(direction.z), one = _mm256_set1_ps(1);
     __m256 sum = _mm256_setzero_ps();
     for (size_t i = 0; i < size_; i += kLanes) {
-      const auto row = [&](const Row& of) { return _mm256_load_ps(&of[i]); };
+      const auto row = [&](const Values& of) { return _mm256_load_ps(&of[i]); };
       const __m256 cosine =
           _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(row(x_), x), _mm256_mul_ps(row(y_), y)),
                         _mm256_mul_ps(row(z_), z));
       const __m256 within = _mm256_cmp_ps(_mm256_sub_ps(one, cosine), row(open_), _CMP_LE_OQ);
       sum = _mm256_add_ps(sum, _mm256_and_ps(within, row(density_)));
     }
-    return sum_of_lanes(sum);
+    return lane_sum(sum);
   }
 
  private:
   static constexpr size_t kLanes = 8;
-  using Row = std::array<float, kMost + kLanes>;  ///< A value for each, and room to write eight.
-  struct Found {
+  using Values = std::array<float, kMax + kLanes>;  ///< A value for each, and room to write eight.
+  struct SelectedCone {
     size_t cone;
     float within;  ///< How far u is into the cone's share, in parts of that.
   };
-  Found find(float u) const;
+  SelectedCone find(float u) const;
 
-  alignas(32) Row x_, y_, z_, open_, share_, density_;
-  std::array<uint32_t, kMost + kLanes> names_;
+  alignas(32) Values x_, y_, z_, open_, share_, density_;
+  std::array<uint32_t, kMax + kLanes> ids_;
   size_t size_ = 0;
-  float trust_ = 0;
+  float mixture_weight_ = 0;
 };
 
 }  // namespace vug::render

@@ -10,7 +10,7 @@ namespace {
 /// see, in parts of the scene's diagonal.
 constexpr float kCube = 1.0f / 64, kRegion = 1.0f / 16;
 /// Where patches give less than this part of all light, they are not worth weighing.
-constexpr float kLeastTrust = 0.02f;
+constexpr float kMinMixtureWeight = 0.02f;
 /// A cone that is wider, beyond 45 degrees from its axis, says no more than the material does.
 constexpr float kWidest = 0.3f;
 /// Patches of less than this part of the best one's light are left out.
@@ -20,31 +20,32 @@ constexpr size_t kLanes = 8;
 
 }  // namespace
 
-Guide::Guide(const std::vector<Sighting>& sightings, const Box3f& bounds)
-    : patches_(find_bright_patches(sightings, kCube * diagonal_of(bounds), Cones::kMost)),
+Guide::Guide(const std::vector<RadianceSample>& radiance_samples, const Box3f& bounds)
+    : clusters_(
+          find_bright_clusters(radiance_samples, kCube * diagonal_of(bounds), ConeMixture::kMax)),
       bounds_(bounds) {
-  elsewhere_ = kPif * static_cast<float>(mean_luminance(sightings));
-  for (size_t i = 0; i < patches_.size(); ++i) {
-    x_[i] = patches_[i].centre.x, y_[i] = patches_[i].centre.y, z_[i] = patches_[i].centre.z;
-    radius_[i] = patches_[i].radius, power_[i] = patches_[i].power;
+  elsewhere_ = kPif * static_cast<float>(mean_luminance(radiance_samples));
+  for (size_t i = 0; i < clusters_.size(); ++i) {
+    x_[i] = clusters_[i].centre.x, y_[i] = clusters_[i].centre.y, z_[i] = clusters_[i].centre.z;
+    radius_[i] = clusters_[i].radius, power_[i] = clusters_[i].power;
   }
 }
 
-void Guide::learn(const std::vector<Glance>& glances) {
-  chances_ = Chances(bounds_, kRegion, Cones::kMost, glances);
+void Guide::update_visibility(const std::vector<VisibilitySample>& visibility_samples) {
+  visibility_ = VisibilityCache(bounds_, kRegion, ConeMixture::kMax, visibility_samples);
 }
 
-Cones Guide::at(const Vec3f& point, const Vec3f& normal) const {
-  Cones cones;
+ConeMixture Guide::at(const Vec3f& point, const Vec3f& normal) const {
+  ConeMixture cones;
   if (empty()) return cones;
-  static constexpr Row kAll = [] {
-    Row all{};
+  static constexpr Values kAll = [] {
+    Values all{};
     for (float& each : all) each = 1;
     return all;
   }();
-  const float* const chance = chances_.empty() ? kAll.data() : chances_.at(point);
-  const size_t size = patches_.size();
-  Row light, x, y, z, opening;
+  const float* const chance = visibility_.empty() ? kAll.data() : visibility_.at(point);
+  const size_t size = clusters_.size();
+  Values light, x, y, z, opening;
   __m256 most = _mm256_setzero_ps(), all = _mm256_setzero_ps();
   for (size_t first = 0; first < size; first += kLanes) {
     for (size_t i = first; i < first + kLanes; ++i) {
@@ -62,16 +63,16 @@ Cones Guide::at(const Vec3f& point, const Vec3f& normal) const {
     most = _mm256_max_ps(most, _mm256_load_ps(&light[first]));
     all = _mm256_add_ps(all, _mm256_load_ps(&light[first]));
   }
-  const float sum = sum_of_lanes(all), trust = sum / (sum + elsewhere_);
-  if (!(trust > kLeastTrust)) return cones;
-  const __m256 faint = _mm256_set1_ps(kFaint * most_of_lanes(most));
+  const float sum = lane_sum(all), mixture_weight = sum / (sum + elsewhere_);
+  if (!(mixture_weight > kMinMixtureWeight)) return cones;
+  const __m256 faint = _mm256_set1_ps(kFaint * lane_max(most));
   for (size_t i = 0; i < size; i += kLanes) {
-    const auto row = [&](const Row& of) { return _mm256_load_ps(&of[i]); };
+    const auto row = [&](const Values& of) { return _mm256_load_ps(&of[i]); };
     const __m256 bright = _mm256_cmp_ps(row(light), faint, _CMP_GT_OQ);
     cones.add({row(x), row(y), row(z), row(opening), row(light), static_cast<uint32_t>(i)},
               static_cast<unsigned>(_mm256_movemask_ps(bright)));
   }
-  cones.settle(trust);
+  cones.normalize(mixture_weight);
   return cones;
 }
 

@@ -6,15 +6,15 @@
 namespace vug::render {
 namespace {
 
-/// Sightings that the mean over all places counts for in each.
+/// Radiance samples that the mean over all places counts for in each.
 constexpr double kPrior = 0.5;
 
 struct Sum {
   double count = 0, all = 0, square = 0;
 
-  void add(const Sighting& s) {
-    const auto later = static_cast<double>(s.later);
-    count += 1, all += static_cast<double>(s.luminance), square += later * later;
+  void add(const RadianceSample& s) {
+    const auto indirect = static_cast<double>(s.indirect);
+    count += 1, all += static_cast<double>(s.luminance), square += indirect * indirect;
   }
   void add(const Sum& other, double weight) {
     const double part = other.count > 0 ? weight / other.count : 0;
@@ -28,11 +28,12 @@ struct Sum {
 
 }  // namespace
 
-Brightness::Brightness(const std::vector<Sighting>& sightings, const Box3f& bounds, float edge)
+RadianceCache::RadianceCache(const std::vector<RadianceSample>& radiance_samples,
+                             const Box3f& bounds, float edge)
     : regions_(bounds, edge) {
   Sum whole, first;
   std::vector<Sum> sums(kFacings * regions_.count());
-  for (const Sighting& s : sightings) {
+  for (const RadianceSample& s : radiance_samples) {
     whole.add(s);
     if (s.first) first.add(s);
     sums[place(s.point, s.normal)].add(s);
@@ -40,13 +41,13 @@ Brightness::Brightness(const std::vector<Sighting>& sightings, const Box3f& boun
   const float usual = first.mean();
   for (Sum& sum : sums) {
     sum.add(whole, kPrior);
-    returned_.push_back({std::min(sum.mean(), usual), sum.root_mean_square()});
+    stats_.push_back({std::min(sum.mean(), usual), sum.root_mean_square()});
   }
   double off = 0;
-  for (const Sighting& s : sightings) {
+  for (const RadianceSample& s : radiance_samples) {
     if (!s.first) continue;
     const size_t at = place(s.point, s.normal);
-    off += static_cast<double>(std::fabs(s.luminance - sums[at].mean()) / returned_[at].all);
+    off += static_cast<double>(std::fabs(s.luminance - sums[at].mean()) / stats_[at].mean);
   }
   off = std::min(1.0, off / first.count);
   noise_ = static_cast<float>(off * off);

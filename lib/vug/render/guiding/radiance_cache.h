@@ -1,8 +1,8 @@
 // How much light surfaces send back: region by region, and by the way they face.
 #pragma once
 
-#include <vug/render/guiding/regions.h>
 #include <vug/render/guiding/radiance_sample.h>
+#include <vug/render/guiding/regions.h>
 
 #include <cstddef>
 #include <vector>
@@ -10,25 +10,27 @@
 namespace vug::render {
 
 /// What the surfaces of a region that face the same way send back, in luminance.
-struct Returned {
-  float all = 0;    ///< The mean, but no more than that of what the camera sees.
-  float later = 0;  ///< The root of the mean square of what the path has yet to find: see Sighting.
+struct RadianceStats {
+  float mean = 0;  ///< The mean, but no more than that of what the camera sees.
+  float indirect =
+      0;  ///< The root of the mean square of what the path has yet to find: see RadianceSample.
 };
 
-class Brightness {
+class RadianceCache {
  public:
   /// Knows nothing.
-  Brightness() = default;
+  RadianceCache() = default;
   /// `edge`: see Regions.
-  Brightness(const std::vector<Sighting>& sightings, const Box3f& bounds, float edge);
+  RadianceCache(const std::vector<RadianceSample>& radiance_samples, const Box3f& bounds,
+                float edge);
 
   /// The mean absolute distance of what single paths of the camera find from the mean of its place,
   /// in parts of that, squared; at most 1. As a variance, but single bright paths do not rule it.
   float noise() const { return noise_; }
-  bool empty() const { return returned_.empty(); }
+  bool empty() const { return stats_.empty(); }
   /// Not of an empty one.
-  const Returned& at(const Vec3f& point, const Vec3f& normal) const {
-    return returned_[place(point, normal)];
+  const RadianceStats& at(const Vec3f& point, const Vec3f& normal) const {
+    return stats_[place(point, normal)];
   }
 
  private:
@@ -45,7 +47,7 @@ class Brightness {
   }
 
   Regions regions_;
-  std::vector<Returned> returned_;
+  std::vector<RadianceStats> stats_;
   float noise_ = 0;
 };
 

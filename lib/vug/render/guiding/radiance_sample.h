@@ -10,18 +10,18 @@ namespace vug::render {
 
 /// A surface that a path came to, and how bright the path found it: an estimate of the luminance
 /// that it sends back, as noisy as one path is.
-struct Sighting {
+struct RadianceSample {
   Vec3f point;
   Vec3f normal;  ///< Geometric, unit, on the path's side.
   float luminance = 0;
   bool first = false;  ///< The camera sees it.
-  float later = 0;     ///< The part of it that did not come straight from lights that were chosen.
+  float indirect = 0;  ///< The part of it that did not come straight from lights that were chosen.
 };
 
-inline double mean_luminance(const std::vector<Sighting>& sightings) {
+inline double mean_luminance(const std::vector<RadianceSample>& radiance_samples) {
   double sum = 0;
-  for (const Sighting& s : sightings) sum += static_cast<double>(s.luminance);
-  return sum / static_cast<double>(std::max<size_t>(sightings.size(), 1));
+  for (const RadianceSample& s : radiance_samples) sum += static_cast<double>(s.luminance);
+  return sum / static_cast<double>(std::max<size_t>(radiance_samples.size(), 1));
 }
 
 }  // namespace vug::render

@@ -8,26 +8,27 @@ constexpr float kPrior = 2;
 
 }  // namespace
 
-Chances::Chances(const Box3f& bounds, float edge, size_t things, const std::vector<Glance>& glances)
-    : regions_(bounds, edge), things_(things) {
+VisibilityCache::VisibilityCache(const Box3f& bounds, float edge, size_t targets,
+                                 const std::vector<VisibilitySample>& visibility_samples)
+    : regions_(bounds, edge), targets_(targets) {
   row_of_.assign(regions_.count(), 0);
-  std::vector<float> reached(things, 0), tried(things, 0);
-  for (const Glance& glance : glances) {
-    uint32_t& row = row_of_[regions_.at(glance.from)];
+  std::vector<float> reached(targets, 0), tried(targets, 0);
+  for (const VisibilitySample& sample : visibility_samples) {
+    uint32_t& row = row_of_[regions_.at(sample.position)];
     if (row == 0) {
-      row = static_cast<uint32_t>(reached.size() / things);
-      reached.resize(reached.size() + things, 0), tried.resize(tried.size() + things, 0);
+      row = static_cast<uint32_t>(reached.size() / targets);
+      reached.resize(reached.size() + targets, 0), tried.resize(tried.size() + targets, 0);
     }
-    for (const size_t at : {size_t{glance.at}, row * things + glance.at}) {
+    for (const size_t at : {size_t{sample.target}, row * targets + sample.target}) {
       tried[at] += 1;
-      reached[at] += glance.reached ? 1.0f : 0.0f;
+      reached[at] += sample.visible ? 1.0f : 0.0f;
     }
   }
   roots_.resize(reached.size());
-  for (size_t thing = 0; thing < things; ++thing) {
-    const float usual = (reached[thing] + 1) / (tried[thing] + 2);
-    roots_[thing] = std::sqrt(usual);
-    for (size_t at = things + thing; at < roots_.size(); at += things)
+  for (size_t target = 0; target < targets; ++target) {
+    const float usual = (reached[target] + 1) / (tried[target] + 2);
+    roots_[target] = std::sqrt(usual);
+    for (size_t at = targets + target; at < roots_.size(); at += targets)
       roots_[at] = std::sqrt((reached[at] + kPrior * usual) / (tried[at] + kPrior));
   }
 }

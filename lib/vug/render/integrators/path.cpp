@@ -13,7 +13,7 @@ enum class Guided { automatic, on, off };
 
 struct Path {
   int max_bounces = 8;
-  Roulette roulette = Roulette::worth;
+  Roulette roulette = Roulette::adjoint;
   int light_samples = 2;
   LightSampler light_sampler = LightSampler::tree;
   Guided guide = Guided::automatic;
@@ -26,7 +26,7 @@ struct Path {
         .param("max_bounces", &Path::max_bounces,
                {.doc = "A path scatters at most once more than this.", .min = 0, .max = 1000})
         .choice("roulette", &Path::roulette,
-                {{"worth", Roulette::worth},
+                {{"worth", Roulette::adjoint},
                  {"throughput", Roulette::throughput},
                  {"off", Roulette::off}},
                 "Which paths end at random, and count for more where they go on: worth ends those "
@@ -36,7 +36,7 @@ struct Path {
         .param("light_samples", &Path::light_samples,
                {.doc = "Lights that the first surface a path meets looks at; others look at one.",
                 .min = 1,
-                .max = static_cast<double>(LightChoices::kMost)})
+                .max = static_cast<double>(LightChoices::kMax)})
         .choice("light_sampler", &Path::light_sampler,
                 {{"tree", LightSampler::tree}, {"uniform", LightSampler::uniform}},
                 "How a surface chooses its lights: tree by what they may give it, thousands as "
@@ -62,52 +62,56 @@ struct Path {
 };
 
 /// Pictures of fewer samples are done before a guide is learned.
-constexpr uint64_t kWorthLearning = 1u << 16;
+constexpr uint64_t kMinSamples = 1u << 16;
 /// The guide learns from this part of the samples, and at most so many.
-constexpr double kLearning = 0.04;
-constexpr uint64_t kFewestPaths = 1u << 12, kMostPaths = 1u << 18;
+constexpr double kTrainingFraction = 0.04;
+constexpr uint64_t kMinPaths = 1u << 12, kMaxPaths = 1u << 18;
 
 class PathIntegrator final : public Integrator {
  public:
   explicit PathIntegrator(const Path& p)
-      : rules_{p.max_bounces,
-               p.roulette,
-               static_cast<float>(p.light_samples),
-               p.light_sampler,
-               p.clamp ? static_cast<float>(*p.clamp) : kFar,
-               static_cast<float>(p.regularize)},
+      : settings_{p.max_bounces,
+                  p.roulette,
+                  static_cast<float>(p.light_samples),
+                  p.light_sampler,
+                  p.clamp ? static_cast<float>(*p.clamp) : kFar,
+                  static_cast<float>(p.regularize)},
         guided_(p.guide) {}
 
   std::string inexact() const override {
     std::string out;
-    if (rules_.most < kFar) out = fmt::format("clamp {:g}", rules_.most);
-    if (rules_.regularize > 0)
-      out += fmt::format("{}regularize {:g}", out.empty() ? "" : ", ", rules_.regularize);
+    if (settings_.max_radiance < kFar) out = fmt::format("clamp {:g}", settings_.max_radiance);
+    if (settings_.regularize > 0)
+      out += fmt::format("{}regularize {:g}", out.empty() ? "" : ", ", settings_.regularize);
     return out;
   }
 
-  std::shared_ptr<const Integrator> rehearsed(const Rehearsal& rehearsal,
-                                              Progress& progress) const override {
-    if (guided_ == Guided::off || rules_.max_bounces < 1) return nullptr;
-    if (guided_ == Guided::automatic && rehearsal.samples < kWorthLearning) return nullptr;
-    const auto share = static_cast<uint64_t>(kLearning * static_cast<double>(rehearsal.samples));
-    const auto gather = [&](const Ray& ray, SampleCursor& numbers, const Learned& learned,
-                            Trail& trail) {
-      trail.learn(walk(rehearsal.world, ray, rules_, learned, numbers, nullptr, &trail).radiance);
+  std::shared_ptr<const Integrator> trained(const TrainingContext& context,
+                                            Progress& progress) const override {
+    if (guided_ == Guided::off || settings_.max_bounces < 1) return nullptr;
+    if (guided_ == Guided::automatic && context.samples < kMinSamples) return nullptr;
+    const auto share =
+        static_cast<uint64_t>(kTrainingFraction * static_cast<double>(context.samples));
+    const auto trace = [&](const Ray& ray, SampleCursor& numbers, const GuidingData& guiding,
+                           PathRecorder& path_recorder) {
+      path_recorder.finish(
+          trace_path(context.world, ray, settings_, guiding, numbers, nullptr, &path_recorder)
+              .radiance);
     };
-    auto led = std::make_shared<PathIntegrator>(*this);
-    led->learned_ = learn(rehearsal, std::clamp(share, kFewestPaths, kMostPaths), gather, progress);
-    return led;
+    auto with_guiding = std::make_shared<PathIntegrator>(*this);
+    with_guiding->guiding_ =
+        train(context, std::clamp(share, kMinPaths, kMaxPaths), trace, progress);
+    return with_guiding;
   }
   PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers, Tally* tally,
                    std::span<const Ray> beside) const override {
-    return walk(world, ray, rules_, learned_, numbers, tally, nullptr, beside);
+    return trace_path(world, ray, settings_, guiding_, numbers, tally, nullptr, beside);
   }
 
  private:
-  WalkRules rules_;
+  PathSettings settings_;
   Guided guided_;
-  Learned learned_;
+  GuidingData guiding_;
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
-#include <vug/render/lighting/emitters.h>
 #include <vug/render/geometry/require_static.h>
+#include <vug/render/lighting/emitters.h>
 
 #include <fmt/format.h>
 
@@ -11,16 +11,16 @@
 
 namespace vug::render {
 
-struct Emitters::Corners {
+struct Emitters::WorldTriangle {
   Vec3f a, b, c;
   Vec3f normal;  ///< Unit; zero for a triangle without area.
   float area;
-  float turn;  ///< -1 where an instance mirrors the triangle, which runs clockwise then.
+  float orientation;  ///< -1 where an instance mirrors the triangle, which runs clockwise then.
 
-  Vec3f middle() const { return (a + b + c) * (1 / 3.0f); }
+  Vec3f centroid() const { return (a + b + c) * (1 / 3.0f); }
   /// The distance at which 1 / distance^2 varies by about a quarter over the triangle.
   bool is_far(const Vec3f& point) const {
-    const Vec3f m = middle(), to = m - point;
+    const Vec3f m = centroid(), to = m - point;
     const auto squared = [&](const Vec3f& p) { return dot(p - m, p - m); };
     return dot(to, to) > 256 * std::max(squared(a), std::max(squared(b), squared(c)));
   }
@@ -95,51 +95,51 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
                               object.name, 1u << 28));
     require_still(object);
     first_[i] = static_cast<uint32_t>(count_);
-    parts_.push_back({object.mesh, object.emission, static_cast<uint32_t>(i),
-                      static_cast<uint32_t>(count_), object.placing, object.looks_by_place});
+    sources_.push_back({object.mesh, object.emission, static_cast<uint32_t>(i),
+                        static_cast<uint32_t>(count_), object.placing, object.looks_by_place});
     count_ += object.mesh->triangles.size();
     if (!varies) continue;
-    Part& part = parts_.back();
-    part.material = object.material, part.solid = object.solid, part.flat = object.flat;
-    vary_ = true;
-    estimate(part);
+    EmissiveMesh& source = sources_.back();
+    source.material = object.material, source.solid = object.solid, source.flat = object.flat;
+    emission_varies_ = true;
+    estimate_luminances(source);
   }
 }
 
-const Emitters::Part& Emitters::part_of(uint32_t number) const {
-  const auto next =
-      std::upper_bound(parts_.begin(), parts_.end(), number,
-                       [](uint32_t value, const Part& part) { return value < part.first; });
+const Emitters::EmissiveMesh& Emitters::emissive_mesh(uint32_t index) const {
+  const auto next = std::upper_bound(
+      sources_.begin(), sources_.end(), index,
+      [](uint32_t value, const EmissiveMesh& source) { return value < source.first; });
   return *(next - 1);
 }
 
-Emitters::Corners Emitters::corners(uint32_t number) const {
-  const Part& part = part_of(number);
-  const mesh::Triangle& t = part.mesh->triangles[number - part.first];
-  const auto& p = part.mesh->positions;
-  Corners out{p[t[0]], p[t[1]], p[t[2]], Vec3f(0.0f), 0, 1};
-  if (part.placing) {
-    const Affine place = part.placing->at(0);
+Emitters::WorldTriangle Emitters::world_triangle(uint32_t index) const {
+  const EmissiveMesh& source = emissive_mesh(index);
+  const mesh::Triangle& t = source.mesh->triangles[index - source.first];
+  const auto& p = source.mesh->positions;
+  WorldTriangle out{p[t[0]], p[t[1]], p[t[2]], Vec3f(0.0f), 0, 1};
+  if (source.placing) {
+    const Affine place = source.placing->at(0);
     out.a = place.point(out.a), out.b = place.point(out.b), out.c = place.point(out.c);
-    out.turn = place.determinant() < 0 ? -1.0f : 1.0f;
+    out.orientation = place.determinant() < 0 ? -1.0f : 1.0f;
   }
-  const Vec3f n = cross(out.b - out.a, out.c - out.a) * out.turn;
+  const Vec3f n = cross(out.b - out.a, out.c - out.a) * out.orientation;
   const float size = length(n);
   if (size > 0) out.normal = n * (1 / size);
   out.area = 0.5f * size;
   return out;
 }
 
-Rgb Emitters::radiance(uint32_t number, float u, float v, float footprint) const {
-  if (number >= count_) return Rgb(0.0f);
-  const Part& part = part_of(number);
-  return radiance_at(part, number - part.first, u, v, footprint);
+Rgb Emitters::radiance(uint32_t index, float u, float v, float footprint) const {
+  if (index >= count_) return Rgb(0.0f);
+  const EmissiveMesh& source = emissive_mesh(index);
+  return radiance_at(source, index - source.first, u, v, footprint);
 }
 
-Rgb Emitters::radiance_at(const Part& part, uint32_t triangle, float u, float v,
+Rgb Emitters::radiance_at(const EmissiveMesh& source, uint32_t triangle, float u, float v,
                           float footprint) const {
-  if (!part.material) return part.radiance;
-  const mesh::Mesh& mesh = *part.mesh;
+  if (!source.material) return source.radiance;
+  const mesh::Mesh& mesh = *source.mesh;
   const mesh::Triangle& corner = mesh.triangles[triangle];
   const auto& p = mesh.positions;
   const Vec3f a = p[corner[0]], ab = p[corner[1]] - a, ac = p[corner[2]] - a, n = cross(ab, ac);
@@ -148,37 +148,37 @@ Rgb Emitters::radiance_at(const Part& part, uint32_t triangle, float u, float v,
   Surface surface;
   surface.position = a + ab * u + ac * v;
   surface.geometric_normal = surface.shading_normal = n * (1 / size);
-  if (!part.flat && !mesh.normals.empty()) {
+  if (!source.flat && !mesh.normals.empty()) {
     const Vec3f smooth =
         mesh.normals[corner[0]] * w + mesh.normals[corner[1]] * u + mesh.normals[corner[2]] * v;
     if (const float norm = length(smooth); norm > 0) surface.shading_normal = smooth * (1 / norm);
   }
   surface.footprint = footprint;
   surface.mesh = &mesh, surface.triangle = triangle, surface.u = u, surface.v = v;
-  surface.solid = part.solid.get();
-  if (part.placing) {
-    const Affine place = part.placing->at(0);
+  surface.solid = source.solid.get();
+  if (source.placing) {
+    const Affine place = source.placing->at(0);
     surface.position = place.point(surface.position);
     surface.geometric_normal = normalized(place.normal(surface.geometric_normal));
     surface.shading_normal = normalized(place.normal(surface.shading_normal));
-    surface.placing = part.placing.get();
-    surface.looks_by_place = part.looks_by_place;
+    surface.placing = source.placing.get();
+    surface.looks_by_place = source.looks_by_place;
   }
-  return part.radiance + part.material->emission(surface);
+  return source.radiance + source.material->emission(surface);
 }
 
 /// Means over places that fill the triangle evenly (Roberts 2018, "The unreasonable effectiveness
 /// of quasirandom sequences", cite roberts2018sequences): more where triangles are few.
-void Emitters::estimate(Part& part) const {
-  constexpr size_t kAll = 1u << 22, kFewest = 3, kMost = 64;
-  const size_t count = part.mesh->triangles.size();
-  const size_t places = std::clamp(kAll / count, kFewest, kMost);
-  part.luminances.resize(count);
+void Emitters::estimate_luminances(EmissiveMesh& source) const {
+  constexpr size_t kAll = 1u << 22, kFewest = 3, kMax = 64;
+  const size_t count = source.mesh->triangles.size();
+  const size_t places = std::clamp(kAll / count, kFewest, kMax);
+  source.luminances.resize(count);
   parallel_for(
       count,
       [&](size_t i) {
         const auto triangle = static_cast<uint32_t>(i);
-        const Corners t = corners(part.first + triangle);
+        const WorldTriangle t = world_triangle(source.first + triangle);
         const float apart = std::sqrt(t.area / static_cast<float>(places));
         float sum = 0;
         for (size_t k = 0; k < places; ++k) {
@@ -186,15 +186,15 @@ void Emitters::estimate(Part& part) const {
           const double x = step * 0.7548776662466927, y = step * 0.5698402909980532;
           const Vec2f at = on_triangle(
               {static_cast<float>(x - std::floor(x)), static_cast<float>(y - std::floor(y))});
-          sum += luminance(radiance_at(part, triangle, at.x, at.y, apart));
+          sum += luminance(radiance_at(source, triangle, at.x, at.y, apart));
         }
-        part.luminances[i] = sum / static_cast<float>(places);
+        source.luminances[i] = sum / static_cast<float>(places);
       },
       256);
 }
 
-LightBounds Emitters::bounds(uint32_t number) const {
-  const Corners t = corners(number);
+LightBounds Emitters::bounds(uint32_t index) const {
+  const WorldTriangle t = world_triangle(index);
   LightBounds out;
   out.box = Box3f(t.a);
   out.box.extendBy(t.b);
@@ -202,20 +202,22 @@ LightBounds Emitters::bounds(uint32_t number) const {
   out.axis = t.normal;
   out.cos_spread = 1;
   out.cos_reach = 0;
-  const Part& part = part_of(number);
+  const EmissiveMesh& source = emissive_mesh(index);
   out.strength =
-      (part.material ? part.luminances[number - part.first] : luminance(part.radiance)) * t.area;
+      (source.material ? source.luminances[index - source.first] : luminance(source.radiance)) *
+      t.area;
   return out;
 }
 
-Vec3f Emitters::centre(uint32_t number) const { return corners(number).middle(); }
+Vec3f Emitters::centre(uint32_t index) const { return world_triangle(index).centroid(); }
 
-LightSample Emitters::sample(uint32_t number, const LitPoint& point, const Vec2f& u) const {
+LightSample Emitters::sample(uint32_t index, const LightSampleContext& point,
+                             const Vec2f& u) const {
   LightSample s;
-  const Corners t = corners(number);
+  const WorldTriangle t = world_triangle(index);
   if (!t.faces(point.position)) return s;
-  const Part& part = part_of(number);
-  s.radiance = part.radiance;
+  const EmissiveMesh& source = emissive_mesh(index);
+  s.radiance = source.radiance;
   if (!t.is_far(point.position)) {
     const SphericalTriangle seen(point.position, t.a, t.b, t.c);
     if (seen.usable()) {
@@ -224,18 +226,18 @@ LightSample Emitters::sample(uint32_t number, const LitPoint& point, const Vec2f
       if (!(facing > 0)) return s;
       s.distance = dot(t.normal, point.position - t.a) / facing;
       s.pdf = static_cast<float>(1 / seen.area);
-      if (part.material) {
+      if (source.material) {
         const Vec3f on = point.position + s.direction * s.distance - t.a;
-        const float twice = 2 * t.area * t.turn;
+        const float twice = 2 * t.area * t.orientation;
         const float x = std::clamp(dot(cross(on, t.c - t.a), t.normal) / twice, 0.0f, 1.0f);
         const float y = std::clamp(dot(cross(t.b - t.a, on), t.normal) / twice, 0.0f, 1 - x);
-        s.radiance = radiance_at(part, number - part.first, x, y, 0);
+        s.radiance = radiance_at(source, index - source.first, x, y, 0);
       }
       return s;
     }
   }
   const Vec2f at = on_triangle(u);
-  if (part.material) s.radiance = radiance_at(part, number - part.first, at.x, at.y, 0);
+  if (source.material) s.radiance = radiance_at(source, index - source.first, at.x, at.y, 0);
   const Vec3f to = t.a + (t.b - t.a) * at.x + (t.c - t.a) * at.y - point.position;
   const float squared = dot(to, to);
   s.distance = std::sqrt(squared);
@@ -246,8 +248,8 @@ LightSample Emitters::sample(uint32_t number, const LitPoint& point, const Vec2f
   return s;
 }
 
-float Emitters::pdf(uint32_t number, const LitPoint& point, const Vec3f& direction) const {
-  const Corners t = corners(number);
+float Emitters::pdf(uint32_t index, const LightSampleContext& point, const Vec3f& direction) const {
+  const WorldTriangle t = world_triangle(index);
   const float facing = -dot(direction, t.normal);
   if (!(facing > 0) || !t.faces(point.position)) return 0;
   if (!t.is_far(point.position)) {

@@ -20,24 +20,24 @@ class Emitters {
 
   size_t size() const { return count_; }
   /// Some shine by their material: ask for the radiance where a ray meets them.
-  bool vary() const { return vary_; }
+  bool emission_varies() const { return emission_varies_; }
   /// At a place on the front of a triangle, shares of its second and third corner; `footprint` as
   /// in Surface. Black for a triangle that does not shine.
-  Rgb radiance(uint32_t number, float u, float v, float footprint) const;
+  Rgb radiance(uint32_t index, float u, float v, float footprint) const;
   /// Number of a triangle of an object that shines; ~0 for any other.
-  uint32_t number(uint32_t object, uint32_t triangle) const {
+  uint32_t index_of(uint32_t object, uint32_t triangle) const {
     return object < first_.size() && first_[object] != kNone ? first_[object] + triangle : kNone;
   }
-  uint32_t object(uint32_t number) const { return part_of(number).object; }
+  uint32_t object(uint32_t index) const { return emissive_mesh(index).object; }
 
-  LightBounds bounds(uint32_t number) const;
-  Vec3f centre(uint32_t number) const;
-  LightSample sample(uint32_t number, const LitPoint& point, const Vec2f& u) const;
-  float pdf(uint32_t number, const LitPoint& point, const Vec3f& direction) const;
+  LightBounds bounds(uint32_t index) const;
+  Vec3f centre(uint32_t index) const;
+  LightSample sample(uint32_t index, const LightSampleContext& point, const Vec2f& u) const;
+  float pdf(uint32_t index, const LightSampleContext& point, const Vec3f& direction) const;
 
  private:
   static constexpr uint32_t kNone = ~0u;
-  struct Part {
+  struct EmissiveMesh {
     mesh::MeshPtr mesh;
     Rgb radiance;
     uint32_t object, first;
@@ -48,15 +48,16 @@ class Emitters {
     bool flat = false;
     std::vector<float> luminances = {};  ///< Of each triangle, about: means over some places.
   };
-  struct Corners;
-  const Part& part_of(uint32_t number) const;
-  Rgb radiance_at(const Part& part, uint32_t triangle, float u, float v, float footprint) const;
-  void estimate(Part& part) const;
-  Corners corners(uint32_t number) const;
+  struct WorldTriangle;
+  const EmissiveMesh& emissive_mesh(uint32_t index) const;
+  Rgb radiance_at(const EmissiveMesh& source, uint32_t triangle, float u, float v,
+                  float footprint) const;
+  void estimate_luminances(EmissiveMesh& source) const;
+  WorldTriangle world_triangle(uint32_t index) const;
 
   size_t count_ = 0;
-  bool vary_ = false;
-  std::vector<Part> parts_;
+  bool emission_varies_ = false;
+  std::vector<EmissiveMesh> sources_;
   std::vector<uint32_t> first_;  ///< Of each object; kNone for those that do not shine.
 };
 

@@ -108,7 +108,7 @@ IesProfile::IesProfile(std::string_view text, const std::string& name) {
   } else {
     in.refuse("only TILT=NONE and TILT=INCLUDE are known");
   }
-  const auto lamps = static_cast<double>(in.count("the number of lamps", 1, 10000));
+  const auto light_count = static_cast<double>(in.count("the number of lamps", 1, 10000));
   const double each = in.number("the lumen of a lamp");
   const double multiplier = in.number("the multiplier of candela");
   const size_t verticals = in.count("the number of vertical angles", 2, 10000);
@@ -123,7 +123,7 @@ IesProfile::IesProfile(std::string_view text, const std::string& name) {
   in.number("the input in watts");
   const double factor = multiplier * ballast;
   if (!(factor > 0)) in.refuse("the factor on its candela is not above 0");
-  rated_ = each > 0 ? lamps * each : -1;
+  rated_ = each > 0 ? light_count * each : -1;
   vertical_ = in.angles("vertical angles", verticals, 0, 180);
   horizontal_ = in.angles("horizontal angles", horizontals, 0, 360);
   if (horizontal_.front() != 0 && horizontals > 1)

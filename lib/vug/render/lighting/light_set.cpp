@@ -23,20 +23,20 @@ bool is_plain(const Light& sky) { return !(sky.importance({Vec3f(0.0f)}) > 0); }
 /// branches by their bounds.
 struct LightSet::AtPoint {
   const LightSet& set;
-  const LitPoint& point;
-  const float* sight;
+  const LightSampleContext& point;
+  const float* visibility;
 
-  bool knows() const { return sight; }
-  float seen(size_t branch) const { return sight ? sight[branch] : 1; }
+  bool has_visibility() const { return visibility; }
+  float branch_visibility(size_t branch) const { return visibility ? visibility[branch] : 1; }
   float light(LightId id) const {
     return set.reaches(id, point.object) ? set.lights_[id]->importance(point) : 0;
   }
-  LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
-    if (&tree != &set.lamp_tree_) return LightTree::importance(fork, point);
+  LightTree::Weights node_importances(const LightTree& tree, const LightTree::Node& node) const {
+    if (&tree != &set.light_tree_) return LightTree::importance(node, point);
     LightTree::Weights weights{};
-    if (!fork.ends()) weights = LightTree::importance(fork, point);
+    if (!node.has_only_leaves()) weights = LightTree::importance(node, point);
     for (size_t lane = 0; lane < LightTree::kWidth; ++lane)
-      if (fork.is_leaf(lane)) weights[lane] = light(fork.light(lane));
+      if (node.is_leaf(lane)) weights[lane] = light(node.light(lane));
     return weights;
   }
 };
@@ -45,25 +45,25 @@ struct LightSet::AlongRay {
   const LightSet& set;
   const Ray& ray;
   const Segment& segment;
-  const Chances& sight;
+  const VisibilityCache& visibility;
 
-  bool knows() const { return !sight.empty(); }
+  bool has_visibility() const { return !visibility.empty(); }
   /// From where on the ray it is nearest: most of what arrives does so thereabouts.
-  float seen(size_t branch) const {
-    if (sight.empty()) return 1;
+  float branch_visibility(size_t branch) const {
+    if (visibility.empty()) return 1;
     const float nearest = dot(set.branches_[branch].centre - ray.origin, ray.direction);
-    return sight.at(ray.at(std::clamp(nearest, segment.begin, segment.end)))[branch];
+    return visibility.at(ray.at(std::clamp(nearest, segment.begin, segment.end)))[branch];
   }
   float light(LightId id) const {
     return set.lights_[id]->importance_along(ray, segment.begin, segment.end);
   }
-  LightTree::Weights fork(const LightTree& tree, const LightTree::Fork& fork) const {
+  LightTree::Weights node_importances(const LightTree& tree, const LightTree::Node& node) const {
     const float begin = segment.begin, end = segment.end;
-    if (&tree != &set.lamp_tree_) return LightTree::importance_along(fork, ray, begin, end);
+    if (&tree != &set.light_tree_) return LightTree::importance_along(node, ray, begin, end);
     LightTree::Weights weights{};
-    if (!fork.ends()) weights = LightTree::importance_along(fork, ray, begin, end);
+    if (!node.has_only_leaves()) weights = LightTree::importance_along(node, ray, begin, end);
     for (size_t lane = 0; lane < LightTree::kWidth; ++lane)
-      if (fork.is_leaf(lane)) weights[lane] = light(fork.light(lane));
+      if (node.is_leaf(lane)) weights[lane] = light(node.light(lane));
     return weights;
   }
 };
@@ -72,14 +72,14 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
     : lights_(std::move(lights)), emitters_(objects) {
   lights_.erase(std::remove(lights_.begin(), lights_.end(), nullptr), lights_.end());
   bool portals = false;
-  for (LightId id = 0; id < lamp_ids(); ++id) {
+  for (LightId id = 0; id < scene_light_count(); ++id) {
     const Light& light = *lights_[id];
     portals |= light.is_portal();
     if (!light.is_sky() || light.is_portal()) continue;
     skies_.push_back(id);
     if (!light.beside_portals()) sky_scale_ += light.mean_luminance();
   }
-  for (LightId id = 0; id < lamp_ids(); ++id) {
+  for (LightId id = 0; id < scene_light_count(); ++id) {
     const Light& light = *lights_[id];
     // Where portals are, they find the sky better than the sky does.
     if (!light.is_sky() ||
@@ -88,25 +88,25 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
     sampled_skies_.push_back(id);
     branches_.push_back({nullptr, 0, id, light.is_portal() ? sky_scale_ : 1, light.centre()});
   }
-  lamp_tree_ = LightTree(lights_.size(), 0, [&](size_t i) {
+  light_tree_ = LightTree(lights_.size(), 0, [&](size_t i) {
     return lights_[i]->is_sky() ? LightBounds{} : lights_[i]->bounds();
   });
-  emitter_tree_ = LightTree(emitters_.size(), lamp_ids(),
+  emitter_tree_ = LightTree(emitters_.size(), scene_light_count(),
                             [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
-  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
+  for (const LightTree* tree : {&light_tree_, &emitter_tree_})
     for (uint32_t i = 0; i < tree->branches(); ++i) {
-      const LightTree::Fork& fork = tree->fork(i / LightTree::kWidth);
+      const LightTree::Node& node = tree->node(i / LightTree::kWidth);
       const size_t lane = i % LightTree::kWidth;
-      const bool alone = tree == &lamp_tree_ && fork.ends();
-      branches_.push_back({tree, i, alone ? fork.light(lane) : kNoLight, 1, fork.centre(lane)});
+      const bool single = tree == &light_tree_ && node.has_only_leaves();
+      branches_.push_back({tree, i, single ? node.light(lane) : kNoLight, 1, node.centre(lane)});
     }
   for (const LightId sky : sampled_skies_)
     if (lights_[sky]->is_portal() || !is_plain(*lights_[sky])) all_.push_back(sky);
-  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_})
-    for (LightId id = 0; id < lamp_ids() + emitters_.size(); ++id)
-      if (tree->holds(id)) all_.push_back(id);
+  for (const LightTree* tree : {&light_tree_, &emitter_tree_})
+    for (LightId id = 0; id < scene_light_count() + emitters_.size(); ++id)
+      if (tree->contains(id)) all_.push_back(id);
   link(objects);
-  size_ = sampled_skies_.size() + lamp_tree_.size() + emitter_tree_.size();
+  size_ = sampled_skies_.size() + light_tree_.size() + emitter_tree_.size();
 }
 
 void LightSet::link(const std::vector<Object>& objects) {
@@ -116,12 +116,12 @@ void LightSet::link(const std::vector<Object>& objects) {
     object_groups_.push_back(group_of(object.light_group));
   }
   for (const LightPtr& light : lights_) {
-    const LightNotes& notes = light->notes();
-    light_groups_.push_back(group_of(notes.group));
-    const bool only = !notes.only.empty();
+    const LightLinking& linking = light->linking();
+    light_groups_.push_back(group_of(linking.group));
+    const bool only = !linking.only.empty();
     std::vector<bool> lit;
-    if (only || !notes.except.empty()) lit.assign(objects.size(), !only);
-    for (const std::string& name : only ? notes.only : notes.except) {
+    if (only || !linking.except.empty()) lit.assign(objects.size(), !only);
+    for (const std::string& name : only ? linking.only : linking.except) {
       bool found = false;
       for (size_t i = 0; i < names.size(); ++i)
         if (names[i] == name || names[i].compare(0, name.size() + 1, name + "/") == 0)
@@ -148,43 +148,43 @@ template <class Weight>
 float LightSet::weight_of(size_t branch, const Weight& weight) const {
   const Branch& b = branches_[branch];
   const auto in_tree = [&] {
-    const LightTree::Fork& fork = b.tree->fork(b.index / LightTree::kWidth);
-    return weight.fork(*b.tree, fork)[b.index % LightTree::kWidth];
+    const LightTree::Node& node = b.tree->node(b.index / LightTree::kWidth);
+    return weight.node_importances(*b.tree, node)[b.index % LightTree::kWidth];
   };
-  const float importance = b.alone != kNoLight ? weight.light(b.alone) * b.scale : in_tree();
-  return importance > 0 ? importance * weight.seen(branch) : 0;
+  const float importance = b.single != kNoLight ? weight.light(b.single) * b.scale : in_tree();
+  return importance > 0 ? importance * weight.branch_visibility(branch) : 0;
 }
 
 /// `weight_of` all branches.
 template <class Weight>
 void LightSet::weigh(const Weight& weight, float* weights) const {
-  const LightTree::Fork* known = nullptr;
+  const LightTree::Node* known = nullptr;
   LightTree::Weights importances;  // NOLINT: of the fork that is known
   for (size_t i = 0; i < branches_.size(); ++i) {
     const Branch& b = branches_[i];
-    if (b.alone != kNoLight) {
+    if (b.single != kNoLight) {
       weights[i] = weight_of(i, weight);
       continue;
     }
-    const LightTree::Fork& fork = b.tree->fork(b.index / LightTree::kWidth);
-    if (&fork != known) importances = weight.fork(*b.tree, fork), known = &fork;
+    const LightTree::Node& node = b.tree->node(b.index / LightTree::kWidth);
+    if (&node != known) importances = weight.node_importances(*b.tree, node), known = &node;
     const float importance = importances[b.index % LightTree::kWidth];
-    weights[i] = importance > 0 ? importance * weight.seen(i) : 0;
+    weights[i] = importance > 0 ? importance * weight.branch_visibility(i) : 0;
   }
 }
 
 template <class Weight>
 LightChoice LightSet::choose_in(const Branch& branch, double u, const Weight& weight) const {
-  if (branch.alone != kNoLight) return {branch.alone, 1};
-  const LightTree::Found found = branch.tree->descend(
+  if (branch.single != kNoLight) return {branch.single, 1};
+  const LightTree::SampledLeaf found = branch.tree->descend(
       branch.index, u,
-      [&](const LightTree::Fork& fork) { return weight.fork(*branch.tree, fork); });
+      [&](const LightTree::Node& node) { return weight.node_importances(*branch.tree, node); });
   return {found.light, found.probability};
 }
 
 template <class Weight>
-LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds) const {
-  constexpr size_t kUsual = 2 * LightTree::kMostBranches + 16;
+LightChoices LightSet::choose_by(float u, const Weight& weight, LightSelection& selection) const {
+  constexpr size_t kUsual = 2 * LightTree::kMaxBranches + 16;
   std::array<float, kUsual> few;  // NOLINT: weigh fills what is read
   std::vector<float> many;
   if (branches_.size() > kUsual) many.resize(branches_.size());
@@ -198,21 +198,23 @@ LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds)
   }
   LightChoices choices;
   if (!(total > 0)) return choices;
-  const double even = weight.knows() ? kEvenKnown : branches_.size() < size_ ? kEvenMany : kEvenFew;
-  const auto samples = static_cast<double>(odds.samples);
-  odds.proportional = static_cast<float>(samples * (1 - even) / total);
-  odds.even = static_cast<float>(samples * even / count);
+  const double even = weight.has_visibility()    ? kEvenKnown
+                      : branches_.size() < size_ ? kEvenMany
+                                                 : kEvenFew;
+  const auto samples = static_cast<double>(selection.samples);
+  selection.proportional = static_cast<float>(samples * (1 - even) / total);
+  selection.even = static_cast<float>(samples * even / count);
 
   // Systematic sampling: a comb of teeth one apart over what is to be expected of each branch.
   double passed = 0, tooth = static_cast<double>(u);
   for (size_t i = 0; i < branches_.size(); ++i) {
-    const float expected = odds.of(weights[i]);
+    const float expected = selection.expected_samples(weights[i]);
     const auto width = static_cast<double>(expected);
     if (tooth < passed + width) {
       const double rest = std::clamp((tooth - passed) / width, 0.0, 0x1.fffffffffffffp-1);
       LightChoice choice = choose_in(branches_[i], rest, weight);
       choice.probability *= expected;
-      choice.seen = weight.seen(i);
+      choice.visibility = weight.branch_visibility(i);
       if (choice.light != kNoLight) choices.add(choice);
       tooth += 1;
     }
@@ -222,56 +224,61 @@ LightChoices LightSet::choose_by(float u, const Weight& weight, LightOdds& odds)
 }
 
 /// A comb, too, whose teeth meet parts of one width.
-LightChoices LightSet::choose_evenly(float u, uint32_t object, LightOdds& odds) const {
+LightChoices LightSet::choose_evenly(float u, uint32_t object, LightSelection& selection) const {
   LightChoices choices;
   if (all_.empty()) return choices;
   const auto count = static_cast<float>(all_.size());
-  odds.proportional = 0, odds.even = std::min(1.0f, odds.samples / count);
-  for (float tooth = u; tooth < count * odds.even; tooth += 1) {
-    const size_t i = std::min(static_cast<size_t>(tooth / odds.even), all_.size() - 1);
-    if (reaches(all_[i], object)) choices.add({all_[i], odds.even});
+  selection.proportional = 0, selection.even = std::min(1.0f, selection.samples / count);
+  for (float tooth = u; tooth < count * selection.even; tooth += 1) {
+    const size_t i = std::min(static_cast<size_t>(tooth / selection.even), all_.size() - 1);
+    if (reaches(all_[i], object)) choices.add({all_[i], selection.even});
   }
   return choices;
 }
 
 bool LightSet::can_choose(LightId light, uint32_t object) const {
   return reaches(light, object) &&
-         (lamp_tree_.holds(light) || emitter_tree_.holds(light) ||
+         (light_tree_.contains(light) || emitter_tree_.contains(light) ||
           std::find(sampled_skies_.begin(), sampled_skies_.end(), light) != sampled_skies_.end());
 }
 
-LightChoices LightSet::choose(const LitPoint& point, float u, LightOdds& odds) const {
-  if (odds.sampler == LightSampler::uniform) return choose_evenly(u, point.object, odds);
-  return choose_by(u, AtPoint{*this, point, odds.sight}, odds);
+LightChoices LightSet::choose(const LightSampleContext& point, float u,
+                              LightSelection& selection) const {
+  if (selection.sampler == LightSampler::uniform) return choose_evenly(u, point.object, selection);
+  return choose_by(u, AtPoint{*this, point, selection.visibility}, selection);
 }
-LightChoices LightSet::choose_along(const Ray& ray, const Segment& segment, float u, LightOdds odds,
-                                    const Chances& sight) const {
-  if (odds.sampler == LightSampler::uniform) return choose_evenly(u, kNoObject, odds);
-  return choose_by(u, AlongRay{*this, ray, segment, sight}, odds);
+LightChoices LightSet::choose_along(const Ray& ray, const Segment& segment, float u,
+                                    LightSelection selection,
+                                    const VisibilityCache& visibility) const {
+  if (selection.sampler == LightSampler::uniform) return choose_evenly(u, kNoObject, selection);
+  return choose_by(u, AlongRay{*this, ray, segment, visibility}, selection);
 }
-LightChoice LightSet::choose_in(size_t branch, const LitPoint& point, float u) const {
+LightChoice LightSet::choose_in(size_t branch, const LightSampleContext& point, float u) const {
   const AtPoint weight{*this, point, nullptr};
   return weight_of(branch, weight) > 0
              ? choose_in(branches_[branch], static_cast<double>(u), weight)
              : LightChoice{};
 }
 
-float LightSet::share(LightId light, const LitPoint& point, const LightOdds& odds) const {
-  if (odds.sampler == LightSampler::uniform) return can_choose(light, point.object) ? odds.even : 0;
-  const AtPoint weight{*this, point, odds.sight};
+float LightSet::pmf(LightId light, const LightSampleContext& point,
+                    const LightSelection& selection) const {
+  if (selection.sampler == LightSampler::uniform)
+    return can_choose(light, point.object) ? selection.even : 0;
+  const AtPoint weight{*this, point, selection.visibility};
   size_t branch = sampled_skies_.size();
-  for (const LightTree* tree : {&lamp_tree_, &emitter_tree_}) {
-    if (tree->holds(light)) {
-      const LightTree::Place place =
-          tree->place(light, [&](const LightTree::Fork& fork) { return weight.fork(*tree, fork); });
-      return place.probability > 0
-                 ? place.probability * odds.of(weight_of(branch + place.branch, weight))
+  for (const LightTree* tree : {&light_tree_, &emitter_tree_}) {
+    if (tree->contains(light)) {
+      const LightTree::Location location = tree->locate(
+          light, [&](const LightTree::Node& node) { return weight.node_importances(*tree, node); });
+      return location.probability > 0
+                 ? location.probability *
+                       selection.expected_samples(weight_of(branch + location.branch, weight))
                  : 0;
     }
     branch += tree->branches();
   }
   for (size_t i = 0; i < sampled_skies_.size(); ++i)
-    if (sampled_skies_[i] == light) return odds.of(weight_of(i, weight));
+    if (sampled_skies_[i] == light) return selection.expected_samples(weight_of(i, weight));
   return 0;
 }
 
@@ -289,15 +296,15 @@ Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {
   return sum;
 }
 
-float LightSet::sky_pdf(const LitPoint& point, const LightOdds& odds, const Vec3f& direction,
-                        LightId known) const {
+float LightSet::sky_pdf(const LightSampleContext& point, const LightSelection& selection,
+                        const Vec3f& direction, LightId known) const {
   float sum = 0;
-  const AtPoint weight{*this, point, odds.sight};
+  const AtPoint weight{*this, point, selection.visibility};
   for (size_t i = 0; i < sampled_skies_.size(); ++i) {
     if (sampled_skies_[i] == known) continue;
-    const float samples = odds.sampler == LightSampler::uniform
-                              ? reaches(sampled_skies_[i], point.object) * odds.even
-                              : odds.of(weight_of(i, weight));
+    const float samples = selection.sampler == LightSampler::uniform
+                              ? reaches(sampled_skies_[i], point.object) * selection.even
+                              : selection.expected_samples(weight_of(i, weight));
     if (samples > 0) sum += samples * lights_[sampled_skies_[i]]->pdf(point, direction);
   }
   return sum;

@@ -12,7 +12,7 @@ constexpr size_t kBins = 12;
 /// Larger branches are built in parallel, and judged by this many of their lights.
 constexpr size_t kLarge = 65536;
 /// Below this depth branches are halved, so that walks need no more than a small stack.
-constexpr int kDeepest = 44;
+constexpr int kMaxDepth = 44;
 
 float safe_root(float x) { return std::sqrt(std::max(0.0f, x)); }
 
@@ -40,9 +40,9 @@ double cost(const LightBounds& b) {
 
 }  // namespace
 
-/// Cones in cosines and sines only; where the union is wider than a half turn it becomes all
+/// ConeMixture in cosines and sines only; where the union is wider than a half turn it becomes all
 /// directions, which is no loss: such a branch says nothing about directions.
-LightBounds united(const LightBounds& a, const LightBounds& b) {
+LightBounds union_of(const LightBounds& a, const LightBounds& b) {
   if (!(b.strength > 0)) return a;
   if (!(a.strength > 0)) return b;
   const LightBounds& wide = a.cos_spread <= b.cos_spread ? a : b;
@@ -79,7 +79,7 @@ struct LightTree::Item {
 };
 
 /// Of the tree of pairs that is made first.
-struct LightTree::Node {
+struct LightTree::BuildNode {
   LightBounds bounds;
   uint32_t child = 0;  ///< The first of a pair of nodes; of a leaf: its light.
   bool leaf = false;
@@ -91,22 +91,23 @@ struct LightTree::Node {
 
 class LightTree::Builder {
  public:
-  explicit Builder(std::vector<Item> items) : items_(std::move(items)), nodes_(2 * items_.size()) {
+  explicit Builder(std::vector<Item> items)
+      : items_(std::move(items)), build_nodes_(2 * items_.size()) {
     build(0, items_.size(), 0, 2, 0);
   }
   /// Pairs at 2i and 2i + 1; the root is 0, and 1 is not used.
-  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<BuildNode>& build_nodes() const { return build_nodes_; }
 
  private:
-  void build(size_t begin, size_t end, uint32_t node, uint32_t below, int depth);
+  void build(size_t begin, size_t end, uint32_t build_node, uint32_t below, int depth);
 
   std::vector<Item> items_;
-  std::vector<Node> nodes_;
+  std::vector<BuildNode> build_nodes_;
 };
 
 LightTree::LightTree(size_t count, LightId first,
                      const std::function<LightBounds(size_t)>& bounds_of)
-    : first_(first), leaves_(count, kNowhere) {
+    : first_(first), leaves_(count, kNoNode) {
   std::vector<Item> items;
   for (size_t i = 0; i < count; ++i) {
     const LightBounds bounds = bounds_of(i);
@@ -114,24 +115,25 @@ LightTree::LightTree(size_t count, LightId first,
       items.push_back({bounds, bounds.box.center(), first + static_cast<LightId>(i)});
   }
   size_ = items.size();
-  if (!items.empty()) spread_out(Builder(std::move(items)).nodes());
+  if (!items.empty()) flatten(Builder(std::move(items)).build_nodes());
 }
 
-/// Node `node` for the items [begin, end); the nodes below it begin at `below`.
-void LightTree::Builder::build(size_t begin, size_t end, uint32_t node, uint32_t below, int depth) {
+/// Node `build_node` for the items [begin, end); the nodes below it begin at `below`.
+void LightTree::Builder::build(size_t begin, size_t end, uint32_t build_node, uint32_t below,
+                               int depth) {
   std::vector<Item>& items = items_;
   const size_t count = end - begin;
   LightBounds all;
   Box3f middles;
   for (size_t i = begin; i < end; ++i) {
-    all = united(all, items[i].bounds);
+    all = union_of(all, items[i].bounds);
     middles.extendBy(items[i].middle);
   }
   if (count == 1) {
-    nodes_[node] = {all, items[begin].light, true};
+    build_nodes_[build_node] = {all, items[begin].light, true};
     return;
   }
-  nodes_[node] = {all, below, false};
+  build_nodes_[build_node] = {all, below, false};
 
   size_t middle = begin + count / 2;
   int axis = -1;
@@ -142,21 +144,21 @@ void LightTree::Builder::build(size_t begin, size_t end, uint32_t node, uint32_t
     return std::min(static_cast<size_t>(at * static_cast<float>(kBins)), kBins - 1);
   };
   double least = kInfinity;
-  for (int along = 0; along < 3 && count > 2 && depth < kDeepest; ++along) {
+  for (int along = 0; along < 3 && count > 2 && depth < kMaxDepth; ++along) {
     if (!(size[along] > 0)) continue;
     std::array<LightBounds, kBins> bins{}, above{};
     for (size_t i = begin; i < end; i += 1 + count / kLarge) {
       LightBounds& bin = bins[bin_of(items[i], along)];
-      bin = united(bin, items[i].bounds);
+      bin = union_of(bin, items[i].bounds);
     }
     for (size_t b = kBins - 1; b > 0; --b)
-      above[b - 1] = b == kBins - 1 ? bins[b] : united(above[b], bins[b]);
+      above[b - 1] = b == kBins - 1 ? bins[b] : union_of(above[b], bins[b]);
     LightBounds under;
     // Thin slices cost more: the longest side should be cut.
     const double regular =
         static_cast<double>(largest(extent)) / static_cast<double>(extent[along]);
     for (size_t b = 0; b + 1 < kBins; ++b) {
-      under = united(under, bins[b]);
+      under = union_of(under, bins[b]);
       if (!(under.strength > 0 && above[b].strength > 0)) continue;
       const double price = regular * (cost(under) + cost(above[b]));
       if (price < least) least = price, axis = along, border = b;
@@ -197,80 +199,81 @@ void LightTree::Builder::build(size_t begin, size_t end, uint32_t node, uint32_t
 
 /// Forks of the tree of pairs: of each, the node that gains most by it is parted until there are
 /// enough.
-void LightTree::spread_out(const std::vector<Node>& nodes) {
+void LightTree::flatten(const std::vector<BuildNode>& build_nodes) {
   const auto part = [&](std::vector<uint32_t>& among, size_t enough) {
     while (among.size() < enough) {
       const auto best = std::max_element(among.begin(), among.end(), [&](uint32_t a, uint32_t b) {
-        return nodes[a].gain() < nodes[b].gain();
+        return build_nodes[a].gain() < build_nodes[b].gain();
       });
-      if (nodes[*best].leaf) break;
-      const uint32_t child = nodes[*best].child;
+      if (build_nodes[*best].leaf) break;
+      const uint32_t child = build_nodes[*best].child;
       *best = child;
       among.push_back(child + 1);
     }
   };
   std::vector<uint32_t> among{0};
-  part(among, kMostBranches);
+  part(among, kMaxBranches);
   branches_ = among.size();
-  forks_.resize((branches_ + kWidth - 1) / kWidth);
-  parents_.resize(forks_.size());
+  nodes_.resize((branches_ + kWidth - 1) / kWidth);
+  parents_.resize(nodes_.size());
   std::vector<uint32_t> source;  // The node of each lane, fork by fork.
-  const auto fill = [&](size_t fork) {
-    Fork& out = forks_[fork];
+  const auto fill = [&](size_t node) {
+    Node& out = nodes_[node];
     for (size_t lane = 0; lane < std::min(among.size(), kWidth); ++lane) {
-      const Node& node = nodes[among[lane]];
-      const LightBounds& b = node.bounds;
+      const BuildNode& build_node = build_nodes[among[lane]];
+      const LightBounds& b = build_node.bounds;
       const Vec3f centre = b.box.center();
       out.x[lane] = centre.x, out.y[lane] = centre.y, out.z[lane] = centre.z;
-      out.radius[lane] = node.radius();
+      out.radius[lane] = build_node.radius();
       out.axis_x[lane] = b.axis.x, out.axis_y[lane] = b.axis.y, out.axis_z[lane] = b.axis.z;
       out.cos_spread[lane] = b.cos_spread, out.cos_reach[lane] = b.cos_reach;
       out.sin_spread[lane] = safe_root(1 - b.cos_spread * b.cos_spread);
       out.strength[lane] = b.strength;
-      out.child[lane] = node.leaf ? node.child | kLeaf : kNowhere & ~kLeaf;
-      if (node.leaf) leaves_[node.child - first_] = static_cast<uint32_t>(fork * kWidth + lane);
+      out.child[lane] = build_node.leaf ? build_node.child | kLeaf : kNoNode & ~kLeaf;
+      if (build_node.leaf)
+        leaves_[build_node.child - first_] = static_cast<uint32_t>(node * kWidth + lane);
     }
     among.resize(kWidth);
     source.insert(source.end(), among.begin(), among.end());
   };
   std::vector<uint32_t> tops = among;
-  for (size_t fork = 0; fork * kWidth < branches_; ++fork) {
-    const auto begin = tops.begin() + static_cast<std::ptrdiff_t>(fork * kWidth);
+  for (size_t node = 0; node * kWidth < branches_; ++node) {
+    const auto begin = tops.begin() + static_cast<std::ptrdiff_t>(node * kWidth);
     among.assign(begin,
-                 begin + static_cast<std::ptrdiff_t>(std::min(kWidth, branches_ - fork * kWidth)));
-    fill(fork);
+                 begin + static_cast<std::ptrdiff_t>(std::min(kWidth, branches_ - node * kWidth)));
+    fill(node);
   }
-  for (size_t fork = 0; fork < forks_.size(); ++fork)
+  for (size_t node = 0; node < nodes_.size(); ++node)
     for (size_t lane = 0; lane < kWidth; ++lane) {
-      if (!(forks_[fork].strength[lane] > 0) || forks_[fork].is_leaf(lane)) continue;
-      among = {source[fork * kWidth + lane]};
+      if (!(nodes_[node].strength[lane] > 0) || nodes_[node].is_leaf(lane)) continue;
+      among = {source[node * kWidth + lane]};
       part(among, kWidth);
-      const size_t below = forks_.size();
-      forks_[fork].child[lane] = static_cast<uint32_t>(below);
-      forks_.emplace_back();
-      parents_.push_back(static_cast<uint32_t>(fork * kWidth + lane));
+      const size_t below = nodes_.size();
+      nodes_[node].child[lane] = static_cast<uint32_t>(below);
+      nodes_.emplace_back();
+      parents_.push_back(static_cast<uint32_t>(node * kWidth + lane));
       fill(below);
     }
 }
 
-LightTree::Weights LightTree::importance(const Fork& fork, const LitPoint& point) {
+LightTree::Weights LightTree::importance(const Node& node, const LightSampleContext& point) {
   constexpr float kRounding = 1e-4f;
   const Vec3f p = point.position, n = point.normal;
   const float least_height = point.on_surface() ? -kRounding : -kFar;
   Weights out;
   for (size_t i = 0; i < kWidth; ++i) {
-    const float x = fork.x[i] - p.x, y = fork.y[i] - p.y, z = fork.z[i] - p.z;
-    const float squared = x * x + y * y + z * z, within = fork.radius[i] * fork.radius[i];
+    const float x = node.x[i] - p.x, y = node.y[i] - p.y, z = node.z[i] - p.z;
+    const float squared = x * x + y * y + z * z, within = node.radius[i] * node.radius[i];
     const float inverse = 1 / std::sqrt(std::max(squared, 1e-30f));
     // The ball around the box fills this angle; all that is sure is measured less it.
-    const float sin_ball = fork.radius[i] * inverse;
+    const float sin_ball = node.radius[i] * inverse;
     const float cos_ball = std::sqrt(std::max(0.0f, 1 - sin_ball * sin_ball));
     // The least angle off the axis, less the spread of normals, then less the ball; each stops at
     // zero.
-    const float turned = (fork.axis_x[i] * x + fork.axis_y[i] * y + fork.axis_z[i] * z) * -inverse;
+    const float turned = (node.axis_x[i] * x + node.axis_y[i] * y + node.axis_z[i] * z) * -inverse;
     const float cos_axis = std::min(std::max(turned, -1.0f), 1.0f);
     const float sin_axis = std::sqrt(std::max(0.0f, 1 - cos_axis * cos_axis));
-    const float cos_spread = fork.cos_spread[i], sin_spread = fork.sin_spread[i];
+    const float cos_spread = node.cos_spread[i], sin_spread = node.sin_spread[i];
     const bool spread = cos_axis > cos_spread;
     const float cos_off = spread ? 1 : cos_axis * cos_spread + sin_axis * sin_spread;
     const float sin_off = spread ? 0 : sin_axis * cos_spread - cos_axis * sin_spread;
@@ -281,10 +284,10 @@ LightTree::Weights LightTree::importance(const Fork& fork, const LitPoint& point
     const float sin_normal = std::sqrt(std::max(0.0f, 1 - cos_normal * cos_normal));
     const float cos_arrive =
         cos_normal > cos_ball ? 1 : cos_normal * cos_ball + sin_normal * sin_ball;
-    const float strength = fork.strength[i];
+    const float strength = node.strength[i];
     const float facing = std::max(cos_leave, 0.05f) * std::max(cos_arrive, 0.02f);
     const float outside = strength * inverse * inverse * facing;
-    const bool dark = (cos_leave < fork.cos_reach[i] - kRounding) | (cos_arrive < least_height);
+    const bool dark = (cos_leave < node.cos_reach[i] - kRounding) | (cos_arrive < least_height);
     const float inside = strength / std::max(within, 1e-12f);
     const float seen = dark ? 0.0f : outside;
     out[i] = squared > within ? seen : inside;
@@ -292,31 +295,32 @@ LightTree::Weights LightTree::importance(const Fork& fork, const LitPoint& point
   return out;
 }
 
-LightTree::Weights LightTree::importance_along(const Fork& fork, const Ray& ray, float begin,
+LightTree::Weights LightTree::importance_along(const Node& node, const Ray& ray, float begin,
                                                float end) {
   const Vec3f o = ray.origin, d = ray.direction;
   Weights out;
   for (size_t i = 0; i < kWidth; ++i) {
-    const float x = fork.x[i] - o.x, y = fork.y[i] - o.y, z = fork.z[i] - o.z;
+    const float x = node.x[i] - o.x, y = node.y[i] - o.y, z = node.z[i] - o.z;
     const float t = std::min(std::max(x * d.x + y * d.y + z * d.z, begin), end);
     const float dx = x - d.x * t, dy = y - d.y * t, dz = z - d.z * t;
     // Integrated over the ray, 1 / distance^2 gives about 1 / (nearest distance).
     const float nearest = std::sqrt(dx * dx + dy * dy + dz * dz);
-    out[i] = fork.strength[i] / std::max(nearest, std::max(fork.radius[i], 1e-6f));
+    out[i] = node.strength[i] / std::max(nearest, std::max(node.radius[i], 1e-6f));
   }
   return out;
 }
 
-std::array<bool, LightTree::kWidth> LightTree::meets(const Fork& fork, const Ray& ray, float end) {
+std::array<bool, LightTree::kWidth> LightTree::hit_lanes(const Node& node, const Ray& ray,
+                                                         float end) {
   constexpr float kRounding = 1e-5f;
   const Vec3f o = ray.origin, d = ray.direction;
   std::array<bool, kWidth> out{};
   for (size_t i = 0; i < kWidth; ++i) {
-    const float x = fork.x[i] - o.x, y = fork.y[i] - o.y, z = fork.z[i] - o.z;
+    const float x = node.x[i] - o.x, y = node.y[i] - o.y, z = node.z[i] - o.z;
     const float t = std::min(std::max(x * d.x + y * d.y + z * d.z, 0.0f), end);
     const float dx = x - d.x * t, dy = y - d.y * t, dz = z - d.z * t;
-    const float reach = fork.radius[i] + kRounding * (t + fork.radius[i]);
-    out[i] = (fork.strength[i] > 0) & (dx * dx + dy * dy + dz * dz <= reach * reach);
+    const float reach = node.radius[i] + kRounding * (t + node.radius[i]);
+    out[i] = (node.strength[i] > 0) & (dx * dx + dy * dy + dz * dz <= reach * reach);
   }
   return out;
 }

@@ -21,7 +21,7 @@ using LightId = uint32_t;
 inline constexpr LightId kNoLight = ~0u;
 
 /// The box, a cone of normals and the reach around both; strengths add up.
-LightBounds united(const LightBounds& a, const LightBounds& b);
+LightBounds union_of(const LightBounds& a, const LightBounds& b);
 
 class LightTree {
  public:
@@ -29,16 +29,16 @@ class LightTree {
   static constexpr uint32_t kLeaf = 1u << 31;
   /// Branches or single lights that part at one place, an array for each of their properties, so
   /// that they are weighed together. Lanes that are left have no strength.
-  struct alignas(64) Fork {
+  struct alignas(64) Node {
     std::array<float, kWidth> x{}, y{}, z{}, radius{};  ///< Of the ball around the box.
     std::array<float, kWidth> axis_x{}, axis_y{}, axis_z{};
     std::array<float, kWidth> cos_spread{}, sin_spread{}, cos_reach{};
     std::array<float, kWidth> strength{};
     std::array<uint32_t, kWidth> child{};  ///< Another fork, or kLeaf and a light.
 
-    Fork() { child.fill(kLeaf); }
+    Node() { child.fill(kLeaf); }
     /// It parts into single lights only.
-    bool ends() const {
+    bool has_only_leaves() const {
       uint32_t all = kLeaf;
       for (const uint32_t c : child) all &= c;
       return all != 0;
@@ -49,12 +49,12 @@ class LightTree {
     Vec3f centre(size_t lane) const { return {x[lane], y[lane], z[lane]}; }
   };
   using Weights = std::array<float, kWidth>;
-  struct Found {
+  struct SampledLeaf {
     LightId light = kNoLight;
     float probability = 0;
   };
   /// A light's branch and the probability with which `descend` finds the light there.
-  struct Place {
+  struct Location {
     uint32_t branch = 0;
     float probability = 0;
   };
@@ -65,30 +65,30 @@ class LightTree {
   LightTree(size_t count, LightId first, const std::function<LightBounds(size_t)>& bounds_of);
 
   size_t size() const { return size_; }  ///< Lights in it.
-  bool holds(LightId id) const {
-    return id >= first_ && id - first_ < leaves_.size() && leaves_[id - first_] != kNowhere;
+  bool contains(LightId id) const {
+    return id >= first_ && id - first_ < leaves_.size() && leaves_[id - first_] != kNoNode;
   }
 
   /// A few branches together hold every light once: single lights, when there are at most
   /// kMostBranches. Branch i is lane i % kWidth of the fork i / kWidth.
   size_t branches() const { return branches_; }
-  const Fork& fork(size_t index) const { return forks_[index]; }
+  const Node& node(size_t index) const { return nodes_[index]; }
 
   /// About strength over squared distance, times what cosines are sure; 0 only where no light of
   /// a branch can shine.
-  static Weights importance(const Fork& fork, const LitPoint& point);
-  static Weights importance_along(const Fork& fork, const Ray& ray, float begin, float end);
+  static Weights importance(const Node& node, const LightSampleContext& point);
+  static Weights importance_along(const Node& node, const Ray& ray, float begin, float end);
 
   /// From a branch down to a light, at each fork by the weights, 8 floats from `weigh`; no light
   /// where all weigh nothing.
   template <class Weigh>
-  Found descend(size_t branch, double u, const Weigh& weigh) const {
-    uint32_t child = forks_[branch / kWidth].child[branch % kWidth];
+  SampledLeaf descend(size_t branch, double u, const Weigh& weigh) const {
+    uint32_t child = nodes_[branch / kWidth].child[branch % kWidth];
     float probability = 1;
     bool fresh = false;
     while (!(child & kLeaf)) {
-      const Fork& fork = forks_[child];
-      const Weights weights = weigh(fork);
+      const Node& node = nodes_[child];
+      const Weights weights = weigh(node);
       const float all = sum(weights);
       if (!(all > 0)) return {};
       const float target = static_cast<float>(u) * all;
@@ -109,16 +109,16 @@ class LightTree {
         u = scrambled(u, child);
         fresh = true;
       }
-      child = fork.child[lane];
+      child = node.child[lane];
     }
     return {child & ~kLeaf, probability};
   }
   template <class Weigh>
-  Place place(LightId light, const Weigh& weigh) const {
+  Location locate(LightId light, const Weigh& weigh) const {
     uint32_t at = leaves_[light - first_];
     float probability = 1;
     for (; at >= branches_; at = parents_[at / kWidth]) {
-      const Weights weights = weigh(forks_[at / kWidth]);
+      const Weights weights = weigh(nodes_[at / kWidth]);
       if (!(weights[at % kWidth] > 0)) return {};
       probability *= weights[at % kWidth] / sum(weights);
     }
@@ -128,18 +128,19 @@ class LightTree {
   /// Calls visit(light) for each light whose ball the ray meets before `end`, and perhaps a few
   /// that it barely misses.
   template <class Visit>
-  void each_on(const Ray& ray, float end, const Visit& visit) const {
-    for (size_t top = 0; top * kWidth < branches_; ++top) each_on(forks_[top], ray, end, visit);
+  void for_each_hit(const Ray& ray, float end, const Visit& visit) const {
+    for (size_t top = 0; top * kWidth < branches_; ++top)
+      for_each_hit(nodes_[top], ray, end, visit);
   }
 
-  static constexpr size_t kMostBranches = 16;
+  static constexpr size_t kMaxBranches = 16;
 
  private:
-  static constexpr uint32_t kNowhere = ~0u;
+  static constexpr uint32_t kNoNode = ~0u;
   struct Item;
-  struct Node;
+  struct BuildNode;
   class Builder;
-  void spread_out(const std::vector<Node>& nodes);
+  void flatten(const std::vector<BuildNode>& build_nodes);
 
   static float sum(const Weights& weights) {
     float all = 0;
@@ -155,21 +156,21 @@ class LightTree {
     return static_cast<double>((bits ^ (bits >> 31)) >> 11) * 0x1p-53;
   }
   template <class Visit>
-  void each_on(const Fork& fork, const Ray& ray, float end, const Visit& visit) const {
-    const std::array<bool, kWidth> met = meets(fork, ray, end);
+  void for_each_hit(const Node& node, const Ray& ray, float end, const Visit& visit) const {
+    const std::array<bool, kWidth> met = hit_lanes(node, ray, end);
     for (size_t lane = 0; lane < kWidth; ++lane) {
       if (!met[lane]) continue;
-      if (fork.child[lane] & kLeaf)
-        visit(fork.light(lane));
+      if (node.child[lane] & kLeaf)
+        visit(node.light(lane));
       else
-        each_on(forks_[fork.child[lane]], ray, end, visit);
+        for_each_hit(nodes_[node.child[lane]], ray, end, visit);
     }
   }
-  static std::array<bool, kWidth> meets(const Fork& fork, const Ray& ray, float end);
+  static std::array<bool, kWidth> hit_lanes(const Node& node, const Ray& ray, float end);
 
   LightId first_ = 0;
   size_t size_ = 0, branches_ = 0;
-  std::vector<Fork> forks_;  ///< First those of the branches.
+  std::vector<Node> nodes_;  ///< First those of the branches.
   std::vector<uint32_t>
       parents_;                   ///< Of each fork but those: the fork above times eight, and lane.
   std::vector<uint32_t> leaves_;  ///< Of each light: its fork times eight, and lane.

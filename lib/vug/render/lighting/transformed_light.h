@@ -9,6 +9,6 @@ namespace vug::render {
 /// The lamp moved, turned, mirrored and made larger or smaller alike in all directions, with the
 /// radiance it has: a lamp of twice the size sends out four times the light. Error(bad_input) for
 /// maps that stretch it unevenly. Not for skies.
-LightPtr placed_light(LightPtr lamp, const Transform& place, LightNotes notes);
+LightPtr transformed_light(LightPtr light, const Transform& place, LightLinking linking);
 
 }  // namespace vug::render

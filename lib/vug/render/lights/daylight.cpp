@@ -4,8 +4,8 @@
 // knows no twilight: with the sun below the horizon the sky is black.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
-#include <vug/render/lighting/light_output.h>
 #include <vug/render/lighting/environment_map.h>
+#include <vug/render/lighting/light_output.h>
 #include <vug/render/lighting/sun_position.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace vug::render {
 namespace {
 
-struct Daylight : SunParams, LightNotes {
+struct Daylight : SunParams, LightLinking {
   double turbidity = 3;
   Vec3d ground{0.12, 0.11, 0.09};
   double gain = 1;
@@ -27,7 +27,7 @@ struct Daylight : SunParams, LightNotes {
         .param("ground", &Daylight::ground,
                {.doc = "Albedo of what lies below the horizon.", .min = 0, .max = 1})
         .param("gain", &Daylight::gain, {.doc = "Factor on the sky's radiance.", .min = 0});
-    describe_notes(s);
+    describe_linking(s);
   }
 };
 
@@ -107,10 +107,10 @@ std::vector<Rgb> texels(const Daylight& p) {
   return out;
 }
 
-class DaylightLight final : public SkyPicture {
+class DaylightLight final : public EnvironmentMap {
  public:
   explicit DaylightLight(const Daylight& p)
-      : SkyPicture(notes_of(p), kWidth, kHeight, texels(p), 0) {}
+      : EnvironmentMap(linking_of(p), kWidth, kHeight, texels(p), 0) {}
 };
 
 }  // namespace

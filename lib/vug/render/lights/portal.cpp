@@ -19,15 +19,17 @@ class PortalLight final : public Light {
  public:
   explicit PortalLight(const Portal& p) : shape_(p) {}
 
-  LightSample sample(const LitPoint& point, const Vec2f& u) const override {
+  LightSample sample(const LightSampleContext& point, const Vec2f& u) const override {
     LightSample s = shape_.sample(point.position, u);
     s.distance = kFar;
     return s;
   }
-  float pdf(const LitPoint& point, const Vec3f& direction) const override {
+  float pdf(const LightSampleContext& point, const Vec3f& direction) const override {
     return shape_.pdf(point.position, direction);
   }
-  float importance(const LitPoint& point) const override { return shape_.importance(point); }
+  float importance(const LightSampleContext& point) const override {
+    return shape_.importance(point);
+  }
   float importance_along(const Ray& ray, float begin, float end) const override {
     return shape_.importance_along(ray, begin, end);
   }
@@ -36,7 +38,7 @@ class PortalLight final : public Light {
   bool is_portal() const override { return true; }
 
  private:
-  Rectangle shape_;
+  RectangleShape shape_;
 };
 
 }  // namespace

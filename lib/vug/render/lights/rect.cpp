@@ -6,23 +6,23 @@
 namespace vug::render {
 namespace {
 
-struct Rect : RectangleParams, LampParams {
+struct Rect : RectangleParams, LightOutputParams {
   static void describe(Schema<Rect>& s) {
     s.doc("A rectangle lamp that shines from its front; it does not block light.")
         .cite("urena2013rectangle");
     describe_rectangle(s, "The side it shines to.");
-    describe_lamp(s);
+    describe_light_output(s);
   }
   std::string fault() const {
     const std::string shape = RectangleParams::fault();
-    return shape.empty() ? LampParams::fault() : shape;
+    return shape.empty() ? LightOutputParams::fault() : shape;
   }
 };
 
-class RectLight final : public ShapeLamp<Rectangle> {
+class RectLight final : public ShapeLight<RectangleShape> {
  public:
   explicit RectLight(const Rect& p)
-      : ShapeLamp(Rectangle(p), p, p.radiance_of(kPi * p.width * p.height)) {}
+      : ShapeLight(RectangleShape(p), p, p.radiance_for(kPi * p.width * p.height)) {}
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <vug/base/error.h>
 #include <vug/image/io.h>
 #include <vug/render/kind.h>
-#include <vug/render/lighting/light_output.h>
 #include <vug/render/lighting/environment_map.h>
+#include <vug/render/lighting/light_output.h>
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace vug::render {
 namespace {
 
-struct SkyImage : LightNotes {
+struct SkyImage : LightLinking {
   std::filesystem::path file;
   double gain = 1;
   double turn = 0;
@@ -26,7 +26,7 @@ struct SkyImage : LightNotes {
         .param("turn", &SkyImage::turn,
                {.doc = "Turns the sky about the y axis, to the left seen from above.",
                 .dimension = Dimension::angle});
-    describe_notes(s);
+    describe_linking(s);
   }
 };
 
@@ -48,15 +48,15 @@ std::vector<Rgb> texels(const SkyImage& p, const image::Image& picture) {
   return out;
 }
 
-class SkyImageLight final : public SkyPicture {
+class SkyImageLight final : public EnvironmentMap {
  public:
   explicit SkyImageLight(const SkyImage& p)
       : SkyImageLight(p, image::read(p.file, {.linear = true}).select({"R", "G", "B"})) {}
 
  private:
   SkyImageLight(const SkyImage& p, const image::Image& picture)
-      : SkyPicture(notes_of(p), static_cast<size_t>(picture.width),
-                   static_cast<size_t>(picture.height), texels(p, picture), p.turn) {}
+      : EnvironmentMap(linking_of(p), static_cast<size_t>(picture.width),
+                       static_cast<size_t>(picture.height), texels(p, picture), p.turn) {}
 };
 
 }  // namespace

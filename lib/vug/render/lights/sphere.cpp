@@ -1,12 +1,12 @@
 // A ball that shines outwards.
-#include <vug/render/lighting/sphere_shape.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/shape_light.h>
+#include <vug/render/lighting/sphere_shape.h>
 
 namespace vug::render {
 namespace {
 
-struct Sphere : LampParams {
+struct Sphere : LightOutputParams {
   Vec3d center{0, 0, 0};
   double radius = 0.1;
 
@@ -15,15 +15,15 @@ struct Sphere : LampParams {
         .cite("shirley1996direct")
         .param("center", &Sphere::center, any_length("Its middle."))
         .param("radius", &Sphere::radius, positive_length("Its radius."));
-    describe_lamp(s);
+    describe_light_output(s);
   }
 };
 
-class SphereLight final : public ShapeLamp<Ball> {
+class SphereLight final : public ShapeLight<SphereShape> {
  public:
   explicit SphereLight(const Sphere& p)
-      : ShapeLamp(Ball(p.center, p.radius), p, p.radiance_of(4 * kPi * kPi * p.radius * p.radius)) {
-  }
+      : ShapeLight(SphereShape(p.center, p.radius), p,
+                   p.radiance_for(4 * kPi * kPi * p.radius * p.radius)) {}
 };
 
 }  // namespace

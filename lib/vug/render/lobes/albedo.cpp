@@ -8,8 +8,8 @@
 namespace vug::render {
 namespace {
 
-constexpr int kCosines = static_cast<int>(AlbedoSheet::kCosines);
-constexpr int kRoughnesses = static_cast<int>(AlbedoSheet::kRoughnesses);
+constexpr int kCosines = static_cast<int>(AlbedoTable::kCosines);
+constexpr int kRoughnesses = static_cast<int>(AlbedoTable::kRoughnesses);
 
 /// Nodes lie dense at grazing angles.
 float node_cosine(size_t i) {
@@ -17,14 +17,14 @@ float node_cosine(size_t i) {
   return std::max(x * x, 1e-4f);
 }
 float node_roughness(size_t j) {
-  return kSmoothest + (1 - kSmoothest) * static_cast<float>(j) / (kRoughnesses - 1);
+  return kMinRoughness + (1 - kMinRoughness) * static_cast<float>(j) / (kRoughnesses - 1);
 }
 
 /// Where a value lies between nodes.
-struct Place {
+struct NodePosition {
   size_t at;
   float share;
-  Place(float x, int nodes) {
+  NodePosition(float x, int nodes) {
     const float place = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(nodes - 1);
     const int node = std::min(static_cast<int>(place), nodes - 2);
     at = static_cast<size_t>(node);
@@ -36,8 +36,8 @@ struct Place {
   }
 };
 /// Between nodes the losses grow with the width of the slopes, the square of the roughness.
-Place roughness_place(float roughness) {
-  Place place((roughness - kSmoothest) / (1 - kSmoothest), kRoughnesses);
+NodePosition roughness_position(float roughness) {
+  NodePosition place((roughness - kMinRoughness) / (1 - kMinRoughness), kRoughnesses);
   const float low = node_roughness(place.at), high = node_roughness(place.at + 1);
   const float r = std::clamp(roughness, low, high);
   place.share = (r * r - low * low) / (high * high - low * low);
@@ -57,20 +57,20 @@ float mean_over_cosines(const Value& value) {
 
 /// Means of what `value` tells at the nodes of roughness.
 template <class Value>
-void find_means(AlbedoSheet& sheet, const Value& value) {
-  for (size_t j = 0; j < sheet.means.size(); ++j)
-    sheet.means[j] = mean_over_cosines([&](float c) { return value(c, node_roughness(j)); });
+void find_means(AlbedoTable& table, const Value& value) {
+  for (size_t j = 0; j < table.means.size(); ++j)
+    table.means[j] = mean_over_cosines([&](float c) { return value(c, node_roughness(j)); });
 }
 
 /// Mean of term(out, h, ggx) over the facets that are seen, for each node.
 template <class Term>
-AlbedoSheet make_sheet(const Term& term) {
+AlbedoTable make_table(const Term& term) {
   // A lattice of Fibonacci numbers over half of the way round, the other half being its mirror.
   constexpr int kPoints = 1597, kStep = 987;
-  AlbedoSheet sheet;
-  for (size_t j = 0; j < sheet.values.size(); ++j) {
+  AlbedoTable table;
+  for (size_t j = 0; j < table.values.size(); ++j) {
     const Ggx ggx(node_roughness(j));
-    for (size_t i = 0; i < sheet.values[j].size(); ++i) {
+    for (size_t i = 0; i < table.values[j].size(); ++i) {
       const Vec3f out = direction_at(node_cosine(i), 0);
       double sum = 0;
       for (int k = 0; k < kPoints; ++k) {
@@ -78,35 +78,35 @@ AlbedoSheet make_sheet(const Term& term) {
                       0.5f * (static_cast<float>(k * kStep % kPoints) + 0.5f) / kPoints);
         sum += static_cast<double>(term(out, ggx.sample(out, u), ggx));
       }
-      sheet.values[j][i] = static_cast<float>(sum / kPoints);
+      table.values[j][i] = static_cast<float>(sum / kPoints);
     }
   }
-  find_means(sheet, [&](float c, float r) { return sheet.at(c, r); });
-  return sheet;
+  find_means(table, [&](float c, float r) { return table.at(c, r); });
+  return table;
 }
 
 float reflected(const Vec3f& out, const Vec3f& h, const Ggx& ggx) {
   const Vec3f in = h * (2 * dot(out, h)) - out;
-  return in.z > 0 ? ggx.unshadowed(out, in) : 0;
+  return in.z > 0 ? ggx.g2_over_g1(out, in) : 0;
 }
 
-float let_through(const Vec3f& out, const Vec3f& h, const Ggx& ggx, float ior) {
+float transmitted(const Vec3f& out, const Vec3f& h, const Ggx& ggx, float ior) {
   const float c = dot(out, h), k = 1 - (1 - c * c) / (ior * ior);
   if (!(k > 0)) return 0;
   const Vec3f in = h * (c / ior - std::sqrt(k)) - out * (1 / ior);
-  return in.z < 0 ? ggx.unshadowed(out, in) : 0;
+  return in.z < 0 ? ggx.g2_over_g1(out, in) : 0;
 }
 
-AlbedoSheet make_losses(float ior) {
-  return make_sheet([&](const Vec3f& out, const Vec3f& h, const Ggx& ggx) {
+AlbedoTable make_losses(float ior) {
+  return make_table([&](const Vec3f& out, const Vec3f& h, const Ggx& ggx) {
     const float f = fresnel(dot(out, h), ior);
-    return 1 - f * reflected(out, h, ggx) - (f < 1 ? (1 - f) * let_through(out, h, ggx, ior) : 0);
+    return 1 - f * reflected(out, h, ggx) - (f < 1 ? (1 - f) * transmitted(out, h, ggx, ior) : 0);
   });
 }
 
 /// Tables by index; they stay.
 template <class Table, class Make>
-const Table& kept(float ior, const Make& make) {
+const Table& cached(float ior, const Make& make) {
   static std::mutex mutex;
   static std::map<float, std::unique_ptr<const Table>> tables;
   const std::lock_guard<std::mutex> lock(mutex);
@@ -117,37 +117,38 @@ const Table& kept(float ior, const Make& make) {
 
 }  // namespace
 
-float AlbedoSheet::at(float cosine, float roughness) const {
-  const Place r = roughness_place(roughness);
-  const Place c(std::sqrt(std::max(cosine, 0.0f)), kCosines);
+float AlbedoTable::at(float cosine, float roughness) const {
+  const NodePosition r = roughness_position(roughness);
+  const NodePosition c(std::sqrt(std::max(cosine, 0.0f)), kCosines);
   const float low = c.in(values[r.at]);
   return low + (c.in(values[r.at + 1]) - low) * r.share;
 }
-float AlbedoSheet::mean(float roughness) const { return roughness_place(roughness).in(means); }
+float AlbedoTable::mean(float roughness) const { return roughness_position(roughness).in(means); }
 
-const AlbedoSheet& facet_albedo() {
-  static const AlbedoSheet sheet = make_sheet(reflected);
-  return sheet;
+const AlbedoTable& facet_albedo() {
+  static const AlbedoTable table = make_table(reflected);
+  return table;
 }
 
-FaceTable::FaceTable(float ior)
+InterfaceTable::InterfaceTable(float ior)
     : ior_(ior), mean_fresnel_(mean_over_cosines([&](float c) { return fresnel(c, ior); })) {
-  more_ = make_sheet([&](const Vec3f& out, const Vec3f& h, const Ggx& ggx) {
+  more_ = make_table([&](const Vec3f& out, const Vec3f& h, const Ggx& ggx) {
     return (fresnel(dot(out, h), ior) - fresnel(out.z, ior)) * reflected(out, h, ggx);
   });
   find_means(whole_, [&](float c, float r) { return albedo(c, r); });
 }
-const FaceTable& FaceTable::of(float ior) {
-  return kept<FaceTable>(ior, [&] { return std::unique_ptr<const FaceTable>(new FaceTable(ior)); });
+const InterfaceTable& InterfaceTable::of(float ior) {
+  return cached<InterfaceTable>(
+      ior, [&] { return std::unique_ptr<const InterfaceTable>(new InterfaceTable(ior)); });
 }
-float FaceTable::albedo(float cosine, float roughness) const {
+float InterfaceTable::albedo(float cosine, float roughness) const {
   const float smooth = fresnel(cosine, ior_) * facet_albedo().at(cosine, roughness);
   return std::clamp(smooth + more_.at(cosine, roughness), 0.0f, 1.0f);
 }
 
-const GlassTable& GlassTable::of(float ior) {
-  return kept<GlassTable>(ior, [&] {
-    auto table = std::make_unique<GlassTable>();
+const DielectricTable& DielectricTable::of(float ior) {
+  return cached<DielectricTable>(ior, [&] {
+    auto table = std::make_unique<DielectricTable>();
     table->outside = make_losses(ior), table->inside = make_losses(1 / ior);
     return table;
   });

@@ -11,7 +11,7 @@
 namespace vug::render {
 
 /// Values by cosine and roughness, with the means over even light by roughness.
-class AlbedoSheet {
+class AlbedoTable {
  public:
   static constexpr size_t kCosines = 32, kRoughnesses = 28;
 
@@ -23,13 +23,13 @@ class AlbedoSheet {
 };
 
 /// Share of light that perfectly reflecting facets scatter once and out.
-const AlbedoSheet& facet_albedo();
+const AlbedoTable& facet_albedo();
 
 /// What dielectric facets of one index reflect at once.
-class FaceTable {
+class InterfaceTable {
  public:
   /// Made once for each index; may be called by several threads.
-  static const FaceTable& of(float ior);
+  static const InterfaceTable& of(float ior);
 
   float albedo(float cosine, float roughness) const;
   float mean(float roughness) const { return whole_.mean(roughness); }
@@ -37,17 +37,17 @@ class FaceTable {
   float mean_fresnel() const { return mean_fresnel_; }
 
  private:
-  explicit FaceTable(float ior);
+  explicit InterfaceTable(float ior);
   float ior_, mean_fresnel_;
-  AlbedoSheet more_;  ///< Beyond the smooth reflectance times facet_albedo(): small and even.
-  AlbedoSheet whole_;
+  AlbedoTable more_;  ///< Beyond the smooth reflectance times facet_albedo(): small and even.
+  AlbedoTable whole_;
 };
 
 /// The share that dielectric facets neither reflect nor let through at once, from both sides.
-struct GlassTable {
-  static const GlassTable& of(float ior);
+struct DielectricTable {
+  static const DielectricTable& of(float ior);
 
-  AlbedoSheet outside, inside;
+  AlbedoTable outside, inside;
 };
 
 /// Part of the even light between facets that comes back at last when a facet reflects

@@ -3,36 +3,36 @@
 
 namespace vug::render {
 
-FaceShare::FaceShare(float rough, const FaceTable& face, const Vec3f& out)
+InterfaceLayer::InterfaceLayer(float rough, const InterfaceTable& face, const Vec3f& out)
     : table(&face), roughness(rough) {
   const float facets = facet_albedo().mean(rough);
   again = rescattered(face.mean_fresnel(), facets);
   missing = std::max(1 - facets, 1e-6f);
   missing_out = 1 - facet_albedo().at(out.z, rough);
   mean = face.mean(rough) + again * missing;
-  clear = lets_in(out.z);
+  clear = transmittance(out.z);
 }
 
-float FaceShare::lets_in(float cosine) const {
+float InterfaceLayer::transmittance(float cosine) const {
   return std::max(0.0f, 1 - table->albedo(cosine, roughness) -
                             again * (1 - facet_albedo().at(cosine, roughness)));
 }
 
-FilmLobe::FilmLobe(const Rgb& color, Below below, float roughness, const FaceTable& table,
-                   const Vec3f& out)
+ClearCoatLobe::ClearCoatLobe(const Rgb& color, Base below, float roughness,
+                             const InterfaceTable& table, const Vec3f& out)
     : face_(roughness, table, out), ggx_(roughness), below_(color), out_(out) {
-  if (below == Below::open) below_ = Rgb(0.0f);
-  if (below == Below::wet) {
+  if (below == Base::open) below_ = Rgb(0.0f);
+  if (below == Base::wet) {
     // What of the light from below the face sends back; from the reciprocity of its two sides.
     const float back = 1 - (1 - face_.mean) / (table.ior() * table.ior());
     const auto seen = [&](float rho) { return rho * (1 - back) / (1 - rho * back); };
     below_ = {seen(color.x), seen(color.y), seen(color.z)};
   }
   const float face = 1 - face_.clear, even = face_.clear * largest(below_);
-  glance_ = std::clamp(face / (face + even), 0.1f, 0.9f);
+  specular_probability_ = std::clamp(face / (face + even), 0.1f, 0.9f);
 }
 
-Scattering FilmLobe::evaluate(const Vec3f& in) const {
+Scattering ClearCoatLobe::evaluate(const Vec3f& in) const {
   if (!(in.z > 0)) return {};
   const Vec3f h = normalized(out_ + in);
   const float density = ggx_.density(h), root = ggx_.root(out_);
@@ -43,12 +43,13 @@ Scattering FilmLobe::evaluate(const Vec3f& in) const {
   const float entering =
       std::max(0.0f, 1 - face_.table->albedo(in.z, face_.roughness) - face_.again * lost);
   const float even = in.z / kPif;
-  return {below_ * (face_.clear * entering / (1 - face_.mean) * even), Rgb((once + again) * in.z),
-          glance_ * density / (2 * (out_.z + root)) + (1 - glance_) * even};
+  return {
+      below_ * (face_.clear * entering / (1 - face_.mean) * even), Rgb((once + again) * in.z),
+      specular_probability_ * density / (2 * (out_.z + root)) + (1 - specular_probability_) * even};
 }
 
-Vec3f FilmLobe::sample(float lobe, const Vec2f& u) const {
-  if (!(lobe < glance_)) return sample_cosine_hemisphere(u);
+Vec3f ClearCoatLobe::sample(float lobe, const Vec2f& u) const {
+  if (!(lobe < specular_probability_)) return sample_cosine_hemisphere(u);
   const Vec3f h = ggx_.sample(out_, u);
   const Vec3f in = normalized(h * (2 * dot(out_, h)) - out_);
   return in.z > 0 ? in : Vec3f(0.0f);

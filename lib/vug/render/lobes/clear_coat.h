@@ -11,8 +11,8 @@
 namespace vug::render {
 
 /// A face between air and a clear body, for one viewer.
-struct FaceShare {
-  const FaceTable* table;
+struct InterfaceLayer {
+  const InterfaceTable* table;
   float roughness;
   float mean;         ///< Share of even light that it reflects.
   float clear;        ///< Share of the viewer's light that it lets in.
@@ -20,19 +20,20 @@ struct FaceShare {
   float missing;      ///< and of even light.
   float again;        ///< Part of what is lost that comes back after all.
 
-  FaceShare(float roughness, const FaceTable& face, const Vec3f& out);
+  InterfaceLayer(float roughness, const InterfaceTable& face, const Vec3f& out);
   /// Share of light from a cosine that goes in below the face.
-  float lets_in(float cosine) const;
+  float transmittance(float cosine) const;
 };
 
 /// What is below the face: rock of a colour as it is seen when dry and polished; `wet` rock is
 /// darker, since a film throws its light back upon it (Jensen, Legakis, Dorsey 1999, "Rendering
 /// of wet materials", cite jensen1999wet). With `open`, light goes in and on below, and this
 /// lobe has the face alone.
-class FilmLobe {
+class ClearCoatLobe {
  public:
-  enum class Below { polished, wet, open };
-  FilmLobe(const Rgb& color, Below below, float roughness, const FaceTable& face, const Vec3f& out);
+  enum class Base { polished, wet, open };
+  ClearCoatLobe(const Rgb& color, Base below, float roughness, const InterfaceTable& face,
+                const Vec3f& out);
 
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
@@ -41,11 +42,11 @@ class FilmLobe {
   float clear() const { return face_.clear; }
 
  private:
-  FaceShare face_;
+  InterfaceLayer face_;
   Ggx ggx_;
   Rgb below_;
   Vec3f out_;
-  float glance_;  ///< Odds of sampling a facet.
+  float specular_probability_;  ///< Odds of sampling a facet.
 };
 
 }  // namespace vug::render

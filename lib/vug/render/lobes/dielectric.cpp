@@ -3,8 +3,8 @@
 
 namespace vug::render {
 
-GlassLobe::GlassLobe(float roughness, const FaceTable& face, const GlassTable& glass, bool inside,
-                     const Vec3f& out)
+DielectricLobe::DielectricLobe(float roughness, const InterfaceTable& face,
+                               const DielectricTable& glass, bool inside, const Vec3f& out)
     : ggx_(roughness),
       out_(out),
       near_(inside ? &glass.inside : &glass.outside),
@@ -22,7 +22,7 @@ GlassLobe::GlassLobe(float roughness, const FaceTable& face, const GlassTable& g
   back_ = 1 - through * missing_far_ / std::max(missing_near_, missing_far_);
 }
 
-Scattering GlassLobe::evaluate(const Vec3f& in) const {
+Scattering DielectricLobe::evaluate(const Vec3f& in) const {
   Scattering s;
   if (in.z == 0) return s;
   const bool through = in.z < 0;
@@ -31,7 +31,7 @@ Scattering GlassLobe::evaluate(const Vec3f& in) const {
   const float lost = (through ? far_ : near_)->at(std::fabs(in.z), roughness_);
   const float part = through ? 1 - back_ : back_;
   const float again = loss_out_ * part * lost / (through ? missing_far_ : missing_near_) * even;
-  s.pdf = loss_out_ * part * ggx_.pdf_again(std::fabs(in.z));
+  s.pdf = loss_out_ * part * ggx_.pdf_multiple(std::fabs(in.z));
 
   const Vec3f bisector = through ? out_ + in * ior_ : out_ + in;
   const float size = length(bisector);
@@ -45,17 +45,17 @@ Scattering GlassLobe::evaluate(const Vec3f& in) const {
       const float sum = c + ior_ * d;
       const float stretch =
           through ? ior_ * ior_ * -d / (sum * sum) : 1 / (4 * c);  // normals to directions
-      once = (through ? 1 - f : f) * ggx_.seen(out_, h) * stretch;
+      once = (through ? 1 - f : f) * ggx_.visible_density(out_, h) * stretch;
     }
   }
   s.pdf += (1 - loss_out_) * once;
-  s.specular = Rgb(once * ggx_.unshadowed(out_, in) + again);
+  s.specular = Rgb(once * ggx_.g2_over_g1(out_, in) + again);
   return s;
 }
 
-Vec3f GlassLobe::sample(float lobe, const Vec2f& u) const {
+Vec3f DielectricLobe::sample(float lobe, const Vec2f& u) const {
   if (lobe < loss_out_) {
-    Vec3f in = ggx_.sample_again(u);
+    Vec3f in = ggx_.sample_multiple(u);
     if (!(lobe < loss_out_ * back_)) in.z = -in.z;
     return in;
   }

@@ -8,11 +8,11 @@
 
 namespace vug::render {
 
-class GlassLobe {
+class DielectricLobe {
  public:
   /// `inside`: the viewer is in the body.
-  GlassLobe(float roughness, const FaceTable& face, const GlassTable& glass, bool inside,
-            const Vec3f& out);
+  DielectricLobe(float roughness, const InterfaceTable& face, const DielectricTable& glass,
+                 bool inside, const Vec3f& out);
 
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
@@ -21,7 +21,7 @@ class GlassLobe {
  private:
   Ggx ggx_;
   Vec3f out_;
-  const AlbedoSheet *near_, *far_;
+  const AlbedoTable *near_, *far_;
   float roughness_;
   float ior_;       ///< Of the far side over the near side.
   float loss_out_;  ///< Share of the viewer's light that is scattered between facets,

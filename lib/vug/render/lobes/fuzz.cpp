@@ -7,7 +7,7 @@ namespace vug::render {
 namespace {
 
 constexpr int kCosines = 32, kRoughnesses = 16;
-constexpr float kSoftest = 0.1f;
+constexpr float kMinFuzzRoughness = 0.1f;
 
 /// Slopes over masking (Neubelt and Pettineo's smooth form), in 1/sr.
 float fibres(const Vec3f& out, const Vec3f& in, float roughness) {
@@ -18,13 +18,13 @@ float fibres(const Vec3f& out, const Vec3f& in, float roughness) {
   return static_cast<float>(density) / (4 * (out.z + in.z - out.z * in.z));
 }
 
-struct Sheet {
+struct FuzzTable {
   std::array<std::array<float, kCosines>, kRoughnesses> albedo;
   std::array<float, kRoughnesses> mean, largest;
 };
 
 float node_roughness(int j) {
-  return kSoftest + (1 - kSoftest) * static_cast<float>(j) / (kRoughnesses - 1);
+  return kMinFuzzRoughness + (1 - kMinFuzzRoughness) * static_cast<float>(j) / (kRoughnesses - 1);
 }
 float node_cosine(int i) {
   const float x = static_cast<float>(i) / (kCosines - 1);
@@ -39,10 +39,10 @@ float along(const std::array<float, kCosines>& row, float cosine) {
   return lerp(row[i], row[i + 1], place - static_cast<float>(i));
 }
 
-const Sheet& sheet() {
-  static const Sheet made = [] {
+const FuzzTable& fuzz_table() {
+  static const FuzzTable made = [] {
     constexpr int kSteps = 96, kTurns = 16;
-    Sheet s{};
+    FuzzTable s{};
     for (size_t j = 0; j < kRoughnesses; ++j) {
       for (size_t i = 0; i < kCosines; ++i) {
         const Vec3f out = direction_at(node_cosine(static_cast<int>(i)), 0);
@@ -67,12 +67,12 @@ const Sheet& sheet() {
   return made;
 }
 
-struct Row {
+struct RoughnessPosition {
   size_t at;
   float share;
-  explicit Row(float roughness) {
-    const float place =
-        (std::clamp(roughness, kSoftest, 1.0f) - kSoftest) / (1 - kSoftest) * (kRoughnesses - 1);
+  explicit RoughnessPosition(float roughness) {
+    const float place = (std::clamp(roughness, kMinFuzzRoughness, 1.0f) - kMinFuzzRoughness) /
+                        (1 - kMinFuzzRoughness) * (kRoughnesses - 1);
     at = static_cast<size_t>(std::min(static_cast<int>(place), kRoughnesses - 2));
     share = place - static_cast<float>(at);
   }
@@ -80,19 +80,22 @@ struct Row {
 };
 
 float albedo_at(float cosine, float roughness) {
-  const Row row(roughness);
-  return lerp(along(sheet().albedo[row.at], cosine), along(sheet().albedo[row.at + 1], cosine),
-              row.share);
+  const RoughnessPosition row(roughness);
+  return lerp(along(fuzz_table().albedo[row.at], cosine),
+              along(fuzz_table().albedo[row.at + 1], cosine), row.share);
 }
 
 }  // namespace
 
 FuzzLobe::FuzzLobe(const Rgb& color, float roughness, const Rgb& below, const Vec3f& out)
-    : fibres_(color), below_(below), out_(out), roughness_(std::clamp(roughness, kSoftest, 1.0f)) {
-  const Row row(roughness_);
-  scale_ = 1 / std::max(1.0f, row.of(sheet().largest));
+    : fibres_(color),
+      below_(below),
+      out_(out),
+      roughness_(std::clamp(roughness, kMinFuzzRoughness, 1.0f)) {
+  const RoughnessPosition row(roughness_);
+  scale_ = 1 / std::max(1.0f, row.of(fuzz_table().largest));
   clear_ = 1 - scale_ * albedo_at(out.z, roughness_);
-  mean_clear_ = 1 - scale_ * row.of(sheet().mean);
+  mean_clear_ = 1 - scale_ * row.of(fuzz_table().mean);
 }
 
 Scattering FuzzLobe::evaluate(const Vec3f& in) const {

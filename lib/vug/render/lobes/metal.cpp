@@ -25,13 +25,14 @@ Scattering MetalLobe::evaluate(const Vec3f& in) const {
   const float density = ggx_.density(h), root = ggx_.root(out_);
   const float once = density / (2 * (in.z * root + out_.z * ggx_.root(in)));
   const float again = missing_out_ * (1 - facet_albedo().at(in.z, roughness_)) / (kPif * missing_);
-  const float odds = missing_out_;
-  return {Rgb(0.0f), (at(dot(out_, h)) * once + again_ * again) * in.z,
-          (1 - odds) * density / (2 * (out_.z + root)) + odds * ggx_.pdf_again(in.z)};
+  const float probability = missing_out_;
+  return {
+      Rgb(0.0f), (at(dot(out_, h)) * once + again_ * again) * in.z,
+      (1 - probability) * density / (2 * (out_.z + root)) + probability * ggx_.pdf_multiple(in.z)};
 }
 
 Vec3f MetalLobe::sample(float lobe, const Vec2f& u) const {
-  if (lobe < missing_out_) return ggx_.sample_again(u);
+  if (lobe < missing_out_) return ggx_.sample_multiple(u);
   const Vec3f h = ggx_.sample(out_, u);
   const Vec3f in = normalized(h * (2 * dot(out_, h)) - out_);
   return in.z > 0 ? in : Vec3f(0.0f);

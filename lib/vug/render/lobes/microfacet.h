@@ -20,7 +20,7 @@ inline float fresnel(float cosine, float ior) {
 }
 
 /// The smallest roughness that single precision bears; smoother faces are this rough.
-inline constexpr float kSmoothest = 0.03f;
+inline constexpr float kMinRoughness = 0.03f;
 
 struct Ggx {
   float a2;  ///< Square of the width of the slopes.
@@ -28,7 +28,7 @@ struct Ggx {
 
   /// Roughness is the square root of the width.
   explicit Ggx(float roughness) {
-    const float r = std::clamp(roughness, kSmoothest, 1.0f);
+    const float r = std::clamp(roughness, kMinRoughness, 1.0f);
     a = r * r, a2 = a * a;
   }
   /// Density of facet normals.
@@ -45,24 +45,24 @@ struct Ggx {
     return normalized(Vec3f(a * cap.x, a * cap.y, std::max(cap.z, 1e-9f)));
   }
   /// Density of `sample`, over the solid angle of normals.
-  float seen(const Vec3f& out, const Vec3f& h) const {
+  float visible_density(const Vec3f& out, const Vec3f& h) const {
     return density(h) * std::max(0.0f, 2 * dot(out, h)) / (out.z + root(out));
   }
   /// What neither masks nor shadows of what the viewer's masking leaves: the weight of a sample
   /// towards `in`, on either side.
-  float unshadowed(const Vec3f& out, const Vec3f& in) const {
+  float g2_over_g1(const Vec3f& out, const Vec3f& in) const {
     const float z = std::fabs(in.z), from = root(out);
     return z * (out.z + from) / (z * from + out.z * root(in));
   }
 
   /// Directions of what facets scatter among themselves: even light on rough faces, and towards
   /// grazing angles on smooth ones, which lose light there only.
-  Vec3f sample_again(const Vec2f& u) const {
+  Vec3f sample_multiple(const Vec2f& u) const {
     const float even = std::sqrt(a);
     if (!(u.x < even)) return direction_at((u.x - even) / (1 - even), u.y);
     return sample_cosine_hemisphere({std::min(u.x / even, 0x1.fffffep-1f), u.y});
   }
-  float pdf_again(float cosine) const {
+  float pdf_multiple(float cosine) const {
     const float even = std::sqrt(a);
     return even * cosine / kPif + (1 - even) / (2 * kPif);
   }

@@ -1,10 +1,10 @@
 // Lobes side by side, in shares.
 #pragma once
 
-#include <vug/render/lobes/eon.h>
 #include <vug/render/lobes/clear_coat.h>
-#include <vug/render/lobes/fuzz.h>
 #include <vug/render/lobes/dielectric.h>
+#include <vug/render/lobes/eon.h>
+#include <vug/render/lobes/fuzz.h>
 #include <vug/render/lobes/metal.h>
 #include <vug/render/lobes/thin_dielectric.h>
 #include <vug/render/lobes/thin_sheet.h>
@@ -16,7 +16,8 @@
 
 namespace vug::render {
 
-using Lobe = std::variant<EonLobe, FilmLobe, MetalLobe, FuzzLobe, GlassLobe, PaneLobe, SheetLobe>;
+using Lobe = std::variant<EonLobe, ClearCoatLobe, MetalLobe, FuzzLobe, DielectricLobe,
+                          ThinDielectricLobe, ThinSheetLobe>;
 
 /// Weights add up to 1 at most. A direction is taken from one lobe, by weight and albedo.
 class LobeMixture final : public Bsdf {
@@ -25,21 +26,22 @@ class LobeMixture final : public Bsdf {
   void add(float weight, const Lobe& lobe) {
     if (!(weight > 0)) return;
     const Rgb albedo = std::visit([](const auto& l) { return l.albedo(); }, lobe);
-    const float odds = weight * std::max(largest(albedo), 0.05f);
-    push(weight, lobe, odds);
-    if (!std::holds_alternative<MetalLobe>(lobe) && !std::holds_alternative<GlassLobe>(lobe) &&
-        !std::holds_alternative<PaneLobe>(lobe))
-      broad_ += odds;
+    const float sampling_weight = weight * std::max(largest(albedo), 0.05f);
+    push(weight, lobe, sampling_weight);
+    if (!std::holds_alternative<MetalLobe>(lobe) && !std::holds_alternative<DielectricLobe>(lobe) &&
+        !std::holds_alternative<ThinDielectricLobe>(lobe))
+      broad_ += sampling_weight;
   }
   /// A face whose body is a cloud.
-  void add_cloud(float weight, const FilmLobe& face, const Cloud& cloud, const Rgb& color) {
+  void add_subsurface(float weight, const ClearCoatLobe& face, const SubsurfaceMedium& medium,
+                      const Rgb& color) {
     if (!(weight > 0)) return;
     add(weight, face);
-    beneath_ = cloud;
-    into_ = weight * face.clear();
-    cloud_color_ = color;
-    into_odds_ = into_ * std::max(largest(color), 0.05f);
-    total_ += into_odds_;
+    subsurface_ = medium;
+    subsurface_weight_ = weight * face.clear();
+    subsurface_color_ = color;
+    subsurface_sampling_weight_ = subsurface_weight_ * std::max(largest(color), 0.05f);
+    total_ += subsurface_sampling_weight_;
   }
   void set_thin() { thin_ = true; }
   void set_lit_from_behind() { behind_ = true; }
@@ -48,23 +50,25 @@ class LobeMixture final : public Bsdf {
   Scattering evaluate(const Vec3f& in) const override {
     Scattering sum;
     for (size_t i = 0; i < count_; ++i) {
-      const Scattering s = std::visit([&](const auto& l) { return l.evaluate(in); }, part(i).lobe);
-      sum.diffuse += s.diffuse * part(i).weight;
-      sum.specular += s.specular * part(i).weight;
-      sum.pdf += s.pdf * (part(i).odds / total_);
+      const Scattering s =
+          std::visit([&](const auto& l) { return l.evaluate(in); }, lobe_at(i).lobe);
+      sum.diffuse += s.diffuse * lobe_at(i).weight;
+      sum.specular += s.specular * lobe_at(i).weight;
+      sum.pdf += s.pdf * (lobe_at(i).sampling_weight / total_);
     }
     return sum;
   }
   BsdfSample sample(float lobe, const Vec2f& u) const override {
     float rest = lobe * total_;
     for (size_t i = 0; i < count_; ++i) {
-      const float odds = part(i).odds;
-      if (!(rest < odds) && (i + 1 < count_ || into_odds_ > 0)) {
-        rest -= odds;
+      const float sampling_weight = lobe_at(i).sampling_weight;
+      if (!(rest < sampling_weight) && (i + 1 < count_ || subsurface_sampling_weight_ > 0)) {
+        rest -= sampling_weight;
         continue;
       }
-      const float within = std::min(rest / odds, 0x1.fffffep-1f);
-      const Vec3f in = std::visit([&](const auto& l) { return l.sample(within, u); }, part(i).lobe);
+      const float within = std::min(rest / sampling_weight, 0x1.fffffep-1f);
+      const Vec3f in =
+          std::visit([&](const auto& l) { return l.sample(within, u); }, lobe_at(i).lobe);
       if (in.z == 0) return {};
       const Scattering s = evaluate(in);
       if (!(s.pdf > 0)) return {};
@@ -72,44 +76,49 @@ class LobeMixture final : public Bsdf {
     }
     Vec3f in = sample_cosine_hemisphere(u);
     in.z = -in.z;
-    const Rgb weight(into_ * total_ / into_odds_);
-    return {in, weight, weight, -in.z / kPif * into_odds_ / total_, this, true};
+    const Rgb weight(subsurface_weight_ * total_ / subsurface_sampling_weight_);
+    return {in, weight, weight, -in.z / kPif * subsurface_sampling_weight_ / total_, this, true};
   }
   Rgb albedo() const override {
-    Rgb sum = cloud_color_ * into_;
+    Rgb sum = subsurface_color_ * subsurface_weight_;
     for (size_t i = 0; i < count_; ++i)
-      sum += std::visit([](const auto& l) { return l.albedo(); }, part(i).lobe) * part(i).weight;
+      sum +=
+          std::visit([](const auto& l) { return l.albedo(); }, lobe_at(i).lobe) * lobe_at(i).weight;
     return sum;
   }
-  float guided() const override { return into_ > 0 ? 0 : 0.5f * broad_ / total_; }
+  float guided_fraction() const override {
+    return subsurface_weight_ > 0 ? 0 : 0.5f * broad_ / total_;
+  }
   Rgb absorption() const override { return absorption_; }
-  Cloud beneath() const override { return beneath_; }
+  SubsurfaceMedium subsurface() const override { return subsurface_; }
   bool thin() const override { return thin_; }
   bool lit_from_behind() const override { return thin_ || behind_; }
 
  private:
-  struct Part {
+  struct WeightedLobe {
     Lobe lobe;
-    float weight, odds;
+    float weight, sampling_weight;
   };
-  static constexpr size_t kMost = 8;
-  void push(float weight, const Lobe& lobe, float odds) {
-    new (raw_ + sizeof(Part) * count_++) Part{lobe, weight, odds};
-    total_ += odds;
+  static constexpr size_t kMax = 8;
+  void push(float weight, const Lobe& lobe, float sampling_weight) {
+    new (raw_ + sizeof(WeightedLobe) * count_++) WeightedLobe{lobe, weight, sampling_weight};
+    total_ += sampling_weight;
   }
 
-  Part& part(size_t i) { return *std::launder(reinterpret_cast<Part*>(raw_) + i); }
-  const Part& part(size_t i) const {
-    return *std::launder(reinterpret_cast<const Part*>(raw_) + i);
+  WeightedLobe& lobe_at(size_t i) {
+    return *std::launder(reinterpret_cast<WeightedLobe*>(raw_) + i);
+  }
+  const WeightedLobe& lobe_at(size_t i) const {
+    return *std::launder(reinterpret_cast<const WeightedLobe*>(raw_) + i);
   }
 
   size_t count_ = 0;
   float total_ = 0, broad_ = 0;
-  float into_ = 0, into_odds_ = 0;  ///< Light that goes beneath.
+  float subsurface_weight_ = 0, subsurface_sampling_weight_ = 0;  ///< Light that goes beneath.
   bool thin_ = false, behind_ = false;
-  Cloud beneath_;
-  Rgb cloud_color_{0, 0, 0}, absorption_{0, 0, 0};
-  alignas(Part) std::byte raw_[kMost * sizeof(Part)];  // parts are made when added
+  SubsurfaceMedium subsurface_;
+  Rgb subsurface_color_{0, 0, 0}, absorption_{0, 0, 0};
+  alignas(WeightedLobe) std::byte raw_[kMax * sizeof(WeightedLobe)];  // parts are made when added
 };
 
 }  // namespace vug::render

@@ -9,18 +9,18 @@
 namespace vug::render {
 
 /// Share of light that a smooth sheet reflects at a cosine.
-inline float pane_reflectance(float cosine, float ior) {
+inline float thin_dielectric_reflectance(float cosine, float ior) {
   const float once = fresnel(cosine, ior);
   return 2 * once / (1 + once);
 }
 
 /// The same over even light.
-float mean_pane_reflectance(float ior);
+float mean_thin_dielectric_reflectance(float ior);
 
-class PaneLobe {
+class ThinDielectricLobe {
  public:
-  /// `mean`: mean_pane_reflectance. `color`: of the light that is let through.
-  PaneLobe(const Rgb& color, float roughness, float ior, float mean, const Vec3f& out);
+  /// `mean`: mean_thin_dielectric_reflectance. `color`: of the light that is let through.
+  ThinDielectricLobe(const Rgb& color, float roughness, float ior, float mean, const Vec3f& out);
 
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;

@@ -1,5 +1,5 @@
 // Diffuse rock under a clear film: wet stone, varnish, or with a rough face plain dry rock. See
-// FilmLobe: light that enters is reflected by the rock again and again below the face, which
+// ClearCoatLobe: light that enters is reflected by the rock again and again below the face, which
 // darkens it as water does.
 #include <vug/exchange/look.h>
 #include <vug/render/kind.h>
@@ -31,20 +31,21 @@ struct Coated {
   }
 };
 
-using FilmBsdf = LobeBsdf<FilmLobe>;
+using ClearCoatBsdf = LobeBsdf<ClearCoatLobe>;
 
 class CoatedMaterial final : public Material {
  public:
   explicit CoatedMaterial(const Coated& p)
       : albedo_(p.albedo),
         roughness_(static_cast<float>(p.roughness)),
-        face_(&FaceTable::of(static_cast<float>(p.ior))) {}
+        face_(&InterfaceTable::of(static_cast<float>(p.ior))) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override {
-    return memory.make<FilmBsdf>(FilmLobe(way_(albedo_ * surface.color), FilmLobe::Below::wet,
-                                          std::max(roughness_, surface.blur), *face_, out));
+    return memory.make<ClearCoatBsdf>(
+        ClearCoatLobe(way_(albedo_ * surface.color), ClearCoatLobe::Base::wet,
+                      std::max(roughness_, surface.blur), *face_, out));
   }
-  size_t memory_bytes() const override { return BsdfMemory::bytes<FilmBsdf>(); }
+  size_t memory_bytes() const override { return BsdfMemory::bytes<ClearCoatBsdf>(); }
   float wetness(const Surface&) const override { return 1; }
   exchange::Look look(const Surface& surface) const override {
     exchange::Look look;
@@ -63,7 +64,7 @@ class CoatedMaterial final : public Material {
   Rgb albedo_;
   image::ColourMatrix way_;
   float roughness_;
-  const FaceTable* face_;
+  const InterfaceTable* face_;
 };
 
 }  // namespace

@@ -1,37 +1,37 @@
 #include <vug/mesh/mesh.h>
-#include <vug/render/materials/material_input.h>
 #include <vug/render/geometry/attribute_gradients.h>
 #include <vug/render/geometry/instance_transform.h>
+#include <vug/render/materials/material_input.h>
 
 #include <algorithm>
 
 namespace vug::render {
 
-SurfaceSpot::SurfaceSpot(const Surface& surface) : surface_(surface) {
-  spot_.position = Vec3d(surface.position);
+SurfacePoint::SurfacePoint(const Surface& surface) : surface_(surface) {
+  point_.position = Vec3d(surface.position);
   // Masks ask where the solid's surface faces, from whichever side it is seen.
-  spot_.normal = Vec3d(surface.shading_normal) * (surface.inside ? -1 : 1);
-  spot_.solid = surface.solid;
-  spot_.attributes = this;
-  spot_.footprint = static_cast<double>(surface.footprint);
+  point_.normal = Vec3d(surface.shading_normal) * (surface.inside ? -1 : 1);
+  point_.solid = surface.solid;
+  point_.attributes = this;
+  point_.footprint = static_cast<double>(surface.footprint);
   if (!surface.placing) return;
   own_ = surface.placing->to_own(surface.time);
   if (surface.looks_by_place) {
-    spot_.to_solid = &*own_;
+    point_.to_solid = &*own_;
     return;
   }
-  spot_.position = own_->point(spot_.position);
-  spot_.normal = own_->normal(spot_.normal).normalized();
-  spot_.footprint /= static_cast<double>(surface.placing->stretch());
+  point_.position = own_->point(point_.position);
+  point_.normal = own_->normal(point_.normal).normalized();
+  point_.footprint /= static_cast<double>(surface.placing->stretch());
 }
 
-void SurfaceSpot::move_to(const Vec3f& point) {
+void SurfacePoint::move_to(const Vec3f& point) {
   const Vec3d from(surface_.position), to(point);
   moved_ = own_ ? own_->point(to) - own_->point(from) : to - from;
-  spot_.position = own_ && !surface_.looks_by_place ? own_->point(to) : to;
+  point_.position = own_ && !surface_.looks_by_place ? own_->point(to) : to;
 }
 
-std::optional<Vec3d> SurfaceSpot::read(std::string_view name) const {
+std::optional<Vec3d> SurfacePoint::read(std::string_view name) const {
   if (!surface_.mesh && name == mesh::kColour) return Vec3d(surface_.color);
   if (!surface_.mesh) return std::nullopt;
   const mesh::Attribute* attribute = mesh::find_attribute(*surface_.mesh, name);
@@ -55,13 +55,13 @@ std::optional<Vec3d> SurfaceSpot::read(std::string_view name) const {
   return value;
 }
 
-float NumberInput::at(const paint::Spot& spot, float low, float high) const {
-  const auto number = static_cast<float>(varying ? (*varying)(spot) : constant);
+float NumberInput::at(const paint::EvalPoint& point, float low, float high) const {
+  const auto number = static_cast<float>(varying ? (*varying)(point) : constant);
   return std::min(high, std::max(low, number));  // not a number: low
 }
 
-Rgb ColorInput::at(const paint::Spot& spot, const Rgb& times) const {
-  const Vec3d color = varying ? (*varying)(spot) : constant;
+Rgb ColorInput::at(const paint::EvalPoint& point, const Rgb& times) const {
+  const Vec3d color = varying ? (*varying)(point) : constant;
   const auto one = [](double x) { return static_cast<float>(std::min(1.0, std::max(0.0, x))); };
   return way(Rgb(one(color.x), one(color.y), one(color.z)) * times);
 }

@@ -8,10 +8,10 @@
 namespace vug::render {
 
 /// The place of a hit as masks and paints see it; refers to the surface.
-class SurfaceSpot final : private paint::Attributes {
+class SurfacePoint final : private paint::Attributes {
  public:
-  explicit SurfaceSpot(const Surface& surface);
-  const paint::Spot& spot() const { return spot_; }
+  explicit SurfacePoint(const Surface& surface);
+  const paint::EvalPoint& eval_point() const { return point_; }
   /// Another place of the scene, near by: the spot moves there. Its normal stays; attributes go on
   /// as they slope where it was.
   void move_to(const Vec3f& point);
@@ -20,7 +20,7 @@ class SurfaceSpot final : private paint::Attributes {
   std::optional<Vec3d> read(std::string_view name) const override;
 
   const Surface& surface_;
-  paint::Spot spot_;
+  paint::EvalPoint point_;
   std::optional<Transform> own_;  ///< Of an instance: from the scene to the mesh's own space.
   std::optional<Vec3d> moved_;    ///< How far it has been moved, in that space.
 };
@@ -33,7 +33,7 @@ struct NumberInput {
 
   NumberInput(double number) : constant(number) {}  // NOLINT
   explicit NumberInput(paint::Mask mask) : varying(std::move(mask)) {}
-  float at(const paint::Spot& spot, float low = 0, float high = 1) const;
+  float at(const paint::EvalPoint& point, float low = 0, float high = 1) const;
 };
 
 /// A linear Rec.709 colour, or a paint; within 0..1.
@@ -45,7 +45,7 @@ struct ColorInput {
   ColorInput(const Vec3d& color) : constant(color) {}  // NOLINT
   explicit ColorInput(paint::Paint paint) : varying(std::move(paint)) {}
   /// In the working space; `times` is a Rec.709 colour, such as the vertex colour.
-  Rgb at(const paint::Spot& spot, const Rgb& times = Rgb(1.0f)) const;
+  Rgb at(const paint::EvalPoint& point, const Rgb& times = Rgb(1.0f)) const;
 };
 
 }  // namespace vug::render

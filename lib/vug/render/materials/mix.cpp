@@ -1,8 +1,8 @@
 // Two materials side by side, by a mask: some of each where it is between 0 and 1.
 #include <vug/base/error.h>
 #include <vug/exchange/look.h>
-#include <vug/render/materials/material_input.h>
 #include <vug/render/kind.h>
+#include <vug/render/materials/material_input.h>
 
 namespace vug::render {
 namespace {
@@ -43,7 +43,7 @@ class MixBsdf final : public Bsdf {
     BsdfSample s = one->sample(std::min(rest, 0x1.fffffep-1f), u);
     if (!(s.pdf > 0)) return {};
     if (!s.body) s.body = one;
-    if (s.beneath) {
+    if (s.subsurface) {
       // Shares and odds are the same, so the weight stays.
       s.pdf *= second ? share_ : 1 - share_;
       return s;
@@ -53,7 +53,9 @@ class MixBsdf final : public Bsdf {
     return {s.direction, both.total() * (1 / both.pdf), both.diffuse * (1 / both.pdf), both.pdf,
             s.body};
   }
-  float guided() const override { return std::min(a_->guided(), b_->guided()); }
+  float guided_fraction() const override {
+    return std::min(a_->guided_fraction(), b_->guided_fraction());
+  }
   Rgb absorption() const override {
     return is_black(a_->absorption()) ? b_->absorption() : a_->absorption();
   }
@@ -95,9 +97,9 @@ class MixMaterial final : public Material {
     const float share = share_at(surface);
     return p_.a->emission(surface) * (1 - share) + p_.b->emission(surface) * share;
   }
-  const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const override {
-    if (const Bsdf* a = p_.a->leaving(surface, memory)) return a;
-    return p_.b->leaving(surface, memory);
+  const Bsdf* subsurface_exit(const Surface& surface, BsdfMemory& memory) const override {
+    if (const Bsdf* a = p_.a->subsurface_exit(surface, memory)) return a;
+    return p_.b->subsurface_exit(surface, memory);
   }
   float wetness(const Surface& surface) const override {
     const float share = share_at(surface);
@@ -114,7 +116,9 @@ class MixMaterial final : public Material {
   }
 
  private:
-  float share_at(const Surface& surface) const { return p_.mask.at(SurfaceSpot(surface).spot()); }
+  float share_at(const Surface& surface) const {
+    return p_.mask.at(SurfacePoint(surface).eval_point());
+  }
 
   Mix p_;
 };

@@ -4,12 +4,12 @@
 // what matters for rock is layered: a face over a coloured body, and water over it.
 #include <vug/base/maths.h>
 #include <vug/exchange/look.h>
-#include <vug/render/materials/material_input.h>
+#include <vug/render/geometry/instance_transform.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/light_output.h>
-#include <vug/render/lobes/inner_face.h>
 #include <vug/render/lobes/mixture.h>
-#include <vug/render/geometry/instance_transform.h>
+#include <vug/render/lobes/subsurface_exit.h>
+#include <vug/render/materials/material_input.h>
 
 namespace vug::render {
 namespace {
@@ -100,7 +100,7 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
              {.doc = "Radiance (W/sr/m^2) that the outside sends out where its colour and mask are "
                      "1: such objects are lamps.",
               .min = 0,
-              .max = kMostRadiance})
+              .max = kMaxRadiance})
       .param("emission", &P::emission, share("Colour of that light."))
       .param("emission_mask", &P::emission_mask, share("Part of that light: cracks of lava."))
       .param("bump", &P::bump, share("Height of small forms, as a part of bump_height."))
@@ -119,11 +119,11 @@ class SurfaceMaterial final : public Material {
  public:
   explicit SurfaceMaterial(const SurfaceParams& p)
       : p_(p),
-        face_(&FaceTable::of(static_cast<float>(p.ior))),
-        film_(&FaceTable::of(static_cast<float>(p.coat_ior))) {
+        face_(&InterfaceTable::of(static_cast<float>(p.ior))),
+        film_(&InterfaceTable::of(static_cast<float>(p.coat_ior))) {
     const bool clear = p.transmission.varying || p.transmission.constant > 0;
-    if (clear && p.thin) pane_mean_ = mean_pane_reflectance(face_->ior());
-    if (clear && !p.thin) glass_ = &GlassTable::of(face_->ior());
+    if (clear && p.thin) thin_mean_ = mean_thin_dielectric_reflectance(face_->ior());
+    if (clear && !p.thin) glass_ = &DielectricTable::of(face_->ior());
     for (int c = 0; c < 3; ++c)
       absorption_[c] = static_cast<float>(-maths::log(p.tint[c]) / p.tint_depth);
   }
@@ -134,7 +134,7 @@ class SurfaceMaterial final : public Material {
   bool thin() const override { return p_.thin; }
   bool cut_out() const override { return p_.opacity.varying || p_.opacity.constant < 1; }
   float opacity(const Surface& surface) const override {
-    return p_.opacity.at(SurfaceSpot(surface).spot());
+    return p_.opacity.at(SurfacePoint(surface).eval_point());
   }
   bool shines() const override {
     return p_.emission_radiance > 0 &&
@@ -142,17 +142,17 @@ class SurfaceMaterial final : public Material {
            (p_.emission.varying || p_.emission.constant != Vec3d(0));
   }
   Rgb emission(const Surface& surface) const override {
-    const SurfaceSpot place(surface);
-    const float part = p_.emission_mask.at(place.spot());
+    const SurfacePoint place(surface);
+    const float part = p_.emission_mask.at(place.eval_point());
     if (!(part > 0)) return Rgb(0.0f);
-    return p_.emission.at(place.spot()) * (part * static_cast<float>(p_.emission_radiance));
+    return p_.emission.at(place.eval_point()) * (part * static_cast<float>(p_.emission_radiance));
   }
-  const Bsdf* leaving(const Surface& surface, BsdfMemory& memory) const override {
-    const SurfaceSpot place(surface);
-    return &memory.make<LeavingBsdf>(face_roughness(place.spot()), *face_);
+  const Bsdf* subsurface_exit(const Surface& surface, BsdfMemory& memory) const override {
+    const SurfacePoint place(surface);
+    return &memory.make<SubsurfaceExitBsdf>(face_roughness(place.eval_point()), *face_);
   }
   float wetness(const Surface& surface) const override {
-    return p_.coat.at(SurfaceSpot(surface).spot());
+    return p_.coat.at(SurfacePoint(surface).eval_point());
   }
   exchange::Look look(const Surface& surface) const override;
   MaterialPtr in_space(const image::ColourMatrix& way) const override {
@@ -163,26 +163,28 @@ class SurfaceMaterial final : public Material {
   }
 
  private:
-  float face_roughness(const paint::Spot& spot) const {
-    return std::max(p_.roughness.at(spot), kSmoothest);
+  float face_roughness(const paint::EvalPoint& point) const {
+    return std::max(p_.roughness.at(point), kMinRoughness);
   }
 
   SurfaceParams p_;
-  const FaceTable *face_, *film_;
-  const GlassTable* glass_ = nullptr;
-  float pane_mean_ = 0;
+  const InterfaceTable *face_, *film_;
+  const DielectricTable* glass_ = nullptr;
+  float thin_mean_ = 0;
   Rgb absorption_;
 };
 
 /// Fibres, which such programs have other words for, each its own, only lend their colour.
 exchange::Look SurfaceMaterial::look(const Surface& surface) const {
-  const SurfaceSpot place(surface);
-  const paint::Spot& spot = place.spot();
-  const auto number = [&](const NumberInput& input) { return static_cast<double>(input.at(spot)); };
-  const float furry = p_.fuzz.at(spot) * (1 - p_.subsurface.at(spot));
+  const SurfacePoint place(surface);
+  const paint::EvalPoint& point = place.eval_point();
+  const auto number = [&](const NumberInput& input) {
+    return static_cast<double>(input.at(point));
+  };
+  const float furry = p_.fuzz.at(point) * (1 - p_.subsurface.at(point));
   exchange::Look look;
   look.base_color =
-      Vec3d(p_.color.at(spot, surface.color) * (1 - furry) + p_.fuzz_color.at(spot) * furry);
+      Vec3d(p_.color.at(point, surface.color) * (1 - furry) + p_.fuzz_color.at(point) * furry);
   look.roughness = number(p_.roughness);
   look.specular = number(p_.specular);
   look.ior = p_.ior;
@@ -194,7 +196,7 @@ exchange::Look SurfaceMaterial::look(const Surface& surface) const {
   look.thin = p_.thin;
   if (p_.thin) {  // what comes out behind is not reflected
     const double behind = number(p_.subsurface) * number(p_.through);
-    look.through = look.base_color * Vec3d(p_.through_color.at(spot)) * behind;
+    look.through = look.base_color * Vec3d(p_.through_color.at(point)) * behind;
     look.base_color *= 1 - behind;
   }
   return look;
@@ -202,54 +204,55 @@ exchange::Look SurfaceMaterial::look(const Surface& surface) const {
 
 const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
                                 BsdfMemory& memory) const {
-  const SurfaceSpot place(surface);
-  const paint::Spot& spot = place.spot();
+  const SurfacePoint place(surface);
+  const paint::EvalPoint& point = place.eval_point();
   LobeMixture& bsdf = memory.make<LobeMixture>();
-  const Rgb color = p_.color.at(spot, surface.color);
-  const float roughness = std::max(face_roughness(spot), surface.blur);
-  const float metal = p_.metal.at(spot), clear = p_.transmission.at(spot) * (1 - metal);
-  const float body = 1 - metal - clear, wet = body * p_.coat.at(spot), dry = body - wet;
-  const float cloudy = p_.subsurface.at(spot), furry = p_.fuzz.at(spot);
+  const Rgb color = p_.color.at(point, surface.color);
+  const float roughness = std::max(face_roughness(point), surface.blur);
+  const float metal = p_.metal.at(point), clear = p_.transmission.at(point) * (1 - metal);
+  const float body = 1 - metal - clear, wet = body * p_.coat.at(point), dry = body - wet;
+  const float cloudy = p_.subsurface.at(point), furry = p_.fuzz.at(point);
   const float rock = dry * (1 - cloudy), bare = rock * (1 - furry);
-  const float faces = bare * p_.specular.at(spot);
+  const float faces = bare * p_.specular.at(point);
 
-  if (bare > faces) bsdf.add(bare - faces, EonLobe(color, p_.matte.at(spot), out));
+  if (bare > faces) bsdf.add(bare - faces, EonLobe(color, p_.matte.at(point), out));
   if (faces > 0)
-    bsdf.add(faces, FilmLobe(color, FilmLobe::Below::polished, roughness, *face_, out));
+    bsdf.add(faces, ClearCoatLobe(color, ClearCoatLobe::Base::polished, roughness, *face_, out));
   if (rock * furry > 0)
     bsdf.add(rock * furry,
-             FuzzLobe(p_.fuzz_color.at(spot), p_.fuzz_roughness.at(spot), color, out));
+             FuzzLobe(p_.fuzz_color.at(point), p_.fuzz_roughness.at(point), color, out));
   if (wet > 0) {
-    const float film = std::max(p_.coat_roughness.at(spot), std::max(kSmoothest, surface.blur));
-    bsdf.add(wet, FilmLobe(color, FilmLobe::Below::wet, film, *film_, out));
+    const float film = std::max(p_.coat_roughness.at(point), std::max(kMinRoughness, surface.blur));
+    bsdf.add(wet, ClearCoatLobe(color, ClearCoatLobe::Base::wet, film, *film_, out));
   }
   if (metal > 0) bsdf.add(metal, MetalLobe(color, roughness, out));
   if (p_.thin) {
     bsdf.set_thin();
-    const Rgb passes = p_.through_color.at(spot);
-    if (clear > 0) bsdf.add(clear, PaneLobe(passes, roughness, face_->ior(), pane_mean_, out));
+    const Rgb passes = p_.through_color.at(point);
+    if (clear > 0)
+      bsdf.add(clear, ThinDielectricLobe(passes, roughness, face_->ior(), thin_mean_, out));
     if (const float part = dry * cloudy; part > 0) {
-      const float behind = p_.through.at(spot);
+      const float behind = p_.through.at(point);
       if (behind < 1)
         bsdf.add(part * (1 - behind),
-                 FilmLobe(color, FilmLobe::Below::polished, roughness, *face_, out));
-      bsdf.add(part * behind, SheetLobe(color * passes, roughness, *face_, out));
+                 ClearCoatLobe(color, ClearCoatLobe::Base::polished, roughness, *face_, out));
+      bsdf.add(part * behind, ThinSheetLobe(color * passes, roughness, *face_, out));
     }
     return bsdf;
   }
   if (clear > 0) {
-    bsdf.add(clear, GlassLobe(roughness, *face_, *glass_, surface.inside, out));
+    bsdf.add(clear, DielectricLobe(roughness, *face_, *glass_, surface.inside, out));
     bsdf.set_absorption(absorption_);
     // Lobes of smooth faces are narrower than most lamps; and from outside the way to a lamp in the
     // body would swallow light.
     if (surface.inside && roughness > 0.1f) bsdf.set_lit_from_behind();
   }
   if (dry * cloudy > 0) {
-    const FilmLobe face(color, FilmLobe::Below::open, roughness, *face_, out);
-    bsdf.add_cloud(dry * cloudy, face,
-                   {static_cast<float>(p_.mean_free_path),
-                    {single_albedo(color.x), single_albedo(color.y), single_albedo(color.z)}},
-                   color);
+    const ClearCoatLobe face(color, ClearCoatLobe::Base::open, roughness, *face_, out);
+    bsdf.add_subsurface(dry * cloudy, face,
+                        {static_cast<float>(p_.mean_free_path),
+                         {single_albedo(color.x), single_albedo(color.y), single_albedo(color.z)}},
+                        color);
   }
   return bsdf;
 }
@@ -262,14 +265,14 @@ bool SurfaceMaterial::bump(Surface& surface) const {
   const float height =
       static_cast<float>(p_.bump_height) * (scaled ? surface.placing->stretch() : 1);
   const float step = std::max(0.5f * surface.footprint, 0.25f * std::fabs(height));
-  SurfaceSpot place(surface);
+  SurfacePoint place(surface);
   const Vec3f n = surface.shading_normal * (surface.inside ? -1.0f : 1.0f);
   const Frame frame(n);
   const auto slope = [&](const Vec3f& along) {
     place.move_to(surface.position + along * step);
-    const float ahead = p_.bump.at(place.spot());
+    const float ahead = p_.bump.at(place.eval_point());
     place.move_to(surface.position - along * step);
-    return (ahead - p_.bump.at(place.spot())) * height / (2 * step);
+    return (ahead - p_.bump.at(place.eval_point())) * height / (2 * step);
   };
   const Vec3f bent = normalized(n - frame.x * slope(frame.x) - frame.y * slope(frame.y));
   surface.shading_normal = bent * (surface.inside ? -1.0f : 1.0f);

@@ -42,7 +42,7 @@ class HazeMedium final : public Medium {
     if (p.size) box_ = {Vec3f(p.center - *p.size * 0.5), Vec3f(p.center + *p.size * 0.5)};
   }
 
-  MediumPtr fitted(const Box3f& scene) const override {
+  MediumPtr with_bounds(const Box3f& scene) const override {
     if (bounded_) return nullptr;
     auto copy = std::make_shared<HazeMedium>(*this);
     copy->box_ = scene;
@@ -51,14 +51,16 @@ class HazeMedium final : public Medium {
   }
 
   Segment clip(const Ray& ray, float end) const override {
-    return bounded_ ? clipped(box_, ray, end) : Segment{0, end};
+    return bounded_ ? clip_to_box(box_, ray, end) : Segment{0, end};
   }
-  float transmittance(const Ray&, const Segment& segment, TrackingNumbers&) const override {
-    return segment.empty() ? 1 : fall(segment.end - segment.begin);
+  float transmittance(const Ray&, const Segment& segment, TrackingRng&) const override {
+    return segment.empty() ? 1 : attenuation(segment.end - segment.begin);
   }
-  DistanceSample cross(const Ray&, const Segment& segment, float u, std::span<Mark> marks,
-                       TrackingNumbers&) const override {
-    for (Mark& mark : marks) mark.clear = fall(mark.distance - segment.begin);
+  DistanceSample sample_distance(const Ray&, const Segment& segment, float u,
+                                 std::span<ScatterPoint> scatter_points,
+                                 TrackingRng&) const override {
+    for (ScatterPoint& point : scatter_points)
+      point.transmittance = attenuation(point.distance - segment.begin);
     if (segment.empty() || !(extinction_ > 0)) return {};
     const double t = -maths::log(1 - static_cast<double>(u)) / static_cast<double>(extinction_);
     const float distance = segment.begin + static_cast<float>(t);
@@ -67,7 +69,7 @@ class HazeMedium final : public Medium {
   float extinction(const Vec3f&) const override { return extinction_; }
   Rgb albedo(const Vec3f&) const override { return albedo_; }
 
-  float usual_extinction() const override { return extinction_; }
+  float typical_extinction() const override { return extinction_; }
 
   float phase(float cosine) const override { return henyey_greenstein(g_, cosine); }
   Vec3f sample_phase(const Vec3f& travel, const Vec2f& u) const override {
@@ -75,7 +77,7 @@ class HazeMedium final : public Medium {
   }
 
  private:
-  float fall(float distance) const {
+  float attenuation(float distance) const {
     return static_cast<float>(
         maths::exp(-static_cast<double>(extinction_) * static_cast<double>(distance)));
   }

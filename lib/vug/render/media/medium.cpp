@@ -4,7 +4,7 @@
 
 namespace vug::render {
 
-Segment clipped(const Box3f& box, const Ray& ray, float end) {
+Segment clip_to_box(const Box3f& box, const Ray& ray, float end) {
   float begin = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const float d = ray.direction[axis], o = ray.origin[axis];

@@ -11,9 +11,9 @@ namespace vug::render {
 /// Begun by two numbers of a sampler, so that a path has the same ones on any thread. PCG32
 /// (O'Neill 2014, "PCG: a family of simple fast space-efficient statistically good algorithms for
 /// random number generation", oneill2014pcg).
-class TrackingNumbers {
+class TrackingRng {
  public:
-  explicit TrackingNumbers(const Vec2f& begin) {
+  explicit TrackingRng(const Vec2f& begin) {
     uint32_t words[2];
     std::memcpy(words, begin.getValue(), sizeof words);
     state_ = (static_cast<uint64_t>(words[0]) << 32 | words[1]) * kFactor + kStep;

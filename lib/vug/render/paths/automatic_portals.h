@@ -14,6 +14,6 @@ namespace vug::render {
 /// there are portals already, where the sky is found well enough without (a good part of the rays
 /// gets out), or where nothing gets out. They may miss part of the sky, which paths then find as
 /// they would without: the picture's mean does not depend on them. Error(cancelled).
-std::vector<LightPtr> find_openings(const Rehearsal& rehearsal, Progress& progress);
+std::vector<LightPtr> find_automatic_portals(const TrainingContext& context, Progress& progress);
 
 }  // namespace vug::render

@@ -12,10 +12,10 @@ int along(int face) { return (axis_of(face) + 2) % 3; }
 
 }  // namespace
 
-Exits::Exits(const Box3f& box)
+BoundaryHits::BoundaryHits(const Box3f& box)
     : box_(box), counts_(std::make_unique<std::atomic<uint32_t>[]>(6 * kCells * kCells)) {}
 
-void Exits::count(const Ray& ray) {
+void BoundaryHits::count(const Ray& ray) {
   float nearest = kFar;
   int face = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -34,49 +34,49 @@ void Exits::count(const Ray& ray) {
   counts_[static_cast<size_t>(place)].fetch_add(1, std::memory_order_relaxed);
 }
 
-uint64_t Exits::rays(int face, int u, int v) const {
+uint64_t BoundaryHits::rays(int face, int u, int v) const {
   return counts_[static_cast<size_t>((face * kCells + v) * kCells + u)].load();
 }
 
-std::vector<Exits::Patch> Exits::patches() const {
-  std::vector<Patch> found;
+std::vector<BoundaryHits::CellGroup> BoundaryHits::groups() const {
+  std::vector<CellGroup> found;
   std::vector<bool> seen(6 * kCells * kCells, false);
   for (int start = 0; start < 6 * kCells * kCells; ++start) {
     std::vector<int> open = {start};
-    Patch patch;
-    patch.face = start / (kCells * kCells);
+    CellGroup group;
+    group.face = start / (kCells * kCells);
     while (!open.empty()) {
       const int place = open.back();
       open.pop_back();
       const int u = place % kCells, v = place / kCells % kCells;
-      if (seen[static_cast<size_t>(place)] || rays(patch.face, u, v) == 0) continue;
+      if (seen[static_cast<size_t>(place)] || rays(group.face, u, v) == 0) continue;
       seen[static_cast<size_t>(place)] = true;
-      patch.u0 = std::min(patch.u0, u), patch.u1 = std::max(patch.u1, u);
-      patch.v0 = std::min(patch.v0, v), patch.v1 = std::max(patch.v1, v);
-      patch.rays += rays(patch.face, u, v);
+      group.u0 = std::min(group.u0, u), group.u1 = std::max(group.u1, u);
+      group.v0 = std::min(group.v0, v), group.v1 = std::max(group.v1, v);
+      group.rays += rays(group.face, u, v);
       // Cells two apart touch, too: between a few rays there are gaps.
       for (int dv = -2; dv <= 2; ++dv)
         for (int du = -2; du <= 2; ++du)
           if (u + du >= 0 && u + du < kCells && v + dv >= 0 && v + dv < kCells)
             open.push_back(place + dv * kCells + du);
     }
-    if (patch.rays > 0) found.push_back(patch);
+    if (group.rays > 0) found.push_back(group);
   }
   std::stable_sort(found.begin(), found.end(),
-                   [](const Patch& a, const Patch& b) { return a.rays > b.rays; });
+                   [](const CellGroup& a, const CellGroup& b) { return a.rays > b.rays; });
   return found;
 }
 
-RectangleParams Exits::rectangle(const Patch& patch, int margin) const {
-  const int axis = axis_of(patch.face), a = across(patch.face), b = along(patch.face);
+RectangleParams BoundaryHits::rectangle(const CellGroup& group, int margin) const {
+  const int axis = axis_of(group.face), a = across(group.face), b = along(group.face);
   const Vec3d low(box_.min), size(box_.max - box_.min);
   const auto edge = [&](int on, int cell) {
     return low[on] + size[on] * std::clamp(cell, 0, kCells) / kCells;
   };
-  const double a0 = edge(a, patch.u0 - margin), a1 = edge(a, patch.u1 + 1 + margin);
-  const double b0 = edge(b, patch.v0 - margin), b1 = edge(b, patch.v1 + 1 + margin);
+  const double a0 = edge(a, group.u0 - margin), a1 = edge(a, group.u1 + 1 + margin);
+  const double b0 = edge(b, group.v0 - margin), b1 = edge(b, group.v1 + 1 + margin);
   RectangleParams r;
-  const bool high = patch.face % 2 == 1;
+  const bool high = group.face % 2 == 1;
   r.center[axis] = high ? static_cast<double>(box_.max[axis]) : low[axis];
   r.center[a] = 0.5 * (a0 + a1);
   r.center[b] = 0.5 * (b0 + b1);
@@ -88,10 +88,10 @@ RectangleParams Exits::rectangle(const Patch& patch, int margin) const {
   return r;
 }
 
-std::vector<RectangleParams> Exits::rectangles(size_t most, int margin) const {
+std::vector<RectangleParams> BoundaryHits::rectangles(size_t most, int margin) const {
   std::vector<RectangleParams> all;
-  for (const Patch& patch : patches())
-    if (all.size() < most) all.push_back(rectangle(patch, margin));
+  for (const CellGroup& group : groups())
+    if (all.size() < most) all.push_back(rectangle(group, margin));
   return all;
 }
 

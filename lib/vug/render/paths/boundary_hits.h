@@ -12,9 +12,9 @@ namespace vug::render {
 
 /// Counts on a grid over each face of the box. Any threads may count at once; the counts, and so
 /// the rectangles, do not depend on their order.
-class Exits {
+class BoundaryHits {
  public:
-  explicit Exits(const Box3f& box);
+  explicit BoundaryHits(const Box3f& box);
 
   /// The ray starts in the box and is known to leave it.
   void count(const Ray& ray);
@@ -24,14 +24,14 @@ class Exits {
 
  private:
   static constexpr int kCells = 64;
-  struct Patch {
+  struct CellGroup {
     int face = 0;
     int u0 = kCells, v0 = kCells, u1 = -1, v1 = -1;  ///< Cells; the last ones are in it.
     uint64_t rays = 0;
   };
   uint64_t rays(int face, int u, int v) const;
-  std::vector<Patch> patches() const;
-  RectangleParams rectangle(const Patch& patch, int margin) const;
+  std::vector<CellGroup> groups() const;
+  RectangleParams rectangle(const CellGroup& group, int margin) const;
 
   Box3f box_;
   std::unique_ptr<std::atomic<uint32_t>[]> counts_;

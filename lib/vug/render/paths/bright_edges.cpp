@@ -29,15 +29,15 @@ BrightEdges::BrightEdges(const World& world, const Region& region, const Vec2i& 
   std::vector<Range> seen(wide.pixels());
   progress.begin("looking for bright edges", static_cast<uint64_t>(wide.height()));
   const auto width = static_cast<size_t>(wide.width());
-  parallel_together(wide.pixels(), [&](size_t pixel) {
+  raytree::parallel_interleaved(wide.pixels(), [&](size_t pixel) {
     if (pixel % width == 0) progress.check();
     SampleId id;
     id.seed = seed ^ kSalt, id.spp = looks;
     id.x = static_cast<uint32_t>(wide.x0) + static_cast<uint32_t>(pixel % width);
     id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(pixel / width);
     for (id.index = 0; id.index < looks; ++id.index) {
-      TrackingNumbers tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
-      const float bright = luminance(seen_by_camera(world, camera_ray(id), tracking, nullptr));
+      TrackingRng tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
+      const float bright = luminance(camera_emission(world, camera_ray(id), tracking, nullptr));
       seen[pixel].take_in({bright, bright});
     }
     if (pixel % width == width - 1) progress.advance();

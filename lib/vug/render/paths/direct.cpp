@@ -1,5 +1,5 @@
-#include <vug/render/paths/direct.h>
 #include <vug/render/film/light_path_recorder.h>
+#include <vug/render/paths/direct.h>
 
 #include <algorithm>
 
@@ -37,22 +37,22 @@ Candidate candidate(const World& world, const LightChoice& chosen, const Hit& hi
     return {};
   const Scattering scattering = bsdf.evaluate(in, s.direction);
   const Rgb f = scattering.total();
-  const Rgb light = unshadowed(world, s, hit.object);
+  const Rgb light = unoccluded_radiance(world, s, hit.object);
   float density = chosen.probability * s.pdf + scattering.pdf;
   if (s.distance == kFar)
-    density += world.lights().sky_pdf(vertex.point, vertex.odds, s.direction, chosen.light);
+    density += world.lights().sky_pdf(vertex.point, vertex.selection, s.direction, chosen.light);
   if (is_black(f) || is_black(light) || !(density > 0)) return {};
   Candidate c{chosen.light, {behind ? hit.behind : hit.origin, s.direction}, s.distance};
   c.scattering = f * (1 / density), c.diffuse = scattering.diffuse * (1 / density);
   c.light = light;
-  c.weight = luminance(c.scattering * light) * chosen.seen;
+  c.weight = luminance(c.scattering * light) * chosen.visibility;
   return c;
 }
 
 Rgb arriving(const World& world, const Candidate& c, const Hit& hit, float probability,
-             TrackingNumbers& numbers, Tally* tally) {
-  if (shadowed(world, c.ray, c.distance)) return Rgb(0.0f);
-  const float part = clear_part(world, c.ray, c.distance, numbers) / probability;
+             TrackingRng& numbers, Tally* tally) {
+  if (occluded(world, c.ray, c.distance)) return Rgb(0.0f);
+  const float part = transmittance(world, c.ray, c.distance, numbers) / probability;
   if (tally && c.distance == kFar)
     tally->note_sky(world, hit.object, c.ray.direction, c.scattering * part, c.diffuse * part);
   else if (tally)
@@ -64,15 +64,16 @@ Rgb arriving(const World& world, const Candidate& c, const Hit& hit, float proba
 }  // namespace
 
 Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
-                 PathVertex& vertex, const Vec2f& choice, const Vec2f& u, TrackingNumbers& numbers,
+                 PathVertex& vertex, const Vec2f& choice, const Vec2f& u, TrackingRng& numbers,
                  Tally* tally) {
-  const float rays = vertex.odds.samples;
+  const float rays = vertex.selection.samples;
   if (world.lights().branches() < world.lights().size())
-    vertex.odds.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMost));
-  std::array<Candidate, LightChoices::kMost> candidates;
+    vertex.selection.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMax));
+  std::array<Candidate, LightChoices::kMax> candidates;
   size_t size = 0;
   float all = 0;
-  for (const LightChoice& chosen : world.lights().choose(vertex.point, choice.x, vertex.odds)) {
+  for (const LightChoice& chosen :
+       world.lights().choose(vertex.point, choice.x, vertex.selection)) {
     candidates[size] = candidate(world, chosen, hit, bsdf, frame, vertex, u);
     if (candidates[size].weight > 0) all += candidates[size++].weight;
   }

@@ -11,8 +11,11 @@ namespace vug::render {
 /// mueller2017guiding); the Bsdf alone where the guide knows nothing.
 class GuidedBsdf {
  public:
-  GuidedBsdf(const Bsdf& bsdf, const Frame& frame, const Cones& guide)
-      : bsdf_(bsdf), frame_(frame), guide_(guide), share_(bsdf.guided() * guide.trust()) {}
+  GuidedBsdf(const Bsdf& bsdf, const Frame& frame, const ConeMixture& guide)
+      : bsdf_(bsdf),
+        frame_(frame),
+        guide_(guide),
+        share_(bsdf.guided_fraction() * guide.mixture_weight()) {}
 
   /// `direction` is the world's, `in` the same in the frame.
   Scattering evaluate(const Vec3f& in, const Vec3f& direction) const {
@@ -22,16 +25,16 @@ class GuidedBsdf {
   }
 
   struct Sample {
-    BsdfSample scattered;  ///< Its direction is local, its weight over the mixture's density.
-    Vec3f direction;       ///< The world's.
-    Rgb unled{0, 0, 0};    ///< The weight as if the Bsdf alone had chosen.
+    BsdfSample scattered;   ///< Its direction is local, its weight over the mixture's density.
+    Vec3f direction;        ///< The world's.
+    Rgb unguided{0, 0, 0};  ///< The weight as if the Bsdf alone had chosen.
   };
   Sample sample(float lobe, const Vec2f& u) const {
     Sample out;
     if (!(share_ > 0)) {
       out.scattered = bsdf_.sample(lobe, u);
       out.direction = frame_.to_world(out.scattered.direction);
-      out.unled = out.scattered.weight;
+      out.unguided = out.scattered.weight;
       return out;
     }
     Vec3f in;
@@ -52,14 +55,14 @@ class GuidedBsdf {
     if (!(s.pdf > 0 && pdf > 0) || is_black(f)) return out;
     out.scattered = {in, f * (1 / pdf), s.diffuse * (1 / pdf), pdf, body};
     // Where the Bsdf itself would hardly go this may be huge.
-    out.unled = f * (1 / std::fmax(s.pdf, largest(f)));
+    out.unguided = f * (1 / std::fmax(s.pdf, largest(f)));
     return out;
   }
 
  private:
   const Bsdf& bsdf_;
   const Frame& frame_;
-  const Cones& guide_;
+  const ConeMixture& guide_;
   float share_;
 };
 

@@ -1,21 +1,22 @@
 #include <vug/base/maths.h>
-#include <vug/render/paths/direct.h>
 #include <vug/render/film/light_path_recorder.h>
+#include <vug/render/paths/direct.h>
 
 #include <algorithm>
 
 namespace vug::render {
 
 ScatteredLight::ScatteredLight(const World& world, const Ray& ray, const Segment& segment,
-                               const LightOdds& odds, const Chances& sight, float choice,
-                               float where, const Vec2f& u, TrackingNumbers& numbers)
+                               const LightSelection& selection, const VisibilityCache& visibility,
+                               float choice, float where, const Vec2f& u, TrackingRng& numbers)
     : world_(world) {
-  for (const LightChoice& chosen : world.lights().choose_along(ray, segment, choice, odds, sight))
+  for (const LightChoice& chosen :
+       world.lights().choose_along(ray, segment, choice, selection, visibility))
     add(chosen, ray, segment, where, u, numbers);
 }
 
 void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segment& segment,
-                         float where, const Vec2f& u, TrackingNumbers& numbers) {
+                         float where, const Vec2f& u, TrackingRng& numbers) {
   const Medium& medium = *world_.medium();
   // Distances from the foot of the perpendicular, which equiangular sampling is about.
   const Vec3f to = world_.lights().centre(chosen.light) - ray.origin;
@@ -25,7 +26,7 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
   const double a = static_cast<double>(segment.begin - foot),
                b = static_cast<double>(segment.end - foot);
   const double angle_a = maths::atan2(a, height), angle_b = maths::atan2(b, height);
-  const double optical = static_cast<double>(medium.usual_extinction());
+  const double optical = static_cast<double>(medium.typical_extinction());
   const double span = b - a;
   const double through = 1 - maths::exp(-optical * span);
   double t = 0;
@@ -42,15 +43,15 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
   const auto density = static_cast<float>(0.5 * (equiangular + falling));
   const float distance = static_cast<float>(t) + foot;
 
-  const LitPoint point{ray.at(distance), Vec3f(0.0f)};
-  medium.expect(point.position);
+  const LightSampleContext point{ray.at(distance), Vec3f(0.0f)};
+  medium.prefetch(point.position);
   const LightSample s = world_.lights().sample(chosen.light, point, u);
   if (!(s.pdf > 0) || !(density > 0)) return;
-  const Rgb light = unshadowed(world_, s, kNoObject);
+  const Rgb light = unoccluded_radiance(world_, s, kNoObject);
   const float extinction = medium.extinction(point.position);
   if (!(extinction > 0)) return;
   const Ray shadow{point.position, s.direction};
-  if (is_black(light) || shadowed(world_, shadow, s.distance)) return;
+  if (is_black(light) || occluded(world_, shadow, s.distance)) return;
   // Suns and portals that share a direction share its light, by the balance heuristic.
   float directions = s.pdf;
   if (s.distance == kFar)
@@ -58,8 +59,8 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
       if (sky != chosen.light) directions += world_.lights().pdf(sky, point, s.direction);
   const float pdf = chosen.probability * directions;
   const float scattered = extinction * medium.phase(dot(ray.direction, s.direction)) *
-                          clear_part(world_, shadow, s.distance, numbers);
-  marks_[size_] = {distance};
+                          transmittance(world_, shadow, s.distance, numbers);
+  scatter_points_[size_] = {distance};
   sources_[size_++] = {chosen.light, s.direction, s.distance == kFar, light,
                        medium.albedo(point.position) * (scattered / (pdf * density))};
 }
@@ -68,7 +69,8 @@ Rgb ScatteredLight::arriving(Tally* tally) const {
   Rgb sum(0.0f);
   for (size_t i = 0; i < size_; ++i) {
     const Source& from = sources_[i];
-    const Rgb weight = from.weight * marks_[i].clear, light = from.radiance * weight;
+    const Rgb weight = from.weight * scatter_points_[i].transmittance,
+              light = from.radiance * weight;
     if (tally && from.sky)
       tally->note_sky(world_, kNoObject, from.direction, weight);
     else if (tally)

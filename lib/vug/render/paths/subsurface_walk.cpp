@@ -10,7 +10,7 @@ constexpr int kSureSteps = 32;
 constexpr int kMostSteps = 100000;  // against bodies that swallow nothing
 
 /// The same place from the other side.
-void turn_over(Hit& hit) {
+void flip(Hit& hit) {
   Surface& surface = hit.surface;
   surface.geometric_normal = -surface.geometric_normal;
   surface.shading_normal = -surface.shading_normal;
@@ -20,7 +20,7 @@ void turn_over(Hit& hit) {
 
 }  // namespace
 
-Rgb unabsorbed(const Rgb& absorption, float distance) {
+Rgb beer_lambert(const Rgb& absorption, float distance) {
   if (is_black(absorption)) return Rgb(1.0f);
   Rgb clear;
   for (int c = 0; c < 3; ++c)
@@ -28,19 +28,20 @@ Rgb unabsorbed(const Rgb& absorption, float distance) {
   return clear;
 }
 
-bool wander(const World& world, const Cloud& cloud, const Vec3f& direction, RandomStream& random,
-            Hit& hit, Rgb& throughput) {
+bool random_walk_subsurface(const World& world, const SubsurfaceMedium& medium,
+                            const Vec3f& direction, RandomStream& random, Hit& hit,
+                            Rgb& throughput) {
   const uint32_t object = hit.object;
   Ray ray{hit.behind, direction};
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto free = static_cast<float>(-maths::log(1 - random.uniform())) * cloud.mean_free_path;
+    const auto free = static_cast<float>(-maths::log(1 - random.uniform())) * medium.mean_free_path;
     if (!world.intersect(ray, hit)) return false;
     if (hit.distance <= free) {
       if (hit.object != object || !hit.surface.inside) return false;
-      turn_over(hit);
+      flip(hit);
       return true;
     }
-    throughput *= cloud.albedo;
+    throughput *= medium.albedo;
     if (step >= kSureSteps) {
       const float survival = std::min(1.0f, largest(throughput));
       if (!(next_float(random) < survival)) return false;

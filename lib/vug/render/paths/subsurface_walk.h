@@ -8,7 +8,7 @@
 namespace vug::render {
 
 /// Numbers of a walk that begins with these, of no use to anyone else.
-inline RandomStream walk_numbers(const Vec2f& u, float lobe) {
+inline RandomStream subsurface_random(const Vec2f& u, float lobe) {
   const auto bits = [](float x) { return static_cast<uint64_t>(x * 0x1p24f); };
   return RandomStream(RandomKey(bits(u.x) << 24 | bits(u.y)).at(bits(lobe)));
 }
@@ -21,14 +21,15 @@ inline Vec2f next_pair(RandomStream& random) {
 }
 
 /// Beer's law.
-Rgb unabsorbed(const Rgb& absorption, float distance);
+Rgb beer_lambert(const Rgb& absorption, float distance);
 
 /// Walks from `hit` in a direction that leads in, until a face of the same object is met from
 /// within. Then `hit` is that place, seen from outside, and `throughput` has lost what collisions
 /// swallowed. False when nothing comes out: all was swallowed, the body is open, or another
 /// object stands in it, which is taken as black. Steps are short against the scene, so that
 /// nearly all of the time goes into rays.
-bool wander(const World& world, const Cloud& cloud, const Vec3f& direction, RandomStream& random,
-            Hit& hit, Rgb& throughput);
+bool random_walk_subsurface(const World& world, const SubsurfaceMedium& medium,
+                            const Vec3f& direction, RandomStream& random, Hit& hit,
+                            Rgb& throughput);
 
 }  // namespace vug::render

@@ -99,13 +99,13 @@ Shooter::Shooter(const Scene& scene, const Options& options, Progress& progress)
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const auto samples = static_cast<uint64_t>(options.width) *
                        static_cast<uint64_t>(options.height) * static_cast<uint64_t>(options.spp);
-  const auto rehearsal = [&] {
-    return Rehearsal{*world_, *scene.camera, *sampler_, aspect, samples, options.seed};
+  const auto context = [&] {
+    return TrainingContext{*world_, *scene.camera, *sampler_, aspect, samples, options.seed};
   };
   if (options.openings)
-    if (const auto portals = find_openings(rehearsal(), progress); !portals.empty())
+    if (const auto portals = find_automatic_portals(context(), progress); !portals.empty())
       world_ = std::make_unique<const World>(*world_, scene, portals);
-  if (IntegratorPtr ready = integrator_->rehearsed(rehearsal(), progress))
+  if (IntegratorPtr ready = integrator_->trained(context(), progress))
     integrator_ = std::move(ready);
   if (options.bright_edges && samples >= kWorthLooking)
     edges_ = BrightEdges(
@@ -172,25 +172,25 @@ Film Shooter::shoot(const Region& region, uint32_t begin, uint32_t end,
                     image::DeepImage* deep) const {
   Film film(region, options_.layers.gather());
   DeepPixel depths(options_.deep.value_or(DeepOptions()));
-  std::vector<Tally> tallies(kMostAhead, Tally(tally_));
-  std::vector<PathResult> results(kMostAhead);
+  std::vector<Tally> tallies(raytree::kMaxInFlight, Tally(tally_));
+  std::vector<PathResult> results(raytree::kMaxInFlight);
   const size_t each = end - begin, row = each * static_cast<size_t>(region.width());
   const auto pixel = [&](size_t number) {
     return std::pair(region.x0 + static_cast<int>(number % row / each),
                      region.y0 + static_cast<int>(number / row));
   };
-  work_together(
+  raytree::run_interleaved(
       row * static_cast<size_t>(region.height()),
       [&](size_t number) {
         if (number % row == 0) progress_.check();
         const auto [x, y] = pixel(number);
-        const size_t at = number % kMostAhead;
+        const size_t at = number % raytree::kMaxInFlight;
         results[at] = sample(x, y, begin + static_cast<uint32_t>(number % each), tallies[at]);
       },
       [&](size_t number) {
         const auto [x, y] = pixel(number);
-        const PathResult& result = results[number % kMostAhead];
-        film.add(x, y, result, *scene_.camera, tallies[number % kMostAhead].colours().data());
+        const PathResult& result = results[number % raytree::kMaxInFlight];
+        film.add(x, y, result, *scene_.camera, tallies[number % raytree::kMaxInFlight].colours().data());
         if (!deep) return;
         depths.add(result, static_cast<double>(
                                scene_.camera->depth_at(result.time, result.first.position)));
@@ -220,7 +220,7 @@ double Shooter::seconds(double samples) const {
           const int x = wanted_.x0 + static_cast<int>((u - std::floor(u)) * wanted_.width());
           const int y = wanted_.y0 + static_cast<int>((v - std::floor(v)) * wanted_.height());
           std::vector<Tally> tallies(each, Tally(tally_));
-          work_together(
+          raytree::run_interleaved(
               each,
               [&](size_t index) { sample(x, y, static_cast<uint32_t>(index), tallies[index]); },
               [](size_t) {});

@@ -1,7 +1,7 @@
-#include <vug/render/paths/direct.h>
-#include <vug/render/paths/trace_path.h>
-#include <vug/render/paths/subsurface_walk.h>
 #include <vug/render/film/light_path_recorder.h>
+#include <vug/render/paths/direct.h>
+#include <vug/render/paths/subsurface_walk.h>
+#include <vug/render/paths/trace_path.h>
 
 #include <algorithm>
 
@@ -18,10 +18,10 @@ constexpr uint32_t kTrackingDimension = 7;  // of a bounce's
 constexpr float kBlur = 0.05f;
 
 /// Paths end by chance where what they may still add is less than so many times what single paths
-/// are off by (Brightness::noise) where the camera looks; but none with more than the other part of
-/// all chances, for what is known of the light may err. Both, and the root of the two, were chosen
-/// by variance times time (docs/explanation/decisions/0030-worth-of-paths.md).
-constexpr float kNegligible = 20, kLeastSurvival = 0.5f;
+/// are off by (RadianceCache::noise) where the camera looks; but none with more than the other part
+/// of all chances, for what is known of the light may err. Both, and the root of the two, were
+/// chosen by variance times time (docs/explanation/decisions/0030-worth-of-paths.md).
+constexpr float kNegligible = 20, kMinSurvival = 0.5f;
 
 Rgb albedo_of(const Hit& hit, const Ray& ray) {
   const Frame frame(hit.surface.shading_normal);
@@ -29,28 +29,29 @@ Rgb albedo_of(const Hit& hit, const Ray& ray) {
   return hit.material->at(hit.surface, frame.to_local(-ray.direction), memory).albedo();
 }
 
-class Walk {
+class PathTracer {
  public:
-  Walk(const World& world, const Ray& camera_ray, const WalkRules& rules, const Learned& learned,
-       SampleCursor& numbers, Tally* tally, Trail* trail, std::span<const Ray> beside)
+  PathTracer(const World& world, const Ray& camera_ray, const PathSettings& settings,
+             const GuidingData& guiding, SampleCursor& numbers, Tally* tally,
+             PathRecorder* path_recorder, std::span<const Ray> beside)
       : world_(world),
         medium_(world.medium()),
-        rules_(rules),
-        learned_(learned),
+        settings_(settings),
+        guiding_(guiding),
         numbers_(numbers),
         tally_(tally),
-        trail_(trail),
+        path_recorder_(path_recorder),
         beside_(beside),
         ray_(camera_ray),
         spread_(camera_ray.spread) {}
 
-  PathResult go() {
+  PathResult trace() {
     for (;; ++depth_) {
-      Bounce bounce = begin();
-      look(bounce);
-      gather(bounce);
-      if (depth_ > rules_.max_bounces) break;
-      if (!cross_medium(bounce) && !(bounce.found && scatter(bounce))) break;
+      Bounce bounce = begin_bounce();
+      intersect(bounce);
+      add_emission(bounce);
+      if (depth_ > settings_.max_bounces) break;
+      if (!sample_medium(bounce) && !(bounce.found && scatter(bounce))) break;
       if (is_black(throughput_) || !(bounce.weighed || survives(bounce.last.x))) break;
     }
     return result_;
@@ -58,7 +59,7 @@ class Walk {
 
  private:
   struct Bounce {
-    TrackingNumbers tracking;
+    TrackingRng tracking;
     Hit hit;
     bool found = false;
     Vec2f choice{0, 0};  ///< Which light, which lobe.
@@ -67,7 +68,7 @@ class Walk {
     bool weighed = false;  ///< Whether the path goes on has been decided.
   };
 
-  Bounce begin() {
+  Bounce begin_bounce() {
     const uint32_t first = kCameraDimensions + kBounceDimensions * static_cast<uint32_t>(depth_);
     Vec2f start(0.0f);
     if (medium_) {
@@ -75,7 +76,7 @@ class Walk {
       start = numbers_.pair();
     }
     numbers_.jump(first);
-    return {TrackingNumbers(start), {}};
+    return {TrackingRng(start), {}};
   }
 
   void draw(Bounce& bounce) {
@@ -85,11 +86,11 @@ class Walk {
   }
 
   /// The next surface on the ray.
-  void look(Bounce& bounce) {
+  void intersect(Bounce& bounce) {
     Hit& hit = bounce.hit;
     bounce.found = world_.intersect(ray_, hit, [&] { draw(bounce); });
     if (bounce.found) {
-      if (within_) carry(unabsorbed(absorption_, hit.distance));
+      if (inside_body_) scale_throughput(beer_lambert(absorption_, hit.distance));
       hit.surface.footprint = width_ + spread_ * hit.distance;
     }
     if (depth_ > 0) return;
@@ -98,18 +99,19 @@ class Walk {
                        hit.object};
       if (tally_) tally_->read(hit.surface, *hit.material);
     }
-    result_.alpha = bounce.found ? 1 : 1 - clear_part(world_, ray_, kFar, bounce.tracking);
+    result_.alpha = bounce.found ? 1 : 1 - transmittance(world_, ray_, kFar, bounce.tracking);
   }
 
   /// What the ray runs into belongs to the place it comes from, as direct light there.
-  void gather(Bounce& bounce) {
+  void add_emission(Bounce& bounce) {
     const float end = bounce.found ? bounce.hit.distance : kFar;
-    Rgb seen = lamps_met(world_, ray_, end, from_, result_.alpha, bounce.tracking, tally_);
-    seen += bounce.found ? surface_met(world_, ray_, bounce.hit, from_, bounce.tracking, tally_)
-                         : sky_met(world_, ray_, from_, bounce.tracking, tally_);
+    Rgb seen = light_emission(world_, ray_, end, from_, result_.alpha, bounce.tracking, tally_);
+    seen += bounce.found
+                ? surface_emission(world_, ray_, bounce.hit, from_, bounce.tracking, tally_)
+                : environment_emission(world_, ray_, from_, bounce.tracking, tally_);
     float share = 1;
     if (depth_ == 0 && !beside_.empty()) {
-      for (const Ray& ray : beside_) seen += seen_by_camera(world_, ray, bounce.tracking, tally_);
+      for (const Ray& ray : beside_) seen += camera_emission(world_, ray, bounce.tracking, tally_);
       share /= static_cast<float>(beside_.size() + 1);
     }
     const Rgb scale = add(throughput_ * seen * share, depth_ - 1);
@@ -117,29 +119,31 @@ class Walk {
   }
 
   /// True when the path turns in the medium before it comes to the surface.
-  bool cross_medium(Bounce& bounce) {
-    if (!medium_ || within_) return false;
+  bool sample_medium(Bounce& bounce) {
+    if (!medium_ || inside_body_) return false;
     const Segment segment = medium_->clip(ray_, bounce.found ? bounce.hit.distance : kFar);
     if (segment.empty() || !(segment.end < kFar)) return false;
     const Vec2f distance_u = numbers_.pair();
-    ScatteredLight lit(world_, ray_, segment, {lights(), rules_.light_sampler}, learned_.lights,
-                       bounce.choice.x, distance_u.x, numbers_.pair(), bounce.tracking);
-    const DistanceSample collision =
-        medium_->cross(ray_, segment, distance_u.y, lit.marks(), bounce.tracking);
+    ScatteredLight lit(world_, ray_, segment, {light_samples(), settings_.light_sampler},
+                       guiding_.light_visibility, bounce.choice.x, distance_u.x, numbers_.pair(),
+                       bounce.tracking);
+    const DistanceSample collision = medium_->sample_distance(
+        ray_, segment, distance_u.y, lit.scatter_points(), bounce.tracking);
     const Rgb scale = add(throughput_ * lit.arriving(tally_), depth_);
     if (tally_) tally_->settle_medium(depth_, scale);
-    if (medium_->burns()) shine_in_medium(medium_->flames(ray_, segment, bounce.tracking));
+    if (medium_->is_emissive())
+      add_medium_emission(medium_->sample_emission(ray_, segment, bounce.tracking));
     if (!collision.scattered) return false;
     const Vec3f point = ray_.at(collision.distance);
-    if (const Rgb glow = medium_->glow(point); !is_black(glow)) shine_in_medium(glow);
-    carry(medium_->albedo(point));
+    if (const Rgb glow = medium_->emission(point); !is_black(glow)) add_medium_emission(glow);
+    scale_throughput(medium_->albedo(point));
     ray_ = {point, medium_->sample_phase(ray_.direction, bounce.scatter)};
     from_ = {PathVertex::medium, {point, Vec3f(0.0f)}, 0, {}};
-    blur_ = rules_.regularize;
+    blur_ = settings_.regularize;
     if (tally_ && depth_ == 0) tally_->turned_in_medium();
     return true;
   }
-  void shine_in_medium(const Rgb& light) {
+  void add_medium_emission(const Rgb& light) {
     const Rgb scale = add(throughput_ * light, depth_);
     if (!tally_) return;
     tally_->note(LightSet::kNoGroup, light);
@@ -154,61 +158,63 @@ class Walk {
     hit.surface.blur = blur_;
     BsdfMemory memory;
     const Bsdf& own = hit.material->at(hit.surface, frame.to_local(-ray_.direction), memory);
-    const Cones bright = learned_.guide.at(hit.surface.position, hit.surface.shading_normal);
+    const ConeMixture bright = guiding_.guide.at(hit.surface.position, hit.surface.shading_normal);
     const GuidedBsdf bsdf(own, frame, bright);
-    if (trail_)
-      trail_->add(hit.origin, hit.surface.geometric_normal, throughput_, result_.radiance);
-    leave_from(hit, lights());
+    if (path_recorder_)
+      path_recorder_->add(hit.origin, hit.surface.geometric_normal, throughput_, result_.radiance);
+    set_surface_vertex(hit, light_samples());
     // Then light arrives from both sides.
     if (own.lit_from_behind()) from_.point.normal = Vec3f(0.0f);
     const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_,
                                                  {bounce.choice.x, bounce.last.y}, bounce.light,
                                                  bounce.tracking, tally_);
     const Rgb scale = add(light, depth_);
-    if (trail_) trail_->lit(result_.radiance);
+    if (path_recorder_) path_recorder_->add_direct(result_.radiance);
     if (tally_) tally_->settle_surface(depth_, scale);
     // Of faces that mirror or let through, what is known of a region tells nothing.
-    bounce.weighed =
-        rules_.roulette == Roulette::worth && !learned_.surfaces.empty() && own.guided() > 0;
-    if (bounce.weighed && !is_worth_following(hit, bounce.last.x)) return false;
+    bounce.weighed = settings_.roulette == Roulette::adjoint && !guiding_.radiance.empty() &&
+                     own.guided_fraction() > 0;
+    if (bounce.weighed && !survives_adjoint(hit, bounce.last.x)) return false;
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
     if (!(s.scattered.pdf > 0)) return false;
     const bool through = s.scattered.direction.z < 0;
     if (through && dot(s.direction, hit.surface.geometric_normal) > 0) return false;
     if (tally_ && depth_ == 0)
-      tally_->turned_at_surface(through && !s.scattered.beneath, s.scattered.weight,
+      tally_->turned_at_surface(through && !s.scattered.subsurface, s.scattered.weight,
                                 s.scattered.diffuse);
-    carry(s);
+    scale_throughput(s);
     width_ = hit.surface.footprint;
     if (!is_black(s.scattered.diffuse)) spread_ = std::max(spread_, kBlur);
     // Kaplanyan and Dachsbacher 2013, "Path space regularization for holistic and robust light
     // transport" (cite kaplanyan2013regularization), with a width that stays.
-    if (2 * largest(s.scattered.diffuse) > largest(s.scattered.weight)) blur_ = rules_.regularize;
+    if (2 * largest(s.scattered.diffuse) > largest(s.scattered.weight))
+      blur_ = settings_.regularize;
     const Bsdf& body = s.scattered.body ? *s.scattered.body : own;
-    if (s.scattered.beneath) return come_out(bounce, body, s.direction);
+    if (s.scattered.subsurface) return exit_subsurface(bounce, body, s.direction);
     if (through && !own.thin()) {
-      if (!own.lit_from_behind()) from_.kind = PathVertex::through;
-      within_ = !hit.surface.inside;
-      absorption_ = within_ ? body.absorption() : Rgb(0.0f);
+      if (!own.lit_from_behind()) from_.kind = PathVertex::transmission;
+      inside_body_ = !hit.surface.inside;
+      absorption_ = inside_body_ ? body.absorption() : Rgb(0.0f);
     }
     ray_ = {through ? hit.behind : hit.origin, s.direction};
     return true;
   }
 
   /// Wanders beneath a surface until it leaves the body elsewhere; false when it does not.
-  bool come_out(Bounce& bounce, const Bsdf& body, const Vec3f& direction) {
+  bool exit_subsurface(Bounce& bounce, const Bsdf& body, const Vec3f& direction) {
     Hit& hit = bounce.hit;
-    RandomStream random = walk_numbers(bounce.scatter, bounce.choice.y);
+    RandomStream random = subsurface_random(bounce.scatter, bounce.choice.y);
     Rgb left(1.0f);
-    if (!wander(world_, body.beneath(), direction, random, hit, left)) return false;
-    carry(left);
+    if (!random_walk_subsurface(world_, body.subsurface(), direction, random, hit, left))
+      return false;
+    scale_throughput(left);
     const Frame frame(hit.surface.shading_normal);
     BsdfMemory memory;
-    const Bsdf* leaving = hit.material->leaving(hit.surface, memory);
-    if (!leaving) return false;
-    const Cones bright = learned_.guide.at(hit.surface.position, hit.surface.shading_normal);
-    const GuidedBsdf bsdf(*leaving, frame, bright);
-    leave_from(hit, 1);
+    const Bsdf* exit_bsdf = hit.material->subsurface_exit(hit.surface, memory);
+    if (!exit_bsdf) return false;
+    const ConeMixture bright = guiding_.guide.at(hit.surface.position, hit.surface.shading_normal);
+    const GuidedBsdf bsdf(*exit_bsdf, frame, bright);
+    set_surface_vertex(hit, 1);
     const Vec2f which = next_pair(random);
     const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_, which,
                                                  next_pair(random), bounce.tracking, tally_);
@@ -217,55 +223,56 @@ class Walk {
     const float lobe = next_float(random);
     const GuidedBsdf::Sample s = bsdf.sample(lobe, next_pair(random));
     if (!(s.scattered.pdf > 0) || !(s.scattered.direction.z > 0)) return false;
-    carry(s);
+    scale_throughput(s);
     ray_ = {hit.origin, s.direction};
     return true;
   }
 
   bool survives(float u) {
-    if (rules_.roulette == Roulette::off) return true;
+    if (settings_.roulette == Roulette::off) return true;
     // What the first surface sends on is seen as it is: an even sky would be grain there.
-    if (rules_.roulette == Roulette::worth && depth_ == 0) return true;
+    if (settings_.roulette == Roulette::adjoint && depth_ == 0) return true;
     // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
-    return survives_by(std::sqrt(largest(unled_)), u);
+    return survives_by(std::sqrt(largest(unguided_throughput_)), u);
   }
   /// By what the path may still add beside the lights it has chosen here (Vorba and Krivanek 2016,
   /// "Adjoint-driven Russian roulette and splitting in light transport simulation", cite
   /// vorba2016adjoint), against what the camera sees and how noisy that is anyway (Rath et al.
   /// 2022, "EARS: Efficiency-aware Russian roulette and splitting", cite rath2022ears).
-  bool is_worth_following(const Hit& hit, float u) {
-    const Returned& light = learned_.surfaces.at(hit.origin, hit.surface.geometric_normal);
-    if (!(negligible_ > 0)) negligible_ = kNegligible * learned_.surfaces.noise() * light.all;
+  bool survives_adjoint(const Hit& hit, float u) {
+    const RadianceStats& light = guiding_.radiance.at(hit.origin, hit.surface.geometric_normal);
+    if (!(negligible_ > 0)) negligible_ = kNegligible * guiding_.radiance.noise() * light.mean;
     if (depth_ == 0) return true;
-    const float worth = luminance(throughput_) * light.later / negligible_;
-    return survives_by(std::max(kLeastSurvival, std::sqrt(worth)), u);
+    const float adjoint = luminance(throughput_) * light.indirect / negligible_;
+    return survives_by(std::max(kMinSurvival, std::sqrt(adjoint)), u);
   }
   bool survives_by(float survival, float u) {
     if (!(survival < 1)) return true;
     if (!(u < survival)) return false;
-    carry(Rgb(1 / survival));
+    scale_throughput(Rgb(1 / survival));
     return true;
   }
 
-  float lights() const { return depth_ == 0 ? rules_.lights_seen : 1; }
+  float light_samples() const { return depth_ == 0 ? settings_.light_samples : 1; }
 
-  void leave_from(const Hit& hit, float samples) {
-    const float* sight = learned_.lights.empty() ? nullptr : learned_.lights.at(hit.origin);
+  void set_surface_vertex(const Hit& hit, float samples) {
+    const float* visibility =
+        guiding_.light_visibility.empty() ? nullptr : guiding_.light_visibility.at(hit.origin);
     from_ = {PathVertex::surface,
              {hit.origin, hit.surface.shading_normal, hit.object},
              0,
-             {samples, rules_.light_sampler, sight}};
+             {samples, settings_.light_sampler, visibility}};
   }
-  void carry(const Rgb& part) { throughput_ *= part, unled_ *= part; }
-  void carry(const GuidedBsdf::Sample& s) {
+  void scale_throughput(const Rgb& part) { throughput_ *= part, unguided_throughput_ *= part; }
+  void scale_throughput(const GuidedBsdf::Sample& s) {
     throughput_ *= s.scattered.weight;
-    unled_ *= s.unled;
+    unguided_throughput_ *= s.unguided;
     from_.pdf = s.scattered.pdf;
   }
   /// Adds what one vertex gives; all of it while the camera sees the vertex itself. The scale at
   /// which the tally settles it.
   Rgb add(const Rgb& light, int depth) {
-    const float most = depth <= 0 ? kFar : rules_.most, brightest = largest(light);
+    const float most = depth <= 0 ? kFar : settings_.max_radiance, brightest = largest(light);
     const float part = brightest > most ? most / brightest : 1;
     result_.radiance += light * part;
     return throughput_ * part;
@@ -273,32 +280,33 @@ class Walk {
 
   const World& world_;
   const Medium* medium_;
-  const WalkRules& rules_;
-  const Learned& learned_;
+  const PathSettings& settings_;
+  const GuidingData& guiding_;
   SampleCursor& numbers_;
   Tally* tally_;
-  Trail* trail_;
+  PathRecorder* path_recorder_;
   std::span<const Ray> beside_;
 
   PathResult result_;
   int depth_ = 0;
   Ray ray_;
   Rgb throughput_{1, 1, 1};
-  Rgb unled_{1, 1, 1};  ///< The throughput that would be left without a guide.
+  Rgb unguided_throughput_{1, 1, 1};  ///< The throughput that would be left without a guide.
   PathVertex from_;
   float negligible_ = 0;      ///< See kNegligible; 0: not known.
   float width_ = 0, spread_;  ///< Of the cone that the path looks along.
   float blur_ = 0;            ///< Least roughness of what it sees.
-  bool within_ = false;       ///< A clear body, which swallows this:
+  bool inside_body_ = false;  ///< A clear body, which swallows this:
   Rgb absorption_{0, 0, 0};
 };
 
 }  // namespace
 
-PathResult walk(const World& world, const Ray& camera_ray, const WalkRules& rules,
-                const Learned& learned, SampleCursor& numbers, Tally* tally, Trail* trail,
-                std::span<const Ray> beside) {
-  return Walk(world, camera_ray, rules, learned, numbers, tally, trail, beside).go();
+PathResult trace_path(const World& world, const Ray& camera_ray, const PathSettings& settings,
+                      const GuidingData& guiding, SampleCursor& numbers, Tally* tally,
+                      PathRecorder* path_recorder, std::span<const Ray> beside) {
+  return PathTracer(world, camera_ray, settings, guiding, numbers, tally, path_recorder, beside)
+      .trace();
 }
 
 }  // namespace vug::render

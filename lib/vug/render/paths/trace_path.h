@@ -12,22 +12,22 @@ namespace vug::render {
 enum class Roulette {
   off,         ///< All do.
   throughput,  ///< By the root of what it carries, from the first surface on.
-  worth        ///< By what it may still add to the picture, behind the first surface.
+  adjoint      ///< By what it may still add to the picture, behind the first surface.
 };
 
-struct WalkRules {
+struct PathSettings {
   int max_bounces = 8;  ///< A path scatters at most once more than this.
-  Roulette roulette = Roulette::worth;
-  float lights_seen = 2;  ///< Lights that the first surface looks at; others look at one.
+  Roulette roulette = Roulette::adjoint;
+  float light_samples = 2;  ///< Lights that the first surface looks at; others look at one.
   LightSampler light_sampler = LightSampler::tree;
-  float most = kFar;     ///< Light of one vertex beyond the first is cut to this radiance.
-  float regularize = 0;  ///< Least roughness of faces that are seen by way of matte ones.
+  float max_radiance = kFar;  ///< Light of one vertex beyond the first is cut to this radiance.
+  float regularize = 0;       ///< Least roughness of faces that are seen by way of matte ones.
 };
 
-/// The light that a camera ray gathers. `tally` and `trail` may be null; for `beside` see
+/// The light that a camera ray gathers. `tally` and `path_recorder` may be null; for `beside` see
 /// Integrator::trace.
-PathResult walk(const World& world, const Ray& camera_ray, const WalkRules& rules,
-                const Learned& learned, SampleCursor& numbers, Tally* tally, Trail* trail,
-                std::span<const Ray> beside = {});
+PathResult trace_path(const World& world, const Ray& camera_ray, const PathSettings& settings,
+                      const GuidingData& guiding, SampleCursor& numbers, Tally* tally,
+                      PathRecorder* path_recorder, std::span<const Ray> beside = {});
 
 }  // namespace vug::render

@@ -1,10 +1,10 @@
 #include <vug/base/parallel.h>
+#include <vug/raytree/path_scheduler.h>
 #include <vug/render/camera.h>
 #include <vug/render/paths/training.h>
 #include <vug/render/paths/vertex.h>
-#include <vug/render/sampling.h>
-#include <vug/raytree/path_scheduler.h>
 #include <vug/render/prepared_scene.h>
+#include <vug/render/sampling.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,8 @@ constexpr uint64_t kSalt = 0x6775696465ull;
 /// come to by chance, many come to in the next.
 constexpr int kRounds = 3;
 constexpr size_t kChunk = 256;
-/// Glances are taken from so many places for each path of a round, evenly over all sightings.
+/// Glances are taken from so many places for each path of a round, evenly over all
+/// radiance_samples.
 constexpr double kPlaces = 0.5;
 /// From each at so many lights.
 constexpr size_t kLightsAtOnce = 4;
@@ -28,78 +29,82 @@ constexpr float kRegion = 1.0f / 32;
 constexpr uint32_t kNothing = ~0u;
 
 /// Without those that looked at nothing.
-std::vector<Glance> taken(std::vector<Glance> glances) {
-  glances.erase(std::remove_if(glances.begin(), glances.end(),
-                               [](const Glance& glance) { return glance.at == kNothing; }),
-                glances.end());
-  return glances;
+std::vector<VisibilitySample> without_empty(std::vector<VisibilitySample> visibility_samples) {
+  visibility_samples.erase(
+      std::remove_if(visibility_samples.begin(), visibility_samples.end(),
+                     [](const VisibilitySample& sample) { return sample.target == kNothing; }),
+      visibility_samples.end());
+  return visibility_samples;
 }
 
 /// What `paths` camera rays all over the picture see, in their order.
-void watch(const Rehearsal& rehearsal, size_t paths, uint64_t salt, const Learned& learned,
-           const TrailedPath& gather, Progress& progress, std::vector<Sighting>& sightings) {
-  std::vector<std::vector<Sighting>> chunks((paths + kChunk - 1) / kChunk);
+void trace_training_paths(const TrainingContext& context, size_t paths, uint64_t salt,
+                          const GuidingData& guiding, const TrainingPath& trace, Progress& progress,
+                          std::vector<RadianceSample>& radiance_samples) {
+  std::vector<std::vector<RadianceSample>> chunks((paths + kChunk - 1) / kChunk);
   parallel_for(chunks.size(), [&](size_t chunk) {
     progress.check();
-    std::array<std::vector<Sighting>, kMostAhead> seen;
+    std::array<std::vector<RadianceSample>, raytree::kMaxInFlight> seen;
     const size_t begin = chunk * kChunk;
-    work_together(
+    raytree::run_interleaved(
         std::min(paths - begin, kChunk),
         [&](size_t i) {
-          SampleCursor numbers(rehearsal.sampler,
-                               rehearsal.sample_id(kSalt + salt, begin + i, paths));
+          SampleCursor numbers(context.sampler, context.sample_id(kSalt + salt, begin + i, paths));
           const Vec2f film = numbers.pair(), lens = numbers.pair();
-          Trail trail(seen[i % kMostAhead]);
-          gather(rehearsal.camera.ray(film, rehearsal.aspect, lens), numbers, learned, trail);
+          PathRecorder path_recorder(seen[i % raytree::kMaxInFlight]);
+          trace(context.camera.ray(film, context.aspect, lens), numbers, guiding, path_recorder);
         },
         [&](size_t i) {
-          std::vector<Sighting>& path = seen[i % kMostAhead];
+          std::vector<RadianceSample>& path = seen[i % raytree::kMaxInFlight];
           chunks[chunk].insert(chunks[chunk].end(), path.begin(), path.end());
           path.clear();
         });
   });
-  for (const std::vector<Sighting>& chunk : chunks)
-    sightings.insert(sightings.end(), chunk.begin(), chunk.end());
+  for (const std::vector<RadianceSample>& chunk : chunks)
+    radiance_samples.insert(radiance_samples.end(), chunk.begin(), chunk.end());
 }
 
 /// Looks from places that paths came to at patches: half of the time at one that would light the
 /// place, half at any, since what is thought to be hidden may be seen from here.
-std::vector<Glance> glance_about(const Rehearsal& rehearsal, size_t most, uint64_t salt,
-                                 const Guide& guide, const std::vector<Sighting>& sightings,
-                                 Progress& progress) {
-  const size_t step = std::max<size_t>(1, sightings.size() / std::max<size_t>(most, 1));
-  const size_t places = sightings.size() / step;
-  const std::vector<BrightPatch>& patches = guide.patches();
-  std::vector<Glance> glances(2 * places, Glance{{0, 0, 0}, kNothing, false});
-  parallel_together(places, [&](size_t place) {
+std::vector<VisibilitySample> sample_cluster_visibility(
+    const TrainingContext& context, size_t most, uint64_t salt, const Guide& guide,
+    const std::vector<RadianceSample>& radiance_samples, Progress& progress) {
+  const size_t step = std::max<size_t>(1, radiance_samples.size() / std::max<size_t>(most, 1));
+  const size_t places = radiance_samples.size() / step;
+  const std::vector<BrightCluster>& clusters = guide.clusters();
+  std::vector<VisibilitySample> visibility_samples(2 * places,
+                                                   VisibilitySample{{0, 0, 0}, kNothing, false});
+  raytree::parallel_interleaved(places, [&](size_t place) {
     progress.check();
-    const Sighting& at = sightings[place * step];
-    SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
-    const Cones cones = guide.at(at.point, at.normal);
+    const RadianceSample& at = radiance_samples[place * step];
+    SampleCursor numbers(context.sampler, context.sample_id(kSalt + salt, place, places));
+    const ConeMixture cones = guide.at(at.point, at.normal);
     for (size_t i = 2 * place; i < 2 * place + 2; ++i) {
       const Vec2f which = numbers.pair(), u = numbers.pair();
-      auto patch = static_cast<uint32_t>(which.x * static_cast<float>(patches.size()));
+      auto cluster = static_cast<uint32_t>(which.x * static_cast<float>(clusters.size()));
       if (i % 2 == 0) {
         if (cones.size() == 0) continue;
-        patch = cones.name(cones.choose(which.x));
+        cluster = cones.id(cones.choose(which.x));
       }
-      const Vec3f to = patches[patch].centre - at.point;
-      const float distance = length(to), radius = patches[patch].radius;
+      const Vec3f to = clusters[cluster].centre - at.point;
+      const float distance = length(to), radius = clusters[cluster].radius;
       if (!(distance > radius)) continue;
       const float sine = radius / distance, rim = one_minus_cosine(sine * sine);
       const Vec3f direction = Frame(to / distance).to_world(direction_off_axis(rim * u.x, u.y));
       if (!(dot(direction, at.normal) > 0)) continue;
       Hit hit;
-      const bool found = rehearsal.world.intersect({at.point, direction}, hit);
-      const bool reached = found && length(hit.surface.position - patches[patch].centre) <= radius;
-      glances[i] = {at.point, patch, reached};
+      const bool found = context.world.intersect({at.point, direction}, hit);
+      const bool reached =
+          found && length(hit.surface.position - clusters[cluster].centre) <= radius;
+      visibility_samples[i] = {at.point, cluster, reached};
     }
   });
-  return taken(std::move(glances));
+  return without_empty(std::move(visibility_samples));
 }
 
 /// Somewhere on the way that light may take to a surface.
-LitPoint in_the_air(const World& world, const Sighting& at, SampleCursor& numbers) {
+LightSampleContext point_in_medium(const World& world, const RadianceSample& at,
+                                   SampleCursor& numbers) {
   const Ray ray{at.point, Frame(at.normal).to_world(sample_cosine_hemisphere(numbers.pair()))};
   Hit hit;
   const float end = world.intersect(ray, hit) ? hit.distance : length(world.bounds().size());
@@ -107,19 +112,21 @@ LitPoint in_the_air(const World& world, const Sighting& at, SampleCursor& number
 }
 
 /// Looks from places that paths came to at lights of a few branches, of each in turn.
-std::vector<Glance> glance_at_lights(const Rehearsal& rehearsal, size_t most, uint64_t salt,
-                                     const std::vector<Sighting>& sightings, Progress& progress) {
-  const World& world = rehearsal.world;
+std::vector<VisibilitySample> sample_light_visibility(
+    const TrainingContext& context, size_t most, uint64_t salt,
+    const std::vector<RadianceSample>& radiance_samples, Progress& progress) {
+  const World& world = context.world;
   const size_t branches = world.lights().branches(), each = std::min(branches, kLightsAtOnce);
-  const size_t step = std::max<size_t>(1, sightings.size() / std::max<size_t>(most, 1));
-  const size_t places = sightings.size() / step;
-  std::vector<Glance> glances(each * places, Glance{{0, 0, 0}, kNothing, false});
-  parallel_together(places, [&](size_t place) {
+  const size_t step = std::max<size_t>(1, radiance_samples.size() / std::max<size_t>(most, 1));
+  const size_t places = radiance_samples.size() / step;
+  std::vector<VisibilitySample> visibility_samples(each * places,
+                                                   VisibilitySample{{0, 0, 0}, kNothing, false});
+  raytree::parallel_interleaved(places, [&](size_t place) {
     progress.check();
-    const Sighting& at = sightings[place * step];
-    SampleCursor numbers(rehearsal.sampler, rehearsal.sample_id(kSalt + salt, place, places));
-    LitPoint point{at.point, at.normal};
-    if (world.medium() && place % 2 == 1) point = in_the_air(world, at, numbers);
+    const RadianceSample& at = radiance_samples[place * step];
+    SampleCursor numbers(context.sampler, context.sample_id(kSalt + salt, place, places));
+    LightSampleContext point{at.point, at.normal};
+    if (world.medium() && place % 2 == 1) point = point_in_medium(world, at, numbers);
     for (size_t i = each * place; i < each * (place + 1); ++i) {
       const float which = numbers.single();
       const Vec2f u = numbers.pair();
@@ -127,43 +134,44 @@ std::vector<Glance> glance_at_lights(const Rehearsal& rehearsal, size_t most, ui
       if (chosen.light == kNoLight) continue;
       const LightSample s = world.lights().sample(chosen.light, point, u);
       if (!(s.pdf > 0) || (point.on_surface() && !(dot(s.direction, point.normal) > 0)) ||
-          is_black(unshadowed(world, s, kNoObject)))
+          is_black(unoccluded_radiance(world, s, kNoObject)))
         continue;
-      glances[i] = {point.position, static_cast<uint32_t>(i % branches),
-                    !shadowed(world, {point.position, s.direction}, s.distance)};
+      visibility_samples[i] = {point.position, static_cast<uint32_t>(i % branches),
+                               !occluded(world, {point.position, s.direction}, s.distance)};
     }
   });
-  return taken(std::move(glances));
+  return without_empty(std::move(visibility_samples));
 }
 
 }  // namespace
 
-Learned learn(const Rehearsal& rehearsal, uint64_t paths, const TrailedPath& gather,
-              Progress& progress) {
+GuidingData train(const TrainingContext& context, uint64_t paths, const TrainingPath& trace,
+                  Progress& progress) {
   progress.begin("learning where light comes from", 2 * kRounds);
-  const Box3f& bounds = rehearsal.world.bounds();
-  const size_t branches = rehearsal.world.lights().branches();
+  const Box3f& bounds = context.world.bounds();
+  const size_t branches = context.world.lights().branches();
   const auto places = static_cast<size_t>(kPlaces * static_cast<double>(paths));
-  std::vector<Sighting> sightings;
-  Learned learned;
+  std::vector<RadianceSample> radiance_samples;
+  GuidingData guiding;
   for (int round = 0; round < kRounds; ++round) {
     const auto salt = static_cast<uint64_t>(3 * round);
-    watch(rehearsal, std::max<size_t>(1, (paths << round) >> kRounds), salt, learned, gather,
-          progress, sightings);
+    trace_training_paths(context, std::max<size_t>(1, (paths << round) >> kRounds), salt, guiding,
+                         trace, progress, radiance_samples);
     progress.advance();
     if (branches > 1)
-      learned.lights = Chances(bounds, kRegion, branches,
-                               glance_at_lights(rehearsal, places, salt + 1, sightings, progress));
-    learned.guide = Guide(sightings, bounds);
-    if (!learned.guide.empty())
-      learned.guide.learn(
-          glance_about(rehearsal, places, salt + 2, learned.guide, sightings, progress));
+      guiding.light_visibility = VisibilityCache(
+          bounds, kRegion, branches,
+          sample_light_visibility(context, places, salt + 1, radiance_samples, progress));
+    guiding.guide = Guide(radiance_samples, bounds);
+    if (!guiding.guide.empty())
+      guiding.guide.update_visibility(sample_cluster_visibility(
+          context, places, salt + 2, guiding.guide, radiance_samples, progress));
     progress.advance();
   }
   // Not before: paths that ended by it would tell less of what they end by.
-  learned.surfaces = Brightness(sightings, bounds, kRegion);
+  guiding.radiance = RadianceCache(radiance_samples, bounds, kRegion);
   progress.end();
-  return learned;
+  return guiding;
 }
 
 }  // namespace vug::render
