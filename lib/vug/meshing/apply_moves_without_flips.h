@@ -5,16 +5,16 @@
 
 namespace vug::meshing {
 
-/// Where the vertices went.
+/// The vertices after the moves.
 struct MoveResult {
   std::vector<Vec3d> points;
-  std::vector<char> on_crease;  ///< By vertex.
-  size_t shortened_moves = 0;   ///< Vertices that are not at their first target.
+  std::vector<char> on_crease;  ///< Per vertex.
+  size_t shortened_moves = 0;   ///< Vertices that did not reach their first target.
 };
 
-/// All vertices go to their targets; then those whose polygons fold by it take lesser targets,
-/// one vertex at a time where that mends the polygon: the other place on the crease, the surface,
-/// a share of the way. Folds that the raw polygons had stay.
+/// Moves all vertices to their targets. Vertices whose polygons fold then fall back to
+/// alternatives, one vertex at a time where that is sufficient: the other point on the crease, the
+/// surface, or a fraction of the move. Folds of the raw polygons remain.
 MoveResult apply_moves_without_flips(const FaceMesh& raw, const std::vector<Target>& targets,
                                      const field::Field& exact, double voxel,
                                      const Progress& progress);

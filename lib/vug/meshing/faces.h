@@ -1,5 +1,5 @@
-// The polygons between OpenVDB's mesher and the triangles: quads are kept until their vertices
-// have moved, because only then the better diagonal shows.
+// The polygons between OpenVDB's mesher and the final triangles. Quads are kept until their
+// vertices have moved, because the better diagonal is known only then.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -23,7 +23,7 @@ struct FaceMesh {
   Vec3d centre(const Face& face) const;
 };
 
-/// Drops corners that repeat and faces that have less than three left.
+/// Removes repeated corners, and faces with fewer than three corners left.
 FaceMesh face_mesh(const volume::Polygons& polygons);
 
 /// Normal at corner k of the face, not normalised, with the vertices at `points`.

@@ -1,4 +1,4 @@
-// How a polygon that moved shows that it is folded.
+// Tests for folded polygons after their vertices moved.
 #pragma once
 
 #include <vug/meshing/faces.h>
@@ -6,17 +6,17 @@
 
 namespace vug::meshing {
 
-/// Whether the triangle at corner k turned over, or lost nearly all its area, on the way from the
-/// places `before` to `after`.
+/// Whether the triangle at corner k flipped, or lost nearly all its area, when its vertices moved
+/// from `before` to `after`.
 bool is_flipped(const Face& face, uint32_t k, const std::vector<Vec3d>& before,
                 const std::vector<Vec3d>& after);
 
-/// The middle of the triangle at corner k.
+/// The centroid of the triangle at corner k.
 Vec3d corner_centroid(const Face& face, uint32_t k, const std::vector<Vec3d>& points);
 
-/// Whether the triangle at corner k lies on the surface but faces inwards there, as the field
-/// says at its middle. Sees folds beside sharp creases, which the polygon's direction before the
-/// move does not tell.
+/// Whether the triangle at corner k lies on the surface but faces inwards according to the field at
+/// its centroid. This detects folds next to sharp creases, which the orientation before the move
+/// does not reveal.
 bool faces_backwards(const Face& face, uint32_t k, const std::vector<Vec3d>& points,
                      const SurfacePoint& middle, double voxel);
 

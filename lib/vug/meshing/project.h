@@ -1,4 +1,4 @@
-// The way from points near a field's surface onto it, many points in step with each other.
+// Projection of points near a field's surface onto it, in batches.
 #pragma once
 
 #include <vug/field/field.h>
@@ -7,36 +7,38 @@
 
 namespace vug::meshing {
 
-/// A point near or on the surface and what the field says there.
+/// A point near or on the surface, with the field's normal and distance.
 struct SurfacePoint {
   Vec3d point;
-  Vec3d normal{0, 0, 0};        ///< Unit gradient; zero where the field has none.
-  double residual = kInfinity;  ///< |f| / |grad f|: distance from the surface to first order.
+  Vec3d normal{0, 0, 0};        ///< Unit gradient; zero if the gradient vanishes.
+  double residual = kInfinity;  ///< |f| / |grad f|: first-order distance from the surface.
 };
 
 struct ProjectOptions {
-  double reach = 1;      ///< Furthest from the start, metres.
-  double tolerance = 0;  ///< Residual that is good enough, metres.
+  double reach = 1;      ///< Maximum distance from the start, metres.
+  double tolerance = 0;  ///< Sufficient residual, metres.
   int steps = 10;
 };
 
-/// What single precision may be off the exact field, voxels: a tenth of what is promised.
+/// Permitted deviation of single precision from the exact field, in voxels: a tenth of the promised
+/// accuracy.
 constexpr double kLargestError = 1e-3;
 
-/// Asks one field about many points at once: eight at a time in single precision, whose values
-/// were held against double precision at some of the points. If they differ by more than
-/// `error` metres there (far from the origin, say), all that follows is in double precision.
+/// Evaluates one field at many points: eight at a time in single precision after a comparison with
+/// double precision at some of the points. If the difference exceeds `error` metres (for example
+/// far from the origin), all evaluations use double precision.
 class SurfaceProjector {
  public:
-  /// `near` are points of the region that will be asked about. The field must outlive this.
+  /// `near` are points of the region to be evaluated. The field must outlive this object.
   SurfaceProjector(const field::Field& field, const std::vector<Vec3d>& near, double error);
 
-  /// What the field says at the points.
+  /// Evaluates the field at the points.
   std::vector<SurfacePoint> sample(const std::vector<Vec3d>& points);
 
-  /// The surface near the starts, by Newton steps along the gradient, each at most half the
-  /// reach: the best points met on the way. On creases the steps alternate between the branches
-  /// and close in on both. Tolerances below what single precision can tell are raised to that.
+  /// Projects the starts onto the surface by Newton steps along the gradient, each at most half the
+  /// reach, and returns the best points on the way. On creases the steps alternate between the
+  /// branches and converge to both. Tolerances below the resolution of single precision are raised
+  /// to it.
   std::vector<SurfacePoint> project(const std::vector<Vec3d>& starts,
                                     const ProjectOptions& options);
 
@@ -49,7 +51,7 @@ class SurfaceProjector {
   const field::Field& field_;
   field::Scratch scratch_;
   bool in_double_ = false;
-  double noise_ = 0;  ///< Of positions in single precision, metres.
+  double noise_ = 0;  ///< Rounding error of positions in single precision, metres.
   std::vector<field::Gradient> gradients_;
 };
 

@@ -1,4 +1,4 @@
-// Quads into triangles, along the diagonal that keeps to the surface.
+// Splits quads into triangles along the diagonal that follows the surface.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -7,9 +7,10 @@
 
 namespace vug::meshing {
 
-/// Cuts each quad of `faces` with its vertices at `points`. Flat quads take the shorter diagonal;
-/// bent ones (over a crease, say) the one whose middle is nearer to the zero of `exact`, unless
-/// one of its triangles faces backwards. `exact` may be null: then the shorter one.
+/// Splits each quad of `faces` with its vertices at `points`. Flat quads take the shorter diagonal.
+/// Bent quads, for example across a crease, take the diagonal whose midpoint is nearer to the zero
+/// set of `exact`, unless one of its triangles faces backwards. If `exact` is null, all take the
+/// shorter diagonal.
 std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector<Vec3d>& points,
                                         const field::Field* exact, double voxel,
                                         Progress& progress);

@@ -1,4 +1,4 @@
-// Where each vertex of the raw polygons should go.
+// Target positions for the vertices of the raw polygons.
 #pragma once
 
 #include <vug/meshing/faces.h>
@@ -6,15 +6,16 @@
 
 namespace vug::meshing {
 
-/// The places a vertex may go to.
+/// The positions that a vertex may move to.
 struct Target {
   Vec3d crease;       ///< The point of the crease nearest to the vertex,
-  Vec3d alternative;  ///< and the one nearest to the middle of the samples around.
+  Vec3d alternative;  ///< and the one nearest to the centroid of the surrounding samples.
   Vec3d surface;      ///< The nearest point of the surface.
   bool has_crease = false;
 };
 
-/// By vertex. `voxel` in metres; cells of the lattice through the origin hold one raw vertex each.
+/// One target per vertex. `voxel` is in metres; each cell of the lattice through the origin
+/// contains one raw vertex.
 std::vector<Target> find_targets(const FaceMesh& raw, const field::Field& exact, double voxel,
                                  const PolygonizeOptions& options, Progress& progress);
 

@@ -1,4 +1,4 @@
-// Everything `vug measure` says about a solid, as a table and as JSON.
+// The report of `vug measure` on a solid, as a table and as JSON.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -8,41 +8,41 @@
 
 namespace vug::metrics {
 
-/// What cannot be known from what was measured stays empty (JSON: null).
+/// Values that cannot be derived from the input are empty (JSON: null).
 struct Report {
   double area = 0;                     ///< Square metres (eq. 9).
   double volume = 0;                   ///< Cubic metres, by the divergence theorem.
   std::optional<double> volume_cells;  ///< Cubic metres, by counting cells (eq. 10).
-  std::optional<double> cf;            ///< Per cent of bent edges that are convex (eq. 11).
-  std::optional<double> cf_area;       ///< The same, weighted by the area beside each edge.
+  std::optional<double> cf;            ///< Percentage of bent edges that are convex (eq. 11).
+  std::optional<double> cf_area;       ///< The same, weighted by the area adjacent to each edge.
   size_t vertices = 0;
   size_t triangles = 0;
   std::optional<size_t> productions;
   std::optional<double> build_seconds;
   size_t components = 0;
-  std::optional<size_t> genus;  ///< Handles of all pieces; empty for what is no surface.
+  std::optional<size_t> genus;  ///< Handles of all components; empty if the mesh is not a surface.
   size_t boundary_edges = 0;
   size_t nonmanifold_edges = 0;
   size_t misoriented_edges = 0;
-  std::optional<size_t> self_intersections;  ///< Pairs of triangles; empty when not looked for.
+  std::optional<size_t> self_intersections;  ///< Pairs of triangles; empty if not computed.
   Box3d bounds;
 
-  /// Whether the mesh bounds a solid: closed, two triangles at each edge, one outside.
+  /// Whether the mesh bounds a solid: closed, two triangles at each edge, consistently oriented.
   bool is_closed_solid() const {
     return boundary_edges == 0 && nonmanifold_edges == 0 && misoriented_edges == 0;
   }
 };
 
 struct MeasureOptions {
-  bool self_intersections = true;  ///< Takes longer than all the rest.
+  bool self_intersections = true;  ///< Takes longer than all other measures together.
 };
 
-/// All that the mesh alone tells. The same bits for any number of threads.
+/// All values that the mesh alone provides. Bit-identical for any number of threads.
 Report measure(const mesh::Mesh& mesh, const MeasureOptions& options = {});
 
 /// One "name value unit" line each, aligned, with a final newline.
 std::string to_table(const Report& report);
-/// One object; keys in the order above, bounds as [[min], [max]] or null when empty.
+/// One object with keys in the order above; bounds as [[min], [max]], or null if empty.
 std::string to_json(const Report& report);
 
 }  // namespace vug::metrics

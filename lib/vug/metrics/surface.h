@@ -7,21 +7,21 @@
 
 namespace vug::metrics {
 
-/// Sum of the triangles' areas, square metres: eq. 9 with the norm it needs.
+/// Sum of the triangles' areas in square metres: eq. 9 with the norm that it omits.
 double area(const mesh::Mesh& mesh);
 
-/// Cubic metres, by the divergence theorem; positive for closed meshes that face outwards.
+/// Cubic metres, by the divergence theorem; positive for closed meshes that are oriented outwards.
 double volume(const mesh::Mesh& mesh);
 
-/// Edges between two triangles by the side they bend to, seen from outside. Flat edges are
-/// those whose far corners lie in the neighbour's plane up to the rounding of positions.
+/// Edges between two triangles, classified as convex or concave seen from outside. An edge is flat
+/// if the opposite corners lie in the neighbour's plane within the rounding of positions.
 struct Convexity {
   size_t convex = 0;
   size_t concave = 0;
   double convex_area = 0;  ///< Sums of the areas of both triangles at each edge.
   double concave_area = 0;
 
-  /// Eq. 11: 100 * convex / bent edges; empty without any.
+  /// Eq. 11: 100 * convex / bent edges; empty if there are no bent edges.
   std::optional<double> cf() const;
   std::optional<double> cf_area() const;
 };

@@ -1,11 +1,11 @@
-// Inside volume/ only: the values of one block of 8^3 voxels.
+// Internal to volume/: the values of one block of 8^3 voxels.
 #pragma once
 
 #include <vug/volume/lattice.h>
 
 namespace vug::volume {
 
-/// In OpenVDB's order: z runs fastest, one mask word holds one x.
+/// In OpenVDB's order: z varies fastest, and each mask word holds one x.
 struct Block {
   static constexpr int kSize = 512;
   alignas(32) float values[kSize];
@@ -14,8 +14,8 @@ struct Block {
   bool any_active() const;
 };
 
-/// Fills the block whose first lattice point is `cell.origin`: clamped values, active where they
-/// are inside the band.
+/// Fills the block whose first lattice point is `cell.origin` with clamped values; voxels inside
+/// the band are active.
 void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& band,
               field::Scratch& scratch, Block& block);
 

@@ -1,4 +1,4 @@
-// Grids in the coordinates of other programs.
+// Conversion of grids to the coordinates of other programs.
 #pragma once
 
 #include <vug/base/transform.h>
@@ -6,8 +6,8 @@
 
 namespace vug::volume {
 
-/// The same voxels where `to_target`, which keeps angles, takes them: only the grid's transform
-/// changes, and the distances of a level set, which grow as lengths do.
+/// Applies `to_target`, a similarity transform, to the grid: the voxels are unchanged, only the
+/// grid's transform changes, and the distances of a level set, which scale with lengths.
 Grid converted(const Grid& grid, const Transform& to_target);
 
 }  // namespace vug::volume

@@ -1,4 +1,4 @@
-// A fog's values in plain blocks, for fast lookups along rays.
+// A fog volume's values in plain blocks, for fast lookups along rays.
 #pragma once
 
 #include <vug/volume/grid.h>
@@ -10,46 +10,46 @@
 
 namespace vug::volume {
 
-/// Trilinear samples of a grid of floats, or of one part of a grid of vectors. Space is cut into
-/// blocks of 16^3 voxels; of those with nothing but 0 in reach no values are stored. What lookups
-/// wait for is the memory, so a value takes 16 bits: one of 65535 steps from its block's least to
-/// its greatest. Values below 0 count as 0. Index coordinates are those of the grid minus `origin`;
-/// lattice points have whole numbers. Immutable, thread-safe.
+/// Trilinear samples of a float grid, or of one component of a vector grid. Space is divided into
+/// blocks of 16^3 voxels; blocks whose values are all 0 are not stored. Lookups are limited by
+/// memory access, so a value takes 16 bits: one of 65535 steps between the minimum and maximum of
+/// its block. Negative values count as 0. Index coordinates are those of the grid minus `origin`;
+/// lattice points have integer coordinates. Immutable, thread-safe.
 class Density {
  public:
-  /// `part`: of a vector, 0 to 2. Error(bad_input): neither floats nor vectors of floats, or values
-  /// that are not finite.
+  /// `part`: vector component, 0 to 2. Throws Error(bad_input) for grids of other types and for
+  /// values that are not finite.
   explicit Density(const Grid& grid, int part = 0);
 
-  /// World to index coordinates; directions without the shift.
+  /// Converts from world to index coordinates; directions without the translation.
   Vec3f to_index(const Vec3f& world) const;
   Vec3f direction_to_index(const Vec3f& world) const;
-  /// Voxels along each axis: index coordinates from 0 to that.
+  /// Voxels along each axis: the maximum of index coordinates, which start at 0.
   const Vec3f& size() const { return size_; }
-  /// Box in world space of all that is not 0.
+  /// World-space box of all non-zero values.
   const Box3f& bounds() const { return bounds_; }
-  /// Bounds of the values in bricks of 8, 16, 32 and 64 voxels; none when all is 0.
+  /// Bounds of the values in bricks of 8, 16, 32 and 64 voxels; empty if all values are 0.
   const std::vector<MajorantGrid>& majorants() const { return majorants_; }
 
   /// The interpolated value; 0 outside.
   float at(const Vec3f& index) const;
-  /// The value of one of the eight lattice points about a place, chosen by numbers in [0, 1) such
-  /// that the mean is the interpolated value: for estimates that are linear in the density, with
-  /// one look into memory instead of eight. The place may lie outside by less than a voxel.
+  /// The value of one of the eight surrounding lattice points, selected by numbers in [0, 1) such
+  /// that the mean is the interpolated value, for estimators that are linear in the density. It
+  /// needs one memory access instead of eight. The point may lie outside by less than a voxel.
   float stochastic_at(const Vec3f& index, const Vec3f& u) const;
-  /// Calls from memory what `at` will ask for.
+  /// Prefetches the data that `at` will read.
   void prefetch(const Vec3f& index) const;
-  /// The same as `at` in world space; outside what the grid holds where nothing was stored.
+  /// `at` for world-space points; outside the stored data the background of the grid.
   float at_world(const Vec3f& world) const;
   uint64_t bytes() const;
 
  private:
   static constexpr int kSize = 16;
-  static constexpr int kStride = kSize + 1;  ///< Blocks hold the first voxels of the next.
+  static constexpr int kStride = kSize + 1;  ///< Blocks include the first voxels of the next block.
   using Values = std::array<uint16_t, kStride * kStride * kStride>;
   struct Block {
     float least = 0, step = 0;
-    int32_t slot = -1;  ///< Where its values are; -1: nowhere, all are 0.
+    int32_t slot = -1;  ///< Index of its values; -1: none, all values are 0.
   };
   const Block& block(const Vec3i& at) const {
     return blocks_[static_cast<size_t>(at.x) + row_ * static_cast<size_t>(at.y) +
@@ -70,7 +70,8 @@ class Density {
   Box3f bounds_;
   std::vector<MajorantGrid> majorants_;
   size_t row_ = 0, plane_ = 0;
-  std::vector<Block> blocks_;  ///< In rows of x, those in planes, an empty one at the end of each.
+  std::vector<Block>
+      blocks_;  ///< In rows of x, then planes, with an empty block at the end of each.
   std::vector<Values> values_;
 };
 

@@ -1,4 +1,4 @@
-// Fog volumes: density 0 outside, rising to 1 inside a solid.
+// Fog volumes: density 0 outside a solid, rising to 1 inside.
 #pragma once
 
 #include <vug/volume/level_set.h>
@@ -6,11 +6,11 @@
 namespace vug::volume {
 
 struct FogOptions {
-  double falloff = 0;  ///< Depth at which density reaches 1, metres; 0 or more than the band
-                       ///< holds: the whole inner half of the band.
+  double falloff = 0;  ///< Depth at which density reaches 1, metres; 0 or a value beyond the band:
+                       ///< the whole inner half of the band.
 };
 
-/// Density grid of the level set's inside; the class is `fog`.
+/// The density grid of the level set's inside, with class `fog`.
 Grid fog(const LevelSet& level_set, const FogOptions& options = {});
 
 }  // namespace vug::volume

@@ -1,4 +1,4 @@
-// A level set of a closed mesh.
+// Conversion of a closed mesh to a level set.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -9,19 +9,20 @@ namespace vug::volume {
 
 struct FromMeshOptions {
   double voxel = 0.1;       ///< Edge of a voxel, metres.
-  double half_width = 3;    ///< Half the band, in voxels; 3 at least.
-  uint64_t max_memory = 0;  ///< Bytes that the work may take; 0: what the machine has available.
+  double half_width = 3;    ///< Half-width of the band in voxels; at least 3.
+  uint64_t max_memory = 0;  ///< Memory limit in bytes; 0: the available memory of the machine.
 };
 
-/// Distances to the triangles; outside is what can be reached from far away, so that surfaces which
-/// cross, as those of moved meshes may, bound one solid. Lattice points lie as those of `voxelize`.
-/// A mesh without triangles gives an empty grid. The same bytes for any number of threads.
-/// Error(bad_input) for an open mesh, which bounds nothing, and for lattice points beyond 32-bit
-/// indices; Error(too_large) before the work starts; Error(cancelled).
+/// Signed distances to the triangles. A point is outside if it is reachable from far away, so
+/// intersecting surfaces, for example of moved meshes, bound one solid. The lattice is that of
+/// `voxelize`. A mesh without triangles gives an empty grid. The result has the same bytes for any
+/// number of threads. Throws Error(bad_input) for an open mesh, which does not bound a solid, and
+/// for lattice points beyond 32-bit indices; Error(too_large) before the work starts;
+/// Error(cancelled).
 LevelSet from_mesh(const mesh::Mesh& mesh, const FromMeshOptions& options,
                    Progress& progress = Progress::none());
 
-/// Bytes that this will take, about.
+/// Approximate memory requirement in bytes.
 double from_mesh_bytes(double area, const FromMeshOptions& options);
 
 }  // namespace vug::volume

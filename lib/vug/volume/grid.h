@@ -1,4 +1,4 @@
-// A handle to any sparse grid, with its name, class and metadata: what files hold.
+// A handle to a sparse grid with its name, class and metadata, as stored in files.
 #pragma once
 
 #include <vug/base/hash.h>
@@ -12,7 +12,7 @@
 
 namespace vug::volume {
 
-/// What a grid's values mean; programs that read the file decide by it how to draw them.
+/// Meaning of a grid's values, by which programs that read the file decide how to render it.
 enum class GridClass { unknown, level_set, fog, staggered };
 
 std::string to_string(GridClass grid_class);
@@ -23,10 +23,12 @@ using Metadata = std::map<std::string, MetaValue>;
 struct Statistics {
   uint64_t active_voxels = 0;
   uint64_t leaves = 0;        ///< Dense blocks of 8^3 voxels.
-  uint64_t memory_bytes = 0;  ///< In memory now.
-  Vec3i index_min{0, 0, 0};   ///< Active voxels, inclusive; meaningless without any.
+  uint64_t memory_bytes = 0;  ///< Current memory use.
+  Vec3i index_min{0, 0,
+                  0};  ///< Inclusive bounds of the active voxels; undefined if there are none.
   Vec3i index_max{-1, -1, -1};
-  Box3d bounds;  ///< World box around the centres of the active voxels; empty without any.
+  Box3d bounds;  ///< World-space box around the centres of the active voxels; empty if there are
+                 ///< none.
 };
 
 /// Immutable and shared: copies are cheap and refer to the same voxels.
@@ -43,13 +45,13 @@ class Grid {
   bool saved_as_half() const;
   Metadata metadata() const;
   Statistics statistics() const;
-  /// Identity of the content: transform, topology and values, whatever the name and metadata.
+  /// Digest of the content: transform, topology and values, independent of the name and metadata.
   Digest content() const;
 
   Grid named(const std::string& name) const;
-  /// Metadata of that name is replaced, other metadata kept.
+  /// Replaces metadata of the same names and keeps the rest.
   Grid with(const Metadata& metadata) const;
-  /// Files will hold its floats as 16 bits, or as they are.
+  /// Whether files store its floats as 16 bits.
   Grid stored_as_half(bool half) const;
 
   const Data& data() const { return *data_; }

@@ -1,5 +1,5 @@
-// Inside volume/ only: the OpenVDB grid behind a handle. Declares, so that OpenVDB's headers
-// stay in .cpp files.
+// Internal to volume/: access to the OpenVDB grid of a handle. Uses forward declarations, so that
+// OpenVDB's headers stay in .cpp files.
 #pragma once
 
 #include <vug/volume/grid.h>
@@ -18,10 +18,10 @@ struct Grid::Data {
   std::shared_ptr<const openvdb::GridBase> grid;
 };
 
-/// Registers OpenVDB's types once; every function that makes or reads grids calls it first.
+/// Registers OpenVDB's types once. Every function that creates or reads grids calls it first.
 void initialise_openvdb();
 
-/// Metadata of a grid or file, types we do not know as text; and the way back.
+/// Converts metadata of a grid or file in both directions; unknown types become text.
 Metadata read_metadata(const openvdb::MetaMap& map);
 void write_metadata(openvdb::MetaMap& map, const Metadata& metadata);
 

@@ -1,4 +1,4 @@
-// Inside volume/ only: cubes of the voxel lattice and the balls around them.
+// Internal to volume/: cubes of the voxel lattice and their bounding balls.
 #pragma once
 
 #include <vug/field/field.h>
@@ -8,7 +8,7 @@
 
 namespace vug::volume {
 
-/// size^3 lattice points from `origin` on; size is a power of two, 8 at least.
+/// size^3 lattice points starting at `origin`; size is a power of two, at least 8.
 struct Cell {
   int64_t origin[3] = {0, 0, 0};
   int64_t size = 8;
@@ -28,14 +28,14 @@ inline field::Ball ball_around(const Cell& cell, double voxel) {
   return {{centre(0), centre(1), centre(2)}, half * voxel * std::sqrt(3.0)};
 }
 
-/// The band to fill, in metres.
+/// Parameters of the narrow band, in metres.
 struct NarrowBand {
   double voxel = 0;
-  float background = 0;  ///< Half the band's width.
+  float background = 0;  ///< Half-width of the band.
   bool repair = true;
 };
 
-/// Largest |value| of the field that can belong to the band, or neighbour a change of sign.
+/// The largest |value| of the field that can belong to the band or be adjacent to a change of sign.
 inline double reach(const NarrowBand& band, const field::Field& field) {
   const double background = static_cast<double>(band.background);
   if (field.exactness() <= field::Exactness::eikonal) return background;

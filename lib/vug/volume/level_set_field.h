@@ -1,4 +1,4 @@
-// Level sets as fields: the samples behind the field kind `grid`.
+// Level sets as sampled fields, for the field kind `grid`.
 #pragma once
 
 #include <vug/field/sampled.h>
@@ -6,11 +6,11 @@
 
 namespace vug::volume {
 
-/// Trilinear samples of a level set; its gradient is that of the interpolant.
+/// Trilinear samples of a level set; the gradient is that of the interpolant.
 std::shared_ptr<const field::SampledGrid> sampled_grid(const LevelSet& level_set);
 
-/// Lets the field kind `grid` read .vdb files; to be called before scenes are read, as often as one
-/// likes and by any thread.
+/// Enables the field kind `grid` to read .vdb files. Call before scenes are read; repeated calls
+/// and calls from any thread are allowed.
 void install_grid_loader();
 
 }  // namespace vug::volume

@@ -1,4 +1,4 @@
-// Bounds of a density in bricks of one size, for walks along rays.
+// Bounds of a density in bricks of one size, for traversal along rays.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -9,23 +9,23 @@
 
 namespace vug::volume {
 
-/// Space from index coordinates 0 to `reach` in cubes of `size` voxels; the last ones may stick
-/// out.
+/// Space from index coordinates 0 to `reach`, divided into cubes of `size` voxels; the last ones
+/// may extend beyond it.
 class MajorantGrid {
  public:
   MajorantGrid(int size, const Vec3i& reach);
   /// The same space in bricks of twice the size.
   MajorantGrid doubled() const;
 
-  int size() const { return size_; }  ///< Voxels along a brick.
+  int size() const { return size_; }  ///< Voxels along the edge of a brick.
   const Vec3i& reach() const { return reach_; }
-  const Vec3i& count() const { return count_; }  ///< MajorantGrid along each axis.
+  const Vec3i& count() const { return count_; }  ///< Bricks along each axis.
 
-  /// Bounds of all interpolated values in a brick, and about their mean.
+  /// Bounds of all interpolated values in a brick, and their approximate mean.
   struct Range {
     float min = 0, mean = 0, max = 0;
   };
-  /// MajorantGrid lie in rows of x, those in planes, with a rim of empty bricks about all.
+  /// Bricks are stored in rows of x, then planes, with a border of empty bricks on all sides.
   size_t index(const Vec3i& brick) const {
     return static_cast<size_t>(brick.x + 1) + row_ * static_cast<size_t>(brick.y + 1) +
            plane_ * static_cast<size_t>(brick.z + 1);
@@ -34,16 +34,16 @@ class MajorantGrid {
   size_t plane() const { return plane_; }
   const Range& range(size_t index) const { return ranges_[index]; }
   void set(const Vec3i& brick, const Range& range) { ranges_[index(brick)] = range; }
-  /// Calls visit(brick) for each, the rim left out.
+  /// Calls visit(brick) for each brick except the border.
   template <class Visit>
   void each(const Visit& visit) const {
     for (int z = 0; z < count_.z; ++z)
       for (int y = 0; y < count_.y; ++y)
         for (int x = 0; x < count_.x; ++x) visit(Vec3i(x, y, z));
   }
-  /// Voxels of a brick that lie within reach.
+  /// Voxels of a brick that lie within `reach`.
   double voxels(const Vec3i& brick) const;
-  /// Integral of the greatest values, over voxels.
+  /// Integral of the maxima, in voxels.
   double bound() const;
   uint64_t bytes() const { return ranges_.size() * sizeof(Range); }
 

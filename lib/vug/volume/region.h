@@ -1,4 +1,4 @@
-// Inside volume/ only: which part of a field is voxelized.
+// Internal to volume/: the region of a field that is voxelized.
 #pragma once
 
 #include <vug/volume/voxelize.h>
@@ -6,11 +6,11 @@
 namespace vug::volume {
 
 struct Region {
-  field::Field field;  ///< Cut off at the region's faces where the solid crosses them.
-  Box3d box;           ///< Holds the solid; finite, or empty.
+  field::Field field;  ///< Cut off at the region's faces if the solid crosses them.
+  Box3d box;           ///< Contains the solid; finite or empty.
 };
 
-/// Checks the options too. Error(bad_input).
+/// Also validates the options. Throws Error(bad_input).
 Region region_of(const field::Field& field, const VoxelizeOptions& options);
 
 }  // namespace vug::volume

@@ -1,4 +1,4 @@
-// Grids on the voxels of another: what else is known of where something is.
+// Functions resampled onto the voxels of another grid.
 #pragma once
 
 #include <vug/volume/grid.h>
@@ -7,11 +7,11 @@
 
 namespace vug::volume {
 
-/// A fog grid of floats with the active voxels of `where`, each with what `value` says of its
-/// middle (metres); 0 elsewhere. `value` is called from several threads. What is the same in a
-/// whole block takes no room.
+/// A float fog grid with the active voxels of `where`, each with `value` at the voxel centre
+/// (metres); 0 elsewhere. `value` is called from several threads. Constant blocks are stored as
+/// tiles.
 Grid resampled(const Grid& where, const std::function<float(const Vec3f&)>& value);
-/// The same of vectors (vec3s).
+/// The same for vectors (vec3s).
 Grid resampled_vectors(const Grid& where, const std::function<Vec3f(const Vec3f&)>& value);
 
 }  // namespace vug::volume

@@ -1,5 +1,5 @@
-// Inside volume/ only: nodes of an OpenVDB tree, filled by many threads and put together in an
-// order that leaves no trace.
+// Internal to volume/: builds an OpenVDB tree from nodes that many threads fill. The result does
+// not depend on their order.
 #pragma once
 
 #include <vug/volume/block.h>
@@ -7,8 +7,8 @@
 
 namespace vug::volume {
 
-/// One node of 128^3 voxels while its 16^3 blocks are being found. Threads may work on
-/// different blocks at the same time.
+/// One node of 128^3 voxels while its 16^3 blocks are computed. Different blocks may be set from
+/// different threads.
 class Brick {
  public:
   static constexpr int64_t kSize = 128;
@@ -37,8 +37,8 @@ class TreeBuilder {
   TreeBuilder(const TreeBuilder&) = delete;
   TreeBuilder& operator=(const TreeBuilder&) = delete;
 
-  void take(Brick& brick);             ///< Thread-safe; the brick's leaves move over.
-  void fill_inside(const Cell& cell);  ///< Thread-safe; a cell of 128^3 or more.
+  void take(Brick& brick);             ///< Thread-safe; moves the brick's leaves into the tree.
+  void fill_inside(const Cell& cell);  ///< Thread-safe; for a cell of 128^3 or more.
   std::shared_ptr<openvdb::GridBase> finish();
 
  private:

@@ -1,4 +1,4 @@
-// What a level set holds beyond its band, because a steep field's first-order distances are too
+// Trims a level set outside its band, because the first-order distances of a steep field are too
 // short far from its surface.
 #pragma once
 
@@ -6,10 +6,9 @@
 
 namespace vug::volume {
 
-/// Ends a level set's band `voxels` lattice steps (each along any of the axes at once) from the
-/// voxels beside a change of sign; what lies beyond gets the background, with its sign. No voxel
-/// whose distance to the surface is at most that many voxels is lost, and the surface stays to
-/// the bit.
+/// Ends the level set's band `voxels` lattice steps (each along any of the axes at once) from the
+/// voxels next to a change of sign; voxels beyond get the background with their sign. No voxel
+/// within that number of voxels from the surface is lost, and the surface is bit-identical.
 void trim_band(openvdb::GridBase& level_set, int voxels);
 
 }  // namespace vug::volume

@@ -1,5 +1,5 @@
-// Inside volume/ only: the parts of a .vdb file that say where everything is, read with every
-// length checked. OpenVDB trusts these numbers, so they are looked at before it opens a file.
+// Internal to volume/: the header and grid offsets of a .vdb file, read with all lengths checked.
+// OpenVDB trusts these numbers, so they are validated before it opens a file.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,21 @@ namespace vug::volume {
 
 struct VdbHeader {
   uint32_t format_version = 0;
-  std::string identifier;          ///< 36 characters, from byte kIdentifierAt on.
-  std::vector<std::string> grids;  ///< Names in the file's order.
+  std::string identifier;          ///< 36 characters, starting at byte kIdentifierAt.
+  std::vector<std::string> grids;  ///< Names in file order.
 
-  /// The identifier has the form of a hash; a random one looks so once in 10^8 files.
+  /// Whether the identifier has the form of a hash; a random one has it once in 10^8 files.
   bool has_content_hash() const;
 
   static constexpr uint64_t kIdentifierAt = 21;
   static constexpr size_t kIdentifierSize = 36;
 };
 
-/// Error(bad_input) for what is no .vdb file, is cut off, or places grids outside itself.
+/// Throws Error(bad_input) for a file that is not a .vdb file, is truncated, or places grids
+/// outside itself.
 VdbHeader read_vdb_header(const std::filesystem::path& source);
 
-/// The file's hash with its identifier left out, in the form of an identifier (RFC 9562, v8).
+/// The hash of the file without its identifier, in the form of an identifier (RFC 9562, v8).
 std::string content_identifier(const std::filesystem::path& source);
 
 }  // namespace vug::volume
