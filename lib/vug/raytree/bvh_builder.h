@@ -1,4 +1,4 @@
-// The plan of a RayTree: which quads share a leaf, and which boxes share a node.
+// The build plan of a WideBvh: which quads share a leaf, and which boxes share a node.
 #pragma once
 
 #include <vug/raytree/embree_device.h>
@@ -8,57 +8,58 @@
 #include <memory>
 #include <vector>
 
-namespace vug::render {
+namespace vug::raytree {
 
-/// Embree parts the boxes of quads in two by their surface areas, down to leaves of two; of these
-/// pairs nodes of eight are made such that rays meet as few as can be (Ylitie, Karras, Laine 2017,
-/// "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", section 3.1, cite
-/// ylitie2017compressed). Nodes that are parted from the top down leave half of their places empty.
-class TreePlan {
+/// Embree splits the boxes of quads by the surface area heuristic into a binary tree with leaves of
+/// up to two quads. The binary nodes are then collapsed into nodes of eight with the least expected
+/// number of node visits (Ylitie, Karras, Laine 2017, "Efficient incoherent ray traversal on GPUs
+/// through compressed wide BVHs", section 3.1, cite ylitie2017compressed). A collapse from the top
+/// down would leave half of the child slots empty.
+class BvhBuilder {
  public:
   static constexpr size_t kChildren = 8, kQuads = 2;
-  /// No path of nodes is longer.
+  /// Limit of the tree's depth.
   static constexpr unsigned kDepth = 64;
 
   struct Box {
     std::array<float, 3> min, max;
   };
-  /// A leaf or a node.
-  struct Part {
+  /// A leaf or an inner node.
+  struct BuildNode {
     Box box;
-    uint32_t quads = 0;  ///< 0: it is a node.
+    uint32_t quads = 0;  ///< Number of quads of a leaf; 0 for an inner node.
   };
-  struct Leaf : Part {
+  struct Leaf : BuildNode {
     std::array<std::pair<uint32_t, uint32_t>, kQuads> quad;  ///< geomID and primID of its box.
   };
   struct Children {
-    std::array<const Part*, kChildren> all;
+    std::array<const BuildNode*, kChildren> nodes;
     size_t count = 0;
 
-    const Part* const* begin() const { return all.data(); }
-    const Part* const* end() const { return all.data() + count; }
+    const BuildNode* const* begin() const { return nodes.data(); }
+    const BuildNode* const* end() const { return nodes.data() + count; }
   };
 
-  /// The same plan on every machine; the order of the boxes is lost. Throws as EmbreeDevice::check.
-  explicit TreePlan(std::vector<RTCBuildPrimitive> boxes);
+  /// The same tree on every machine. Throws as EmbreeDevice::check does.
+  explicit BvhBuilder(std::vector<RTCBuildPrimitive> boxes);
 
   /// Null without boxes.
-  const Part* root() const { return root_; }
+  const BuildNode* root() const { return root_; }
   size_t leaves() const { return leaves_; }
-  /// Of a node.
-  static Children children(const Part& node);
+  /// The two to eight children of an inner node.
+  static Children children(const BuildNode& node);
 
  private:
-  struct Node;
+  struct BinaryNode;
   struct Callbacks;
   struct Release {
     void operator()(RTCBVH memory) const { rtcReleaseBVH(memory); }
   };
 
   EmbreeDevice device_;
-  std::unique_ptr<std::remove_pointer_t<RTCBVH>, Release> memory_;  ///< Of all parts.
-  const Part* root_ = nullptr;
+  std::unique_ptr<std::remove_pointer_t<RTCBVH>, Release> memory_;  ///< Holds all nodes.
+  const BuildNode* root_ = nullptr;
   size_t leaves_ = 0;
 };
 
-}  // namespace vug::render
+}  // namespace vug::raytree

@@ -1,21 +1,21 @@
-#include <vug/render/simd.h>
 #include <vug/raytree/bvh_traversal.h>
+#include <vug/raytree/simd.h>
 
 #include <bit>
 #include <cmath>
 
-namespace vug::render {
+namespace vug::raytree {
 namespace {
 
-/// Exchanges lanes that are out of order, the lesser to the lanes of the mask.
+/// Compare-exchange of lane pairs: the lesser value goes to the lanes of the mask.
 template <int lanes>
 __m256i exchanged(__m256i v, __m256i with) {
   const __m256i other = _mm256_permutevar8x32_epi32(v, with);
   return _mm256_blend_epi32(_mm256_max_epi32(v, other), _mm256_min_epi32(v, other), lanes);
 }
 
-/// The greatest first: Batcher's network (Knuth 1998, "The art of computer programming", volume 3,
-/// section 5.3.4).
+/// Sorts in descending order with Batcher's network (Knuth 1998, "The art of computer programming",
+/// volume 3, section 5.3.4).
 __m256i sorted(__m256i v) {
   v = exchanged<0b10101010>(v, _mm256_setr_epi32(1, 0, 3, 2, 5, 4, 7, 6));
   v = exchanged<0b11001100>(v, _mm256_setr_epi32(2, 3, 0, 1, 6, 7, 4, 5));
@@ -29,7 +29,7 @@ template <int lanes>
 __m128i exchanged(__m128i v, __m128i other) {
   return _mm_blend_epi32(_mm_max_epi32(v, other), _mm_min_epi32(v, other), lanes);
 }
-/// The same of the first four lanes, of which only `count` are there: half the steps.
+/// Sorts the first `count` of four lanes in descending order, with half the steps.
 __m128i sorted(__m128i v, int count) {
   v = _mm_or_si128(v, _mm_cmpgt_epi32(_mm_setr_epi32(1, 2, 3, 4), _mm_set1_epi32(count)));
   v = exchanged<0b1010>(v, _mm_shuffle_epi32(v, 0b10110001));
@@ -38,45 +38,45 @@ __m128i sorted(__m128i v, int count) {
 }
 
 template <int lane>
-__m256 everywhere(__m128 v) {
+__m256 broadcast(__m128 v) {
   return _mm256_broadcastss_ps(_mm_permute_ps(v, lane * 0x55));
 }
 
-/// Distances to eight planes.
+/// Distances along the ray to eight planes.
 template <int axis>
 __m256 distances(const uint8_t* planes, __m128 step, __m128 first) {
   const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(planes));
   const __m256 numbers = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes));
-  return _mm256_fmadd_ps(numbers, everywhere<axis>(step), everywhere<axis>(first));
+  return _mm256_fmadd_ps(numbers, broadcast<axis>(step), broadcast<axis>(first));
 }
 
-/// Of four triangles, from the origin of a ray that runs along z.
+/// One corner of four triangles, relative to the origin of a ray along z.
 struct Corner {
   __m128 x, y, z;
-  /// Each pair of triangles with the other.
-  Corner turned() const {
+  /// Swaps the two pairs of triangles.
+  Corner swapped() const {
     return {_mm_permute_ps(x, 0x4e), _mm_permute_ps(y, 0x4e), _mm_permute_ps(z, 0x4e)};
   }
 };
-/// Twice the area between the ray and an edge, with a sign; exactly the opposite of that of the
-/// edge the other way.
+/// Twice the signed area between the ray and an edge; exactly the negative of that of the reversed
+/// edge.
 __m128 area(const Corner& from, const Corner& to) {
   return _mm_sub_ps(_mm_mul_ps(from.x, to.y), _mm_mul_ps(from.y, to.x));
 }
 
 }  // namespace
 
-// NOLINTNEXTLINE: what waits is written before it is read, all else below
-RaySearch::RaySearch(const RayTree& tree, const Ray& ray, float distance, Aim aim)
-    : tree_(tree),
+// NOLINTNEXTLINE: the stack is written before it is read, all other members below
+BvhTraversal::BvhTraversal(const WideBvh& bvh, const Ray& ray, float distance, Query query)
+    : bvh_(bvh),
       far_(distance),
-      stage_(tree.empty()      ? ended
-             : aim == Aim::any ? boxes_for_any
-                               : boxes_for_nearest) {
-  // Rounding of what is subtracted and multiplied below moves a plane by less than this.
-  float reach = tree.extent();
-  for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, std::fabs(ray.origin[axis]));
-  const float slack = reach * 0x1p-20f;
+      stage_(bvh.empty()           ? ended
+             : query == Query::any ? node_any
+                                   : node_closest) {
+  // Bound of the rounding errors of the subtractions and multiplications below.
+  float extent = bvh.extent();
+  for (int axis = 0; axis < 3; ++axis) extent = std::max(extent, std::fabs(ray.origin[axis]));
+  const float slack = extent * 0x1p-20f;
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<size_t>(axis);
     const float along = ray.direction[axis];
@@ -94,94 +94,92 @@ RaySearch::RaySearch(const RayTree& tree, const Ray& ray, float distance, Aim ai
   shear_[0] = ray.direction[x] * shear_[2], shear_[1] = ray.direction[y] * shear_[2];
 }
 
-std::array<Vec3f, 3> RaySearch::corners() const {
-  const RayTree::Leaf& in = leaf();
-  const size_t lane = lane_, turn = in.part[lane] >> RayTree::kTurn;
+std::array<Vec3f, 3> BvhTraversal::corners() const {
+  const WideBvh::Leaf& in = leaf();
+  const size_t lane = lane_, turn = in.geometry[lane] >> WideBvh::kTurnShift;
   const auto at = [](const std::array<std::array<float, 4>, 3>& v, size_t i) {
     return Vec3f(v[0][i], v[1][i], v[2][i]);
   };
-  const std::array<Vec3f, 3> begun{at(in.start, lane), at(in.second, lane),
-                                   at(in.second, lane ^ 2u)};
+  const std::array<Vec3f, 3> begun{at(in.v0, lane), at(in.v1, lane), at(in.v1, lane ^ 2u)};
   return {begun[(3 - turn) % 3], begun[(4 - turn) % 3], begun[(5 - turn) % 3]};
 }
 
-template <RaySearch::Stage stage>
-inline void RaySearch::step() {
-  constexpr bool any = stage == boxes_for_any || stage == triangles_for_any;
-  if constexpr (stage == boxes_for_nearest) enter<Aim::nearest>(tree_.node(next_));
-  if constexpr (stage == boxes_for_any) enter<Aim::any>(tree_.node(next_));
-  if constexpr (stage >= triangles_for_nearest) {
-    meet(next_);
-    if (any && found()) waiting_ = 0;
+template <BvhTraversal::Stage stage>
+inline void BvhTraversal::step() {
+  constexpr bool any = stage == node_any || stage == leaf_any;
+  if constexpr (stage == node_closest) intersect_node<Query::closest>(bvh_.node(next_));
+  if constexpr (stage == node_any) intersect_node<Query::any>(bvh_.node(next_));
+  if constexpr (stage >= leaf_closest) {
+    intersect_leaf(next_);
+    if (any && hit()) stack_size_ = 0;
   }
   const auto far = std::bit_cast<int32_t>(far_);
   do {
-    if (waiting_ == 0) {
+    if (stack_size_ == 0) {
       stage_ = ended;
       return;
     }
-    --waiting_;
-  } while (!any && distances_[waiting_] > far);
-  next_ = children_[waiting_];
-  const bool is_leaf = (next_ & RayTree::kLeaf) != 0;
-  const void* const node = &tree_.node(next_);
-  const void* const place = is_leaf ? static_cast<const void*>(&tree_.leaf(next_)) : node;
-  __builtin_prefetch(place);
-  __builtin_prefetch(static_cast<const char*>(place) + 64);
-  stage_ =
-      static_cast<Stage>((is_leaf ? triangles_for_nearest : boxes_for_nearest) + (any ? 1 : 0));
+    --stack_size_;
+  } while (!any && distances_[stack_size_] > far);
+  next_ = children_[stack_size_];
+  const bool is_leaf = (next_ & WideBvh::kLeaf) != 0;
+  const void* const node = &bvh_.node(next_);
+  const void* const memory = is_leaf ? static_cast<const void*>(&bvh_.leaf(next_)) : node;
+  __builtin_prefetch(memory);
+  __builtin_prefetch(static_cast<const char*>(memory) + 64);
+  stage_ = static_cast<Stage>((is_leaf ? leaf_closest : node_closest) + (any ? 1 : 0));
 }
 
-void RaySearch::go() {
+void BvhTraversal::run() {
   while (stage_ != ended) switch (stage_) {
-      case boxes_for_nearest:
-        step<boxes_for_nearest>();
+      case node_closest:
+        step<node_closest>();
         break;
-      case boxes_for_any:
-        step<boxes_for_any>();
+      case node_any:
+        step<node_any>();
         break;
-      case triangles_for_nearest:
-        step<triangles_for_nearest>();
+      case leaf_closest:
+        step<leaf_closest>();
         break;
       default:
-        step<triangles_for_any>();
+        step<leaf_any>();
     }
 }
 
-void RayBatch::add(size_t slot, RaySearch& search) {
-  searches_[slot] = &search;
-  Queue& queue = now_[search.stage()];
+void TraversalBatch::add(size_t slot, BvhTraversal& traversal) {
+  traversals_[slot] = &traversal;
+  Queue& queue = now_[traversal.stage()];
   queue.slots[queue.size++] = static_cast<uint8_t>(slot);
 }
 
-template <RaySearch::Stage stage>
-void RayBatch::step_all() {
+template <BvhTraversal::Stage stage>
+void TraversalBatch::step_all() {
   Queue& queue = now_[stage];
   for (size_t i = 0; i < queue.size; ++i) {
     const uint8_t slot = queue.slots[i];
-    RaySearch& search = *searches_[slot];
-    search.step<stage>();
-    Queue& then = next_[search.stage()];
+    BvhTraversal& traversal = *traversals_[slot];
+    traversal.step<stage>();
+    Queue& then = next_[traversal.stage()];
     then.slots[then.size++] = slot;
   }
   queue.size = 0;
 }
 
-std::span<const uint8_t> RayBatch::step() {
-  next_[RaySearch::ended].size = 0;
-  step_all<RaySearch::boxes_for_nearest>();
-  step_all<RaySearch::boxes_for_any>();
-  step_all<RaySearch::triangles_for_nearest>();
-  step_all<RaySearch::triangles_for_any>();
+std::span<const uint8_t> TraversalBatch::step() {
+  next_[BvhTraversal::ended].size = 0;
+  step_all<BvhTraversal::node_closest>();
+  step_all<BvhTraversal::node_any>();
+  step_all<BvhTraversal::leaf_closest>();
+  step_all<BvhTraversal::leaf_any>();
   std::swap(now_, next_);
-  const Queue& back = now_[RaySearch::ended];
+  const Queue& back = now_[BvhTraversal::ended];
   return {back.slots.data(), back.size};
 }
 
 /// Williams, Barrus, Morley, Shirley 2005, "An efficient and robust ray-box intersection algorithm"
 /// (cite williams2005boxes), for eight boxes.
-template <RaySearch::Aim aim>
-inline void RaySearch::enter(const RayTree::Node& node) {
+template <BvhTraversal::Query query>
+inline void BvhTraversal::intersect_node(const WideBvh::Node& node) {
   const __m128 inverse = _mm_load_ps(inverse_.data()), slack = _mm_load_ps(slack_.data());
   const __m128 from = _mm_sub_ps(_mm_load_ps(node.origin.data()), _mm_load_ps(origin_.data()));
   const __m128 first = _mm_mul_ps(from, inverse);
@@ -191,7 +189,7 @@ inline void RaySearch::enter(const RayTree::Node& node) {
   const __m256 in_x = distances<0>(planes + near_[0], step, in);
   const __m256 in_y = distances<1>(planes + near_[1], step, in);
   const __m256 in_z = distances<2>(planes + near_[2], step, in);
-  // The planes opposite: 24 bytes on, or back.
+  // The opposite planes are 24 bytes after or before.
   const __m256 out_x = distances<0>(planes + (24 - near_[0]), step, out);
   const __m256 out_y = distances<1>(planes + (40 - near_[1]), step, out);
   const __m256 out_z = distances<2>(planes + (56 - near_[2]), step, out);
@@ -202,9 +200,9 @@ inline void RaySearch::enter(const RayTree::Node& node) {
   const __m256 met = _mm256_cmp_ps(enters, leaves, _CMP_LE_OQ);
   const auto mask = static_cast<unsigned>(_mm256_movemask_ps(met));
   const int count = std::popcount(mask);
-  __m256i order = chosen_lanes(mask);
-  if (aim == Aim::nearest) {
-    // The number of the child stands in the last bits of the distance, so that it is sorted along.
+  __m256i order = compressed_lanes(mask);
+  if (query == Query::closest) {
+    // The child index replaces the last bits of the distance, so both are sorted together.
     __m256i all = _mm256_and_si256(_mm256_castps_si256(enters), _mm256_set1_epi32(~7));
     all = _mm256_or_si256(all, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     if (count <= 4) [[likely]] {
@@ -214,23 +212,24 @@ inline void RaySearch::enter(const RayTree::Node& node) {
       const __m256i none = _mm256_set1_epi32(-1);
       order = sorted(_mm256_blendv_epi8(none, all, _mm256_castps_si256(met)));
     }
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(&distances_[waiting_]), order);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(&distances_[stack_size_]), order);
   }
   const __m256i children = _mm256_load_si256(reinterpret_cast<const __m256i*>(node.child.data()));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(&children_[waiting_]),
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(&children_[stack_size_]),
                       _mm256_permutevar8x32_epi32(children, order));
-  waiting_ += static_cast<uint32_t>(count);
+  stack_size_ += static_cast<uint32_t>(count);
 }
 
 /// Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection" (cite woop2013watertight): by
-/// signs of areas as the ray sees them. Corners look the same to all triangles that share them, and
-/// rounding may make an area zero but never of the wrong sign; zero counts for both sides, so no
-/// ray slips through between two triangles, and what they do in double precision is not needed.
-inline void RaySearch::meet(uint32_t number) {
-  const RayTree::Leaf& leaf = tree_.leaf(number);
-  // Sheared so that the ray runs along z.
+/// the signs of areas projected along the ray. All triangles that share a corner compute the same
+/// projection. Rounding may make an area zero but never changes its sign, and zero counts as inside
+/// on both sides. So no ray passes between two triangles, and the paper's fallback to double
+/// precision is not needed.
+inline void BvhTraversal::intersect_leaf(uint32_t number) {
+  const WideBvh::Leaf& leaf = bvh_.leaf(number);
+  // A shear aligns the ray with z.
   const __m128 shear_x = _mm_broadcast_ss(&shear_[0]), shear_y = _mm_broadcast_ss(&shear_[1]);
-  const auto seen = [&](const std::array<std::array<float, 4>, 3>& corners) {
+  const auto project = [&](const std::array<std::array<float, 4>, 3>& corners) {
     const auto along = [&](size_t axis) {
       return _mm_sub_ps(_mm_load_ps(corners[axes_[axis]].data()),
                         _mm_broadcast_ss(&origin_[axes_[axis]]));
@@ -238,7 +237,7 @@ inline void RaySearch::meet(uint32_t number) {
     const __m128 z = along(2);
     return Corner{_mm_fnmadd_ps(shear_x, z, along(0)), _mm_fnmadd_ps(shear_y, z, along(1)), z};
   };
-  const Corner a = seen(leaf.start), b = seen(leaf.second), c = b.turned();
+  const Corner a = project(leaf.v0), b = project(leaf.v1), c = b.swapped();
   const __m128 u = area(b, c), v = area(c, a), w = area(a, b);
   const __m128 zero = _mm_setzero_ps();
   const __m128 least = _mm_min_ps(_mm_min_ps(u, v), w), most = _mm_max_ps(_mm_max_ps(u, v), w);
@@ -258,4 +257,4 @@ inline void RaySearch::meet(uint32_t number) {
   }
 }
 
-}  // namespace vug::render
+}  // namespace vug::raytree

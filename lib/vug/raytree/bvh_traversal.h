@@ -1,4 +1,4 @@
-// Rays on their way through a RayTree.
+// Resumable ray queries on a WideBvh, and batches of them that advance in turn.
 #pragma once
 
 #include <vug/raytree/wide_bvh.h>
@@ -7,89 +7,84 @@
 #include <cstdint>
 #include <span>
 
-namespace vug::render {
+namespace vug::raytree {
 
-/// Steps have as few branches as can be: rays are incoherent, so a guess at which child is met or
-/// nearer is wrong every other time, and costs more than sorting all eight.
-class RaySearch {
+/// One ray query, advanced one node or leaf at a time. Steps have as few branches as possible: rays
+/// are incoherent, so predictions of which child is hit or nearer fail every other time, and cost
+/// more than sorting all eight.
+class BvhTraversal {
  public:
-  enum class Aim : uint8_t { nearest, any };
-  /// What the next step does: look at the boxes of a node or at the triangles of a leaf; or that
-  /// there is none.
-  enum Stage : uint8_t {
-    boxes_for_nearest,
-    boxes_for_any,
-    triangles_for_nearest,
-    triangles_for_any,
-    ended
-  };
+  enum class Query : uint8_t { closest, any };
+  /// The work of the next step: intersect the boxes of a node or the triangles of a leaf.
+  enum Stage : uint8_t { node_closest, node_any, leaf_closest, leaf_any, ended };
   static constexpr size_t kStages = 4;
 
-  /// For triangles before `distance`; direction: unit. With Aim::any the search ends with the first
-  /// that is met.
-  RaySearch(const RayTree& tree, const Ray& ray, float distance, Aim aim);
+  /// Considers triangles at less than `distance`. The ray's direction must have unit length. With
+  /// Query::any the traversal ends at the first triangle that is hit.
+  BvhTraversal(const WideBvh& bvh, const Ray& ray, float distance, Query query);
 
   Stage stage() const { return stage_; }
-  /// All steps.
-  void go();
+  /// Takes all remaining steps.
+  void run();
 
-  bool found() const { return leaf_ != kNone; }
-  /// Of what was found, or as it was given.
+  bool hit() const { return leaf_ != kNone; }
+  /// Distance to the hit; without one, the limit given to the constructor.
   float distance() const { return far_; }
   uint32_t triangle() const { return leaf().triangle[lane_]; }
-  /// Its mesh: RayTree::Part::number.
-  uint32_t part() const { return leaf().part[lane_] & ((1u << RayTree::kTurn) - 1); }
-  /// In the order of the mesh.
+  /// The mesh that was hit: WideBvh::Geometry::id.
+  uint32_t geometry() const { return leaf().geometry[lane_] & ((1u << WideBvh::kTurnShift) - 1); }
+  /// Corners of the hit triangle in the order of its mesh.
   std::array<Vec3f, 3> corners() const;
 
  private:
-  friend class RayBatch;
+  friend class TraversalBatch;
   static constexpr uint32_t kNone = ~0u;
-  const RayTree::Leaf& leaf() const { return tree_.leaf(leaf_); }
-  /// The next step, which is known to be of that stage; makes the one after it known, and calls for
-  /// what that will read.
+  const WideBvh::Leaf& leaf() const { return bvh_.leaf(leaf_); }
+  /// Takes the next step, which must be of this stage; then determines the step after it and
+  /// prefetches its memory.
   template <Stage stage>
   void step();
-  template <Aim aim>
-  void enter(const RayTree::Node& node);
-  void meet(uint32_t number);
+  template <Query query>
+  void intersect_node(const WideBvh::Node& node);
+  void intersect_leaf(uint32_t number);
 
-  const RayTree& tree_;
+  const WideBvh& bvh_;
   alignas(16) std::array<float, 4> origin_, inverse_, slack_;
-  std::array<float, 3> shear_;  ///< Makes the ray run along the last of its axes.
+  std::array<float, 3> shear_;  ///< Aligns the ray with the last of its axes.
   std::array<uint32_t, 3> axes_;
-  std::array<uint32_t, 3> near_;  ///< Offsets of the planes where the ray enters a box.
+  std::array<uint32_t, 3> near_;  ///< Offsets of the planes through which the ray enters a box.
   float far_;
   uint32_t leaf_ = kNone, lane_ = 0;
   uint32_t next_ = 0;  ///< Node or leaf.
-  uint32_t waiting_ = 0;
+  uint32_t stack_size_ = 0;
   Stage stage_;
-  // Children that the ray meets, the nearest last, and where it does.
-  std::array<uint32_t, RayTree::kMostWaiting> children_;
-  std::array<int32_t, RayTree::kMostWaiting> distances_;  ///< Bits of floats, which compare alike.
+  // The stack: children that the ray meets, the nearest on top, and their distances.
+  std::array<uint32_t, WideBvh::kStackSize> children_;
+  std::array<int32_t, WideBvh::kStackSize> distances_;  ///< Bits of floats, which compare alike.
 };
 
-/// Searches that go on together: while memory fetches what one of them will read, others take their
-/// step. Those of one stage take it one after the other, so that no branch needs to be guessed.
-class RayBatch {
+/// Traversals that advance in turn: while memory is fetched for one, others take their steps.
+/// Traversals of the same stage step one after the other, so that no branch is mispredicted.
+class TraversalBatch {
  public:
-  static constexpr size_t kMost = 16;
+  static constexpr size_t kCapacity = 16;
 
-  /// Which is not at its end; `slot` is below kMost and free.
-  void add(size_t slot, RaySearch& search);
-  /// One step of each. The slots of those that came to their end, which are free again.
+  /// The traversal must not have ended; `slot` is below kCapacity and free.
+  void add(size_t slot, BvhTraversal& traversal);
+  /// Advances each traversal by one step. Returns the slots of those that have ended; these slots
+  /// are free again.
   std::span<const uint8_t> step();
 
  private:
   struct Queue {
-    std::array<uint8_t, kMost> slots{};
+    std::array<uint8_t, kCapacity> slots{};
     size_t size = 0;
   };
-  template <RaySearch::Stage stage>
+  template <BvhTraversal::Stage stage>
   void step_all();
 
-  std::array<RaySearch*, kMost> searches_{};
-  std::array<Queue, RaySearch::kStages + 1> now_{}, next_{};  ///< By stage.
+  std::array<BvhTraversal*, kCapacity> traversals_{};
+  std::array<Queue, BvhTraversal::kStages + 1> now_{}, next_{};  ///< By stage.
 };
 
-}  // namespace vug::render
+}  // namespace vug::raytree

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-namespace vug::render {
+namespace vug::raytree {
 
-// One instruction set everywhere: wider ones would choose other triangles at exact ties.
+// The same instruction set on every machine: wider ones would choose other triangles at exact ties.
 EmbreeDevice::EmbreeDevice()
     : device_(rtcNewDevice("isa=avx2,set_affinity=0,start_threads=0,verbose=0")) {
   if (!device_)
@@ -22,4 +22,4 @@ void EmbreeDevice::check(const char* doing) const {
       fmt::format("{} failed in the ray tracing library (code {})", doing, static_cast<int>(code)));
 }
 
-}  // namespace vug::render
+}  // namespace vug::raytree

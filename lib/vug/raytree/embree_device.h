@@ -1,24 +1,25 @@
-// Embree, started: for geometry*.cpp and tracing/tree_plan.h only.
+// An Embree device: only for render/geometry/ and bvh_builder.h.
 #pragma once
 
 #include <embree3/rtcore.h>
 
-namespace vug::render {
+namespace vug::raytree {
 
 class EmbreeDevice {
  public:
-  /// Error(internal) when it does not start.
+  /// Throws Error(internal) if Embree does not start.
   EmbreeDevice();
   ~EmbreeDevice();
   EmbreeDevice(const EmbreeDevice&) = delete;
   EmbreeDevice& operator=(const EmbreeDevice&) = delete;
 
   RTCDevice get() const { return device_; }
-  /// Error(too_large) or Error(internal) when something has failed since the last check.
+  /// Throws Error(too_large) or Error(internal) if a call has failed since the last check; `doing`
+  /// names the operation in the message.
   void check(const char* doing) const;
 
  private:
   RTCDevice device_;
 };
 
-}  // namespace vug::render
+}  // namespace vug::raytree

@@ -14,150 +14,151 @@
 #include <numeric>
 #include <vector>
 
-namespace vug::render {
+namespace vug::raytree {
 namespace {
 
 namespace context = boost::context;
 
-constexpr size_t kPaths = RayBatch::kMost;
-/// As deep as those of TBB's threads: paints and fields may lie in each other some thousand times.
-/// Touched as far as it is needed only, which pages of 2 MiB would defeat.
-constexpr size_t kStack = size_t{4} << 20;
-/// Stacks begin at pages; so far apart within one, the tops of all do not fight for the same few
-/// places of the first cache.
-constexpr size_t kApart = 4096 / kPaths + 64;
+constexpr size_t kPaths = TraversalBatch::kCapacity;
+/// Bytes of a path's stack, as large as those of TBB's threads: paints and fields may be nested
+/// thousands of levels deep. Pages are touched only as needed, which pages of 2 MiB would defeat.
+constexpr size_t kStackBytes = size_t{4} << 20;
+/// Stacks begin at page boundaries. These offsets of their tops, in bytes, keep the tops from
+/// competing for the same few sets of the first-level cache.
+constexpr size_t kStackOffset = 4096 / kPaths + 64;
 
-/// Stacks of this thread that are kept for the next to use.
-class Stacks {
+/// Free stacks of this thread, kept for reuse.
+class StackPool {
  public:
-  Stacks() = default;
-  Stacks(const Stacks&) = delete;
-  Stacks& operator=(const Stacks&) = delete;
-  ~Stacks() {
+  StackPool() = default;
+  StackPool(const StackPool&) = delete;
+  StackPool& operator=(const StackPool&) = delete;
+  ~StackPool() {
     for (context::stack_context& stack : free_) system_.deallocate(stack);
   }
-  context::stack_context take() {
+  context::stack_context acquire() {
     if (free_.empty()) {
-      const context::stack_context made = system_.allocate();
-      madvise(static_cast<char*>(made.sp) - made.size, made.size, MADV_NOHUGEPAGE);  // a wish
-      return made;
+      const context::stack_context stack = system_.allocate();
+      madvise(static_cast<char*>(stack.sp) - stack.size, stack.size,
+              MADV_NOHUGEPAGE);  // best effort
+      return stack;
     }
     const context::stack_context stack = free_.back();
     free_.pop_back();
     return stack;
   }
-  void give_back(const context::stack_context& stack) { free_.push_back(stack); }
+  void release(const context::stack_context& stack) { free_.push_back(stack); }
 
  private:
-  context::protected_fixedsize_stack system_{kStack};
+  context::protected_fixedsize_stack system_{kStackBytes};
   std::vector<context::stack_context> free_;
 };
-thread_local Stacks stacks;
+thread_local StackPool stack_pool;
 
-/// What boost gives a stack back to.
-struct KeptStacks {
-  void deallocate(const context::stack_context& stack) { stacks.give_back(stack); }
+/// Stack allocator for Boost that returns stacks to the pool.
+struct PoolAllocator {
+  void deallocate(const context::stack_context& stack) { stack_pool.release(stack); }
 };
 
-/// One path's stack, and what it waits for.
-struct Lane {
+/// A path with its stack, and the traversal that it waits for.
+struct PathFiber {
   context::fiber path, home;
-  RaySearch* search = nullptr;
-  WatchedStack stack;
-  WatchedStack* home_stack = nullptr;
+  BvhTraversal* traversal = nullptr;
+  SanitizerFiber stack;
+  SanitizerFiber* home_stack = nullptr;
 
-  /// Called on the path's stack: back to the one that it was resumed from, until it is again.
+  /// Suspends the path, on its own stack, until it is resumed.
   void wait() {
-    stack.leave_for(*home_stack);
+    stack.begin_switch_to(*home_stack);
     home = std::move(home).resume();
-    stack.arrive_from(*home_stack);
+    stack.finish_switch_from(*home_stack);
   }
 };
-thread_local Lane* current = nullptr;  // whose stack this is
+thread_local PathFiber* current = nullptr;  // the path whose stack is active
 
-class Team {
+class Scheduler {
  public:
-  Team(size_t count, const std::function<void(size_t)>& work,
-       const std::function<void(size_t)>& done)
+  Scheduler(size_t count, const std::function<void(size_t)>& work,
+            const std::function<void(size_t)>& done)
       : count_(count), work_(work), done_(done) {}
 
-  void go() {
-    std::array<Lane, kPaths> lanes;
-    RayBatch batch;
+  void run() {
+    std::array<PathFiber, kPaths> fibers;
+    TraversalBatch batch;
     size_t size = 0;
-    for (Lane& lane : lanes) {
+    for (PathFiber& fiber : fibers) {
       if (size == count_) break;
-      prepare(lane, kApart * size++);
+      prepare(fiber, kStackOffset * size++);
     }
-    // Those that wait for others' results, and those whose search has come to its end.
-    std::vector<size_t> idle, back(size);
-    std::iota(back.begin(), back.end(), size_t{0});
+    // Paths that wait for the results of others, and paths whose traversal has ended.
+    std::vector<size_t> idle, ready(size);
+    std::iota(ready.begin(), ready.end(), size_t{0});
     while (size > 0) {
-      for (const size_t slot : back) {
-        Lane& lane = lanes[slot];
-        resume(lane);
-        if (!lane.path)
+      for (const size_t slot : ready) {
+        PathFiber& fiber = fibers[slot];
+        resume(fiber);
+        if (!fiber.path)
           --size;
-        else if (lane.search)
-          batch.add(slot, *lane.search);
+        else if (fiber.traversal)
+          batch.add(slot, *fiber.traversal);
         else
           idle.push_back(slot);
       }
       const std::span<const uint8_t> ended = batch.step();
-      back.assign(ended.begin(), ended.end());
-      back.insert(back.end(), idle.begin(), idle.end());
+      ready.assign(ended.begin(), ended.end());
+      ready.insert(ready.end(), idle.begin(), idle.end());
       idle.clear();
     }
     if (error_) std::rethrow_exception(error_);
   }
 
  private:
-  void prepare(Lane& lane, size_t apart) {
-    const context::stack_context memory = stacks.take();
-    lane.stack.begin(static_cast<char*>(memory.sp) - memory.size, memory.size);
-    lane.home_stack = &home_stack_;
-    // Boost goes over to the new stack and back.
-    home_stack_.leave_for(lane.stack);
-    lane.stack.arrive_from(home_stack_);
-    lane.path =
+  void prepare(PathFiber& fiber, size_t offset) {
+    const context::stack_context memory = stack_pool.acquire();
+    fiber.stack.create(static_cast<char*>(memory.sp) - memory.size, memory.size);
+    fiber.home_stack = &home_stack_;
+    // Boost switches to the new stack and back.
+    home_stack_.begin_switch_to(fiber.stack);
+    fiber.stack.finish_switch_from(home_stack_);
+    fiber.path =
         context::fiber(std::allocator_arg, context::preallocated(memory.sp, memory.size, memory),
-                       KeptStacks(), [this, &lane, apart](context::fiber&& home) {
-                         lane.stack.arrive_from(home_stack_);
-                         lane.home = std::move(home);
-                         static_cast<volatile char*>(alloca(apart + 1))[0] = 0;
-                         take_turns(lane);
-                         return std::move(lane.home);
+                       PoolAllocator(), [this, &fiber, offset](context::fiber&& home) {
+                         fiber.stack.finish_switch_from(home_stack_);
+                         fiber.home = std::move(home);
+                         static_cast<volatile char*>(alloca(offset + 1))[0] = 0;
+                         run_jobs(fiber);
+                         return std::move(fiber.home);
                        });
-    lane.stack.leave_for(home_stack_);
-    home_stack_.arrive_from(lane.stack);
+    fiber.stack.begin_switch_to(home_stack_);
+    home_stack_.finish_switch_from(fiber.stack);
   }
 
-  void resume(Lane& lane) {
-    lane.search = nullptr;
-    current = &lane;
-    home_stack_.leave_for(lane.stack);
-    lane.path = std::move(lane.path).resume();
-    const bool ended = !lane.path;  // and did not say that it left
-    if (ended) lane.stack.leave_for(home_stack_, true);
-    home_stack_.arrive_from(lane.stack);
-    if (ended) lane.stack.end();
+  void resume(PathFiber& fiber) {
+    fiber.traversal = nullptr;
+    current = &fiber;
+    home_stack_.begin_switch_to(fiber.stack);
+    fiber.path = std::move(fiber.path).resume();
+    const bool ended = !fiber.path;  // without an announced switch
+    if (ended) fiber.stack.begin_switch_to(home_stack_, true);
+    home_stack_.finish_switch_from(fiber.stack);
+    if (ended) fiber.stack.destroy();
     current = nullptr;
   }
 
-  /// On a path's stack.
-  void take_turns(Lane& lane) {
+  /// Runs jobs on a path's stack until none are left.
+  void run_jobs(PathFiber& fiber) {
     while (next_ < count_) {
-      if (next_ - begun_ >= kMostAhead) {
-        lane.wait();
+      if (next_ - done_count_ >= kMaxInFlight) {
+        fiber.wait();
         continue;
       }
       const size_t index = next_++;
       try {
         work_(index);
-        back_[index % kMostAhead] = true;
-        while (begun_ < next_ && back_[begun_ % kMostAhead]) {
-          back_[begun_ % kMostAhead] = false;
-          done_(begun_++);
+        returned_[index % kMaxInFlight] = true;
+        while (done_count_ < next_ && returned_[done_count_ % kMaxInFlight]) {
+          returned_[done_count_ % kMaxInFlight] = false;
+          done_(done_count_++);
         }
       } catch (...) {
         if (!error_) error_ = std::current_exception();
@@ -169,37 +170,37 @@ class Team {
   size_t count_;
   const std::function<void(size_t)>& work_;
   const std::function<void(size_t)>& done_;
-  WatchedStack home_stack_;
-  size_t next_ = 0, begun_ = 0;  ///< The next to begin, and the first that is not done.
-  std::array<bool, kMostAhead> back_{};
+  SanitizerFiber home_stack_;
+  size_t next_ = 0, done_count_ = 0;  ///< The next job to start, and the first that is not done.
+  std::array<bool, kMaxInFlight> returned_{};
   std::exception_ptr error_;
 };
 
 }  // namespace
 
-void work_together(size_t count, const std::function<void(size_t)>& work,
-                   const std::function<void(size_t)>& done) {
+void run_interleaved(size_t count, const std::function<void(size_t)>& work,
+                     const std::function<void(size_t)>& done) {
   if (!current && count > 1) {
-    Team(count, work, done).go();
+    Scheduler(count, work, done).run();
     return;
   }
   for (size_t i = 0; i < count; ++i) work(i), done(i);
 }
 
-void parallel_together(size_t count, const std::function<void(size_t)>& work) {
+void parallel_interleaved(size_t count, const std::function<void(size_t)>& work) {
   constexpr size_t kChunk = 256;
   parallel_for((count + kChunk - 1) / kChunk, [&](size_t chunk) {
     const size_t begin = chunk * kChunk;
-    work_together(
+    run_interleaved(
         std::min(count - begin, kChunk), [&](size_t i) { work(begin + i); }, [](size_t) {});
   });
 }
 
-void finish(RaySearch& search) {
-  if (!current) return search.go();
-  if (search.stage() == RaySearch::ended) return;
-  current->search = &search;
+void finish(BvhTraversal& traversal) {
+  if (!current) return traversal.run();
+  if (traversal.stage() == BvhTraversal::ended) return;
+  current->traversal = &traversal;
   current->wait();
 }
 
-}  // namespace vug::render
+}  // namespace vug::raytree

@@ -1,4 +1,5 @@
-// Paths of one thread that wait together: while memory fetches what one ray needs, others go on.
+// Scheduler that interleaves the paths of one thread to hide memory latency: while the memory for
+// one path's ray is fetched, other paths continue.
 #pragma once
 
 #include <vug/raytree/bvh_traversal.h>
@@ -6,22 +7,23 @@
 #include <cstddef>
 #include <functional>
 
-namespace vug::render {
+namespace vug::raytree {
 
-/// Calls work(i) for 0 <= i < count, several at a time on this thread, each with a stack of its
-/// own; they change only in `finish`. Calls done(i) in the order of i, when all before have come
-/// back, one at a time; `done` must look for no rays. Results are those of a loop over work(i) and
-/// done(i). What they throw is thrown, when the others that had begun have come back.
-void work_together(size_t count, const std::function<void(size_t)>& work,
-                   const std::function<void(size_t)>& done);
-/// So far may work be ahead of what is done: work(i) may keep its results at i % kMostAhead.
-constexpr size_t kMostAhead = 64;
+/// Calls work(i) for 0 <= i < count, several at a time on this thread, each on a stack of its own;
+/// the thread switches between them only in `finish`. Calls done(i) in the order of i, one at a
+/// time, once work(0) to work(i) have returned; `done` must trace no rays. The results are those of
+/// a loop over work(i) and done(i). An exception is rethrown after the other calls that had started
+/// have returned.
+void run_interleaved(size_t count, const std::function<void(size_t)>& work,
+                     const std::function<void(size_t)>& done);
+/// Limit of how far work runs ahead of done: work(i) may keep its results at i % kMaxInFlight.
+constexpr size_t kMaxInFlight = 64;
 
-/// Calls work(i) for 0 <= i < count on all threads, several at a time on each; each must write only
-/// what belongs to its own index.
-void parallel_together(size_t count, const std::function<void(size_t)>& work);
+/// Calls work(i) for 0 <= i < count on all threads, several at a time on each; each call must write
+/// only to data of its own index.
+void parallel_interleaved(size_t count, const std::function<void(size_t)>& work);
 
-/// Goes on with the search to its end. Within work_together others go on with theirs meanwhile.
-void finish(RaySearch& search);
+/// Runs the traversal to its end. Within run_interleaved, other paths advance meanwhile.
+void finish(BvhTraversal& traversal);
 
-}  // namespace vug::render
+}  // namespace vug::raytree

@@ -1,28 +1,28 @@
 #include <vug/raytree/quads.h>
-#include <vug/render/vectors.h>
+#include <vug/raytree/ray.h>
 
 #include <algorithm>
 
-namespace vug::render {
+namespace vug::raytree {
 namespace {
 
-/// Edges of triangles by their lesser corner, as three times the triangle and the corner that the
-/// edge begins at.
+/// The directed edges of all triangles, grouped by the lesser of their two vertices. An edge is
+/// stored as 3 * triangle + the corner at which it starts.
 class Edges {
  public:
   explicit Edges(const mesh::Mesh& mesh)
       : begin_(mesh.positions.size() + 1, 0), edges_(3 * mesh.triangles.size()) {
-    const auto lesser = [](const mesh::Triangle& t, size_t e) {
+    const auto min_vertex = [](const mesh::Triangle& t, size_t e) {
       return std::min(t[e], t[(e + 1) % 3]);
     };
     for (const mesh::Triangle& t : mesh.triangles)
-      for (size_t e = 0; e < 3; ++e) ++begin_[lesser(t, e) + 1];
+      for (size_t e = 0; e < 3; ++e) ++begin_[min_vertex(t, e) + 1];
     for (size_t v = 1; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
     std::vector<size_t> next(begin_.begin(), begin_.end() - 1);
     for (size_t i = 0; i < mesh.triangles.size(); ++i)
-      for (size_t e = 0; e < 3; ++e) edges_[next[lesser(mesh.triangles[i], e)]++] = 3 * i + e;
+      for (size_t e = 0; e < 3; ++e) edges_[next[min_vertex(mesh.triangles[i], e)]++] = 3 * i + e;
   }
-  /// First and last.
+  /// Begin and end of the edges whose lesser vertex this is.
   std::pair<const size_t*, const size_t*> at(uint32_t vertex) const {
     return {edges_.data() + begin_[vertex], edges_.data() + begin_[vertex + 1]};
   }
@@ -33,7 +33,7 @@ class Edges {
 
 }  // namespace
 
-std::vector<Quad> paired(const mesh::Mesh& mesh) {
+std::vector<Quad> pair_triangles(const mesh::Mesh& mesh) {
   constexpr size_t kNone = ~size_t{0};
   const Edges edges(mesh);
   std::vector<bool> taken(mesh.triangles.size(), false);
@@ -71,4 +71,4 @@ std::vector<Quad> paired(const mesh::Mesh& mesh) {
   return quads;
 }
 
-}  // namespace vug::render
+}  // namespace vug::raytree

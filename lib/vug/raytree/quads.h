@@ -1,18 +1,18 @@
-// Triangles of a mesh in pairs: two that share an edge lie in one box and have four corners
-// instead of six.
+// Pairs of adjacent triangles: two triangles that share an edge are stored in one box and with four
+// corners instead of six.
 #pragma once
 
 #include <vug/mesh/mesh.h>
 
 #include <vector>
 
-namespace vug::render {
+namespace vug::raytree {
 
-/// Two triangles, (0, 1, 3) and (2, 3, 1) of its corners. One without a partner has its last corner
-/// twice, and its second triangle is no triangle.
+/// Two triangles: corners (0, 1, 3) and (2, 3, 1). A triangle without a partner repeats its last
+/// corner, and its second half is kNoTriangle.
 struct Quad {
-  /// A triangle of the mesh, and at which of its corners the quad begins it: the k-th of the quad's
-  /// is corner (k + turn) % 3 of the mesh's.
+  /// A triangle of the mesh and its rotation: corner k of the half is corner (k + turn) % 3 of the
+  /// mesh's triangle.
   struct Half {
     uint32_t triangle = kNoTriangle;
     uint32_t turn = 0;
@@ -23,8 +23,8 @@ struct Quad {
   std::array<Half, 2> halves;
 };
 
-/// Each triangle once. In the order of triangles, each takes the neighbour that is free and beyond
-/// its longest edge, so that quads are about square; neighbours go round the same way.
-std::vector<Quad> paired(const mesh::Mesh& mesh);
+/// Returns each triangle once. In order, each triangle is paired with the free neighbour across the
+/// longest possible edge, so that quads are roughly square; both must have the same orientation.
+std::vector<Quad> pair_triangles(const mesh::Mesh& mesh);
 
-}  // namespace vug::render
+}  // namespace vug::raytree

@@ -1,4 +1,4 @@
-// What sanitizers are told when a thread changes stacks. Without them all of it is nothing.
+// Announces stack switches of a thread to sanitizers. Without sanitizers all of it is empty.
 #pragma once
 
 #include <cstddef>
@@ -9,69 +9,71 @@
 #define VUG_HAS_FEATURE(name) 0
 #endif
 #if defined(__SANITIZE_ADDRESS__) || VUG_HAS_FEATURE(address_sanitizer)
-#define VUG_WATCHES_ADDRESSES 1
+#define VUG_HAS_ASAN 1
 #include <sanitizer/common_interface_defs.h>
 #endif
 #if defined(__SANITIZE_THREAD__) || VUG_HAS_FEATURE(thread_sanitizer)
-#define VUG_WATCHES_THREADS 1
+#define VUG_HAS_TSAN 1
 #include <sanitizer/tsan_interface.h>
 #endif
 #undef VUG_HAS_FEATURE
 
-namespace vug::render {
+namespace vug::raytree {
 
-/// A stack as sanitizers know it: the address sanitizer by where it lies, so that an exception
-/// clears what it poisoned there; the thread sanitizer as a thread of its own that runs when told.
-class WatchedStack {
+/// A stack as sanitizers know it. The address sanitizer needs its range, so that an exception
+/// unpoisons the frames that it unwinds; the thread sanitizer treats it as a thread of its own that
+/// runs when it is switched to.
+class SanitizerFiber {
  public:
-  /// The one that this thread is on, once it is left for another.
-  WatchedStack() = default;
-  WatchedStack(const WatchedStack&) = delete;
-  WatchedStack& operator=(const WatchedStack&) = delete;
+  /// The thread's current stack, from the first switch away from it.
+  SanitizerFiber() = default;
+  SanitizerFiber(const SanitizerFiber&) = delete;
+  SanitizerFiber& operator=(const SanitizerFiber&) = delete;
 
-  /// Memory for another that begins at its least address. To be called on the one that is left for
-  /// it, as `end` is when nothing will run on it any more.
-  void begin([[maybe_unused]] const void* least, [[maybe_unused]] size_t bytes) {
-#if VUG_WATCHES_ADDRESSES
-    least_ = least, bytes_ = bytes;
+  /// Describes a new stack by its lowest address and its size. Call this on the stack from which
+  /// the thread will switch to it, as well as `destroy` once nothing will run on it any more.
+  void create([[maybe_unused]] const void* lowest, [[maybe_unused]] size_t bytes) {
+#if VUG_HAS_ASAN
+    lowest_ = lowest, bytes_ = bytes;
 #endif
-#if VUG_WATCHES_THREADS
+#if VUG_HAS_TSAN
     fiber_ = __tsan_create_fiber(0);
 #endif
   }
-  void end() {
-#if VUG_WATCHES_THREADS
+  void destroy() {
+#if VUG_HAS_TSAN
     __tsan_destroy_fiber(fiber_);
 #endif
   }
 
-  /// Just before this thread goes on upon another stack. This one is left for good when there is
-  /// nothing to come back to.
-  void leave_for([[maybe_unused]] WatchedStack& other, [[maybe_unused]] bool for_good = false) {
-#if VUG_WATCHES_ADDRESSES
-    __sanitizer_start_switch_fiber(for_good ? nullptr : &aside_, other.least_, other.bytes_);
+  /// Call this just before the thread switches to another stack; `is_final`: it will not return to
+  /// this one.
+  void begin_switch_to([[maybe_unused]] SanitizerFiber& other,
+                       [[maybe_unused]] bool is_final = false) {
+#if VUG_HAS_ASAN
+    __sanitizer_start_switch_fiber(is_final ? nullptr : &fake_stack_, other.lowest_, other.bytes_);
 #endif
-#if VUG_WATCHES_THREADS
+#if VUG_HAS_TSAN
     if (!fiber_) fiber_ = __tsan_get_current_fiber();
     __tsan_switch_to_fiber(other.fiber_, 0);
 #endif
   }
-  /// The first that it does there, where it came from `other`.
-  void arrive_from([[maybe_unused]] WatchedStack& other) {
-#if VUG_WATCHES_ADDRESSES
-    __sanitizer_finish_switch_fiber(aside_, &other.least_, &other.bytes_);
+  /// Call this first on the new stack, to which the thread switched from `other`.
+  void finish_switch_from([[maybe_unused]] SanitizerFiber& other) {
+#if VUG_HAS_ASAN
+    __sanitizer_finish_switch_fiber(fake_stack_, &other.lowest_, &other.bytes_);
 #endif
   }
 
  private:
-#if VUG_WATCHES_ADDRESSES
-  const void* least_ = nullptr;
+#if VUG_HAS_ASAN
+  const void* lowest_ = nullptr;
   size_t bytes_ = 0;
-  void* aside_ = nullptr;  ///< Where locals are kept that may be used after they are gone.
+  void* fake_stack_ = nullptr;  ///< Holds locals for the detection of use after return.
 #endif
-#if VUG_WATCHES_THREADS
+#if VUG_HAS_TSAN
   void* fiber_ = nullptr;
 #endif
 };
 
-}  // namespace vug::render
+}  // namespace vug::raytree

@@ -83,7 +83,7 @@ TEST(AsData, ADomesPictureIsTheSky) {
       const double down = kPi * (y + 0.5) / picture.height;
       const Vec3d own(std::sin(down) * std::sin(across), std::cos(down),
                       -std::sin(down) * std::cos(across));
-      const Rgb there = sky->escape_radiance(Vec3f(dome.place.vector(own)));
+      const Rgb there = sky->eval_environment(Vec3f(dome.place.vector(own)));
       for (size_t c = 0; c < 3; ++c)
         EXPECT_NEAR(there[static_cast<int>(c)], picture.at(x, y, c),
                     1e-3f + 1e-3f * picture.at(x, y, c));

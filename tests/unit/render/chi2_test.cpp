@@ -73,8 +73,8 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
         EXPECT_FALSE(light->sample(point, {0.3f, 0.6f}).pdf > 0) << "never chosen, yet samples";
         continue;
       }
-      const bool all_round = light->is_sky() && !light->is_portal();
-      const Vec3f axis = all_round ? Vec3f(0, 1, 0) : normalized(light->centre() - position);
+      const bool all_round = light->is_infinite() && !light->is_portal();
+      const Vec3f axis = all_round ? Vec3f(0, 1, 0) : normalized(light->center() - position);
       double sine = 0;  // of the widest angle; only lamps within a half space come here
       for (int i = 0; i < 10000 && !all_round; ++i)
         sine = std::max(

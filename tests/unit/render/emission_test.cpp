@@ -151,13 +151,13 @@ TEST(Emission, OfMixedMaterialsIsMixed) {
   const auto value = [](const MaterialPtr& m) { return ValueTraits<MaterialPtr>::write(m); };
   const MaterialPtr bright = make_material("surface", {{"emission_radiance", 8.0}});
   const MaterialPtr dark = make_material("lambert");
-  EXPECT_FALSE(dark->shines());
+  EXPECT_FALSE(dark->is_emissive());
   const MaterialPtr mixed =
       make_material("mix", {{"a", value(dark)}, {"b", value(bright)}, {"mask", 0.25}});
-  EXPECT_TRUE(mixed->shines());
+  EXPECT_TRUE(mixed->is_emissive());
   EXPECT_FLOAT_EQ(mixed->emission({}).x, 2);
   EXPECT_FALSE(
-      make_material("surface", {{"emission_radiance", 8.0}, {"emission", Vec3d(0)}})->shines());
+      make_material("surface", {{"emission_radiance", 8.0}, {"emission", Vec3d(0)}})->is_emissive());
 }
 
 }  // namespace

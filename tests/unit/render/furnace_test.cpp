@@ -68,11 +68,11 @@ TEST(Furnace, ClosedBoxOfLampsIsAGeometricSeries) {
 TEST(Furnace, ConvexBodiesDoNotHitThemselves) {
   const std::pair<Vec3d, double> bodies[] = {
       {{0, 0, 0}, 0.05}, {{0, 0, 0}, 1}, {{0.02, -3, 700}, 30}, {{1e4, -20, 0.5}, 1000}};
-  for (const auto& [centre, radius] : bodies) {
+  for (const auto& [center, radius] : bodies) {
     SCOPED_TRACE(radius);
     Scene scene;
-    scene.camera = view(centre + Vec3d(0, 0, 4 * radius), centre, 0.3);
-    scene.objects = {object(mesh::sphere_mesh(centre, radius, 3), 0.5)};
+    scene.camera = view(center + Vec3d(0, 0, 4 * radius), center, 0.3);
+    scene.objects = {object(mesh::sphere_mesh(center, radius, 3), 0.5)};
     scene.lights = {make_light("sky")};
     Options o = options(48, 48, 16, 8);
     o.integrator = make_integrator("path", {{"roulette", Value::Name{"off"}}});

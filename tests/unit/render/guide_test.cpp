@@ -77,7 +77,7 @@ TEST(BrightPatches, AreWhereItIsBright) {
   float power = 0;
   for (const BrightCluster& cluster : clusters) {
     float nearest = 100;
-    for (const Vec3f& b : bright) nearest = std::min(nearest, length(cluster.centre - b));
+    for (const Vec3f& b : bright) nearest = std::min(nearest, length(cluster.center - b));
     EXPECT_LT(nearest + cluster.radius, 1.4f);
     power += cluster.power;
   }
@@ -94,7 +94,7 @@ TEST(Guide, TurnsToWhatIsInSight) {
   std::vector<VisibilitySample> visibility_samples;
   for (uint32_t k = 0; k < open.clusters().size(); ++k)
     for (int i = 0; i < 50; ++i) {
-      visibility_samples.push_back({from, k, open.clusters()[k].centre.x > 0});
+      visibility_samples.push_back({from, k, open.clusters()[k].center.x > 0});
       visibility_samples.push_back({{-7.5f, 1, 7.5f}, k, true});  // from another region
     }
   Guide informed = open;
@@ -148,13 +148,13 @@ TEST(RadianceCache, IsToldApartByPlaceAndFacing) {
   }
   const RadianceCache known(radiance_samples, kRoom, 2 / diagonal_of(kRoom));
   // The mean over all places counts half a sighting.
-  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).all, 0.1f, 0.05f);
+  EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).mean, 0.1f, 0.05f);
   EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, down).indirect, 0.1f, 0.05f);
   EXPECT_NEAR(known.at({-3.5f, 1.5f, 0.5f}, up).indirect, 2, 0.01f) << "sqrt(16 / 4)";
   EXPECT_NEAR(known.at({3, 1, 0}, up).indirect, 0, 0.1f);
   // The camera sees 2 and 0.1, as often: nothing is worth less because something brighter is near.
-  EXPECT_FLOAT_EQ(known.at({-3, 1, 0}, up).all, 1.05f);
-  EXPECT_FLOAT_EQ(known.at({3, 1, 0}, up).all, 1.05f);
+  EXPECT_FLOAT_EQ(known.at({-3, 1, 0}, up).mean, 1.05f);
+  EXPECT_FLOAT_EQ(known.at({3, 1, 0}, up).mean, 1.05f);
   // Of three places with as many paths: in the first a quarter finds 5 and the rest 1, with a mean
   // that is not taken for more than the picture's.
   EXPECT_GT(known.noise(), 0);

@@ -73,7 +73,7 @@ Scene only(Object object) {
 std::vector<Ray> rays_at(const Box3f& box, size_t count) {
   std::vector<Ray> rays;
   RandomStream random(RandomKey(7));
-  const Vec3f centre = box.center();
+  const Vec3f center = box.center();
   const float size = box.size().length();
   for (size_t i = 0; i < count; ++i) {
     const auto pair = [&] {
@@ -81,8 +81,8 @@ std::vector<Ray> rays_at(const Box3f& box, size_t count) {
       return Vec2f(x, static_cast<float>(random.uniform()));
     };
     const Vec3f out = sample_sphere(pair());
-    const Vec3f in = centre + sample_sphere(pair()) * (0.3f * size);
-    const Vec3f from = i % 4 == 0 ? centre : centre + out * size;
+    const Vec3f in = center + sample_sphere(pair()) * (0.3f * size);
+    const Vec3f from = i % 4 == 0 ? center : center + out * size;
     rays.push_back({from, normalized(in - from)});
   }
   return rays;

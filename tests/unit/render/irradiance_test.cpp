@@ -123,12 +123,12 @@ TEST(Irradiance, SkyImageIsTheRightWayUpAndRound) {
   const Vec3f towards(static_cast<float>(std::sin(polar) * std::sin(turn)),
                       static_cast<float>(std::cos(polar)),
                       static_cast<float>(-std::sin(polar) * std::cos(turn)));
-  EXPECT_NEAR(light->escape_radiance(towards).y, 100, 1e-2);
-  EXPECT_EQ(light->escape_radiance({0, -1, 0}).y, 0);
+  EXPECT_NEAR(light->eval_environment(towards).y, 100, 1e-2);
+  EXPECT_EQ(light->eval_environment({0, -1, 0}).y, 0);
   const LightPtr turned =
       make_light("sky_image", {{"file", file.string()}, {"turn", radians(kPi / 2)}});
   // Turned left by 90 degrees seen from above: what stood towards +x stands towards -z.
-  EXPECT_NEAR(turned->escape_radiance({towards.z, towards.y, -towards.x}).y, 100, 1e-1);
+  EXPECT_NEAR(turned->eval_environment({towards.z, towards.y, -towards.x}).y, 100, 1e-1);
   // A texel, spread by interpolation as a pyramid over its neighbours: sin cos = sin(2 a) / 2
   // times a pyramid of half width w integrates to the value in the middle times sinc^2(w).
   const double w = kPi / 32, texel = (2 * kPi / 64) * w;

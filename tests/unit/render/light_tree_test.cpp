@@ -346,7 +346,7 @@ TEST(Emitters, TrianglesSampleTheirDensity) {
     SCOPED_TRACE("from y = " + std::to_string(position.y));
     RandomStream random{RandomKey(13)};
     const LightSampleContext point{position};
-    const Vec3f axis = normalized(emitters.centre(0) - position);
+    const Vec3f axis = normalized(emitters.center(0) - position);
     const Vec3f &a = mesh.positions[0], &b = mesh.positions[1], &c = mesh.positions[2];
     const auto inside = [&](const Vec3f& d) {
       const auto side = [&](const Vec3f& p, const Vec3f& q) {

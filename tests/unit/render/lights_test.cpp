@@ -154,7 +154,7 @@ TEST(Lights, TheSunIsToldInOneWay) {
 TEST(Lights, SunReddensAsItSets) {
   const auto colour = [](double elevation) {
     return make_light("sun", {{"elevation", radians(elevation)}})
-        ->escape_radiance(
+        ->eval_environment(
             make_light("sun", {{"elevation", radians(elevation)}})->sample({}, {0, 0}).direction);
   };
   const Rgb high = colour(1.2), low = colour(0.1);
@@ -170,9 +170,9 @@ TEST(Lights, DaylightHasTheLuminanceOfItsModel) {
       make_light("daylight", {{"elevation", radians(kPi / 4)}, {"turbidity", 3.0}});
   const double chi = (4.0 / 9 - 3.0 / 120) * (kPi / 2);
   const double zenith = (4.0453 * 3 - 4.9710) * std::tan(chi) - 0.2155 * 3 + 2.4192;  // kcd/m^2
-  const double seen = luminance(sky->escape_radiance({0, 1, 0})) * kLumenPerWatt / 1000;
+  const double seen = luminance(sky->eval_environment({0, 1, 0})) * kLumenPerWatt / 1000;
   EXPECT_NEAR(seen, zenith, 0.01 * zenith);
-  const Rgb blue = sky->escape_radiance({0, 1, 0});
+  const Rgb blue = sky->eval_environment({0, 1, 0});
   EXPECT_GT(blue.z, 1.5f * blue.x);
   // The floor under it receives what quadrature over the sky gives.
   double sum = 0;
@@ -182,7 +182,7 @@ TEST(Lights, DaylightHasTheLuminanceOfItsModel) {
       const double squared = (i + 0.5) / kRows;
       const Vec3f d = direction_at(static_cast<float>(std::sqrt(1 - squared)),
                                    static_cast<float>((j + 0.5) / (2 * kRows)));
-      sum += static_cast<double>(sky->escape_radiance({d.x, d.z, d.y}).y) / (2 * kRows * kRows);
+      sum += static_cast<double>(sky->eval_environment({d.x, d.z, d.y}).y) / (2 * kRows * kRows);
     }
   expect_floor({sky}, sum, 1024);
 }
@@ -204,7 +204,7 @@ TEST(Lights, EveryLampSendsOutItsLumen) {
       const float a = one(random);
       const Vec3f out = sample_sphere({a, one(random)});
       const float u = one(random);
-      const LightSample s = lamp->sample({lamp->centre() + out * kAway, -out}, {u, one(random)});
+      const LightSample s = lamp->sample({lamp->center() + out * kAway, -out}, {u, one(random)});
       if (s.pdf > 0)
         sum += static_cast<double>(luminance(s.radiance) * -dot(s.direction, out) / s.pdf);
     }
@@ -224,7 +224,7 @@ TEST(Lights, BranchesKnowWhereLampsShine) {
     int shines = 0;
     for (int i = 0; i < 20000; ++i) {
       const float a = one(random), far = 0.05f + 4 * one(random) * one(random);
-      LightSampleContext point{lamp->centre() + sample_sphere({a, one(random)}) * far};
+      LightSampleContext point{lamp->center() + sample_sphere({a, one(random)}) * far};
       const float b = one(random);
       if (i % 2) point.normal = sample_sphere({b, one(random)});
       const float u = one(random);

@@ -46,9 +46,9 @@ TEST(WorkingSpace, LightsSendOutTheSame) {
   for (const auto& [name, plain] : all_lights()) {
     const LightPtr there = in_space(plain, way());
     EXPECT_EQ(there->linking().group, plain->linking().group) << name;
-    EXPECT_EQ(there->is_sky(), plain->is_sky()) << name;
+    EXPECT_EQ(there->is_infinite(), plain->is_infinite()) << name;
     EXPECT_EQ(there->is_portal(), plain->is_portal()) << name;
-    EXPECT_EQ(there->beside_portals(), plain->beside_portals()) << name;
+    EXPECT_EQ(there->sampled_with_portals(), plain->sampled_with_portals()) << name;
     EXPECT_EQ(there->camera_visible(), plain->camera_visible()) << name;
     EXPECT_EQ(there->mean_luminance(), plain->mean_luminance()) << name;
     EXPECT_EQ(there->importance(point), plain->importance(point)) << name;
@@ -61,12 +61,12 @@ TEST(WorkingSpace, LightsSendOutTheSame) {
       if (!(a.pdf > 0)) continue;
       EXPECT_EQ(there->pdf(point, a.direction), plain->pdf(point, a.direction)) << name;
       expect_same(b.radiance, a.radiance, name);
-      const Rgb sky = plain->is_sky() ? plain->escape_radiance(a.direction) : Rgb(0.0f);
-      if (plain->is_sky()) expect_same(there->escape_radiance(a.direction), sky, name);
+      const Rgb sky = plain->is_infinite() ? plain->eval_environment(a.direction) : Rgb(0.0f);
+      if (plain->is_infinite()) expect_same(there->eval_environment(a.direction), sky, name);
       LightHit met, met_there;
       const Ray ray{point.position, a.direction};
-      const bool hit = !plain->is_sky() && plain->intersect(ray, kFar, met);
-      EXPECT_EQ(hit, !plain->is_sky() && there->intersect(ray, kFar, met_there)) << name;
+      const bool hit = !plain->is_infinite() && plain->intersect(ray, kFar, met);
+      EXPECT_EQ(hit, !plain->is_infinite() && there->intersect(ray, kFar, met_there)) << name;
       if (hit) expect_same(met_there.radiance, met.radiance, name);
       shone += !is_black(a.radiance) || !is_black(sky);
     }

@@ -30,7 +30,7 @@ struct World::Geometry::Embree {
     std::shared_ptr<const std::vector<Corners>> corners;
     Box3f box;
   };
-  EmbreeDevice device;
+  raytree::EmbreeDevice device;
   RTCScene scene = nullptr;             ///< Null where all is in Geometry::triangles_.
   std::map<const void*, Shape> shapes;  ///< By mesh or surface.
   std::set<const mesh::Mesh*> cut;      ///< Meshes of objects that rays may pass through.

@@ -1,8 +1,8 @@
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
+#include <vug/raytree/path_scheduler.h>
 #include <vug/render/geometry/embree.h>
 #include <vug/render/kinds.h>
-#include <vug/raytree/path_scheduler.h>
 
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
@@ -153,17 +153,17 @@ World::Geometry::Geometry(const std::vector<Object>& objects)
   bounds.makeEmpty();
   for (const Object& object : objects)
     if (object.material && object.material->cut_out()) embree_->cut.insert(object.mesh.get());
-  std::vector<RayTree::Part> still;
+  std::vector<raytree::WideBvh::Geometry> static_meshes;
   for (const Object& object : objects)
-    add(object, static_cast<uint32_t>(&object - objects.data()), still);
-  triangles_ = RayTree(still);
-  const bool all = still.size() == parts_.size();
+    add(object, static_cast<uint32_t>(&object - objects.data()), static_meshes);
+  triangles_ = raytree::WideBvh(static_meshes);
+  const bool all = static_meshes.size() == parts_.size();
   if (!all) embree_->build(embree_->scene);
   rest_ = !all;
 }
 
 void World::Geometry::add(const Object& object, uint32_t number,
-                          std::vector<RayTree::Part>& still) {
+                          std::vector<raytree::WideBvh::Geometry>& static_meshes) {
   if (!object.mesh && !object.surface)
     throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
   Part part;
@@ -213,7 +213,7 @@ void World::Geometry::add(const Object& object, uint32_t number,
       part.corners = corners_of(*object.mesh);
       embree_->add_mesh(embree_->scene, *object.mesh, parts_.size());
     } else {
-      still.push_back({object.mesh, static_cast<uint32_t>(parts_.size())});
+      static_meshes.push_back({object.mesh, static_cast<uint32_t>(parts_.size())});
     }
   }
   parts_.push_back(std::move(part));
@@ -223,10 +223,11 @@ World::Geometry::~Geometry() = default;
 
 World::Geometry::Found World::Geometry::find(const Ray& ray, float time) const {
   Found found;
-  RaySearch still(triangles_, ray, kFar, RaySearch::Aim::nearest);
-  finish(still);
-  if (still.found()) found = {true, false, still.part(), still.triangle(), still.corners(), {}};
-  if (rest_) find_before(ray, time, still.distance(), found);
+  raytree::BvhTraversal traversal(triangles_, ray, kFar, raytree::BvhTraversal::Query::closest);
+  finish(traversal);
+  if (traversal.hit())
+    found = {true, false, traversal.geometry(), traversal.triangle(), traversal.corners(), {}};
+  if (rest_) find_before(ray, time, traversal.distance(), found);
   if (found.any && !parts_[found.part].surface) {
     const Part& part = parts_[found.part];
     if (part.normals || part.colours) __builtin_prefetch(&part.mesh->triangles[found.primitive]);
@@ -265,9 +266,9 @@ bool World::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& 
 }
 
 bool World::Geometry::occluded(const Ray& ray, float distance, float time) const {
-  RaySearch still(triangles_, ray, distance, RaySearch::Aim::any);
-  finish(still);
-  if (still.found() || !rest_) return still.found();
+  raytree::BvhTraversal traversal(triangles_, ray, distance, raytree::BvhTraversal::Query::any);
+  finish(traversal);
+  if (traversal.hit() || !rest_) return traversal.hit();
   RTCRay query{};
   query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
   query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;

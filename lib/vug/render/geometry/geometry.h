@@ -1,13 +1,12 @@
-// What stands in a scene, as rays meet it. Only this, geometry_grid.cpp, embree.h and the builder
-// of RayTree speak to Embree.
+// Ray intersection with all surfaces of a scene. Only this folder and raytree use Embree.
 #pragma once
 
-#include <vug/render/geometry/grid_surface.h>
-#include <vug/render/geometry/attribute_gradients.h>
-#include <vug/render/scene.h>
 #include <vug/raytree/wide_bvh.h>
-#include <vug/render/vectors.h>
+#include <vug/render/geometry/attribute_gradients.h>
+#include <vug/render/geometry/grid_surface.h>
 #include <vug/render/prepared_scene.h>
+#include <vug/render/scene.h>
+#include <vug/render/vectors.h>
 
 #include <array>
 #include <map>
@@ -17,10 +16,10 @@
 namespace vug::render {
 
 /// All triangles and level sets of a scene. Solid meshes that stand in the scene itself make a
-/// RayTree. All else is Embree's: level sets and meshes with holes make a second tree, and each
-/// mesh of instances has one of its own, whose places stand in that. Trees are built by a fixed
-/// plan, so that they are the same for any number of threads; they only tell which triangle is
-/// nearest, and distance and place on it are computed here, so that they have the same bits on
+/// raytree::WideBvh. All else is Embree's: level sets and meshes with holes make a second tree, and
+/// each mesh of instances has one of its own, whose places stand in that. Trees are built by a
+/// fixed plan, so that they are the same for any number of threads; they only tell which triangle
+/// is nearest, and distance and place on it are computed here, so that they have the same bits on
 /// every machine.
 struct World::Geometry {
   explicit Geometry(const std::vector<Object>& objects);
@@ -67,8 +66,9 @@ struct World::Geometry {
     paint::Paint color;
     bool flat = false;
   };
-  /// What is to stand in the RayTree joins `still`.
-  void add(const Object& object, uint32_t number, std::vector<RayTree::Part>& still);
+  /// Appends meshes for the raytree::WideBvh to `static_meshes`.
+  void add(const Object& object, uint32_t number,
+           std::vector<raytree::WideBvh::Geometry>& static_meshes);
   /// What Embree finds before that distance.
   void find_before(const Ray& ray, float time, float distance, Found& found) const;
   /// Whether the ray goes on through a triangle that has holes: by its opacity there, with a chance
@@ -86,7 +86,7 @@ struct World::Geometry {
 
   std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.
   std::map<const mesh::Mesh*, std::unique_ptr<const MeshSlopes>> slopes_;
-  RayTree triangles_;
+  raytree::WideBvh triangles_;
   std::unique_ptr<Embree> embree_;
   bool rest_ = false;  ///< Embree holds something.
 };

@@ -6,7 +6,7 @@
 namespace vug::render {
 
 void require_still(const Object& object) {
-  const bool shines = !is_black(object.emission) || (object.material && object.material->shines());
+  const bool shines = !is_black(object.emission) || (object.material && object.material->is_emissive());
   if (shines && object.placing && object.placing->moves())
     throw Error(ErrorCode::bad_input,
                 fmt::format("object '{}' shines and moves, which cannot be rendered", object.name),

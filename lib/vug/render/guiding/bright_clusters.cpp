@@ -24,7 +24,7 @@ struct CubeHash {
 };
 
 struct Cube {
-  Vec3f centre{0, 0, 0};  ///< Of what was seen in it.
+  Vec3f center{0, 0, 0};  ///< Of what was seen in it.
   double luminance = 0;
 };
 
@@ -39,12 +39,12 @@ std::vector<Cube> average(const std::vector<RadianceSample>& radiance_samples, f
       index[static_cast<size_t>(axis)] = static_cast<int32_t>(std::floor(s.point[axis] / edge));
     const size_t at = places.emplace(index, cubes.size()).first->second;
     if (at == cubes.size()) cubes.emplace_back(), counts.push_back(0);
-    cubes[at].centre += s.point;
+    cubes[at].center += s.point;
     cubes[at].luminance += static_cast<double>(s.luminance);
     counts[at] += 1;
   }
   for (size_t i = 0; i < cubes.size(); ++i) {
-    cubes[i].centre *= 1 / counts[i];
+    cubes[i].center *= 1 / counts[i];
     // As if one more had seen nothing: a single path is believed by half.
     cubes[i].luminance /= static_cast<double>(counts[i]) + 1;
   }
@@ -61,7 +61,7 @@ struct Group {
     box.makeEmpty();
     for (const Cube& cube : cubes) {
       luminance += cube.luminance;
-      box.extendBy(cube.centre);
+      box.extendBy(cube.center);
     }
   }
   /// How much would be gained by parting it.
@@ -76,7 +76,7 @@ Group split(Group& group) {
   const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
   const float middle = 0.5f * (group.box.min[axis] + group.box.max[axis]);
   const auto cut = std::stable_partition(group.cubes.begin(), group.cubes.end(),
-                                         [&](const Cube& c) { return c.centre[axis] <= middle; });
+                                         [&](const Cube& c) { return c.center[axis] <= middle; });
   Group upper(std::vector<Cube>(cut, group.cubes.end()));
   group = Group(std::vector<Cube>(group.cubes.begin(), cut));
   return upper;

@@ -11,7 +11,7 @@ namespace vug::render {
 
 /// A ball around surfaces that are bright.
 struct BrightCluster {
-  Vec3f centre{0, 0, 0};
+  Vec3f center{0, 0, 0};
   float radius = 0;
   float power = 0;  ///< Luminance times area, as if each cube with surface had one face of it.
 };

@@ -26,7 +26,7 @@ Guide::Guide(const std::vector<RadianceSample>& radiance_samples, const Box3f& b
       bounds_(bounds) {
   elsewhere_ = kPif * static_cast<float>(mean_luminance(radiance_samples));
   for (size_t i = 0; i < clusters_.size(); ++i) {
-    x_[i] = clusters_[i].centre.x, y_[i] = clusters_[i].centre.y, z_[i] = clusters_[i].centre.z;
+    x_[i] = clusters_[i].center.x, y_[i] = clusters_[i].center.y, z_[i] = clusters_[i].center.z;
     radius_[i] = clusters_[i].radius, power_[i] = clusters_[i].power;
   }
 }

@@ -19,7 +19,7 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
                          float where, const Vec2f& u, TrackingRng& numbers) {
   const Medium& medium = *world_.medium();
   // Distances from the foot of the perpendicular, which equiangular sampling is about.
-  const Vec3f to = world_.lights().centre(chosen.light) - ray.origin;
+  const Vec3f to = world_.lights().center(chosen.light) - ray.origin;
   const float foot = dot(to, ray.direction);
   const auto height = static_cast<double>(
       std::max(length(to - ray.direction * foot), 1e-4f * (segment.end - segment.begin)));

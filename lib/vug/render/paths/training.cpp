@@ -86,7 +86,7 @@ std::vector<VisibilitySample> sample_cluster_visibility(
         if (cones.size() == 0) continue;
         cluster = cones.id(cones.choose(which.x));
       }
-      const Vec3f to = clusters[cluster].centre - at.point;
+      const Vec3f to = clusters[cluster].center - at.point;
       const float distance = length(to), radius = clusters[cluster].radius;
       if (!(distance > radius)) continue;
       const float sine = radius / distance, rim = one_minus_cosine(sine * sine);
@@ -95,7 +95,7 @@ std::vector<VisibilitySample> sample_cluster_visibility(
       Hit hit;
       const bool found = context.world.intersect({at.point, direction}, hit);
       const bool reached =
-          found && length(hit.surface.position - clusters[cluster].centre) <= radius;
+          found && length(hit.surface.position - clusters[cluster].center) <= radius;
       visibility_samples[i] = {at.point, cluster, reached};
     }
   });

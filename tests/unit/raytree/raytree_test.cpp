@@ -1,21 +1,21 @@
-// Rays through a RayTree against a loop over all triangles, and paths that wait together.
+// Rays through a WideBvh against a loop over all triangles, and paths that wait together.
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
-#include <vug/render/sampling.h>
-#include <vug/raytree/quads.h>
-#include <vug/raytree/path_scheduler.h>
 #include <vug/raytree/bvh_builder.h>
+#include <vug/raytree/path_scheduler.h>
+#include <vug/raytree/quads.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 
-namespace vug::render {
+namespace vug::raytree {
 namespace {
 
 float number(RandomStream& random) { return static_cast<float>(random.uniform(-1, 1)); }
@@ -23,9 +23,11 @@ Vec3f point(RandomStream& random) {
   const float x = number(random), y = number(random);
   return {x, y, number(random)};
 }
+/// Uniform over the sphere (Archimedes: its z is uniform).
 Vec3f direction(RandomStream& random) {
-  const auto u = static_cast<float>(random.uniform());
-  return sample_sphere({u, static_cast<float>(random.uniform())});
+  const double z = 1 - 2 * random.uniform(), angle = 2 * kPi * random.uniform();
+  const double r = std::sqrt(1 - z * z);
+  return normalized(Vec3f(Vec3d(r * std::cos(angle), r * std::sin(angle), z)));
 }
 
 /// Triangles here and there; each third shares an edge with the one before it.
@@ -52,17 +54,17 @@ struct Nearest {
   uint32_t part = 0, triangle = 0;
 };
 /// In double precision, one triangle after the other.
-Nearest by_hand(const std::vector<RayTree::Part>& parts, const Ray& ray) {
+Nearest by_hand(const std::vector<WideBvh::Geometry>& parts, const Ray& ray) {
   Nearest nearest;
   const Vec3d o(ray.origin), d(ray.direction);
-  for (const RayTree::Part& part : parts)
+  for (const WideBvh::Geometry& part : parts)
     for (uint32_t i = 0; i < part.mesh->triangles.size(); ++i) {
       const auto [a, b, c] = mesh::corners(*part.mesh, i);
       const Vec3d ab = b - a, ac = c - a, p = d.cross(ac), s = o - a, q = s.cross(ab);
       const double volume = p.dot(ab);
       const double u = p.dot(s) / volume, v = q.dot(d) / volume, t = q.dot(ac) / volume;
       if (u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t < nearest.distance)
-        nearest = {t, part.number, i};
+        nearest = {t, part.id, i};
     }
   return nearest;
 }
@@ -72,17 +74,17 @@ struct Planned {
   std::multiset<uint32_t> boxes;
   size_t nodes = 0, deepest = 0;
 };
-void look_at(const TreePlan::Part& part, size_t depth, Planned& out) {
+void look_at(const BvhBuilder::BuildNode& part, size_t depth, Planned& out) {
   out.deepest = std::max(out.deepest, depth);
   if (part.quads > 0) {
-    const auto& leaf = static_cast<const TreePlan::Leaf&>(part);
+    const auto& leaf = static_cast<const BvhBuilder::Leaf&>(part);
     for (size_t i = 0; i < leaf.quads; ++i) out.boxes.insert(leaf.quad[i].second);
     return;
   }
-  const TreePlan::Children children = TreePlan::children(part);
+  const BvhBuilder::Children children = BvhBuilder::children(part);
   ++out.nodes;
   EXPECT_GE(children.count, 2u);
-  for (const TreePlan::Part* child : children) {
+  for (const BvhBuilder::BuildNode* child : children) {
     for (size_t axis = 0; axis < 3; ++axis) {
       EXPECT_GE(child->box.min[axis], part.box.min[axis]);
       EXPECT_LE(child->box.max[axis], part.box.max[axis]);
@@ -91,19 +93,19 @@ void look_at(const TreePlan::Part& part, size_t depth, Planned& out) {
   }
 }
 Planned planned(const std::vector<RTCBuildPrimitive>& boxes) {
-  const TreePlan plan(boxes);
+  const BvhBuilder plan(boxes);
   Planned out;
   look_at(*plan.root(), 0, out);
   EXPECT_EQ(out.boxes.size(), boxes.size());
   EXPECT_EQ(std::set<uint32_t>(out.boxes.begin(), out.boxes.end()).size(), boxes.size());
-  EXPECT_LE(out.deepest, size_t{TreePlan::kDepth});
+  EXPECT_LE(out.deepest, size_t{BvhBuilder::kDepth});
   return out;
 }
 RTCBuildPrimitive box_at(const Vec3f& p, float size, size_t number) {
   return {p.x, p.y, p.z, 0, p.x + size, p.y + size, p.z + size, static_cast<uint32_t>(number)};
 }
 
-TEST(TreePlan, HoldsEachBoxOnce) {
+TEST(BvhBuilder, HoldsEachBoxOnce) {
   RandomStream random{RandomKey(3)};
   std::vector<RTCBuildPrimitive> boxes;
   for (size_t i = 0; i < 20000; ++i) boxes.push_back(box_at(direction(random), 0.01f, i));
@@ -113,14 +115,14 @@ TEST(TreePlan, HoldsEachBoxOnce) {
 /// 128 leaves in a row. From the top down, always the largest in two, a root has eight nodes of
 /// eight pairs: 73 nodes. With 16 leaves made into a full node, a pair and six leaves it is 25, and
 /// a little more where Embree parts a row beside its middle.
-TEST(TreePlan, FillsItsNodes) {
+TEST(BvhBuilder, FillsItsNodes) {
   std::vector<RTCBuildPrimitive> row;
   for (size_t i = 0; i < 256; ++i) row.push_back(box_at({static_cast<float>(i), 0, 0}, 1, i));
   EXPECT_LE(planned(row).nodes, 30u);
 }
 
 /// Of all sizes that numbers have, and all in one place: what ends builders that part by middles.
-TEST(TreePlan, TakesBoxesOfAllSizesAndAllInOnePlace) {
+TEST(BvhBuilder, TakesBoxesOfAllSizesAndAllInOnePlace) {
   std::vector<RTCBuildPrimitive> shrinking, same;
   for (size_t i = 0; i < 20000; ++i) {
     const float size = std::ldexp(1.0f, static_cast<int>(i % 250) - 125);
@@ -129,14 +131,14 @@ TEST(TreePlan, TakesBoxesOfAllSizesAndAllInOnePlace) {
   }
   planned(shrinking);
   planned(same);
-  EXPECT_EQ(TreePlan({}).root(), nullptr);
+  EXPECT_EQ(BvhBuilder({}).root(), nullptr);
 }
 
 TEST(Quads, HoldEachTriangleOnceInItsOrder) {
   const mesh::MeshPtr strewn_mesh = strewn(1000, 1);
   const mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 4);
   for (const mesh::Mesh* mesh : {strewn_mesh.get(), &ball}) {
-    const std::vector<Quad> quads = paired(*mesh);
+    const std::vector<Quad> quads = pair_triangles(*mesh);
     std::set<uint32_t> seen;
     for (const Quad& quad : quads)
       for (size_t half = 0; half < 2; ++half) {
@@ -152,13 +154,13 @@ TEST(Quads, HoldEachTriangleOnceInItsOrder) {
     EXPECT_EQ(seen.size(), mesh->triangles.size());
   }
   // A closed mesh leaves few without a partner.
-  EXPECT_LT(static_cast<double>(paired(ball).size()),
+  EXPECT_LT(static_cast<double>(pair_triangles(ball).size()),
             0.56 * static_cast<double>(ball.triangles.size()));
 }
 
-TEST(RayTree, FindsWhatALoopOverAllTrianglesFinds) {
-  const std::vector<RayTree::Part> parts{{strewn(700, 1), 3}, {strewn(500, 2), 7}};
-  const RayTree tree(parts);
+TEST(WideBvh, FindsWhatALoopOverAllTrianglesFinds) {
+  const std::vector<WideBvh::Geometry> parts{{strewn(700, 1), 3}, {strewn(500, 2), 7}};
+  const WideBvh tree(parts);
   RandomStream random{RandomKey(3)};
   int found = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -167,23 +169,24 @@ TEST(RayTree, FindsWhatALoopOverAllTrianglesFinds) {
     if (i % 10 == 0) ray.direction = Vec3f(0.0f), ray.direction[i / 10 % 3] = i % 20 ? 1.f : -1.f;
     if (i % 10 == 1) ray.origin -= ray.direction * 30;
     const Nearest wanted = by_hand(parts, ray);
-    RaySearch search(tree, ray, kFar, RaySearch::Aim::nearest);
-    search.go();
-    ASSERT_EQ(search.found(), wanted.distance < 1e30) << i;
-    if (!search.found()) continue;
+    BvhTraversal search(tree, ray, kFar, BvhTraversal::Query::closest);
+    search.run();
+    ASSERT_EQ(search.hit(), wanted.distance < 1e30) << i;
+    if (!search.hit()) continue;
     ++found;
-    EXPECT_EQ(search.part(), wanted.part);
+    EXPECT_EQ(search.geometry(), wanted.part);
     EXPECT_EQ(search.triangle(), wanted.triangle) << i;
     EXPECT_NEAR(static_cast<double>(search.distance()), wanted.distance,
                 2e-5 * (1 + wanted.distance));
-    const mesh::Mesh& mesh = *parts[search.part() == 3 ? 0 : 1].mesh;
+    const mesh::Mesh& mesh = *parts[search.geometry() == 3 ? 0 : 1].mesh;
     for (size_t k = 0; k < 3; ++k)
       EXPECT_EQ(search.corners()[k], mesh.positions[mesh.triangles[search.triangle()][k]]);
 
     const auto blocked = [&](double part) {
-      RaySearch any(tree, ray, static_cast<float>(wanted.distance * part), RaySearch::Aim::any);
-      any.go();
-      return any.found();
+      BvhTraversal any(tree, ray, static_cast<float>(wanted.distance * part),
+                       BvhTraversal::Query::any);
+      any.run();
+      return any.hit();
     };
     EXPECT_FALSE(blocked(0.999));
     EXPECT_TRUE(blocked(1.001));
@@ -191,9 +194,9 @@ TEST(RayTree, FindsWhatALoopOverAllTrianglesFinds) {
   EXPECT_GT(found, 1000);
 }
 
-TEST(RayTree, LetsNoRayOutOfAClosedMesh) {
+TEST(WideBvh, LetsNoRayOutOfAClosedMesh) {
   const auto ball = std::make_shared<mesh::Mesh>(mesh::sphere_mesh(Vec3d(0), 1, 5));
-  const RayTree tree({{ball, 0}});
+  const WideBvh tree({{ball, 0}});
   RandomStream random{RandomKey(4)};
   for (int i = 0; i < 200000; ++i) {
     // At corners and at edges, where triangles meet.
@@ -202,43 +205,43 @@ TEST(RayTree, LetsNoRayOutOfAClosedMesh) {
     const float part = i % 2 ? 0 : static_cast<float>(random.uniform());
     const Vec3f at = ball->positions[t[0]] * (1 - part) + ball->positions[t[1]] * part;
     const Vec3f from = point(random) * 0.5f;
-    RaySearch search(tree, {from, normalized(at - from)}, kFar, RaySearch::Aim::nearest);
-    search.go();
-    ASSERT_TRUE(search.found()) << i;
+    BvhTraversal search(tree, {from, normalized(at - from)}, kFar, BvhTraversal::Query::closest);
+    search.run();
+    ASSERT_TRUE(search.hit()) << i;
   }
 }
 
-TEST(RayTree, OfNothingOfOneAndOfManyInOnePlace) {
+TEST(WideBvh, OfNothingOfOneAndOfManyInOnePlace) {
   const Ray down{{0.2f, 1, 0.2f}, {0, -1, 0}};
-  const auto hits = [&](const RayTree& tree) {
-    RaySearch search(tree, down, kFar, RaySearch::Aim::nearest);
-    search.go();
-    return search.found();
+  const auto hits = [&](const WideBvh& tree) {
+    BvhTraversal search(tree, down, kFar, BvhTraversal::Query::closest);
+    search.run();
+    return search.hit();
   };
-  EXPECT_FALSE(hits(RayTree()));
-  EXPECT_FALSE(hits(RayTree(std::vector<RayTree::Part>())));
+  EXPECT_FALSE(hits(WideBvh()));
+  EXPECT_FALSE(hits(WideBvh(std::vector<WideBvh::Geometry>())));
   auto mesh = std::make_shared<mesh::Mesh>();
   mesh->positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
   mesh->triangles = {{0, 1, 2}};
-  EXPECT_TRUE(hits(RayTree({{mesh, 0}})));
+  EXPECT_TRUE(hits(WideBvh({{mesh, 0}})));
   mesh->triangles.assign(5000, {0, 1, 2});
-  EXPECT_TRUE(hits(RayTree({{mesh, 0}})));
+  EXPECT_TRUE(hits(WideBvh({{mesh, 0}})));
   mesh->triangles.assign(3, {0, 0, 0});  // no area
-  EXPECT_FALSE(hits(RayTree({{mesh, 0}})));
+  EXPECT_FALSE(hits(WideBvh({{mesh, 0}})));
 }
 
-TEST(RayTree, IsTheSameForAnyNumberOfThreads) {
-  const std::vector<RayTree::Part> parts{{strewn(20000, 5), 0}};
+TEST(WideBvh, IsTheSameForAnyNumberOfThreads) {
+  const std::vector<WideBvh::Geometry> parts{{strewn(20000, 5), 0}};
   const auto told = [&](int threads) {
     const ThreadLimit limit(threads);
-    const RayTree tree(parts);
+    const WideBvh tree(parts);
     std::vector<std::pair<uint32_t, float>> all;
     RandomStream random{RandomKey(6)};
     for (int i = 0; i < 2000; ++i) {
       const Vec3f from = point(random);
-      RaySearch search(tree, {from, direction(random)}, kFar, RaySearch::Aim::nearest);
-      search.go();
-      all.emplace_back(search.found() ? search.triangle() : ~0u, search.distance());
+      BvhTraversal search(tree, {from, direction(random)}, kFar, BvhTraversal::Query::closest);
+      search.run();
+      all.emplace_back(search.hit() ? search.triangle() : ~0u, search.distance());
     }
     return std::pair(tree.bytes(), all);
   };
@@ -246,7 +249,7 @@ TEST(RayTree, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Together, WorkIsWhatALoopDoes) {
-  const RayTree tree({{strewn(2000, 7), 0}});
+  const WideBvh tree({{strewn(2000, 7), 0}});
   // Paths of different lengths that turn where they meet something.
   const auto path = [&](size_t index) {
     RandomStream random{RandomKey(index)};
@@ -254,26 +257,26 @@ TEST(Together, WorkIsWhatALoopDoes) {
     float length = 0;
     for (size_t k = 0; k <= index % 13; ++k) {
       const Vec3f way = direction(random);
-      const auto aim = k % 3 == 2 ? RaySearch::Aim::any : RaySearch::Aim::nearest;
-      RaySearch search(tree, {at, way}, 1, aim);
+      const auto aim = k % 3 == 2 ? BvhTraversal::Query::any : BvhTraversal::Query::closest;
+      BvhTraversal search(tree, {at, way}, 1, aim);
       finish(search);
-      length += search.found() ? 0.5f * search.distance() : 1;
+      length += search.hit() ? 0.5f * search.distance() : 1;
       at += way * (0.5f * search.distance());
     }
     return length;
   };
   for (const size_t count : {0u, 1u, 5u, 16u, 1000u}) {
-    std::array<float, kMostAhead> results{};
+    std::array<float, kMaxInFlight> results{};
     std::vector<float> in_order;
-    work_together(
-        count, [&](size_t i) { results[i % kMostAhead] = path(i); },
+    run_interleaved(
+        count, [&](size_t i) { results[i % kMaxInFlight] = path(i); },
         [&](size_t i) {
           EXPECT_EQ(i, in_order.size());
-          in_order.push_back(results[i % kMostAhead]);
+          in_order.push_back(results[i % kMaxInFlight]);
         });
     ASSERT_EQ(in_order.size(), count);
     std::vector<float> parallel(count);
-    parallel_together(count, [&](size_t i) { parallel[i] = path(i); });
+    parallel_interleaved(count, [&](size_t i) { parallel[i] = path(i); });
     for (size_t i = 0; i < count; ++i) {
       EXPECT_EQ(in_order[i], path(i));
       EXPECT_EQ(parallel[i], path(i));
@@ -295,21 +298,21 @@ size_t levels_counted(size_t levels, const Level* above = nullptr) {
 }
 
 TEST(Together, PathsGoAsDeepAsThreads) {
-  std::array<size_t, kMostAhead> depths{};
-  work_together(
-      kMostAhead, [&](size_t i) { depths[i] = levels_counted(5000); }, [](size_t) {});
+  std::array<size_t, kMaxInFlight> depths{};
+  run_interleaved(
+      kMaxInFlight, [&](size_t i) { depths[i] = levels_counted(5000); }, [](size_t) {});
   EXPECT_THAT(depths, testing::Each(5000u));
 }
 
 TEST(Together, WorkMayThrowAndCatch) {
-  const RayTree tree({{strewn(2000, 7), 0}});
+  const WideBvh tree({{strewn(2000, 7), 0}});
   // With arrays on the stack, which the address sanitizer fences in, and others' turns between.
   const auto work = [&](size_t i, const auto& deeper) -> float {
     std::array<float, 50> own;
     own.fill(static_cast<float>(i));
     RandomStream random{RandomKey(i)};
     const Vec3f from = point(random);
-    RaySearch search(tree, {from, direction(random)}, kFar, RaySearch::Aim::nearest);
+    BvhTraversal search(tree, {from, direction(random)}, kFar, BvhTraversal::Query::closest);
     finish(search);
     if (i % 7 == 0) throw std::runtime_error("enough");
     try {
@@ -321,17 +324,17 @@ TEST(Together, WorkMayThrowAndCatch) {
   };
   const auto caught = [&](size_t i) { return i % 7 == 0 ? 0 : work(i, work); };
   std::vector<float> results(1000);
-  work_together(
+  run_interleaved(
       results.size(), [&](size_t i) { results[i] = caught(i); }, [](size_t) {});
   for (size_t i = 0; i < results.size(); ++i) EXPECT_EQ(results[i], caught(i));
 }
 
 TEST(Together, ThrowsWhatWorkThrows) {
-  const RayTree tree({{strewn(2000, 7), 0}});
+  const WideBvh tree({{strewn(2000, 7), 0}});
   const auto look = [&](size_t i) {
     RandomStream random{RandomKey(i)};
     const Vec3f from = point(random);
-    RaySearch search(tree, {from, direction(random)}, kFar, RaySearch::Aim::nearest);
+    BvhTraversal search(tree, {from, direction(random)}, kFar, BvhTraversal::Query::closest);
     finish(search);
   };
   std::vector<size_t> came_back;
@@ -340,18 +343,18 @@ TEST(Together, ThrowsWhatWorkThrows) {
     if (i == 40) throw std::runtime_error("no more");
     look(i);
   };
-  EXPECT_THROW(work_together(1000, work, [&](size_t i) { came_back.push_back(i); }),
+  EXPECT_THROW(run_interleaved(1000, work, [&](size_t i) { came_back.push_back(i); }),
                std::runtime_error);
   std::vector<size_t> before(40);
   std::iota(before.begin(), before.end(), size_t{0});
   EXPECT_EQ(came_back, before);
-  EXPECT_THROW(work_together(1000, look, [](size_t) { throw std::runtime_error("full"); }),
+  EXPECT_THROW(run_interleaved(1000, look, [](size_t) { throw std::runtime_error("full"); }),
                std::runtime_error);
   // And all is as before.
   came_back.clear();
-  work_together(100, look, [&](size_t i) { came_back.push_back(i); });
+  run_interleaved(100, look, [&](size_t i) { came_back.push_back(i); });
   EXPECT_EQ(came_back.size(), 100u);
 }
 
 }  // namespace
-}  // namespace vug::render
+}  // namespace vug::raytree
