@@ -24,7 +24,7 @@ namespace {
 using namespace vug;
 
 struct Ball {
-  Vec3d centre;
+  Vec3d center;
   double radius;
 };
 
@@ -43,7 +43,7 @@ field::Field union_of(const std::vector<Ball>& all) {
   std::vector<field::Field> fields;
   for (const Ball& b : all)
     fields.push_back(field::transformed(field::make("sphere", {{"radius", b.radius}}),
-                                        Transform::translation(b.centre)));
+                                        Transform::translation(b.center)));
   return field::unite(fields);
 }
 
@@ -70,7 +70,7 @@ openvdb::FloatGrid::Ptr openvdb_union(const std::vector<Ball>& all) {
     const Ball& b = all[i];
     grids[i] = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(
         static_cast<float>(b.radius),
-        openvdb::Vec3f(openvdb::Vec3d(b.centre.x, b.centre.y, b.centre.z)), 1.0f, 3.0f);
+        openvdb::Vec3f(openvdb::Vec3d(b.center.x, b.center.y, b.center.z)), 1.0f, 3.0f);
   });
   for (size_t i = 1; i < grids.size(); ++i) openvdb::tools::csgUnion(*grids[0], *grids[i]);
   return grids[0];

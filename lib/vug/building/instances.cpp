@@ -91,7 +91,7 @@ void put(const Cast& model, const Place& place, const Way& way, const shot::Plac
     cast.objects.push_back(std::move(here));
   }
   for (const render::LightPtr& light : model.lights) {
-    if (light->is_sky()) continue;
+    if (light->is_infinite()) continue;
     render::LightLinking linking = light->linking();
     for (std::vector<std::string>* names : {&linking.only, &linking.except})
       std::transform(names->begin(), names->end(), names->begin(), renamed);
@@ -191,7 +191,7 @@ void put_all(Builder& builder, const shot::PlacePlan& plan, const Moments& momen
 
 void light_plainly(Cast& cast, const render::Medium* medium) {
   const auto shines = [](const render::Object& object) {
-    return !render::is_black(object.emission) || (object.material && object.material->shines());
+    return !render::is_black(object.emission) || (object.material && object.material->is_emissive());
   };
   if (!cast.lights.empty() || (medium && medium->is_emissive()) ||
       std::any_of(cast.objects.begin(), cast.objects.end(), shines))

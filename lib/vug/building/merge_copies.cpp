@@ -10,7 +10,7 @@ namespace {
 bool can_merge(const render::Object& object) {
   return object.placing && !object.placing->moves() && object.mesh && !object.solid &&
          !object.looks_by_place && object.emission == render::Rgb(0.0f) &&
-         !(object.material && object.material->shines());
+         !(object.material && object.material->is_emissive());
 }
 
 Transform place_of(const render::Object& object) {

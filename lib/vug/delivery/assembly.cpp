@@ -163,7 +163,7 @@ void add_lights(const shot::Shot& shot, const std::vector<render::LightPtr>& lig
                                   [&](const auto& each) { return each.second == light; });
     exchange::Light lamp;
     lamp.name = own != shot.lights.end() ? own->first
-                : light->is_sky()        ? "sky"
+                : light->is_infinite()        ? "sky"
                                   : fmt::format("placed_light_{}", out.assembly.lights.size() + 1);
     if (light->as_data(lamp)) out.assembly.lights.push_back(lamp);
     if (!light->linking().only.empty() || !light->linking().except.empty())

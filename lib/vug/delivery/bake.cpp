@@ -33,7 +33,7 @@ bool may_vary(const render::Object& object, const exchange::Channel& channel, bo
   const render::Material* material = object.material.get();
   if (channel.number == &exchange::Look::opacity) return material && material->cut_out() && !solid;
   if (channel.color == &exchange::Look::through) return material && material->thin();
-  if (channel.color == &exchange::Look::emission) return material && material->shines();
+  if (channel.color == &exchange::Look::emission) return material && material->is_emissive();
   return true;
 }
 

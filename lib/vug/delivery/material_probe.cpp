@@ -61,7 +61,7 @@ exchange::Look Eye::at(size_t vertex) const {
     if (object_.material) look = object_.material->look(surface);
     if (object_.material && object_.material->cut_out())
       look.opacity = static_cast<double>(object_.material->opacity(surface));
-    if (object_.material && object_.material->shines())
+    if (object_.material && object_.material->is_emissive())
       look.emission = Vec3d(object_.material->emission(surface));
   }
   if (!object_.material) look.base_color = Vec3d(surface.color) * 0.5;

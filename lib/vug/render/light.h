@@ -76,7 +76,7 @@ class Light {
   /// Bounds of a lamp; never asked of skies.
   virtual LightBounds bounds() const { return {}; }
   /// The place that equiangular sampling in a medium turns to; meaningless for whole skies.
-  virtual Vec3f centre() const { return {0, 0, 0}; }
+  virtual Vec3f center() const { return {0, 0, 0}; }
 
   /// Emission met by a ray before `max_distance`; false for none. Not called for skies.
   virtual bool intersect(const Ray& ray, float max_distance, LightHit& hit) const {
@@ -87,17 +87,17 @@ class Light {
 
   /// True when its light comes from infinitely far: skies, and portals, which only tell where the
   /// sky can be seen. Their samples carry a distance of kFar and no radiance of their own: what
-  /// arrives from a direction is the sum of all skies' `escape_radiance`.
-  virtual bool is_sky() const { return false; }
+  /// arrives from a direction is the sum of all skies' `eval_environment`.
+  virtual bool is_infinite() const { return false; }
   virtual bool is_portal() const { return false; }
   /// Over all directions; times it the importance of portals stands against that of lamps.
   virtual float mean_luminance() const { return 0; }
-  virtual Rgb escape_radiance(const Vec3f& direction) const {
+  virtual Rgb eval_environment(const Vec3f& direction) const {
     (void)direction;
     return {0, 0, 0};
   }
   /// A sky that portals would hardly find, as the sun: it is sampled beside them.
-  virtual bool beside_portals() const { return false; }
+  virtual bool sampled_with_portals() const { return false; }
 
   /// Fills in what files of other programs are told of it, but for its name; false where they have
   /// no word for it.

@@ -63,7 +63,7 @@ class Material {
   virtual bool thin() const { return false; }
   /// It sends out light by itself, from the outside of what is made of it, as `emission` says:
   /// radiance (W/sr/m^2), the same in all directions.
-  virtual bool shines() const { return false; }
+  virtual bool is_emissive() const { return false; }
   virtual Rgb emission(const Surface& surface) const { return (void)surface, Rgb(0.0f); }
 
   /// It has holes, or is there only in part: rays pass through with the chance that `opacity`

@@ -26,7 +26,7 @@ struct Object {
   bool flat = false;
   /// Radiance (W/sr/m^2) that its triangles send out from their front, the outside.
   Rgb emission{0, 0, 0};
-  std::string light_group;                ///< Of its emission; see LightNotes.
+  std::string light_group;                ///< Of its emission; see LightLinking.
   std::string material_name = "default";  ///< For mattes.
   /// The level set that the mesh was made of, for masks that ask about the rock around a place.
   std::shared_ptr<const field::SampledGrid> solid = nullptr;

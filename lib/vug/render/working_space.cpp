@@ -22,8 +22,8 @@ class SpacedLight final : public LightAdapter {
     hit.radiance = from_rec709_(hit.radiance);
     return true;
   }
-  Rgb escape_radiance(const Vec3f& direction) const override {
-    return from_rec709_(inner().escape_radiance(direction));
+  Rgb eval_environment(const Vec3f& direction) const override {
+    return from_rec709_(inner().eval_environment(direction));
   }
 
  private:

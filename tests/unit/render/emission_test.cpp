@@ -156,8 +156,8 @@ TEST(Emission, OfMixedMaterialsIsMixed) {
       make_material("mix", {{"a", value(dark)}, {"b", value(bright)}, {"mask", 0.25}});
   EXPECT_TRUE(mixed->is_emissive());
   EXPECT_FLOAT_EQ(mixed->emission({}).x, 2);
-  EXPECT_FALSE(
-      make_material("surface", {{"emission_radiance", 8.0}, {"emission", Vec3d(0)}})->is_emissive());
+  EXPECT_FALSE(make_material("surface", {{"emission_radiance", 8.0}, {"emission", Vec3d(0)}})
+                   ->is_emissive());
 }
 
 }  // namespace

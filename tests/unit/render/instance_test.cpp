@@ -4,8 +4,8 @@
 #include <vug/base/rng.h>
 #include <vug/base/transform.h>
 #include <vug/render/materials/material_input.h>
-#include <vug/render/sampling.h>
 #include <vug/render/prepared_scene.h>
+#include <vug/render/sampling.h>
 
 #include <gtest/gtest.h>
 

@@ -34,8 +34,8 @@ class NewKindLight final : public Light {
   float importance_along(const Ray&, float begin, float end) const override {
     return luminance(radiance_) * (end - begin);
   }
-  bool is_sky() const override { return true; }
-  Rgb escape_radiance(const Vec3f&) const override { return radiance_; }
+  bool is_infinite() const override { return true; }
+  Rgb eval_environment(const Vec3f&) const override { return radiance_; }
 
  private:
   static constexpr float kDensity = 1 / (4 * kPif);

@@ -32,7 +32,7 @@ Schema<Block> schema() {
 /// A fault of what the object asks of its mesh and material, and its hint; empty where there is
 /// none.
 std::pair<std::string, std::string> fault(const shot::ObjectPlan& plan, const std::string& name) {
-  const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->shines());
+  const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->is_emissive());
   const bool holes = plan.material && plan.material->cut_out();
   if (shines && holes)
     return {fmt::format("'{}' shines and has holes by its material's opacity", name),

@@ -272,7 +272,7 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
       groups.push_back(group);
   };
   for (const LightPtr& light : scene.lights)
-    if (light) add_group(light->notes().group);
+    if (light) add_group(light->linking().group);
   for (const Object& object : scene.objects) add_group(object.light_group);
   std::set<std::string> elements;
   for (const Object& object : scene.objects)

@@ -40,7 +40,7 @@ void Tally::note_sky(const World& world, uint32_t object, const Vec3f& direction
   const LightSet& lights = world.lights();
   for (const LightId id : lights.skies()) {
     if (!lights.reaches(id, object)) continue;
-    const Rgb light = lights.sky(id).escape_radiance(direction);
+    const Rgb light = lights.sky(id).eval_environment(direction);
     note(lights.group(id), light * weight, light * diffuse_weight);
   }
 }

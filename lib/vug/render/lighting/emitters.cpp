@@ -75,7 +75,7 @@ Vec2f on_triangle(const Vec2f& u) {
 Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), kNone) {
   for (size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
-    const bool varies = object.material && object.material->shines();
+    const bool varies = object.material && object.material->is_emissive();
     if (object.material && object.material->cut_out() && (varies || !is_black(object.emission)))
       throw Error(ErrorCode::bad_input,
                   fmt::format("object '{}' shines and has holes by its material's opacity, which "
@@ -209,7 +209,7 @@ LightBounds Emitters::bounds(uint32_t index) const {
   return out;
 }
 
-Vec3f Emitters::centre(uint32_t index) const { return world_triangle(index).centroid(); }
+Vec3f Emitters::center(uint32_t index) const { return world_triangle(index).centroid(); }
 
 LightSample Emitters::sample(uint32_t index, const LightSampleContext& point,
                              const Vec2f& u) const {

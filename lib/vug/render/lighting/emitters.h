@@ -31,7 +31,7 @@ class Emitters {
   uint32_t object(uint32_t index) const { return emissive_mesh(index).object; }
 
   LightBounds bounds(uint32_t index) const;
-  Vec3f centre(uint32_t index) const;
+  Vec3f center(uint32_t index) const;
   LightSample sample(uint32_t index, const LightSampleContext& point, const Vec2f& u) const;
   float pdf(uint32_t index, const LightSampleContext& point, const Vec3f& direction) const;
 

@@ -65,7 +65,7 @@ float EnvironmentMap::pdf(const LightSampleContext&, const Vec3f& direction) con
   return density((rows_[row + 1] - rows_[row]) * (table[column + 1] - table[column]), place.y);
 }
 
-Rgb EnvironmentMap::escape_radiance(const Vec3f& direction) const {
+Rgb EnvironmentMap::eval_environment(const Vec3f& direction) const {
   const Vec2f place = locate(direction);
   const float x = place.x * static_cast<float>(width_) - 0.5f;
   const float y = place.y * static_cast<float>(height_) - 0.5f;

@@ -18,10 +18,10 @@ class EnvironmentMap : public Light {
   float importance_along(const Ray&, float begin, float end) const override {
     return importance_ * (end - begin);
   }
-  bool is_sky() const override { return true; }
+  bool is_infinite() const override { return true; }
   float mean_luminance() const override { return mean_luminance_; }
   /// Interpolated between the middles of texels.
-  Rgb escape_radiance(const Vec3f& direction) const override;
+  Rgb eval_environment(const Vec3f& direction) const override;
   bool as_data(exchange::Light& light) const override;
 
  protected:

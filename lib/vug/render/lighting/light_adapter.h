@@ -25,18 +25,18 @@ class LightAdapter : public Light {
     return light_->importance_along(ray, begin, end);
   }
   LightBounds bounds() const override { return light_->bounds(); }
-  Vec3f centre() const override { return light_->centre(); }
+  Vec3f center() const override { return light_->center(); }
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
     return light_->intersect(ray, max_distance, hit);
   }
   bool camera_visible() const override { return light_->camera_visible(); }
-  bool is_sky() const override { return light_->is_sky(); }
+  bool is_infinite() const override { return light_->is_infinite(); }
   bool is_portal() const override { return light_->is_portal(); }
   float mean_luminance() const override { return light_->mean_luminance(); }
-  Rgb escape_radiance(const Vec3f& direction) const override {
-    return light_->escape_radiance(direction);
+  Rgb eval_environment(const Vec3f& direction) const override {
+    return light_->eval_environment(direction);
   }
-  bool beside_portals() const override { return light_->beside_portals(); }
+  bool sampled_with_portals() const override { return light_->sampled_with_portals(); }
   bool as_data(exchange::Light& light) const override { return light_->as_data(light); }
 
  protected:

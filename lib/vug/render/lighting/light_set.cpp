@@ -51,7 +51,7 @@ struct LightSet::AlongRay {
   /// From where on the ray it is nearest: most of what arrives does so thereabouts.
   float branch_visibility(size_t branch) const {
     if (visibility.empty()) return 1;
-    const float nearest = dot(set.branches_[branch].centre - ray.origin, ray.direction);
+    const float nearest = dot(set.branches_[branch].center - ray.origin, ray.direction);
     return visibility.at(ray.at(std::clamp(nearest, segment.begin, segment.end)))[branch];
   }
   float light(LightId id) const {
@@ -75,21 +75,21 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
   for (LightId id = 0; id < scene_light_count(); ++id) {
     const Light& light = *lights_[id];
     portals |= light.is_portal();
-    if (!light.is_sky() || light.is_portal()) continue;
+    if (!light.is_infinite() || light.is_portal()) continue;
     skies_.push_back(id);
-    if (!light.beside_portals()) sky_scale_ += light.mean_luminance();
+    if (!light.sampled_with_portals()) sky_scale_ += light.mean_luminance();
   }
   for (LightId id = 0; id < scene_light_count(); ++id) {
     const Light& light = *lights_[id];
     // Where portals are, they find the sky better than the sky does.
-    if (!light.is_sky() ||
-        (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.beside_portals()))
+    if (!light.is_infinite() ||
+        (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.sampled_with_portals()))
       continue;
     sampled_skies_.push_back(id);
-    branches_.push_back({nullptr, 0, id, light.is_portal() ? sky_scale_ : 1, light.centre()});
+    branches_.push_back({nullptr, 0, id, light.is_portal() ? sky_scale_ : 1, light.center()});
   }
   light_tree_ = LightTree(lights_.size(), 0, [&](size_t i) {
-    return lights_[i]->is_sky() ? LightBounds{} : lights_[i]->bounds();
+    return lights_[i]->is_infinite() ? LightBounds{} : lights_[i]->bounds();
   });
   emitter_tree_ = LightTree(emitters_.size(), scene_light_count(),
                             [&](size_t i) { return emitters_.bounds(static_cast<uint32_t>(i)); });
@@ -98,7 +98,7 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
       const LightTree::Node& node = tree->node(i / LightTree::kWidth);
       const size_t lane = i % LightTree::kWidth;
       const bool single = tree == &light_tree_ && node.has_only_leaves();
-      branches_.push_back({tree, i, single ? node.light(lane) : kNoLight, 1, node.centre(lane)});
+      branches_.push_back({tree, i, single ? node.light(lane) : kNoLight, 1, node.center(lane)});
     }
   for (const LightId sky : sampled_skies_)
     if (lights_[sky]->is_portal() || !is_plain(*lights_[sky])) all_.push_back(sky);
@@ -285,14 +285,14 @@ float LightSet::pmf(LightId light, const LightSampleContext& point,
 bool LightSet::sky_is_plain() const {
   return std::all_of(sampled_skies_.begin(), sampled_skies_.end(), [&](LightId id) {
     const Light& sky = *lights_[id];
-    return !sky.is_portal() && (sky.beside_portals() || is_plain(sky));
+    return !sky.is_portal() && (sky.sampled_with_portals() || is_plain(sky));
   });
 }
 
 Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {
   Rgb sum(0.0f);
   for (const LightId id : skies_)
-    if (reaches(id, object)) sum += lights_[id]->escape_radiance(direction);
+    if (reaches(id, object)) sum += lights_[id]->eval_environment(direction);
   return sum;
 }
 

@@ -50,9 +50,9 @@ class LightSet {
     return light < lights_.size() ? lights_[light]->pdf(point, direction)
                                   : emitters_.pdf(light - scene_light_count(), point, direction);
   }
-  Vec3f centre(LightId light) const {
-    return light < lights_.size() ? lights_[light]->centre()
-                                  : emitters_.centre(light - scene_light_count());
+  Vec3f center(LightId light) const {
+    return light < lights_.size() ? lights_[light]->center()
+                                  : emitters_.center(light - scene_light_count());
   }
   /// Names of the groups of lights, and a light's place in that list; kNoGroup without one.
   const std::vector<std::string>& groups() const { return group_names_; }
@@ -110,7 +110,7 @@ class LightSet {
     uint32_t index = 0;               ///< In the tree.
     LightId single = kNoLight;        ///< The sky, or a lamp whose fork has lamps only,
     float scale = 1;                  ///< and what its importance stands against others' with.
-    Vec3f centre;                     ///< Meaningless for whole skies.
+    Vec3f center;                     ///< Meaningless for whole skies.
   };
   struct AtPoint;
   struct AlongRay;

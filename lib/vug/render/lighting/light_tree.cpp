@@ -222,8 +222,8 @@ void LightTree::flatten(const std::vector<BuildNode>& build_nodes) {
     for (size_t lane = 0; lane < std::min(among.size(), kWidth); ++lane) {
       const BuildNode& build_node = build_nodes[among[lane]];
       const LightBounds& b = build_node.bounds;
-      const Vec3f centre = b.box.center();
-      out.x[lane] = centre.x, out.y[lane] = centre.y, out.z[lane] = centre.z;
+      const Vec3f center = b.box.center();
+      out.x[lane] = center.x, out.y[lane] = center.y, out.z[lane] = center.z;
       out.radius[lane] = build_node.radius();
       out.axis_x[lane] = b.axis.x, out.axis_y[lane] = b.axis.y, out.axis_z[lane] = b.axis.z;
       out.cos_spread[lane] = b.cos_spread, out.cos_reach[lane] = b.cos_reach;

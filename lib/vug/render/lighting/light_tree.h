@@ -46,7 +46,7 @@ class LightTree {
     bool is_leaf(size_t lane) const { return strength[lane] > 0 && (child[lane] & kLeaf) != 0; }
     /// The light of a leaf.
     LightId light(size_t lane) const { return child[lane] & ~kLeaf; }
-    Vec3f centre(size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    Vec3f center(size_t lane) const { return {x[lane], y[lane], z[lane]}; }
   };
   using Weights = std::array<float, kWidth>;
   struct SampledLeaf {

@@ -54,7 +54,7 @@ class ShapeLight : public Light {
     profile_.tighten(out);
     return out;
   }
-  Vec3f centre() const override { return shape_.center(); }
+  Vec3f center() const override { return shape_.center(); }
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
     const float t = shape_.hit(ray);
     if (!(t > 0 && t < max_distance)) return false;

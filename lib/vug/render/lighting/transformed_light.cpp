@@ -41,7 +41,7 @@ class TransformedLight final : public LightAdapter {
     b.strength *= scale_ * scale_;
     return b;
   }
-  Vec3f centre() const override { return to_.point(inner().centre()); }
+  Vec3f center() const override { return to_.point(inner().center()); }
   bool intersect(const Ray& ray, float max_distance, LightHit& hit) const override {
     if (!inner().intersect(own(ray), max_distance / scale_, hit)) return false;
     hit.distance *= scale_;

@@ -33,8 +33,8 @@ class PortalLight final : public Light {
   float importance_along(const Ray& ray, float begin, float end) const override {
     return shape_.importance_along(ray, begin, end);
   }
-  Vec3f centre() const override { return shape_.center(); }
-  bool is_sky() const override { return true; }
+  Vec3f center() const override { return shape_.center(); }
+  bool is_infinite() const override { return true; }
   bool is_portal() const override { return true; }
 
  private:

@@ -26,9 +26,9 @@ class SkyLight final : public Light {
   float pdf(const LightSampleContext&, const Vec3f&) const override { return 0; }
   float importance(const LightSampleContext&) const override { return 0; }
   float importance_along(const Ray&, float, float) const override { return 0; }
-  bool is_sky() const override { return true; }
+  bool is_infinite() const override { return true; }
   float mean_luminance() const override { return luminance(radiance_); }
-  Rgb escape_radiance(const Vec3f&) const override { return radiance_; }
+  Rgb eval_environment(const Vec3f&) const override { return radiance_; }
   bool as_data(exchange::Light& light) const override {
     light.shape = exchange::Light::Shape::dome;
     light.radiance = Vec3d(radiance_);

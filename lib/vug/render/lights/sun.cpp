@@ -63,10 +63,10 @@ class SunLight final : public Light {
   float importance_along(const Ray&, float begin, float end) const override {
     return strength_ * (end - begin);
   }
-  bool is_sky() const override { return true; }
-  bool beside_portals() const override { return true; }
+  bool is_infinite() const override { return true; }
+  bool sampled_with_portals() const override { return true; }
   float mean_luminance() const override { return luminance(radiance_) * 0.5f * part_; }
-  Rgb escape_radiance(const Vec3f& direction) const override {
+  Rgb eval_environment(const Vec3f& direction) const override {
     return inside(direction) ? radiance_ : Rgb(0.0f);
   }
   bool as_data(exchange::Light& light) const override {

@@ -92,7 +92,7 @@ class MixMaterial final : public Material {
     const float share = share_at(surface);
     return p_.a->opacity(surface) * (1 - share) + p_.b->opacity(surface) * share;
   }
-  bool shines() const override { return p_.a->shines() || p_.b->shines(); }
+  bool is_emissive() const override { return p_.a->is_emissive() || p_.b->is_emissive(); }
   Rgb emission(const Surface& surface) const override {
     const float share = share_at(surface);
     return p_.a->emission(surface) * (1 - share) + p_.b->emission(surface) * share;

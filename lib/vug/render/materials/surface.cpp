@@ -136,7 +136,7 @@ class SurfaceMaterial final : public Material {
   float opacity(const Surface& surface) const override {
     return p_.opacity.at(SurfacePoint(surface).eval_point());
   }
-  bool shines() const override {
+  bool is_emissive() const override {
     return p_.emission_radiance > 0 &&
            (p_.emission_mask.varying || p_.emission_mask.constant > 0) &&
            (p_.emission.varying || p_.emission.constant != Vec3d(0));
