@@ -1,5 +1,5 @@
-// Symbols, productions and grammars: the part that all of this toolkit's systems share. The
-// engine knows no geometry; what a symbol carries is its payload, which only callables read.
+// Symbols, productions and grammars, shared by all grammar dialects. The engine is independent of
+// geometry; a symbol's payload is opaque to it and is read only by callables.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -14,11 +14,11 @@
 
 namespace vug::grammar {
 
-/// What an occurrence of a symbol carries beside its name.
+/// The content of an occurrence of a symbol, in addition to its name.
 struct Content {
-  std::vector<Value> params;  ///< What guards, weights, counts and successors compute from.
-  std::any payload;           ///< E.g. a rectangle, or a step on solids; opaque to the engine.
-  std::string text;           ///< How trees show it; empty: the name and the parameters.
+  std::vector<Value> params;  ///< Input of guards, weights, counts and successors.
+  std::any payload;           ///< E.g. a rectangle or an operation on solids; opaque to the engine.
+  std::string text;           ///< Label in printed trees; empty: the name and the parameters.
 };
 
 /// One occurrence of a symbol.
@@ -27,30 +27,30 @@ struct Symbol {
   Content content;
 };
 
-/// "Room(0.5, 2)" or the content's own text.
+/// E.g. "Room(0.5, 2)", or the content's text.
 std::string to_string(const Symbol& symbol);
 
-/// What the callables of a production are given. `key` belongs to that one call alone, so drawing
-/// from it changes nothing else. Callables may run on several threads at once.
+/// The argument of a production's callables. `key` is unique to the call, so drawing from it does
+/// not affect other calls. Callables may run on several threads at once.
 struct RewriteSite {        // NOLINT(cppcoreguidelines-pro-type-member-init): key has no default
   const Symbol& symbol;     ///< The occurrence that is being rewritten.
   RandomKey key;            ///< Source of this call's random numbers.
   int depth = 0;            ///< The occurrence's distance from the tree's root.
-  int64_t repetition = 0;   ///< For a part's content: which of the repetitions, from 0.
-  int64_t repetitions = 1;  ///< For a part's content: how many there are.
+  int64_t repetition = 0;   ///< For content: the 0-based index of the repetition.
+  int64_t repetitions = 1;  ///< For content: the number of repetitions.
 };
 
-/// One symbol of a production's right side, repeated.
+/// One symbol of a production's right side, with its repetition count.
 struct SuccessorItem {
   std::string symbol;
-  bool terminal = false;  ///< Never rewritten, whatever productions there are.
+  bool terminal = false;  ///< Never rewritten, even if productions exist.
   SourceLocation where;
   std::function<int64_t(const RewriteSite&)> count;  ///< Null: once. Below 0 is an Error.
   std::function<Content(const RewriteSite&)>
       content;  ///< Null: nothing. Called for each repetition.
 };
 
-/// symbol : guard @weight -> parts. Applies where name and arity fit and the guard holds.
+/// symbol : guard @weight -> successor. Applies if name and arity match and the guard holds.
 struct Production {
   std::string symbol;
   int arity = -1;    ///< Number of parameters the symbol must have; -1: any.
@@ -62,18 +62,18 @@ struct Production {
   std::vector<SuccessorItem> successor;  ///< Empty: the symbol vanishes.
 };
 
-/// The production's name, or "Room -> + Room" made of its parts.
+/// The production's name, or a text such as "Room -> + Room".
 std::string to_string(const Production& production);
 
 struct Grammar {
-  std::string name = "grammar";  ///< Symbol of the tree's root, which the axiom hangs on.
+  std::string name = "grammar";  ///< Symbol of the tree's root, the parent of the axiom.
   std::vector<SuccessorItem> axiom;
   std::vector<Production> productions;
   SourceLocation where;
 };
 
-/// Finds what no derivation can mean: an empty axiom, symbols that are neither terminal nor
-/// rewritten (with the nearest name), and, as warnings, productions that nothing reaches.
+/// Reports an empty axiom and symbols that are neither terminal nor rewritten (with the nearest
+/// name) as errors, and unreachable productions as warnings.
 void check(const Grammar& grammar, Diagnostics& diagnostics);
 
 }  // namespace vug::grammar

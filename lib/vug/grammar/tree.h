@@ -1,4 +1,4 @@
-// A derivation as data: every occurrence with where it came from.
+// Derivation trees: all occurrences of symbols with their provenance.
 #pragma once
 
 #include <vug/grammar/grammar.h>
@@ -9,16 +9,16 @@ namespace vug::grammar {
 struct Node {
   Symbol symbol;
   RandomKey key{0};       ///< The path of names and ordinals as a key; see Tree::path.
-  int parent = -1;        ///< Index in Tree::nodes; -1 for the root. Always below the own index.
+  int parent = -1;        ///< Index in Tree::nodes, less than this node's; -1 for the root.
   int depth = 0;          ///< 0 for the root.
-  int64_t ordinal = 0;    ///< Which of the parent's children of that name, from 0.
-  int production = -1;    ///< Index in Tree::productions that rewrote it; -1: a leaf.
-  bool terminal = false;  ///< Marked so by the part that made it.
-  bool stuck = false;     ///< Has productions, but none applied here: kept as it is.
+  int64_t ordinal = 0;    ///< Index among the parent's children of that name.
+  int production = -1;    ///< Index in Tree::productions of the applied production; -1: a leaf.
+  bool terminal = false;  ///< Marked as terminal by its SuccessorItem.
+  bool stuck = false;     ///< Productions exist, but none applies: the symbol is kept.
   std::vector<int> children;
 };
 
-/// What a tree remembers of a production.
+/// The description of a production in a tree.
 struct ProductionInfo {
   std::string name;
   std::string symbol;
@@ -26,13 +26,13 @@ struct ProductionInfo {
 };
 
 struct Tree {
-  std::vector<Node> nodes;  ///< nodes[0] is the root; parents come before their children.
+  std::vector<Node> nodes;  ///< nodes[0] is the root; parents precede their children.
   std::vector<ProductionInfo> productions;
-  int64_t applied = 0;  ///< Productions applied; the axiom does not count.
+  int64_t applied = 0;  ///< Number of applied productions, without the axiom.
 
-  /// "cave/Room[3]/+[0]": what the node's key is made of, under the derivation's key.
+  /// E.g. "cave/Room[3]/+[0]": the path from which the node's key is derived.
   std::string path(int node) const;
-  /// Leaves in depth-first order: the word that was derived.
+  /// Leaves in depth-first order: the derived word.
   std::vector<int> leaves() const;
 };
 

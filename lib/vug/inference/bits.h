@@ -1,4 +1,4 @@
-// Code lengths are told in bits, probabilities by their natural logarithms.
+// Base-2 logarithms. Code lengths are in bits; probabilities are natural logarithms.
 #pragma once
 
 #include <vug/base/maths.h>

@@ -1,5 +1,5 @@
-// A reversible-jump Markov chain (cite green1995): Metropolis and Hastings' rule over states of any
-// size, as long as all of a state is whole numbers, which needs no Jacobian.
+// Reversible-jump Markov chain (cite green1995): the Metropolis-Hastings rule over states of
+// variable size. States consist of integers only, so no Jacobian is needed.
 #pragma once
 
 #include <vug/inference/bits.h>
@@ -13,39 +13,39 @@
 
 namespace vug::inference {
 
-/// One kind of move over states S. `propose` changes the state in place, makes its choices with
-/// `forward`, and tells `back` those of the same move that lead from the new state to the old one.
-/// False where there is nothing to do, or the way leads out of the space of states; the state may
-/// then be anything.
+/// A kind of move over states S. `propose` changes the state in place, makes its choices with
+/// `forward`, and scores with `back` the choices of the same move that lead from the new state to
+/// the old one. It returns false if the move is not applicable or leaves the state space; the state
+/// is then unspecified.
 template <class S>
 struct Move {
   std::string name;
-  double weight = 1;  ///< How often it is tried, as a share of all moves' weights.
+  double weight = 1;  ///< Relative frequency of proposals of this move.
   std::function<bool(S&, Choices& forward, Choices& back)> propose;
 };
 template <class S>
 using Moves = std::vector<Move<S>>;
 
 struct MoveCount {
-  int64_t tried = 0;     ///< Proposals asked for,
-  int64_t possible = 0;  ///< those that led to a state,
-  int64_t accepted = 0;  ///< and those that were taken.
+  int64_t tried = 0;     ///< Number of proposals,
+  int64_t possible = 0;  ///< of those that led to a valid state,
+  int64_t accepted = 0;  ///< and of those that were accepted.
 };
 
-/// ln of what a proposal's probability is weighed with: q(new to old) / q(old to new).
+/// The logarithm of the proposal ratio q(new to old) / q(old to new).
 inline double ln_ratio(const Choices& forward, const Choices& back) {
   return back.ln_probability() - forward.ln_probability();
 }
 
-/// Its states are drawn with probability 2^(-energy / temperature) in the long run. The energy is
-/// a code length in bits; `energy(S&)` may keep what it computed in the state.
+/// A Markov chain with the stationary distribution 2^(-energy / temperature). The energy is a code
+/// length in bits; `energy(S&)` may cache results in the state.
 template <class S>
 class Chain {
  public:
   using Energy = std::function<double(S&)>;
   struct Options {
     double temperature = 1;
-    bool use_proposal_ratio = true;  ///< False is wrong: it is there to show that tests see it.
+    bool use_proposal_ratio = true;  ///< False is wrong; it only shows that tests detect the error.
   };
 
   /// The moves must outlive the chain.
@@ -83,7 +83,7 @@ class Chain {
   void set_temperature(double temperature) { options_.temperature = temperature; }
   const std::vector<MoveCount>& counts() const { return counts_; }
 
-  /// Exchanges states and energies; temperatures, streams and counts stay.
+  /// Swaps states and energies; temperatures, random streams and counts stay.
   void swap_states(Chain& other) {
     std::swap(state_, other.state_);
     std::swap(energy_, other.energy_);

@@ -1,6 +1,6 @@
-// The choices a move makes, with the probability of making them. One and the same code draws a
-// move's choices and tells those of the move back, so the two densities of a reversible jump are
-// written once.
+// Random choices of a move with their probability. The same code draws the choices of a move and
+// scores those of the reverse move, so the two densities of a reversible jump are written only
+// once.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -10,32 +10,32 @@
 
 namespace vug::inference {
 
-/// Choices in the order in which they are made.
+/// The values of the choices in the order in which they are made.
 using ChoiceTrace = std::vector<int>;
 
-/// Each choice is drawn, or read from a trace, or the one that the caller tells; `ln_probability`
-/// sums up how likely they are to be drawn.
+/// Draws choices from a stream, replays them from a trace, or scores values given by the caller.
+/// `ln_probability` accumulates the log-probability of drawing them.
 class Choices {
  public:
-  /// Begins anew: choices are drawn from the stream.
+  /// Restarts; choices are drawn from the stream.
   void draw(RandomStream& stream);
-  /// Begins anew: choices are those of the trace, which must outlive this.
+  /// Restarts; choices are read from the trace, which must outlive this object.
   void replay(const ChoiceTrace& trace);
-  /// Begins anew: choices are those that the calls tell.
+  /// Restarts; choices are the `given` arguments of the calls.
   void score();
 
-  /// One of 0..count-1, all alike.
+  /// Uniform in 0..count-1.
   int below(int count, int given = 0);
   bool flip(bool given = false) { return below(2, given ? 1 : 0) != 0; }
-  /// One of low..high, both included, all alike.
+  /// Uniform in low..high, both included.
   int between(int low, int high, int given = 0) { return low + below(high - low + 1, given - low); }
-  /// A place in the profile's window [low, high).
+  /// An index drawn from the distribution restricted to the window [low, high).
   int among(const DiscreteDistribution& profile, int low, int high, int given = 0);
 
-  /// Appends choices that were given elsewhere, as they are.
+  /// Appends the choices of another object with their probability.
   void append(const Choices& others);
 
-  /// -infinity when one that was given could not have been drawn, as for windows without a place.
+  /// -infinity if a given choice could not have been drawn, e.g. from an empty window.
   double ln_probability() const { return ln_; }
   bool possible() const;
   const ChoiceTrace& trace() const { return trace_; }

@@ -1,4 +1,4 @@
-// Where along a line something is likely to be: weights of whole places, drawn from in any window.
+// Discrete distribution over integer positions that can be sampled in any window.
 #pragma once
 
 #include <cstddef>
@@ -6,28 +6,28 @@
 
 namespace vug::inference {
 
-/// Windows are [low, high) with 0 <= low < high <= size; a place's probability is its weight over
-/// the window's sum. Drawing takes the logarithm of the window's length in steps.
+/// Windows are [low, high) with 0 <= low < high <= size; the probability of an index is its weight
+/// divided by the window's sum. Sampling takes O(log(window length)) steps.
 class DiscreteDistribution {
  public:
   DiscreteDistribution() = default;
-  /// Error(bad_input) for weights that are not finite and above 0: every place can be drawn, so
-  /// that whatever a chain leaves it can return to.
+  /// Throws Error(bad_input) unless all weights are finite and positive: every index must have a
+  /// positive probability, so that a chain can return to every state that it leaves.
   explicit DiscreteDistribution(const std::vector<double>& weights);
-  /// A mixture: `share` of the weights, made to sum to 1, and the rest even.
+  /// A mixture of the normalized weights, with the proportion `share`, and a uniform distribution.
   static DiscreteDistribution mixture(std::vector<double> weights, double share);
 
   int size() const { return static_cast<int>(sums_.size()) - 1; }
-  /// The place at which the weights before it reach the share u in [0, 1) of the window's sum.
+  /// The inverse of the window's cumulative distribution at u in [0, 1).
   int find(int low, int high, double u) const;
-  /// Natural logarithm of its probability; -infinity outside of the window.
+  /// Natural logarithm of the probability of the index `place`; -infinity outside of the window.
   double ln_probability(int low, int high, int place) const;
 
  private:
   double sum(int low, int high) const {
     return sums_[static_cast<size_t>(high)] - sums_[static_cast<size_t>(low)];
   }
-  std::vector<double> sums_ = {0};  ///< Of all weights before a place; one more than places.
+  std::vector<double> sums_ = {0};  ///< Prefix sums of the weights; one more than weights.
 };
 
 }  // namespace vug::inference

@@ -1,4 +1,4 @@
-// Temperatures of chains that exchange their states.
+// Temperature ladder for parallel tempering.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@ namespace vug::inference {
 
 class TemperatureLadder {
  public:
-  /// From the coldest to the hottest by equal factors. Error(bad_input) for no chain, or
-  /// temperatures that are not above 0 and rising.
+  /// Temperatures from the coldest to the hottest in a geometric progression. Throws
+  /// Error(bad_input) if there are no chains or the temperatures are not positive and increasing.
   TemperatureLadder(int chains, double coldest, double hottest);
 
   double temperature(int i) const { return temperatures_[static_cast<size_t>(i)]; }
-  /// Probability of exchanging the states, of these energies in bits, of chain i and the next.
+  /// Probability of swapping the states of chain i and the next, which have these energies in bits.
   double acceptance(int i, double energy, double next_energy) const;
 
   void count(int i, double acceptance, bool swapped);
-  /// Moves the temperatures between the ends towards equal acceptance, less and less from call to
-  /// call; counts since the last call are used (Vousden et al. 2016, equations 10 to 13).
+  /// Moves the inner temperatures towards equal acceptance, with a step that decreases from call to
+  /// call. Uses the counts since the last call (Vousden et al. 2016, equations 10 to 13).
   void adapt();
 
   struct Swaps {
@@ -27,16 +27,16 @@ class TemperatureLadder {
       return tried > 0 ? static_cast<double>(taken) / static_cast<double>(tried) : 0;
     }
   };
-  /// Of each pair of neighbours since the beginning, or since `forget`.
+  /// Swaps of each pair of neighbours since the beginning or the last `forget`.
   const std::vector<Swaps>& swaps() const { return swaps_; }
   void forget();
 
  private:
   std::vector<double> temperatures_;
-  double hottest_ = 0;  ///< As it was at first.
+  double hottest_ = 0;  ///< The initial hottest temperature.
   std::vector<Swaps> swaps_;
-  std::vector<double> sums_;  ///< Acceptances since the last adapt,
-  std::vector<int> terms_;    ///< and how many.
+  std::vector<double> sums_;  ///< Sums of acceptances since the last `adapt`,
+  std::vector<int> terms_;    ///< and their numbers.
   int64_t adapted_ = 0;
 };
 

@@ -1,6 +1,6 @@
-// Chains at several temperatures that exchange their states (cite geyer1991): the hot ones cross
-// what the cold one cannot. Temperatures may move to where neighbours exchange equally often, less
-// and less (cite vousden2016).
+// Parallel tempering (cite geyer1991): chains at several temperatures swap their states, so hot
+// chains carry cold ones over energy barriers. The temperatures can adapt, with diminishing steps,
+// until all neighbours swap equally often (cite vousden2016).
 #pragma once
 
 #include <vug/base/parallel.h>
@@ -15,19 +15,19 @@ namespace vug::inference {
 
 struct TemperingOptions {
   int chains = 8;
-  double hottest = 64;  ///< Where the ladder of temperatures ends at first; it begins at `coldest`.
+  double hottest = 64;  ///< Initial end of the temperature ladder, which starts at `coldest`.
   double coldest = 1;
-  int64_t per_round = 500;  ///< Steps of each chain between two rounds of exchanges.
+  int64_t per_round = 500;  ///< Steps of each chain between two rounds of swaps.
 };
 
-/// The same states for any number of threads: each chain has its stream, and exchanges are drawn
-/// in order from one of their own.
+/// Deterministic for any number of threads: each chain has its own random stream, and swaps are
+/// drawn in order from another one.
 template <class S>
 class Tempering {
  public:
   using Options = TemperingOptions;
 
-  /// `energy_for()` makes an energy for one chain, which no other calls at the same time.
+  /// `energy_for()` makes the energy function of one chain, which is not called concurrently.
   Tempering(const Moves<S>& moves, const std::function<typename Chain<S>::Energy()>& energy_for,
             const S& start, RandomKey key, Options options = {})
       : options_(options),
@@ -40,15 +40,16 @@ class Tempering {
     best_energy_ = chains_[0].energy();
   }
 
-  /// Multiplies all temperatures, as annealing does; exchanges go by the products.
+  /// Multiplies all temperatures by a factor, as in annealing; swaps use the scaled temperatures.
   void set_scale(double scale) {
     scale_ = scale;
     for (size_t i = 0; i < chains_.size(); ++i)
       chains_[i].set_temperature(scale_ * ladder_.temperature(static_cast<int>(i)));
   }
 
-  /// Rounds of steps and exchanges. `adapt` moves the temperatures, all but the coldest; `visit`
-  /// sees the coldest chain's state after each round. Stops, whole, when told to.
+  /// Runs rounds of steps and swaps. `adapt` moves all temperatures except the coldest; `visit`
+  /// receives the coldest chain's state after each round. Stops after a complete round if
+  /// cancelled.
   void run(int64_t rounds, bool adapt, Progress& progress = Progress::none(),
            const std::function<void(const S&, double energy)>& visit = {}) {
     for (int64_t round = 0; round < rounds && !progress.cancelled(); ++round) {
@@ -60,7 +61,7 @@ class Tempering {
     }
   }
 
-  /// The state of least energy that any chain has been in.
+  /// The state with the lowest energy that any chain has visited.
   const S& best() const { return best_; }
   double best_energy() const { return best_energy_; }
   const std::vector<Chain<S>>& chains() const { return chains_; }
@@ -95,7 +96,7 @@ class Tempering {
     candidate.reset();
   }
 
-  /// Neighbours in turn: those of even place, then those of odd place.
+  /// Attempts swaps of neighbours, alternating between even and odd pairs.
   void exchange(bool adapt) {
     for (size_t i = odd_ ? 1 : 0; i + 1 < chains_.size(); i += 2) {
       Chain<S>&cold = chains_[i], &hot = chains_[i + 1];

@@ -1,5 +1,4 @@
-// The symbols of an L-system: names that are told apart by their number of parameters, as small
-// ids.
+// The symbols of an L-system, identified by name and number of parameters, as small ids.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +19,11 @@ class Alphabet {
   static constexpr size_t kMaxSymbols = 60000;
   static constexpr size_t kMaxParameters = 250;
 
-  /// The id of the symbol, a new one if need be. Ids count from 0 in the order of first use.
-  /// Error(too_large) beyond the limits above.
+  /// The id of the symbol, which is added if it is new. Ids count from 0 in the order of first use.
+  /// Throws Error(too_large) beyond the limits above.
   SymbolId add(std::string_view name, size_t parameters);
 
-  /// Nothing where there is no such symbol.
+  /// The id of the symbol, or nothing if it does not exist.
   std::optional<SymbolId> find(std::string_view name, size_t parameters) const;
 
   size_t size() const { return symbols_.size(); }

@@ -1,4 +1,4 @@
-// An L-system's text made into a system.
+// Compilation of an L-system's text into a System.
 #pragma once
 
 #include <vug/lsystem/options.h>
@@ -11,16 +11,16 @@
 
 namespace vug::lsystem {
 
-/// The L-system of that name, which a module may stand for; null where there is none (or none
-/// without faults).
+/// Looks up the L-system of that name, which a module may refer to; null if it does not exist or
+/// has errors.
 using FindSystem = std::function<SystemPtr(const std::string& name, const SourceLocation& where)>;
 
-/// Null, with diagnostics, for a text at fault. Expressions without formals and draws are evaluated
-/// here. Warns of rules that nothing can make apply.
+/// Compiles the block; null, with diagnostics, if the text has errors. Expressions without formals
+/// and random choices are evaluated here. Warns of rules that can never apply.
 SystemPtr compile(const scene::Grammar& grammar, const SystemOptions& options,
                   scene::Evaluator& evaluator, const FindSystem& find);
 
-/// The same with the options that stand in the block: see system_options.
+/// Compiles the block with the options that it sets: see system_options.
 SystemPtr compile(const scene::Grammar& grammar, scene::Evaluator& evaluator,
                   const FindSystem& find);
 

@@ -1,22 +1,23 @@
-// What stands around a module of a word with branches (prusinkiewicz1990, section 1.8).
+// Context matching in words with branches (prusinkiewicz1990, section 1.8).
 #pragma once
 
 #include <vug/lsystem/system.h>
 
 namespace vug::lsystem {
 
-/// Looks around in one word. The word and the system must outlive it.
+/// Matches the contexts of productions in one word. The word and the system must outlive it.
 class ContextMatcher {
  public:
-  /// Finds the way from each module to its neighbours, in one pass, if some rule looks around.
+  /// Precomputes the neighbours of all modules in one pass, if some rule has a context.
   ContextMatcher(const System& system, const Word& word, bool contexts);
 
-  /// Whether both contexts of the production fit around module `i`; then its formals, those of the
-  /// module itself included, are in `formals`, which must have room.
-  /// - To the left the way leads to the root: past the branches that end on it, out of those that
-  ///   begin on it.
-  /// - To the right it leads on along the same branch, past side branches. "[" in the pattern
-  ///   enters the first of the side branches here in which the pattern up to "]" fits.
+  /// Whether both contexts of the production match at module `i`. If so, `formals` contains the
+  /// values of its formals, including those of the module itself; it must have sufficient capacity.
+  /// - The left context follows the path to the root: it skips side branches and leaves the
+  /// branches
+  ///   that contain the module.
+  /// - The right context follows the same branch and skips side branches. "[" in the pattern enters
+  ///   the first side branch at this position in which the pattern up to "]" matches.
   bool match(const Production& production, size_t i, double* formals) const;
 
  private:
@@ -30,7 +31,7 @@ class ContextMatcher {
 
   const System& system_;
   const Word& word_;
-  // By module, none of them where no rule looks around; nothing found is the word's size.
+  // Indexed by module; empty if no rule has a context. The word's size means "not found".
   UninitializedVector<uint32_t> partner_;  ///< Of brackets.
   UninitializedVector<uint32_t> left_;     ///< The first that is seen on the way to the root.
   UninitializedVector<uint32_t>

@@ -1,4 +1,4 @@
-// From a system to a word: steps or time, and what the turtle is given to read.
+// Derivation of a system to a word, by steps or by time, and its interpretation for the turtle.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -6,39 +6,42 @@
 
 namespace vug::lsystem {
 
-/// What a word grows in: it answers the queries. Queries are modules that rules place and whose
-/// parameters it sets, as many as they were written with:
-///   ?P(x, y, z)     the turtle's position there, metres
-///   ?H(x, y, z)     its heading, ?L and ?U its left and up: unit vectors
+/// The environment of an open L-system: it answers queries. A query is a module in the word whose
+/// parameters, as many as were written, are set by the environment:
+///   ?P(x, y, z)     the turtle's position, metres
+///   ?H(x, y, z)     its heading; ?L and ?U: its left and up vectors (unit vectors)
 ///   ?D(d, x, y, z)  the signed distance to the system's field, metres, negative inside, and the
 ///                   field's gradient
 class Environment {
  public:
   virtual ~Environment() = default;
-  /// `drawn` is the word as the turtle reads it: interpreted, with all queries in their order. Sets
-  /// their parameters and nothing else. Called after the axiom and after each step.
+  /// Sets the parameters of the queries in `drawn`, the interpreted word as read by the turtle,
+  /// with all queries in order, and changes nothing else. Called after the axiom and after each
+  /// step.
   virtual void answer(const System& system, Word& drawn) const = 0;
 };
 
 struct DeriveOptions {
-  std::optional<int> steps = {};             ///< Instead of the system's.
-  std::optional<double> time = {};           ///< Likewise, of a system whose modules age.
-  std::optional<uint64_t> key = {};          ///< Of its random numbers, instead of the system's.
-  std::optional<uint64_t> memory = {};       ///< Bytes of a word, else what the machine can give.
-  const Environment* environment = nullptr;  ///< Null: queries keep what they were written with.
+  std::optional<int> steps = {};             ///< Overrides the system's steps.
+  std::optional<double> time = {};           ///< Overrides the time of a system whose modules age.
+  std::optional<uint64_t> key = {};          ///< Overrides the system's random key.
+  std::optional<uint64_t> memory = {};       ///< Bytes per word; default: the available memory.
+  const Environment* environment = nullptr;  ///< Null: queries keep their written parameters.
 };
 
 /// The word after the system's steps, or at its time.
-/// - A step takes the book whose turn it is, then decomposes what came out; so is the axiom.
-/// - In a system whose modules age, those whose age reaches the `after` of their rule are replaced
-///   at that moment, and their successors are by the rest of the time older than they were written.
-///   Ages are continuous in time, and all random choices stay as time goes on.
-/// Same word for any number of threads. Errors are those of Rewriter::rewrite.
+/// - A step applies the scheduled rule book and then the decomposition. The axiom is decomposed,
+/// too.
+/// - In a system whose modules age, a module is replaced when its age reaches the `after` of its
+/// rule,
+///   and the ages of its successors are increased by the remaining time. Ages are continuous in
+///   time, and random choices do not change as time proceeds.
+/// The word is the same for any number of threads. Throws the errors of Rewriter::rewrite.
 Derivation derive(const System& system, const DeriveOptions& options = {},
                   Progress& progress = Progress::none());
 
-/// The word as it is drawn: interpretation rules applied, modules that stand for other systems
-/// replaced by their words. `memory` as DeriveOptions::memory.
+/// The word as drawn by the turtle: applies the interpretation rules and replaces modules that
+/// refer to other systems by their words. `memory` is as in DeriveOptions.
 Word interpret(const System& system, Derivation derivation, Progress& progress = Progress::none(),
                std::optional<uint64_t> memory = {});
 

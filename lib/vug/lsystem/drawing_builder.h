@@ -1,39 +1,40 @@
-// Inside of the turtle only: puts what it draws into axes and polygons.
+// Internal to the turtle: builds axes, polygons and instances of a Drawing.
 #pragma once
 
 #include <vug/lsystem/turtle.h>
 
 namespace vug::lsystem {
 
-/// What a bracket keeps.
+/// The turtle's state, saved and restored by brackets.
 struct TurtleState {
   TurtlePose pose;
   double radius = 0;
-  bool radius_set = false;  ///< Since the branch began.
+  bool radius_set = false;  ///< The radius was set since the start of the branch.
   double age = 0;
   int colour = 0;
   double elasticity = 0;
-  uint32_t axis = Axis::kNone;  ///< That the next F goes on with.
+  uint32_t axis = Axis::kNone;  ///< The axis that the next F extends.
   uint32_t parent = Axis::kNone;
   double parent_along = 0;
-  int guide = -1;  ///< That it follows; negative: none.
+  int guide = -1;  ///< The guide curve that it follows; negative: none.
   double guide_along = 0;
   double guide_scale = 1;
-  std::array<Vec3d, 3> guide_axes;  ///< Where the guide's x, y and z point.
+  std::array<Vec3d, 3> guide_axes;  ///< World-space directions of the guide's x, y and z axes.
 };
 
 class DrawingBuilder {
  public:
   explicit DrawingBuilder(Drawing& drawing) : drawing_(drawing) {}
 
-  /// Makes sure that there is an axis to go on with from here; `radius` is that of its start.
+  /// Starts an axis at the state's pose unless there is a current one; `radius` is its start
+  /// radius.
   void begin(TurtleState& state, double radius);
-  /// Goes on to the state's pose, `length` further along.
+  /// Extends the axis by `length` to the state's pose.
   void extend(TurtleState& state, double length, double radius);
   void node(TurtleState& state, double size);
   void instance(const TurtleState& state, uint32_t name, std::span<const double> parameters);
   int order(const TurtleState& state) const;
-  /// Of the state's axis so far.
+  /// Current length of the state's axis.
   double length(const TurtleState& state) const { return drawing_.axes[state.axis].length(); }
 
   bool polygon_open() const { return !open_.empty(); }

@@ -1,4 +1,4 @@
-// Scene expressions into programs.
+// Compilation of scene expressions into programs.
 #pragma once
 
 #include <vug/lsystem/program.h>
@@ -10,25 +10,26 @@
 
 namespace vug::lsystem {
 
-/// Thrown after a fault was reported.
+/// Thrown after an error was added to the diagnostics.
 struct AlreadyReported {};
 
-/// Compiles the expressions of one production. What holds no formal and draws nothing is evaluated
-/// here and now, with all that scenes know; the rest is arithmetic, comparisons, `if`, draws and
-/// the functions of numbers. Formals and results are in base units and have no dimension.
+/// Compiles the expressions of one production. Subexpressions without formals and random choices
+/// are evaluated at once and may use the whole scene language; the others may use arithmetic,
+/// comparisons, `if`, random choices and functions of numbers. Formals and results are in base
+/// units and dimensionless.
 class Expressions {
  public:
   Expressions(scene::Evaluator& evaluator, std::vector<std::string> formals)
       : evaluator_(evaluator), formals_(std::move(formals)) {}
 
-  /// Appends what leaves the number on the stack; AlreadyReported after a report.
+  /// Appends code that pushes the number; throws AlreadyReported after an error.
   void number(const scene::Expr& expr, Program& program) { expect(expr, Type::number, program); }
   void truth(const scene::Expr& expr, Program& program) { expect(expr, Type::truth, program); }
 
-  /// The value where it is the same for every module: nothing for others.
+  /// The value of a constant expression; nothing if it depends on the module.
   std::optional<Value> constant(const scene::Expr& expr);
 
-  bool draws() const { return draws_; }  ///< Something so far.
+  bool draws() const { return draws_; }  ///< Whether a compiled expression has a random choice.
 
  private:
   enum class Type { number, truth };
@@ -53,7 +54,7 @@ class Expressions {
   scene::Evaluator& evaluator_;
   std::vector<std::string> formals_;
   bool draws_ = false;
-  int height_ = 0;  ///< Of the stack, in the program that is being compiled.
+  int height_ = 0;  ///< Stack height in the program that is being compiled.
 };
 
 }  // namespace vug::lsystem

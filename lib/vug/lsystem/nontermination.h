@@ -1,4 +1,4 @@
-// Stages that cannot end.
+// Detection of stages that never terminate.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -6,8 +6,8 @@
 
 namespace vug::lsystem {
 
-/// False, with an error, where a stage without a depth must go on for ever: a symbol whose every
-/// rule makes, without any condition, in the end that symbol again (A -> B, B -> A + F).
+/// Returns false, with an error, if a stage without a depth cannot terminate: a symbol whose rules
+/// all, unconditionally, eventually produce that symbol again (A -> B, B -> A + F).
 bool check_termination(const System& system, Diagnostics& diagnostics);
 
 }  // namespace vug::lsystem

@@ -1,4 +1,4 @@
-// Inside of rewriting only: new memory before several threads write to it.
+// Internal to rewriting: page faults on new memory before several threads write to it.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@ struct MemoryRange {
   size_t bytes;
 };
 
-/// Has the system clear what will be written next, all threads at once and each large page (see
-/// base/huge_pages.h) by one of them. As they come to it while writing, two threads on one page
-/// would both clear it, and one in vain. Overwrites a byte of each page.
+/// Touches the memory in parallel, each huge page (see base/huge_pages.h) by one thread, so that
+/// the system clears it. Otherwise two threads that first write to the same page would both clear
+/// it, one of them in vain. Overwrites a byte of each page.
 void prefault_pages(std::initializer_list<MemoryRange> all);
 
 }  // namespace vug::lsystem

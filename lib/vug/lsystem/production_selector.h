@@ -1,4 +1,4 @@
-// Inside of rewriting only: which production a module takes.
+// Internal to rewriting: selection of the production of each module.
 #pragma once
 
 #include <vug/lsystem/context.h>
@@ -8,7 +8,7 @@
 
 namespace vug::lsystem {
 
-/// Room for what a production's programs need at once.
+/// Buffers for the evaluation of a production's programs.
 class ProgramScratch {
  public:
   explicit ProgramScratch(const System& system);
@@ -20,35 +20,37 @@ class ProgramScratch {
   std::vector<double> formals_, values_;
 };
 
-/// As `run`, of a program of the production, which is named where a comparison is with no number.
+/// Calls `run` for a program of the production; comparisons with a non-finite number become an
+/// Error that names the production.
 double* compute(const Production& production, const Program& program, const double* formals,
                 double* stack, const double* numbers);
 
-/// The one number that such a program leaves.
+/// Runs a program that leaves a single number and returns it.
 double single(const Production& production, const Program& program, const double* formals,
               ProgramScratch& scratch, const double* numbers);
 
-/// The formals of production `p` at module `i`: without a context they lie in the word.
+/// The values of the formals of production `p` at module `i`; without a context they are in the
+/// word.
 const double* formals_at(const Production& p, const Word& word, size_t i,
                          const ContextMatcher& around, ProgramScratch& scratch);
 
-/// What weights have to be, as a hint.
+/// Hint about valid weights.
 inline constexpr const char* kWeights = "weights are 0 or more; only their proportions count";
 
-/// Error(bad_input) that names the production.
+/// Throws Error(bad_input) that names the production.
 [[noreturn]] void fail_invalid_number(const Production& production, const std::string& what,
                                       double value,
                                       const std::string& hint = "numbers in words are finite");
 
-/// Of one task; all must outlive it.
+/// Selects productions within one task. All constructor arguments must outlive it.
 class ProductionSelector {
  public:
   ProductionSelector(const System& system, const RuleBook& book, const Word& word,
                      const ContextMatcher& around)
       : system_(system), book_(book), word_(word), around_(around), scratch_(system) {}
 
-  /// The production that module `i` takes and 1, or 0 for none. `numbers` are its random ones, as
-  /// many blocks as RuleSelection::blocks.
+  /// The index of the production for module `i` plus 1, or 0 for none. `numbers` are the module's
+  /// random numbers, in RuleSelection::blocks blocks.
   uint16_t choose(size_t i, const double* numbers);
 
  private:

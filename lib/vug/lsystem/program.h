@@ -1,5 +1,5 @@
-// Expressions of productions as a small program over a stack of doubles: compiled once, run for
-// every module.
+// Expressions of productions as programs for a small stack machine of doubles: compiled once, run
+// for every module.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace vug::lsystem {
 
-/// Truths are 1 and 0. Two-sided operations take the second operand from the top of the stack.
+/// Booleans are 1 and 0. Binary operations take the second operand from the top of the stack.
 enum class Op : uint8_t {
   constant,  ///< Pushes `value`.
   formal,    ///< Pushes formal number `index`.
@@ -25,12 +25,12 @@ enum class Op : uint8_t {
   equal,
   unequal,
   jump,          ///< To instruction `index`.
-  jump_if_zero,  ///< Takes the top; jumps to `index` if it is 0.
+  jump_if_zero,  ///< Pops the top; jumps to `index` if it is 0.
   call1,         ///< Function `index` of one number.
   call2,
   call3,
-  draw,          ///< Between the two topmost, evenly, by random number `index`.
-  choose,        ///< Pushes a whole number in 0..value-1, evenly, by random number `index`.
+  draw,          ///< Uniform between the two topmost, by random number `index`.
+  choose,        ///< Pushes a uniform whole number in 0..value-1, by random number `index`.
   times_formal,  ///< Pushes formal `index` * `value`.
   plus_formal,   ///< Pushes formal `index` + `value`.
 };
@@ -41,7 +41,7 @@ struct Instruction {
   double value = 0;
 };
 
-/// Functions of numbers that programs call by their place in these lists.
+/// Functions of numbers; programs refer to them by their index in these lists.
 struct Function1 {
   const char* name;
   double (*apply)(double);
@@ -58,21 +58,21 @@ const std::vector<Function1>& functions1();
 const std::vector<Function2>& functions2();
 const std::vector<Function3>& functions3();
 
-/// What a run ends with that compares with a number which is none: 1/0, 0/0.
+/// Thrown by a run that compares with a non-finite number such as 1/0 or 0/0.
 struct InvalidComparison {
   double value;
 };
 
 struct Program {
   std::vector<Instruction> code;
-  int depth = 0;  ///< Most numbers on the stack at once.
+  int depth = 0;  ///< Maximum stack height.
 
   bool empty() const { return code.empty(); }
 };
 
-/// Runs the program; what it leaves on the stack begins at `stack`, and the end of it is returned.
-/// `stack` has room for Program::depth numbers. `numbers` are the module's random ones, in [0, 1);
-/// see RandomNumbers. Throws InvalidComparison.
+/// Runs the program on `stack`, which has a capacity of Program::depth numbers, and returns the end
+/// of the results. `numbers` are the module's random numbers in [0, 1); see RandomNumbers. Throws
+/// InvalidComparison.
 double* run(const Program& program, const double* formals, double* stack, const double* numbers);
 
 }  // namespace vug::lsystem

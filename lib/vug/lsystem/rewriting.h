@@ -1,18 +1,18 @@
-// One synchronous step: every module of a word is replaced at once.
+// One parallel rewriting step: all modules of a word are replaced at once.
 //
-// Two passes over fixed chunks of the word, so that no result depends on the number of threads and
-// nothing is copied twice: the first chooses a production for each module and counts what it will
-// make, the second writes everything where it belongs.
+// The step makes two passes over fixed chunks of the word, so that the result does not depend on
+// the number of threads and nothing is copied twice: the first pass selects a production for each
+// module and counts its output, the second one writes the output to its final position.
 //
-// Random numbers are keyed by the way from the axiom: a module's key is its parent's key and its
-// place in the successor (draws.h). So a branch keeps its numbers whatever happens in others.
+// Random numbers are keyed by the path from the axiom: a module's key is derived from its parent's
+// key and its position in the successor (random_numbers.h), so a branch does not depend on others.
 #pragma once
 
 #include <vug/lsystem/system.h>
 
 namespace vug::lsystem {
 
-/// A word with what its future depends on.
+/// A word with the keys on which its further derivation depends.
 struct Derivation {
   Word word;
   UninitializedVector<uint64_t> keys;  ///< Of each module; empty in systems without chance.
@@ -22,27 +22,28 @@ struct Derivation {
 };
 
 enum class RewriteMode {
-  step,     ///< Where no production of a module fits, it stays, but draws anew in the next step.
-  passing,  ///< Of a stage, or of time: a module that stays is the same as before.
+  step,     ///< A module without an applicable production is kept with a new key for the next step.
+  passing,  ///< For stages and ageing: a module that is kept also keeps its key.
 };
 
-/// Where a word was made by one call of `rewrite` after the other, its buffers are used again.
+/// Reuses its buffers when `rewrite` is called repeatedly for a word.
 class Rewriter {
  public:
-  /// `memory`: bytes that a word may take; without it, what the machine can give then.
+  /// `memory`: maximum bytes of a word; default: the memory available at that time.
   explicit Rewriter(const System& system, std::optional<uint64_t> memory = {})
       : system_(system), memory_(memory) {}
 
-  /// The axiom's word, with the system's key or another.
+  /// Sets `out` to the axiom, with the system's key or another one.
   void start(Derivation& out, std::optional<uint64_t> key = {}) const;
 
-  /// Replaces the modules of `word` by the book; false when no production fits anywhere. Cuts first
-  /// where there is a "%". `salt` tells the draws of stages apart. Error(too_large) beyond the
-  /// system's limit or what memory there is, Error(bad_input) where a parameter, a weight or an age
-  /// is no finite number, both naming the production.
+  /// Replaces the modules of `word` by the rules of the book, after cutting branches at "%".
+  /// Returns false if the mode is `passing` and no production applies. `salt` distinguishes the
+  /// random numbers of stages. Throws Error(too_large) beyond the system's limit or the memory, and
+  /// Error(bad_input) if a parameter, a weight or an age is not a finite number; both name the
+  /// production.
   bool rewrite(const RuleBook& book, Derivation& word, RewriteMode mode, uint32_t salt = 0);
 
-  /// A production that the last call has applied; null where it was none.
+  /// A production that the last call applied; null if there was none.
   const Production* applied() const;
 
  private:
@@ -58,7 +59,7 @@ class Rewriter {
   std::optional<uint64_t> memory_;
   const Derivation* from_ = nullptr;
   Derivation to_;
-  UninitializedVector<uint16_t> choice_;  ///< By module: production and 1, or 0 for none.
+  UninitializedVector<uint16_t> choice_;  ///< By module: index of the production + 1, 0 for none.
 };
 
 }  // namespace vug::lsystem

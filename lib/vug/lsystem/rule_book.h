@@ -1,17 +1,18 @@
-// Rules in the order in which they are tried, and how each symbol's one is found.
+// Rule books: rules in the order in which they are tried, and the selection method of each symbol.
 #pragma once
 
 #include <vug/lsystem/system.h>
 
 namespace vug::lsystem {
 
-/// Numbers the draws of all productions: none may decide twice. Number 0 chooses between rules with
-/// weights; then come those of guards, weights and ages, all rules of a head in a row, as several
-/// may be looked at; then those of the successor, from the same number on for each rule.
+/// Assigns a random number to each draw of all productions, so that none is used twice. Number 0
+/// selects between weighted rules. The next ones are for guards, weights and ages, consecutively
+/// for all rules of a head, because several may be evaluated; the successor's draws follow,
+/// starting at the same number for each rule.
 void number_draws(System& system);
 
-/// The book of these productions, whose draws are numbered. Those that look around go first
-/// (prusinkiewicz1990, section 1.8), else the order stays.
+/// The rule book of these productions, whose draws are numbered. Rules with a context come first
+/// (prusinkiewicz1990, section 1.8); otherwise the order is kept.
 RuleBook rule_book(const System& system, const std::vector<uint16_t>& productions);
 
 }  // namespace vug::lsystem

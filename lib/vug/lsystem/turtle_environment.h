@@ -1,4 +1,4 @@
-// What a turtle meets on its way: the answers to the queries of a word.
+// An environment that answers the queries of a word from the turtle's pose and a field.
 #pragma once
 
 #include <vug/field/field.h>
@@ -18,12 +18,13 @@ const std::vector<TurtleQuery>& turtle_queries();
 
 class TurtleEnvironment final : public Environment {
  public:
-  /// Without a field ?D says that everything is free: a distance of 1e6 m and no gradient.
+  /// Without a field, ?D returns free space: a distance of 1e6 m and a zero gradient.
   explicit TurtleEnvironment(TurtleOptions options, std::optional<field::Field> field = {})
       : options_(std::move(options)), field_(std::move(field)) {}
 
-  /// ?P, ?H, ?L, ?U and ?D as Environment says; of what a query has no parameter for, it is not
-  /// told. Error(bad_input) for queries of other names, and where the turtle cannot read the word.
+  /// Answers ?P, ?H, ?L, ?U and ?D as documented in Environment; components without a parameter are
+  /// dropped. Throws Error(bad_input) for unknown queries and for words that the turtle cannot
+  /// read.
   void answer(const System& system, Word& drawn) const override;
 
  private:

@@ -1,4 +1,4 @@
-// Inside of the turtle only: reads a word module by module.
+// Internal to the turtle: interprets a word module by module.
 #pragma once
 
 #include <vug/lsystem/drawing_builder.h>
@@ -8,10 +8,10 @@ namespace vug::lsystem {
 
 class TurtleInterpreter {
  public:
-  /// Metres from the start, beyond which a turtle is lost, and of any radius and size.
+  /// Maximum distance from the start and maximum radius and size, metres.
   static constexpr double kFarthest = 1e9;
 
-  /// Without a builder it only walks. All must outlive it.
+  /// Without a builder nothing is drawn. All arguments must outlive this object.
   TurtleInterpreter(const Word& word, const Alphabet& alphabet, const TurtleOptions& options,
                     DrawingBuilder* builder);
 
@@ -20,7 +20,7 @@ class TurtleInterpreter {
  private:
   using Parameters = std::span<const double>;
 
-  /// Error(bad_input) that names the module.
+  /// Throws Error(bad_input) that names the current module.
   [[noreturn]] void fail(const std::string& what) const;
   void execute(const SymbolAction& action, Parameters p);
   void turn(const Vec3d& axis, double angle);
@@ -36,7 +36,7 @@ class TurtleInterpreter {
   }
   void bend();
   void begin_guide(Parameters p);
-  Vec3d to_world(const Vec3d& v) const;  ///< A direction of the guide's own space.
+  Vec3d to_world(const Vec3d& v) const;  ///< Transforms a direction from the guide's space.
   void brace(TurtleAction action);
 
   const Word& word_;

@@ -1,4 +1,4 @@
-// The one list of what a turtle understands.
+// The list of all turtle commands.
 #pragma once
 
 #include <vug/lsystem/turtle.h>
@@ -38,10 +38,10 @@ struct TurtleEntry {
 };
 const std::vector<TurtleEntry>& turtle_table();
 
-/// What a symbol of an alphabet means: looked up once for each word.
+/// The turtle's action for a symbol of an alphabet; looked up once per word.
 struct SymbolAction {
   TurtleAction type = TurtleAction::nothing;
-  uint32_t name = 0;  ///< Of an instance: index into the options' list.
+  uint32_t name = 0;  ///< For instances: index in TurtleOptions::instances.
 };
 std::vector<SymbolAction> symbol_actions(const Alphabet& alphabet, const TurtleOptions& options);
 

@@ -1,4 +1,4 @@
-// Rules that are never taken, whatever the word.
+// Detection of rules that are never applied, whatever the word.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -8,9 +8,9 @@
 
 namespace vug::lsystem {
 
-/// Warns of each rule of the book that others of its symbol always go before: behind one that
-/// always fits, or, without a weight of its own, behind one that always fits with a weight above 0.
-/// Those in `reported` (by index) are passed over; the others that are reported join them.
+/// Warns of each rule of the book that is always preceded by another rule of its symbol: one that
+/// always matches, or, for a rule without a weight, one that always matches with a positive weight.
+/// Skips the rules in `reported` (indices) and adds those that it reports.
 void warn_unreachable_rules(const System& system, const RuleBook& book, Diagnostics& diagnostics,
                             std::set<uint16_t>& reported);
 

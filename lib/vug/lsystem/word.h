@@ -1,5 +1,5 @@
-// Words: strings of modules, each a symbol with numbers. Brackets, cuts and polygons are modules as
-// all others, named as ABOP writes them: "[", "]", "%", "{", "}", ".".
+// Words: strings of modules, each a symbol with numeric parameters. Brackets, cuts and polygons are
+// modules like all others, named as in ABOP: "[", "]", "%", "{", "}", ".".
 #pragma once
 
 #include <vug/base/uninitialized_vector.h>
@@ -10,13 +10,14 @@
 
 namespace vug::lsystem {
 
-/// One module of a word, valid as long as the word is unchanged.
+/// One module of a word; valid while the word is unchanged.
 struct Module {
   SymbolId symbol;
   std::span<const double> parameters;  ///< In base units: metres, radians, seconds.
 };
 
-/// A word as arrays: symbols, where their parameters begin, and all parameters in a row. A value.
+/// A word as a structure of arrays: symbols, offsets of their parameters, and all parameters. A
+/// value type.
 class Word {
  public:
   size_t size() const { return symbols_.size(); }
@@ -37,8 +38,8 @@ class Word {
   void append(const Word& other);
   void clear();
 
-  /// The arrays themselves: symbols; where each module's parameters begin among `values`, with the
-  /// end of the last behind it; and all parameters of all modules, in order.
+  /// The arrays: symbols; the start of each module's parameters in `values`, followed by the end of
+  /// the last; and the parameters of all modules in order.
   std::span<const SymbolId> symbols() const { return symbols_; }
   std::span<const uint32_t> starts() const { return starts_; }
   std::span<const double> values() const { return values_; }
@@ -46,8 +47,8 @@ class Word {
   std::span<uint32_t> starts() { return starts_; }
   std::span<double> values() { return values_; }
 
-  /// Room for that many modules with that many parameters in all, of unset content: whoever calls
-  /// this writes the arrays. Error(too_large) beyond 2^32 - 1 parameters.
+  /// Resizes to that many modules and parameters in total without initializing them: the caller
+  /// must write the arrays. Throws Error(too_large) beyond 2^32 - 1 parameters.
   void resize(size_t modules, size_t values);
 
   bool operator==(const Word&) const = default;
@@ -58,11 +59,11 @@ class Word {
   UninitializedVector<double> values_;
 };
 
-/// "B(2)A(4,4)[+F]": without blanks, as ABOP prints words (prusinkiewicz1990). Numbers are in base
-/// units, in the fewest digits that read back as the same number: 2, 0.5, 1e+20.
+/// E.g. "B(2)A(4,4)[+F]", without blanks, as ABOP prints words (prusinkiewicz1990). Numbers are in
+/// base units, with the fewest digits that parse to the same number: 2, 0.5, 1e+20.
 std::string to_string(const Word& word, const Alphabet& alphabet);
 
-/// The same of the modules from `begin` up to, not including, `end`.
+/// The text of the modules [begin, end).
 std::string to_string(const Word& word, const Alphabet& alphabet, size_t begin, size_t end);
 
 }  // namespace vug::lsystem
