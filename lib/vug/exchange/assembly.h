@@ -1,5 +1,5 @@
-// What another program is given, as plain data: everything a scene shows, with names, units, axes
-// and where it came from.
+// The export data model: everything that a scene shows, as plain data with names, units, axes and
+// provenance.
 #pragma once
 
 #include <vug/exchange/camera.h>
@@ -17,7 +17,7 @@ namespace vug::exchange {
 
 enum class UpAxis { y, z };
 
-/// Right-handed.
+/// A right-handed coordinate system.
 struct Space {
   UpAxis up = UpAxis::y;
   double metres_per_unit = 1;
@@ -26,49 +26,49 @@ struct Space {
 };
 std::string to_string(UpAxis up);  ///< "y" or "z".
 
-/// What rebuilds it.
+/// Everything needed to reproduce the assembly.
 struct Provenance {
   std::string recipe;  ///< Scene text.
   uint64_t seed = 0;
   double frame = 1;
-  std::string version;  ///< Of Vug.
+  std::string version;  ///< Version of Vug.
 };
 
-/// A mesh with fewer triangles, and how far it is from the whole one.
+/// A level of detail: a mesh with fewer triangles and its distance from the full mesh.
 struct Level {
   mesh::MeshPtr mesh;
-  double distance = 0;  ///< Hausdorff, in the assembly's units.
+  double distance = 0;  ///< Hausdorff distance in the assembly's units.
 };
 
-/// A mesh with its look. What varies over it is an attribute of the mesh: see `channels` in
-/// channels.h; the look then holds the mean.
+/// A mesh with its look, as a prototype for instances. Properties that vary over the surface are
+/// attributes of the mesh (see `channels` in channels.h); the look then contains their mean.
 struct Prototype {
   std::string name;
   mesh::MeshPtr mesh;
-  std::string material;  ///< Its name.
+  std::string material;  ///< Name of the material.
   Look look;
   std::vector<Level> coarser;  ///< From fine to coarse.
 };
 
-/// Where a part stands, once or many times.
+/// One or many instances of a prototype.
 struct InstanceGroup {
   std::string name;
   size_t prototype = 0;
   std::vector<Transform> places;
 };
 
-/// A grid of a .vdb file, which is written apart.
+/// A grid of a .vdb file; the file is written separately.
 struct VolumeGrid {
   std::string name;
   std::string grid_class;  ///< "level set", "fog volume", ...
-  bool color = false;      ///< Vectors in place of numbers.
+  bool color = false;      ///< Vectors instead of numbers.
 };
 struct Volume {
   std::string name;
-  std::string file;  ///< Beside the other files.
+  std::string file;  ///< In the folder of the other files.
   std::vector<VolumeGrid> grids;
   Box3d bounds;
-  std::optional<Medium> medium = {};  ///< What they mean, where that is known.
+  std::optional<Medium> medium = {};  ///< Interpretation of the grids, if known.
 };
 
 struct Assembly {
@@ -82,13 +82,14 @@ struct Assembly {
   std::vector<Light> lights;
 };
 
-/// The box around all parts where they stand.
+/// The bounding box of all instances.
 Box3d bounds(const Assembly& assembly);
 
-/// The same in another space: the one place where axes and units change. Meshes, places, cameras,
-/// lamps and boxes are turned and scaled; a dome turns with the axes; radiance stays.
+/// Converts to another space. This is the only function that changes axes and units: meshes,
+/// instances, cameras, lights and boxes are rotated and scaled; a dome rotates with the axes;
+/// radiance is unchanged.
 Assembly converted(const Assembly& assembly, const Space& to);
-/// From points of one space to those of another.
+/// The transform of points from one space to another.
 Transform space_transform(const Space& from, const Space& to);
 
 }  // namespace vug::exchange

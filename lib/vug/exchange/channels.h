@@ -1,4 +1,4 @@
-// What of a look may vary over a mesh, and the attributes that hold it there.
+// The properties of a look that may vary over a mesh, and the attributes that store them.
 #pragma once
 
 #include <vug/exchange/look.h>
@@ -17,11 +17,11 @@ struct Channel {
   int arity() const { return color ? 3 : 1; }
 };
 
-/// "Cd" (the body's colour), "roughness", "wetness", "metallic", "transmission", "opacity",
+/// "Cd" (the base colour), "roughness", "wetness", "metallic", "transmission", "opacity",
 /// "through", "emission".
 const std::vector<Channel>& channels();
 
-/// Whether vectors of that attribute are colours, which do not turn with the axes.
+/// Whether vectors of the attribute are colours, which do not rotate with the axes.
 bool is_color(std::string_view attribute);
 
 }  // namespace vug::exchange

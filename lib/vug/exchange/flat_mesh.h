@@ -1,4 +1,4 @@
-// A scene as the one mesh that simple formats hold, and the parts of that.
+// A scene as a single mesh for simple formats.
 #pragma once
 
 #include <vug/exchange/format.h>
@@ -6,18 +6,18 @@
 
 namespace vug::exchange {
 
-/// The mesh where `place` takes it: also mirrored, its outside stays outside; no other attributes
-/// turn with it.
+/// Transforms a mesh. A mirrored mesh keeps its outside; only normals rotate with it, no other
+/// attributes.
 mesh::Mesh transformed(mesh::Mesh mesh, const Transform& place);
 
-/// What a mesh file says of where it comes from and what its numbers mean.
+/// The comments of a mesh file: provenance and meaning of the coordinates.
 mesh::Comments comments_of(const Provenance& from, const Space& space);
 
-/// All parts where they stand, in one mesh. Every vertex has a colour, its own or its look's; other
-/// attributes are 0 where a part has none.
+/// All instances in one mesh. Every vertex has a colour, its own or that of its look; other
+/// attributes are 0 where a prototype lacks them.
 mesh::Mesh flat_mesh(const Assembly& assembly);
 
-/// Writes that by the mesh format of the file's extension, with provenance in its comments.
+/// Writes the flat mesh in the format of the file's extension, with provenance in its comments.
 WriteReport write_flat_mesh(const Assembly& assembly, const std::filesystem::path& file,
                             const FormatOptions& options, Progress& progress);
 

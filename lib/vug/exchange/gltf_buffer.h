@@ -1,5 +1,4 @@
-// Inside exchange/ only: the parts of a glTF file that hold numbers, the one buffer and what
-// points into it.
+// Internal to exchange/: the binary buffer of a glTF file with its views and accessors.
 #pragma once
 
 #include <vug/exchange/assembly.h>
@@ -15,14 +14,14 @@ class GltfBuffer {
  public:
   explicit GltfBuffer(tinygltf::Model& model);
 
-  /// The accessor of so many tuples of `arity` numbers. Bounds are those of positions.
+  /// Adds an accessor for `count` tuples of `arity` numbers. `bounds` is for positions.
   int floats(const float* values, size_t count, int arity, bool bounds, int target);
   int indices(const std::vector<mesh::Triangle>& triangles, size_t vertices);
-  /// Red, green, blue and opacity of so many vertices, within 0..1 in 16 bits each: a step of
-  /// 1/65535. Without opacities all is there.
+  /// Adds vertex colours with opacity, clamped to 0..1 and stored with 16 bits each: steps of
+  /// 1/65535. Without opacities the opacity is 1.
   int colors(const std::vector<float>& rgb, const std::vector<float>* opacity);
 
-  /// Error(too_large) where the file's lengths of 32 bits do not suffice.
+  /// Throws Error(too_large) if the file's 32-bit lengths do not suffice.
   void require_size(size_t bytes) const;
 
  private:
@@ -32,7 +31,7 @@ class GltfBuffer {
   tinygltf::Model& model_;
 };
 
-/// A mesh with one primitive; names of attributes that it cannot hold go to `unsupported`.
+/// A mesh with one primitive; names of attributes that it cannot hold are added to `unsupported`.
 tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& buffer,
                          std::vector<std::string>& unsupported);
 

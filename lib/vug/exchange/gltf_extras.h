@@ -1,4 +1,5 @@
-// Inside exchange/ only: what glTF has no words for, as data for those who know Vug.
+// Internal to exchange/: data that glTF cannot express, stored as extras for programs that know
+// Vug.
 #pragma once
 
 #include <vug/exchange/assembly.h>
@@ -7,11 +8,11 @@
 
 namespace vug::exchange {
 
-/// A dome: its name, radiance, how it is turned (a quaternion, where it is) and the file of its
-/// picture; empty without one.
+/// A dome: its name, radiance, rotation (a quaternion, if any) and the file of its environment map;
+/// empty without one.
 tinygltf::Value gltf_sky(const Light& dome, const std::string& picture);
 
-/// A volume: its name, file, grids, and what a cloud's mean.
+/// A volume: its name, file, grids and medium.
 tinygltf::Value gltf_volume(const Volume& volume);
 
 }  // namespace vug::exchange

@@ -1,4 +1,4 @@
-// Inside exchange/ only: looks as glTF has them.
+// Internal to exchange/: glTF materials.
 #pragma once
 
 #include <vug/exchange/assembly.h>
@@ -10,11 +10,11 @@
 
 namespace vug::exchange {
 
-/// The look of the part: metallic-roughness with extensions for what differs from its defaults.
-/// Vertex colours multiply the colour, which is then white.
+/// The look of the prototype: metallic-roughness, with extensions for properties that differ from
+/// their defaults. Vertex colours multiply the base colour, which is then white.
 tinygltf::Material gltf_material(const Prototype& prototype, double emission_scale);
 
-/// Three numbers.
+/// An array of three numbers.
 tinygltf::Value gltf_value(const Vec3d& v);
 
 }  // namespace vug::exchange

@@ -1,4 +1,4 @@
-// A light as plain data: what files of other programs are told of it.
+// A light as plain data for files of other programs.
 #pragma once
 
 #include <vug/base/transform.h>
@@ -10,37 +10,39 @@
 
 namespace vug::exchange {
 
-/// Lamps shine along their own -z, with x to the right and y up; a dome's picture is in longitude
-/// and latitude with y up, its middle column towards -z, and columns run to the right seen from
-/// inside.
+/// Lights shine along their own -z, with x to the right and y up. A dome's environment map is in
+/// longitude and latitude with y up; its middle column points to -z, and columns run to the right
+/// seen from inside.
 struct Light {
   enum class Shape { sphere, rectangle, disk, spot, sun, dome };
 
   std::string name;
   Shape shape = Shape::sphere;
-  Transform place;          ///< From its own space, whose axes keep their lengths.
-  Vec3d radiance{1, 1, 1};  ///< W/sr/m^2 of its front, linear Rec.709; times a dome's picture.
-  double radius = 0.1;      ///< Of spheres, disks and of the ball of a spot.
+  Transform place;          ///< From light space, by a transform that preserves lengths.
+  Vec3d radiance{1, 1, 1};  ///< W/sr/m^2 of its front, linear Rec.709; multiplied by a dome's map.
+  double radius = 0.1;      ///< Of spheres and disks, and of the sphere of a spot.
   double width = 1;         ///< Of rectangles, along x.
   double height = 1;        ///< Of rectangles, along y.
-  double angle = 0;         ///< Of a spot from side to side; how wide a sun looks. Radians.
-  double edge = 0;  ///< Prototype of the spot's cone, from its edge on, in which light fades.
-  std::filesystem::path profile;                ///< Of a measured light (IES); else empty.
-  std::shared_ptr<const image::Image> picture;  ///< Of a dome, R, G, B; null: of one colour.
-  bool visible = true;                          ///< Whether cameras see the light itself.
+  double angle = 0;         ///< Full cone angle of a spot, or angular diameter of a sun. Radians.
+  double edge =
+      0;  ///< Fraction of the spot's cone, measured from its edge, over which light fades.
+  std::filesystem::path profile;  ///< Of a measured light (IES); otherwise empty.
+  std::shared_ptr<const image::Image>
+      picture;          ///< Environment map of a dome, R, G, B; null: constant.
+  bool visible = true;  ///< Whether cameras see the light itself.
 };
 
-/// Where something stands that looks or shines `along`, with `up` upwards as far as that goes: any
-/// direction that is not the same will do.
+/// The transform of an object at `from` that looks or shines `along`, with `up` as close to upwards
+/// as possible; any `up` not parallel to `along` is valid.
 Transform look_along(const Vec3d& from, const Vec3d& along, const Vec3d& up = {0, 1, 0});
 
-/// Of red, green and blue in Rec.709.
+/// Luminance of a Rec.709 colour.
 inline double luminance(const Vec3d& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
-/// All that it sends out, in watts of each colour; nothing for suns and domes.
+/// Total emitted power in watts per colour; 0 for suns and domes.
 Vec3d power(const Light& light);
-/// What a small light sends along its axis, in W/sr; a sun: what reaches a surface that faces it,
-/// in W/m^2.
+/// Radiant intensity of a small light along its axis in W/sr; for a sun the irradiance of a surface
+/// that faces it in W/m^2.
 Vec3d peak_intensity(const Light& light);
 
 }  // namespace vug::exchange

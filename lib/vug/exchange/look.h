@@ -1,5 +1,5 @@
-// What a surface looks like, in terms that other programs know: a body with metallic-roughness
-// shading, a clear face, a coat of water. Shares are 0 to 1, colours linear Rec.709.
+// The look of a surface in terms of other programs: a base with metallic-roughness shading, a
+// dielectric interface and a coat of water. Fractions are 0 to 1, colours linear Rec.709.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -7,24 +7,24 @@
 namespace vug::exchange {
 
 struct Look {
-  Vec3d base_color{0.5, 0.5, 0.5};  ///< Share of the light that the body reflects.
-  double roughness = 1;             ///< Its square is the width of the slopes of microfacets.
-  double specular = 0;              ///< Share that has a clear face; the rest is matte.
-  double ior = 1.5;                 ///< Of that face, and of what is clear.
+  Vec3d base_color{0.5, 0.5, 0.5};  ///< Albedo of the base.
+  double roughness = 1;  ///< Its square is the width of the microfacet slope distribution.
+  double specular = 0;   ///< Fraction with a dielectric interface; the rest is matte.
+  double ior = 1.5;      ///< Index of refraction of the interface and of transmissive bodies.
   double metallic = 0;
-  double transmission = 0;  ///< Share that is clear.
-  Vec3d through{0, 0, 0};  ///< Share of the light that a thin body lets out at its back, scattered.
-  double subsurface = 0;   ///< Share in whose body light wanders.
-  double wetness = 0;      ///< Share that a film of water covers.
+  double transmission = 0;  ///< Fraction that transmits light specularly.
+  Vec3d through{0, 0, 0};   ///< Fraction of the light that a thin body transmits diffusely.
+  double subsurface = 0;    ///< Fraction with subsurface scattering.
+  double wetness = 0;       ///< Fraction covered by a film of water.
   double coat_roughness = 0.1;
-  double opacity = 1;  ///< Share that is there at all; through the rest one looks as if into air.
-  Vec3d emission{0, 0, 0};  ///< Radiance that the outside sends out, W/sr/m^2.
-  bool thin = false;        ///< A sheet without a body.
+  double opacity = 1;       ///< Fraction that is present; the rest is invisible.
+  Vec3d emission{0, 0, 0};  ///< Radiance emitted by the outside, W/sr/m^2.
+  bool thin = false;        ///< A thin sheet without interior.
 
   bool operator==(const Look&) const = default;
 };
 
-/// In between two looks: `share` of the second.
+/// Interpolates between two looks, with weight `share` for the second.
 Look blend(const Look& a, const Look& b, double share);
 
 }  // namespace vug::exchange

@@ -1,18 +1,18 @@
-// What is in the air as plain data: what the numbers of its grids mean.
+// A participating medium as plain data: the meaning of the grids of a volume.
 #pragma once
 
 #include <vug/base/vec.h>
 
 namespace vug::exchange {
 
-/// A cloud that dims all colours alike. Beside the grid `density` it may have `color` (its albedo),
-/// `temperature` (kelvin) and `flame`. What it sends out is for each unit of length along a ray:
-/// `emission`, and `heat` times what a black body of its temperature does (W/sr/m^2), both times
-/// the `flame`, or where it has none times extinction and density.
+/// A medium with grey extinction. In addition to the grid `density` it may have `color` (the
+/// albedo), `temperature` (kelvin) and `flame`. Its emission per unit length along a ray is
+/// `emission`, plus `heat` times the radiance of a black body of its temperature (W/sr/m^2); both
+/// are multiplied by `flame`, or by extinction and density if there is no such grid.
 struct Medium {
-  double extinction = 1;  ///< Collisions per unit of length where the density is 1.
-  Vec3d albedo{1, 1, 1};  ///< Share of the collisions that scatter; 1 where `color` tells it.
-  double forward = 0;     ///< Mean cosine of scattering.
+  double extinction = 1;  ///< Extinction coefficient per unit length at density 1.
+  Vec3d albedo{1, 1, 1};  ///< Single-scattering albedo; 1 if the grid `color` provides it.
+  double forward = 0;     ///< Mean cosine of scattering (the parameter g).
   Vec3d emission{0, 0, 0};
   double heat = 0;
 };

@@ -1,4 +1,4 @@
-// UniqueNames that every program takes: letters, digits and underscores, none twice.
+// Names that every program accepts: unique, with letters, digits and underscores only.
 #pragma once
 
 #include <set>
@@ -6,12 +6,13 @@
 
 namespace vug::exchange {
 
-/// The text with an underscore in place of all else; begins with a letter or an underscore.
+/// Replaces all other characters with underscores; the result begins with a letter or an
+/// underscore.
 std::string identifier(const std::string& text);
 
 class UniqueNames {
  public:
-  /// As identifier, with a number behind it where that has been given before.
+  /// Like `identifier`, with a number appended if the name has been used before.
   std::string unique(const std::string& text);
 
  private:

@@ -1,4 +1,5 @@
-// Other programs: what each reads best. Each is a kind; docs/guides/export.md gives the reasons.
+// Target programs with their preferred formats and units. Each is a kind; docs/guides/export.md
+// gives the reasons.
 #pragma once
 
 #include <vug/exchange/format.h>
@@ -7,16 +8,16 @@ namespace vug::exchange {
 
 struct Program {
   KindInfo info;
-  Space space;                       ///< Of everything but formats that have one of their own.
-  std::vector<std::string> formats;  ///< Of the scene.
+  Space space;                       ///< For all formats that do not prescribe their own space.
+  std::vector<std::string> formats;  ///< Formats for the scene.
   FormatOptions options;
-  /// Points as a mesh file without triangles, for programs that cannot read those of .vdb files;
-  /// empty: as .vdb.
+  /// Mesh format for points, without triangles, for programs that cannot read points in .vdb files;
+  /// empty: .vdb.
   std::string points_format;
 };
 
 const std::vector<const Program*>& programs();
-/// Error(bad_input), with those that there are, where there is none of that name.
+/// Throws Error(bad_input), listing the known programs, if there is none of this name.
 const Program& program(const std::string& name);
 
 inline Program make_program(std::string name, std::string doc) {

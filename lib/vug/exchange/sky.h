@@ -1,4 +1,4 @@
-// Inside exchange/ only: skies beside the files that name them.
+// Internal to exchange/: environment maps next to the files that refer to them.
 #pragma once
 
 #include <vug/exchange/light.h>
@@ -9,12 +9,12 @@
 
 namespace vug::exchange {
 
-/// Where a dome's picture lies: beside `file`, as FILE_NAME.exr; nothing for domes of one colour
-/// and other lamps.
+/// The path of a dome's environment map: next to `file`, as FILE_NAME.exr; nothing for constant
+/// domes and other lights.
 std::optional<std::filesystem::path> sky_file(const Light& light, const std::filesystem::path& file,
                                               const std::string& name);
 
-/// Writes it there.
+/// Writes the environment map to that path.
 std::optional<std::filesystem::path> write_sky(const Light& light,
                                                const std::filesystem::path& file,
                                                const std::string& name);

@@ -1,4 +1,4 @@
-// Inside exchange/ only: cameras and lights as USD has them.
+// Internal to exchange/: USD cameras and lights.
 #pragma once
 
 #include <vug/exchange/assembly.h>
@@ -11,7 +11,7 @@ namespace vug::exchange {
 void write_usd_camera(UsdText& out, const Camera& camera, const std::string& name,
                       double metres_per_unit);
 
-/// `picture`: the file of a dome's picture, as the layer names it.
+/// `picture`: the asset path of a dome's environment map.
 void write_usd_light(UsdText& out, const Light& light, const std::string& name,
                      const std::string& picture);
 

@@ -1,4 +1,4 @@
-// Inside exchange/ only: meshes and looks as USD has them.
+// Internal to exchange/: USD meshes and materials.
 #pragma once
 
 #include <vug/exchange/assembly.h>
@@ -8,19 +8,20 @@
 
 namespace vug::exchange {
 
-/// A Mesh prim of that name, bound to the material at that path; with coarser meshes an Xform whose
-/// variants each hold one.
+/// Writes a Mesh prim of that name, bound to the material at that path; with levels of detail an
+/// Xform with one variant per mesh.
 void write_usd_mesh(UsdText& out, const Prototype& prototype, const std::string& name,
                     const std::string& material);
 
-/// Which of both it is.
+/// "Mesh" or "Xform", depending on the levels.
 std::string usd_mesh_type(const Prototype& prototype);
 
-/// A Material prim: a UsdPreviewSurface that reads what varies from the mesh.
+/// Writes a Material prim: a UsdPreviewSurface that reads varying properties from primvars of the
+/// mesh.
 void write_usd_material(UsdText& out, const Prototype& prototype, const std::string& path,
                         const std::string& name);
 
-/// Whether one material does for both.
+/// Whether both can share one material.
 bool same_usd_material(const Prototype& a, const Prototype& b);
 
 }  // namespace vug::exchange

@@ -1,4 +1,4 @@
-// Inside exchange/ only: the text form of USD on its way out.
+// Internal to exchange/: a writer for USD's text format.
 #pragma once
 
 #include <vug/base/transform.h>
@@ -11,7 +11,8 @@
 
 namespace vug::exchange {
 
-/// Lines with their indent; blocks in braces. Numbers are the shortest that read back the same.
+/// Writes lines with indentation and blocks in braces. Numbers are the shortest that read back as
+/// the same value.
 class UsdText {
  public:
   explicit UsdText(const mesh::ByteSink& sink) : out_(sink) {}
@@ -22,13 +23,14 @@ class UsdText {
     out_.text(fmt::format(form, std::forward<Parts>(parts)...)).text("\n");
     return *this;
   }
-  /// `def TYPE "NAME" (metadata) {` and so on; end() closes it.
+  /// Opens `def TYPE "NAME" (metadata) {`; end() closes it.
   UsdText& def(const std::string& type, const std::string& name,
                const std::vector<std::string>& metadata = {});
   UsdText& open(const std::string& text);
   UsdText& end();
 
-  /// `TYPE[] NAME = [(...), ...]`, tuples of `arity` numbers, with metadata in brackets behind it.
+  /// Writes `TYPE[] NAME = [(...), ...]` with tuples of `arity` numbers, followed by the metadata
+  /// in brackets.
   template <class T>
   UsdText& array(const std::string& type, const std::string& name, const T* values, size_t count,
                  int arity, const std::string& metadata = {}) {
@@ -46,7 +48,7 @@ class UsdText {
     out_.text("]").text(metadata).text("\n");
     return *this;
   }
-  /// Where something stands; nothing for what stands where it is.
+  /// Writes the transform of a prim; nothing for the identity.
   UsdText& place(const Transform& place);
   void finish() { out_.finish(); }
 
@@ -57,7 +59,7 @@ class UsdText {
   size_t depth_ = 0;
 };
 
-/// In quotes, with escapes.
+/// The text in quotes with escapes.
 std::string usd_string(const std::string& text);
 /// (x, y, z)
 std::string usd_tuple(const Vec3d& v);

@@ -1,4 +1,4 @@
-// The base shape while productions change it.
+// The base shape under a sequence of productions.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -9,54 +9,53 @@
 namespace vug::sgm {
 
 struct Options {
-  /// How far a glued shape is pressed into the base against the label's direction, as a share
-  /// of its extent. 0: the walls touch, as definition 5 has it; 0.5: its centre comes to the
-  /// bond; 1: it lies inside with its far wall on the base's wall.
+  /// The depth to which a glued shape is pressed into the base against the label's direction, as a
+  /// fraction of its extent. 0: the walls touch, as in definition 5; 0.5: its centre coincides with
+  /// the bond; 1: it lies inside with its far wall on the base's wall.
   struct Overlap {
-    double unite = 0.3;       ///< Round walls that only touch would leave no passage.
+    double unite = 0.3;       ///< Round walls that merely touch would leave no passage.
     double subtract = 0.3;    ///< A niche; deeper ones sever thin ends more often.
-    double intersect = 0.75;  ///< The base's end takes the form of the shape's outer half.
-    double morph = 0.5;       ///< Solids further apart than their radii have no morph at 50 %.
+    double intersect = 0.75;  ///< The base's end takes the form of the outer half of the shape.
+    double morph = 0.5;  ///< Solids that are further apart than their radii have no morph at 50 %.
     double of(Operation operation) const;
   } overlap;
   Reach reach = Reach::local;
   Geology geology;
 };
 
-/// One production as it was done.
+/// A record of one performed production.
 struct Placement {
   Operation operation = Operation::unite;
   std::string shape;           ///< Name of the (compound) shape.
   int node = -1;               ///< Leaf of the derivation tree; -1 without a tree.
-  Label side = Label::plus_x;  ///< The side it was glued to.
-  Transform map;               ///< From the shape's own space to where it was placed.
-  field::Field field;          ///< The shape where it was placed.
-  double amount = 0;           ///< Of a morph, after the geology had its say.
-  double press = 0;            ///< How far it was pressed in after the label was made, metres.
-  bool glued = false;          ///< base_bond and shape_bond made a label (before pressing).
-  Bond base_bond, shape_bond;  ///< Both consumed. Meaningless unless glued.
-  int base_bond_id = -1;       ///< Which of the base's bonds: never the same twice.
-  bool effective = true;       ///< False: the base stayed as it was; `note` says why.
-  std::string note;            ///< E.g. "starts the base"; empty when there is nothing to say.
+  Label side = Label::plus_x;  ///< The side of the base it was glued to.
+  Transform map;               ///< From the shape's own space to its final position.
+  field::Field field;          ///< The shape at its final position.
+  double amount = 0;           ///< Amount of a morph, after the adjustment by the geology.
+  double press = 0;    ///< Distance by which it was pressed in after the label was made, metres.
+  bool glued = false;  ///< base_bond and shape_bond made a label (before pressing).
+  Bond base_bond, shape_bond;  ///< Both are consumed. Undefined unless glued.
+  int base_bond_id = -1;       ///< Unique number of the base's bond.
+  bool effective = true;       ///< False: the base is unchanged; `note` gives the reason.
+  std::string note;            ///< E.g. "starts the base"; may be empty.
 };
 
-/// A fold over productions: base = base op shape. The base's free bonds are its own: after a
-/// union or a morph those of both shapes less the two that were consumed; after a difference or an
-/// intersection its own, and one on the new wall in place of the consumed one. Each is kept
-/// on the surface as the base changes (moved along its line, or dropped when that misses). A side
-/// without a free bond gets one computed from the grown base (bonds_of); where that would be a
-/// consumed bond again, the support point; where that too is consumed, the production is not
-/// effective.
+/// A fold over productions: base = base op shape. The base has its own free bonds: after a union or
+/// a morph, those of both shapes without the two consumed ones; after a difference or an
+/// intersection, its own ones, with one on the new wall in place of the consumed one. Each bond is
+/// kept on the surface as the base changes (moved along its line, or dropped if that misses). A
+/// side without a free bond gets one computed from the grown base (bonds_of); if that bond is
+/// already consumed, the support point; if that is consumed too, the production is not effective.
 ///
-/// The first shape starts the base whatever its operation says, because the empty shape minus,
-/// intersected or morphed with anything would stay empty. A difference, intersection or
-/// morph that would leave nothing is not effective either: it is recorded, with a note
-/// and a warning, and the base stays.
+/// The first shape starts the base whatever its operation is, because a difference, intersection or
+/// morph with the empty shape would be empty. A difference, intersection or morph that would leave
+/// nothing is not effective either: it is recorded with a note and a warning, and the base remains
+/// unchanged.
 class Growth {
  public:
   explicit Growth(Options options = {});
 
-  /// Performs one production. Random choices (sides, bonds, turns) come from `key`.
+  /// Performs one production. Random choices (sides, bonds, rotations) derive from `key`.
   const Placement& apply(const ProductionStep& step, RandomKey key, int node = -1);
 
   const field::Field& field() const { return field_; }
@@ -67,7 +66,7 @@ class Growth {
  private:
   void start(Shape shape, Placement& placement);
   void glue(const ProductionStep& step, Shape shape, RandomKey key, Placement& placement);
-  /// Base and shape as the production has them; nothing when no solid would be left.
+  /// The result of the production; nothing if no solid would remain.
   std::optional<field::Field> combined(const ProductionStep& step, const Placement& placement,
                                        const Shape& shape) const;
   void grow(const ProductionStep& step, const Shape& shape, field::Field base,
@@ -76,7 +75,7 @@ class Growth {
   Options options_;
   field::Field field_;
   bool started_ = false;
-  std::vector<field::Field> terms_;  ///< The base as one union, as long as unions follow.
+  std::vector<field::Field> terms_;  ///< The operands of the base as long as it is a single union.
   field::Blend terms_blend_;
   BondPool bonds_;
   std::vector<Placement> placements_;

@@ -1,4 +1,4 @@
-// One production of an SG+M derivation: what the leaves of its tree carry as payload.
+// One production of an SG+M derivation, the payload of the leaves of its tree.
 #pragma once
 
 #include <vug/base/error.h>
@@ -11,16 +11,16 @@ enum class Operation { unite, subtract, intersect, morph };
 
 /// "union", "difference", "intersection", "morph".
 std::string to_string(Operation operation);
-/// "+", "-", "&", "~": how scenes write it.
+/// "+", "-", "&", "~", as written in scenes.
 std::string sign_of(Operation operation);
 
-/// How far a production's effect goes.
+/// The extent of a production's effect.
 enum class Reach {
-  local,  ///< Where the new shape is; the rest of the base stays. See region.h.
-  whole,  ///< Everywhere, as the paper's equations (2) to (5) stand.
+  local,  ///< Near the new shape; the rest of the base is unchanged. See region.h.
+  whole,  ///< Everywhere, as in the paper's equations (2) to (5).
 };
 
-/// A primitive (or any field) that a step brings.
+/// A primitive (or any field) added by a step.
 struct Piece {
   std::string name;
   field::Field field;
@@ -28,14 +28,14 @@ struct Piece {
 
 struct ProductionStep {
   Operation operation = Operation::unite;
-  std::vector<Piece> pieces;  ///< At least one; more are glued to a compound shape (P_S) first.
-  Label piece_label = Label::random;  ///< Where each piece is glued to those before it.
+  std::vector<Piece> pieces;  ///< At least one; several are first glued to a compound shape (P_S).
+  Label piece_label = Label::random;  ///< Side at which each piece is glued to the previous ones.
   Label label = Label::random;        ///< L_B: the side of the base to glue to.
   double amount = 0.5;                ///< M_P as a ratio in 0..1; for morphs.
-  field::Blend blend;                 ///< How the new shape meets the base.
+  field::Blend blend;                 ///< Blend between the new shape and the base.
   std::optional<double> overlap;      ///< See Options::overlap; empty: the operation's default.
   std::optional<Reach> reach;         ///< Empty: Options::reach.
-  SourceLocation where;               ///< In the user's text, for messages.
+  SourceLocation where;               ///< Source location for messages.
 };
 
 }  // namespace vug::sgm
