@@ -1,5 +1,5 @@
-// Where a scene's surfaces are much brighter than most: shaft walls under an opening, rock beside
-// a lamp. They light the rest as lamps do, but paths find them by chance alone.
+// Clusters of surfaces that are much brighter than average: shaft walls under an opening, rock next
+// to a light. They act as virtual area lights, which paths would otherwise find only by chance.
 #pragma once
 
 #include <vug/render/guiding/radiance_sample.h>
@@ -9,16 +9,16 @@
 
 namespace vug::render {
 
-/// A ball around surfaces that are bright.
+/// Bounding sphere of a cluster of bright surfaces.
 struct BrightCluster {
   Vec3f center{0, 0, 0};
   float radius = 0;
-  float power = 0;  ///< Luminance times area, as if each cube with surface had one face of it.
+  float power = 0;  ///< Luminance times area; each cube with surface counts as one of its faces.
 };
 
-/// At most `most` patches from what paths have seen, by averages over cubes of edge `cube` metres.
-/// Cubes far brighter than the mean of all radiance_samples are kept, and parted where that makes
-/// balls of much light small. The same patches for the same radiance_samples.
+/// Returns at most `most` clusters, from averages of the samples over cubes of edge `cube` metres.
+/// Cubes far brighter than the mean of all samples are kept, and groups of cubes are split where
+/// that makes bright spheres smaller. The same samples give the same clusters.
 std::vector<BrightCluster> find_bright_clusters(const std::vector<RadianceSample>& radiance_samples,
                                                 float cube, size_t most);
 

@@ -1,4 +1,4 @@
-// A density over directions: a few cones, each even within.
+// A density over directions: a mixture of a few cones, each uniform inside.
 #pragma once
 
 #include <vug/render/simd.h>
@@ -11,20 +11,20 @@
 
 namespace vug::render {
 
-/// At most kMost cones with their shares, made anew for each place that asks for directions.
+/// At most kMax weighted cones, built for each point that samples directions.
 class ConeMixture {  // NOLINT: only what has been added is read
  public:
   static constexpr size_t kMax = 32;
 
-  /// Eight that may be taken in. Axis: unit; opening: 1 - cosine at the rim; opening, share > 0.
-  /// `id` is the caller's, of the first; the others' follow.
+  /// Eight candidate cones. Axis: unit; opening: 1 - cosine at the rim; opening, share > 0. `id` is
+  /// the caller's id of the first; the others' ids follow it.
   struct Batch {
     __m256 x, y, z, opening, share;
     uint32_t id;
   };
 
   size_t size() const { return size_; }
-  /// Of these the ones whose bits are set; at most kMost with those before.
+  /// Adds the cones whose mask bits are set; at most kMax in all.
   void add(const Batch& all, unsigned mask) {
     const __m256i order = compressed_lanes(mask);
     const auto put = [&](Values& row, __m256 v) {
@@ -36,16 +36,16 @@ class ConeMixture {  // NOLINT: only what has been added is read
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(&ids_[size_]), ids);
     size_ += static_cast<size_t>(std::popcount(mask));
   }
-  /// Makes the shares parts of one, and sets how much of all sampling is theirs.
+  /// Normalizes the shares to a sum of 1, and sets the weight of the mixture among all sampling.
   void normalize(float mixture_weight);
   /// 0 to 1; 0 without cones.
   float mixture_weight() const { return mixture_weight_; }
 
-  /// A cone by its share; these three only with cones.
+  /// Chooses a cone by its share. This function, `id` and `sample` need at least one cone.
   size_t choose(float u) const { return find(u).cone; }
   uint32_t id(size_t cone) const { return ids_[cone]; }
   Vec3f sample(const Vec2f& u) const;
-  /// Over solid angle.
+  /// With respect to solid angle.
   float pdf(const Vec3f& direction) const {
     const __m256 x = _mm256_set1_ps(direction.x), y = _mm256_set1_ps(direction.y),
                  z = _mm256_set1_ps(direction.z), one = _mm256_set1_ps(1);
@@ -63,10 +63,11 @@ class ConeMixture {  // NOLINT: only what has been added is read
 
  private:
   static constexpr size_t kLanes = 8;
-  using Values = std::array<float, kMax + kLanes>;  ///< A value for each, and room to write eight.
+  using Values = std::array<float, kMax + kLanes>;  ///< One value per cone, with room for a full
+                                                    ///< write of eight.
   struct SelectedCone {
     size_t cone;
-    float within;  ///< How far u is into the cone's share, in parts of that.
+    float within;  ///< Position of u within the cone's share, 0 to 1.
   };
   SelectedCone find(float u) const;
 

@@ -1,5 +1,5 @@
-// Where light comes from, for every place of a scene: bright patches of its surfaces, and how much
-// of each is seen from where.
+// Guiding towards bright surfaces: the scene's bright clusters, and the visibility of each from
+// every region.
 #pragma once
 
 #include <vug/render/guiding/bright_clusters.h>
@@ -12,33 +12,33 @@
 
 namespace vug::render {
 
-/// Patches are to paths what lamps are to direct sampling. A place turns to a patch in proportion
-/// to E sqrt(p): E is how much that would light it were nothing between, p the chance that it is
-/// in sight (see VisibilityCache).
+/// Clusters are to paths what lights are to next-event estimation. A point chooses a cluster in
+/// proportion to E sqrt(p), where E is its unoccluded irradiance at the point and p the probability
+/// that it is visible (see VisibilityCache).
 class Guide {
  public:
-  /// Knows nothing.
+  /// Empty guide.
   Guide() = default;
-  /// Finds the patches of what was seen in a scene of these bounds; believes each to be in sight
-  /// from everywhere.
+  /// Finds the clusters of the samples in a scene with these bounds; each cluster is assumed to be
+  /// visible everywhere.
   Guide(const std::vector<RadianceSample>& radiance_samples, const Box3f& bounds);
-  /// Takes note of what visibility_samples tell of the patches.
+  /// Estimates the visibility of the clusters from these samples.
   void update_visibility(const std::vector<VisibilitySample>& visibility_samples);
 
   bool empty() const { return clusters_.empty(); }
   const std::vector<BrightCluster>& clusters() const { return clusters_; }
 
-  /// Directions to turn to from a surface; `normal` on the side that light leaves on.
+  /// Mixture of directions for a surface point; `normal` is on the side that light leaves on.
   ConeMixture at(const Vec3f& point, const Vec3f& normal) const;
 
  private:
-  /// A value for each patch; zeros where there is none.
+  /// One value per cluster; unused values are 0.
   struct alignas(32) Values : std::array<float, ConeMixture::kMax> {};
 
   std::vector<BrightCluster> clusters_;
-  // Of patches, each value in a row of its own, so that a place weighs eight at a time.
+  // Clusters as structure of arrays, so that eight are weighted at a time.
   Values x_{}, y_{}, z_{}, radius_{}, power_{};
-  float elsewhere_ = 0;  ///< Irradiance of a usual surface.
+  float elsewhere_ = 0;  ///< Mean irradiance of the scene's surfaces.
   Box3f bounds_;
   VisibilityCache visibility_;
 };

@@ -1,4 +1,4 @@
-// How much light surfaces send back: region by region, and by the way they face.
+// Luminance reflected by surfaces, by region and by the direction they face.
 #pragma once
 
 #include <vug/render/guiding/radiance_sample.h>
@@ -9,26 +9,26 @@
 
 namespace vug::render {
 
-/// What the surfaces of a region that face the same way send back, in luminance.
+/// Reflected luminance of the surfaces of a region that face the same way.
 struct RadianceStats {
-  float mean = 0;  ///< The mean, but no more than that of what the camera sees.
+  float mean = 0;  ///< Mean, clamped to the mean of the surfaces that the camera sees.
   float indirect =
-      0;  ///< The root of the mean square of what the path has yet to find: see RadianceSample.
+      0;  ///< Root mean square of the light that the path has yet to find: see RadianceSample.
 };
 
 class RadianceCache {
  public:
-  /// Knows nothing.
+  /// Empty cache.
   RadianceCache() = default;
   /// `edge`: see Regions.
   RadianceCache(const std::vector<RadianceSample>& radiance_samples, const Box3f& bounds,
                 float edge);
 
-  /// The mean absolute distance of what single paths of the camera find from the mean of its place,
-  /// in parts of that, squared; at most 1. As a variance, but single bright paths do not rule it.
+  /// Squared relative mean absolute deviation of single camera paths from the mean of their region,
+  /// at most 1. It stands in for the variance, but is robust against single bright paths.
   float noise() const { return noise_; }
   bool empty() const { return stats_.empty(); }
-  /// Not of an empty one.
+  /// Must not be called on an empty cache.
   const RadianceStats& at(const Vec3f& point, const Vec3f& normal) const {
     return stats_[place(point, normal)];
   }
@@ -38,7 +38,7 @@ class RadianceCache {
   size_t place(const Vec3f& point, const Vec3f& normal) const {
     return kFacings * regions_.at(point) + facing(normal);
   }
-  /// The side of a cube that a normal is nearest to.
+  /// The side of a cube closest to a normal.
   static size_t facing(const Vec3f& normal) {
     const float x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
     if (x >= y && x >= z) return normal.x < 0 ? 0 : 1;

@@ -1,4 +1,4 @@
-// What paths tell of the surfaces they come by.
+// Radiance samples recorded by training paths.
 #pragma once
 
 #include <vug/render/vectors.h>
@@ -8,14 +8,14 @@
 
 namespace vug::render {
 
-/// A surface that a path came to, and how bright the path found it: an estimate of the luminance
-/// that it sends back, as noisy as one path is.
+/// A surface point on a path and the path's estimate of the luminance that it reflects, with the
+/// noise of a single path.
 struct RadianceSample {
   Vec3f point;
   Vec3f normal;  ///< Geometric, unit, on the path's side.
   float luminance = 0;
-  bool first = false;  ///< The camera sees it.
-  float indirect = 0;  ///< The part of it that did not come straight from lights that were chosen.
+  bool first = false;  ///< First surface seen by the camera.
+  float indirect = 0;  ///< The part that did not come directly from sampled lights.
 };
 
 inline double mean_luminance(const std::vector<RadianceSample>& radiance_samples) {

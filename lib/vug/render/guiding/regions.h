@@ -1,4 +1,4 @@
-// Cubes that a scene's box is cut into: places in the same one share what is learned of them.
+// Cubic regions of a scene's bounding box; points in the same region share their training data.
 #pragma once
 
 #include <vug/render/vectors.h>
@@ -13,10 +13,10 @@ inline float diagonal_of(const Box3f& box) { return std::max(length(box.size()),
 
 class Regions {
  public:
-  /// One, everywhere.
+  /// A single region for all points.
   Regions() = default;
-  /// Cubes of that edge, in parts of the box's diagonal; places outside of the box belong to the
-  /// cube next to them.
+  /// `edge` of the cubes is a fraction of the box's diagonal. Points outside the box belong to the
+  /// nearest cube.
   Regions(const Box3f& box, float edge)
       : origin_(box.min), per_metre_(1 / (edge * diagonal_of(box))) {
     for (int axis = 0; axis < 3; ++axis)
@@ -28,7 +28,7 @@ class Regions {
     return static_cast<size_t>(counts_[0]) * static_cast<size_t>(counts_[1]) *
            static_cast<size_t>(counts_[2]);
   }
-  /// A number below `count`.
+  /// Index below `count`.
   size_t at(const Vec3f& point) const {
     size_t index = 0;
     for (int axis = 2; axis >= 0; --axis) {

@@ -1,4 +1,4 @@
-// How often things are in sight, from where: counted region by region.
+// Visibility of lights or clusters, estimated region by region.
 #pragma once
 
 #include <vug/render/guiding/regions.h>
@@ -8,29 +8,30 @@
 
 namespace vug::render {
 
-/// A look at a thing: from where, at which, and whether it was seen.
+/// A visibility test: from which position, of which target, and whether the target was visible.
 struct VisibilitySample {
   Vec3f position{0, 0, 0};
   uint32_t target = 0;
   bool visible = false;
 };
 
-/// What visibility_samples tell of a few things, each by its number. GuidingData as in Vevoda,
+/// Estimated visibility of a few targets, which are identified by index. Learned as in Vevoda,
 /// Kondapaneni, Krivanek 2018, "Bayesian online regression for adaptive direct illumination
-/// sampling" (vevoda2018bayesian), here by counting: what is seen of a thing from anywhere stands
-/// in for a few visibility_samples that a region has not taken.
+/// sampling" (vevoda2018bayesian), here by counting: the visibility of a target over all regions
+/// counts as a few prior samples in each region.
 class VisibilityCache {
  public:
-  /// Knows nothing.
+  /// Empty cache.
   VisibilityCache() = default;
-  /// Of `targets`; `edge`: see Regions. The order of visibility_samples does not matter.
+  /// For `targets` targets; `edge`: see Regions. The order of the samples does not matter.
   VisibilityCache(const Box3f& bounds, float edge, size_t targets,
                   const std::vector<VisibilitySample>& visibility_samples);
 
   bool empty() const { return targets_ == 0; }
-  /// sqrt(p) of each thing, p the chance that it is in sight from there. Where a thing is in sight
-  /// with chance p, and then gives E, choosing it in proportion to E sqrt(p) makes the expected
-  /// square of the estimate least: the sum of p E^2 over the share of choices.
+  /// sqrt(p) for each target, where p is the probability that it is visible from the point. If a
+  /// target is visible with probability p and then contributes E, choosing it in proportion to E
+  /// sqrt(p) minimizes the second moment of the estimate: the sum of p E^2 over the probability of
+  /// the choice.
   const float* at(const Vec3f& point) const {
     return roots_.data() + targets_ * row_of_[regions_.at(point)];
   }
@@ -38,8 +39,8 @@ class VisibilityCache {
  private:
   Regions regions_;
   size_t targets_ = 0;
-  std::vector<uint32_t> row_of_;  ///< Of each region; 0: none took a glance from there.
-  std::vector<float> roots_;      ///< Rows of things.
+  std::vector<uint32_t> row_of_;  ///< For each region; 0: no samples there.
+  std::vector<float> roots_;      ///< Rows of one value per target.
 };
 
 }  // namespace vug::render

@@ -1,5 +1,5 @@
-// Meshes that shine: every triangle is a light. Those that shine evenly cost no memory of their
-// own, others a number for the tree.
+// Emissive meshes: every triangle is a light. Triangles of uniform emission need no memory of their
+// own; the others store one number for the light tree.
 #pragma once
 
 #include <vug/render/lighting/light_tree.h>
@@ -9,22 +9,24 @@
 
 namespace vug::render {
 
-/// Triangles shine from their front, with the radiance of their object and that of its material at
-/// the place, exactly; only for the tree is a material's averaged over a few places. Nearby they
-/// are sampled by solid angle (Arvo 1995, "Stratified sampling of spherical triangles", cite
-/// arvo1995triangle), from afar by area, which is as good there and cheaper.
+/// Triangles emit from their front face. Their radiance is that of the object plus the exact
+/// emission of its material at the point; only the light tree uses the material's average over a
+/// few points. Triangles are sampled by solid angle nearby (Arvo 1995, "Stratified sampling of
+/// spherical triangles", cite arvo1995triangle) and by area from afar, where area sampling is as
+/// good and cheaper.
 class Emitters {
  public:
   Emitters() = default;
   explicit Emitters(const std::vector<Object>& objects);
 
   size_t size() const { return count_; }
-  /// Some shine by their material: ask for the radiance where a ray meets them.
+  /// Some triangles have an emissive material, so the radiance must be evaluated at the hit point.
   bool emission_varies() const { return emission_varies_; }
-  /// At a place on the front of a triangle, shares of its second and third corner; `footprint` as
-  /// in Surface. Black for a triangle that does not shine.
+  /// Radiance at a point on the front of a triangle; u and v are the barycentric coordinates of its
+  /// second and third vertex, `footprint` is as in Surface. Black for a triangle that is not
+  /// emissive.
   Rgb radiance(uint32_t index, float u, float v, float footprint) const;
-  /// Number of a triangle of an object that shines; ~0 for any other.
+  /// Index of an emissive triangle of an object; ~0 for any other triangle.
   uint32_t index_of(uint32_t object, uint32_t triangle) const {
     return object < first_.size() && first_[object] != kNone ? first_[object] + triangle : kNone;
   }
@@ -43,10 +45,12 @@ class Emitters {
     uint32_t object, first;
     PlacingPtr placing;
     bool looks_by_place = false;
-    MaterialPtr material = nullptr;  ///< If it shines; then also:
+    MaterialPtr material =
+        nullptr;  ///< Null unless it is emissive; then the members below are set, too.
     std::shared_ptr<const field::SampledGrid> solid = nullptr;
     bool flat = false;
-    std::vector<float> luminances = {};  ///< Of each triangle, about: means over some places.
+    std::vector<float> luminances =
+        {};  ///< Approximate luminance of each triangle: means over a few points.
   };
   struct WorldTriangle;
   const EmissiveMesh& emissive_mesh(uint32_t index) const;
@@ -58,7 +62,7 @@ class Emitters {
   size_t count_ = 0;
   bool emission_varies_ = false;
   std::vector<EmissiveMesh> sources_;
-  std::vector<uint32_t> first_;  ///< Of each object; kNone for those that do not shine.
+  std::vector<uint32_t> first_;  ///< For each object its first index; kNone if it is not emissive.
 };
 
 }  // namespace vug::render

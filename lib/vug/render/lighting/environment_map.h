@@ -1,5 +1,5 @@
-// A sky of even texels in lat-long order, sampled by brightness: what skies from pictures and from
-// models share. Marginal and conditional tables as in Pharr, Jakob, Humphreys 2023, "Physically
+// Environment map in lat-long layout with importance sampling by luminance; the base of image and
+// model skies. Marginal and conditional tables as in Pharr, Jakob, Humphreys 2023, "Physically
 // based rendering", section 12.5.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace vug::render {
 
-/// Up is y, the middle column lies towards -z, columns run to the right seen from inside.
+/// Up is y, the middle column points towards -z, and columns run to the right as seen from inside.
 class EnvironmentMap : public Light {
  public:
   LightSample sample(const LightSampleContext& point, const Vec2f& u) const override;
@@ -20,12 +20,12 @@ class EnvironmentMap : public Light {
   }
   bool is_infinite() const override { return true; }
   float mean_luminance() const override { return mean_luminance_; }
-  /// Interpolated between the middles of texels.
+  /// Bilinear interpolation between texel centres.
   Rgb eval_environment(const Vec3f& direction) const override;
   bool as_data(exchange::Light& light) const override;
 
  protected:
-  /// `texels` row by row from straight up; `turn` of the way round to the left.
+  /// `texels` are in row order from straight up; `turn` (radians) rotates the map to the left.
   EnvironmentMap(LightLinking linking, size_t width, size_t height, std::vector<Rgb> texels,
                  double turn);
 

@@ -1,4 +1,4 @@
-// A light made of another: what it does not change it asks of that.
+// Adapter that forwards to another light every function that a derived class does not override.
 #pragma once
 
 #include <vug/render/light.h>

@@ -1,4 +1,4 @@
-// What a choice between lights is asked for, and what it answers.
+// Parameters and result of the choice of lights for next-event estimation.
 #pragma once
 
 #include <vug/render/light.h>
@@ -8,39 +8,40 @@
 
 namespace vug::render {
 
-/// By what lights are chosen.
+/// How lights are chosen.
 enum class LightSampler {
-  tree,    ///< What they may matter where they are looked at from.
-  uniform  ///< Nothing: each is as likely as any other.
+  tree,    ///< By their estimated contribution at the shading point.
+  uniform  ///< All lights with the same probability.
 };
 
-/// How next-event estimation at one place shares its samples out between branches of lights.
+/// Number of light samples at one shading point and their distribution over the branches of the
+/// light set.
 struct LightSelection {
-  float samples = 1;  ///< At most so many lights are chosen, none twice.
+  float samples = 1;  ///< Largest number of lights chosen; no light is chosen twice.
   LightSampler sampler = LightSampler::tree;
-  /// Of each branch a factor of its importance, by how often it is in sight (see VisibilityCache);
-  /// null where nothing is known.
+  /// For each branch a factor on its importance from its visibility (see VisibilityCache); null if
+  /// nothing is known.
   const float* visibility = nullptr;
-  float proportional = 0;  ///< Samples to expect for each unit of weight,
-  float even = 0;          ///< and beside these for each branch that matters.
+  float proportional = 0;  ///< Expected samples per unit of weight; set by the choice.
+  float even = 0;  ///< Expected samples added to each branch of nonzero weight; set by the choice.
 
-  /// Samples to expect for a branch of that weight, at most 1. Importance knows nothing of walls,
-  /// so a light behind one must not take the choices from the one that shines: the even part
-  /// keeps any branch's share above a least one (a defensive mixture: Hesterberg 1995, "Weighted
+  /// Expected number of samples of a branch of that weight, at most 1. Importance ignores
+  /// occlusion, so a light behind a wall must not take all samples from a visible one: the uniform
+  /// part gives each branch a minimum share (a defensive mixture: Hesterberg 1995, "Weighted
   /// average importance sampling and defensive mixture distributions", cite hesterberg1995).
   float expected_samples(float weight) const {
     return weight > 0 ? std::min(1.0f, proportional * weight + even) : 0;
   }
 };
 
-/// Which light next-event estimation turns to, and with what probability.
+/// A light chosen for next-event estimation and its probability.
 struct LightChoice {
   LightId light = kNoLight;
   float probability = 0;
-  float visibility = 1;  ///< The factor of its branch, by how often that is in sight.
+  float visibility = 1;  ///< The visibility factor of its branch.
 };
 
-/// The lights that one place turns to.
+/// The lights chosen at one shading point.
 class LightChoices {
  public:
   static constexpr size_t kMax = 8;

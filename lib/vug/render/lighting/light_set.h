@@ -1,4 +1,4 @@
-// All lights of a scene that sampling can turn to, and the choice between them.
+// All lights of a scene that can be sampled, and the choice between them.
 #pragma once
 
 #include <vug/render/guiding/visibility_cache.h>
@@ -12,32 +12,32 @@
 
 namespace vug::render {
 
-/// Ids: first the scene's lights in order, then triangles that shine. Skies and portals, and the
-/// upper branches of a tree of lamps and of one of triangles, are weighed one by one; from a
-/// branch the choice goes down its tree.
+/// Light ids: first the scene's lights in order, then the emissive triangles. Skies, portals and
+/// the top branches of two light trees (one of the scene's lights, one of emissive triangles) are
+/// weighted one by one; within a branch the choice descends its tree.
 class LightSet {
  public:
-  /// Error(bad_input) for a light that is linked to the name of no object.
+  /// Error(bad_input) if a light is linked to an object name that does not exist.
   LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects);
   LightSet(const LightSet&) = delete;
   LightSet& operator=(const LightSet&) = delete;
 
-  /// Lights that can be chosen.
+  /// Number of lights that can be chosen.
   size_t size() const { return size_; }
-  /// Parts of all lights, each weighed as one.
+  /// Number of branches; together they hold all lights, and each is weighted as one.
   size_t branches() const { return branches_.size(); }
 
-  /// Chooses lights with one uniform number: `selection` tells how many and what is known, and is
-  /// told the rest.
+  /// Chooses lights with one uniform number. `selection` gives their number and the known
+  /// visibility; its other members are set.
   LightChoices choose(const LightSampleContext& point, float u, LightSelection& selection) const;
-  /// For a place that is yet to be chosen on a ray; `visibility`, which may be empty, in place of
-  /// the odds' own.
+  /// The same for a point that is yet to be chosen on a ray. `visibility` (may be empty) replaces
+  /// that of the selection.
   LightChoices choose_along(const Ray& ray, const Segment& segment, float u,
                             LightSelection selection, const VisibilityCache& visibility) const;
-  /// A light of one branch; none where the branch cannot shine.
+  /// Chooses a light of one branch; kNoLight if the branch contributes nothing.
   LightChoice choose_in(size_t branch, const LightSampleContext& point, float u) const;
-  /// Samples to expect for that light: its probability in `choose` at a point where that gave
-  /// `selection`; 0 for a light that cannot shine there.
+  /// Expected number of samples of that light: its probability in `choose` at a point where
+  /// `choose` returned `selection`; 0 for a light that contributes nothing there.
   float pmf(LightId light, const LightSampleContext& point, const LightSelection& selection) const;
 
   /// See Light.
@@ -45,7 +45,7 @@ class LightSet {
     return light < lights_.size() ? lights_[light]->sample(point, u)
                                   : emitters_.sample(light - scene_light_count(), point, u);
   }
-  /// For a direction in which the light is seen from there.
+  /// For a direction in which the light is visible from the point.
   float pdf(LightId light, const LightSampleContext& point, const Vec3f& direction) const {
     return light < lights_.size() ? lights_[light]->pdf(point, direction)
                                   : emitters_.pdf(light - scene_light_count(), point, direction);
@@ -54,32 +54,33 @@ class LightSet {
     return light < lights_.size() ? lights_[light]->center()
                                   : emitters_.center(light - scene_light_count());
   }
-  /// Names of the groups of lights, and a light's place in that list; kNoGroup without one.
+  /// Names of the light groups, and a light's index in that list; kNoGroup without a group.
   const std::vector<std::string>& groups() const { return group_names_; }
   uint32_t group(LightId light) const {
     return light < lights_.size() ? light_groups_[light]
                                   : object_groups_[emitters_.object(light - scene_light_count())];
   }
   static constexpr uint32_t kNoGroup = ~0u;
-  /// False for a light that is linked to other objects than that; all light media and the camera.
+  /// False if the light is linked to other objects; every light reaches media and the camera.
   bool reaches(LightId light, uint32_t object) const {
     return !linked_ || object == kNoObject || light >= lit_.size() || lit_[light].empty() ||
            lit_[light][object];
   }
-  /// Some triangles shine by their material, which knows how much only at the place: see Emitters.
+  /// Some triangles have an emissive material, which is evaluated at the hit point: see Emitters.
   bool emission_varies() const { return emitters_.emission_varies(); }
   Rgb emission(uint32_t object, uint32_t triangle, float u, float v, float footprint) const {
     return emitters_.radiance(emitters_.index_of(object, triangle), u, v, footprint);
   }
-  /// False for a triangle that was found dark when the tree was made: no choice leads to it.
+  /// False for a triangle whose estimated emission was zero when the tree was built: it is never
+  /// chosen.
   bool can_choose(LightId emitter) const { return emitter_tree_.contains(emitter); }
-  /// The id of a triangle that shines.
+  /// Id of an emissive triangle.
   LightId emitter(uint32_t object, uint32_t triangle) const {
     return scene_light_count() + emitters_.index_of(object, triangle);
   }
 
-  /// Calls visit(id, lamp) for each lamp that the ray may meet before `end` and that lights the
-  /// object the ray comes from.
+  /// Calls visit(id, light) for each finite light that the ray may hit before `end` and that
+  /// reaches the object the ray comes from.
   template <class Visit>
   void for_each_light_on(const Ray& ray, float end, uint32_t object, const Visit& visit) const {
     light_tree_.for_each_hit(ray, end, [&](LightId id) {
@@ -88,29 +89,30 @@ class LightSet {
   }
 
   bool has_sky() const { return !skies_.empty(); }
-  /// No light knows where the sky shines: there are no portals, and but for suns no sky samples
-  /// directions.
+  /// No light directs samples to the visible parts of the sky: there are no portals, and only suns
+  /// sample directions.
   bool sky_is_plain() const;
   const std::vector<LightId>& skies() const { return skies_; }
-  /// Of all skies that light the object.
+  /// Sum over all skies that light the object.
   Rgb sky_radiance(const Vec3f& direction, uint32_t object) const;
-  /// Skies that can be chosen: portals and skies that these would hardly find, or where there are
-  /// no portals all skies that sample directions.
+  /// Skies that can be chosen. With portals: the portals and the skies that they would hardly find;
+  /// without portals: all skies that sample directions.
   const std::vector<LightId>& sampled_skies() const { return sampled_skies_; }
   const Light& sky(LightId id) const { return *lights_[id]; }
-  /// Density with which sampling lights by these odds turns to the sky in a direction; without one
-  /// that the caller knows of.
+  /// Density with which light sampling by this selection chooses a sky direction, excluding the
+  /// light `known`.
   float sky_pdf(const LightSampleContext& point, const LightSelection& selection,
                 const Vec3f& direction, LightId known = kNoLight) const;
 
  private:
-  /// What is weighed one by one: a sky, or a branch of a tree.
+  /// An item weighted on its own: a sky, or a branch of a tree.
   struct Branch {
     const LightTree* tree = nullptr;  ///< Null for a sky.
-    uint32_t index = 0;               ///< In the tree.
-    LightId single = kNoLight;        ///< The sky, or a lamp whose fork has lamps only,
-    float scale = 1;                  ///< and what its importance stands against others' with.
-    Vec3f center;                     ///< Meaningless for whole skies.
+    uint32_t index = 0;               ///< Lane index in the tree.
+    LightId single = kNoLight;        ///< The sky, or the light of a node that has only leaves.
+    float scale = 1;  ///< Factor that makes the importance of `single` comparable with that of
+                      ///< other branches.
+    Vec3f center;     ///< Meaningless for whole skies.
   };
   struct AtPoint;
   struct AlongRay;
@@ -133,9 +135,9 @@ class LightSet {
   LightTree light_tree_, emitter_tree_;
   std::vector<Branch> branches_;
   std::vector<LightId> skies_, sampled_skies_;
-  std::vector<LightId> all_;  ///< That may shine somewhere, for choices that know no more.
+  std::vector<LightId> all_;  ///< All lights that may emit, for uniform choices.
   float sky_scale_ = 0;
-  std::vector<std::vector<bool>> lit_;  ///< Of each light: by object; empty for all of them.
+  std::vector<std::vector<bool>> lit_;  ///< For each light: by object; empty for all objects.
   bool linked_ = false;
   std::vector<std::string> group_names_;
   std::vector<uint32_t> light_groups_, object_groups_;

@@ -1,8 +1,8 @@
-// A tree over many lamps: whole branches are weighed at once, so that one lamp of n is chosen in
-// log n steps. Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive
-// tree splitting" (cite conty2018lights); the bounds of a branch as in Pharr, Jakob, Humphreys
-// 2023, "Physically based rendering", section 12.6.3 (cite pharr2023pbr). Eight branches part at
-// each fork, and are weighed side by side.
+// Light BVH: whole branches are weighted at once, so one of n lights is chosen in O(log n) steps.
+// Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting"
+// (cite conty2018lights); branch bounds as in Pharr, Jakob, Humphreys 2023, "Physically based
+// rendering", section 12.6.3 (cite pharr2023pbr). Nodes have eight children, which are weighted
+// with SIMD.
 #pragma once
 
 #include <vug/render/light.h>
@@ -20,24 +20,24 @@ namespace vug::render {
 using LightId = uint32_t;
 inline constexpr LightId kNoLight = ~0u;
 
-/// The box, a cone of normals and the reach around both; strengths add up.
+/// The union of both boxes, normal cones and emission angles; strengths are added.
 LightBounds union_of(const LightBounds& a, const LightBounds& b);
 
 class LightTree {
  public:
   static constexpr size_t kWidth = 8;
   static constexpr uint32_t kLeaf = 1u << 31;
-  /// Branches or single lights that part at one place, an array for each of their properties, so
-  /// that they are weighed together. Lanes that are left have no strength.
+  /// A node of eight children, branches or lights, stored as structure of arrays so that they are
+  /// weighted together. Unused lanes have strength 0.
   struct alignas(64) Node {
-    std::array<float, kWidth> x{}, y{}, z{}, radius{};  ///< Of the ball around the box.
+    std::array<float, kWidth> x{}, y{}, z{}, radius{};  ///< Bounding sphere of the box.
     std::array<float, kWidth> axis_x{}, axis_y{}, axis_z{};
     std::array<float, kWidth> cos_spread{}, sin_spread{}, cos_reach{};
     std::array<float, kWidth> strength{};
-    std::array<uint32_t, kWidth> child{};  ///< Another fork, or kLeaf and a light.
+    std::array<uint32_t, kWidth> child{};  ///< Index of another node, or kLeaf and a light.
 
     Node() { child.fill(kLeaf); }
-    /// It parts into single lights only.
+    /// All children are lights.
     bool has_only_leaves() const {
       uint32_t all = kLeaf;
       for (const uint32_t c : child) all &= c;
@@ -53,34 +53,34 @@ class LightTree {
     LightId light = kNoLight;
     float probability = 0;
   };
-  /// A light's branch and the probability with which `descend` finds the light there.
+  /// The branch of a light, and the probability with which `descend` reaches the light from there.
   struct Location {
     uint32_t branch = 0;
     float probability = 0;
   };
 
   LightTree() = default;
-  /// The same tree for any number of threads. Lights of no strength are left out; `first` is the
-  /// id of light 0.
+  /// Builds the same tree for any number of threads. Lights of strength 0 are left out; `first` is
+  /// the id of light 0.
   LightTree(size_t count, LightId first, const std::function<LightBounds(size_t)>& bounds_of);
 
-  size_t size() const { return size_; }  ///< Lights in it.
+  size_t size() const { return size_; }  ///< Number of lights in the tree.
   bool contains(LightId id) const {
     return id >= first_ && id - first_ < leaves_.size() && leaves_[id - first_] != kNoNode;
   }
 
-  /// A few branches together hold every light once: single lights, when there are at most
-  /// kMostBranches. Branch i is lane i % kWidth of the fork i / kWidth.
+  /// The top of the tree: a few branches that together hold every light once. With at most
+  /// kMaxBranches lights they are single lights. Branch i is lane i % kWidth of node i / kWidth.
   size_t branches() const { return branches_; }
   const Node& node(size_t index) const { return nodes_[index]; }
 
-  /// About strength over squared distance, times what cosines are sure; 0 only where no light of
-  /// a branch can shine.
+  /// Approximately strength over squared distance, times conservative cosines; 0 only where no
+  /// light of a branch can contribute.
   static Weights importance(const Node& node, const LightSampleContext& point);
   static Weights importance_along(const Node& node, const Ray& ray, float begin, float end);
 
-  /// From a branch down to a light, at each fork by the weights, 8 floats from `weigh`; no light
-  /// where all weigh nothing.
+  /// Descends from a branch to a light; each node is weighted by `weigh`, which returns 8 floats.
+  /// Returns kNoLight if all weights are 0.
   template <class Weigh>
   SampledLeaf descend(size_t branch, double u, const Weigh& weigh) const {
     uint32_t child = nodes_[branch / kWidth].child[branch % kWidth];
@@ -104,7 +104,8 @@ class LightTree {
           static_cast<double>(weights[lane]);
       u = std::clamp(u, 0.0, 0x1.fffffffffffffp-1);
       probability *= weights[lane] / all;
-      // The number came with 24 bits; deep down, where few are left, the fork scrambles them.
+      // The random number has 24 bits; deep in the tree, where few are left, the node index
+      // scrambles them.
       if (!fresh && probability < 0x1p-10f) {
         u = scrambled(u, child);
         fresh = true;
@@ -125,8 +126,8 @@ class LightTree {
     return {at, probability};
   }
 
-  /// Calls visit(light) for each light whose ball the ray meets before `end`, and perhaps a few
-  /// that it barely misses.
+  /// Calls visit(light) for each light whose bounding sphere the ray hits before `end`, and
+  /// possibly for a few near misses.
   template <class Visit>
   void for_each_hit(const Ray& ray, float end, const Visit& visit) const {
     for (size_t top = 0; top * kWidth < branches_; ++top)
@@ -170,10 +171,9 @@ class LightTree {
 
   LightId first_ = 0;
   size_t size_ = 0, branches_ = 0;
-  std::vector<Node> nodes_;  ///< First those of the branches.
-  std::vector<uint32_t>
-      parents_;                   ///< Of each fork but those: the fork above times eight, and lane.
-  std::vector<uint32_t> leaves_;  ///< Of each light: its fork times eight, and lane.
+  std::vector<Node> nodes_;        ///< The branches' nodes come first.
+  std::vector<uint32_t> parents_;  ///< For each other node: its parent times eight, plus the lane.
+  std::vector<uint32_t> leaves_;   ///< For each light: its node times eight, plus the lane.
 };
 
 }  // namespace vug::render

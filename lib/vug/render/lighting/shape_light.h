@@ -1,5 +1,5 @@
-// A lamp made of a shape, a brightness and a profile: what rectangles, disks, balls, spots and
-// measured lamps have in common.
+// A light made of a shape, a radiance and an angular profile: the base of rectangle, disk, sphere,
+// spot and measured lights.
 #pragma once
 
 #include <vug/exchange/light.h>
@@ -11,18 +11,18 @@
 
 namespace vug::render {
 
-/// Shines alike in all directions that the shape does. Profiles tell the part, 0 to 1, of the
-/// radiance that leaves in a direction; the most of it that a point in that direction may see,
-/// given the sine of the angle that the shape fills (0: the point is not reached at all); and they
-/// narrow the bounds.
+/// Emits the same radiance in all directions. A profile returns the fraction (0 to 1) of the
+/// radiance that leaves in a direction. `upper_bound` is the largest fraction that a point in that
+/// direction may see, given the sine of the angle that the shape's bounding sphere subtends (0: the
+/// point is not lit at all). `tighten` narrows the bounds.
 struct UniformProfile {
   float operator()(const Vec3f&) const { return 1; }
   float upper_bound(const Vec3f&, float) const { return 1; }
   void tighten(LightBounds&) const {}
 };
 
-/// Shape has sample, pdf, hit, importance, importance_along, bounds, center, radius and tell, which
-/// tells a lamp's data what it is; a profile may have that, too.
+/// Shape has sample, pdf, hit, importance, importance_along, bounds, center, radius and export_to,
+/// which describes the shape to exchange::Light; a profile may have export_to, too.
 template <class Shape, class Profile = UniformProfile>
 class ShapeLight : public Light {
  public:

@@ -1,4 +1,4 @@
-// A lamp of a scene that stands in another scene.
+// Lights of instanced scenes, transformed to the scene that contains the instance.
 #pragma once
 
 #include <vug/base/transform.h>
@@ -6,9 +6,9 @@
 
 namespace vug::render {
 
-/// The lamp moved, turned, mirrored and made larger or smaller alike in all directions, with the
-/// radiance it has: a lamp of twice the size sends out four times the light. Error(bad_input) for
-/// maps that stretch it unevenly. Not for skies.
+/// The light with a similarity transform (rotation, reflection, uniform scale, translation) applied
+/// and its radiance unchanged: a light of twice the size emits four times the power.
+/// Error(bad_input) for a non-uniform scale. Not for infinite lights.
 LightPtr transformed_light(LightPtr light, const Transform& place, LightLinking linking);
 
 }  // namespace vug::render
