@@ -1,4 +1,4 @@
-// What cells carry: named columns of numbers, vectors or whole numbers, one value a cell.
+// The attributes of cells: named columns of numbers, vectors or integers, with one value per cell.
 #pragma once
 
 #include <vug/base/error.h>
@@ -13,13 +13,13 @@
 
 namespace vug::cells {
 
-/// What meshes and masks call 1 in cells that are gone from the surface (CellState::transparent),
-/// else 0.
+/// Attribute of meshes and masks that is 1 in cells removed from the surface
+/// (CellState::transparent), otherwise 0.
 inline constexpr std::string_view kTransparent = "transparent";
 
-/// How a cell takes part. Only receiving and active cells are rewritten; only distributing and
-/// active ones are seen by their neighbours. Transparent cells sleep and are gone from the surface,
-/// as when corroded.
+/// How a cell participates. Only receiving and active cells are updated; only distributing and
+/// active cells are visible to their neighbours. Transparent cells are inactive and removed from
+/// the surface, for example by corrosion.
 enum class CellState : uint8_t { sleeping, receiving, distributing, active, transparent };
 
 constexpr bool receives(CellState s) { return s == CellState::receiving || s == CellState::active; }
@@ -28,16 +28,16 @@ constexpr bool distributes(CellState s) {
 }
 std::string_view name_of(CellState state);
 
-/// Two buffers of one type: what is, and what a rule writes while it reads what is. `next` is empty
-/// until a rule writes the column; from then on it equals `now` for every cell between two rules
-/// that no rule will write before it is read.
+/// A double buffer: the current values, and the values that a rule writes while it reads the
+/// current ones. `next` is empty until a rule writes the column. From then on, between two rules,
+/// it equals `now` for every cell that no rule will write before it is read.
 template <class T>
 struct Column {
   std::vector<T> now;
   std::vector<T> next;
 };
 
-/// A name and values of one of the types.
+/// A name with values of one of the types.
 struct Attribute {
   std::string name;
   std::variant<Column<float>, Column<Vec3f>, Column<int32_t>> column;
@@ -46,21 +46,22 @@ struct Attribute {
   std::string_view type() const;
 };
 
-/// The attributes of one network's cells. References to columns stay good when others are added.
+/// The attributes of one network's cells. References to columns remain valid when others are added.
 class Attributes {
  public:
   explicit Attributes(size_t cells) : cells_(cells) {}
 
   size_t cells() const { return cells_; }
-  /// In the order in which they were added.
+  /// In the order of their addition.
   const std::deque<Attribute>& all() const { return all_; }
   std::deque<Attribute>& all() { return all_; }
   const Attribute* find(std::string_view name) const;
-  /// The same; Error(bad_input), with what there is, where it is not.
+  /// Like `find`, but throws Error(bad_input), listing the existing attributes, if there is none of
+  /// this name.
   const Attribute& need(const std::string& name) const;
 
-  /// The column of that name, added with `initial` in every cell where there is none.
-  /// Error(bad_input) where there is one of another type.
+  /// The column of this name; a new one starts with `initial` in every cell. Throws
+  /// Error(bad_input) if a column of another type exists.
   template <class T>
   Column<T>& column(const std::string& name, const T& initial = T(0)) {
     if (const Attribute* known = find(name)) {
@@ -71,7 +72,8 @@ class Attributes {
     all_.push_back({name, Column<T>{std::vector<T>(cells_, initial), {}}});
     return std::get<Column<T>>(all_.back().column);
   }
-  /// The values of a column that is there; Error(bad_input), with what there is, for others.
+  /// The values of an existing column; throws Error(bad_input), listing the existing ones, for
+  /// others.
   template <class T>
   const std::vector<T>& values(const std::string& name) const {
     const Attribute& known = need(name);

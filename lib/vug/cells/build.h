@@ -1,4 +1,5 @@
-// From a surface to a network: strewn, harmonised, linked, oriented.
+// Construction of a network from a surface: scattering, relaxation, linking and orientation of
+// cells.
 #pragma once
 
 #include <vug/cells/grid.h>
@@ -11,11 +12,11 @@ namespace vug::cells {
 
 struct BuildOptions {
   Grid grid;
-  double spacing = 0.02;  ///< Metres from cell to cell, about; above 0.
+  double spacing = 0.02;  ///< Approximate distance between cells in metres; above 0.
   RandomKey key{0};
   Force force = Force::squared;
-  std::optional<int> relax;  ///< Steps of harmonising; the grid's own number when not given.
-  uint64_t memory = 0;       ///< Bytes it may take at most; 0: what the machine has left.
+  std::optional<int> relax;  ///< Relaxation steps; default: the number of the grid.
+  uint64_t memory = 0;       ///< Memory limit in bytes; 0: the available memory of the machine.
 };
 
 struct BuildResult {
@@ -23,20 +24,20 @@ struct BuildResult {
   std::vector<RelaxStep> relaxing;
 };
 
-/// The same bytes for any number of threads and any order of polygons.
-/// Error(bad_input) where the spacing is larger than an object; Error(too_large) where cells would
-/// be too many to number or to hold in memory.
+/// The result has the same bytes for any number of threads and any order of polygons. Throws
+/// Error(bad_input) if the spacing is larger than an object; Error(too_large) if there are too many
+/// cells for the index type or the memory.
 BuildResult build(const Surface& surface, const BuildOptions& options,
                   Progress& progress = Progress::none());
 
-/// Cells that a surface of so many square metres will have, about.
+/// Approximate number of cells for a surface of this area in square metres.
 double estimate(double area, const Grid& grid, double spacing);
 inline double estimate(const Surface& surface, const Grid& grid, double spacing) {
   return estimate(surface.area(), grid, spacing);
 }
 
-/// What build refuses for its size: Error(too_large) where so many cells cannot be numbered, or
-/// not be strewn and linked within the options' memory.
+/// Throws Error(too_large) if this number of cells exceeds the index type, or cannot be scattered
+/// and linked within the memory limit.
 void require_memory(double cells, const BuildOptions& options);
 
 }  // namespace vug::cells

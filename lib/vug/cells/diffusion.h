@@ -1,4 +1,5 @@
-// How moisture creeps through rock in one step: rounds of explicit diffusion, each stable.
+// Diffusion of moisture through rock in one step: iterations of explicit diffusion, each
+// numerically stable.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -10,9 +11,11 @@ namespace vug::cells {
 
 struct DiffusionSteps {
   int rounds = 1;
-  double share = 0;  ///< Of what a cell has that a round gives to its neighbours, 0.8 at most.
+  double share = 0;  ///< Fraction of a cell's moisture that one iteration gives to its neighbours,
+                     ///< at most 0.8.
 
-  /// `creep`: metres that moisture spreads in a step, sqrt(4 D). A share a moves as D = a c^2 / 4.
+  /// `creep`: distance in metres that moisture spreads in a step, sqrt(4 D). A fraction a
+  /// corresponds to D = a c^2 / 4.
   DiffusionSteps(double creep, double spacing) {
     constexpr double kMost = 0.8;
     constexpr int kRounds = 64;
@@ -25,10 +28,10 @@ struct DiffusionSteps {
 template <class P>
 void describe_diffusion(Schema<P>& s) {
   s.param("creep", &P::creep,
-          positive_length("way that moisture spreads in a step, up to 7 spacings"))
+          positive_length("distance that moisture spreads in a step, up to 7 spacings"))
       .param("from", &P::from, {.doc = "the attribute that wets rock"})
       .param("full", &P::full,
-             {.doc = "value of that attribute with which rock is as wet as can be",
+             {.doc = "value of that attribute at which rock is saturated",
               .min = 0,
               .above_min = true});
 }

@@ -1,5 +1,6 @@
-// Which way water goes: how what leaves a cell is shared among its lower neighbours. More than one
-// gets some (Freeman 1991), so that flow follows slopes between the directions of links.
+// Flow directions of water: the distribution of a cell's outflow among its lower neighbours.
+// Several neighbours receive water (Freeman 1991), so the flow follows slopes between the
+// directions of links.
 #pragma once
 
 #include <vug/cells/pass.h>
@@ -7,28 +8,28 @@
 namespace vug::cells {
 
 struct FlowOptions {
-  int gather = 2;       ///< Power of the steepness that a lower neighbour's share goes with.
-  double wander = 0.3;  ///< Spacings by which cells of a wall are higher or lower by chance.
-  double cling = 0;     ///< How much water follows water: dry neighbours get so much less.
+  int gather = 2;       ///< Exponent of the steepness in a lower neighbour's share.
+  double wander = 0.3;  ///< Random offset of the cells on walls, in spacings.
+  double cling = 0;     ///< Cohesion of water: reduces the share of dry neighbours.
 };
 
-/// Of one step. A neighbour is lower when its level is: its height above the origin and what the
-/// attribute `height` (metres along N) has raised or carved; on walls, whose height that does not
-/// change, half of it counts all the same, so that water stays in grooves. Water that clings
-/// prefers neighbours that carry more of the attribute `water`: rivulets keep together and join.
+/// The flow in one step. A neighbour is lower if its level is: its height above the origin plus the
+/// attribute `height` (metres along N, raised or carved). On walls `height` does not change the
+/// elevation, but half of it counts nevertheless, so that water stays in grooves. With cohesion,
+/// water prefers neighbours with more of the attribute `water`: rivulets keep together and join.
 class Flow {
  public:
   Flow(const Pass& pass, RandomKey key, const FlowOptions& options);
 
-  /// Metres, for comparing neighbours.
+  /// Level in metres, for comparison between neighbours.
   float level(uint32_t cell) const { return level_[cell]; }
-  /// Whether no neighbour that can be reached is lower: water falls off or soaks in.
+  /// Whether no reachable neighbour is lower: water falls off or soaks in.
   bool is_sink(uint32_t cell) const { return !(total_[cell] > 0); }
-  /// Metres by which the lowest neighbour stands above a cell where water ends; 0 elsewhere.
+  /// Metres by which the lowest neighbour is above a sink; 0 for other cells.
   float sink_depth(uint32_t cell) const { return sink_depth_[cell]; }
-  /// The greatest drop to a neighbour, metres a metre: 0 level, 1 straight down.
+  /// The steepest drop to a neighbour in metres per metre: 0 level, 1 vertical.
   float steepness(uint32_t cell) const { return steep_[cell]; }
-  /// What the neighbours above send to a cell if each gives away all of its `amount`.
+  /// Total inflow from the neighbours above, if each gives away all of its `amount`.
   template <class Amount>
   float inflow(const Amount& amount, uint32_t cell) const {
     float sum = 0;
@@ -40,10 +41,10 @@ class Flow {
  private:
   const Links* links_;
   std::vector<float> level_, total_, steep_, sink_depth_;
-  std::vector<float> share_;  ///< For each link, what its far end sends to its near end.
+  std::vector<float> share_;  ///< For each link, the share that its far end sends to its near end.
 };
 
-/// Moves from cell to cell in this step at a speed of so many metres a step; 1000 at most.
+/// Number of moves from cell to cell in this step, at a speed in metres per step; at most 1000.
 int moves_in_step(double speed, double spacing, int step);
 
 }  // namespace vug::cells

@@ -1,6 +1,6 @@
-// Which way is right: a tangent frame for every cell, so that rules can ask for the neighbour
-// above. The paper leaves this open (gobron2006, section 4.4): its cells know who their neighbours
-// are, not where.
+// A tangent frame for every cell, so that rules can access the neighbour in a direction, such as
+// above. The paper leaves this open (gobron2006, section 4.4): its cells know their neighbours but
+// not their directions.
 #pragma once
 
 #include <vug/cells/network.h>
@@ -9,23 +9,23 @@
 
 namespace vug::cells {
 
-/// Fills `right`. On slopes of more than 18 degrees it is level, up x normal: seen from outside it
-/// points to the right, and `ahead` straight up the slope. Floors and ceilings have no such way: it
-/// is carried on to them from the slopes around, link by link without twist (parallel transport),
-/// and evened out. A piece without slopes begins with the x axis. Turning once around a peak or a
-/// pit leaves a place where frames disagree, as on any hairy ball.
+/// Computes `right`. On slopes of more than 18 degrees it is horizontal, up x normal: seen from
+/// outside it points to the right, and `ahead` points straight up the slope. Floors and ceilings
+/// have no such direction; they inherit it from the surrounding slopes, link by link without twist
+/// (parallel transport), followed by smoothing. A component without slopes starts with the x axis.
+/// Around a peak or a pit there is always a point where frames disagree (the hairy ball theorem).
 void orient(Network& network);
 
-/// A tangent vector at a place with normal `from` as it is at one with normal `to`: turned with the
-/// normal by the shortest way.
+/// Transports a tangent vector from a point with normal `from` to one with normal `to`, by the
+/// smallest rotation of the normal.
 inline Vec3f parallel_transport(const Vec3f& v, const Vec3f& from, const Vec3f& to) {
   const float sum = 1 + from.dot(to);
   return sum > 1e-6f ? v - (from + to) * (v.dot(to) / sum) : v;
 }
 
-/// The neighbour whose direction, seen along the tangent plane, is nearest to `way` (any length);
-/// nothing when none lies within 60 degrees of it, or `way` stands on the plane. With (0, 1, 0) it
-/// is the neighbour uphill, with -wind the one upwind.
+/// The neighbour whose direction, projected onto the tangent plane, is nearest to `way` (any
+/// length). Nothing if none lies within 60 degrees, or if `way` is perpendicular to the plane. (0,
+/// 1, 0) selects the uphill neighbour, -wind the upwind one.
 std::optional<uint32_t> neighbour_toward(const Network& network, uint32_t cell, const Vec3f& way);
 
 enum class Side { right, up, left, down };

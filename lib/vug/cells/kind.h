@@ -1,10 +1,10 @@
-// What a file of a grid needs.
+// Definitions for the source file of a grid.
 #pragma once
 
 #include <vug/base/kind.h>
 #include <vug/cells/grid.h>
 
-/// Opens the one definition that the file of a grid exports; see VUG_EXPORT_KIND.
+/// Opens the one definition exported by the file of a grid; see VUG_EXPORT_KIND.
 #define VUG_GRID_KIND(name) VUG_EXPORT_KIND(vug::cells, GridKind, name##_grid)
 
 namespace vug::cells {

@@ -1,4 +1,4 @@
-// Which cells become neighbours.
+// Linking of neighbouring cells.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -7,11 +7,11 @@
 
 namespace vug::cells {
 
-/// The network of cells at these places: brought into an order that follows space, and linked.
-/// Each cell holds on to the `full` nearest of those within `reach` (metres, over the surface by
-/// surface_distance2; of equally near ones to those first in the order). A link is made where both
-/// hold on to each other, so links are mutual and nobody has more than `full`. Areas are shared out
-/// of `area`, the surface's, by the squared length of links. `right` stays empty.
+/// Builds the network of cells at these points: sorts them along a space-filling order and links
+/// them. Each cell selects the `full` nearest cells within `reach` (metres over the surface by
+/// surface_distance2; ties are resolved by order). A link is created if both cells select each
+/// other, so links are mutual and no cell has more than `full`. The surface's `area` is distributed
+/// in proportion to the squared length of links. `right` remains empty.
 Network link(const std::vector<SurfacePoint>& places, const Surface& surface, double spacing,
              double reach, uint32_t full, Progress& progress = Progress::none());
 

@@ -1,4 +1,4 @@
-// Which cells are neighbours: rows of indices in compressed form.
+// Adjacency of cells in compressed sparse rows.
 #pragma once
 
 #include <vug/base/parallel.h>
@@ -10,10 +10,10 @@
 
 namespace vug::cells {
 
-/// Neighbours of cell i: to[begin[i]] .. to[begin[i + 1] - 1], by rising index. A network's links
-/// are mutual: each stands in both rows.
+/// Neighbours of cell i: to[begin[i]] .. to[begin[i + 1] - 1] in ascending order. A network's links
+/// are mutual: each appears in both rows.
 struct Links {
-  std::vector<uint32_t> begin{0};  ///< One more than there are cells.
+  std::vector<uint32_t> begin{0};  ///< Number of cells plus one.
   std::vector<uint32_t> to;
 
   size_t size() const { return begin.size() - 1; }
@@ -24,8 +24,8 @@ struct Links {
   bool operator==(const Links&) const = default;
 };
 
-/// Links of `cells` rows: `collect(cell, add)` calls add(neighbour) in the order of the row. It is
-/// called twice for each cell and must do the same both times. Parallel.
+/// Builds `cells` rows: `collect(cell, add)` calls add(neighbour) in the order of the row. It is
+/// called twice per cell, in parallel, and must behave identically both times.
 template <class Collect>
 Links make_links(size_t cells, const Collect& collect) {
   constexpr size_t kGrain = 4096;

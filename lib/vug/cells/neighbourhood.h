@@ -1,5 +1,5 @@
-// What a rule sees of a cell's neighbours: those that distribute. The kinds below do the same;
-// which one a rule meets depends on how much has to be looked at.
+// The neighbours of a cell that are visible to a rule, that is, those that distribute. The types
+// below have the same interface; the required checks determine which one a rule receives.
 #pragma once
 
 #include <vug/cells/attributes.h>
@@ -7,22 +7,21 @@
 
 namespace vug::cells {
 
-/// Links ahead of the cell at work that are called into the cache. They are read once and in order,
-/// but processors fetch too little ahead between the scattered reads of neighbours: without this
-/// life takes 1.7 times as long.
+/// Prefetch distance in links. Links are read once and in order, but hardware prefetching is too
+/// short between the scattered reads of neighbours: without this, life takes 1.7 times as long.
 inline constexpr size_t kAhead = 1024;
 
-/// Says that a sum of whole numbers is needed after each neighbour. Otherwise the compiler reads
-/// eight at once by one instruction, which takes longer than eight.
+/// Forces the compiler to update an integer sum after each neighbour. Otherwise it gathers eight
+/// values with one instruction, which is slower than eight loads.
 inline void one_by_one(uint32_t& sum) { asm("" : "+r"(sum)); }
 
-/// Some cells may be silent.
+/// Some cells may not distribute.
 struct MixedNeighbourhood {
   const uint32_t* begin;
   const uint32_t* to;
   const CellState* state;
 
-  /// Calls f(neighbour) by rising index; returns how many there were.
+  /// Calls f(neighbour) in ascending order and returns the number of calls.
   template <class F>
   uint32_t each(uint32_t cell, const F& f) const {
     uint32_t count = 0;
@@ -32,7 +31,7 @@ struct MixedNeighbourhood {
   }
 };
 
-/// Every cell is heard.
+/// All cells distribute.
 struct UniformNeighbourhood {
   const uint32_t* begin;
   const uint32_t* to;
@@ -46,7 +45,7 @@ struct UniformNeighbourhood {
   }
 };
 
-/// And each cell of the block has the same number of links.
+/// All cells distribute, and each cell of the block has the same number of links.
 template <uint32_t kLinks>
 struct RegularNeighbourhood {
   const uint32_t* to;  ///< Links of the cell `first`.

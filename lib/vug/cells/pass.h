@@ -1,4 +1,4 @@
-// One pass of a rule over the cells: its attributes, and the loops that run its kernel.
+// One pass of a rule over the cells: access to attributes, and the loops that run its kernel.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -15,7 +15,7 @@ struct AttributeReader {
   const T& operator[](uint32_t cell) const { return now[cell]; }
 };
 
-/// Reads what is, writes what will be. A kernel sets every cell that it is given.
+/// Reads current values and writes next values. A kernel sets every cell that it is called for.
 template <class T>
 struct AttributeWriter {
   const T* now;
@@ -24,14 +24,14 @@ struct AttributeWriter {
   void set(uint32_t cell, const T& value) const { next[cell] = value; }
 };
 
-/// A number that somebody may have brought: `otherwise` in every cell where nobody has.
+/// A number that may not exist: `otherwise` in every cell if it does not.
 struct OptionalReader {
   const float* now;
   float otherwise;
   float operator[](uint32_t cell) const { return now ? now[cell] : otherwise; }
 };
 
-/// Any attribute as numbers, of a vector the mean of its parts; 0 where there is none.
+/// Any attribute as numbers (the mean of the components of a vector); 0 if it does not exist.
 struct NumericReader {
   const Attribute* of;
   float operator[](uint32_t cell) const {
@@ -46,7 +46,7 @@ struct NumericReader {
   static float number(const Vec3f& value) { return (value.x + value.y + value.z) / 3; }
 };
 
-/// Of two attributes.
+/// Values of two attributes.
 struct FloatPair {
   float a, b;
 };
@@ -58,55 +58,54 @@ class Pass {
   Pass(Simulation& simulation, RandomKey key, int step, const std::vector<uint8_t>* where);
 
   const Network& network() const { return *network_; }
-  /// Steps since the stage began: 0 in its first.
+  /// Steps since the stage began: 0 in the first.
   int step() const { return step_; }
-  /// Of the stage, the same in every step.
+  /// The key of the stage, constant over all steps.
   RandomKey key() const { return key_; }
-  /// Of one cell in this step.
+  /// A random stream for one cell in this step.
   RandomStream random(uint32_t cell) const {
     return RandomStream(
         key_.at(position_key(network_->position[cell])).at(static_cast<uint64_t>(step_)));
   }
 
-  /// The attribute of that name; one that is not there starts with `initial` everywhere.
+  /// The attribute of this name; a new one starts with `initial` everywhere.
   template <class T>
   AttributeReader<T> reads(const std::string& name, const T& initial = T(0));
   template <class T>
   AttributeWriter<T> writes(const std::string& name, const T& initial = T(0));
-  /// The same without bringing it.
+  /// Reads an attribute without creating it.
   OptionalReader reads_optional(const std::string& name, float otherwise) const;
-  /// And so that whoever runs the simulation knows that it had better be there.
+  /// The same, and records that the simulation's owner should provide the attribute.
   OptionalReader reads_expected(const std::string& name, float otherwise) const;
   bool has(const std::string& name) const;
-  /// Of whatever type, for a rule whose text names it.
+  /// Reads an attribute of any type that the rule's parameters name.
   NumericReader reads_as_numbers(const std::string& name) const;
-  /// What a mask says of a cell.
+  /// Evaluates a mask at a cell.
   double evaluate(const paint::Mask& mask, uint32_t cell) const;
-  /// Where cells are now.
+  /// Current positions of the cells.
   AttributeReader<Vec3f> positions() const;
-  /// Where cells have moved to ("P") and how they face ("N"); at first as in the network.
+  /// Current positions ("P") and normals ("N") of the cells, initially those of the network.
   AttributeWriter<Vec3f> writes_positions();
   AttributeWriter<Vec3f> writes_normals();
   AttributeReader<CellState> states() const { return {states_->data()}; }
   AttributeWriter<CellState> writes_states();
 
-  /// Cells less than `radius` metres apart through the air, whose normals do not oppose: made once
-  /// for each radius.
+  /// Links between cells less than `radius` metres apart (straight-line distance) whose normals are
+  /// not opposite; computed once per radius.
   const Links& within(double radius);
 
-  /// kernel(neighbours, cell) for all cells that receive (and, with a mask, are in it), in
-  /// parallel; neighbours.each(cell, f) calls f for the neighbours that distribute. What it has set
-  /// becomes what is. A rule that runs several kernels in a step asks for its attributes before
-  /// each.
+  /// Calls kernel(neighbours, cell) in parallel for all receiving cells (inside the mask, if any);
+  /// neighbours.each(cell, f) calls f for the distributing neighbours. The written values then
+  /// become current. A rule that runs several kernels per step requests its attributes before each.
   template <class Kernel>
   void run(const Kernel& kernel);
-  /// The same for two numbers that spread: what is next is react(own, sum, count), of the sums over
-  /// the `count` neighbours that distribute. Neighbours are fetched once for both, and react is
-  /// called for several cells at once where it has no branches.
+  /// The same for two numbers that spread: the next values are react(own, sum, count), with sums
+  /// over the `count` distributing neighbours. Neighbours are fetched once for both numbers, and
+  /// `react` is vectorised if it has no branches.
   template <class React>
   void run_on_sums(const AttributeWriter<float>& a, const AttributeWriter<float>& b,
                    const React& react);
-  /// For all cells, whatever their state.
+  /// For all cells in any state.
   template <class Kernel>
   void run_everywhere(const Kernel& kernel);
 
@@ -116,14 +115,14 @@ class Pass {
   AttributeWriter<T> write(Column<T>& column);
   template <class Kernel>
   void run_block(uint32_t block, const Kernel& kernel) const;
-  /// Cells of a block in which all receive and hear all their neighbours.
+  /// For cells of a block in which all cells receive and all neighbours distribute.
   template <class Kernel>
   void run_distributing(uint32_t block, uint32_t from, uint32_t end, const Kernel& kernel) const;
-  /// The cells of a block that are to be given; the others that receive keep what they have.
+  /// Selects the cells of a block to process; the other receiving cells keep their values.
   uint32_t pick(uint32_t block, uint32_t* picked) const;
   void keep(uint32_t cell) const;
-  /// Swaps what was written, and puts cells that fell asleep (or were written in their sleep) to
-  /// rest.
+  /// Swaps the written columns and copies the values of cells that became inactive (or were written
+  /// while inactive).
   void finish(const std::vector<uint32_t>& blocks, bool everywhere);
 
   Simulation* simulation_;

@@ -33,7 +33,7 @@ void Pass::run_distributing(uint32_t block, uint32_t from, uint32_t end,
   const Links& links = network_->links;
   const uint32_t first = blocks_->first(block);
   const auto over = [&](const auto& neighbours) {
-    const Kernel own = kernel;  // where the compiler sees that nothing else changes it
+    const Kernel own = kernel;  // local copy, so that the compiler knows that it does not change
     for (uint32_t i = from; i < end; ++i) own(neighbours, i);
   };
   const uint32_t* to = links.to.data() + links.begin[first];

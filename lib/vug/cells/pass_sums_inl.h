@@ -1,5 +1,6 @@
-// Pass::run_on_sums. Neighbours lie all over memory, and two attributes of a cell in two places: so
-// a block copies what is around it in pairs, short enough for the second cache, and sums those.
+// Pass::run_on_sums. Neighbours are scattered in memory, and two attributes of a cell are in two
+// places. Therefore a block copies its surroundings as pairs that fit into the second-level cache,
+// and sums those.
 #pragma once
 
 #include <vug/cells/pass_inl.h>
@@ -8,7 +9,7 @@
 
 namespace vug::cells {
 
-/// FloatPair attributes of a block and of all that it is linked to, in pairs.
+/// Two attributes of a block and of all cells linked to it, interleaved.
 class Pairs {
  public:
   using Quad = float __attribute__((vector_size(16)));
@@ -23,8 +24,8 @@ class Pairs {
     pair[0] = pair[1] = 0;
   }
 
-  /// Adds a cell's pair to the first two of a sum. It reads the next pair as well, whose sum nobody
-  /// asks for: so an addition and its reading are one instruction.
+  /// Adds a cell's pair to the first two lanes of a sum. It also loads the next pair, whose sum is
+  /// unused, so that load and addition are one instruction.
   struct Adder {
     const float* pairs;
     void operator()(uint32_t cell, Quad& sum) const {

@@ -1,4 +1,4 @@
-// How even a network is.
+// Uniformity of a network.
 #pragma once
 
 #include <vug/cells/network.h>
@@ -9,10 +9,10 @@ namespace vug::cells {
 
 struct Quality {
   double nearest = 0;               ///< Mean distance to the nearest linked cell, metres.
-  double variation = 0;             ///< Standard deviation of that distance as a share of the mean.
-  std::array<size_t, 9> degrees{};  ///< How many cells have so many links.
+  double variation = 0;             ///< Standard deviation of that distance relative to the mean.
+  std::array<size_t, 9> degrees{};  ///< Number of cells by number of links.
 
-  /// Share of the cells that have `low` to `high` links.
+  /// The fraction of cells with `low` to `high` links.
   double share(size_t low, size_t high) const;
 };
 

@@ -1,5 +1,5 @@
-// A rule: how a cell's next state follows from its own and its neighbours' present one. All cells
-// step at once; what one writes, others read in the next pass.
+// A rule: the transition from the current state of a cell and its neighbours to its next state. All
+// cells are updated synchronously; values written are read in the next pass.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -7,7 +7,7 @@
 
 #include <memory>
 
-/// Opens the one definition that the file of a rule exports; see VUG_EXPORT_KIND.
+/// Opens the one definition exported by the file of a rule; see VUG_EXPORT_KIND.
 #define VUG_RULE_KIND(name) VUG_EXPORT_KIND(vug::cells, RuleKind, name##_rule)
 
 namespace vug::cells {
@@ -15,11 +15,12 @@ namespace vug::cells {
 class Rule {
  public:
   virtual ~Rule() = default;
-  /// One step for all cells that receive: asks the pass for its attributes and runs a kernel.
+  /// Performs one step for all receiving cells: requests attributes from the pass and runs a
+  /// kernel.
   virtual void step(Pass& pass) const = 0;
-  /// Whether it is for a single step where nobody says how many.
+  /// Whether the default number of steps is one.
   virtual bool is_single_step() const { return false; }
-  /// The attributes at which masks of its parameters look.
+  /// The attributes used by masks among its parameters.
   virtual paint::AttributeUses mask_attributes() const { return {}; }
 };
 
@@ -28,9 +29,9 @@ using RuleKind = Kind<RulePtr>;
 
 const Kinds<RulePtr>& rules();
 
-/// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
-/// `void step(Pass&) const`; with `static constexpr bool kSingleStep = true` it is for a single
-/// step, with `paint::AttributeUses mask_attributes() const` it has masks.
+/// A kind whose parameter struct P has `static void describe(Schema<P>&)` and `void step(Pass&)
+/// const`; with `static constexpr bool kSingleStep = true` it is for a single step, with
+/// `paint::AttributeUses mask_attributes() const` it has masks.
 template <class P>
 RuleKind rule_kind(std::string name) {
   struct RuleAdapter final : Rule {

@@ -1,4 +1,4 @@
-// Where cells are laid: a grid's pattern on each facet of a surface, made one along the seams.
+// Initial placement of cells: a grid's pattern on each facet of a surface, joined along the seams.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -8,11 +8,12 @@
 
 namespace vug::cells {
 
-/// Lays the pattern on every triangle (cells/lattice.h); of cells that come too close to another
-/// where facets meet one goes (`thin` of the grid), and darts fill the gaps that are left (`gap`).
-/// A random grid is all darts, a Poisson-disk set [@cook1986stochastic]. What is close is judged by
-/// surface_distance2, so the sides of a thin wall do not know of each other. Randomness comes from
-/// `key` and from where a triangle lies: other polygons and their order do not matter.
+/// Places the pattern on every triangle (cells/lattice.h). Of cells that are too close to each
+/// other where facets meet, one is removed (`thin` of the grid), and dart throwing fills the
+/// remaining gaps (`gap`). A random grid uses dart throwing only, which gives a Poisson-disk set
+/// [@cook1986stochastic]. Distances are those of surface_distance2, so the sides of a thin wall are
+/// independent. Random numbers derive from `key` and the position of a triangle: other polygons and
+/// their order are irrelevant.
 std::vector<SurfacePoint> scatter_cells(const Surface& surface, const Grid& grid, double spacing,
                                         RandomKey key, Progress& progress = Progress::none());
 

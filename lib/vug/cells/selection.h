@@ -1,4 +1,4 @@
-// How many of the cells a rule chooses.
+// Random selection of a fraction of the cells.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -6,26 +6,28 @@
 
 namespace vug::cells {
 
-/// A share of the cells, or so many that they are so far apart, which stays the same when the
-/// spacing changes.
+/// A fraction of the cells, or a distance between selected cells, which is independent of the
+/// spacing.
 struct CellSelection {
   double share = 1;
-  double apart = 0;  ///< Metres from one to the next, about; 0: `share` says.
+  double apart = 0;  ///< Approximate distance between selected cells in metres; 0: use `share`.
 
-  /// Of being chosen, for a cell that stands for so many square metres.
+  /// The probability that a cell is selected, given its area.
   double at(const Network& network, uint32_t cell) const {
     return apart > 0 ? static_cast<double>(network.area[cell]) / (apart * apart) : share;
   }
 };
 
-/// Its two parameters, of a rule's struct that is derived from it.
+/// Describes the two parameters for a rule's struct derived from CellSelection.
 template <class P>
 void describe_selection(Schema<P>& s) {
-  s.param(
-       "share", &P::share,
-       {.doc = "of the cells, chosen by chance", .dimension = Dimension::ratio, .min = 0, .max = 1})
+  s.param("share", &P::share,
+          {.doc = "fraction of the cells, chosen at random",
+           .dimension = Dimension::ratio,
+           .min = 0,
+           .max = 1})
       .param("apart", &P::apart,
-             {.doc = "instead of a share: one for each square with this side",
+             {.doc = "instead of a share: one cell for each square with this side",
               .dimension = Dimension::length,
               .min = 0});
 }

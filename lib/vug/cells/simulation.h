@@ -1,4 +1,4 @@
-// Rules at work on a network: attributes, states and the clock.
+// Simulation of rules on a network: attributes, states and the step counter.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -15,22 +15,25 @@ namespace vug::cells {
 
 class Rule;
 
-/// A rule and when and where it works.
+/// A rule with the time and place of its application.
 struct Stage {
   std::shared_ptr<const Rule> rule;
-  std::string name{};            ///< Keys its random choices: stages of one name choose the same.
-  int begin = 0;                 ///< Its first step.
-  int steps = -1;                ///< How many it works for; below 0: to the end.
-  std::vector<uint8_t> where{};  ///< 1 for each cell it may rewrite; empty: all.
-  /// In place of that the chance of each cell. One that looks at attributes is asked anew in every
-  /// step; the same draw decides each time, so that cells do not flicker.
+  std::string
+      name{};      ///< Key of its random choices: stages with the same name make the same choices.
+  int begin = 0;   ///< First step.
+  int steps = -1;  ///< Number of steps; negative: until the end.
+  std::vector<uint8_t> where{};  ///< 1 for each cell it may change; empty: all.
+  /// Alternative to `where`: the probability for each cell. A mask that uses attributes is
+  /// evaluated in every step; the random number of a cell remains the same, so cells do not
+  /// flicker.
   paint::Mask mask = nullptr;
-  RandomKey draws{0};  ///< Keys those draws.
+  RandomKey draws{0};  ///< Key of these random numbers.
 };
 
-/// Within a step the stages work in their order. Each rewrites all its cells at once, from what the
-/// stages before it have left: one that is first of its step reads what the last step left. So any
-/// number of rules can share cells and even attributes. The same bytes for any number of threads.
+/// Within a step the stages run in order. Each updates all its cells at once from the values that
+/// the previous stages left; the first stage reads the values of the previous step. Therefore any
+/// number of rules can share cells and even attributes. The results have the same bytes for any
+/// number of threads.
 class Simulation {
  public:
   Simulation(NetworkPtr network, RandomKey key);
@@ -38,30 +41,30 @@ class Simulation {
   const Network& network() const { return *network_; }
   Attributes& attributes() { return attributes_; }
   const Attributes& attributes() const { return attributes_; }
-  /// All cells are active at first.
+  /// All cells are active initially.
   const std::vector<CellState>& states() const { return states_.now; }
   void set_states(std::vector<CellState> states);
 
-  /// The level sets whose surfaces the objects are, by their numbers, for masks; null or not there
-  /// where there is none.
+  /// The level sets of the objects for masks, by object index; null or missing for objects without
+  /// one.
   void set_solids(std::vector<std::shared_ptr<const field::SampledGrid>> solids) {
     solids_ = std::move(solids);
   }
-  /// What a mask says of a cell as it is now; attributes that nobody has brought yet are 0 to it.
+  /// Evaluates a mask at the current state of a cell; attributes that do not exist are 0.
   double evaluate(const paint::Mask& mask, uint32_t cell) const;
-  /// Attributes that rules want (Pass::reads_expected), or cannot do without: true
+  /// Attributes that rules expect (Pass::reads_expected), with true if they require them
   /// (Pass::reads_as_numbers).
   const std::map<std::string, bool>& requested_attributes() const { return requested_; }
 
-  uint64_t bytes() const;  ///< That it holds, with its network.
+  uint64_t bytes() const;  ///< Memory use, including the network.
 
-  /// Steps done so far.
+  /// Completed steps.
   int step() const { return step_; }
-  /// As if so many had been done, for whoever also sets what they have left.
+  /// Sets the step counter; the caller must also restore the corresponding attributes.
   void set_step(int step) { step_ = step; }
-  /// Goes on by so many steps, and calls `after` (if any) when one is done. Error(bad_input) where
-  /// stages disagree about an attribute's type, or a mask is not as long as there are cells. After
-  /// Error(cancelled), too, the steps are whole: it can go on.
+  /// Performs `steps` more steps and calls `after` (if any) after each. Throws Error(bad_input) if
+  /// stages disagree about an attribute's type, or if a mask and the cells differ in number. Steps
+  /// are complete even after Error(cancelled), so the simulation can continue.
   void run(const std::vector<Stage>& stages, int steps, Progress& progress = Progress::none(),
            const std::function<void()>& after = nullptr);
 

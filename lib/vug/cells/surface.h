@@ -1,4 +1,4 @@
-// What cells are strewn on: the triangles of one or several meshes as one surface.
+// The surface that carries cells: the triangles of one or several meshes.
 #pragma once
 
 #include <vug/mesh/box_tree.h>
@@ -9,40 +9,40 @@
 
 namespace vug::cells {
 
-/// A place on a surface.
+/// A point on the surface.
 struct SurfacePoint {
   Vec3f position;
-  Vec3f normal;  ///< Unit; the mesh's where it has normals that agree with the triangle, up to 60
-                 ///< degrees, else the triangle's.
+  Vec3f normal;  ///< Unit length; the interpolated normal if the mesh has normals within 60 degrees
+                 ///< of the triangle's, otherwise the triangle's normal.
   uint32_t triangle = 0;
 };
 
 std::vector<Vec3f> positions(const std::vector<SurfacePoint>& places);
 
-/// Triangles in an order that depends on where they are, not on how the meshes number them.
+/// Triangles sorted by position, independent of their numbering in the meshes.
 class Surface {
  public:
   struct Triangle {
-    std::array<Vec3f, 3> corners;  ///< The smallest (by x, y, z) first.
-    std::array<Vec3f, 3> normals;  ///< At the corners; all 0 where the mesh has none.
-    uint32_t object = 0;           ///< Number of the mesh.
+    std::array<Vec3f, 3> corners;  ///< The smallest corner (by x, y, z) first.
+    std::array<Vec3f, 3> normals;  ///< At the corners; all 0 if the mesh has none.
+    uint32_t object = 0;           ///< Index of the mesh.
   };
 
-  /// Polygons without area are left out. Error(bad_input) for a mesh that mesh::validate refuses
-  /// (indices, lengths, numbers that are not finite), one without any area, and one whose
-  /// neighbouring triangles disagree about the outside, which cells could not tell from a thin
-  /// wall. Holes and open edges are fine.
+  /// Polygons without area are ignored. Throws Error(bad_input) for a mesh that mesh::validate
+  /// refuses (indices, lengths, numbers that are not finite), a mesh without area, and a mesh whose
+  /// neighbouring triangles disagree about the outside, because cells could not distinguish it from
+  /// a thin wall. Holes and open edges are allowed.
   explicit Surface(const std::vector<mesh::MeshPtr>& objects);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
   double area() const { return area_; }  ///< Square metres.
   const Box3d& bounds() const { return bounds_; }
-  /// The box of the smallest object's diagonal, metres.
+  /// The diagonal of the smallest object's bounding box, metres.
   double least_size() const { return least_size_; }
 
   double area(uint32_t triangle) const;
   Vec3d face_normal(uint32_t triangle) const;
-  /// The place with shares u and v of the second and third corner.
+  /// The point with barycentric weights u and v of the second and third corner.
   SurfacePoint at(uint32_t triangle, double u, double v) const;
 
  private:
@@ -52,14 +52,14 @@ class Surface {
   Box3d bounds_;
 };
 
-/// Finds the way back to a surface for cells that left it.
+/// Projects cells that left the surface back onto it.
 class SurfaceSearch {
  public:
   explicit SurfaceSearch(const Surface& surface);
 
-  /// The way back from p, which is `limit` metres from the place `from`: straight down to its
-  /// triangle, else to the nearest point on any triangle that faces about the same way; `from`
-  /// where there is none within the limit.
+  /// Projects p, which is `limit` metres from the point `from`: perpendicularly onto its triangle,
+  /// otherwise to the nearest point on any triangle with a similar normal. Returns `from` if there
+  /// is none within the limit.
   SurfacePoint nearest(const Vec3f& p, const SurfacePoint& from, float limit) const;
 
  private:

@@ -1,4 +1,4 @@
-// How far two places of a surface are apart along it, judged from their normals alone.
+// Distance between two points along a surface, estimated from their normals.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -8,11 +8,12 @@
 
 namespace vug::cells {
 
-/// Squared distance over the surface between places a and b with unit normals. Where the normals
-/// differ by less than 60 degrees it is the distance through the air. Elsewhere the way leads over
-/// the line in which the two tangent planes meet: of a = s_a + s_b across the fold and of t along
-/// it. Both sides of a wall have planes that never meet, so they are infinitely far apart however
-/// thin the wall; across an edge or into a corner the way is exact.
+/// Squared distance over the surface between points a and b with unit normals. If the normals
+/// differ by less than 60 degrees it is the straight-line distance. Otherwise the path crosses the
+/// line in which the two tangent planes intersect: its length has the components s_a + s_b across
+/// the fold and t along it. The planes of both sides of a wall never intersect, so these are
+/// infinitely far apart however thin the wall; across an edge or into a corner the distance is
+/// exact.
 inline float surface_distance2(const Vec3f& a, const Vec3f& normal_a, const Vec3f& b,
                                const Vec3f& normal_b) {
   const Vec3f d = b - a;

@@ -1,4 +1,4 @@
-// What cells carry, at the vertices of a mesh: smooth from cell to cell.
+// Transfer of cell attributes to the vertices of a mesh by smooth interpolation.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -7,30 +7,30 @@
 
 namespace vug::cells {
 
-/// Attributes that move a surface: where cells are now, and metres along the surface's normal.
+/// Attributes that move a surface: current positions, and metres along the surface normal.
 inline constexpr std::string_view kPlace = "P";
 inline constexpr std::string_view kHeight = "height";
 
 struct TransferOptions {
-  bool move = false;  ///< Take the mesh's vertices along where kPlace and kHeight say so.
+  bool move = false;  ///< Move the mesh's vertices according to kPlace and kHeight.
 };
 
-/// Adds every attribute of the simulation's cells (but "P" and "N") and kTransparent to the mesh,
-/// in place of those of the same name.
+/// Adds every attribute of the simulation's cells (except "P" and "N") and kTransparent to the
+/// mesh, replacing those of the same name.
 ///
-/// A vertex gets the mean over the cells nearer than the reach, a Shepard mean with weights
-/// (1 - d²/r²)² max(0, n·n')²: they and their slopes fall to 0 at the reach r and where the normals
-/// n stand across each other, so neither facets show nor the far side of a thin wall. r is the
-/// network's reach, or the mean edge of a mesh that is coarser, so that no cell is passed over;
-/// around a vertex that no cell is near, as where a normal points astray, it is doubled until
-/// there is one. A mean lies between what it is taken of: what is the same in all cells stays so
-/// exactly, and a function of slope g is met within g r.
+/// A vertex gets a Shepard mean over the cells within the reach, with weights (1 - d²/r²)² max(0,
+/// n·n')². The weights and their derivatives vanish at the reach r and where the normals n are
+/// perpendicular, so neither facets nor the far side of a thin wall show. r is the network's reach,
+/// or the mean edge length of a coarser mesh, so that no cell is skipped. It is doubled around a
+/// vertex without cells, for example with a wrong normal, until there is one. The mean lies between
+/// its inputs: constants are reproduced exactly, and a function of slope g with an error of at most
+/// g r.
 ///
-/// Vertices move by the mean way of the cells around them, as far as these have gone, and by the
-/// mean height along their own normal; normals turn as the triangles around them do.
-/// Error(bad_input) where a vertex would not go to a place that is finite.
+/// Vertices move by the mean displacement of the surrounding cells and by the mean height along
+/// their own normal; normals rotate like the surrounding triangles. Throws Error(bad_input) if the
+/// new position of a vertex would not be finite.
 ///
-/// Cells without colour (Cd of 0) count with the colour that the mesh has at the vertex.
+/// Cells without colour (Cd of 0) contribute the mesh's colour at the vertex.
 void transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
                       const TransferOptions& options = {}, Progress& progress = Progress::none());
 

@@ -1,4 +1,5 @@
-// Automata that count: whether a cell lives on or is born depends on how many neighbours live.
+// Life-like automata: the number of living neighbours determines whether a cell survives or is
+// born.
 #pragma once
 
 #include <vug/cells/rule.h>
@@ -12,13 +13,13 @@ struct LifeLike {
 
   std::string fault() const {
     for (const int count : birth)
-      if (count < 1) return "a cell that nobody lives beside is not born";
+      if (count < 1) return "a cell without living neighbours cannot be born";
     return "";
   }
 
   void step(Pass& pass) const {
     const auto alive = pass.writes<int32_t>("alive");
-    // Bit k of each: whether a cell that is dead, or alive, will live beside k that live.
+    // Bit k: whether a dead cell, or a living one, will live with k living neighbours.
     const auto bits = [](const std::vector<int>& counts) {
       uint32_t set = 0;
       for (const int count : counts) set |= 1u << count;
@@ -32,7 +33,7 @@ struct LifeLike {
  private:
   struct Counted {
     AttributeWriter<int32_t> alive;
-    uint32_t both;  ///< Bits for the dead, then, from 16 on, for the living.
+    uint32_t both;  ///< Bits 0 to 15 for dead cells, from 16 on for living cells.
 
     void set(uint32_t i, uint32_t living) const {
       const uint32_t own = static_cast<uint32_t>(alive[i] & 1) << 4;
@@ -52,7 +53,7 @@ struct LifeLike {
       set(i, living);
     }
   };
-  /// As if there were eight neighbours.
+  /// Scales the count to eight neighbours.
   struct Scaled : Counted {
     template <class Neighbourhood>
     void operator()(const Neighbourhood& neighbours, uint32_t i) const {
@@ -68,7 +69,7 @@ void describe_life(Schema<P>& s) {
   s.param("birth", &P::birth,
           {.doc = "numbers of living neighbours with which a cell is born", .min = 0, .max = 8})
       .param("survive", &P::survive,
-             {.doc = "numbers of living neighbours with which a cell lives on", .min = 0, .max = 8})
+             {.doc = "numbers of living neighbours with which a cell survives", .min = 0, .max = 8})
       .param("scale", &P::scale, {.doc = "count as if every cell had eight neighbours"});
 }
 
