@@ -3,7 +3,7 @@
 // parameters, which the parser alone does not know.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/facade/tree.h>
 #include <vug/loading/load.h>
 #include <vug/lsystem/derive.h>
@@ -75,7 +75,7 @@ TEST(Language, PlantsOfTheBambooPageShow) {
     const Loaded loaded = load_text(example, "bamboo.md", options);
     ASSERT_EQ(loaded.report(), "") << example;
     building::Builder builder(loaded.shot);
-    EXPECT_FALSE(building::cast_of(builder).objects.empty()) << example;
+    EXPECT_FALSE(building::flatten_scene(builder).objects.empty()) << example;
   }
 }
 
@@ -105,12 +105,12 @@ TEST(Language, PlantsOfTheGrovesPageStandOnTheirGround) {
     EXPECT_EQ(load_text(example, "groves.md", options).report(), "") << example;
   const Loaded loaded = load_text(examples[0], "groves.md", options);
   building::Builder builder(loaded.shot);
-  EXPECT_GT(building::cast_of(builder).objects.size(), 100u);
+  EXPECT_GT(building::flatten_scene(builder).objects.size(), 100u);
 }
 
 TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {
   const std::vector<std::string> examples = blocks("vug", "tutorials/first_cave.md");
-  ASSERT_EQ(examples.size(), 1u);
+  ASSERT_EQ(examples.size(), 5u);
   EXPECT_EQ(std::count(examples[0].begin(), examples[0].end(), '\n'), 10);
   for (const char* size : {"2.5m", "4m"}) {
     LoadOptions options;
@@ -122,9 +122,21 @@ TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {
     EXPECT_EQ(loaded.shot.renders.size(), 1u);
     EXPECT_EQ(loaded.shot.lights.size(), 2u);
     // The camera stands in the hall, not in rock.
-    const Vec3f eye = loaded.shot.cameras[0].camera->eye();
+    const Vec3f eye = loaded.shot.cameras[0].camera->position();
     EXPECT_GT(loaded.shot.volumes[0]->field.value(Vec3d(eye)), 0) << size;
   }
+}
+
+TEST(Language, TheTutorialBuildsTheSceneOfAnOwnCave) {
+  const std::vector<std::string> examples = blocks("vug", "tutorials/first_cave.md");
+  ASSERT_EQ(examples.size(), 5u);
+  std::string built;
+  for (size_t i = 1; i < examples.size(); ++i) built += (i > 1 ? "\n" : "") + examples[i];
+  const std::string scene = read_text(fs::path(VUG_DATA) / "scenes/teaching/own_cave.vug");
+  EXPECT_EQ(built, scene.substr(scene.find("seed")));
+  LoadOptions options;
+  options.include_folders = {fs::path(VUG_DATA)};
+  EXPECT_EQ(load_text(built, "my_cave.vug", options).report(), "");
 }
 
 TEST(Language, TheFaultItShowsIsToldSo) {
