@@ -13,7 +13,7 @@ BoxTree::BoxTree(const std::vector<Box3d>& boxes) : items_(boxes.size()) {
   std::iota(items_.begin(), items_.end(), 0U);
   nodes_.reserve(boxes.size());
   nodes_.push_back({{}, 0, static_cast<uint32_t>(boxes.size())});
-  // Children stand behind their parents, so the list of nodes is its own work list.
+  // Children follow their parents, so the list of nodes serves as work list.
   for (uint32_t node = 0; node < nodes_.size(); ++node) split(node, boxes);
 }
 

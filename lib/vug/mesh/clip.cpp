@@ -31,13 +31,13 @@ class Cutter {
  private:
   bool stays(uint32_t v) const { return values_[v] <= level_; }
 
-  /// Where the edge meets the level, as a share of the way from the end that stays.
+  /// The position of the crossing on the edge, as a fraction of the way from the inside end.
   float share(uint32_t inside, uint32_t outside) const {
     const float at = (level_ - values_[inside]) / (values_[outside] - values_[inside]);
     return at < 1e-3F ? 0 : at;
   }
 
-  /// Marks the vertices that what is left of the triangle needs.
+  /// Marks the vertices used by the remaining part of the triangle.
   void note(const Triangle& t, std::vector<uint8_t>& used) const {
     if (corners(t, [&](uint32_t in, uint32_t out) {
           return share(in, out) > 0 ? kNone : in;
@@ -47,8 +47,8 @@ class Cutter {
       if (stays(v)) used[v] = 1;
   }
 
-  /// The corners of what stays of the triangle, in its order and each once; `crossing` gives that
-  /// on the edge between one that stays and one that goes.
+  /// The corners of the remaining part of the triangle in order, each once; `crossing` returns the
+  /// vertex on the edge between an inside and an outside corner.
   template <class Crossing>
   std::vector<uint32_t> corners(const Triangle& t, const Crossing& crossing) const {
     std::vector<uint32_t> ring;
@@ -65,7 +65,7 @@ class Cutter {
 
   void cut(const Triangle& t) {
     const uint32_t old = static_cast<uint32_t>(mesh_.positions.size());
-    // Numbers of new vertices stand behind those of the old mesh, so that no two are alike.
+    // New vertices have numbers after those of the old mesh, so all are distinct.
     std::vector<uint32_t> ring = corners(t, [&](uint32_t in, uint32_t out) {
       return share(in, out) > 0 ? old + crossing(in, out) : in;
     });
@@ -83,7 +83,7 @@ class Cutter {
       out_.triangles.push_back({ring[first], ring[first + k], ring[(first + k + 1) % 4]});
   }
 
-  /// The new vertex on an edge, made when first asked for.
+  /// The new vertex on an edge, created on first use.
   uint32_t crossing(uint32_t inside, uint32_t outside) {
     const uint64_t key = uint64_t{inside} << 32 | outside;
     const auto [at, is_new] = crossings_.try_emplace(key, 0);
@@ -91,7 +91,7 @@ class Cutter {
     return at->second;
   }
 
-  /// A vertex on the way from a to b.
+  /// Adds a vertex between a and b.
   uint32_t add(uint32_t a, uint32_t b, float share) {
     const auto between = [share](const auto& x, const auto& y) { return x + (y - x) * share; };
     return split_edge(mesh_, a, b, between, out_);
@@ -109,7 +109,7 @@ class Cutter {
 
 Mesh clip(const Mesh& mesh, const std::vector<float>& values, float level) {
   if (values.size() != mesh.positions.size())
-    throw Error(ErrorCode::internal, "there is not one number for each vertex to cut at");
+    throw Error(ErrorCode::internal, "clip needs one value per vertex");
   return Cutter(mesh, values, level).run();
 }
 

@@ -8,7 +8,7 @@ namespace {
 constexpr size_t kMost = 160;
 constexpr std::string_view kPrefixes[] = {"# ", "comment "};
 
-/// Pieces of a text without line ends; an escape stays whole.
+/// Splits a text without line ends into pieces that do not break an escape.
 std::vector<std::string> pieces(const std::string& text) {
   std::vector<std::string> out(1);
   for (const char c : text) {

@@ -8,7 +8,7 @@
 namespace vug::mesh {
 namespace {
 
-/// Squared diagonals of the pieces' bounding boxes.
+/// Squared diagonals of the components' bounding boxes.
 std::vector<double> sizes(const Mesh& mesh, const std::vector<uint32_t>& piece_of) {
   std::vector<Box3d> boxes;
   for (size_t face = 0; face < piece_of.size(); ++face) {

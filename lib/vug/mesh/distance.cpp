@@ -14,13 +14,13 @@ namespace vug::mesh {
 
 struct MeshDistance::Tree {
   std::vector<std::array<Vec3d, 3>> triangles;
-  /// Pseudonormals, not normalised, by feature: three corners, three edges, the face.
+  /// Unnormalised pseudonormals by feature: three corners, three edges, the face.
   std::vector<std::array<Vec3d, 7>> normals;
   BoxTree boxes;
 };
 
 MeshDistance::MeshDistance(const Mesh& given) {
-  // Seams of equal positions would hide neighbours from the pseudonormals.
+  // Unwelded seams would hide neighbours from the pseudonormals.
   const Mesh mesh = welded(given);
   const size_t count = mesh.triangles.size();
   auto tree = std::make_shared<Tree>();
@@ -40,8 +40,8 @@ MeshDistance::MeshDistance(const Mesh& given) {
     }
   }
   if (!any_area)
-    throw Error(ErrorCode::bad_input, "the mesh has no triangle with an area", {},
-                "a distance needs a closed surface");
+    throw Error(ErrorCode::bad_input, "no triangle of the mesh has an area", {},
+                "a distance requires a closed surface");
   const Edges edges = find_edges(mesh);
   for (const Edge& edge : edges.edges) {
     const uint32_t* first = edges.half_edges.data() + edge.begin;
@@ -61,7 +61,8 @@ MeshDistance::Closest MeshDistance::closest(const Vec3d& p) const {
   tree.boxes.visit_nearest(p, best, [&](uint32_t candidate) {
     const NearestOnTriangle here = nearest_on_triangle(p, tree.triangles[candidate]);
     const double squared = (here.point - p).length2();
-    // Equal distances (a shared edge or corner) go to the lower number: one answer for a point.
+    // The lower number wins among equal distances (at a shared edge or corner), so the result is
+    // unique.
     if (squared < best || (squared == best && candidate < face)) {
       best = squared;
       face = candidate;

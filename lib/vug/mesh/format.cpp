@@ -34,7 +34,7 @@ const Format& format_of(const std::filesystem::path& file) {
     known.push_back(format->info.name);
   }
   throw Error(ErrorCode::bad_input,
-              fmt::format("'{}' has the extension of no mesh format", file.string()), {},
+              fmt::format("'{}' does not have the extension of a mesh format", file.string()), {},
               fmt::format("known: {}", fmt::join(known, ", ")));
 }
 

@@ -78,7 +78,7 @@ void validate(const Mesh& mesh, const std::string& what) {
                        attribute.values.size(), vertices));
     for (const float value : attribute.values)
       if (!std::isfinite(value))
-        fail(fmt::format("attribute '{}' holds a number that is not finite", attribute.name));
+        fail(fmt::format("attribute '{}' contains a number that is not finite", attribute.name));
   }
 }
 

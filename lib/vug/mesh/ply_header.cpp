@@ -19,7 +19,7 @@ PlyType parse_type(const TextScanner& scan, std::string_view word) {
       {"float64", PlyType::float64}};
   for (const auto& [name, type] : kNames)
     if (name == word) return type;
-  scan.fail(fmt::format("'{}' is no PLY type", printable(word)),
+  scan.fail(fmt::format("unknown PLY type '{}'", printable(word)),
             "types are char, uchar, short, ushort, int, uint, float, double");
 }
 
@@ -37,21 +37,21 @@ PlyProperty parse_property(TextScanner& scan, const PlyElement& element) {
   if (property.name.empty()) scan.fail("a property needs a name");
   for (const PlyProperty& other : element.properties)
     if (other.name == property.name)
-      scan.fail(fmt::format("property '{}' is given twice", printable(property.name)));
+      scan.fail(fmt::format("duplicate property '{}'", printable(property.name)));
   return property;
 }
 
 PlyHeader::Encoding parse_encoding(TextScanner& scan) {
   const std::string_view word = scan.word_in_line();
-  if (scan.word_in_line() != "1.0") scan.fail("only PLY version 1.0 is known");
+  if (scan.word_in_line() != "1.0") scan.fail("unsupported PLY version: only 1.0 is known");
   if (word == "ascii") return PlyHeader::Encoding::ascii;
   if (word == "binary_little_endian") return PlyHeader::Encoding::little_endian;
   if (word == "binary_big_endian") return PlyHeader::Encoding::big_endian;
-  scan.fail(fmt::format("'{}' is no PLY encoding", printable(word)),
+  scan.fail(fmt::format("unknown PLY encoding '{}'", printable(word)),
             "encodings are ascii, binary_little_endian, binary_big_endian");
 }
 
-/// Refuses counts that the file is too short for, before anything is allocated for them.
+/// Rejects counts that the file is too short for, before any memory is allocated for them.
 void check_counts(const PlyHeader& header, size_t bytes, const std::string& file) {
   for (const PlyElement& element : header.elements) {
     uint64_t least = 0;
@@ -62,7 +62,7 @@ void check_counts(const PlyHeader& header, size_t bytes, const std::string& file
     // The last number of a text may lack its separator.
     if (least > 0 && element.count > (bytes - header.body + 1) / least)
       throw Error(ErrorCode::bad_input,
-                  fmt::format("{} elements '{}' cannot be in the {} bytes that follow",
+                  fmt::format("{} elements '{}' do not fit into the {} bytes that follow",
                               element.count, printable(element.name), bytes - header.body),
                   {file, element.line, 1}, "the file may be cut off");
   }
@@ -89,17 +89,17 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& file) {
       element.count = static_cast<uint64_t>(count);
       for (const PlyElement& other : header.elements)
         if (other.name == element.name)
-          scan.fail(fmt::format("element '{}' is given twice", printable(element.name)));
+          scan.fail(fmt::format("duplicate element '{}'", printable(element.name)));
       header.elements.push_back(std::move(element));
     } else if (keyword == "property") {
-      if (header.elements.empty()) scan.fail("a property stands before any element");
+      if (header.elements.empty()) scan.fail("a property precedes the first element");
       header.elements.back().properties.push_back(parse_property(scan, header.elements.back()));
     } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-      scan.fail(fmt::format("'{}' begins no line of a PLY header", printable(keyword)));
+      scan.fail(fmt::format("unknown PLY header line '{}'", printable(keyword)));
     }
     if (!scan.next_line()) scan.fail("the header has no 'end_header'", "the file may be cut off");
   }
-  if (!has_format) scan.fail("the header names no format");
+  if (!has_format) scan.fail("the header lacks a format line");
   scan.next_line();
   header.body = scan.offset();
   header.body_line = scan.line();

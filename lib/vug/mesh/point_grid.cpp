@@ -45,7 +45,7 @@ PointGrid::PointGrid(const std::vector<Vec3f>& points, double edge)
   const double most = std::floor(size[axes[0]] / edge) + 3;
   if (!(most <= 1 << 20))
     throw Error(ErrorCode::too_large,
-                fmt::format("{:.4g} m hold too many steps of {:.3g} m", size[axes[0]], edge));
+                fmt::format("{:.4g} m contain too many steps of {:.3g} m", size[axes[0]], edge));
   row_ = static_cast<uint64_t>(size[axes[2]] / edge) + 3;
   slab_ = row_ * (static_cast<uint64_t>(size[axes[1]] / edge) + 3);
 

@@ -6,7 +6,7 @@ namespace {
 
 constexpr size_t kMaxEars = 64;
 
-/// Newell's normal: the sum of the fan's area vectors, whatever the dents.
+/// Newell's normal: the sum of the fan's area vectors, also for concave polygons.
 Vec3d polygon_normal(const Mesh& mesh, const std::vector<uint32_t>& polygon) {
   Vec3d sum(0);
   const Vec3d origin(mesh.positions[polygon[0]]);
@@ -16,7 +16,7 @@ Vec3d polygon_normal(const Mesh& mesh, const std::vector<uint32_t>& polygon) {
   return sum;
 }
 
-/// Whether the corner b of the polygon can be cut off: convex, and no other corner inside.
+/// Whether corner b of the polygon can be cut off: it is convex and contains no other corner.
 bool is_ear(const Mesh& mesh, const std::vector<uint32_t>& polygon, size_t at,
             const Vec3d& normal) {
   const size_t n = polygon.size();
@@ -42,7 +42,7 @@ void add_polygon(Mesh& mesh, const std::vector<uint32_t>& polygon) {
   if (polygon.size() > kMaxEars) {
     try {
       return add_rings(mesh, {polygon});
-    } catch (const Error&) {  // It crosses itself.
+    } catch (const Error&) {  // The polygon intersects itself.
     }
   }
   std::vector<uint32_t> rest = polygon;

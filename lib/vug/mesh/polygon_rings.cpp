@@ -23,7 +23,7 @@ using Data = CGAL::Triangulation_data_structure_2<Vertices, Faces>;
 using Plane =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Data, CGAL::No_constraint_intersection_tag>;
 
-/// Counts, for every face, the rings that have to be crossed to reach it from outside.
+/// Counts, for every face, the rings between it and the outside.
 void count_rings(Plane& plane) {
   for (const Plane::Face_handle face : plane.all_face_handles()) face->info() = kUnseen;
   std::deque<Plane::Face_handle> queue = {plane.infinite_face()};
@@ -36,7 +36,7 @@ void count_rings(Plane& plane) {
       if (other->info() != kUnseen) continue;
       const bool crossed = face->is_constrained(side);
       other->info() = face->info() + (crossed ? 1 : 0);
-      // Faces of one count all come before those of the next.
+      // All faces with one count are visited before those with the next.
       crossed ? queue.push_back(other) : queue.push_front(other);
     }
   }

@@ -17,7 +17,7 @@ class Refiner {
  public:
   Refiner(Mesh& mesh, double longest) : mesh_(mesh), limit2_(longest * longest) {}
 
-  /// Halves long edges once; whether there were any.
+  /// Halves long edges once; returns whether there were any.
   bool halve() {
     middles_.clear();
     std::vector<Triangle> finer;
@@ -35,7 +35,7 @@ class Refiner {
     return (Vec3d(mesh_.positions[a]) - Vec3d(mesh_.positions[b])).length2();
   }
 
-  /// The vertex in the middle of an edge that is too long; else kNone.
+  /// The vertex in the middle of an edge that is too long, otherwise kNone.
   uint32_t middle(uint32_t a, uint32_t b) {
     if (!(length2(a, b) > limit2_)) return kNone;
     const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -53,7 +53,7 @@ class Refiner {
       out.insert(out.end(), {{t[0], m[0], m[2]}, {t[1], m[1], m[0]}, {t[2], m[2], m[1]}});
       return out.push_back({m[0], m[1], m[2]});
     }
-    // Turned so that the one whole edge, or the one halved, comes last.
+    // Rotated such that the single unsplit edge, or the single split one, comes last.
     size_t last = 0;
     while ((m[last] == kNone) != (halved == 2)) ++last;
     const size_t first = (last + 1) % 3, second = (last + 2) % 3;
@@ -78,12 +78,12 @@ class Refiner {
 }  // namespace
 
 Mesh refined(Mesh mesh, double longest, size_t most) {
-  if (!(longest > 0)) throw Error(ErrorCode::bad_input, "edges are longer than nothing");
+  if (!(longest > 0)) throw Error(ErrorCode::bad_input, "the edge length must be positive");
   Refiner refiner(mesh, longest);
   while (refiner.halve())
     if (mesh.triangles.size() > most)
       throw Error(ErrorCode::too_large,
-                  fmt::format("edges of {:.3g} m make more than {} triangles", longest, most));
+                  fmt::format("edges of {:.3g} m give more than {} triangles", longest, most));
   return mesh;
 }
 

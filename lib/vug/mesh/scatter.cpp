@@ -11,12 +11,12 @@
 namespace vug::mesh {
 namespace {
 
-/// Candidates for each square of the spacing's side: nine tenths of those are found that darts
-/// without end would find.
+/// Candidates per squared spacing. This number finds nine tenths of the points that infinitely many
+/// darts would find.
 constexpr double kTries = 16;
 constexpr double kMostTries = 1u << 26;
 
-/// Points in cubes of the spacing's edge: one nearer than that is in one of 27 cubes.
+/// Points in cubes with the spacing as edge: neighbours within the spacing lie in 27 cubes.
 class Cubes {
  public:
   explicit Cubes(double spacing) : spacing_(spacing) {}
@@ -48,7 +48,7 @@ class Cubes {
             static_cast<int64_t>(std::floor(p.y / spacing_)),
             static_cast<int64_t>(std::floor(p.z / spacing_))};
   }
-  /// Cubes 2^21 apart share a number, which costs time and nothing else.
+  /// Cubes 2^21 apart share a number, which costs time but does not affect the result.
   static uint64_t number(const Cube& c) {
     const auto low = [](int64_t i) { return static_cast<uint64_t>(i) & 0x1fffff; };
     return low(c[0]) << 42 | low(c[1]) << 21 | low(c[2]);
@@ -80,7 +80,7 @@ SurfaceSample spot_on(const Mesh& mesh, uint32_t triangle, double u, double v) {
 
 std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& options,
                                    Progress& progress) {
-  std::vector<double> area(mesh.triangles.size());  // of all triangles up to this one
+  std::vector<double> area(mesh.triangles.size());  // Cumulative area of the triangles.
   double total = 0;
   for (size_t i = 0; i < area.size(); ++i)
     area[i] = total += 0.5 * double_area_vector(mesh, i).length();
@@ -90,8 +90,8 @@ std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& optio
   if (!(tries <= kMostTries))
     throw Error(
         ErrorCode::too_large,
-        fmt::format("{:.4g} m^2 hold too many points {:.3g} m apart", total, options.spacing), {},
-        "use a larger spacing");
+        fmt::format("{:.4g} m^2 contain too many points {:.3g} m apart", total, options.spacing),
+        {}, "use a larger spacing");
 
   const auto count = static_cast<uint64_t>(std::max(tries, kTries));
   progress.begin("strewing", count);

@@ -54,8 +54,8 @@ double TextScanner::number(std::string_view word) const {
   double value = 0;
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (code == std::errc::invalid_argument || end != word.data() + word.size())
-    fail("'" + printable(word) + "' is no number");
-  // Too small for a double counts as 0; too large does not count.
+    fail("'" + printable(word) + "' is not a number");
+  // Values too small for a double count as 0; too large ones are errors.
   if (code == std::errc::result_out_of_range && word.find("e-") == std::string_view::npos &&
       word.find("E-") == std::string_view::npos)
     fail("'" + printable(word) + "' is too large");
@@ -64,11 +64,11 @@ double TextScanner::number(std::string_view word) const {
 }
 
 int64_t TextScanner::integer(std::string_view word) const {
-  if (word.empty()) fail("a whole number is missing", "the file may be cut off");
+  if (word.empty()) fail("an integer is missing", "the file may be cut off");
   int64_t value = 0;
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (code != std::errc() || end != word.data() + word.size())
-    fail("'" + printable(word) + "' is no whole number");
+    fail("'" + printable(word) + "' is not an integer");
   return value;
 }
 

@@ -97,7 +97,7 @@ std::vector<uint32_t> face_components(const Mesh& mesh, const Edges& edges) {
   std::vector<uint32_t> label(mesh.triangles.size());
   uint32_t count = 0;
   for (uint32_t face = 0; face < label.size(); ++face) {
-    const uint32_t root = pieces.root(face);  // The smallest face of the piece.
+    const uint32_t root = pieces.root(face);  // The smallest face of the component.
     label[face] = root == face ? count++ : label[root];
   }
   return label;
@@ -134,7 +134,7 @@ Topology inspect(const Mesh& mesh, const Edges& edges) {
   topology.boundary_loops = count_boundary_loops(edges, fans);
 
   if (topology.nonmanifold_edges == 0 && topology.misoriented_edges == 0) {
-    // Euler: fans - edges + faces = 2 pieces - 2 handles - holes.
+    // Euler: fans - edges + faces = 2 components - 2 handles - holes.
     const auto euler = static_cast<int64_t>(fan_count + mesh.triangles.size()) -
                        static_cast<int64_t>(topology.edges);
     const int64_t twice = 2 * static_cast<int64_t>(topology.components) -

@@ -6,7 +6,7 @@ NearestOnTriangle nearest_on_triangle(const Vec3d& p, const std::array<Vec3d, 3>
   const Vec3d& a = triangle[0];
   const Vec3d ab = triangle[1] - a;
   const Vec3d ac = triangle[2] - a;
-  // Projections of p, seen from each corner, on the two edges that leave a.
+  // Projections of p, relative to each corner, onto the two edges that leave a.
   const Vec3d from_a = p - a;
   const double a1 = ab.dot(from_a);
   const double a2 = ac.dot(from_a);
@@ -19,7 +19,7 @@ NearestOnTriangle nearest_on_triangle(const Vec3d& p, const std::array<Vec3d, 3>
   const double c1 = ab.dot(from_c);
   const double c2 = ac.dot(from_c);
   if (c2 >= 0 && c1 <= c2) return {triangle[2], 2};
-  // Barycentric coordinates times twice the squared area; none positive outside its edge.
+  // Barycentric coordinates times twice the squared area; none is positive outside its edge.
   const double of_c = a1 * b2 - b1 * a2;
   if (of_c <= 0 && a1 >= 0 && b1 <= 0) return {a + ab * (a1 / (a1 - b1)), 3};
   const double of_b = c1 * a2 - a1 * c2;

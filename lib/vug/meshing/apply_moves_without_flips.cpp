@@ -10,10 +10,10 @@ namespace vug::meshing {
 namespace {
 
 constexpr uint8_t kSurface = 2;  ///< Levels 0 and 1 are the two crease targets,
-constexpr uint8_t kStay = 5;     ///< the last is where the vertex was.
+constexpr uint8_t kStay = 5;     ///< the last is the original position.
 constexpr int kRounds = 10;
 
-using Corners = std::array<bool, 4>;  ///< Whether the triangle at the corner is good.
+using Corners = std::array<bool, 4>;  ///< Whether the triangle at the corner is valid.
 
 bool can_be_cut(const Face& face, const Corners& good) {
   return face.size == 3 ? good[0] : (good[1] && good[3]) || (good[0] && good[2]);
@@ -28,7 +28,7 @@ class Settler {
       set_level(v, targets[v].has_crease ? uint8_t{0} : kSurface);
   }
 
-  /// The polygons that are folded now, ascending.
+  /// The currently folded polygons, ascending.
   std::vector<uint32_t> all_folded(const field::Field& exact) const {
     std::vector<char> folded(raw_.faces.size());
     std::vector<Vec3d> centres(raw_.faces.size());
@@ -47,14 +47,15 @@ class Settler {
     return list;
   }
 
-  /// Mends the polygon if it is folded, and adds what may be folded by that to `next`.
+  /// Repairs the polygon if it is folded, and adds polygons that may fold as a result to `next`.
   void mend(uint32_t f, const field::Field& exact, std::vector<uint32_t>& next) {
     const Face& face = raw_.faces[f];
     const field::Field local = exact.restricted({raw_.centre(face), 2 * kSight * voxel_}).field;
     SurfaceProjector projector(local, {raw_.centre(face)}, kLargestError * voxel_);
     if (!is_folded(f, projector)) return;
-    // The least step of one vertex that mends it, the one that folds least around it first.
-    using Choice = std::tuple<int, size_t, uint32_t>;  // Steps, folds around, corner.
+    // The smallest step of one vertex that repairs it; among equals the one that folds the fewest
+    // neighbours.
+    using Choice = std::tuple<int, size_t, uint32_t>;  // Steps, folded neighbours, corner.
     Choice best{INT32_MAX, 0, 0};
     for (uint32_t k = 0; k < face.size; ++k) {
       const uint32_t v = face.corners[k];
@@ -90,7 +91,8 @@ class Settler {
   }
 
  private:
-  static constexpr double kSight = 4;  ///< Voxels around a polygon where the field is asked.
+  static constexpr double kSight =
+      4;  ///< Distance from a polygon within which the field is evaluated, voxels.
 
   void set_level(uint32_t v, uint8_t level) {
     constexpr double kShare[] = {0, 0, 1, 0.5, 0.25, 0};
@@ -101,7 +103,7 @@ class Settler {
                               : from + (targets_[v].surface - from) * kShare[level];
   }
 
-  /// By face: whether every way to cut the polygon gives a triangle that turned over or, at a
+  /// Per face: whether every triangulation of the polygon contains a triangle that flipped or, at a
   /// crease, faces backwards.
   std::vector<char> are_folded(const std::vector<uint32_t>& faces,
                                SurfaceProjector& projector) const {

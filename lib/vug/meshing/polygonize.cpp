@@ -14,7 +14,7 @@
 namespace vug::meshing {
 namespace {
 
-/// Exact normals and the distances that are left, at the rounded positions.
+/// Exact normals and remaining distances at the rounded positions.
 std::vector<SurfacePoint> probe_vertices(const mesh::Mesh& mesh, const field::Field& exact,
                                          double voxel, Progress& progress) {
   const std::vector<Vec3d> points(mesh.positions.begin(), mesh.positions.end());

@@ -12,8 +12,8 @@ using field::Pack;
 using field::Point;
 
 constexpr size_t kLanes = Pack::kLanes;
-constexpr size_t kChunk = 16;        // packs whose points and derivatives stay in the nearest cache
-constexpr size_t kChecksApart = 32;  // points between those held against double precision
+constexpr size_t kChunk = 16;  // Packs whose points and derivatives stay in the first-level cache.
+constexpr size_t kChecksApart = 32;  // Points between those compared with double precision.
 
 SurfacePoint surface_point(const Vec3d& p, const Gradient& g) {
   SurfacePoint here;
@@ -25,7 +25,7 @@ SurfacePoint surface_point(const Vec3d& p, const Gradient& g) {
   return here;
 }
 
-/// The pack that begins at `first`; the last point fills up lanes beyond the end.
+/// The pack that begins at `first`; the last point is repeated for lanes beyond the end.
 Point<Pack> pack_at(const std::vector<Vec3d>& points, size_t first) {
   float lanes[3][kLanes];
   for (size_t i = 0; i < kLanes; ++i) {
@@ -92,7 +92,7 @@ std::vector<SurfacePoint> SurfaceProjector::project(const std::vector<Vec3d>& st
   const double tolerance = in_double_ ? options.tolerance : std::max(options.tolerance, noise_);
   const double longest = 0.5 * options.reach;
   std::vector<SurfacePoint> best(starts.size());
-  std::vector<Vec3d> at = starts;            // Of those on their way,
+  std::vector<Vec3d> at = starts;            // The points still moving,
   std::vector<size_t> which(starts.size());  // and their indices.
   for (size_t i = 0; i < starts.size(); ++i) {
     best[i].point = starts[i];

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFlatCosine = 0.9995;  ///< About 2 degrees between the two triangles.
 
-/// The lesser cosine between either half, when cut from corner k to k + 2, and the whole quad.
+/// The smaller cosine between either half, when split from corner k to k + 2, and the whole quad.
 double least_facing(const Face& face, uint32_t k, const std::vector<Vec3d>& points) {
   const Vec3d a = corner_normal(face, (k + 1) % 4, points);
   const Vec3d b = corner_normal(face, (k + 3) % 4, points);
@@ -34,10 +34,11 @@ class Cutter {
   Cutter(const FaceMesh& faces, const std::vector<Vec3d>& points, double voxel)
       : faces_(faces), points_(points), voxel_(voxel) {}
 
-  /// Sets from_0 to whether a quad is to be cut from corner 0 (else from corner 1).
+  /// Sets from_0 to whether a quad is split from corner 0 (otherwise from corner 1).
   void cut(const std::vector<uint32_t>& quads, const field::Field& exact,
            std::vector<char>& from_0) const {
-    std::vector<Vec3d> asked;  // Six a quad: the triangles' middles, the diagonals'.
+    std::vector<Vec3d>
+        asked;  // Six per quad: the centroids of the triangles and the midpoints of the diagonals.
     std::vector<Vec3d> centres;
     for (const uint32_t f : quads) {
       const Face& face = faces_.faces[f];

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kBlock = 8;          ///< Edge of a block of points, voxels.
 constexpr double kTolerance = 1e-4;   ///< Residual at which a vertex is on the surface, voxels.
-constexpr double kSampled = 1e-3;     ///< The same for a sample beside it.
+constexpr double kSampled = 1e-3;     ///< The same for a sample next to it.
 constexpr double kGoodSample = 0.02;  ///< Samples further from the surface are not used, voxels.
-constexpr double kBeyondCell = 0.5;   ///< How far a crease may lie outside its cell, voxels.
+constexpr double kBeyondCell = 0.5;   ///< Maximum distance of a crease from its cell, voxels.
 constexpr int kRefinements = 2;
-constexpr double kShrink = 0.2;  ///< Of the samples' distances, for curved creases.
+constexpr double kShrink = 0.2;  ///< Factor on the samples' distances, for curved creases.
 
 class Finder {
  public:
@@ -29,7 +29,7 @@ class Finder {
 
   BlockOptions blocks() const { return {kBlock * voxel_, (2 * options_.max_move + 1) * voxel_}; }
 
-  /// The surface near the middle of each face, with its normal there.
+  /// Finds the surface near the centroid of each face, and its normal.
   void sample_faces(const field::Field& exact, Progress& progress) {
     std::vector<Vec3d> centres(raw_.faces.size());
     for (size_t f = 0; f < centres.size(); ++f) centres[f] = raw_.centre(raw_.faces[f]);
@@ -76,16 +76,16 @@ class Finder {
  private:
   struct Crease {
     uint32_t vertex = 0;
-    Vec3d middle;  ///< Of the first samples.
+    Vec3d middle;  ///< Centroid of the first samples.
     std::vector<SurfacePoint> samples;
-    Vec3d place;  ///< That fits the samples' planes.
+    Vec3d place;  ///< The point that fits the samples' planes.
   };
 
   SurfaceProjector projector(const field::Field& local, const std::vector<Vec3d>& near) const {
     return {local, near, kLargestError * voxel_};
   }
 
-  /// If the gradients at the faces around the vertex disagree.
+  /// Adds a crease if the gradients at the faces around the vertex disagree.
   void add_crease(uint32_t v, std::vector<Crease>& creases) const {
     Crease crease;
     crease.vertex = v;
@@ -104,7 +104,7 @@ class Finder {
     return samples.size() >= 2 && min_normal_dot(samples) <= crease_cosine_;
   }
 
-  /// New samples nearer to the creases' places, and new places from these.
+  /// Takes new samples nearer to the crease points, and fits new points to them.
   void refine(std::vector<Crease>& creases, SurfaceProjector& asked) const {
     std::vector<Vec3d> starts;
     for (const Crease& c : creases)
@@ -118,15 +118,15 @@ class Finder {
     }
   }
 
-  /// A rough but smooth surface looks creased from face to face; seen nearer its gradients agree,
-  /// those beside a crease do not.
+  /// A rough but smooth surface appears creased from face to face. At a smaller distance its
+  /// gradients agree; those next to a crease do not.
   void drop_smooth(std::vector<Crease>& creases) const {
     creases.erase(std::remove_if(creases.begin(), creases.end(),
                                  [&](const Crease& c) { return !disagree(c.samples); }),
                   creases.end());
   }
 
-  /// x kept within half a voxel of the vertex's cell and within reach of the vertex.
+  /// Clamps x to within half a voxel of the vertex's cell and the reach of the vertex.
   Vec3d clamped(uint32_t v, Vec3d x) const {
     const Vec3d& from = raw_.points[v];
     for (int axis = 0; axis < 3; ++axis) {
@@ -144,7 +144,7 @@ class Finder {
   double crease_cosine_;
   ProjectOptions reach_;
   ProjectOptions samples_reach_;
-  std::vector<SurfacePoint> samples_;  ///< By face.
+  std::vector<SurfacePoint> samples_;  ///< Per face.
 };
 
 }  // namespace

@@ -9,10 +9,10 @@
 namespace vug::metrics {
 namespace {
 
-constexpr int kRoot = 64;  ///< Cells along a block that one task takes.
+constexpr int kRoot = 64;  ///< Cells along a block of one task.
 constexpr int kLeaf = 8;   ///< Cells along a block that is sampled.
 
-/// Cells inside among size^3 cells from lattice point `low`.
+/// Number of inside cells among size^3 cells from lattice point `low`.
 uint64_t count_block(const field::Field& field, double edge, const std::array<int64_t, 3>& low,
                      int size) {
   const auto at = [&](int64_t i, int64_t j, int64_t k) {
@@ -59,7 +59,7 @@ uint64_t inside_cells(const field::Field& field, double edge, Progress& progress
   const Box3d& bounds = field.bounds();
   if (bounds.isEmpty()) return 0;
   if (!(edge > 0) || !is_finite(bounds))
-    throw Error(ErrorCode::bad_input, "cells can be counted only within finite bounds", {},
+    throw Error(ErrorCode::bad_input, "cells can be counted within finite bounds only", {},
                 "intersect the field with a box");
   std::array<int64_t, 3> first{};
   std::array<size_t, 3> blocks{};

@@ -31,7 +31,7 @@ class Tester {
     const mesh::Triangle& s = mesh_.triangles[a];
     const mesh::Triangle& t = mesh_.triangles[b];
     int shared = 0;
-    size_t at_s = 0;  // With one shared corner: that corner; with two: the corner apart.
+    size_t at_s = 0;  // With one shared corner: that corner; with two: the opposite corner.
     size_t at_t = 0;
     bool in_s[3] = {};
     bool in_t[3] = {};
@@ -49,7 +49,7 @@ class Tester {
       if (in_t[i] == wanted) at_t = i;
     }
     if (shared == 2) {
-      // Across a common edge they meet only when folded flat onto each other.
+      // Across a common edge they intersect only if folded flat onto each other.
       const Point p = point(s[(at_s + 1) % 3]);
       const Point q = point(s[(at_s + 2) % 3]);
       return CGAL::coplanar(p, q, point(s[at_s]), point(t[at_t])) &&

@@ -13,7 +13,7 @@ std::optional<double> share(double part, double rest) {
   return 100 * part / (part + rest);
 }
 
-/// Rounding of single-precision positions, as a length.
+/// Rounding error of single-precision positions, as a length.
 double rounding(const mesh::Mesh& mesh) {
   const Box3d box = mesh::bounds(mesh);
   double reach = 0;
@@ -32,7 +32,7 @@ double area(const mesh::Mesh& mesh) {
 
 double volume(const mesh::Mesh& mesh) {
   if (mesh.positions.empty()) return 0;
-  // Seen from the middle, so that meshes far from the origin lose no digits.
+  // Relative to the centre, so that meshes far from the origin lose no digits.
   const Vec3d middle = mesh::bounds(mesh).center();
   return ordered_sum(mesh.triangles.size(), 0.0, [&](size_t face) {
     const Vec3d from_middle = mesh::corners(mesh, face)[0] - middle;
@@ -47,7 +47,7 @@ std::optional<double> Convexity::cf_area() const { return share(convex_area, con
 
 Convexity convexity(const mesh::Mesh& mesh, const mesh::Edges& edges) {
   const double flat = 4 * rounding(mesh);
-  // Height of the corner that half-edge h does not touch over the plane of `normal` at `on`.
+  // Height of the corner opposite to half-edge h above the plane of `normal` at `on`.
   const auto height = [&](uint32_t h, const Vec3d& normal, const Vec3d& on) {
     const uint32_t far = mesh.triangles[h / 3][(h + 2) % 3];
     return (Vec3d(mesh.positions[far]) - on).dot(normal);

@@ -63,17 +63,17 @@ TEST(Obj, DentsOfPolygonsStayDents) {
 TEST(Obj, FaultsNameTheirLine) {
   expect_faults("obj", {
                            {"v 0 0\n", 1, "3 coordinates"},
-                           {"v 0 0 0\nv 1 0 x\n", 2, "'x' is no number"},
+                           {"v 0 0 0\nv 1 0 x\n", 2, "'x' is not a number"},
                            {"v 0 0 nan\n", 1, "not a finite number"},
                            {"v 0 0 1e999\n", 1, "too large"},
                            {"v 0 0 1e39\n", 1, "single precision"},
-                           {"v 0 0 0\nf 1 2 3\n", 2, "there is no vertex 2: 1 so far"},
-                           {"v 0 0 0\n\nf 0 1 1\n", 3, "there is no vertex 0"},
-                           {"v 0 0 0\nf -2 1 1\n", 2, "there is no vertex -2"},
-                           {"v 0 0 0\nf 1//1 1 1\n", 2, "there is no normal 1"},
+                           {"v 0 0 0\nf 1 2 3\n", 2, "unknown vertex 2: there are 1 so far"},
+                           {"v 0 0 0\n\nf 0 1 1\n", 3, "unknown vertex 0"},
+                           {"v 0 0 0\nf -2 1 1\n", 2, "unknown vertex -2"},
+                           {"v 0 0 0\nf 1//1 1 1\n", 2, "unknown normal 1"},
                            {"v 0 0 0\nf 1 1\n", 2, "at least 3 corners"},
                            {"v 0 0 0\nf 1 1 1.5\n", 2, "no whole number"},
-                           {"v 0 0 0\nhello\n", 2, "'hello' begins no OBJ statement"},
+                           {"v 0 0 0\nhello\n", 2, "unknown OBJ statement 'hello'"},
                            {"# nothing\n", 2, "no vertex"},
                        });
 }

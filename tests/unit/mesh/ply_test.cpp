@@ -92,7 +92,7 @@ TEST(Ply, FaultsNameTheirLine) {
                     {"ply\nformat ascii 1.0\nelement vertex 0\n", 4, "end_header"},
                     {"ply\nformat ascii 1.0\nelement vertex 0\nend_header\n", 3, "lack x, y or z"},
                     {"ply\nformat ascii 1.0\nend_header\n", 1, "no vertices"},
-                    {head + "0 0 zero\n3 0 0 0\n", 10, "'zero' is no number"},
+                    {head + "0 0 zero\n3 0 0 0\n", 10, "'zero' is not a number"},
                     {head + "0 0 inf\n3 0 0 0\n", 10, "not a finite"},
                     {head + "0 0 0\n3 0 0 1\n", 11, "uses vertex 1 of 1"},
                     {head + "0 0 0\n3 0 0 -1\n", 11, "uses vertex -1 of 1"},

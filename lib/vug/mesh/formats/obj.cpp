@@ -1,4 +1,4 @@
-// Wavefront OBJ: text, indices from 1 or, negative, from the newest.
+// Wavefront OBJ: text, with indices from 1, or negative ones relative to the newest.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
 #include <vug/mesh/polygon.h>
@@ -23,16 +23,17 @@ constexpr uint32_t kMany = UINT32_MAX - 1;
 struct Reader {
   TextScanner scan;
   Mesh mesh;
-  std::vector<float> colours;  ///< Of the vertices so far, empty or three each.
+  std::vector<float> colours;  ///< Of the vertices so far; empty or three each.
   std::vector<Vec3f> normals;
-  std::vector<uint32_t> normal_of;  ///< By vertex: the one normal its corners name, or none, many.
+  std::vector<uint32_t>
+      normal_of;  ///< Per vertex: the one normal that its corners refer to, or none, many.
   std::vector<uint32_t> polygon;
 
   std::vector<double> numbers() {
     std::vector<double> list;
     for (std::string_view w = scan.word_in_line(); !w.empty() && w.front() != '#';
          w = scan.word_in_line()) {
-      if (list.size() == 8) scan.fail("too many numbers in this line");
+      if (list.size() == 8) scan.fail("too many numbers on this line");
       list.push_back(scan.number(w));
     }
     return list;
@@ -47,7 +48,7 @@ struct Reader {
 
   void vertex() {
     const std::vector<double> n = numbers();
-    // x y z, x y z w, x y z r g b; w matters to free-form surfaces only.
+    // x y z, x y z w, x y z r g b; w is relevant to free-form surfaces only.
     if (n.size() != 3 && n.size() != 4 && n.size() != 6 && n.size() != 7)
       scan.fail(fmt::format("a vertex has 3 coordinates, not {}", n.size()),
                 "v x y z, or v x y z red green blue");
@@ -70,7 +71,7 @@ struct Reader {
     const auto total = static_cast<int64_t>(count);
     const int64_t from_0 = given < 0 ? total + given : given - 1;
     if (given == 0 || from_0 < 0 || from_0 >= total)
-      scan.fail(fmt::format("there is no {} {}: {} so far", what, given, count),
+      scan.fail(fmt::format("unknown {} {}: there are {} so far", what, given, count),
                 given == 0 ? "indices count from 1" : "");
     return static_cast<uint32_t>(from_0);
   }
@@ -93,7 +94,7 @@ struct Reader {
     polygon.clear();
     for (std::string_view w = scan.word_in_line(); !w.empty() && w.front() != '#';
          w = scan.word_in_line()) {
-      if (w == "\\") {  // The statement goes on in the next line.
+      if (w == "\\") {  // The statement continues on the next line.
         scan.next_line();
         continue;
       }
@@ -109,12 +110,12 @@ struct Reader {
     if (keyword == "vn") return normal();
     if (keyword == "f" || keyword == "fo") return face();
     if (std::find(std::begin(kIgnored), std::end(kIgnored), keyword) == std::end(kIgnored))
-      scan.fail(fmt::format("'{}' begins no OBJ statement", mesh::printable(keyword)),
+      scan.fail(fmt::format("unknown OBJ statement '{}'", mesh::printable(keyword)),
                 "is this an OBJ file?");
   }
 
   Mesh finish() {
-    if (mesh.positions.empty()) scan.fail("the file holds no vertex", "is this an OBJ file?");
+    if (mesh.positions.empty()) scan.fail("the file contains no vertex", "is this an OBJ file?");
     if (!colours.empty()) {
       colours.resize(3 * mesh.positions.size(), 1.0F);
       mesh.attributes.push_back({std::string(kColour), 3, std::move(colours)});
@@ -169,9 +170,9 @@ void write_obj(const Mesh& mesh, const Comments& notes, const ByteSink& sink) {
 }  // namespace vug::mesh
 
 VUG_MESH_FORMAT(obj) {
-  return mesh_format("obj",
-                     "Wavefront text: positions, vertex colours, normals where each vertex has "
-                     "one; texture coordinates, groups and materials are passed over, other "
-                     "attributes left out",
-                     "wavefront1995", read_obj, write_obj);
+  return mesh_format(
+      "obj",
+      "Wavefront text: positions, vertex colours, and normals if each vertex has one. Texture "
+      "coordinates, groups and materials are ignored on reading; other attributes are not written",
+      "wavefront1995", read_obj, write_obj);
 }

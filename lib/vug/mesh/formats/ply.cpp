@@ -1,4 +1,4 @@
-// Stanford PLY: any order of properties in, binary little-endian out.
+// Stanford PLY: reads properties in any order, writes little-endian binary.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
 #include <vug/mesh/ply_body.h>
@@ -15,17 +15,17 @@ constexpr std::string_view kCoordinates[] = {"x", "y", "z"};
 constexpr std::string_view kNormals[] = {"nx", "ny", "nz"};
 constexpr std::string_view kColours[] = {"red", "green", "blue"};
 
-/// Where the numbers of one vertex property go: `list[stride * vertex + offset]`.
+/// Destination of the numbers of one vertex property: `list[stride * vertex + offset]`.
 struct Column {
   PlyType type = PlyType::float32;
-  bool is_list = false;  ///< Read and dropped.
+  bool is_list = false;  ///< Read and discarded.
   PlyType count_type = PlyType::uint8;
   float* list = nullptr;
   size_t stride = 0;
   double scale = 1;
 };
 
-/// Full scale of whole numbers that stand for ratios (colours); 1 for others.
+/// Full scale of integers that represent ratios (colours); 1 for other types.
 double full_scale(PlyType type) {
   if (!is_whole(type)) return 1;
   return type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1;
@@ -48,14 +48,14 @@ std::optional<size_t> position_in(const std::string_view (&names)[3], std::strin
   return static_cast<size_t>(found - std::begin(names));
 }
 
-/// "flow_2" is component 2 of "flow" when 0 and 1 stand right before it.
+/// "flow_2" is component 2 of "flow" if 0 and 1 precede it.
 std::optional<std::string> base_of_component(const std::string& name, int component) {
   const std::string ending = fmt::format("_{}", component);
   if (name.size() <= ending.size() || !name.ends_with(ending)) return std::nullopt;
   return name.substr(0, name.size() - ending.size());
 }
 
-/// Length of the run of properties that are components of one attribute, from `at`.
+/// Length of the run of properties, starting at `from`, that are components of one attribute.
 size_t run_of_components(const std::vector<PlyProperty>& properties, size_t at) {
   const auto base = base_of_component(properties[at].name, 0);
   size_t length = 1;
@@ -113,7 +113,7 @@ template <class Body>
 uint64_t list_length(Body& body, PlyType count_type, PlyType type) {
   const double length = body.number(count_type);
   if (length < 0 || length != std::floor(length) || length > UINT32_MAX)
-    body.fail("the length of a list is no count");
+    body.fail("the length of a list must not be negative or fractional");
   body.require(static_cast<uint64_t>(length), type);
   return static_cast<uint64_t>(length);
 }
@@ -168,7 +168,7 @@ Mesh read_elements(Body body, const PlyHeader& header, const std::string& file) 
       vertices = &element;
       read_vertices(body, element, mesh);
     } else if (element.name == "face") {
-      if (!vertices) throw Error(ErrorCode::bad_input, "faces stand before vertices", where);
+      if (!vertices) throw Error(ErrorCode::bad_input, "the faces precede the vertices", where);
       read_faces(body, element, vertices->count, mesh);
     } else if (!element.properties.empty()) {
       for (uint64_t i = 0; i < element.count; ++i)
@@ -177,7 +177,7 @@ Mesh read_elements(Body body, const PlyHeader& header, const std::string& file) 
             body.number(p.type);
     }
   }
-  if (!vertices) throw Error(ErrorCode::bad_input, "the file holds no vertices", {file, 1, 1});
+  if (!vertices) throw Error(ErrorCode::bad_input, "the file contains no vertices", {file, 1, 1});
   return mesh;
 }
 
@@ -188,7 +188,8 @@ Mesh read_ply(std::string_view bytes, const std::string& file) {
   return read_elements(PlyBinaryBody(bytes, file, header), header, file);
 }
 
-/// Names of the properties that hold the attribute; Error(bad_input) for names PLY cannot hold.
+/// Names of the properties for the attribute; throws Error(bad_input) for names that PLY cannot
+/// represent.
 std::vector<std::string> property_names(const Attribute& attribute) {
   if (attribute.name == kColour && attribute.arity == 3)
     return {std::begin(kColours), std::end(kColours)};
@@ -211,14 +212,14 @@ void write_ply(const Mesh& mesh, const Comments& notes, const ByteSink& sink) {
     for (const std::string& name : property_names(attribute)) {
       if (std::find(names.begin(), names.end(), name) != names.end())
         throw Error(ErrorCode::bad_input,
-                    fmt::format("two attributes would be the PLY property '{}'", name));
+                    fmt::format("two attributes have the PLY property name '{}'", name));
       names.push_back(name);
     }
   ByteWriter out(sink);
   out.text("ply\nformat binary_little_endian 1.0\n").text(comment_lines(notes, "comment "));
   out.text(fmt::format("element vertex {}\n", mesh.positions.size()));
   for (const std::string& name : names) out.text("property float ").text(name).text("\n");
-  // int is what most readers expect; it holds 2^31 - 1 vertices.
+  // Most readers expect int, which suffices for 2^31 - 1 vertices.
   const bool wide = mesh.positions.size() > INT32_MAX;
   out.text(fmt::format("element face {}\nproperty list uchar {} vertex_indices\nend_header\n",
                        mesh.triangles.size(), wide ? "uint" : "int"));

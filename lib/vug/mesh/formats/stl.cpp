@@ -1,4 +1,4 @@
-// STL: triangles one by one, without the vertices they share.
+// STL: independent triangles without shared vertices.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
 #include <vug/mesh/text_scanner.h>
@@ -14,7 +14,7 @@ namespace vug::mesh {
 namespace {
 
 constexpr size_t kHeader = 80;
-constexpr size_t kRecord = 50;  ///< Normal, three corners, two spare bytes.
+constexpr size_t kRecord = 50;  ///< Normal, three corners, two unused bytes.
 
 void add_corner(Mesh& mesh, const Vec3f& p) {
   mesh.positions.push_back(p);
@@ -48,8 +48,8 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
     const std::string_view word = scan.word();
     if (word != wanted)
       scan.fail(word.empty()
-                    ? fmt::format("the file ends where '{}' should stand", wanted)
-                    : fmt::format("'{}' stands where '{}' should", mesh::printable(word), wanted),
+                    ? fmt::format("the file ends where '{}' is expected", wanted)
+                    : fmt::format("found '{}', expected '{}'", mesh::printable(word), wanted),
                 "the file may be cut off");
   };
   const auto triple = [&] {
@@ -63,7 +63,7 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
   };
   for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
     if (word != "solid")
-      scan.fail(fmt::format("'{}' stands where 'solid' should", mesh::printable(word)));
+      scan.fail(fmt::format("found '{}', expected 'solid'", mesh::printable(word)));
     scan.rest_of_line();  // The solid's name.
     for (word = scan.word(); word == "facet"; word = scan.word()) {
       expect("normal");
@@ -78,9 +78,9 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
       expect("endfacet");
     }
     if (word != "endsolid")
-      scan.fail(word.empty()
-                    ? "the file ends inside a solid"
-                    : fmt::format("'{}' is neither facet nor endsolid", mesh::printable(word)),
+      scan.fail(word.empty() ? "the file ends inside a solid"
+                             : fmt::format("found '{}', expected 'facet' or 'endsolid'",
+                                           mesh::printable(word)),
                 "the file may be cut off");
     scan.rest_of_line();
   }
@@ -90,15 +90,16 @@ Mesh read_text_form(std::string_view bytes, const std::string& file) {
 Mesh read_stl(std::string_view bytes, const std::string& file) {
   uint32_t count = 0;
   if (bytes.size() >= kHeader + 4) std::memcpy(&count, bytes.data() + kHeader, sizeof count);
-  // Many binary files begin with "solid" too, so the length decides.
+  // Many binary files also begin with "solid", so the length decides.
   const bool length_fits =
       bytes.size() >= kHeader + 4 && bytes.size() == kHeader + 4 + kRecord * uint64_t{count};
   if (length_fits) return welded(read_binary(bytes, file, count));
   if (bytes.substr(0, 5) == "solid") return welded(read_text_form(bytes, file));
-  throw Error(ErrorCode::bad_input,
-              fmt::format("{} bytes are neither an STL text nor the {} triangles it announces",
-                          bytes.size(), count),
-              {file, 0, 0}, "the file may be cut off, or no STL file");
+  throw Error(
+      ErrorCode::bad_input,
+      fmt::format("{} bytes are neither an STL text nor the {} triangles that the header announces",
+                  bytes.size(), count),
+      {file, 0, 0}, "the file may be truncated, or not an STL file");
 }
 
 void write_stl(const Mesh& mesh, const Comments& notes, const ByteSink& sink) {
@@ -122,7 +123,7 @@ void write_stl(const Mesh& mesh, const Comments& notes, const ByteSink& sink) {
 
 VUG_MESH_FORMAT(stl) {
   return mesh_format("stl",
-                     "Triangle soup: positions alone; read as text or binary, vertices at equal "
-                     "places made one and triangles without extent dropped; written as binary",
+                     "Triangle soup: positions only. Read as text or binary, with vertices at "
+                     "equal positions merged and degenerate triangles dropped; written as binary",
                      "roscoe1988", read_stl, write_stl);
 }
