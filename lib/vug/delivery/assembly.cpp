@@ -1,4 +1,4 @@
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/delivery/assembly.h>
 #include <vug/delivery/bake.h>
 #include <vug/picture/picture.h>
@@ -14,25 +14,25 @@
 namespace vug::delivery {
 namespace {
 
-Transform place_of(const render::Object& object) {
-  if (!object.placing) return {};
-  const render::Affine at = object.placing->at(0);
+Transform transform_of(const render::Object& object) {
+  if (!object.instance) return {};
+  const render::Affine at = object.instance->at(0);
   return {Vec3d(at.x), Vec3d(at.y), Vec3d(at.z), Vec3d(at.origin)};
 }
 
 /// Looks that depend on the place of an instance are told at each as long as all of it together
 /// has no more vertices than this.
-constexpr size_t kMostVertices = 4000000;
+constexpr size_t kMaxVertices = 4000000;
 /// How many places of more than that are looked at, to tell whether they differ.
 constexpr size_t kProbes = 4;
 
 class Collector {
  public:
-  Collector(const std::vector<render::Object>& objects, Assembled& out) : out_(out) {
+  Collector(const std::vector<render::Object>& objects, AssemblyResult& out) : out_(out) {
     for (const render::Object& object : objects)
-      if (object.looks_by_place) ++counts_[key_of(object)];
+      if (object.world_space_material) ++counts_[key_of(object)];
     for (const render::Object& object : objects) add(object);
-    name_apart();
+    make_names_unique();
   }
 
  private:
@@ -44,65 +44,68 @@ class Collector {
   }
 
   void add(const render::Object& object) {
-    const size_t part = part_of(object);
+    const size_t part = prototype_of(object);
     exchange::Assembly& all = out_.assembly;
     const auto [known, fresh] =
-        groups_.try_emplace({object.name, part, object.placing != nullptr}, all.groups.size());
+        groups_.try_emplace({object.name, part, object.instance != nullptr}, all.groups.size());
     if (fresh) all.groups.push_back({object.name, part, {}});
-    all.groups[known->second].places.push_back(place_of(object));
+    all.groups[known->second].places.push_back(transform_of(object));
   }
 
-  size_t part_of(const render::Object& object) {
+  size_t prototype_of(const render::Object& object) {
     const Key key = key_of(object);
-    if (!object.looks_by_place) return shared_part(key, object);
+    if (!object.world_space_material) return shared_prototype(key, object);
     const size_t places = counts_.at(key);
-    if (places * object.mesh->positions.size() <= kMostVertices) return own_part(key, object);
+    if (places * object.mesh->positions.size() <= kMaxVertices) return own_prototype(key, object);
     if (size_t& probes = probes_[key]; probes < kProbes) {
       ++probes;
-      if (!told_.count(key) && !same(bake(object), on_itself(object))) {
-        told_.insert(key);
-        out_.left_out.push_back(
+      if (!reported_.count(key) && !same(bake(object), bake_without_instance(object))) {
+        reported_.insert(key);
+        out_.unsupported.push_back(
             fmt::format("how the look of '{}' varies over its {} places, which are too many to "
                         "have a mesh each",
                         object.name, places));
       }
     }
-    return shared_part(key, unplaced(object));
+    return shared_prototype(key, without_instance_look(object));
   }
 
-  size_t shared_part(const Key& key, const render::Object& object) {
-    const auto [known, fresh] = parts_.try_emplace(key, out_.assembly.prototypes.size());
-    if (fresh) add_part(object, bake(object));
+  size_t shared_prototype(const Key& key, const render::Object& object) {
+    const auto [known, fresh] = prototypes_.try_emplace(key, out_.assembly.prototypes.size());
+    if (fresh) add_prototype(object, bake(object));
     return known->second;
   }
   /// Places at which it looks the same share a part, too.
-  size_t own_part(const Key& key, const render::Object& object) {
-    Baked baked = bake(object);
-    std::vector<size_t>& made = own_parts_[key];
+  size_t own_prototype(const Key& key, const render::Object& object) {
+    BakeResult baked = bake(object);
+    std::vector<size_t>& made = own_prototypes_[key];
     const Digest digest = mesh::digest(*baked.mesh);
     for (const size_t part : made)
-      if (digests_.at(part) == digest && out_.assembly.prototypes[part].look == baked.look) return part;
+      if (digests_.at(part) == digest && out_.assembly.prototypes[part].look == baked.look)
+        return part;
     made.push_back(out_.assembly.prototypes.size());
     digests_[made.back()] = digest;
-    add_part(object, std::move(baked));
+    add_prototype(object, std::move(baked));
     return made.back();
   }
-  void add_part(const render::Object& object, Baked baked) {
+  void add_prototype(const render::Object& object, BakeResult baked) {
     out_.assembly.prototypes.push_back(
         {object.name, std::move(baked.mesh), object.material_name, baked.look, {}});
   }
 
-  static render::Object unplaced(render::Object object) {
-    object.looks_by_place = false;
+  static render::Object without_instance_look(render::Object object) {
+    object.world_space_material = false;
     return object;
   }
-  static Baked on_itself(const render::Object& object) { return bake(unplaced(object)); }
-  static bool same(const Baked& a, const Baked& b) {
+  static BakeResult bake_without_instance(const render::Object& object) {
+    return bake(without_instance_look(object));
+  }
+  static bool same(const BakeResult& a, const BakeResult& b) {
     return a.look == b.look && *a.mesh == *b.mesh;
   }
 
   /// Of several groups of a name the second gets another: programs tell things apart by names.
-  void name_apart() {
+  void make_names_unique() {
     std::set<std::string> given;
     for (exchange::InstanceGroup& group : out_.assembly.groups) {
       const std::string own = group.name;
@@ -111,11 +114,11 @@ class Collector {
     }
   }
 
-  Assembled& out_;
-  std::map<Key, size_t> parts_, counts_, probes_;
-  std::map<Key, std::vector<size_t>> own_parts_;
+  AssemblyResult& out_;
+  std::map<Key, size_t> prototypes_, counts_, probes_;
+  std::map<Key, std::vector<size_t>> own_prototypes_;
   std::map<size_t, Digest> digests_;
-  std::set<Key> told_;
+  std::set<Key> reported_;
   std::map<std::tuple<std::string, size_t, bool>, size_t> groups_;
 };
 
@@ -137,13 +140,13 @@ std::vector<shot::CameraPlan> in_order(const shot::Shot& shot) {
   return cameras;
 }
 
-void add_cameras(const shot::Shot& shot, Assembled& out) {
+void add_cameras(const shot::Shot& shot, AssemblyResult& out) {
   const Box3d box = exchange::bounds(out.assembly);
   const double across = box.isEmpty() ? 0 : box.size().length();
   for (const shot::CameraPlan& plan : in_order(shot)) {
     exchange::Camera camera;
     if (!plan.camera->as_data(camera)) {
-      out.left_out.push_back(
+      out.unsupported.push_back(
           fmt::format("the camera '{}', which looks all round: no program is told how", plan.name));
       continue;
     }
@@ -157,17 +160,18 @@ void add_cameras(const shot::Shot& shot, Assembled& out) {
 }
 
 void add_lights(const shot::Shot& shot, const std::vector<render::LightPtr>& lights,
-                Assembled& out) {
+                AssemblyResult& out) {
   for (const render::LightPtr& light : lights) {
     const auto own = std::find_if(shot.lights.begin(), shot.lights.end(),
                                   [&](const auto& each) { return each.second == light; });
     exchange::Light lamp;
     lamp.name = own != shot.lights.end() ? own->first
-                : light->is_infinite()        ? "sky"
-                                  : fmt::format("placed_light_{}", out.assembly.lights.size() + 1);
+                : light->is_infinite()
+                    ? "sky"
+                    : fmt::format("placed_light_{}", out.assembly.lights.size() + 1);
     if (light->as_data(lamp)) out.assembly.lights.push_back(lamp);
     if (!light->linking().only.empty() || !light->linking().except.empty())
-      out.left_out.push_back(
+      out.unsupported.push_back(
           fmt::format("for which objects the light '{}' is: it shines on all", lamp.name));
   }
 }
@@ -180,14 +184,14 @@ std::string shown_name(const shot::Shot& shot, const std::string& name) {
         return mesh->name == name && mesh->cells && mesh->parts.empty();
       });
   const bool own = shot.objects.empty() && worn != shot.meshes.end();
-  return own ? (*worn)->cells->on.at((*worn)->ground)->name : name;
+  return own ? (*worn)->cells->on.at((*worn)->support)->name : name;
 }
 
 }  // namespace
 
 shot::Shot with_meshes(shot::Shot shot) {
   for (shot::ObjectPlan& object : shot.objects) object.direct = false;
-  for (shot::PlacePlan& place : shot.places)
+  for (shot::PointInstancer& place : shot.instancers)
     for (shot::Model& model : place.of)
       if (model.scene) model.scene = std::make_shared<const shot::Shot>(with_meshes(*model.scene));
   return shot;
@@ -197,17 +201,17 @@ exchange::Provenance provenance_of(const shot::Shot& shot) {
   return {shot.recipe, shot.seed, shot.frame, VUG_VERSION};
 }
 
-Assembled assemble(building::Builder& builder) {
+AssemblyResult build_assembly(building::Builder& builder) {
   const shot::Shot& shot = builder.shot();
-  Assembled out;
+  AssemblyResult out;
   out.assembly.name = shot.name;
   out.assembly.provenance = provenance_of(shot);
-  building::Cast cast = building::cast_of(builder);
-  building::light_plainly(cast, shot.medium.get());
-  for (render::Object& object : cast.objects) object.name = shown_name(shot, object.name);
-  Collector(cast.objects, out);
+  building::FlatScene flat = building::flatten_scene(builder);
+  building::add_default_light(flat, shot.medium.get());
+  for (render::Object& object : flat.objects) object.name = shown_name(shot, object.name);
+  Collector(flat.objects, out);
   add_cameras(shot, out);
-  add_lights(shot, cast.lights, out);
+  add_lights(shot, flat.lights, out);
   return out;
 }
 

@@ -16,13 +16,13 @@ shot::Shot with_meshes(shot::Shot shot);
 /// What rebuilds all of the shot.
 exchange::Provenance provenance_of(const shot::Shot& shot);
 
-struct Assembled {
-  exchange::Assembly assembly;        ///< In metres, y up; without volumes.
-  std::vector<std::string> left_out;  ///< In sentences, what cannot be told.
+struct AssemblyResult {
+  exchange::Assembly assembly;           ///< In metres, y up; without volumes.
+  std::vector<std::string> unsupported;  ///< In sentences, what cannot be told.
 };
 
 /// Objects with their looks at every vertex, what is placed as groups of one part, cameras with
 /// the shape of their render's picture, and lights. Builds all meshes.
-Assembled assemble(building::Builder& builder);
+AssemblyResult build_assembly(building::Builder& builder);
 
 }  // namespace vug::delivery

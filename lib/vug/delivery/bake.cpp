@@ -38,14 +38,14 @@ bool may_vary(const render::Object& object, const exchange::Channel& channel, bo
 }
 
 /// `solid`: what there is of the mesh is all there.
-Baked bake_as_it_is(const render::Object& object, bool solid) {
-  const Eye eye(object);
+BakeResult bake_as_it_is(const render::Object& object, bool solid) {
+  const MaterialProbe probe(object);
   mesh::Mesh out = *object.mesh;
   const size_t vertices = out.positions.size();
-  Baked baked;
+  BakeResult baked;
   if (vertices == 0) return {object.mesh, {}};
   const auto look_at = [&](size_t vertex) {
-    exchange::Look look = eye.at(vertex);
+    exchange::Look look = probe.at(vertex);
     if (solid) look.opacity = 1;
     return look;
   };
@@ -103,8 +103,8 @@ Baked bake_as_it_is(const render::Object& object, bool solid) {
 
 }  // namespace
 
-Baked bake(const render::Object& object) {
-  std::optional<mesh::Mesh> kept = cut_out(object);
+BakeResult bake(const render::Object& object) {
+  std::optional<mesh::Mesh> kept = cutout_mesh(object);
   if (!kept) return bake_as_it_is(object, false);
   render::Object cut = object;
   cut.mesh = std::make_shared<const mesh::Mesh>(std::move(*kept));

@@ -6,7 +6,7 @@
 
 namespace vug::delivery {
 
-struct Baked {
+struct BakeResult {
   /// With an attribute for each channel of the look that varies; of a flat object without normals.
   mesh::MeshPtr mesh;
   exchange::Look look;  ///< Elsewhere the mean.
@@ -16,6 +16,6 @@ struct Baked {
 /// its look depends on that; its "Cd" becomes the body's colour. Of a mesh with holes that part is
 /// left which is there (see cut_out.h). An attribute of the mesh that is
 /// called like a channel is kept under "raw_NAME".
-Baked bake(const render::Object& object);
+BakeResult bake(const render::Object& object);
 
 }  // namespace vug::delivery

@@ -21,7 +21,7 @@ namespace vug::delivery {
 namespace {
 
 /// The meshes of level sets among what the cells stand on, one for each level set.
-std::vector<shot::MeshPtr> solid_grounds(const shot::CellsPlan& plan) {
+std::vector<shot::MeshPtr> solid_supports(const shot::CellsPlan& plan) {
   std::vector<shot::MeshPtr> out;
   std::set<shot::VolumePtr> known;
   for (const shot::MeshPtr& mesh : plan.on)
@@ -30,12 +30,13 @@ std::vector<shot::MeshPtr> solid_grounds(const shot::CellsPlan& plan) {
 }
 
 /// Vertices without triangles: the places on the surface that the band's voxels belong to.
-mesh::Mesh feet(const shot::MeshPlan& ground, const volume::LevelSet& level_set) {
+mesh::Mesh surface_points(const shot::MeshPlan& support, const volume::LevelSet& level_set) {
   volume::BandPoints band = volume::band_points(level_set);
   mesh::Mesh out;
   out.positions = std::move(band.foot);
   out.normals = std::move(band.normal);
-  if (ground.paint) building::add_colors(out, ground.paint, volume::sampled_grid(level_set).get());
+  if (support.paint)
+    building::add_colors(out, support.paint, volume::sampled_grid(level_set).get());
   return out;
 }
 
@@ -72,17 +73,17 @@ void write_value(mesh::ByteWriter& out, const T& value) {
 std::vector<volume::Grid> cell_grids(building::Builder& builder, const shot::CellsPtr& plan) {
   constexpr double kBytes = 200;  // what a voxel takes while its values are found
   std::vector<volume::Grid> out;
-  const building::SkinPtr skin = builder.skin(plan);
-  const std::vector<shot::MeshPtr> grounds = solid_grounds(*plan);
-  for (const shot::MeshPtr& ground : grounds) {
-    const volume::LevelSet& level_set = builder.level_set(ground->volume);
+  const building::CellLayerPtr layer = builder.cell_layer(plan);
+  const std::vector<shot::MeshPtr> grounds = solid_supports(*plan);
+  for (const shot::MeshPtr& support : grounds) {
+    const volume::LevelSet& level_set = builder.level_set(support->volume);
     require_memory(kBytes * static_cast<double>(level_set.statistics().active_voxels),
-                   builder.room(), fmt::format("the grids of '{}'", plan->name),
+                   builder.memory_budget(), fmt::format("the grids of '{}'", plan->name),
                    "leave grids out of its files, use larger voxels");
-    mesh::Mesh places = feet(*ground, level_set);
-    cells::transfer_to_mesh(skin->simulation, places, {}, builder.progress());
+    mesh::Mesh places = surface_points(*support, level_set);
+    cells::transfer_to_mesh(layer->simulation, places, {}, builder.progress());
     const std::string name =
-        grounds.size() == 1 ? plan->name : fmt::format("{}_{}", plan->name, ground->volume->name);
+        grounds.size() == 1 ? plan->name : fmt::format("{}_{}", plan->name, support->volume->name);
     for (const mesh::Attribute& each : places.attributes)
       out.push_back(grid_of(each, level_set)
                         .named(fmt::format("{}_{}", name, each.name))
@@ -91,8 +92,8 @@ std::vector<volume::Grid> cell_grids(building::Builder& builder, const shot::Cel
   return out;
 }
 
-void write_table(const std::filesystem::path& file, const building::Skin& skin) {
-  const volume::Points points = cells::to_points(skin.simulation);
+void write_table(const std::filesystem::path& file, const building::CellLayer& layer) {
+  const volume::Points points = cells::to_points(layer.simulation);
   AtomicFile target(file);
   std::ofstream to(target.path(), std::ios::binary);
   const mesh::ByteSink sink = [&](std::string_view bytes) {
@@ -110,7 +111,7 @@ void write_table(const std::filesystem::path& file, const building::Skin& skin) 
     for (const volume::PointAttribute& each : points.attributes)
       if (each.name != "id")
         std::visit([&](const auto& values) { write_value(out, values[i]); }, each.values);
-    out.text(",").text(cells::name_of(skin.simulation.states()[i])).text("\n");
+    out.text(",").text(cells::name_of(layer.simulation.states()[i])).text("\n");
   }
   out.finish();
   to.close();

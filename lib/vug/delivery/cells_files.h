@@ -18,6 +18,6 @@ std::vector<volume::Grid> cell_grids(building::Builder& builder, const shot::Cel
 
 /// A line for each cell with its number, place, normal, what it carries and its state, and before
 /// them a line of their names: x, y and z, so that a scene can place things there.
-void write_table(const std::filesystem::path& file, const building::Skin& skin);
+void write_table(const std::filesystem::path& file, const building::CellLayer& layer);
 
 }  // namespace vug::delivery

@@ -39,13 +39,13 @@ mesh::Mesh fine(const mesh::Mesh& mesh) {
 /// Opacities at the corners of all triangles, and in their middles.
 using Opacities = std::vector<std::array<double, 4>>;
 
-Opacities sampled(const Eye& eye, size_t triangles) {
+Opacities sampled(const MaterialProbe& probe, size_t triangles) {
   Opacities out(triangles);
   parallel_for(
       triangles,
       [&](size_t i) {
-        out[i] = {eye.opacity(i, 0, 0), eye.opacity(i, 1, 0), eye.opacity(i, 0, 1),
-                  eye.opacity(i, 1.0f / 3, 1.0f / 3)};
+        out[i] = {probe.opacity(i, 0, 0), probe.opacity(i, 1, 0), probe.opacity(i, 0, 1),
+                  probe.opacity(i, 1.0f / 3, 1.0f / 3)};
       },
       64);
   return out;
@@ -65,8 +65,8 @@ bool cuts(const Opacities& opacities) {
 
 class Cutter {
  public:
-  Cutter(const mesh::Mesh& mesh, const Eye& eye, const Opacities& opacities)
-      : mesh_(mesh), eye_(eye), out_(mesh) {
+  Cutter(const mesh::Mesh& mesh, const MaterialProbe& probe, const Opacities& opacities)
+      : mesh_(mesh), probe_(probe), out_(mesh) {
     out_.triangles.clear();
     for (size_t i = 0; i < mesh.triangles.size(); ++i) cut(i, opacities[i]);
   }
@@ -105,25 +105,25 @@ class Cutter {
   double opacity_on(size_t triangle, size_t k, float share) const {
     std::array<float, 3> corner{};
     corner[k] = 1 - share, corner[(k + 1) % 3] = share;
-    return eye_.opacity(triangle, corner[1], corner[2]);
+    return probe_.opacity(triangle, corner[1], corner[2]);
   }
 
   const mesh::Mesh& mesh_;
-  const Eye& eye_;
+  const MaterialProbe& probe_;
   mesh::Mesh out_;
   std::unordered_map<uint64_t, uint32_t> crossings_;
 };
 
 }  // namespace
 
-std::optional<mesh::Mesh> cut_out(const render::Object& object) {
+std::optional<mesh::Mesh> cutout_mesh(const render::Object& object) {
   if (!object.material || !object.material->cut_out() || object.mesh->triangles.empty()) return {};
   render::Object finer = object;
   finer.mesh = std::make_shared<const mesh::Mesh>(fine(*object.mesh));
-  const Eye eye(finer);
-  const Opacities opacities = sampled(eye, finer.mesh->triangles.size());
+  const MaterialProbe probe(finer);
+  const Opacities opacities = sampled(probe, finer.mesh->triangles.size());
   if (!cuts(opacities)) return {};
-  return Cutter(*finer.mesh, eye, opacities).take();
+  return Cutter(*finer.mesh, probe, opacities).take();
 }
 
 }  // namespace vug::delivery

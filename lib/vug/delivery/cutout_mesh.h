@@ -11,6 +11,6 @@ namespace vug::delivery {
 /// or no, such as the outline of a leaf on a card: whatever reads meshes has the holes then. A mesh
 /// of few triangles is made finer first, so that outlines are smooth and what is baked at vertices
 /// follows the look. Nothing where the opacity is 1 or in between: see Look::opacity.
-std::optional<mesh::Mesh> cut_out(const render::Object& object);
+std::optional<mesh::Mesh> cutout_mesh(const render::Object& object);
 
 }  // namespace vug::delivery

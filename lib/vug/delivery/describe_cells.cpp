@@ -34,7 +34,8 @@ Json states(const std::vector<cells::CellState>& all) {
   for (const cells::CellState state : all) ++counts[static_cast<size_t>(state)];
   Json out = Json::object();
   for (size_t s = 0; s < counts.size(); ++s)
-    if (counts[s] > 0) out[std::string(cells::name_of(static_cast<cells::CellState>(s)))] = counts[s];
+    if (counts[s] > 0)
+      out[std::string(cells::name_of(static_cast<cells::CellState>(s)))] = counts[s];
   return out;
 }
 
@@ -42,8 +43,8 @@ Json states(const std::vector<cells::CellState>& all) {
 
 Json describe_cells(building::Builder& builder, const std::string& name) {
   const shot::CellsPtr plan = shot::find_cells(builder.shot(), name);
-  const building::SkinPtr skin = builder.skin(plan);
-  const cells::Network& network = skin->network();
+  const building::CellLayerPtr layer = builder.cell_layer(plan);
+  const cells::Network& network = layer->network();
   const cells::Quality quality = cells::quality(network);
   const auto pieces = cells::components(network.links);
   Json on = Json::object();
@@ -57,9 +58,9 @@ Json describe_cells(building::Builder& builder, const std::string& name) {
           {"variation", quality.variation},
           {"links", links(quality)},
           {"five_to_seven", quality.share(5, 7)},
-          {"states", states(skin->simulation.states())},
-          {"steps", skin->simulation.step()},
-          {"harmonising", harmonising(skin->relaxing)}};
+          {"states", states(layer->simulation.states())},
+          {"steps", layer->simulation.step()},
+          {"harmonising", harmonising(layer->relaxing)}};
 }
 
 }  // namespace vug::delivery

@@ -131,10 +131,10 @@ Json describe_table(const std::filesystem::path& file) {
 
 /// A part of a picture, or a checkpoint: they differ only in that something is left to do.
 Json describe_part(const std::filesystem::path& file) {
-  const render::PartOutline part = render::read_outline(file);
-  render::require_whole(file);
-  const render::PartHeader& header = part.header;
-  const picture::PictureLook look = picture::from_notes(header.notes);
+  const render::PartialRenderInfo part = render::read_partial_render_info(file);
+  render::verify_partial_render(file);
+  const render::PartialRenderHeader& header = part.header;
+  const picture::OutputSettings look = picture::from_header_attributes(header.notes);
   Json out = {{"file", file.string()},
               {"type", part.samples_left > 0 ? "checkpoint" : "part of a picture"},
               {"bytes", std::filesystem::file_size(file)},
@@ -146,7 +146,7 @@ Json describe_part(const std::filesystem::path& file) {
   if (!(crop == render::Region{0, 0, header.width, header.height}))
     out["crop"] = {crop.x0, crop.y0, crop.x1, crop.y1};
   if (header.noise > 0) out["noise"] = header.noise;
-  out["layers"] = header.layers.names;
+  out["layers"] = header.aovs.names;
   out["scene"] = header.identity;  // a hash of all that the picture depends on
   out["holds"] = {{"pixels", {region.x0, region.y0, region.x1, region.y1}},
                   {"samples", {part.begin, part.end}},
@@ -168,7 +168,7 @@ nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
     if (extension == "." + format->info.name) return describe_mesh(file);
   for (const exchange::Format* format : exchange::formats())
     if (extension == "." + format->info.name) return describe_scene(file);
-  return render::is_part(file) || extension == ".vugpart" ? describe_part(file)
+  return render::is_partial_render(file) || extension == ".vugpart" ? describe_part(file)
                                                           : describe_picture(file);
 }
 

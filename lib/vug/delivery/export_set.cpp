@@ -29,9 +29,9 @@ exchange::Space space_of(const ExportOptions& options) {
 }
 
 /// Names and places of files.
-class Names {
+class FileNames {
  public:
-  Names(const shot::Shot& shot, std::filesystem::path folder, const ExportOptions& options)
+  FileNames(const shot::Shot& shot, std::filesystem::path folder, const ExportOptions& options)
       : shot_(shot), folder_(std::move(folder)), options_(options) {}
 
   std::filesystem::path scene(const std::string& format, int level = 0) const {
@@ -62,7 +62,8 @@ class Names {
 /// How many levels of detail there are: not every one that was asked for.
 int levels_of(const exchange::Assembly& assembly) {
   size_t most = 0;
-  for (const exchange::Prototype& part : assembly.prototypes) most = std::max(most, part.coarser.size());
+  for (const exchange::Prototype& part : assembly.prototypes)
+    most = std::max(most, part.coarser.size());
   return static_cast<int>(most);
 }
 
@@ -74,32 +75,32 @@ class Exporter {
         options_(options),
         names_(builder.shot(), folder, options),
         space_(space_of(options)),
-        way_(exchange::space_transform({}, space_)) {
+        to_space_(exchange::space_transform({}, space_)) {
     vdb_ = write_options(builder.shot());
     vdb_.metadata["vug:frame"] = builder.shot().frame;
     vdb_.metadata["vug:upAxis"] = exchange::to_string(space_.up);
     vdb_.metadata["vug:metersPerUnit"] = space_.metres_per_unit;
   }
 
-  Exported all() {
-    Assembled made = assemble(builder_);
+  ExportResult all() {
+    AssemblyResult made = build_assembly(builder_);
     exchange::add_levels(made.assembly, options_.levels, builder_.progress());
     const int levels = levels_of(made.assembly);
-    tell_levels(made.assembly, levels);
+    report_levels(made.assembly, levels);
     const shot::Shot& shot = builder_.shot();
     for (const shot::VolumePtr& plan : shot.volumes)
       made.assembly.volumes.push_back(write(export_volume(builder_, plan), names_.volume(*plan)));
     if (has_own_grids(shot))
       made.assembly.volumes.push_back(write(export_medium(builder_), names_.medium()));
     else if (shot.medium && !shot.medium->has_grids())
-      made.left_out.push_back(
+      made.unsupported.push_back(
           fmt::format("the haze '{}', which fills all space and has no grid", shot.medium_name));
     for (const shot::CellsPtr& plan : shot::declared_cells(shot)) write(plan);
-    out_.unsupported = std::move(made.left_out);
+    out_.unsupported = std::move(made.unsupported);
     for (const std::string& name : options_.program->formats) {
       const exchange::Format& format = exchange::format(name);
       const std::filesystem::path whole = names_.scene(name);
-      tell(write(format, made.assembly, whole), whole);
+      add_report(write(format, made.assembly, whole), whole);
       // Coarser files differ in meshes alone: what else there is to tell is told already.
       for (int level = 1; level <= levels && !format.levels; ++level)
         write(format, exchange::at_level(made.assembly, level), names_.scene(name, level), whole);
@@ -110,8 +111,8 @@ class Exporter {
  private:
   /// `pictures_of`: the file beside which pictures of skies lie already; empty: this one.
   exchange::WriteReport write(const exchange::Format& format, const exchange::Assembly& assembly,
-                          const std::filesystem::path& file,
-                          const std::filesystem::path& pictures_of = {}) {
+                              const std::filesystem::path& file,
+                              const std::filesystem::path& pictures_of = {}) {
     exchange::FormatOptions options = options_.program->options;
     options.pictures_of = pictures_of;
     exchange::WriteReport more =
@@ -119,14 +120,14 @@ class Exporter {
     out_.files.insert(out_.files.end(), more.files.begin(), more.files.end());
     return more;
   }
-  void tell(const exchange::WriteReport& written, const std::filesystem::path& file) {
+  void add_report(const exchange::WriteReport& written, const std::filesystem::path& file) {
     const std::string name = file.filename().string();
     for (const std::string& what : written.unsupported)
       out_.unsupported.push_back(fmt::format("{} ({})", what, name));
     for (const std::string& what : written.notes)
       out_.notes.push_back(fmt::format("{} ({})", what, name));
   }
-  void tell_levels(const exchange::Assembly& assembly, int levels) {
+  void report_levels(const exchange::Assembly& assembly, int levels) {
     for (const exchange::Prototype& part : assembly.prototypes)
       for (size_t i = 0; i < part.coarser.size(); ++i)
         out_.levels.push_back(
@@ -150,13 +151,13 @@ class Exporter {
     return out;
   }
   void write(const shot::CellsPtr& plan) {
-    const building::SkinPtr skin = builder_.skin(plan);
+    const building::CellLayerPtr layer = builder_.cell_layer(plan);
     if (plan->writes("grids")) write(names_.grids(*plan), cell_grids(builder_, plan));
     if (!plan->writes("points")) return;
     constexpr double kBytes = 150;  // see write_products
-    require_memory(kBytes * static_cast<double>(skin->network().size()), builder_.room(),
+    require_memory(kBytes * static_cast<double>(layer->network().size()), builder_.memory_budget(),
                    fmt::format("the points of '{}'", plan->name), "leave them out of its files");
-    volume::Points points = cells::to_points(skin->simulation);
+    volume::Points points = cells::to_points(layer->simulation);
     move(points);
     const std::filesystem::path file = names_.points(*plan);
     if (!options_.program->points_format.empty()) {
@@ -164,7 +165,7 @@ class Exporter {
     } else {
       if (plan->half)
         for (volume::PointAttribute& each : points.attributes) each.half = true;
-      const double voxel = cells::voxel_of_points(skin->network()) * way_.max_stretch();
+      const double voxel = cells::voxel_of_points(layer->network()) * to_space_.max_stretch();
       volume::write(file, {volume::point_grid(points, voxel).named(plan->name)}, vdb_);
     }
     out_.files.push_back(file);
@@ -172,12 +173,12 @@ class Exporter {
   /// Into the program's space: places, what points somewhere, and the size of points.
   void move(volume::Points& points) const {
     if (space_ == exchange::Space()) return;
-    const double scale = way_.max_stretch();
-    for (Vec3f& p : points.position) p = Vec3f(way_.point(Vec3d(p)));
+    const double scale = to_space_.max_stretch();
+    for (Vec3f& p : points.position) p = Vec3f(to_space_.point(Vec3d(p)));
     for (volume::PointAttribute& each : points.attributes) {
       if (auto* vectors = std::get_if<std::vector<Vec3f>>(&each.values);
           vectors && !exchange::is_color(each.name))
-        for (Vec3f& v : *vectors) v = Vec3f(way_.vector(Vec3d(v)) / scale);
+        for (Vec3f& v : *vectors) v = Vec3f(to_space_.vector(Vec3d(v)) / scale);
       if (auto* sizes = std::get_if<std::vector<float>>(&each.values);
           sizes && each.name == "pscale")
         for (float& size : *sizes) size *= static_cast<float>(scale);
@@ -186,18 +187,18 @@ class Exporter {
   void write(const std::filesystem::path& file, const std::vector<volume::Grid>& grids) {
     std::vector<volume::Grid> there;
     for (const volume::Grid& grid : grids)
-      there.push_back(space_ == exchange::Space() ? grid : volume::converted(grid, way_));
+      there.push_back(space_ == exchange::Space() ? grid : volume::converted(grid, to_space_));
     volume::write(file, there, vdb_);
     out_.files.push_back(file);
   }
 
   building::Builder& builder_;
   const ExportOptions& options_;
-  Names names_;
+  FileNames names_;
   exchange::Space space_;
-  Transform way_;
+  Transform to_space_;
   volume::WriteOptions vdb_;
-  Exported out_;
+  ExportResult out_;
 };
 
 }  // namespace
@@ -205,7 +206,7 @@ class Exporter {
 std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
                                                 const std::filesystem::path& folder,
                                                 const ExportOptions& options) {
-  const Names names(shot, folder, options);
+  const FileNames names(shot, folder, options);
   std::vector<std::filesystem::path> paths;
   for (const shot::VolumePtr& plan : shot.volumes) paths.push_back(names.volume(*plan));
   if (has_own_grids(shot)) paths.push_back(names.medium());
@@ -221,8 +222,8 @@ std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
   return paths;
 }
 
-Exported export_set(building::Builder& builder, const std::filesystem::path& folder,
-                    const ExportOptions& options) {
+ExportResult export_set(building::Builder& builder, const std::filesystem::path& folder,
+                        const ExportOptions& options) {
   for (const auto& path : export_paths(builder.shot(), folder, options)) require_writable(path);
   return Exporter(builder, folder, options).all();
 }

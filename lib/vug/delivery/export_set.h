@@ -29,11 +29,11 @@ std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
 /// asks for them, the grids of what they carry in NAME_CELLS_grids.vdb; levels of detail in
 /// NAME_lod1.glb and so on, in variants (USD), as many as are of use. The builder's shot is one of
 /// with_meshes.
-struct Exported : exchange::WriteReport {
+struct ExportResult : exchange::WriteReport {
   std::vector<std::string>
       levels;  ///< In sentences, how far each level is off, and which is the last.
 };
-Exported export_set(building::Builder& builder, const std::filesystem::path& folder,
-                    const ExportOptions& options);
+ExportResult export_set(building::Builder& builder, const std::filesystem::path& folder,
+                        const ExportOptions& options);
 
 }  // namespace vug::delivery

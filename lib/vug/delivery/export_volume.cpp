@@ -19,11 +19,12 @@ void add_cloud(const building::Builder& builder, const volume::Grid& density, bo
                ExportVolume& out) {
   // Vectors, numbers and the place of each voxel, before what is the same in a block shrinks.
   constexpr double kBytes = 32;
-  require_memory(kBytes * static_cast<double>(density.statistics().active_voxels), builder.room(),
-                 fmt::format("the grids of '{}'", out.name), "use larger voxels");
+  require_memory(kBytes * static_cast<double>(density.statistics().active_voxels),
+                 builder.memory_budget(), fmt::format("the grids of '{}'", out.name),
+                 "use larger voxels");
   const render::MediumPtr medium =
       builder.shot().medium->with_density(std::make_shared<const volume::Density>(density));
-  std::optional<render::CloudData> data = medium ? medium->as_data(&density) : std::nullopt;
+  std::optional<render::MediumData> data = medium ? medium->as_data(&density) : std::nullopt;
   if (!data) return;
   out.medium = data->medium;
   out.grids.clear();
@@ -47,7 +48,7 @@ bool has_own_grids(const shot::Shot& shot) {
 ExportVolume export_medium(building::Builder& builder) {
   const shot::Shot& shot = builder.shot();
   ExportVolume out{shot.medium_name, {}, {}};
-  std::optional<render::CloudData> data = shot.medium->as_data(nullptr);
+  std::optional<render::MediumData> data = shot.medium->as_data(nullptr);
   if (data) out.grids = std::move(data->grids), out.medium = data->medium;
   return out;
 }

@@ -17,26 +17,27 @@ std::vector<uint32_t> corners_of(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-Eye::Eye(const render::Object& object)
+MaterialProbe::MaterialProbe(const render::Object& object)
     : object_(object),
       mesh_(*object.mesh),
       corners_(corners_of(mesh_)),
       color_(mesh::find_attribute(mesh_, mesh::kColour, 3)) {
   if (mesh_.normals.empty()) normals_ = mesh::vertex_normals(mesh_);
-  if (object.looks_by_place && object.placing) placing_ = object.placing.get();
+  if (object.world_space_material && object.instance) instance_ = object.instance.get();
 }
 
-render::Surface Eye::surface(const Vec3f& position, const Vec3f& normal, const Vec3f& color) const {
+render::Surface MaterialProbe::surface(const Vec3f& position, const Vec3f& normal,
+                                       const Vec3f& color) const {
   render::Surface surface;
   surface.mesh = &mesh_;
   surface.solid = object_.solid.get();
   surface.position = position;
   surface.shading_normal = normal;
   surface.color = color;
-  if (placing_) {
-    const render::Affine place = placing_->at(0);
-    surface.placing = placing_;
-    surface.looks_by_place = true;
+  if (instance_) {
+    const render::Affine place = instance_->at(0);
+    surface.instance = instance_;
+    surface.world_space_material = true;
     surface.position = place.point(surface.position);
     surface.shading_normal = render::normalized(place.normal(surface.shading_normal));
   }
@@ -44,13 +45,13 @@ render::Surface Eye::surface(const Vec3f& position, const Vec3f& normal, const V
   return surface;
 }
 
-Vec3f Eye::color_of(size_t vertex) const {
+Vec3f MaterialProbe::color_of(size_t vertex) const {
   if (!color_) return render::Rgb(1.0f);
   const float* c = &color_->values[3 * vertex];
   return {c[0], c[1], c[2]};
 }
 
-exchange::Look Eye::at(size_t vertex) const {
+exchange::Look MaterialProbe::at(size_t vertex) const {
   render::Surface surface =
       this->surface(mesh_.positions[vertex], normals()[vertex], color_of(vertex));
   exchange::Look look;
@@ -69,7 +70,7 @@ exchange::Look Eye::at(size_t vertex) const {
   return look;
 }
 
-double Eye::opacity(size_t triangle, float u, float v) const {
+double MaterialProbe::opacity(size_t triangle, float u, float v) const {
   if (!object_.material || !object_.material->cut_out()) return 1;
   const mesh::Triangle& t = mesh_.triangles[triangle];
   const auto between = [&](const Vec3f& a, const Vec3f& b, const Vec3f& c) {

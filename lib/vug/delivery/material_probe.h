@@ -10,9 +10,9 @@
 namespace vug::delivery {
 
 /// Keeps the object, which it is made of, by reference.
-class Eye {
+class MaterialProbe {
  public:
-  explicit Eye(const render::Object& object);
+  explicit MaterialProbe(const render::Object& object);
 
   /// At a vertex; its opacity is 1 where the material has no holes.
   exchange::Look at(size_t vertex) const;
@@ -31,7 +31,7 @@ class Eye {
   std::vector<uint32_t> corners_;  ///< A triangle of each vertex, as triangle * 3 + corner.
   std::vector<Vec3f> normals_;     ///< Where the mesh has none.
   const mesh::Attribute* color_;
-  const render::Placing* placing_ = nullptr;  ///< That the look depends on.
+  const render::InstanceTransform* instance_ = nullptr;  ///< That the look depends on.
 };
 
 }  // namespace vug::delivery

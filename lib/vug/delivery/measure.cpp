@@ -13,7 +13,7 @@ metrics::Report measure(building::Builder& builder, const std::string& name) {
   const auto mesh = builder.mesh(plan);
   metrics::Report report = metrics::measure(*mesh);
   report.build_seconds = builder.seconds();
-  if (plan->volume && !plan->volume->of && is_finite(plan->volume->field.bounds()))
+  if (plan->volume && !plan->volume->source_mesh && is_finite(plan->volume->field.bounds()))
     report.volume_cells =
         metrics::volume_cells(plan->volume->field, plan->volume->voxel, builder.progress());
   size_t productions = 0;

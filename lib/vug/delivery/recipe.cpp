@@ -111,14 +111,14 @@ void apply(const std::string& change, Recipe& recipe) {
 
 }  // namespace
 
-Recipe recipe_in(const std::string& kept) {
+Recipe parse_recipe(const std::string& kept) {
   Recipe recipe;
   recipe.scene = scene::normalise_text(kept);
   for (const std::string& change : changes(recipe.scene)) apply(change, recipe);
   return recipe;
 }
 
-Recipe recipe_of(const std::filesystem::path& file) {
+Recipe read_recipe(const std::filesystem::path& file) {
   const nlohmann::ordered_json about = describe_file(file);
   const auto metadata = about.find("metadata");
   const auto text = [&](const char* name) -> std::string {
@@ -130,7 +130,7 @@ Recipe recipe_of(const std::filesystem::path& file) {
   if (kept.empty())
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not tell its recipe", file.string()),
                 {}, "files of vug build, export and render do");
-  Recipe recipe = recipe_in(kept);
+  Recipe recipe = parse_recipe(kept);
   recipe.version = text("vug:version");
   return recipe;
 }

@@ -16,9 +16,9 @@ struct Recipe {
 /// Of a .vdb, mesh, scene of another program, picture, part of a picture or checkpoint. Overrides
 /// and seed, which files keep apart, stand in the text again. Error(bad_input) for a file that
 /// tells no recipe.
-Recipe recipe_of(const std::filesystem::path& file);
+Recipe read_recipe(const std::filesystem::path& file);
 
 /// The same of the text that files keep.
-Recipe recipe_in(const std::string& kept);
+Recipe parse_recipe(const std::string& kept);
 
 }  // namespace vug::delivery

@@ -37,7 +37,7 @@ volume::WriteOptions write_options(const shot::Shot& shot) {
   return options;
 }
 
-mesh::Comments mesh_notes(const shot::Shot& shot) {
+mesh::Comments mesh_comments(const shot::Shot& shot) {
   mesh::Comments notes;
   notes.texts = {{"vug:recipe", shot.recipe},
                  {"vug:seed", std::to_string(shot.seed)},
@@ -76,20 +76,20 @@ std::vector<std::filesystem::path> write_products(building::Builder& builder,
   const std::vector<std::filesystem::path> paths = product_paths(shot, folder, frame);
   for (const auto& path : paths) require_writable(path);
   auto path = paths.begin();
-  for (const shot::MeshPtr& plan : shot::declared_meshes(shot)) builder.require_room(plan);
+  for (const shot::MeshPtr& plan : shot::declared_meshes(shot)) builder.require_mesh_memory(plan);
   if (!shot.volumes.empty()) write_volumes(builder, *path++);
   for (const shot::MeshPtr& plan : shot::declared_meshes(shot))
-    mesh::write_mesh(*builder.mesh(plan), *path++, mesh_notes(shot));
+    mesh::write_mesh(*builder.mesh(plan), *path++, mesh_comments(shot));
   for (const shot::CellsPtr& cells : shot::declared_cells(shot)) {
     if (cells->writes("points")) {
-      const building::SkinPtr skin = builder.skin(cells);
+      const building::CellLayerPtr layer = builder.cell_layer(cells);
       // Plain arrays, their order and the grid; measured with 10 M cells and eight attributes.
       constexpr double kBytes = 150;
-      require_memory(kBytes * static_cast<double>(skin->network().size()), builder.room(),
+      require_memory(kBytes * static_cast<double>(layer->network().size()), builder.memory_budget(),
                      fmt::format("the points of '{}'", cells->name), "leave them out of its files");
-      volume::write(*path++, {building::cell_points(*cells, *skin)}, write_options(shot));
+      volume::write(*path++, {building::cell_points(*cells, *layer)}, write_options(shot));
     }
-    if (cells->writes("csv")) write_table(*path++, *builder.skin(cells));
+    if (cells->writes("csv")) write_table(*path++, *builder.cell_layer(cells));
   }
   return paths;
 }

@@ -33,6 +33,6 @@ volume::Grid volume_grid(const shot::VolumePlan& plan, const volume::LevelSet& l
 /// What files of the shot's grids tell about where they come from.
 volume::WriteOptions write_options(const shot::Shot& shot);
 /// The same of its meshes.
-mesh::Comments mesh_notes(const shot::Shot& shot);
+mesh::Comments mesh_comments(const shot::Shot& shot);
 
 }  // namespace vug::delivery

@@ -1,4 +1,4 @@
-// What a file of a mask or a paint needs.
+// Registration of masks and paints.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -17,12 +17,13 @@ using PaintKind = Kind<Paint>;
 const Kinds<Mask>& masks();
 const Kinds<Paint>& paints();
 
-/// Kinds whose parameter struct P has `static void describe(Schema<P>&)`; see make_kind.
+/// For kinds whose parameter struct P has `static void describe(Schema<P>&)`; see make_kind.
 template <class P, class Build>
 MaskKind mask_kind(std::string name, Build build) {
   return make_kind<Mask, P>(std::move(name), "mask", build);
 }
-/// The same for masks of an attribute that P::name names; build(params, uses) is told where.
+/// The same for masks of the attribute that P::name names; calls build(params, uses) with the
+/// attribute and its source location.
 template <class P, class Build>
 MaskKind attribute_mask_kind(std::string name, Build build) {
   Schema<P> schema(std::move(name), "mask");
@@ -49,7 +50,7 @@ PaintKind paint_kind(std::string name, Build build) {
 
 namespace vug {
 
-/// A number stands for the mask that is that number everywhere.
+/// A number is converted to a mask of that value everywhere.
 template <>
 struct ValueTraits<paint::Mask> : ObjectTraits<paint::Mask> {
   static constexpr const char* kWord = "mask";
@@ -62,7 +63,7 @@ struct ValueTraits<paint::Mask> : ObjectTraits<paint::Mask> {
   }
 };
 
-/// A vector stands for the paint of that colour.
+/// A vector is converted to a paint of that colour.
 template <>
 struct ValueTraits<paint::Paint> : ObjectTraits<paint::Paint> {
   static constexpr const char* kWord = "paint";

@@ -1,4 +1,4 @@
-// Inside paint/ only: what masks of leaves have in common.
+// Internal header of paint/: parameters shared by the leaf masks.
 #pragma once
 
 #include <vug/paint/kind.h>
@@ -15,16 +15,16 @@ struct LeafParams {
   LeafOutline outline() const { return {widest, tip}; }
 };
 
-/// The parameters that leaf(...) has, too, which are to be the same there.
+/// Adds the parameters that leaf(...) has, too; both must have the same values.
 template <class P>
 void describe_outline(Schema<P>& s) {
   s.param("widest", &LeafParams::widest,
-          {.doc = "share of the length where the leaf is widest", .min = 0.05, .max = 0.95})
+          {.doc = "fraction of the length where the leaf is widest", .min = 0.05, .max = 0.95})
       .param("tip", &LeafParams::tip,
-             {.doc = "the larger, the longer and finer it tapers", .min = 0.1, .max = 10});
+             {.doc = "the larger, the longer and finer the tip", .min = 0.1, .max = 10});
 }
 
-/// Nothing on meshes that are no leaves.
+/// Empty on meshes without leaf coordinates.
 inline std::optional<LeafPoint> leaf_point(const EvalPoint& point) {
   if (!point.attributes) return std::nullopt;
   const auto across = point.attributes->read(kLeafAcross),

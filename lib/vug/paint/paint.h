@@ -1,5 +1,5 @@
-// Colours of surfaces from where they are: position, normal and fields, without UVs.
-// A mask gives a number between 0 and 1, a paint a linear Rec.709 colour (an albedo).
+// Procedural masks and paints: functions of position, normal, fields and attributes, without UVs. A
+// mask returns a number between 0 and 1, a paint a linear Rec.709 colour (an albedo).
 #pragma once
 
 #include <vug/base/error.h>
@@ -15,32 +15,34 @@
 
 namespace vug::paint {
 
-/// The numbers that a mesh carries, at one place on it.
+/// Mesh attributes at one point.
 class Attributes {
  public:
   virtual ~Attributes() = default;
-  /// A number as three equal ones; nothing when there is no attribute of that name.
+  /// The attribute's value; a scalar is returned as three equal numbers. Empty if the attribute
+  /// does not exist.
   virtual std::optional<Vec3d> read(std::string_view name) const = 0;
 };
 
-/// A place on a surface; the normal has unit length and points out of the solid.
+/// A point on a surface; the normal has unit length and points out of the solid.
 struct EvalPoint {
   Vec3d position;
   Vec3d normal;
-  const field::SampledGrid* solid = nullptr;  ///< The level set whose surface it is, if known.
-  const Transform* to_solid = nullptr;        ///< From here to its space; null: the same.
-  const Attributes* attributes = nullptr;     ///< Of the mesh, if known.
-  double footprint = 0;  ///< Metres across which one look takes in: finer detail may be left out.
+  const field::SampledGrid* solid = nullptr;  ///< Level set of the surface, if known.
+  const Transform* to_solid =
+      nullptr;  ///< From this space to that of `solid`; null if they are the same.
+  const Attributes* attributes = nullptr;  ///< Of the mesh, if known.
+  double footprint = 0;  ///< Width in metres of the sampled area; finer detail may be left out.
 };
 
-/// An attribute that a mask or a paint looks at, and where a text says so.
+/// An attribute that a mask or a paint reads, and where the text names it.
 struct AttributeUse {
   std::string attribute;
   SourceLocation where;
 };
 using AttributeUses = std::vector<AttributeUse>;
 
-/// A function of the spot that knows which attributes it looks at. Immutable, shared between
+/// A function of an EvalPoint, with the attributes that it reads. Immutable, shared between
 /// threads.
 template <class T>
 class SurfaceFunction {
@@ -57,7 +59,7 @@ class SurfaceFunction {
 using Mask = std::shared_ptr<const SurfaceFunction<double>>;
 using Paint = std::shared_ptr<const SurfaceFunction<Vec3d>>;
 
-/// `uses` are those of the masks and paints that f asks: see uses_of.
+/// `uses` are those of the masks and paints that f evaluates: see attribute_uses.
 template <class F>
 Mask make_mask(F&& f, AttributeUses uses = {}) {
   return std::make_shared<const SurfaceFunction<double>>(std::forward<F>(f), std::move(uses));
@@ -67,7 +69,7 @@ Paint make_paint(F&& f, AttributeUses uses = {}) {
   return std::make_shared<const SurfaceFunction<Vec3d>>(std::forward<F>(f), std::move(uses));
 }
 
-/// What masks and paints look at, one after the other; null ones look at nothing.
+/// The attributes that these masks or paints read, concatenated; null ones are skipped.
 template <class T>
 AttributeUses attribute_uses(const std::vector<std::shared_ptr<const SurfaceFunction<T>>>& parts) {
   AttributeUses all;
@@ -77,10 +79,10 @@ AttributeUses attribute_uses(const std::vector<std::shared_ptr<const SurfaceFunc
 }
 AttributeUses attribute_uses(const Mask& mask, const Paint& a, const Paint& b = nullptr);
 
-/// 0 up to `from`, 1 from `to` on, a smooth step between; from > to runs the other way.
+/// Smoothstep: 0 up to `from`, 1 from `to` on; descending if from > to.
 double ramp(double x, double from, double to);
 
-/// The paint at each spot; parallel. Values are clamped to 0..1.
+/// The paint at each point, evaluated in parallel. Values are clamped to 0..1.
 std::vector<Vec3f> colors(const Paint& paint, const std::vector<EvalPoint>& points);
 
 }  // namespace vug::paint

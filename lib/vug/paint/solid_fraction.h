@@ -1,15 +1,15 @@
-// How much of the space around a spot is solid: the volume integral invariant, which tells convex
-// from concave at a chosen size and needs no derivatives of the surface (pottmann2007).
+// Solid fraction of the space around a point: the volume integral invariant, which distinguishes
+// convex from concave regions at a chosen scale without derivatives of the surface (pottmann2007).
 #pragma once
 
 #include <vug/paint/paint.h>
 
 namespace vug::paint {
 
-/// The solid's share of the ball of `radius` metres around the spot: 1/2 on flat rock, 1/4 on a
-/// right-angled edge, 1/8 on a cube's corner, 3/4 and 7/8 where these are hollow. Read from the
-/// spot's level set, whose values near the surface are true distances whatever the field was;
-/// 1/2 for a spot without one. `radius` should be two voxels or more.
+/// Solid fraction of the ball of `radius` metres around the point: 1/2 on flat rock, 1/4 on a
+/// right-angled edge, 1/8 on a cube's vertex, 3/4 and 7/8 in the corresponding concave corners. It
+/// is read from the point's level set, whose values near the surface are true distances for any
+/// field; 1/2 for a point without a level set. `radius` should be at least two voxels.
 double solid_fraction(const EvalPoint& point, double radius);
 
 }  // namespace vug::paint

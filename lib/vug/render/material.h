@@ -19,9 +19,9 @@ struct Mesh;
 
 namespace vug::render {
 
-class Placing;
+class InstanceTransform;
 
-class MeshSlopes;  ///< See mesh_slopes.h.
+class AttributeGradients;  ///< See mesh_slopes.h.
 
 /// What a material may read at a hit.
 struct Surface {
@@ -36,11 +36,11 @@ struct Surface {
   const mesh::Mesh* mesh = nullptr;  ///< Null: none, as in tests.
   uint32_t triangle = 0;             ///< Of the mesh, and the place on it: shares of the second and
   float u = 0, v = 0;                ///< third corner.
-  const MeshSlopes* slopes = nullptr;         ///< Of the mesh, for bumps.
+  const AttributeGradients* gradients = nullptr;  ///< Of the mesh, for bumps.
   const field::SampledGrid* solid = nullptr;  ///< The level set that the mesh was made of, if any.
-  const Placing* placing = nullptr;           ///< Of an instance; else null.
-  bool looks_by_place = false;                ///< See Object.
-  float time = 0;                             ///< Of the ray; see Placing.
+  const InstanceTransform* instance = nullptr;  ///< Of an instance; else null.
+  bool world_space_material = false;            ///< See Object.
+  float time = 0;                               ///< Of the ray; see InstanceTransform.
 
   /// Bends a shading normal back that turns away from the viewer, until it just faces them.
   void face(const Vec3f& travel) {
@@ -87,9 +87,10 @@ class Material {
   /// more a matte body that reflects as much light as this does seen from above.
   virtual exchange::Look look(const Surface& surface) const;
 
-  /// The same material for light in other primaries: `way` leads there from linear Rec.709, in
-  /// which its parameters, paints and vertex colours are.
-  virtual std::shared_ptr<const Material> in_space(const image::ColourMatrix& way) const = 0;
+  /// The same material for light in other primaries: `from_rec709` leads there from linear Rec.709,
+  /// in which its parameters, paints and vertex colours are.
+  virtual std::shared_ptr<const Material> in_space(
+      const image::ColourMatrix& from_rec709) const = 0;
 };
 using MaterialPtr = std::shared_ptr<const Material>;
 

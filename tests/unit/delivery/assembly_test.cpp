@@ -36,14 +36,14 @@ render main { size 300x100 }
 struct Made {
   loading::Loaded loaded;
   shot::Shot shot;
-  Assembled out;
+  AssemblyResult out;
 
   explicit Made(const std::string& text = kScene) {
     loaded = loading::load_text(text, "t.vug", {});
     EXPECT_EQ(loaded.report(), "");
     shot = with_meshes(loaded.shot);
     building::Builder builder(shot);
-    out = assemble(builder);
+    out = build_assembly(builder);
   }
 };
 
@@ -63,8 +63,8 @@ TEST(Assemble, WhatAShotShows) {
   EXPECT_NEAR(exchange::luminance(exchange::power(all.lamps[0])), 100, 1e-3);
   EXPECT_EQ(all.provenance.recipe, kScene);
   EXPECT_EQ(all.provenance.seed, 5u);
-  ASSERT_EQ(made.out.left_out.size(), 1u);
-  EXPECT_NE(made.out.left_out[0].find("round"), std::string::npos);
+  ASSERT_EQ(made.out.unsupported.size(), 1u);
+  EXPECT_NE(made.out.unsupported[0].find("round"), std::string::npos);
 }
 
 TEST(Assemble, LooksAreBakedAtTheVertices) {
@@ -136,7 +136,7 @@ place row { of pebble at [(0, 0, 3), (1, 0, 3)] material plain }
 )";
   const Made made(text);
   const exchange::Assembly& all = made.out.assembly;
-  EXPECT_TRUE(made.out.left_out.empty());
+  EXPECT_TRUE(made.out.unsupported.empty());
   // Two stand on the same ground, and what looks the same everywhere is one part.
   ASSERT_EQ(all.parts.size(), 4u);
   std::vector<std::string> names;
@@ -202,8 +202,8 @@ medium mist on banks { kind cloud extinction 2/m g 0.5 temperature 1800 temperat
   options.program = &exchange::program("maya");
   const shot::Shot shot = with_meshes(scene.shot);
   building::Builder builder(shot);
-  const Exported written = export_set(builder, folder, options);
-  EXPECT_TRUE(written.left_out.empty());
+  const ExportResult written = export_set(builder, folder, options);
+  EXPECT_TRUE(written.unsupported.empty());
   const std::vector<volume::Grid> grids = volume::read(folder / "t_banks.vdb");
   std::vector<std::string> names;
   for (const volume::Grid& grid : grids) names.push_back(grid.name());
@@ -234,7 +234,7 @@ TEST(ExportSet, CloudsOfFilesAndHazeAreTold) {
   options.program = &exchange::program("gltf");
   const shot::Shot shot = with_meshes(fire.shot);
   building::Builder builder(shot);
-  const Exported written = export_set(builder, folder, options);
+  const ExportResult written = export_set(builder, folder, options);
   const volume::FileInfo info = volume::info(folder / "t_fire_medium.vdb");
   ASSERT_EQ(info.grids.size(), 4u);
   EXPECT_EQ(info.grids[0].name, "density");
@@ -249,7 +249,7 @@ TEST(ExportSet, CloudsOfFilesAndHazeAreTold) {
   ASSERT_TRUE(haze.usable()) << haze.report();
   const shot::Shot other = with_meshes(haze.shot);
   building::Builder again(other);
-  const std::vector<std::string> told = export_set(again, folder, options).left_out;
+  const std::vector<std::string> told = export_set(again, folder, options).unsupported;
   EXPECT_NE(
       std::find(told.begin(), told.end(), "the haze 'air', which fills all space and has no grid"),
       told.end());

@@ -37,18 +37,19 @@ class CellFiles : public testing::Test {
   ~CellFiles() override { fs::remove_all(folder_); }
 
   static loading::Loaded loaded(const std::string& cells, double frame = 1,
-                                loading::Still* still = nullptr,
+                                loading::StaticCache* still = nullptr,
                                 const std::string& file = "crust.vug") {
     loading::LoadOptions options;
     options.frame = frame;
-    options.still = still;
+    options.static_cache = still;
     loading::Loaded out = loading::load_text(kBall + cells, file, options);
     EXPECT_TRUE(out.usable()) << out.report();
     return out;
   }
   static Digest made(building::Builder& builder, size_t number = 0) {
     const shot::CellsPtr plan = shot::declared_cells(builder.shot()).at(number);
-    return building::cell_points(*plan, *builder.skin(plan), cells::PointFormat::exact).content();
+    return building::cell_points(*plan, *builder.cell_layer(plan), cells::PointFormat::exact)
+        .content();
   }
   building::CheckpointOptions checkpoint(bool resume) const {
     building::CheckpointOptions out;
@@ -129,7 +130,7 @@ TEST_F(CellFiles, FromFrameToFrameARunGoesOn) {
            "sprinkle(attribute: \"v\", share: 10%)  steps " +
            count + " }\n";
   };
-  loading::Still still;
+  loading::StaticCache still;
   const loading::Loaded first = loaded(steps("10 * frame"), 3, &still);
   building::Builder before(first.shot);
   made(before);
@@ -139,7 +140,7 @@ TEST_F(CellFiles, FromFrameToFrameARunGoesOn) {
     if (stage.rfind("rewriting cells", 0) == 0) ++steps_done;
   });
   building::Builder after(second.shot, {}, counting);
-  after.take_over(std::move(before));
+  after.reuse_from(std::move(before));
   const Digest went_on = made(after);
   EXPECT_LE(steps_done, 12) << "ten steps, and not forty";
   EXPECT_GE(steps_done, 10);
@@ -149,8 +150,8 @@ TEST_F(CellFiles, FromFrameToFrameARunGoesOn) {
   // Backwards it begins anew, and so it does where the rules move.
   const loading::Loaded back = loaded(steps("10 * frame"), 2, &still);
   building::Builder again(back.shot);
-  again.take_over(std::move(after));
-  EXPECT_EQ(again.skin(shot::declared_cells(back.shot)[0])->simulation.step(), 20);
+  again.reuse_from(std::move(after));
+  EXPECT_EQ(again.cell_layer(shot::declared_cells(back.shot)[0])->simulation.step(), 20);
   const std::string moving = "cells crust on wall { spacing 15cm + 1mm * frame  run gray_scott }\n";
   EXPECT_FALSE(shot::declared_cells(loaded(moving, 3).shot)[0]->still);
 }
@@ -164,18 +165,18 @@ TEST_F(CellFiles, PointsOfAFileGoOn) {
   const shot::CellsPtr plan = shot::declared_cells(begun.shot)[0];
   for (const auto keep : {cells::PointFormat::exact, cells::PointFormat::interchange}) {
     const fs::path file = folder_ / "begun.vdb";
-    volume::write(file, {building::cell_points(*plan, *first.skin(plan), keep)});
+    volume::write(file, {building::cell_points(*plan, *first.cell_layer(plan), keep)});
     const std::string more =
         std::string(kLong).replace(kLong.find("steps 1000"), 0, "from \"begun.vdb\"  ");
     const loading::Loaded scene_on = loaded(more, 1, nullptr, (folder_ / "crust.vug").string());
     building::Builder second(scene_on.shot);
-    const building::SkinPtr on = second.skin(shot::declared_cells(scene_on.shot)[0]);
+    const building::CellLayerPtr on = second.cell_layer(shot::declared_cells(scene_on.shot)[0]);
     EXPECT_EQ(on->simulation.step(), 1000);
     if (keep == cells::PointFormat::exact)
       EXPECT_EQ(made(second), made(whole));
     else  // colours had 16 bits, but nothing else did
       EXPECT_EQ(on->simulation.attributes().values<float>("v"),
-                whole.skin(shot::declared_cells(scene.shot)[0])
+                whole.cell_layer(shot::declared_cells(scene.shot)[0])
                     ->simulation.attributes()
                     .values<float>("v"));
   }
@@ -196,8 +197,8 @@ TEST_F(CellFiles, PointsOfAFileGoOn) {
 TEST_F(CellFiles, TheTableHasALineForEachCell) {
   const loading::Loaded scene = loaded(kLong);
   building::Builder builder(scene.shot);
-  const building::SkinPtr skin = builder.skin(shot::declared_cells(scene.shot)[0]);
-  write_table(folder_ / "crust.csv", *skin);
+  const building::CellLayerPtr layer = builder.cell_layer(shot::declared_cells(scene.shot)[0]);
+  write_table(folder_ / "crust.csv", *layer);
   std::ifstream in(folder_ / "crust.csv");
   std::string line;
   std::getline(in, line);
@@ -208,10 +209,10 @@ TEST_F(CellFiles, TheTableHasALineForEachCell) {
   while (std::getline(in, line)) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas);
     const float x = std::stof(line.substr(line.find(',') + 1));
-    EXPECT_EQ(x, skin->network().position[lines].x);
+    EXPECT_EQ(x, layer->network().position[lines].x);
     ++lines;
   }
-  EXPECT_EQ(lines, skin->network().size());
+  EXPECT_EQ(lines, layer->network().size());
 }
 
 TEST_F(CellFiles, GridsHoldWhatTheCellsCarryInTheBand) {

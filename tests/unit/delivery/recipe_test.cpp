@@ -27,9 +27,9 @@ loading::LoadOptions changed() {
 }
 
 TEST(Recipe, ChangesStandInTheTextAgain) {
-  const Recipe recipe = recipe_in(std::string(kText) +
-                                  "\n# -D R=80cm\n# -D Q=(2 - 1)\n# -D S=1m + 10cm\n"
-                                  "# -D F=12deg\n# --seed 9\n");
+  const Recipe recipe = parse_recipe(std::string(kText) +
+                                     "\n# -D R=80cm\n# -D Q=(2 - 1)\n# -D S=1m + 10cm\n"
+                                     "# -D F=12deg\n# --seed 9\n");
   EXPECT_TRUE(recipe.arguments.empty());
   for (const char* line :
        {"\nseed 9\n", "param R = 80cm   in 50cm..2m  \"how wide\"\n", "param Q = (2 - 1)\n",
@@ -40,18 +40,18 @@ TEST(Recipe, ChangesStandInTheTextAgain) {
 
 TEST(Recipe, AnUnchangedTextStays) {
   for (const std::string text : {"", "seed 3\n# a remark\n", "volume a = level_set(sphere(1m))"}) {
-    const Recipe recipe = recipe_in(text);
+    const Recipe recipe = parse_recipe(text);
     EXPECT_EQ(recipe.scene, text);
     EXPECT_TRUE(recipe.arguments.empty());
   }
 }
 
 TEST(Recipe, ASeedThatTheTextLacksIsAdded) {
-  EXPECT_EQ(recipe_in("let a = 1\n# --seed 5\n").scene, "let a = 1\nseed 5\n");
+  EXPECT_EQ(parse_recipe("let a = 1\n# --seed 5\n").scene, "let a = 1\nseed 5\n");
 }
 
 TEST(Recipe, WhatNoTextCanSayIsAnArgument) {
-  const Recipe recipe = recipe_in("include \"x.vug\"\n# -D HERE=2\n# --frame 12\n");
+  const Recipe recipe = parse_recipe("include \"x.vug\"\n# -D HERE=2\n# --frame 12\n");
   EXPECT_EQ(recipe.scene, "include \"x.vug\"\n");
   EXPECT_EQ(recipe.arguments, (std::vector<std::string>{"-D HERE=2", "--frame 12"}));
 }
@@ -60,13 +60,13 @@ TEST(Recipe, LoadsAsItWasMade) {
   const std::string text = std::string(kText) + "\n";
   const loading::Loaded before = loading::load_text(text, "t.vug", changed());
   ASSERT_TRUE(before.usable()) << before.report();
-  const Recipe recipe = recipe_in(before.shot.recipe);
+  const Recipe recipe = parse_recipe(before.shot.recipe);
   const loading::Loaded after = loading::load_text(recipe.scene, "t.vug", {});
   ASSERT_TRUE(after.usable()) << after.report();
   EXPECT_EQ(after.shot.seed, 9u);
   EXPECT_EQ(after.shot.volumes.at(0)->field.bounds().max.x,
             before.shot.volumes.at(0)->field.bounds().max.x);
-  EXPECT_EQ(recipe_in(after.shot.recipe).scene, recipe.scene);
+  EXPECT_EQ(parse_recipe(after.shot.recipe).scene, recipe.scene);
 }
 
 }  // namespace

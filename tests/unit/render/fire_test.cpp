@@ -144,12 +144,12 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
 // Under the names that other programs look for, in kelvin, and where they vary.
 TEST(Fire, OtherProgramsAreToldByGrids) {
   const auto told = [](const NamedValues& more) { return fire(more)->as_data(nullptr).value(); };
-  const auto named = [](const CloudData& data, const std::string& name) {
+  const auto named = [](const MediumData& data, const std::string& name) {
     for (const volume::Grid& grid : data.grids)
       if (grid.name() == name) return volume::Density(grid);
     throw std::runtime_error("no grid " + name);
   };
-  const CloudData plain = told({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
+  const MediumData plain = told({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
   ASSERT_EQ(plain.grids.size(), 1u);
   EXPECT_EQ(plain.grids[0].name(), "density");
   EXPECT_EQ(plain.medium.extinction, kExtinction);
@@ -158,7 +158,7 @@ TEST(Fire, OtherProgramsAreToldByGrids) {
   EXPECT_EQ(plain.medium.emission, Vec3d(1, 2, 3));
   EXPECT_EQ(plain.medium.heat, 0);
 
-  const CloudData whole = told({{"albedo", Vec3d(0.5)},
+  const MediumData whole = told({{"albedo", Vec3d(0.5)},
                                 {"color_grid", "Cd"},
                                 {"emission_mask", 0.5},
                                 {"emission_grid", "flame"},

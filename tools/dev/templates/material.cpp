@@ -40,18 +40,18 @@ class NewKindMaterial final : public Material {
   explicit NewKindMaterial(const NewKind& p) : albedo_(to_float(p.albedo)) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f&, BsdfMemory& memory) const override {
-    return memory.make<NewKindBsdf>(way_(albedo_ * surface.color));
+    return memory.make<NewKindBsdf>(from_rec709_(albedo_ * surface.color));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<NewKindBsdf>(); }
-  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+  MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     auto copy = std::make_shared<NewKindMaterial>(*this);
-    copy->way_ = way;
+    copy->from_rec709_ = from_rec709;
     return copy;
   }
 
  private:
   Rgb albedo_;
-  image::ColourMatrix way_;
+  image::ColourMatrix from_rec709_;
 };
 
 }  // namespace

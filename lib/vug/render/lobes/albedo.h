@@ -1,7 +1,7 @@
-// How much light single scattering on microfacets keeps, tabulated when first asked for: what is
-// missing is given back as if it were scattered again (Kulla and Conty 2017, "Revisiting
-// physically based shading at Imageworks", cite kulla2017compensation). The tables are sums in
-// a fixed order, with the same bits on every machine.
+// Directional albedo of single scattering on microfacets, tabulated on first use. The missing
+// energy is returned as multiple scattering (Kulla and Conty 2017, "Revisiting physically based
+// shading at Imageworks", cite kulla2017compensation). The tables are sums in a fixed order, with
+// the same bits on every machine.
 #pragma once
 
 #include <vug/render/vectors.h>
@@ -10,7 +10,7 @@
 
 namespace vug::render {
 
-/// Values by cosine and roughness, with the means over even light by roughness.
+/// Values by cosine and roughness, with cosine-weighted means by roughness.
 class AlbedoTable {
  public:
   static constexpr size_t kCosines = 32, kRoughnesses = 28;
@@ -22,13 +22,13 @@ class AlbedoTable {
   std::array<float, kRoughnesses> means{};
 };
 
-/// Share of light that perfectly reflecting facets scatter once and out.
+/// Directional albedo of single scattering for perfectly reflecting facets.
 const AlbedoTable& facet_albedo();
 
-/// What dielectric facets of one index reflect at once.
+/// Single-scattering reflection of a rough dielectric interface of one index.
 class InterfaceTable {
  public:
-  /// Made once for each index; may be called by several threads.
+  /// Built once for each index; thread-safe.
   static const InterfaceTable& of(float ior);
 
   float albedo(float cosine, float roughness) const;
@@ -39,19 +39,21 @@ class InterfaceTable {
  private:
   explicit InterfaceTable(float ior);
   float ior_, mean_fresnel_;
-  AlbedoTable more_;  ///< Beyond the smooth reflectance times facet_albedo(): small and even.
+  AlbedoTable
+      more_;  ///< Excess over the smooth reflectance times facet_albedo(): small and smooth.
   AlbedoTable whole_;
 };
 
-/// The share that dielectric facets neither reflect nor let through at once, from both sides.
+/// Fraction of light that a rough dielectric interface neither reflects nor transmits in single
+/// scattering, from both sides.
 struct DielectricTable {
   static const DielectricTable& of(float ior);
 
   AlbedoTable outside, inside;
 };
 
-/// Part of the even light between facets that comes back at last when a facet reflects
-/// `mean_reflectance` of it, of facets that scatter `mean_albedo` out at once.
+/// Albedo of multiple scattering: the fraction of diffuse light between facets that finally leaves,
+/// if a facet reflects `mean_reflectance` and a fraction `mean_albedo` leaves in each scattering.
 inline float rescattered(float mean_reflectance, float mean_albedo) {
   return mean_reflectance * mean_reflectance * mean_albedo /
          (1 - mean_reflectance * (1 - mean_albedo));

@@ -1,7 +1,7 @@
-// A clear dielectric face over even diffuse reflection: polished rock, and rock under a film of
-// water. What the face reflects, at once and after scattering between its facets, is missing
-// below it; the two are coupled so that nothing is lost and both directions count alike (Kelemen
-// and Szirmay-Kalos 2001, "A microfacet based coupled specular-matte BRDF model with importance
+// A clear dielectric interface over a diffuse base: polished rock, and rock under a film of water.
+// The light that the interface reflects, in single and multiple scattering, is missing from the
+// base; both are coupled such that the lobe conserves energy and is reciprocal (Kelemen and
+// Szirmay-Kalos 2001, "A microfacet based coupled specular-matte BRDF model with importance
 // sampling", cite kelemen2001coupled).
 #pragma once
 
@@ -10,25 +10,25 @@
 
 namespace vug::render {
 
-/// A face between air and a clear body, for one viewer.
+/// An interface between air and a clear body, for one viewing direction.
 struct InterfaceLayer {
   const InterfaceTable* table;
   float roughness;
-  float mean;         ///< Share of even light that it reflects.
-  float clear;        ///< Share of the viewer's light that it lets in.
-  float missing_out;  ///< Share that single scattering loses towards the viewer,
-  float missing;      ///< and of even light.
-  float again;        ///< Part of what is lost that comes back after all.
+  float mean;         ///< Reflected fraction of diffuse light.
+  float clear;        ///< Fraction of the viewer's light that is transmitted.
+  float missing_out;  ///< Fraction of the viewer's light missing from single scattering.
+  float missing;      ///< The same for diffuse light.
+  float again;        ///< Fraction of the missing light that multiple scattering returns.
 
   InterfaceLayer(float roughness, const InterfaceTable& face, const Vec3f& out);
-  /// Share of light from a cosine that goes in below the face.
+  /// Transmitted fraction of light from a cosine.
   float transmittance(float cosine) const;
 };
 
-/// What is below the face: rock of a colour as it is seen when dry and polished; `wet` rock is
-/// darker, since a film throws its light back upon it (Jensen, Legakis, Dorsey 1999, "Rendering
-/// of wet materials", cite jensen1999wet). With `open`, light goes in and on below, and this
-/// lobe has the face alone.
+/// The base under the interface. `polished`: rock with the colour that it has when dry and
+/// polished. `wet`: darker rock, since the film reflects the base's light back to it (Jensen,
+/// Legakis, Dorsey 1999, "Rendering of wet materials", cite jensen1999wet). `open`: light continues
+/// into the body, and this lobe is the interface alone.
 class ClearCoatLobe {
  public:
   enum class Base { polished, wet, open };
@@ -38,7 +38,7 @@ class ClearCoatLobe {
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
   Rgb albedo() const { return Rgb(1 - face_.clear) + below_ * face_.clear; }
-  /// Share of the viewer's light that goes in; see Below::open.
+  /// Transmitted fraction of the viewer's light; see Base::open.
   float clear() const { return face_.clear; }
 
  private:
@@ -46,7 +46,7 @@ class ClearCoatLobe {
   Ggx ggx_;
   Rgb below_;
   Vec3f out_;
-  float specular_probability_;  ///< Odds of sampling a facet.
+  float specular_probability_;  ///< Probability of sampling the interface.
 };
 
 }  // namespace vug::render

@@ -1,6 +1,6 @@
-// A clear body seen through its face: water, ice, crystal. Facets reflect and refract (Walter et
-// al. 2007, cite walter2007ggx); what they scatter among themselves leaves evenly on both sides,
-// shared out so that the face is reciprocal and loses nothing (cite kulla2017compensation).
+// Rough dielectric interface of a clear body: water, ice, crystal. Facets reflect and refract
+// (Walter et al. 2007, cite walter2007ggx); multiple scattering leaves diffusely on both sides,
+// distributed such that the lobe is reciprocal and conserves energy (cite kulla2017compensation).
 #pragma once
 
 #include <vug/render/lobes/albedo.h>
@@ -10,7 +10,7 @@ namespace vug::render {
 
 class DielectricLobe {
  public:
-  /// `inside`: the viewer is in the body.
+  /// `inside`: the viewer is inside the body.
   DielectricLobe(float roughness, const InterfaceTable& face, const DielectricTable& glass,
                  bool inside, const Vec3f& out);
 
@@ -23,9 +23,9 @@ class DielectricLobe {
   Vec3f out_;
   const AlbedoTable *near_, *far_;
   float roughness_;
-  float ior_;       ///< Of the far side over the near side.
-  float loss_out_;  ///< Share of the viewer's light that is scattered between facets,
-  float back_;      ///< and the part of that which comes back to the viewer's side.
+  float ior_;       ///< Index of the far side over that of the near side.
+  float loss_out_;  ///< Fraction of the viewer's light in multiple scattering.
+  float back_;      ///< Part of `loss_out_` that returns to the viewer's side.
   float missing_near_, missing_far_;
 };
 

@@ -1,6 +1,6 @@
-// Rough matte rock: the energy-preserving Oren-Nayar reflection of Portsmouth, Kutz and Hill 2025,
-// "EON: A practical energy-preserving rough diffuse BRDF" (cite portsmouth2025eon). Roughness 0
-// is Lambert's.
+// Rough diffuse rock: the energy-preserving Oren-Nayar reflection of Portsmouth, Kutz and Hill
+// 2025, "EON: A practical energy-preserving rough diffuse BRDF" (cite portsmouth2025eon). Roughness
+// 0 is Lambertian.
 #pragma once
 
 #include <vug/render/lobes/lobe.h>
@@ -16,7 +16,7 @@ class EonLobe {
   Rgb albedo() const { return once_ * albedo_out_ + again_ * (1 - albedo_out_); }
 
  private:
-  Rgb once_, again_;  ///< Colour of light scattered once, and more often.
+  Rgb once_, again_;  ///< Colour of single and of multiple scattering.
   float roughness_, scale_, albedo_out_, missing_;
   Vec3f out_;
 };

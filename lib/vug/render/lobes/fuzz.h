@@ -1,6 +1,6 @@
-// A fuzz of fibres over even diffuse reflection: moss. The fibres have the slopes of Estevez and
-// Kulla 2017, "Production friendly microfacet sheen BRDF" (cite estevez2017sheen), scaled where
-// they would reflect more than arrives; what they reflect is missing below.
+// A layer of fibres over a diffuse base: moss. The fibres have the slope distribution of Estevez
+// and Kulla 2017, "Production friendly microfacet sheen BRDF" (cite estevez2017sheen), scaled where
+// they would reflect more than they receive; the light that they reflect is missing from the base.
 #pragma once
 
 #include <vug/render/lobes/lobe.h>

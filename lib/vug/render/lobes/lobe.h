@@ -1,12 +1,12 @@
-// Lobes: the parts that surfaces are mixed of. Each is a plain value, made for one viewer `out`
-// (local, z > 0), has the functions below, keeps all energy where its colours are white, and is
-// reciprocal, so that any mix with fixed weights is and does, too.
+// Lobes: the components of surface materials. A lobe is a plain value, built for one viewing
+// direction `out` (local, z > 0). It has the functions below, conserves energy where its colours
+// are white, and is reciprocal, so that mixtures with fixed weights have both properties, too.
 //   Scattering evaluate(const Vec3f& in) const;
-//   Vec3f sample(float lobe, const Vec2f& u) const;   z = 0: nothing was sampled, and what would
-//                                                     have been may not be found by other lobes
-//   Rgb albedo() const;                               share of light that comes back, about
-// Light that passes a face between media of different index is counted as radiance over the
-// square of the index, which refraction leaves unchanged.
+//   Vec3f sample(float lobe, const Vec2f& u) const;   z = 0: no sample, and no other lobe may
+//                                                     sample that direction
+//   Rgb albedo() const;                               approximate reflected fraction
+// Radiance that crosses an interface is divided by the square of the index, which makes it
+// invariant under refraction.
 #pragma once
 
 #include <vug/render/bsdf.h>
@@ -14,7 +14,7 @@
 
 namespace vug::render {
 
-/// A Bsdf of one lobe.
+/// A Bsdf with a single lobe.
 template <class Lobe>
 class LobeBsdf final : public Bsdf {
  public:

@@ -1,5 +1,5 @@
-// Metal: facets that reflect with Schlick's rise to white at the edge (Schlick 1994, cite
-// schlick1994), and give back what they scatter among themselves (cite kulla2017compensation).
+// Metal: facets with Schlick's Fresnel approximation (Schlick 1994, cite schlick1994) and multiple
+// scattering (cite kulla2017compensation).
 #pragma once
 
 #include <vug/render/lobes/lobe.h>
@@ -8,7 +8,7 @@ namespace vug::render {
 
 class MetalLobe {
  public:
-  /// `color`: reflectance face on.
+  /// `color`: reflectance at normal incidence.
   MetalLobe(const Rgb& color, float roughness, const Vec3f& out);
 
   Scattering evaluate(const Vec3f& in) const;

@@ -1,4 +1,4 @@
-// Lobes side by side, in shares.
+// Weighted mixture of lobes.
 #pragma once
 
 #include <vug/render/lobes/clear_coat.h>
@@ -19,7 +19,7 @@ namespace vug::render {
 using Lobe = std::variant<EonLobe, ClearCoatLobe, MetalLobe, FuzzLobe, DielectricLobe,
                           ThinDielectricLobe, ThinSheetLobe>;
 
-/// Weights add up to 1 at most. A direction is taken from one lobe, by weight and albedo.
+/// The weights sum to at most 1. A direction is sampled from one lobe, chosen by weight and albedo.
 class LobeMixture final : public Bsdf {
  public:
   LobeMixture() {}  // NOLINT: leaves raw_ as it is
@@ -32,7 +32,7 @@ class LobeMixture final : public Bsdf {
         !std::holds_alternative<ThinDielectricLobe>(lobe))
       broad_ += sampling_weight;
   }
-  /// A face whose body is a cloud.
+  /// Adds an interface over a scattering body.
   void add_subsurface(float weight, const ClearCoatLobe& face, const SubsurfaceMedium& medium,
                       const Rgb& color) {
     if (!(weight > 0)) return;
@@ -114,11 +114,11 @@ class LobeMixture final : public Bsdf {
 
   size_t count_ = 0;
   float total_ = 0, broad_ = 0;
-  float subsurface_weight_ = 0, subsurface_sampling_weight_ = 0;  ///< Light that goes beneath.
+  float subsurface_weight_ = 0, subsurface_sampling_weight_ = 0;  ///< Light that enters the body.
   bool thin_ = false, behind_ = false;
   SubsurfaceMedium subsurface_;
   Rgb subsurface_color_{0, 0, 0}, absorption_{0, 0, 0};
-  alignas(WeightedLobe) std::byte raw_[kMax * sizeof(WeightedLobe)];  // parts are made when added
+  alignas(WeightedLobe) std::byte raw_[kMax * sizeof(WeightedLobe)];  // constructed by add()
 };
 
 }  // namespace vug::render

@@ -1,11 +1,11 @@
-// The inner side of a face, for light that has been scattered beneath it.
+// The inner side of an interface, for light that leaves a scattering body.
 #pragma once
 
 #include <vug/render/lobes/clear_coat.h>
 
 namespace vug::render {
 
-/// Light that comes out of a body through its face, as if it were even within.
+/// Light that leaves a body through its interface, as if it were diffuse inside.
 class SubsurfaceExitBsdf final : public Bsdf {
  public:
   SubsurfaceExitBsdf(float roughness, const InterfaceTable& face)

@@ -1,25 +1,25 @@
-// A clear sheet too thin to bend light: facets reflect, at either face and between both, and the
-// rest goes straight on (Pharr, Jakob, Humphreys 2023, section 9.5, cite pharr2023pbr), spread as
-// much as what is reflected. What facets scatter among themselves leaves on both sides, in even
-// shares.
+// A clear sheet too thin to shift light sideways. Facets reflect at both interfaces and between
+// them, and the remaining light is transmitted straight on (Pharr, Jakob, Humphreys 2023, section
+// 9.5, cite pharr2023pbr) with the same spread as the reflection. Multiple scattering leaves
+// diffusely on both sides.
 #pragma once
 
 #include <vug/render/lobes/lobe.h>
 
 namespace vug::render {
 
-/// Share of light that a smooth sheet reflects at a cosine.
+/// Reflected fraction of a smooth sheet at a cosine.
 inline float thin_dielectric_reflectance(float cosine, float ior) {
   const float once = fresnel(cosine, ior);
   return 2 * once / (1 + once);
 }
 
-/// The same over even light.
+/// Its cosine-weighted mean.
 float mean_thin_dielectric_reflectance(float ior);
 
 class ThinDielectricLobe {
  public:
-  /// `mean`: mean_thin_dielectric_reflectance. `color`: of the light that is let through.
+  /// `mean`: mean_thin_dielectric_reflectance. `color` of the transmitted light.
   ThinDielectricLobe(const Rgb& color, float roughness, float ior, float mean, const Vec3f& out);
 
   Scattering evaluate(const Vec3f& in) const;
@@ -32,7 +32,8 @@ class ThinDielectricLobe {
   Vec3f out_;
   float roughness_, ior_, mean_;
   float missing_out_,
-      missing_;  ///< What single scattering loses of the viewer's and of even light.
+      missing_;  ///< Fractions of the viewer's light and of diffuse light missing from single
+                 ///< scattering.
 };
 
 }  // namespace vug::render

@@ -1,6 +1,6 @@
-// A leaf, a curtain of calcite: a face over a sheet so thin that light which goes in comes out
-// behind at the same place, evenly, through a face like the first. Coupled as in ClearCoatLobe, so
-// that nothing is lost and both directions count alike (cite kelemen2001coupled).
+// A leaf or a curtain of calcite: an interface over a sheet so thin that light which enters leaves
+// on the far side at the same point, diffusely, through an equal interface. Coupled as in
+// ClearCoatLobe, so that it conserves energy and is reciprocal (cite kelemen2001coupled).
 #pragma once
 
 #include <vug/render/lobes/clear_coat.h>
@@ -9,7 +9,7 @@ namespace vug::render {
 
 class ThinSheetLobe {
  public:
-  /// `color`: what the sheet lets through of the light that goes in.
+  /// `color`: fraction of the light inside the sheet that is transmitted.
   ThinSheetLobe(const Rgb& color, float roughness, const InterfaceTable& face, const Vec3f& out);
 
   Scattering evaluate(const Vec3f& in) const;
@@ -20,7 +20,7 @@ class ThinSheetLobe {
   ClearCoatLobe face_;
   InterfaceLayer share_;
   Rgb color_;
-  float specular_probability_;  ///< Odds of sampling the face.
+  float specular_probability_;  ///< Probability of sampling the interface.
 };
 
 }  // namespace vug::render

@@ -42,7 +42,7 @@ class CoatedMaterial final : public Material {
 
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override {
     return memory.make<ClearCoatBsdf>(
-        ClearCoatLobe(way_(albedo_ * surface.color), ClearCoatLobe::Base::wet,
+        ClearCoatLobe(from_rec709_(albedo_ * surface.color), ClearCoatLobe::Base::wet,
                       std::max(roughness_, surface.blur), *face_, out));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<ClearCoatBsdf>(); }
@@ -54,15 +54,15 @@ class CoatedMaterial final : public Material {
     look.coat_roughness = static_cast<double>(roughness_);
     return look;
   }
-  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+  MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     auto copy = std::make_shared<CoatedMaterial>(*this);
-    copy->way_ = way;
+    copy->from_rec709_ = from_rec709;
     return copy;
   }
 
  private:
   Rgb albedo_;
-  image::ColourMatrix way_;
+  image::ColourMatrix from_rec709_;
   float roughness_;
   const InterfaceTable* face_;
 };

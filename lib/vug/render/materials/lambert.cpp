@@ -42,7 +42,7 @@ class LambertMaterial final : public Material {
   explicit LambertMaterial(const Lambert& p) : albedo_(to_float(p.albedo)) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f&, BsdfMemory& memory) const override {
-    return memory.make<LambertBsdf>(way_(albedo_ * surface.color));
+    return memory.make<LambertBsdf>(from_rec709_(albedo_ * surface.color));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<LambertBsdf>(); }
   exchange::Look look(const Surface& surface) const override {
@@ -50,15 +50,15 @@ class LambertMaterial final : public Material {
     look.base_color = Vec3d(albedo_ * surface.color);
     return look;
   }
-  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+  MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     auto copy = std::make_shared<LambertMaterial>(*this);
-    copy->way_ = way;
+    copy->from_rec709_ = from_rec709;
     return copy;
   }
 
  private:
   Rgb albedo_;
-  image::ColourMatrix way_;
+  image::ColourMatrix from_rec709_;
 };
 
 }  // namespace

@@ -14,21 +14,21 @@ SurfacePoint::SurfacePoint(const Surface& surface) : surface_(surface) {
   point_.solid = surface.solid;
   point_.attributes = this;
   point_.footprint = static_cast<double>(surface.footprint);
-  if (!surface.placing) return;
-  own_ = surface.placing->to_own(surface.time);
-  if (surface.looks_by_place) {
+  if (!surface.instance) return;
+  own_ = surface.instance->inverse(surface.time);
+  if (surface.world_space_material) {
     point_.to_solid = &*own_;
     return;
   }
   point_.position = own_->point(point_.position);
   point_.normal = own_->normal(point_.normal).normalized();
-  point_.footprint /= static_cast<double>(surface.placing->stretch());
+  point_.footprint /= static_cast<double>(surface.instance->mean_scale());
 }
 
 void SurfacePoint::move_to(const Vec3f& point) {
   const Vec3d from(surface_.position), to(point);
   moved_ = own_ ? own_->point(to) - own_->point(from) : to - from;
-  point_.position = own_ && !surface_.looks_by_place ? own_->point(to) : to;
+  point_.position = own_ && !surface_.world_space_material ? own_->point(to) : to;
 }
 
 std::optional<Vec3d> SurfacePoint::read(std::string_view name) const {
@@ -46,10 +46,10 @@ std::optional<Vec3d> SurfacePoint::read(std::string_view name) const {
       value[part] +=
           static_cast<double>(shares[corner] * attribute->values[corners[corner] * arity + own]);
     }
-  if (const auto* slopes = moved_ && surface_.slopes ? surface_.slopes->of(name) : nullptr) {
+  if (const auto* gradients = moved_ && surface_.gradients ? surface_.gradients->of(name) : nullptr) {
     Vec3f slope(0);
     for (size_t corner = 0; corner < 3; ++corner)
-      slope += (*slopes)[corners[corner]] * shares[corner];
+      slope += (*gradients)[corners[corner]] * shares[corner];
     value += Vec3d(moved_->dot(Vec3d(slope)));
   }
   return value;
@@ -63,7 +63,7 @@ float NumberInput::at(const paint::EvalPoint& point, float low, float high) cons
 Rgb ColorInput::at(const paint::EvalPoint& point, const Rgb& times) const {
   const Vec3d color = varying ? (*varying)(point) : constant;
   const auto one = [](double x) { return static_cast<float>(std::min(1.0, std::max(0.0, x))); };
-  return way(Rgb(one(color.x), one(color.y), one(color.z)) * times);
+  return from_rec709(Rgb(one(color.x), one(color.y), one(color.z)) * times);
 }
 
 }  // namespace vug::render

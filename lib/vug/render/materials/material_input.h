@@ -1,5 +1,5 @@
-// Inputs of materials: numbers and colours that are the same everywhere, or vary with the place as
-// masks and paints do.
+// Inputs of materials: numbers and colours that are constant or vary over the surface by masks and
+// paints.
 #pragma once
 
 #include <vug/paint/kind.h>
@@ -7,13 +7,13 @@
 
 namespace vug::render {
 
-/// The place of a hit as masks and paints see it; refers to the surface.
+/// The hit point in the form that masks and paints evaluate; refers to the surface.
 class SurfacePoint final : private paint::Attributes {
  public:
   explicit SurfacePoint(const Surface& surface);
   const paint::EvalPoint& eval_point() const { return point_; }
-  /// Another place of the scene, near by: the spot moves there. Its normal stays; attributes go on
-  /// as they slope where it was.
+  /// Moves the evaluation point to another point near by. Its normal stays; attributes are
+  /// extrapolated by their gradients at the original point.
   void move_to(const Vec3f& point);
 
  private:
@@ -21,12 +21,12 @@ class SurfacePoint final : private paint::Attributes {
 
   const Surface& surface_;
   paint::EvalPoint point_;
-  std::optional<Transform> own_;  ///< Of an instance: from the scene to the mesh's own space.
-  std::optional<Vec3d> moved_;    ///< How far it has been moved, in that space.
+  std::optional<Transform> own_;  ///< For an instance: from the scene to the mesh's own space.
+  std::optional<Vec3d> moved_;    ///< Displacement of the point, in that space.
 };
 
-/// A number, or a mask that leads to one. What is read is kept within `low` and `high`, the
-/// bounds that constants are held to by the schema.
+/// A number, or a mask that drives it. Values are clamped to `low` and `high`, the bounds that the
+/// schema sets for constants.
 struct NumberInput {
   double constant = 0;
   paint::Mask varying;
@@ -40,11 +40,11 @@ struct NumberInput {
 struct ColorInput {
   Vec3d constant{0, 0, 0};
   paint::Paint varying;
-  image::ColourMatrix way;  ///< To the space that light is computed in.
+  image::ColourMatrix from_rec709;  ///< To the rendering colour space.
 
   ColorInput(const Vec3d& color) : constant(color) {}  // NOLINT
   explicit ColorInput(paint::Paint paint) : varying(std::move(paint)) {}
-  /// In the working space; `times` is a Rec.709 colour, such as the vertex colour.
+  /// In the rendering colour space; `times` is a Rec.709 colour, such as the vertex colour.
   Rgb at(const paint::EvalPoint& point, const Rgb& times = Rgb(1.0f)) const;
 };
 

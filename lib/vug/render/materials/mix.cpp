@@ -109,9 +109,9 @@ class MixMaterial final : public Material {
     return exchange::blend(p_.a->look(surface), p_.b->look(surface),
                            static_cast<double>(share_at(surface)));
   }
-  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+  MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     Mix p = p_;
-    p.a = p.a->in_space(way), p.b = p.b->in_space(way);
+    p.a = p.a->in_space(from_rec709), p.b = p.b->in_space(from_rec709);
     return std::make_shared<MixMaterial>(p);
   }
 

@@ -155,10 +155,10 @@ class SurfaceMaterial final : public Material {
     return p_.coat.at(SurfacePoint(surface).eval_point());
   }
   exchange::Look look(const Surface& surface) const override;
-  MaterialPtr in_space(const image::ColourMatrix& way) const override {
+  MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     SurfaceParams p = p_;
-    p.color.way = p.fuzz_color.way = p.emission.way = p.through_color.way = way;
-    p.tint = way(p.tint);
+    p.color.from_rec709 = p.fuzz_color.from_rec709 = p.emission.from_rec709 = p.through_color.from_rec709 = from_rec709;
+    p.tint = from_rec709(p.tint);
     return std::make_shared<SurfaceMaterial>(p);
   }
 
@@ -261,9 +261,9 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
 bool SurfaceMaterial::bump(Surface& surface) const {
   if (!p_.bump.varying) return false;
   // An instance is larger or smaller with all of its forms.
-  const bool scaled = surface.placing && !surface.looks_by_place;
+  const bool scaled = surface.instance && !surface.world_space_material;
   const float height =
-      static_cast<float>(p_.bump_height) * (scaled ? surface.placing->stretch() : 1);
+      static_cast<float>(p_.bump_height) * (scaled ? surface.instance->mean_scale() : 1);
   const float step = std::max(0.5f * surface.footprint, 0.25f * std::fabs(height));
   SurfacePoint place(surface);
   const Vec3f n = surface.shading_normal * (surface.inside ? -1.0f : 1.0f);

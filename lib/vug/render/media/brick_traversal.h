@@ -1,5 +1,5 @@
-// A ray's way through the bricks of a density (Amanatides and Woo 1987, "A fast voxel traversal
-// algorithm for ray tracing", cite amanatides1987traversal).
+// Traversal of the bricks of a density grid along a ray (Amanatides and Woo 1987, "A fast voxel
+// traversal algorithm for ray tracing", cite amanatides1987traversal).
 #pragma once
 
 #include <vug/render/media/medium.h>
@@ -13,7 +13,7 @@ namespace vug::render {
 
 class BrickTraversal {
  public:
-  /// The part of the segment that lies in the density; through its bricks of one size.
+  /// Clips the segment to the density's box and traverses its bricks of one size.
   BrickTraversal(const volume::Density& density, const volume::MajorantGrid& bricks, const Ray& ray,
                  const Segment& segment)
       : bricks_(bricks),
@@ -53,18 +53,18 @@ class BrickTraversal {
   }
   Vec3f index(float t) const { return origin_ + direction_ * t; }
 
-  /// The part of the ray in one brick.
+  /// The part of the ray inside one brick.
   struct Interval {
     float begin = 0, end = 0;
     volume::MajorantGrid::Range range;
   };
-  /// To the next brick that is not empty; false when there is none. A way that rounding takes out
-  /// of the bricks is in their empty rim, and at its end.
+  /// Advances to the next brick that is not empty; false at the end. A position that rounding puts
+  /// outside the bricks is in their empty rim, where the traversal ends.
   bool next(Interval& step) {
     while (t_ < end_) {
       step = {t_, std::min(std::min(next_.x, next_.y), std::min(next_.z, end_)),
               bricks_.range(at_)};
-      // No branch can be foretold here, so there is none.
+      // The branch would be unpredictable, so the code is branch-free.
       const bool x = next_.x <= next_.y && next_.x <= next_.z, y = !x && next_.y <= next_.z;
       const bool z = !x && !y;
       at_ += static_cast<size_t>(x ? step_[0] : y ? step_[1] : step_[2]);

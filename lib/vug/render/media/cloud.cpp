@@ -153,11 +153,11 @@ class CloudMedium final : public Medium {
     return copy;
   }
   bool has_grids() const override { return true; }
-  std::optional<CloudData> as_data(const volume::Grid* density) const override {
+  std::optional<MediumData> as_data(const volume::Grid* density) const override {
     std::optional<GridFile> file;
     if (!p_.file.empty()) file.emplace(p_);
     const volume::Grid body = file ? file->density(p_.grid) : *density;
-    CloudData data{{p_.extinction, p_.albedo.constant, p_.g, p_.emission, hot() ? 1.0 : 0.0},
+    MediumData data{{p_.extinction, p_.albedo.constant, p_.g, p_.emission, hot() ? 1.0 : 0.0},
                    {body.named("density")}};
     if (p_.albedo.varying || colour_[0]) {
       data.medium.albedo = Vec3d(1.0);

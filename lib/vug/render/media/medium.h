@@ -1,4 +1,4 @@
-// The seam of media: what the air does to light between surfaces.
+// Interface of participating media.
 #pragma once
 
 #include <vug/exchange/medium.h>
@@ -17,14 +17,14 @@ class Density;
 
 namespace vug::render {
 
-/// A part of a ray, in metres from its origin; empty when begin >= end.
+/// A segment of a ray, in metres from its origin; empty if begin >= end.
 struct Segment {
   float begin = 0;
   float end = 0;
   bool empty() const { return !(begin < end); }
 };
 
-/// The part of a ray before `end` (may be kFar) that lies in a box.
+/// Clips the ray up to `end` (may be kFar) to a box.
 Segment clip_to_box(const Box3f& box, const Ray& ray, float end);
 
 struct DistanceSample {
@@ -32,48 +32,48 @@ struct DistanceSample {
   bool scattered = false;
 };
 
-/// A place on a ray, in metres from its origin, and the part of the light that comes through to it.
+/// A point on a ray, in metres from its origin, and the transmittance up to it.
 struct ScatterPoint {
   float distance = 0;
   float transmittance = 1;
 };
 
-/// A cloud for other programs: grids with the names that exchange::Medium has for them.
-struct CloudData {
+/// A medium for other programs: grids with the names that exchange::Medium gives them.
+struct MediumData {
   exchange::Medium medium;
-  std::vector<volume::Grid> grids;  ///< The density first.
+  std::vector<volume::Grid> grids;  ///< The density comes first.
 };
 
-/// Fills a region of space; clear air outside it.
+/// A medium that fills a region of space; empty outside.
 class Medium {
  public:
   virtual ~Medium() = default;
-  /// This medium with its region set to the scene's box, when it was given no region of its own;
-  /// null when it has one.
+  /// Returns this medium with the scene's box as its region, or null if it has a region of its own.
   virtual std::shared_ptr<const Medium> with_bounds(const Box3f& scene) const = 0;
-  /// This medium with its density told; null when it needs none.
+  /// Returns this medium with the given density, or null if it needs none.
   virtual std::shared_ptr<const Medium> with_density(
       std::shared_ptr<const volume::Density> density) const {
     (void)density;
     return nullptr;
   }
-  /// It is what grids tell, those of a volume or of a file.
+  /// It is defined by grids, those of a volume or of a file.
   virtual bool has_grids() const { return false; }
-  /// What other programs are told of it once it is not hollow; `density` is that of the volume it
-  /// stands on, null for one that has its own. Nothing of media that no grid can tell.
-  virtual std::optional<CloudData> as_data(const volume::Grid* density) const {
+  /// Description for other programs, once the medium has a density. `density` is that of the volume
+  /// which the medium is declared on, null if the medium has its own. Empty for media that no grid
+  /// can describe.
+  virtual std::optional<MediumData> as_data(const volume::Grid* density) const {
     return (void)density, std::nullopt;
   }
   /// It has no density yet.
   virtual bool needs_density() const { return false; }
-  /// The part of the ray before `end` (may be kFar) that lies in the medium.
+  /// Clips the ray up to `end` (may be kFar) to the medium.
   virtual Segment clip(const Ray& ray, float end) const = 0;
-  /// Part of the light that comes through a segment: exact, or an estimate whose mean it is.
+  /// Transmittance of a segment: exact, or an unbiased estimate.
   virtual float transmittance(const Ray& ray, const Segment& segment,
                               TrackingRng& numbers) const = 0;
-  /// A distance with the density of the first collision. By the way the marks, which lie in the
-  /// segment, are told what `transmittance` would be to them: right in the mean, not independent of
-  /// the distance and of each other.
+  /// Samples a distance in proportion to the density of the first collision. It also sets the
+  /// transmittance of the scatter points, which are inside the segment: unbiased, but correlated
+  /// with the distance and with each other.
   virtual DistanceSample sample_distance(const Ray& ray, const Segment& segment, float u,
                                          std::span<ScatterPoint> scatter_points,
                                          TrackingRng& numbers) const = 0;
@@ -81,27 +81,26 @@ class Medium {
                                  TrackingRng& numbers) const {
     return sample_distance(ray, segment, u, {}, numbers);
   }
-  /// Collisions per metre, and which part of the light they scatter instead of swallowing.
+  /// Extinction coefficient in 1/m; `albedo` is the fraction of collisions that scatter.
   virtual float extinction(const Vec3f& point) const = 0;
-  /// Calls from memory what `extinction` will ask for there.
+  /// Prefetches the data that `extinction` reads at the point.
   virtual void prefetch(const Vec3f& point) const { (void)point; }
   virtual Rgb albedo(const Vec3f& point) const = 0;
-  /// Collisions per metre as a round number, to share samples out along rays.
+  /// Representative extinction coefficient in 1/m, for sampling along rays.
   virtual float typical_extinction() const = 0;
-  /// What the medium sends out by itself where it is dense: times the extinction, radiance that is
-  /// added per metre.
+  /// Emission of the dense medium: multiplied by the extinction, the radiance added per metre.
   virtual Rgb emission(const Vec3f& point) const { return (void)point, Rgb(0.0f); }
-  /// It also shines where its density does not tell: flames.
+  /// It also emits independently of its density: flames.
   virtual bool is_emissive() const { return false; }
-  /// That light over a segment as it arrives at the ray's origin: an estimate whose mean it is.
+  /// Unbiased estimate of that emission over a segment, as it arrives at the ray's origin.
   virtual Rgb sample_emission(const Ray& ray, const Segment& segment, TrackingRng& numbers) const {
     (void)ray, (void)segment, (void)numbers;
     return Rgb(0.0f);
   }
 
-  /// Phase function over the angle between the two directions of travel, in 1/sr; integrates to 1.
+  /// Phase function of the cosine between the two directions of travel, in 1/sr; integrates to 1.
   virtual float phase(float cosine) const = 0;
-  /// A new direction of travel with density `phase`.
+  /// Samples a new direction of travel with density `phase`.
   virtual Vec3f sample_phase(const Vec3f& travel, const Vec2f& u) const = 0;
 };
 using MediumPtr = std::shared_ptr<const Medium>;

@@ -1,4 +1,4 @@
-// Random numbers for walks through a medium, of which nobody knows beforehand how many they take.
+// Random numbers for tracking through media, which needs an unknown number of them.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -8,7 +8,7 @@
 
 namespace vug::render {
 
-/// Begun by two numbers of a sampler, so that a path has the same ones on any thread. PCG32
+/// Seeded by two numbers of a sampler, so that a path gets the same numbers on any thread. PCG32
 /// (O'Neill 2014, "PCG: a family of simple fast space-efficient statistically good algorithms for
 /// random number generation", oneill2014pcg).
 class TrackingRng {
@@ -28,7 +28,7 @@ class TrackingRng {
     const uint32_t bits = (mixed >> turn) | (mixed << ((32 - turn) & 31));
     return static_cast<float>(bits >> 8) * 0x1p-24f;
   }
-  /// Three such numbers of 21 bits each; by the permutation RXS-M-XS of the same paper.
+  /// Three uniform numbers of 21 bits each, by the permutation RXS-M-XS of the same paper.
   Vec3f triple() {
     const uint64_t old = state_;
     state_ = old * kFactor + kStep;
@@ -46,8 +46,8 @@ class TrackingRng {
   uint64_t state_;
 };
 
-/// A step to the next possible collision, in units of the mean free path: -log(1 - u) to 1e-7 of
-/// it, with the same bits on every machine.
+/// Distance to the next tentative collision in mean free paths: -log(1 - u) to a relative error of
+/// 1e-7, with the same bits on every machine.
 inline float free_path(float u) {
   const float left = 1 - u;
   uint32_t bits = 0;

@@ -1,4 +1,4 @@
-// Where the sky shines in: openings of a scene, found before the picture begins.
+// Automatic portals: openings to the sky, found before rendering.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -9,11 +9,11 @@
 
 namespace vug::render {
 
-/// Portals for an even sky, which no light samples: rays from places that the camera's paths come
-/// to are let out, and rectangles are laid around where they cross the scene's box. None where
-/// there are portals already, where the sky is found well enough without (a good part of the rays
-/// gets out), or where nothing gets out. They may miss part of the sky, which paths then find as
-/// they would without: the picture's mean does not depend on them. Error(cancelled).
+/// Finds portals for a uniform sky, which no light samples: rays are traced from points on camera
+/// paths, and rectangles are fitted to their hits on the scene's bounding box. Returns no portals
+/// if the scene has some already, if enough rays escape for the sky to be found without them, or if
+/// no ray escapes. Portals may miss part of the sky, which paths then find as before: the expected
+/// image is the same. Error(cancelled).
 std::vector<LightPtr> find_automatic_portals(const TrainingContext& context, Progress& progress);
 
 }  // namespace vug::render

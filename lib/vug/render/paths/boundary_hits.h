@@ -1,4 +1,4 @@
-// Where rays leave the box around a scene.
+// Counts where rays leave the scene's bounding box.
 #pragma once
 
 #include <vug/render/lighting/rectangle_shape.h>
@@ -10,23 +10,23 @@
 
 namespace vug::render {
 
-/// Counts on a grid over each face of the box. Any threads may count at once; the counts, and so
-/// the rectangles, do not depend on their order.
+/// Counts on a grid over each face of the box. Thread-safe; the counts, and so the rectangles, do
+/// not depend on the order of rays.
 class BoundaryHits {
  public:
   explicit BoundaryHits(const Box3f& box);
 
-  /// The ray starts in the box and is known to leave it.
+  /// The ray starts in the box and must be known to leave it.
   void count(const Ray& ray);
-  /// At most `most` rectangles in the faces, their normals turned inwards, around the cells where
-  /// rays left that touch each other; those with the most rays. Each is wider by `margin` cells.
+  /// At most `most` rectangles in the faces, with inward normals, around connected groups of hit
+  /// cells; the groups with the most rays come first. Each is enlarged by `margin` cells.
   std::vector<RectangleParams> rectangles(size_t most, int margin) const;
 
  private:
   static constexpr int kCells = 64;
   struct CellGroup {
     int face = 0;
-    int u0 = kCells, v0 = kCells, u1 = -1, v1 = -1;  ///< Cells; the last ones are in it.
+    int u0 = kCells, v0 = kCells, u1 = -1, v1 = -1;  ///< Cell ranges; inclusive.
     uint64_t rays = 0;
   };
   uint64_t rays(int face, int u, int v) const;

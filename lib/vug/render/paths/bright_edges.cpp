@@ -20,7 +20,7 @@ struct Range {
 
 }  // namespace
 
-BrightEdges::BrightEdges(const World& world, const Region& region, const Vec2i& width_height,
+BrightEdges::BrightEdges(const PreparedScene& world, const Region& region, const Vec2i& width_height,
                          uint32_t looks, uint64_t seed,
                          const std::function<Ray(const SampleId&)>& camera_ray, Progress& progress)
     : region_(region) {

@@ -21,7 +21,7 @@ class BrightEdges {
   /// Looks through each pixel of the region, and through those around it, so many times.
   /// `width_height` of the whole picture; `camera_ray` gives the ray of a sample. The same pixels
   /// for any region that they are in. Error(cancelled).
-  BrightEdges(const World& world, const Region& region, const Vec2i& width_height, uint32_t looks,
+  BrightEdges(const PreparedScene& world, const Region& region, const Vec2i& width_height, uint32_t looks,
               uint64_t seed, const std::function<Ray(const SampleId&)>& camera_ray,
               Progress& progress);
 

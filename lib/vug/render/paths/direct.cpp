@@ -24,7 +24,7 @@ struct Candidate {
   float weight = 0;  ///< What is expected of its shadow ray.
 };
 
-Candidate candidate(const World& world, const LightChoice& chosen, const Hit& hit,
+Candidate candidate(const PreparedScene& world, const LightChoice& chosen, const Hit& hit,
                     const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex,
                     const Vec2f& u) {
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
@@ -49,23 +49,23 @@ Candidate candidate(const World& world, const LightChoice& chosen, const Hit& hi
   return c;
 }
 
-Rgb arriving(const World& world, const Candidate& c, const Hit& hit, float probability,
-             TrackingRng& numbers, Tally* tally) {
+Rgb arriving(const PreparedScene& world, const Candidate& c, const Hit& hit, float probability,
+             TrackingRng& numbers, LightPathRecorder* recorder) {
   if (occluded(world, c.ray, c.distance)) return Rgb(0.0f);
   const float part = transmittance(world, c.ray, c.distance, numbers) / probability;
-  if (tally && c.distance == kFar)
-    tally->note_sky(world, hit.object, c.ray.direction, c.scattering * part, c.diffuse * part);
-  else if (tally)
-    tally->note(world.lights().group(c.from), c.scattering * c.light * part,
+  if (recorder && c.distance == kFar)
+    recorder->record_environment(world, hit.object, c.ray.direction, c.scattering * part, c.diffuse * part);
+  else if (recorder)
+    recorder->record(world.lights().group(c.from), c.scattering * c.light * part,
                 c.diffuse * c.light * part);
   return c.scattering * c.light * part;
 }
 
 }  // namespace
 
-Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
+Rgb direct_light(const PreparedScene& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
                  PathVertex& vertex, const Vec2f& choice, const Vec2f& u, TrackingRng& numbers,
-                 Tally* tally) {
+                 LightPathRecorder* recorder) {
   const float rays = vertex.selection.samples;
   if (world.lights().branches() < world.lights().size())
     vertex.selection.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMax));
@@ -88,7 +88,7 @@ Rgb direct_light(const World& world, const Hit& hit, const GuidedBsdf& bsdf, con
     passed += probability;
     if (!(tooth < passed)) continue;
     tooth += 1;
-    sum += arriving(world, candidates[i], hit, probability, numbers, tally);
+    sum += arriving(world, candidates[i], hit, probability, numbers, recorder);
   }
   return sum;
 }

@@ -1,4 +1,4 @@
-// A surface's scattering, sampled half by itself and half by what a guide knows of the light.
+// A BSDF combined with path guiding.
 #pragma once
 
 #include <vug/render/bsdf.h>
@@ -6,9 +6,9 @@
 
 namespace vug::render {
 
-/// One-sample mixture of the Bsdf's own density and the guide's (Mueller, Gross, Novak 2017,
-/// "Practical path guiding for efficient light-transport simulation", section 3.5,
-/// mueller2017guiding); the Bsdf alone where the guide knows nothing.
+/// One-sample mixture of the Bsdf's density and the guide's (Mueller, Gross, Novak 2017, "Practical
+/// path guiding for efficient light-transport simulation", section 3.5, mueller2017guiding); only
+/// the Bsdf where the guide is empty.
 class GuidedBsdf {
  public:
   GuidedBsdf(const Bsdf& bsdf, const Frame& frame, const ConeMixture& guide)
@@ -17,7 +17,7 @@ class GuidedBsdf {
         guide_(guide),
         share_(bsdf.guided_fraction() * guide.mixture_weight()) {}
 
-  /// `direction` is the world's, `in` the same in the frame.
+  /// `direction` is in world space, `in` is the same in the local frame.
   Scattering evaluate(const Vec3f& in, const Vec3f& direction) const {
     Scattering s = bsdf_.evaluate(in);
     if (share_ > 0) s.pdf += share_ * (guide_.pdf(direction) - s.pdf);
@@ -25,9 +25,9 @@ class GuidedBsdf {
   }
 
   struct Sample {
-    BsdfSample scattered;   ///< Its direction is local, its weight over the mixture's density.
-    Vec3f direction;        ///< The world's.
-    Rgb unguided{0, 0, 0};  ///< The weight as if the Bsdf alone had chosen.
+    BsdfSample scattered;   ///< Local direction; weight with respect to the mixture's density.
+    Vec3f direction;        ///< World space.
+    Rgb unguided{0, 0, 0};  ///< Weight as if only the Bsdf had been sampled.
   };
   Sample sample(float lobe, const Vec2f& u) const {
     Sample out;
@@ -54,7 +54,7 @@ class GuidedBsdf {
     const Rgb f = s.total();
     if (!(s.pdf > 0 && pdf > 0) || is_black(f)) return out;
     out.scattered = {in, f * (1 / pdf), s.diffuse * (1 / pdf), pdf, body};
-    // Where the Bsdf itself would hardly go this may be huge.
+    // Unbounded where the Bsdf itself would hardly sample this direction.
     out.unguided = f * (1 / std::fmax(s.pdf, largest(f)));
     return out;
   }

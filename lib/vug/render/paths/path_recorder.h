@@ -1,4 +1,4 @@
-// What a path learns about how bright the surfaces are that it comes by.
+// Records the radiance samples of a training path.
 #pragma once
 
 #include <vug/render/guiding/radiance_sample.h>
@@ -9,22 +9,22 @@
 
 namespace vug::render {
 
-/// The surfaces of one path: each sent back all light that the path gathers from there on.
+/// The surface vertices of one path: each reflected all light that the path gathers from there on.
 class PathRecorder {
  public:
   explicit PathRecorder(std::vector<RadianceSample>& radiance_samples)
       : sightings_(radiance_samples) {}
 
-  /// The path arrives with `throughput`, and has gathered `so_far` until now.
+  /// Adds a vertex that the path reaches with `throughput` after gathering `so_far`.
   void add(const Vec3f& point, const Vec3f& normal, const Rgb& throughput, const Rgb& so_far) {
     full_ = count_ == vertices_.size();
     if (!full_) vertices_[count_++] = {point, normal, throughput, so_far, so_far};
   }
-  /// And `so_far` when lights have been chosen at the place added last.
+  /// Sets the light gathered after direct lighting at the last vertex.
   void add_direct(const Rgb& so_far) {
     if (count_ > 0 && !full_) vertices_[count_ - 1].lit = so_far;
   }
-  /// The path ends, having gathered `all`.
+  /// Ends the path, which gathered `all` in total.
   void finish(const Rgb& all) const {
     for (size_t i = 0; i < count_; ++i) {
       const Vertex& vertex = vertices_[i];

@@ -6,7 +6,7 @@
 
 namespace vug::render {
 
-ScatteredLight::ScatteredLight(const World& world, const Ray& ray, const Segment& segment,
+ScatteredLight::ScatteredLight(const PreparedScene& world, const Ray& ray, const Segment& segment,
                                const LightSelection& selection, const VisibilityCache& visibility,
                                float choice, float where, const Vec2f& u, TrackingRng& numbers)
     : world_(world) {
@@ -65,16 +65,16 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
                        medium.albedo(point.position) * (scattered / (pdf * density))};
 }
 
-Rgb ScatteredLight::arriving(Tally* tally) const {
+Rgb ScatteredLight::arriving(LightPathRecorder* recorder) const {
   Rgb sum(0.0f);
   for (size_t i = 0; i < size_; ++i) {
     const Source& from = sources_[i];
     const Rgb weight = from.weight * scatter_points_[i].transmittance,
               light = from.radiance * weight;
-    if (tally && from.sky)
-      tally->note_sky(world_, kNoObject, from.direction, weight);
-    else if (tally)
-      tally->note(world_.lights().group(from.light), light);
+    if (recorder && from.sky)
+      recorder->record_environment(world_, kNoObject, from.direction, weight);
+    else if (recorder)
+      recorder->record(world_.lights().group(from.light), light);
     sum += light;
   }
   return sum;

@@ -28,7 +28,7 @@ Rgb beer_lambert(const Rgb& absorption, float distance) {
   return clear;
 }
 
-bool random_walk_subsurface(const World& world, const SubsurfaceMedium& medium,
+bool random_walk_subsurface(const PreparedScene& world, const SubsurfaceMedium& medium,
                             const Vec3f& direction, RandomStream& random, Hit& hit,
                             Rgb& throughput) {
   const uint32_t object = hit.object;

@@ -1,5 +1,5 @@
-// Light beneath a surface: a random walk through the cloud that fills a body, from where light
-// goes in to where it comes out.
+// Subsurface scattering by a random walk through the medium inside a body, from the point of entry
+// to the point of exit.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -7,7 +7,7 @@
 
 namespace vug::render {
 
-/// Numbers of a walk that begins with these, of no use to anyone else.
+/// Random numbers of a walk, seeded by unique values.
 inline RandomStream subsurface_random(const Vec2f& u, float lobe) {
   const auto bits = [](float x) { return static_cast<uint64_t>(x * 0x1p24f); };
   return RandomStream(RandomKey(bits(u.x) << 24 | bits(u.y)).at(bits(lobe)));
@@ -20,15 +20,15 @@ inline Vec2f next_pair(RandomStream& random) {
   return {x, next_float(random)};
 }
 
-/// Beer's law.
+/// Beer-Lambert transmittance.
 Rgb beer_lambert(const Rgb& absorption, float distance);
 
-/// Walks from `hit` in a direction that leads in, until a face of the same object is met from
-/// within. Then `hit` is that place, seen from outside, and `throughput` has lost what collisions
-/// swallowed. False when nothing comes out: all was swallowed, the body is open, or another
-/// object stands in it, which is taken as black. Steps are short against the scene, so that
-/// nearly all of the time goes into rays.
-bool random_walk_subsurface(const World& world, const SubsurfaceMedium& medium,
+/// Walks from `hit` in an inward direction until a face of the same object is hit from inside.
+/// `hit` then is that point, seen from outside, and `throughput` is reduced by absorption. Returns
+/// false if no light exits: it is absorbed, the body is open, or another object inside it is hit,
+/// which counts as black. Steps are short compared with the scene, so that rays take nearly all of
+/// the time.
+bool random_walk_subsurface(const PreparedScene& world, const SubsurfaceMedium& medium,
                             const Vec3f& direction, RandomStream& random, Hit& hit,
                             Rgb& throughput);
 

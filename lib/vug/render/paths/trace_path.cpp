@@ -31,15 +31,15 @@ Rgb albedo_of(const Hit& hit, const Ray& ray) {
 
 class PathTracer {
  public:
-  PathTracer(const World& world, const Ray& camera_ray, const PathSettings& settings,
-             const GuidingData& guiding, SampleCursor& numbers, Tally* tally,
+  PathTracer(const PreparedScene& world, const Ray& camera_ray, const PathSettings& settings,
+             const GuidingData& guiding, SampleCursor& numbers, LightPathRecorder* recorder,
              PathRecorder* path_recorder, std::span<const Ray> beside)
       : world_(world),
         medium_(world.medium()),
         settings_(settings),
         guiding_(guiding),
         numbers_(numbers),
-        tally_(tally),
+        recorder_(recorder),
         path_recorder_(path_recorder),
         beside_(beside),
         ray_(camera_ray),
@@ -97,7 +97,7 @@ class PathTracer {
     if (bounce.found) {
       result_.first = {true, hit.surface.position, hit.surface.shading_normal, albedo_of(hit, ray_),
                        hit.object};
-      if (tally_) tally_->read(hit.surface, *hit.material);
+      if (recorder_) recorder_->read_surface(hit.surface, *hit.material);
     }
     result_.alpha = bounce.found ? 1 : 1 - transmittance(world_, ray_, kFar, bounce.tracking);
   }
@@ -105,17 +105,17 @@ class PathTracer {
   /// What the ray runs into belongs to the place it comes from, as direct light there.
   void add_emission(Bounce& bounce) {
     const float end = bounce.found ? bounce.hit.distance : kFar;
-    Rgb seen = light_emission(world_, ray_, end, from_, result_.alpha, bounce.tracking, tally_);
+    Rgb seen = light_emission(world_, ray_, end, from_, result_.alpha, bounce.tracking, recorder_);
     seen += bounce.found
-                ? surface_emission(world_, ray_, bounce.hit, from_, bounce.tracking, tally_)
-                : environment_emission(world_, ray_, from_, bounce.tracking, tally_);
+                ? surface_emission(world_, ray_, bounce.hit, from_, bounce.tracking, recorder_)
+                : environment_emission(world_, ray_, from_, bounce.tracking, recorder_);
     float share = 1;
     if (depth_ == 0 && !beside_.empty()) {
-      for (const Ray& ray : beside_) seen += camera_emission(world_, ray, bounce.tracking, tally_);
+      for (const Ray& ray : beside_) seen += camera_emission(world_, ray, bounce.tracking, recorder_);
       share /= static_cast<float>(beside_.size() + 1);
     }
     const Rgb scale = add(throughput_ * seen * share, depth_ - 1);
-    if (tally_) tally_->settle_met(depth_, scale * share);
+    if (recorder_) recorder_->flush_emission(depth_, scale * share);
   }
 
   /// True when the path turns in the medium before it comes to the surface.
@@ -129,8 +129,8 @@ class PathTracer {
                        bounce.tracking);
     const DistanceSample collision = medium_->sample_distance(
         ray_, segment, distance_u.y, lit.scatter_points(), bounce.tracking);
-    const Rgb scale = add(throughput_ * lit.arriving(tally_), depth_);
-    if (tally_) tally_->settle_medium(depth_, scale);
+    const Rgb scale = add(throughput_ * lit.arriving(recorder_), depth_);
+    if (recorder_) recorder_->flush_medium(depth_, scale);
     if (medium_->is_emissive())
       add_medium_emission(medium_->sample_emission(ray_, segment, bounce.tracking));
     if (!collision.scattered) return false;
@@ -140,14 +140,14 @@ class PathTracer {
     ray_ = {point, medium_->sample_phase(ray_.direction, bounce.scatter)};
     from_ = {PathVertex::medium, {point, Vec3f(0.0f)}, 0, {}};
     blur_ = settings_.regularize;
-    if (tally_ && depth_ == 0) tally_->turned_in_medium();
+    if (recorder_ && depth_ == 0) recorder_->scattered_in_medium();
     return true;
   }
   void add_medium_emission(const Rgb& light) {
     const Rgb scale = add(throughput_ * light, depth_);
-    if (!tally_) return;
-    tally_->note(LightSet::kNoGroup, light);
-    tally_->settle_medium(depth_, scale);
+    if (!recorder_) return;
+    recorder_->record(LightSet::kNoGroup, light);
+    recorder_->flush_medium(depth_, scale);
   }
 
   /// Turns at the surface; false when the path ends there.
@@ -167,10 +167,10 @@ class PathTracer {
     if (own.lit_from_behind()) from_.point.normal = Vec3f(0.0f);
     const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_,
                                                  {bounce.choice.x, bounce.last.y}, bounce.light,
-                                                 bounce.tracking, tally_);
+                                                 bounce.tracking, recorder_);
     const Rgb scale = add(light, depth_);
     if (path_recorder_) path_recorder_->add_direct(result_.radiance);
-    if (tally_) tally_->settle_surface(depth_, scale);
+    if (recorder_) recorder_->flush_surface(depth_, scale);
     // Of faces that mirror or let through, what is known of a region tells nothing.
     bounce.weighed = settings_.roulette == Roulette::adjoint && !guiding_.radiance.empty() &&
                      own.guided_fraction() > 0;
@@ -179,8 +179,8 @@ class PathTracer {
     if (!(s.scattered.pdf > 0)) return false;
     const bool through = s.scattered.direction.z < 0;
     if (through && dot(s.direction, hit.surface.geometric_normal) > 0) return false;
-    if (tally_ && depth_ == 0)
-      tally_->turned_at_surface(through && !s.scattered.subsurface, s.scattered.weight,
+    if (recorder_ && depth_ == 0)
+      recorder_->scattered_at_surface(through && !s.scattered.subsurface, s.scattered.weight,
                                 s.scattered.diffuse);
     scale_throughput(s);
     width_ = hit.surface.footprint;
@@ -217,9 +217,9 @@ class PathTracer {
     set_surface_vertex(hit, 1);
     const Vec2f which = next_pair(random);
     const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_, which,
-                                                 next_pair(random), bounce.tracking, tally_);
+                                                 next_pair(random), bounce.tracking, recorder_);
     const Rgb scale = add(light, depth_ + 1);
-    if (tally_) tally_->settle_surface(depth_ + 1, scale);
+    if (recorder_) recorder_->flush_surface(depth_ + 1, scale);
     const float lobe = next_float(random);
     const GuidedBsdf::Sample s = bsdf.sample(lobe, next_pair(random));
     if (!(s.scattered.pdf > 0) || !(s.scattered.direction.z > 0)) return false;
@@ -270,7 +270,7 @@ class PathTracer {
     from_.pdf = s.scattered.pdf;
   }
   /// Adds what one vertex gives; all of it while the camera sees the vertex itself. The scale at
-  /// which the tally settles it.
+  /// which the recorder settles it.
   Rgb add(const Rgb& light, int depth) {
     const float most = depth <= 0 ? kFar : settings_.max_radiance, brightest = largest(light);
     const float part = brightest > most ? most / brightest : 1;
@@ -278,12 +278,12 @@ class PathTracer {
     return throughput_ * part;
   }
 
-  const World& world_;
+  const PreparedScene& world_;
   const Medium* medium_;
   const PathSettings& settings_;
   const GuidingData& guiding_;
   SampleCursor& numbers_;
-  Tally* tally_;
+  LightPathRecorder* recorder_;
   PathRecorder* path_recorder_;
   std::span<const Ray> beside_;
 
@@ -302,10 +302,10 @@ class PathTracer {
 
 }  // namespace
 
-PathResult trace_path(const World& world, const Ray& camera_ray, const PathSettings& settings,
-                      const GuidingData& guiding, SampleCursor& numbers, Tally* tally,
+PathResult trace_path(const PreparedScene& world, const Ray& camera_ray, const PathSettings& settings,
+                      const GuidingData& guiding, SampleCursor& numbers, LightPathRecorder* recorder,
                       PathRecorder* path_recorder, std::span<const Ray> beside) {
-  return PathTracer(world, camera_ray, settings, guiding, numbers, tally, path_recorder, beside)
+  return PathTracer(world, camera_ray, settings, guiding, numbers, recorder, path_recorder, beside)
       .trace();
 }
 

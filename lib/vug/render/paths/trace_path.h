@@ -1,5 +1,5 @@
-// One path from the camera through a scene: next-event estimation at every vertex, Russian
-// roulette, media, subsurface bodies.
+// Traces a path from the camera: next-event estimation at every vertex, Russian roulette, media,
+// subsurface scattering.
 #pragma once
 
 #include <vug/render/integrator.h>
@@ -8,26 +8,27 @@
 
 namespace vug::render {
 
-/// What decides at random whether a path goes on.
+/// Survival probability of Russian roulette.
 enum class Roulette {
-  off,         ///< All do.
-  throughput,  ///< By the root of what it carries, from the first surface on.
-  adjoint      ///< By what it may still add to the picture, behind the first surface.
+  off,         ///< All paths continue.
+  throughput,  ///< Square root of the throughput, from the first surface on.
+  adjoint      ///< Expected contribution to the picture, after the first surface.
 };
 
 struct PathSettings {
-  int max_bounces = 8;  ///< A path scatters at most once more than this.
+  int max_bounces = 8;  ///< Largest number of scattering events minus one.
   Roulette roulette = Roulette::adjoint;
-  float light_samples = 2;  ///< Lights that the first surface looks at; others look at one.
+  float light_samples = 2;  ///< Light samples at the first surface; other vertices take one.
   LightSampler light_sampler = LightSampler::tree;
-  float max_radiance = kFar;  ///< Light of one vertex beyond the first is cut to this radiance.
-  float regularize = 0;       ///< Least roughness of faces that are seen by way of matte ones.
+  float max_radiance = kFar;  ///< Upper limit of the light from one vertex after the first.
+  float regularize = 0;       ///< Smallest roughness of surfaces seen after a diffuse bounce.
 };
 
-/// The light that a camera ray gathers. `tally` and `path_recorder` may be null; for `beside` see
+/// Radiance along a camera ray. `recorder` and `path_recorder` may be null; for `beside` see
 /// Integrator::trace.
-PathResult trace_path(const World& world, const Ray& camera_ray, const PathSettings& settings,
-                      const GuidingData& guiding, SampleCursor& numbers, Tally* tally,
+PathResult trace_path(const PreparedScene& world, const Ray& camera_ray,
+                      const PathSettings& settings, const GuidingData& guiding,
+                      SampleCursor& numbers, LightPathRecorder* recorder,
                       PathRecorder* path_recorder, std::span<const Ray> beside = {});
 
 }  // namespace vug::render

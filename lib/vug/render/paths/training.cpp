@@ -103,7 +103,7 @@ std::vector<VisibilitySample> sample_cluster_visibility(
 }
 
 /// Somewhere on the way that light may take to a surface.
-LightSampleContext point_in_medium(const World& world, const RadianceSample& at,
+LightSampleContext point_in_medium(const PreparedScene& world, const RadianceSample& at,
                                    SampleCursor& numbers) {
   const Ray ray{at.point, Frame(at.normal).to_world(sample_cosine_hemisphere(numbers.pair()))};
   Hit hit;
@@ -115,7 +115,7 @@ LightSampleContext point_in_medium(const World& world, const RadianceSample& at,
 std::vector<VisibilitySample> sample_light_visibility(
     const TrainingContext& context, size_t most, uint64_t salt,
     const std::vector<RadianceSample>& radiance_samples, Progress& progress) {
-  const World& world = context.world;
+  const PreparedScene& world = context.world;
   const size_t branches = world.lights().branches(), each = std::min(branches, kLightsAtOnce);
   const size_t step = std::max<size_t>(1, radiance_samples.size() / std::max<size_t>(most, 1));
   const size_t places = radiance_samples.size() / step;

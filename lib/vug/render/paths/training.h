@@ -1,4 +1,4 @@
-// What paths can learn of a scene before the picture begins.
+// Training of path guiding before rendering.
 #pragma once
 
 #include <vug/render/guiding/guide.h>
@@ -10,19 +10,19 @@
 
 namespace vug::render {
 
-/// What paths are led by.
+/// Data that guides paths.
 struct GuidingData {
-  Guide guide;  ///< To bright surfaces; empty where none is much brighter than others.
-  VisibilityCache light_visibility;  ///< That branches of lights are in sight; empty where lights
-                                     ///< are no choice.
-  RadianceCache radiance;            ///< How much is worth looking for.
+  Guide guide;  ///< Towards bright surfaces; empty if none is much brighter than others.
+  VisibilityCache
+      light_visibility;    ///< Visibility of the branches of lights; empty if there is only one.
+  RadianceCache radiance;  ///< Expected light at surfaces, for adjoint-driven Russian roulette.
 };
 
-/// How a path gathers light, led by what may be nothing yet; it tells the path_recorder.
+/// Traces one training path with the guiding data so far (possibly empty) and records its vertices.
 using TrainingPath =
     std::function<void(const Ray&, SampleCursor&, const GuidingData&, PathRecorder&)>;
 
-/// Learns for the picture from so many paths. Error(cancelled).
+/// Trains with this number of paths. Error(cancelled).
 GuidingData train(const TrainingContext& context, uint64_t paths, const TrainingPath& trace,
                   Progress& progress);
 

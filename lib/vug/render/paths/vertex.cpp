@@ -9,21 +9,21 @@ constexpr float kAlmost = 0.9999f;
 
 }  // namespace
 
-float transmittance(const World& world, const Ray& ray, float end, TrackingRng& numbers) {
+float transmittance(const PreparedScene& world, const Ray& ray, float end, TrackingRng& numbers) {
   const Medium* medium = world.medium();
   return medium ? medium->transmittance(ray, medium->clip(ray, end), numbers) : 1;
 }
 
-Rgb unoccluded_radiance(const World& world, const LightSample& s, uint32_t object) {
+Rgb unoccluded_radiance(const PreparedScene& world, const LightSample& s, uint32_t object) {
   return s.distance == kFar ? world.lights().sky_radiance(s.direction, object) : s.radiance;
 }
 
-bool occluded(const World& world, const Ray& ray, float distance) {
+bool occluded(const PreparedScene& world, const Ray& ray, float distance) {
   return world.occluded(ray, distance == kFar ? kFar : distance * kAlmost);
 }
 
-Rgb light_emission(const World& world, const Ray& ray, float end, const PathVertex& from,
-                   float& alpha, TrackingRng& numbers, Tally* tally) {
+Rgb light_emission(const PreparedScene& world, const Ray& ray, float end, const PathVertex& from,
+                   float& alpha, TrackingRng& numbers, LightPathRecorder* recorder) {
   Rgb light(0.0f);
   // From a medium, direct sampling finds all of a lamp's light.
   if (from.kind == PathVertex::medium) return light;
@@ -42,14 +42,14 @@ Rgb light_emission(const World& world, const Ray& ray, float end, const PathVert
         }
         const Rgb arriving =
             hit.radiance * (weight * transmittance(world, ray, hit.distance, numbers));
-        if (tally) tally->note(world.lights().group(id), arriving);
+        if (recorder) recorder->record(world.lights().group(id), arriving);
         light += arriving;
       });
   return light;
 }
 
-Rgb surface_emission(const World& world, const Ray& ray, const Hit& hit, const PathVertex& from,
-                     TrackingRng& numbers, Tally* tally) {
+Rgb surface_emission(const PreparedScene& world, const Ray& ray, const Hit& hit, const PathVertex& from,
+                     TrackingRng& numbers, LightPathRecorder* recorder) {
   const LightSet& lights = world.lights();
   Rgb emission = hit.emission;
   if (lights.emission_varies() && !hit.surface.inside) {
@@ -67,24 +67,24 @@ Rgb surface_emission(const World& world, const Ray& ray, const Hit& hit, const P
     weight = from.pdf / (from.pdf + direct);
   }
   const Rgb arriving = emission * (weight * transmittance(world, ray, hit.distance, numbers));
-  if (tally) tally->note(lights.group(id), arriving);
+  if (recorder) recorder->record(lights.group(id), arriving);
   return arriving;
 }
 
-Rgb camera_emission(const World& world, const Ray& ray, TrackingRng& numbers, Tally* tally) {
+Rgb camera_emission(const PreparedScene& world, const Ray& ray, TrackingRng& numbers, LightPathRecorder* recorder) {
   const PathVertex camera;
   Hit hit;
   float alpha = 0;
   const bool found = world.intersect(ray, hit);
   if (found) hit.surface.footprint = ray.spread * hit.distance;
   const Rgb from_lights =
-      light_emission(world, ray, found ? hit.distance : kFar, camera, alpha, numbers, tally);
-  return from_lights + (found ? surface_emission(world, ray, hit, camera, numbers, tally)
-                              : environment_emission(world, ray, camera, numbers, tally));
+      light_emission(world, ray, found ? hit.distance : kFar, camera, alpha, numbers, recorder);
+  return from_lights + (found ? surface_emission(world, ray, hit, camera, numbers, recorder)
+                              : environment_emission(world, ray, camera, numbers, recorder));
 }
 
-Rgb environment_emission(const World& world, const Ray& ray, const PathVertex& from,
-                         TrackingRng& numbers, Tally* tally) {
+Rgb environment_emission(const PreparedScene& world, const Ray& ray, const PathVertex& from,
+                         TrackingRng& numbers, LightPathRecorder* recorder) {
   const LightSet& lights = world.lights();
   if (!lights.has_sky()) return Rgb(0.0f);
   float weight = 1;
@@ -97,7 +97,7 @@ Rgb environment_emission(const World& world, const Ray& ray, const PathVertex& f
       if (lights.pdf(id, from.point, ray.direction) > 0) return Rgb(0.0f);
   }
   weight *= transmittance(world, ray, kFar, numbers);
-  if (tally) tally->note_sky(world, from.point.object, ray.direction, Rgb(weight));
+  if (recorder) recorder->record_environment(world, from.point.object, ray.direction, Rgb(weight));
   return lights.sky_radiance(ray.direction, from.point.object) * weight;
 }
 
