@@ -50,7 +50,7 @@ std::variant<LevelSet, Grid> volume_of(Build& build, const std::string& name) {
 Mesh mesh(Build& build, const std::string& name) {
   const shot::MeshPtr plan = shot::find_mesh(build.scene()->shot(), name);
   Mesh made;
-  made.notes = delivery::mesh_notes(build.scene()->shot());
+  made.notes = delivery::mesh_comments(build.scene()->shot());
   build.work([&](building::Builder& builder) { made.mesh = builder.mesh(plan); });
   return made;
 }
@@ -60,7 +60,7 @@ Cells cells_of(Build& build, const std::string& name) {
   Cells made;
   made.plan = shot::find_cells(shot, name);
   made.write = delivery::write_options(shot);
-  build.work([&](building::Builder& builder) { made.skin = builder.skin(made.plan); });
+  build.work([&](building::Builder& builder) { made.layer = builder.cell_layer(made.plan); });
   return made;
 }
 
@@ -89,7 +89,7 @@ std::vector<std::filesystem::path> save(Build& build, const std::filesystem::pat
   if (paths.empty() || (grids && shot.volumes.empty()))
     throw Error(ErrorCode::bad_input, "the scene declares nothing to build", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  require_outputs(paths, loading::files_named(build.scene()->loaded()));
+  require_outputs(paths, loading::file_dependencies(build.scene()->loaded()));
   build.work([&](building::Builder& builder) {
     if (grids)
       delivery::write_volumes(builder, to);

@@ -15,24 +15,24 @@ namespace {
 template <class Member>
 auto shown(Member cells::Network::*member) {
   return [member](const Cells& self) {
-    return view(self.skin->network().*member, owner_of(self.skin));
+    return view(self.layer->network().*member, owner_of(self.layer));
   };
 }
 
 py::dict attributes(const Cells& self) {
   py::dict out;
-  const py::capsule owner = owner_of(self.skin);
-  for (const cells::Attribute& each : self.skin->simulation.attributes().all())
+  const py::capsule owner = owner_of(self.layer);
+  for (const cells::Attribute& each : self.layer->simulation.attributes().all())
     std::visit([&](const auto& column) { out[py::str(each.name)] = view(column.now, owner); },
                each.column);
   return out;
 }
 
 py::array states(const Cells& self) {
-  const std::vector<cells::CellState>& all = self.skin->simulation.states();
+  const std::vector<cells::CellState>& all = self.layer->simulation.states();
   static_assert(sizeof(cells::CellState) == 1);
   return view(py::dtype::of<uint8_t>(), {static_cast<py::ssize_t>(all.size())}, {1}, all.data(),
-              owner_of(self.skin));
+              owner_of(self.layer));
 }
 
 std::vector<std::string> state_names() {
@@ -43,19 +43,19 @@ std::vector<std::string> state_names() {
 }
 
 py::tuple links(const Cells& self) {
-  const cells::Links& links = self.skin->network().links;
-  const py::capsule owner = owner_of(self.skin);
+  const cells::Links& links = self.layer->network().links;
+  const py::capsule owner = owner_of(self.layer);
   return py::make_tuple(view(links.begin, owner), view(links.to, owner));
 }
 
 void save(const Cells& self, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
   const std::string extension = extension_of(file);
-  if (extension == ".csv") return delivery::write_table(file, *self.skin);
+  if (extension == ".csv") return delivery::write_table(file, *self.layer);
   if (extension != ".vdb")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for cells", file.string()), {},
                 "end it in .vdb for points, or in .csv for a table");
-  volume::write(file, {building::cell_points(*self.plan, *self.skin)}, self.write);
+  volume::write(file, {building::cell_points(*self.plan, *self.layer)}, self.write);
 }
 
 }  // namespace
@@ -68,12 +68,12 @@ void bind_cells(py::module_& module) {
                     "write to them, and each keeps what it shows alive.")
       .def_property_readonly("name", [](const Cells& c) { return c.plan->name; })
       .def_property_readonly(
-          "spacing", [](const Cells& c) { return c.skin->network().spacing; },
+          "spacing", [](const Cells& c) { return c.layer->network().spacing; },
           "Metres from one cell to the next, about.")
       .def_property_readonly(
-          "step", [](const Cells& c) { return c.skin->simulation.step(); },
+          "step", [](const Cells& c) { return c.layer->simulation.step(); },
           "Steps that the rules have done.")
-      .def("__len__", [](const Cells& c) { return c.skin->network().size(); })
+      .def("__len__", [](const Cells& c) { return c.layer->network().size(); })
       .def_property_readonly("positions", shown(&Network::position), "(n, 3) float32, metres.")
       .def_property_readonly("normals", shown(&Network::normal),
                              "(n, 3) float32 of unit length, out of the solid.")
@@ -93,7 +93,7 @@ void bind_cells(py::module_& module) {
            "Writes points to a .vdb, or a table to a .csv, as `vug build` does.")
       .def("__repr__", [](const Cells& c) {
         return fmt::format("<vug.Cells '{}', {} after {} steps>", c.plan->name,
-                           c.skin->network().size(), c.skin->simulation.step());
+                           c.layer->network().size(), c.layer->simulation.step());
       });
 }
 

@@ -11,7 +11,7 @@ namespace vug::python {
 /// Immutable; its arrays share what it points to.
 struct Cells {
   shot::CellsPtr plan;
-  building::SkinPtr skin;
+  building::CellLayerPtr layer;
   volume::WriteOptions write;
 };
 

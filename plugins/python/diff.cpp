@@ -24,7 +24,8 @@ image::ImageUnderTest subject(const Picture& given, const std::string& name) {
   if (const auto* file = std::get_if<std::filesystem::path>(&given))
     return image::read_image_under_test(*file);
   const Image& rendered = std::get<Image>(given);
-  const picture::PictureLook look = picture::from_notes(rendered.part().header.notes);
+  const picture::OutputSettings look =
+      picture::from_header_attributes(rendered.part().header.notes);
   image::ImageUnderTest out;
   out.name = name;
   out.image = rendered.in_stereo()

@@ -34,9 +34,9 @@ std::vector<std::filesystem::path> export_scene(const std::shared_ptr<Scene>& sc
   const delivery::ExportOptions options = export_options(program, up, unit, lod);
   const auto shot = std::make_shared<const shot::Shot>(delivery::with_meshes(scene->shot()));
   require_outputs(delivery::export_paths(*shot, folder, options),
-                  loading::files_named(scene->loaded()));
+                  loading::file_dependencies(scene->loaded()));
   Build build(scene, shot, {memory_of(memory), threads_of(threads), progress});
-  delivery::Exported written;
+  delivery::ExportResult written;
   build.work([&](building::Builder& builder) {
     written = delivery::export_set(builder, folder, options);
   });

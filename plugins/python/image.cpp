@@ -58,7 +58,8 @@ py::array pixels(const Image& self) {
 
 py::dict metadata(const Image& self) {
   py::dict out;
-  for (const auto& [name, text] : picture::from_notes(self.part().header.notes).metadata)
+  for (const auto& [name, text] :
+       picture::from_header_attributes(self.part().header.notes).metadata)
     out[py::str(name)] = text;
   return out;
 }
@@ -71,7 +72,7 @@ py::dict views(const Image& self) {
 
 void save(const Image& self, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
-  const std::vector<picture::PictureView> all = picture::views_of(*self.rendered);
+  const std::vector<picture::PictureView> all = picture::picture_views(*self.rendered);
   picture::write_picture_file(file, self.view ? std::vector{all[*self.view]} : all);
   std::error_code ignored;
   if (extension_of(file) == ".exr" && !self.view && !self.checkpoint.empty())

@@ -139,12 +139,12 @@ picture::RenderOptions render_options(const Scene& scene, const py::kwargs& give
     }
     if (!value.is_none()) setter->second(options.picture, name, value);
   }
-  options.picture.moment = scene.moments();
+  options.picture.shot_at_frame = scene.moments();
   return options;
 }
 
 Image render(Build& build, const picture::RenderOptions& options) {
-  auto rendered = std::make_shared<std::vector<picture::Rendered>>();
+  auto rendered = std::make_shared<std::vector<picture::RenderResult>>();
   build.work([&](building::Builder& builder) {
     *rendered = picture::render_views(builder, options);
     picture::warn_of_exposure(builder, rendered->front());

@@ -83,7 +83,7 @@ SharedScene loads(const std::string& text, const std::filesystem::path& base,
 
 /// Files keep no frame in the text: it is the one argument that they may name.
 SharedScene scene_of(const std::filesystem::path& file, const std::filesystem::path& base) {
-  const delivery::Recipe recipe = delivery::recipe_of(file);
+  const delivery::Recipe recipe = delivery::read_recipe(file);
   std::optional<double> frame;
   for (const std::string& argument : recipe.arguments)
     if (constexpr std::string_view kFrame = "--frame "; argument.rfind(kFrame, 0) == 0)
@@ -119,7 +119,7 @@ py::dict params(const Scene& scene) {
 }
 
 std::vector<std::filesystem::path> files(const Scene& scene) {
-  std::vector<std::filesystem::path> out = loading::files_named(scene.loaded());
+  std::vector<std::filesystem::path> out = loading::file_dependencies(scene.loaded());
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -162,7 +162,7 @@ void bind_names(py::class_<Scene, SharedScene>& type) {
   using shot::Shot;
   type.def_property_readonly("volumes", names(&Shot::volumes), "Names, as are all these lists.")
       .def_property_readonly(
-          "meshes", [](const Scene& s) { return names_of(shot::meshes_of(s.shot())); },
+          "meshes", [](const Scene& s) { return names_of(shot::shown_meshes(s.shot())); },
           "Those that are declared, else one for each level set.")
       .def_property_readonly(
           "cells", [](const Scene& s) { return names_of(shot::declared_cells(s.shot())); })
@@ -194,7 +194,7 @@ loading::Loaded Scene::at(double frame) const {
   const std::lock_guard lock(loading_);
   loading::LoadOptions options = settings_.load;
   options.frame = frame;
-  options.still = &still_;
+  options.static_cache = &still_;
   return loading::load_text(text_, file_, options);
 }
 
@@ -234,7 +234,7 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("seed", [](const Scene& s) { return s.shot().seed; })
       .def_property_readonly("frame", [](const Scene& s) { return s.shot().frame; })
       .def_property_readonly(
-          "moves", [](const Scene& s) { return s.shot().moves; },
+          "moves", [](const Scene& s) { return s.shot().animated; },
           "Whether something depends on the frame.")
       .def_property_readonly(
           "recipe", [](const Scene& s) { return s.shot().recipe; },

@@ -41,8 +41,8 @@ class Scene {
   std::string text_;
   std::string file_;
   Settings settings_;
-  mutable loading::Still still_;  ///< Of all its moments.
-  mutable std::mutex loading_;    ///< Guards that.
+  mutable loading::StaticCache still_;  ///< Of all its moments.
+  mutable std::mutex loading_;          ///< Guards that.
   loading::Loaded loaded_;
 };
 using ScenePtr = std::shared_ptr<const Scene>;

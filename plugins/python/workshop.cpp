@@ -18,7 +18,7 @@ struct Build::Shop {
     if (!settings.checkpoint.empty())
       out.checkpoint = std::make_shared<building::CellsCheckpoint>(
           building::CheckpointOptions{settings.checkpoint, std::nullopt, true}, shot);
-    out.tell = [this, &scene](const Diagnostics& doubtful) {
+    out.on_warning = [this, &scene](const Diagnostics& doubtful) {
       post.warn(warnings_of(scene.loaded(), doubtful));
     };
     return out;
@@ -48,7 +48,7 @@ void Build::work(const std::function<void(building::Builder&)>& work) {
   }
   if (shop_->progress.cancelled()) {
     std::unique_ptr<Shop> next = open();
-    next->builder.take_over(std::move(shop_->builder));
+    next->builder.reuse_from(std::move(shop_->builder));
     shop_ = std::move(next);
   }
   struct Busy {

@@ -8,12 +8,12 @@
 // searches by the clock, as not all of a search is parallel.
 #include <vug/base/parallel.h>
 #include <vug/fit/evidence/cluster_image.h>
+#include <vug/fit/evidence/working_size.h>
 #include <vug/fit/model/compile.h>
 #include <vug/fit/move.h>
-#include <vug/fit/read.h>
+#include <vug/fit/fit_facade.h>
 #include <vug/fit/search/sampler.h>
 #include <vug/fit/search/seeds.h>
-#include <vug/fit/evidence/working_size.h>
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ Evidence evidence(bool supervised) {
     for (int x = 0; x < kWidth; ++x) {
       const Look look = is_window(x, y) ? Look::window : y > 590 ? Look::shop : Look::wall;
       uint32_t seen = static_cast<uint32_t>(look);
-      if (stream.below(10) == 0) seen = stream.below(kLooks);
+      if (stream.mesh_without_cells(10) == 0) seen = stream.mesh_without_cells(kLooks);
       for (uint32_t lane = 0; lane < kLooks; ++lane)
         values.push_back(supervised ? (lane == seen ? 8 : 320) : (lane == seen ? 1 : 0));
     }

@@ -39,9 +39,9 @@ int main(int argc, char** argv) {
                1e-6 * peak_memory());
     building::Builder builder(loaded.shot);
     size_t culms = 0;
-    for (const shot::PlacePlan& place : loaded.shot.places)
-      for (const shot::Places& at : place.at) culms += (*at)(builder, place.key).size();
-    const picture::Rendered picture = picture::render_picture(builder, options);
+    for (const shot::PointInstancer& place : loaded.shot.instancers)
+      for (const shot::InstanceSource& at : place.at) culms += (*at)(builder, place.key).size();
+    const picture::RenderResult picture = picture::render_picture(builder, options);
     fmt::print("{:24} {:6.1f} s, peak {:5.0f} MB (wanted: less than 500)\n",
                fmt::format("{}x{}, {} culms", picture.image->width, picture.image->height, culms),
                seconds(), 1e-6 * peak_memory());

@@ -45,7 +45,8 @@ field::Field solid() {
     const double x = random.uniform(0, 20), y = random.uniform(0, 20), z = random.uniform(0, 20);
     const double u = random.uniform(-1, 1), v = random.uniform(-1, 1);
     const Transform turn = Transform::rotation({u, v, 0.5}, random.uniform(0, 6));
-    const field::Field& kind = kinds[random.below(static_cast<uint32_t>(kinds.size()))];
+    const field::Field& kind =
+        kinds[random.mesh_without_cells(static_cast<uint32_t>(kinds.size()))];
     all.push_back(field::transformed(kind, Transform::translation({x, y, z}) * turn));
   }
   field::Displacement rough;

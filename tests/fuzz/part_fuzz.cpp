@@ -15,13 +15,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (std::string(error.what()).find(path.string()) == std::string::npos) std::abort();
   };
   try {
-    const double fraction = vug::render::read_outline(path).fraction;
+    const double fraction = vug::render::read_partial_render_info(path).fraction;
     if (!(fraction >= 0 && fraction <= 1)) std::abort();
   } catch (const vug::Error& error) {
     refused(error);
   }
   try {
-    const vug::render::Part part = vug::render::read_part(path);
+    const vug::render::PartialRender part = vug::render::read_partial_render(path);
     if (part.state.region().empty()) std::abort();
   } catch (const vug::Error& error) {
     refused(error);

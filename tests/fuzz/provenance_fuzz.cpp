@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       if (error.code() != vug::ErrorCode::bad_input || error.where().file != "fuzz") std::abort();
     }
   }
-  const vug::delivery::Recipe recipe = vug::delivery::recipe_in(std::string(bytes));
+  const vug::delivery::Recipe recipe = vug::delivery::parse_recipe(std::string(bytes));
   if (recipe.scene.size() > 8 * size + 1024) std::abort();
   return 0;
 }

@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       if (!plan.from.empty()) continue;
       plan.steps = std::min(plan.length(), 6);
       plan.relax = std::min(plan.relax.value_or(2), 5);
-      building::make_skin(plan, {{box, nullptr}}, uint64_t{1} << 22, Progress::none());
+      building::make_cell_layer(plan, {{box, nullptr}}, uint64_t{1} << 22, Progress::none());
     }
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) std::abort();

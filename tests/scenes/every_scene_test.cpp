@@ -50,13 +50,13 @@ double rms_distance(const mesh::Mesh& mesh, const shot::VolumePlan& plan) {
 
 /// The mesh without cells, which may have moved it.
 shot::MeshPtr bare(const shot::MeshPtr& plan) {
-  const shot::MeshPtr under = shot::below(*plan);
+  const shot::MeshPtr under = shot::mesh_without_cells(*plan);
   return under ? bare(under) : plan;
 }
 
 /// Holes are cut by cells or come with a file.
 bool may_be_open(const shot::MeshPtr& plan) {
-  const shot::MeshPtr under = shot::below(*plan);
+  const shot::MeshPtr under = shot::mesh_without_cells(*plan);
   return under ? plan->cells->holes || may_be_open(under) : plan->given != nullptr;
 }
 
@@ -91,7 +91,7 @@ void expect_written(building::Builder& builder, const std::string& scene) {
 }
 
 bool has_mesh(const shot::Shot& shot, const std::string& name) {
-  const std::vector<shot::MeshPtr> meshes = shot::meshes_of(shot);
+  const std::vector<shot::MeshPtr> meshes = shot::shown_meshes(shot);
   return std::any_of(meshes.begin(), meshes.end(),
                      [&](const shot::MeshPtr& plan) { return plan->name == name; });
 }
@@ -110,9 +110,9 @@ TEST_P(EveryScene, IsAsKnown) {
   const loading::Loaded loaded = load_scene(GetParam(), overrides);
   ASSERT_TRUE(loaded.usable());
   expect_words(loaded.shot, facts);
-  ASSERT_TRUE(facts.contains("words") || !shot::meshes_of(loaded.shot).empty());
+  ASSERT_TRUE(facts.contains("words") || !shot::shown_meshes(loaded.shot).empty());
   building::Builder builder(loaded.shot);
-  for (const shot::MeshPtr& plan : shot::meshes_of(loaded.shot)) {
+  for (const shot::MeshPtr& plan : shot::shown_meshes(loaded.shot)) {
     SCOPED_TRACE(plan->name);
     const auto mesh = builder.mesh(plan);
     const json& known =
@@ -125,7 +125,7 @@ TEST_P(EveryScene, IsAsKnown) {
   const json meshes = facts.value("meshes", json::object());
   for (const auto& entry : meshes.items())
     EXPECT_TRUE(has_mesh(loaded.shot, entry.key())) << "the scene has no mesh " << entry.key();
-  if (!shot::meshes_of(loaded.shot).empty()) expect_written(builder, GetParam());
+  if (!shot::shown_meshes(loaded.shot).empty()) expect_written(builder, GetParam());
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {

@@ -88,7 +88,7 @@ void expect_words(const shot::Shot& shot, const json& facts) {
                      [&](const shot::LSystemPtr& each) { return each->name == name; });
     ASSERT_NE(plan, shot.lsystems.end()) << "the scene has no such L-system";
     const lsystem::System& system = *(*plan)->system;
-    lsystem::Derivation derivation = (*plan)->derived();
+    lsystem::Derivation derivation = (*plan)->derive();
     const lsystem::Word word = known.value("drawn", false)
                                    ? lsystem::interpret(system, std::move(derivation))
                                    : std::move(derivation.word);

@@ -47,19 +47,19 @@ loading::LoadOptions SceneOptions::load_options() const {
 
 loading::Loaded SceneOptions::load() const { return load(load_options()); }
 
-loading::Loaded SceneOptions::load(double at, loading::Still& still) const {
+loading::Loaded SceneOptions::load(double at, loading::StaticCache& still) const {
   loading::LoadOptions options = load_options();
   options.frame = at;
-  options.still = &still;
+  options.static_cache = &still;
   return load(options);
 }
 
 std::function<std::shared_ptr<const shot::Shot>(double)> SceneOptions::moments(
-    loading::Still& still) const {
+    loading::StaticCache& still) const {
   return [this, &still](double at) {
     loading::LoadOptions options = load_options();
     options.frame = at;
-    options.still = &still;
+    options.static_cache = &still;
     const loading::Loaded loaded = loading::load(scene, options);
     if (!loaded.usable()) {
       fmt::print(stderr, "{}", loaded.report());
@@ -96,7 +96,7 @@ uint64_t WorkOptions::memory_limit() const {
 building::BuildOptions WorkOptions::build_options(const loading::Loaded& loaded) const {
   building::BuildOptions options;
   options.max_memory = memory_limit();
-  options.tell = [&loaded](const Diagnostics& doubtful) {
+  options.on_warning = [&loaded](const Diagnostics& doubtful) {
     clear_bar();
     fmt::print(stderr, "{}", loaded.report(doubtful));
   };

@@ -28,9 +28,10 @@ struct SceneOptions {
   /// Loads the scene; prints its diagnostics on stderr. Throws Stop{kUnusable} when it has errors.
   loading::Loaded load() const;
   /// The same at a frame of a sequence; see loading::Still.
-  loading::Loaded load(double at, loading::Still& still) const;
+  loading::Loaded load(double at, loading::StaticCache& still) const;
   /// For PictureOptions::moment; the options and `still` must outlive it.
-  std::function<std::shared_ptr<const shot::Shot>(double)> moments(loading::Still& still) const;
+  std::function<std::shared_ptr<const shot::Shot>(double)> moments(
+      loading::StaticCache& still) const;
   loading::LoadOptions load_options() const;
 
  private:

@@ -20,23 +20,23 @@ void require_near(const mesh::Mesh& bare, const mesh::Mesh& moved) {
 
 }  // namespace
 
-Worn wear(const mesh::Mesh& bare, const Skin& skin, const shot::CellsPlan& plan,
-          Progress& progress) {
-  Worn worn{bare, 0};
-  if (bare.triangles.empty()) return worn;
+MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
+                          const shot::CellsPlan& plan, Progress& progress) {
+  MeshWithCells applied{bare, 0};
+  if (bare.triangles.empty()) return applied;
   cells::TransferOptions options;
   options.move = plan.move;
   try {
-    cells::transfer_to_mesh(skin.simulation, worn.mesh, options, progress);
-    if (plan.move) require_near(bare, worn.mesh);
+    cells::transfer_to_mesh(layer.simulation, applied.mesh, options, progress);
+    if (plan.move) require_near(bare, applied.mesh);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
     throw error.at(plan.where);
   }
-  if (plan.move) worn.turned = mesh::flipped_triangles(bare, worn.mesh);
-  const mesh::Attribute* gone = mesh::find_attribute(worn.mesh, cells::kTransparent, 1);
-  if (plan.holes && gone) worn.mesh = mesh::clip(worn.mesh, gone->values, 0.5F);
-  return worn;
+  if (plan.move) applied.flipped_triangles = mesh::flipped_triangles(bare, applied.mesh);
+  const mesh::Attribute* gone = mesh::find_attribute(applied.mesh, cells::kTransparent, 1);
+  if (plan.holes && gone) applied.mesh = mesh::clip(applied.mesh, gone->values, 0.5F);
+  return applied;
 }
 
 }  // namespace vug::building

@@ -5,15 +5,15 @@
 
 namespace vug::building {
 
-struct Worn {
+struct MeshWithCells {
   mesh::Mesh mesh;
-  size_t turned = 0;  ///< Triangles whose other side shows since it was moved.
+  size_t flipped_triangles = 0;  ///< Triangles whose other side shows since it was moved.
 };
 
 /// The mesh with what the skin's cells carry at its vertices (see cells/transfer_to_mesh.h), moved
 /// and with holes where the plan says so. Error(bad_input) at the plan's name where it would be
 /// moved by more than ten times its own size.
-Worn wear(const mesh::Mesh& bare, const Skin& skin, const shot::CellsPlan& plan,
-          Progress& progress);
+MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
+                          const shot::CellsPlan& plan, Progress& progress);
 
 }  // namespace vug::building

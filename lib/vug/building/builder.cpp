@@ -35,7 +35,7 @@ class Stopwatch {
 /// Why nothing of a volume is there, as far as its plan tells.
 std::string why_empty(const shot::VolumePlan& plan) {
   const Box3d& bounds = plan.field.bounds();
-  if (plan.of) return "its mesh is empty or thinner than a voxel";
+  if (plan.source_mesh) return "its mesh is empty or thinner than a voxel";
   if (bounds.isEmpty()) return "its solid is empty";
   if (plan.from && !bounds.intersects(Box3d(*plan.from, *plan.to)))
     return "its solid lies outside of 'from' and 'to'";
@@ -43,7 +43,7 @@ std::string why_empty(const shot::VolumePlan& plan) {
 }
 
 /// What a volume fails by: its line where the text is at fault, else while `doing` what.
-Error of_volume(const shot::VolumePlan& plan, Error& error, std::string doing) {
+Error volume_error(const shot::VolumePlan& plan, Error& error, std::string doing) {
   if (error.code() == ErrorCode::bad_input && !error.where().known()) return error.at(plan.where);
   return error.within(std::move(doing));
 }
@@ -52,22 +52,22 @@ Error of_volume(const shot::VolumePlan& plan, Error& error, std::string doing) {
 void add_with_parts(const shot::MeshPtr& plan, std::vector<shot::MeshPtr>& meshes) {
   meshes.push_back(plan);
   for (const shot::MeshPtr& part : plan->parts) add_with_parts(part, meshes);
-  if (plan->volume && plan->volume->of) add_with_parts(plan->volume->of, meshes);
+  if (plan->volume && plan->volume->source_mesh) add_with_parts(plan->volume->source_mesh, meshes);
   if (!plan->cells) return;
-  for (const shot::MeshPtr& ground : plan->cells->on) add_with_parts(ground, meshes);
+  for (const shot::MeshPtr& support : plan->cells->on) add_with_parts(support, meshes);
 }
 
 }  // namespace
 
 void Builder::warn(const SourceLocation& where, const std::string& message,
                    const std::string& hint) const {
-  if (!options_.tell) return;
+  if (!options_.on_warning) return;
   Diagnostics one;
   one.warning(where, message, hint);
-  options_.tell(one);
+  options_.on_warning(one);
 }
 
-uint64_t Builder::room() const {
+uint64_t Builder::memory_budget() const {
   if (options_.max_memory == 0) return available_memory();
   return options_.max_memory > held_ ? options_.max_memory - held_ : 1;
 }
@@ -75,49 +75,50 @@ uint64_t Builder::room() const {
 double Builder::area_of(const shot::VolumePtr& plan) const {
   if (const auto held = level_sets_.find(plan); held != level_sets_.end())
     return area_of_band(static_cast<double>(held->second.statistics().active_voxels), *plan);
-  if (plan->of && plan->of->volume) return area_of(plan->of->volume);
+  if (plan->source_mesh && plan->source_mesh->volume) return area_of(plan->source_mesh->volume);
   if (plan->field.bounds().isEmpty()) return 0;
-  return volume::estimate(plan->field, voxelize_options(*plan, room())).surface_area;
+  return volume::estimate(plan->field, voxelize_options(*plan, memory_budget())).surface_area;
 }
 
-const Builder::MadeMesh* Builder::made(const shot::MeshPtr& plan) const {
+const Builder::BuiltMesh* Builder::cached(const shot::MeshPtr& plan) const {
   if (const auto found = meshes_.find(plan); found != meshes_.end()) return &found->second;
   for (const auto& [other, mesh] : meshes_)
     if (*other == *plan) return &mesh;
   return nullptr;
 }
 
-volume::SurfaceBricksPtr Builder::made_surface(const shot::MeshPtr& plan) const {
+volume::SurfaceBricksPtr Builder::cached_surface(const shot::MeshPtr& plan) const {
   for (const auto& [other, surface] : surfaces_)
     if (other->volume == plan->volume && other->smallest_piece == plan->smallest_piece)
       return surface;
   return nullptr;
 }
 
-void Builder::take_over(Builder&& other) {
+void Builder::reuse_from(Builder&& other) {
   std::set<shot::VolumePtr> volumes(shot_.volumes.begin(), shot_.volumes.end());
   volumes.insert(shot_.medium_volume);
   std::vector<shot::MeshPtr> meshes;
   for (const shot::VolumePtr& volume : shot_.volumes)
-    if (volume->of) add_with_parts(volume->of, meshes);
-  for (const shot::MeshPtr& plan : shot::meshes_of(shot_)) add_with_parts(plan, meshes);
+    if (volume->source_mesh) add_with_parts(volume->source_mesh, meshes);
+  for (const shot::MeshPtr& plan : shot::shown_meshes(shot_)) add_with_parts(plan, meshes);
   for (const shot::ObjectPlan& object : shot_.objects) add_with_parts(object.mesh, meshes);
-  for (const shot::PlacePlan& place : shot_.places)
+  for (const shot::PointInstancer& place : shot_.instancers)
     for (const shot::Model& model : place.of)
       if (model.mesh) add_with_parts(model.mesh, meshes);
   for (const shot::MeshPtr& plan : meshes) {
     if (plan->volume) volumes.insert(plan->volume);
-    const MadeMesh* mesh = other.made(plan);
+    const BuiltMesh* mesh = other.cached(plan);
     if (mesh && meshes_.emplace(plan, *mesh).second) held_ += bytes_of(*mesh->mesh);
-    if (const auto skin = other.skins_.find(plan->cells);
-        skin != other.skins_.end() && skins_.insert(*skin).second)
-      held_ += skin->second->simulation.bytes();
-    if (!plan->cells || skins_.count(plan->cells)) continue;
-    if (const SkinPtr begun = other.begun(*plan->cells))
-      if (begun_.emplace(plan->cells, begun).second) held_ += begun->simulation.bytes();
+    if (const auto layer = other.cell_layers_.find(plan->cells);
+        layer != other.cell_layers_.end() && cell_layers_.insert(*layer).second)
+      held_ += layer->second->simulation.bytes();
+    if (!plan->cells || cell_layers_.count(plan->cells)) continue;
+    if (const CellLayerPtr resumable = other.resumable(*plan->cells))
+      if (resumable_.emplace(plan->cells, resumable).second) held_ += resumable->simulation.bytes();
   }
   for (const shot::MeshPtr& plan : meshes)
-    if (const auto known = other.made_surface(plan); known && surfaces_.emplace(plan, known).second)
+    if (const auto known = other.cached_surface(plan);
+        known && surfaces_.emplace(plan, known).second)
       held_ += known->bytes();
   for (auto& [plan, grid] : other.level_sets_)
     if (volumes.count(plan)) {
@@ -125,17 +126,19 @@ void Builder::take_over(Builder&& other) {
       level_sets_.emplace(plan, std::move(grid));
     }
   seconds_ += other.seconds_;
-  other.level_sets_.clear(), other.meshes_.clear(), other.skins_.clear(), other.surfaces_.clear();
+  other.level_sets_.clear(), other.meshes_.clear(), other.cell_layers_.clear(),
+      other.surfaces_.clear();
 }
 
 volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
-  const mesh::MeshPtr mesh = plan.of ? this->mesh(plan.of) : nullptr;
+  const mesh::MeshPtr mesh = plan.source_mesh ? this->mesh(plan.source_mesh) : nullptr;
   const Stopwatch watch(seconds_);
-  if (!mesh) return volume::voxelize(plan.field, voxelize_options(plan, room()), progress_);
+  if (!mesh)
+    return volume::voxelize(plan.field, voxelize_options(plan, memory_budget()), progress_);
   volume::FromMeshOptions options;
   options.voxel = plan.voxel;
   options.half_width = plan.half_width;
-  options.max_memory = room();
+  options.max_memory = memory_budget();
   return volume::from_mesh(*mesh, options, progress_);
 }
 
@@ -149,44 +152,45 @@ const volume::LevelSet& Builder::level_set(const shot::VolumePtr& plan) {
            why_empty(*plan));
     return made;
   } catch (Error& error) {
-    throw of_volume(*plan, error, fmt::format("making the volume '{}'", plan->name));
+    throw volume_error(*plan, error, fmt::format("making the volume '{}'", plan->name));
   }
 }
 
-void Builder::require_room(const shot::MeshPtr& plan) const {
-  if (made(plan)) return;
-  for (const shot::MeshPtr& part : plan->parts) require_room(part);
-  if (plan->cells && skins_.count(plan->cells) == 0) {
+void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
+  if (cached(plan)) return;
+  for (const shot::MeshPtr& part : plan->parts) require_mesh_memory(part);
+  if (plan->cells && cell_layers_.count(plan->cells) == 0) {
     double area = 0;
-    for (const shot::MeshPtr& ground : plan->cells->on) {
-      require_room(ground);
-      if (ground->volume) area += area_of(ground->volume);
-      if (ground->given) area += metrics::area(*ground->given);
+    for (const shot::MeshPtr& support : plan->cells->on) {
+      require_mesh_memory(support);
+      if (support->volume) area += area_of(support->volume);
+      if (support->file_mesh) area += metrics::area(*support->file_mesh);
     }
-    require_skin_room(*plan->cells, area, room());
+    require_cell_memory(*plan->cells, area, memory_budget());
   }
   if (plan->cells || !plan->volume) return;
   const shot::VolumePlan& volume = *plan->volume;
-  if (volume.of) return require_room(volume.of);
+  if (volume.source_mesh) return require_mesh_memory(volume.source_mesh);
   if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
   const double band = 2 * volume.half_width;
-  if (meshing_bytes(most_active_voxels(volume), band) <= static_cast<double>(room())) return;
+  if (meshing_bytes(max_active_voxels(volume), band) <= static_cast<double>(memory_budget()))
+    return;
   try {
-    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, room()));
-    require_memory(estimate.bytes + meshing_bytes(estimate.active_voxels, band), room(),
+    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, memory_budget()));
+    require_memory(estimate.bytes + meshing_bytes(estimate.active_voxels, band), memory_budget(),
                    fmt::format("a mesh and its grid with voxels of {} m", volume.voxel));
   } catch (Error& error) {
-    throw of_volume(volume, error, fmt::format("making the mesh '{}'", plan->name));
+    throw volume_error(volume, error, fmt::format("making the mesh '{}'", plan->name));
   }
 }
 
 mesh::MeshPtr Builder::mesh(const shot::MeshPtr& plan) {
-  if (const MadeMesh* known = made(plan)) return known->mesh;
-  require_room(plan);
+  if (const BuiltMesh* known = cached(plan)) return known->mesh;
+  require_mesh_memory(plan);
   try {
-    MadeMesh mesh = plan->cells            ? make_worn(*plan)
-                    : !plan->parts.empty() ? make_merged(*plan)
-                                           : make_bare(*plan);
+    BuiltMesh mesh = plan->cells            ? build_with_cells(*plan)
+                     : !plan->parts.empty() ? build_merged(*plan)
+                                            : build_plain(*plan);
     held_ += bytes_of(*mesh.mesh);
     return meshes_.emplace(plan, std::move(mesh)).first->second.mesh;
   } catch (Error& error) {
@@ -194,15 +198,15 @@ mesh::MeshPtr Builder::mesh(const shot::MeshPtr& plan) {
   }
 }
 
-Builder::MadeMesh Builder::make_bare(const shot::MeshPlan& plan) {
-  const volume::LevelSet* surface = plan.given ? nullptr : &level_set(plan.volume);
+Builder::BuiltMesh Builder::build_plain(const shot::MeshPlan& plan) {
+  const volume::LevelSet* surface = plan.file_mesh ? nullptr : &level_set(plan.volume);
   const Stopwatch watch(seconds_);
   mesh::LargeComponents pieces =
-      surface ? make_mesh(plan, *surface, room(), progress_) : make_mesh(plan);
+      surface ? make_mesh(plan, *surface, memory_budget(), progress_) : make_mesh(plan);
   return {std::make_shared<const mesh::Mesh>(std::move(pieces.mesh)), pieces.removed};
 }
 
-Builder::MadeMesh Builder::make_worn(const shot::MeshPlan& plan) {
+Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan) {
   const bool refine = plan.cells->refine.value_or(!plan.volume);
   if (plan.volume && !refine && plan.volume->voxel > 1.01 * plan.cells->spacing)
     warn(plan.cells->where,
@@ -210,18 +214,18 @@ Builder::MadeMesh Builder::make_worn(const shot::MeshPlan& plan) {
                      "show",
                      plan.volume->name),
          "use smaller voxels, a larger spacing or refine true");
-  const SkinPtr skin = this->skin(plan.cells);
-  const shot::MeshPtr under = shot::below(plan);
+  const CellLayerPtr layer = this->cell_layer(plan.cells);
+  const shot::MeshPtr under = shot::mesh_without_cells(plan);
   mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
-  if (refine) bare = refined_for(*plan.cells, *bare, room());
-  Worn made = wear(*bare, *skin, *plan.cells, progress_);
+  if (refine) bare = refine_for_cells(*plan.cells, *bare, memory_budget());
+  MeshWithCells made = apply_cells(*bare, *layer, *plan.cells, progress_);
   // A sliver or two of a hundred thousand triangles nobody sees.
-  if (made.turned > bare->triangles.size() / 2000)
+  if (made.flipped_triangles > bare->triangles.size() / 2000)
     warn(plan.cells->where,
          fmt::format(
              "where cells move the mesh '{}' it folds: {} of its {} triangles are turned over",
-             plan.name, made.turned, bare->triangles.size()),
+             plan.name, made.flipped_triangles, bare->triangles.size()),
          "let them move less, or make a volume of it and a mesh of that: volume NAME on " +
              plan.name);
   const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
@@ -231,14 +235,14 @@ Builder::MadeMesh Builder::make_worn(const shot::MeshPlan& plan) {
   return {worn, components_removed(under)};
 }
 
-Builder::MadeMesh Builder::make_merged(const shot::MeshPlan& plan) {
+Builder::BuiltMesh Builder::build_merged(const shot::MeshPlan& plan) {
   std::vector<mesh::MeshPtr> parts;
-  MadeMesh made;
+  BuiltMesh made;
   for (const shot::MeshPtr& part : plan.parts) {
     parts.push_back(mesh(part));
     made.components_removed += components_removed(part);
   }
-  made.mesh = std::make_shared<const mesh::Mesh>(merged(parts));
+  made.mesh = std::make_shared<const mesh::Mesh>(merge_meshes(parts));
   return made;
 }
 
@@ -246,55 +250,58 @@ std::shared_ptr<const field::SampledGrid> Builder::solid(const shot::MeshPtr& pl
   return plan->volume ? volume::sampled_grid(level_set(plan->volume)) : nullptr;
 }
 
-SkinPtr Builder::begun(const shot::CellsPlan& plan) const {
+CellLayerPtr Builder::resumable(const shot::CellsPlan& plan) const {
   const auto same = [](const shot::MeshPtr& a, const shot::MeshPtr& b) { return *a == *b; };
-  for (const auto* runs : {&skins_, &begun_})
-    for (const auto& [other, skin] : *runs)
-      if (plan.still && other->still && other->name == plan.name &&
-          skin->simulation.step() <= plan.length() &&
+  for (const auto* runs : {&cell_layers_, &resumable_})
+    for (const auto& [other, layer] : *runs)
+      if (plan.resumable && other->resumable && other->name == plan.name &&
+          layer->simulation.step() <= plan.length() &&
           std::equal(other->on.begin(), other->on.end(), plan.on.begin(), plan.on.end(), same))
-        return skin;
+        return layer;
   return nullptr;
 }
 
-SkinPtr Builder::skin(const shot::CellsPtr& plan) {
-  if (const auto known = skins_.find(plan); known != skins_.end()) return known->second;
-  std::vector<Ground> grounds;
-  for (const shot::MeshPtr& each : plan->on) grounds.push_back({mesh(each), solid(each)});
+CellLayerPtr Builder::cell_layer(const shot::CellsPtr& plan) {
+  if (const auto known = cell_layers_.find(plan); known != cell_layers_.end()) return known->second;
+  std::vector<CellSupport> supports;
+  for (const shot::MeshPtr& each : plan->on) supports.push_back({mesh(each), solid(each)});
   const Stopwatch watch(seconds_);
   try {
-    SkinRun how{nullptr, options_.checkpoint.get()};
-    if (const auto begun = begun_.find(plan); begun != begun_.end()) how.from = begun->second;
-    auto made = std::make_shared<const Skin>(make_skin(*plan, grounds, room(), progress_, how));
-    if (how.from) held_ -= how.from->simulation.bytes(), begun_.erase(plan);
+    CellRunOptions how{nullptr, options_.checkpoint.get()};
+    if (const auto resumable = resumable_.find(plan); resumable != resumable_.end())
+      how.from = resumable->second;
+    auto made = std::make_shared<const CellLayer>(
+        make_cell_layer(*plan, supports, memory_budget(), progress_, how));
+    if (how.from) held_ -= how.from->simulation.bytes(), resumable_.erase(plan);
     held_ += made->simulation.bytes();
-    return skins_.emplace(plan, std::move(made)).first->second;
+    return cell_layers_.emplace(plan, std::move(made)).first->second;
   } catch (Error& error) {
     throw error.within(fmt::format("making the cells '{}'", plan->name));
   }
 }
 
-void Builder::require_surface_room(const shot::MeshPtr& plan) const {
+void Builder::require_surface_memory(const shot::MeshPtr& plan) const {
   const shot::VolumePlan& volume = *plan->volume;
   if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
   try {
-    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, room()));
-    require_memory(estimate.bytes + surface_bytes(estimate.surface_area, volume.voxel), room(),
+    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, memory_budget()));
+    require_memory(estimate.bytes + surface_bytes(estimate.surface_area, volume.voxel),
+                   memory_budget(),
                    fmt::format("a surface and its grid with voxels of {} m", volume.voxel));
   } catch (Error& error) {
-    throw of_volume(volume, error, fmt::format("making the surface of '{}'", plan->name));
+    throw volume_error(volume, error, fmt::format("making the surface of '{}'", plan->name));
   }
 }
 
 volume::SurfaceBricksPtr Builder::surface(const shot::MeshPtr& plan) {
-  if (const auto known = made_surface(plan)) return known;
-  require_surface_room(plan);
+  if (const auto known = cached_surface(plan)) return known;
+  require_surface_memory(plan);
   const volume::LevelSet& grid = level_set(plan->volume);
   const Stopwatch watch(seconds_);
   const auto active = static_cast<double>(grid.statistics().active_voxels);
   const double area = area_of_band(active, *plan->volume);
   try {
-    require_memory(surface_bytes(area, plan->volume->voxel), room(), "the surface");
+    require_memory(surface_bytes(area, plan->volume->voxel), memory_budget(), "the surface");
     auto made = std::make_shared<const volume::SurfaceBricks>(grid, plan->smallest_piece);
     held_ += made->bytes();
     return surfaces_.emplace(plan, std::move(made)).first->second;
@@ -304,8 +311,8 @@ volume::SurfaceBricksPtr Builder::surface(const shot::MeshPtr& plan) {
 }
 
 size_t Builder::components_removed(const shot::MeshPtr& plan) const {
-  if (const MadeMesh* known = made(plan)) return known->components_removed;
-  const auto surface = made_surface(plan);
+  if (const BuiltMesh* known = cached(plan)) return known->components_removed;
+  const auto surface = cached_surface(plan);
   return surface ? surface->components_removed() : 0;
 }
 

@@ -1,7 +1,7 @@
 #include <vug/base/parallel.h>
 #include <vug/building/cell_context.h>
 #include <vug/render/geometry/occlusion.h>
-#include <vug/shot/cell_names.h>
+#include <vug/shot/cell_attributes.h>
 
 namespace vug::building {
 namespace {
@@ -28,8 +28,8 @@ std::vector<float> curvature(const cells::Network& n) {
 
 }  // namespace
 
-std::vector<float> surroundings_of(const cells::Network& cells, const std::string& name,
-                                   const std::vector<mesh::MeshPtr>& meshes, Progress& progress) {
+std::vector<float> cell_context(const cells::Network& cells, const std::string& name,
+                                const std::vector<mesh::MeshPtr>& meshes, Progress& progress) {
   if (name == shot::kCurvature) return curvature(cells);
   render::OpennessOptions options;
   // Cells lie on the facets of a mesh, whose smooth normals see a little way into their neighbours.

@@ -11,7 +11,7 @@
 namespace vug::building {
 
 /// One of them for each cell; what stands around is the meshes.
-std::vector<float> surroundings_of(const cells::Network& cells, const std::string& name,
-                                   const std::vector<mesh::MeshPtr>& meshes, Progress& progress);
+std::vector<float> cell_context(const cells::Network& cells, const std::string& name,
+                                const std::vector<mesh::MeshPtr>& meshes, Progress& progress);
 
 }  // namespace vug::building

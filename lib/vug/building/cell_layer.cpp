@@ -31,13 +31,13 @@ cells::Surface surface_of(const std::vector<mesh::MeshPtr>& meshes, const shot::
   }
 }
 
-cells::BuildResult network(const shot::CellsPlan& plan, const std::vector<Ground>& grounds,
-                     uint64_t memory, Progress& progress) {
+cells::BuildResult network(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
+                           uint64_t memory, Progress& progress) {
   std::vector<mesh::MeshPtr> meshes;
   std::vector<uint32_t> numbers;  // of those with a surface among all
-  for (uint32_t i = 0; i < grounds.size(); ++i)
-    if (!grounds[i].mesh->triangles.empty())
-      meshes.push_back(grounds[i].mesh), numbers.push_back(i);
+  for (uint32_t i = 0; i < supports.size(); ++i)
+    if (!supports[i].mesh->triangles.empty())
+      meshes.push_back(supports[i].mesh), numbers.push_back(i);
   if (meshes.empty()) return {};
   const cells::Surface surface = surface_of(meshes, plan);
   try {
@@ -65,16 +65,17 @@ std::vector<cells::Stage> stages(const shot::CellsPlan& plan) {
   return all;
 }
 
-Skin fresh_skin(const shot::CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
-                Progress& progress) {
-  cells::BuildResult built = network(plan, grounds, memory, progress);
+CellLayer new_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
+                         uint64_t memory, Progress& progress) {
+  cells::BuildResult built = network(plan, supports, memory, progress);
   const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
   return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
 }
 
-void go_on_from(const volume::Grid& points, const shot::CellsPlan& plan, cells::Simulation& cells) {
+void restore_points(const volume::Grid& points, const shot::CellsPlan& plan,
+                    cells::Simulation& cells) {
   try {
-    read_cells(points, cells);
+    restore_cells(points, cells);
   } catch (const Error& error) {
     throw Error(error.code(),
                 fmt::format("cannot go on from '{}': {}", plan.from.string(), error.what()),
@@ -83,49 +84,49 @@ void go_on_from(const volume::Grid& points, const shot::CellsPlan& plan, cells::
 }
 
 /// What masks and rules ask of the rock under cells and around them.
-void look_around(const shot::CellsPlan& plan, const std::vector<Ground>& grounds,
+void add_context(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
                  cells::Simulation& cells, Progress& progress) {
   std::vector<mesh::MeshPtr> meshes;
   std::vector<std::shared_ptr<const field::SampledGrid>> solids;
-  for (const Ground& ground : grounds)
-    meshes.push_back(ground.mesh), solids.push_back(ground.solid);
+  for (const CellSupport& support : supports)
+    meshes.push_back(support.mesh), solids.push_back(support.solid);
   cells.set_solids(std::move(solids));
-  for (const std::string& name : plan.surroundings)
+  for (const std::string& name : plan.context_attributes)
     if (!cells.attributes().find(name))
       cells.attributes().column<float>(name).now =
-          surroundings_of(cells.network(), name, meshes, progress);
+          cell_context(cells.network(), name, meshes, progress);
 }
 
 }  // namespace
 
-Skin make_skin(const shot::CellsPlan& plan, const std::vector<Ground>& grounds, uint64_t memory,
-               Progress& progress, const SkinRun& how) {
-  const std::optional<volume::Grid> before = how.from ? std::nullopt : points_from(plan);
-  Skin skin = how.from ? *how.from : fresh_skin(plan, grounds, memory, progress);
-  if (skin.network().size() == 0) return skin;
+CellLayer make_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
+                          uint64_t memory, Progress& progress, const CellRunOptions& how) {
+  const std::optional<volume::Grid> before = how.from ? std::nullopt : initial_points(plan);
+  CellLayer layer = how.from ? *how.from : new_cell_layer(plan, supports, memory, progress);
+  if (layer.network().size() == 0) return layer;
   try {
-    if (before) go_on_from(*before, plan, skin.simulation);
-    if (how.checkpoint) how.checkpoint->put_back(plan, skin);
-    if (skin.simulation.step() > plan.length() && !how.from)
+    if (before) restore_points(*before, plan, layer.simulation);
+    if (how.checkpoint) how.checkpoint->restore(plan, layer);
+    if (layer.simulation.step() > plan.length() && !how.from)
       throw Error(ErrorCode::bad_input,
                   fmt::format("the points are at step {} already, the run ends at {}",
-                              skin.simulation.step(), plan.length()),
+                              layer.simulation.step(), plan.length()),
                   {}, "raise 'steps', or leave 'from' out");
-    look_around(plan, grounds, skin.simulation, progress);
-    const auto after = [&] { how.checkpoint->after_step(plan, skin); };
-    skin.simulation.run(stages(plan), plan.length() - skin.simulation.step(), progress,
-                        how.checkpoint ? std::function<void()>(after) : nullptr);
+    add_context(plan, supports, layer.simulation, progress);
+    const auto after = [&] { how.checkpoint->after_step(plan, layer); };
+    layer.simulation.run(stages(plan), plan.length() - layer.simulation.step(), progress,
+                         how.checkpoint ? std::function<void()>(after) : nullptr);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::cancelled && how.checkpoint)
-      throw how.checkpoint->stopped(plan, skin, error);
+      throw how.checkpoint->save_cancelled(plan, layer, error);
     if (error.code() != ErrorCode::bad_input) throw;
     throw error.at(plan.where);
   }
-  if (how.checkpoint) how.checkpoint->finish(plan, skin);
-  return skin;
+  if (how.checkpoint) how.checkpoint->finish(plan, layer);
+  return layer;
 }
 
-void require_skin_room(const shot::CellsPlan& plan, double area, uint64_t memory) {
+void require_cell_memory(const shot::CellsPlan& plan, double area, uint64_t memory) {
   const cells::BuildOptions options = build_options(plan, memory);
   try {
     cells::require_memory(cells::estimate(area, options.grid, options.spacing), options);

@@ -15,18 +15,19 @@ constexpr const char* kExact = "exact";
 
 }  // namespace
 
-volume::Grid cell_points(const shot::CellsPlan& plan, const Skin& skin, cells::PointFormat keep) {
-  volume::Points points = cells::to_points(skin.simulation, keep);
+volume::Grid cell_points(const shot::CellsPlan& plan, const CellLayer& layer,
+                         cells::PointFormat keep) {
+  volume::Points points = cells::to_points(layer.simulation, keep);
   const bool exact = keep == cells::PointFormat::exact;
   if (plan.half && !exact)
     for (volume::PointAttribute& each : points.attributes) each.half = true;
-  return volume::point_grid(points, cells::voxel_of_points(skin.network()))
+  return volume::point_grid(points, cells::voxel_of_points(layer.network()))
       .named(plan.name)
-      .with({{kStep, int64_t{skin.simulation.step()}},
+      .with({{kStep, int64_t{layer.simulation.step()}},
              {kKeep, std::string(exact ? kExact : "shown")}});
 }
 
-void read_cells(const volume::Grid& grid, cells::Simulation& simulation) {
+void restore_cells(const volume::Grid& grid, cells::Simulation& simulation) {
   const volume::Metadata metadata = grid.metadata();
   const auto step = metadata.find(kStep);
   const auto* done = step == metadata.end() ? nullptr : std::get_if<int64_t>(&step->second);
@@ -42,7 +43,7 @@ void read_cells(const volume::Grid& grid, cells::Simulation& simulation) {
                  exact ? cells::PointFormat::exact : cells::PointFormat::interchange, apart);
 }
 
-std::optional<volume::Grid> points_from(const shot::CellsPlan& plan) {
+std::optional<volume::Grid> initial_points(const shot::CellsPlan& plan) {
   if (plan.from.empty()) return std::nullopt;
   try {
     std::optional<volume::Grid> found;

@@ -12,18 +12,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kIdentity = "vug:identity";
-constexpr double kLeastPause = 10;
-constexpr double kMostPause = 600;
+constexpr double kMinInterval = 10;
+constexpr double kMaxInterval = 600;
 
 /// Tells runs with other results apart.
 std::string identity(const shot::Shot& shot) {
   Hasher hash;
-  hash.add("cells").add_value(shot.texts).add_value(shot.seed).add_value(shot.frame);
+  hash.add("cells").add_value(shot.text_digest).add_value(shot.seed).add_value(shot.frame);
   hash.add_value(shot.recipe.size()).add(shot.recipe).add(VUG_VERSION);
   return hash.finish().hex();
 }
 
-std::vector<volume::Grid> read_kept(const fs::path& file, const std::string& identity) {
+std::vector<volume::Grid> read_checkpoint(const fs::path& file, const std::string& identity) {
   constexpr const char* kAnew = "remove it to begin anew";
   try {
     const std::vector<volume::Grid> grids = volume::read(file);
@@ -50,51 +50,51 @@ std::vector<volume::Grid> read_kept(const fs::path& file, const std::string& ide
 CellsCheckpoint::CellsCheckpoint(CheckpointOptions options, const shot::Shot& shot)
     : options_(std::move(options)),
       identity_(identity(shot)),
-      every_(options_.every.value_or(kLeastPause)) {
+      every_(options_.every.value_or(kMinInterval)) {
   if (!fs::exists(options_.file)) return;
   if (!options_.resume)
     throw Error(ErrorCode::bad_input,
                 fmt::format("the checkpoint '{}' is there already", options_.file.string()), {},
                 "go on from it with --resume, or remove it");
-  kept_ = read_kept(options_.file, identity_);
+  restored_ = read_checkpoint(options_.file, identity_);
 }
 
-void CellsCheckpoint::put_back(const shot::CellsPlan& plan, Skin& skin) const {
-  for (const volume::Grid& grid : kept_)
-    if (grid.name() == plan.name) read_cells(grid, skin.simulation);
+void CellsCheckpoint::restore(const shot::CellsPlan& plan, CellLayer& layer) const {
+  for (const volume::Grid& grid : restored_)
+    if (grid.name() == plan.name) restore_cells(grid, layer.simulation);
 }
 
-void CellsCheckpoint::save(const shot::CellsPlan& plan, const Skin& skin) {
-  const Clock::time_point begun = Clock::now();
+void CellsCheckpoint::save(const shot::CellsPlan& plan, const CellLayer& layer) {
+  const Clock::time_point start = Clock::now();
   std::vector<volume::Grid> grids = finished_;
-  grids.push_back(cell_points(plan, skin, cells::PointFormat::exact));
+  grids.push_back(cell_points(plan, layer, cells::PointFormat::exact));
   // What is yet to come of a file that this run goes on from stays there.
-  for (const volume::Grid& old : kept_)
+  for (const volume::Grid& old : restored_)
     if (std::none_of(grids.begin(), grids.end(),
                      [&](const volume::Grid& grid) { return grid.name() == old.name(); }))
       grids.push_back(old);
   volume::write(options_.file, grids, {.half = false, .metadata = {{kIdentity, identity_}}});
   saved_ = Clock::now();
   constexpr double kShare = 0.01;
-  const double seconds = std::chrono::duration<double>(saved_ - begun).count();
-  every_ = options_.every.value_or(std::clamp(seconds / kShare, kLeastPause, kMostPause));
+  const double seconds = std::chrono::duration<double>(saved_ - start).count();
+  every_ = options_.every.value_or(std::clamp(seconds / kShare, kMinInterval, kMaxInterval));
 }
 
-void CellsCheckpoint::after_step(const shot::CellsPlan& plan, const Skin& skin) {
-  if (std::chrono::duration<double>(Clock::now() - saved_).count() >= every_) save(plan, skin);
+void CellsCheckpoint::after_step(const shot::CellsPlan& plan, const CellLayer& layer) {
+  if (std::chrono::duration<double>(Clock::now() - saved_).count() >= every_) save(plan, layer);
 }
 
-void CellsCheckpoint::finish(const shot::CellsPlan& plan, const Skin& skin) {
-  finished_.push_back(cell_points(plan, skin, cells::PointFormat::exact));
+void CellsCheckpoint::finish(const shot::CellsPlan& plan, const CellLayer& layer) {
+  finished_.push_back(cell_points(plan, layer, cells::PointFormat::exact));
 }
 
-Error CellsCheckpoint::stopped(const shot::CellsPlan& plan, const Skin& skin,
-                               const Error& cancelled) {
-  save(plan, skin);
+Error CellsCheckpoint::save_cancelled(const shot::CellsPlan& plan, const CellLayer& layer,
+                                      const Error& cancelled) {
+  save(plan, layer);
   return Error(
       cancelled.code(), cancelled.what(), cancelled.where(),
       fmt::format("'{}' keeps what is done, {} of {} steps of '{}'; {} goes on from it",
-                  options_.file.string(), skin.simulation.step(), plan.length(), plan.name,
+                  options_.file.string(), layer.simulation.step(), plan.length(), plan.name,
                   options_.resume ? "the same command" : "the same command with --resume"));
 }
 

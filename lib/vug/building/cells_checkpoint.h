@@ -25,23 +25,23 @@ class CellsCheckpoint {
   CellsCheckpoint(CheckpointOptions options, const shot::Shot& shot);
 
   /// Gives the cells what the file has of them, if anything.
-  void put_back(const shot::CellsPlan& plan, Skin& skin) const;
+  void restore(const shot::CellsPlan& plan, CellLayer& layer) const;
   /// Saves when it is time to.
-  void after_step(const shot::CellsPlan& plan, const Skin& skin);
+  void after_step(const shot::CellsPlan& plan, const CellLayer& layer);
   /// Keeps a finished run for the files that later ones save.
-  void finish(const shot::CellsPlan& plan, const Skin& skin);
+  void finish(const shot::CellsPlan& plan, const CellLayer& layer);
   /// Saves now; gives the error of a run that was cancelled, with how to go on.
-  Error stopped(const shot::CellsPlan& plan, const Skin& skin, const Error& cancelled);
+  Error save_cancelled(const shot::CellsPlan& plan, const CellLayer& layer, const Error& cancelled);
   /// To be called when all that was made of the cells is safe.
   void remove() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  void save(const shot::CellsPlan& plan, const Skin& skin);
+  void save(const shot::CellsPlan& plan, const CellLayer& layer);
 
   CheckpointOptions options_;
   std::string identity_;
-  std::vector<volume::Grid> kept_;      ///< Of the file.
+  std::vector<volume::Grid> restored_;  ///< Of the file.
   std::vector<volume::Grid> finished_;  ///< Of this run.
   Clock::time_point saved_ = Clock::now();
   double every_;

@@ -2,7 +2,8 @@
 
 namespace vug::building {
 
-Transform pose(const Vec3d& position, double yaw, double pitch, double roll, const Vec3d& scale) {
+Transform pose_transform(const Vec3d& position, double yaw, double pitch, double roll,
+                         const Vec3d& scale) {
   return Transform::translation(position) * Transform::rotation({0, 1, 0}, yaw) *
          Transform::rotation({1, 0, 0}, pitch) * Transform::rotation({0, 0, 1}, roll) *
          Transform::scaling(scale);
@@ -12,12 +13,12 @@ Transform pose(const Vec3d& position, double yaw, double pitch, double roll, con
 
 namespace vug {
 
-std::optional<shot::Places> ValueTraits<shot::Places>::read(const Value& v) {
+std::optional<shot::InstanceSource> ValueTraits<shot::InstanceSource>::read(const Value& v) {
   const auto* vector = v.get<Value::Vector>();
   if (!vector) return ObjectTraits::read(v);
   const Vec3d position = vector->value;
-  return std::make_shared<const building::PlacesMaker>(
-      [position](building::Builder&, RandomKey key) -> std::vector<building::Place> {
+  return std::make_shared<const building::InstanceFunction>(
+      [position](building::Builder&, RandomKey key) -> std::vector<building::Instance> {
         return {{Transform::translation(position), key, -1}};
       });
 }

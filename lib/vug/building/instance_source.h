@@ -13,30 +13,31 @@ namespace vug::building {
 
 class Builder;
 
-struct Place {
+struct Instance {
   Transform transform;  ///< From the thing's own space to the scene's.
   RandomKey key{0};     ///< Of what chance still decides.
   int model = -1;       ///< Which of the things stands there; -1: chance decides.
 };
 
 /// Found when the picture needs them: a scatter needs its mesh. `key` is that of the declaration.
-using PlacesMaker = std::function<std::vector<Place>(Builder& builder, RandomKey key)>;
+using InstanceFunction = std::function<std::vector<Instance>(Builder& builder, RandomKey key)>;
 
-/// A maker of which more is known, so that the text can be judged by it: PlacesMaker::target finds
-/// it.
-struct NumberedPlaces {
-  PlacesMaker make;
-  int last = -1;  ///< The highest Place::model.
+/// A maker of which more is known, so that the text can be judged by it: InstanceFunction::target
+/// finds it.
+struct IndexedInstanceSource {
+  InstanceFunction make;
+  int last_model = -1;  ///< The highest Place::model.
   /// A sentence on why there are no places where `make` makes none; may be empty.
-  std::function<std::string(Builder& builder, RandomKey key)> why_none = nullptr;
+  std::function<std::string(Builder& builder, RandomKey key)> empty_reason = nullptr;
 
-  std::vector<Place> operator()(Builder& builder, RandomKey key) const {
+  std::vector<Instance> operator()(Builder& builder, RandomKey key) const {
     return make(builder, key);
   }
 };
 
 /// Turned about z, then x, then the upright y, then moved; radians.
-Transform pose(const Vec3d& position, double yaw, double pitch, double roll, const Vec3d& scale);
+Transform pose_transform(const Vec3d& position, double yaw, double pitch, double roll,
+                         const Vec3d& scale);
 
 }  // namespace vug::building
 
@@ -44,9 +45,9 @@ namespace vug {
 
 /// A vector stands for that one place.
 template <>
-struct ValueTraits<shot::Places> : ObjectTraits<shot::Places> {
+struct ValueTraits<shot::InstanceSource> : ObjectTraits<shot::InstanceSource> {
   static constexpr const char* kWord = "places";
-  static std::optional<shot::Places> read(const Value& v);
+  static std::optional<shot::InstanceSource> read(const Value& v);
 };
 
 /// What can be placed: the name of an object, a mesh, or a whole scene.

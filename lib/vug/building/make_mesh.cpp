@@ -27,7 +27,8 @@ mesh::LargeComponents make_mesh(const shot::MeshPlan& plan, const volume::LevelS
   meshing::PolygonizeOptions polygonize;
   polygonize.adaptivity = plan.adaptivity;
   polygonize.polish = plan.polish;
-  const field::Field* exact = plan.polish && !plan.volume->of ? &plan.volume->field : nullptr;
+  const field::Field* exact =
+      plan.polish && !plan.volume->source_mesh ? &plan.volume->field : nullptr;
   const auto active = static_cast<double>(surface.statistics().active_voxels);
   require_memory(meshing_bytes(active, 2 * plan.volume->half_width), memory, "the mesh");
   mesh::LargeComponents pieces = mesh::large_components(
@@ -38,12 +39,12 @@ mesh::LargeComponents make_mesh(const shot::MeshPlan& plan, const volume::LevelS
 }
 
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan) {
-  mesh::LargeComponents pieces = mesh::large_components(*plan.given, plan.smallest_piece);
+  mesh::LargeComponents pieces = mesh::large_components(*plan.file_mesh, plan.smallest_piece);
   if (plan.paint) add_colors(pieces.mesh, plan.paint, nullptr);
   return pieces;
 }
 
-mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts) {
+mesh::Mesh merge_meshes(const std::vector<mesh::MeshPtr>& parts) {
   mesh::Mesh all;
   for (const mesh::MeshPtr& part : parts) {
     const auto first = static_cast<uint32_t>(all.positions.size());
@@ -68,7 +69,8 @@ mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts) {
   return all;
 }
 
-mesh::MeshPtr refined_for(const shot::CellsPlan& plan, const mesh::Mesh& mesh, uint64_t memory) {
+mesh::MeshPtr refine_for_cells(const shot::CellsPlan& plan, const mesh::Mesh& mesh,
+                               uint64_t memory) {
   // With its vertices, half as many, and the table of edges.
   constexpr uint64_t kTriangleBytes = 120;
   try {

@@ -19,13 +19,14 @@ mesh::LargeComponents make_mesh(const shot::MeshPlan& plan);
 
 /// All in one, in their order; what one of them does not carry is 0 there, and without normals of
 /// all there are none.
-mesh::Mesh merged(const std::vector<mesh::MeshPtr>& parts);
+mesh::Mesh merge_meshes(const std::vector<mesh::MeshPtr>& parts);
 
 /// Adds the paint's colours at the vertices, which have normals, as attribute Cd; `solid` is the
 /// level set whose surface it is, or null.
 void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::SampledGrid* solid);
 
 /// With triangles no larger than the plan's cells. Error(too_large) at its spacing.
-mesh::MeshPtr refined_for(const shot::CellsPlan& plan, const mesh::Mesh& mesh, uint64_t memory);
+mesh::MeshPtr refine_for_cells(const shot::CellsPlan& plan, const mesh::Mesh& mesh,
+                               uint64_t memory);
 
 }  // namespace vug::building

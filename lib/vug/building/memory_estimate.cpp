@@ -37,7 +37,7 @@ double area_of_band(double active_voxels, const shot::VolumePlan& plan) {
   return active_voxels * plan.voxel * plan.voxel / (2 * plan.half_width);
 }
 
-double most_active_voxels(const shot::VolumePlan& plan) {
+double max_active_voxels(const shot::VolumePlan& plan) {
   const Vec3d size = (plan.from ? Box3d(*plan.from, *plan.to) : plan.field.bounds()).size();
   double voxels = 1;
   for (int axis = 0; axis < 3; ++axis) voxels *= size[axis] / plan.voxel + 2 * plan.half_width + 2;

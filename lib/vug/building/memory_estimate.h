@@ -18,6 +18,6 @@ double surface_bytes(double area, double voxel);
 /// Square metres of the surface in a band of so many active voxels.
 double area_of_band(double active_voxels, const shot::VolumePlan& plan);
 /// No grid of the plan has more active voxels: as if every voxel were in the band.
-double most_active_voxels(const shot::VolumePlan& plan);
+double max_active_voxels(const shot::VolumePlan& plan);
 
 }  // namespace vug::building

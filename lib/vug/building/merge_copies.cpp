@@ -8,13 +8,13 @@ namespace vug::building {
 namespace {
 
 bool can_merge(const render::Object& object) {
-  return object.placing && !object.placing->moves() && object.mesh && !object.solid &&
-         !object.looks_by_place && object.emission == render::Rgb(0.0f) &&
+  return object.instance && !object.instance->moves() && object.mesh && !object.solid &&
+         !object.world_space_material && object.emission == render::Rgb(0.0f) &&
          !(object.material && object.material->is_emissive());
 }
 
-Transform place_of(const render::Object& object) {
-  const render::Affine to = object.placing->at(0);
+Transform transform_of(const render::Object& object) {
+  const render::Affine to = object.instance->at(0);
   return {Vec3d(to.x), Vec3d(to.y), Vec3d(to.z), Vec3d(to.origin)};
 }
 
@@ -39,12 +39,12 @@ std::vector<render::Object> merge_copies(const std::vector<render::Object>& obje
       group.at = out.size();
       out.push_back(object), of.push_back(&group);
     }
-    group.copies.push_back({0, place_of(object), RandomKey(group.copies.size())});
+    group.copies.push_back({0, transform_of(object), RandomKey(group.copies.size())});
   }
   for (size_t i = 0; i < out.size(); ++i) {
     if (!of[i] || of[i]->copies.size() < 2) continue;
     out[i].mesh = std::make_shared<const mesh::Mesh>(flora::merged({*out[i].mesh}, of[i]->copies));
-    out[i].placing = nullptr;
+    out[i].instance = nullptr;
   }
   return out;
 }

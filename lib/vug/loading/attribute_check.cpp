@@ -14,59 +14,59 @@ namespace vug::loading {
 namespace {
 
 /// What the meshes of a shot carry, and those of the scenes that stand in it.
-std::set<std::string> carried(const shot::Shot& shot) {
+std::set<std::string> available_attributes(const shot::Shot& shot) {
   std::set<std::string> names;
   for (const shot::CellsPtr& cells : shot::declared_cells(shot))
-    names.insert(cells->brings.begin(), cells->brings.end());
+    names.insert(cells->attribute_names.begin(), cells->attribute_names.end());
   for (const shot::MeshPtr& mesh : shot.meshes) {
-    if (mesh->given)
-      for (const mesh::Attribute& each : mesh->given->attributes) names.insert(each.name);
+    if (mesh->file_mesh)
+      for (const mesh::Attribute& each : mesh->file_mesh->attributes) names.insert(each.name);
     if (mesh->elements.empty()) continue;
     const std::vector<std::string> semantic = facade::semantic_names(mesh->elements);
     names.insert(semantic.begin(), semantic.end());
   }
-  for (const shot::PlacePlan& place : shot.places) {
+  for (const shot::PointInstancer& place : shot.instancers) {
     names.insert(flora::kCopy);
     for (const shot::Model& model : place.of)
-      if (model.scene) names.merge(carried(*model.scene));
+      if (model.scene) names.merge(available_attributes(*model.scene));
   }
   if (!names.empty()) names.emplace(mesh::kColour);
   return names;
 }
 
-class Search {
+class AttributeChecker {
  public:
-  Search(const std::set<std::string>& names, std::string file, Diagnostics& diagnostics)
+  AttributeChecker(const std::set<std::string>& names, std::string file, Diagnostics& diagnostics)
       : names_(names.begin(), names.end()), file_(std::move(file)), diagnostics_(diagnostics) {}
 
   /// For masks and paints that read an attribute.
-  void look(const scene::ExprPtr& expr) const {
+  void check_expression(const scene::ExprPtr& expr) const {
     if (!expr) return;
     if (expr->kind == scene::ExprKind::call && (expr->text == "attribute" || expr->text == "value"))
-      judge(*expr);
-    for (const scene::Operand& operand : expr->operands) look(operand.value);
+      check_name(*expr);
+    for (const scene::Operand& operand : expr->operands) check_expression(operand.value);
   }
 
   /// For layers "attribute_NAME".
-  void look_at_layers(const scene::ExprPtr& expr) const {
+  void check_layer_names(const scene::ExprPtr& expr) const {
     if (expr->kind == scene::ExprKind::text && expr->text.rfind(kLayer, 0) == 0)
-      judge(expr->text.substr(kLayer.size()), expr->where);
-    for (const scene::Operand& operand : expr->operands) look_at_layers(operand.value);
+      check_name(expr->text.substr(kLayer.size()), expr->where);
+    for (const scene::Operand& operand : expr->operands) check_layer_names(operand.value);
   }
 
  private:
   static constexpr std::string_view kLayer = "attribute_";
 
-  void judge(const scene::Expr& call) const {
+  void check_name(const scene::Expr& call) const {
     const scene::Expr* name = nullptr;
     for (const scene::Operand& operand : call.operands) {
       if (operand.name == "otherwise") return;
       if (operand.name == "name" || operand.name.empty()) name = operand.value.get();
     }
-    if (name && name->kind == scene::ExprKind::text) judge(name->text, name->where);
+    if (name && name->kind == scene::ExprKind::text) check_name(name->text, name->where);
   }
 
-  void judge(const std::string& name, const SourceLocation& where) const {
+  void check_name(const std::string& name, const SourceLocation& where) const {
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) return;
     const std::string near = nearest_name(name, names_);
     if (near.empty() && where.file != file_) return;
@@ -76,12 +76,12 @@ class Search {
 
   std::string others() const {
     if (names_.empty()) return "cells, stems, leaves, facades and files of meshes bring some";
-    const bool cut = names_.size() > kMostTold;
-    const auto end = names_.begin() + static_cast<std::ptrdiff_t>(cut ? kMostTold : names_.size());
+    const bool cut = names_.size() > kMaxListed;
+    const auto end = names_.begin() + static_cast<std::ptrdiff_t>(cut ? kMaxListed : names_.size());
     return fmt::format("there are {}{}", fmt::join(names_.begin(), end, ", "), cut ? ", ..." : "");
   }
 
-  static constexpr size_t kMostTold = 20;
+  static constexpr size_t kMaxListed = 20;
   std::vector<std::string> names_;
   std::string file_;  ///< The scene's own text: what it includes may be made for other scenes, too.
   Diagnostics& diagnostics_;
@@ -89,17 +89,18 @@ class Search {
 
 }  // namespace
 
-void warn_of_misspelt_attributes(const scene::Document& document, const shot::Shot& shot,
-                                 Diagnostics& diagnostics) {
-  const Search search(carried(shot), document.sources.at(0)->file, diagnostics);
-  for (const scene::Let& let : document.lets) search.look(let.value);
+void check_attributes(const scene::Document& document, const shot::Shot& shot,
+                      Diagnostics& diagnostics) {
+  const AttributeChecker checker(available_attributes(shot), document.sources.at(0)->file,
+                                 diagnostics);
+  for (const scene::Let& let : document.lets) checker.check_expression(let.value);
   for (const scene::Declaration& declaration : document.declarations) {
-    search.look(declaration.value);
+    checker.check_expression(declaration.value);
     if (const scene::Entry* layers = declaration.find_entry("layers"))
-      for (const scene::ExprPtr& value : layers->values) search.look_at_layers(value);
+      for (const scene::ExprPtr& value : layers->values) checker.check_layer_names(value);
     for (const scene::Entry& entry : declaration.entries)
       if (declaration.kind != "cells")  // told as errors
-        for (const scene::ExprPtr& value : entry.values) search.look(value);
+        for (const scene::ExprPtr& value : entry.values) checker.check_expression(value);
   }
 }
 

@@ -10,7 +10,7 @@ namespace vug::loading {
 /// Warns of each `attribute(name: "stian")` that no mesh of the scene carries, unless it says what
 /// holds `otherwise`. Texts that are included may be made for other scenes, too: of theirs only
 /// what is nearly the name of one that is there.
-void warn_of_misspelt_attributes(const scene::Document& document, const shot::Shot& shot,
-                                 Diagnostics& diagnostics);
+void check_attributes(const scene::Document& document, const shot::Shot& shot,
+                      Diagnostics& diagnostics);
 
 }  // namespace vug::loading

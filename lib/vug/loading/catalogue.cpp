@@ -24,8 +24,8 @@ std::vector<const KindInfo*> all_kinds() {
   kinds.push_back(&shot::lsystem_schema().info());
   kinds.push_back(&facade_info());
   for (const facade::SplitKind* split : facade::splits()) kinds.push_back(&split->info);
-  for (const Family& family : families())
-    for (const FamilyKind& kind : family.kinds) kinds.push_back(kind.info);
+  for (const KindRegistry& registry : kind_registries())
+    for (const RegisteredKind& kind : registry.kinds) kinds.push_back(kind.info);
   for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);
   for (const exchange::Format* format : exchange::formats()) kinds.push_back(&format->info);
   for (const exchange::Program* program : exchange::programs()) kinds.push_back(&program->info);
@@ -37,10 +37,10 @@ std::vector<const KindInfo*> all_kinds() {
 std::vector<const KindInfo*> find_kinds(const std::string& word) {
   std::vector<const KindInfo*> kinds = all_kinds();
   if (word.empty()) return kinds;
-  const Family* family = find_family(word);
+  const KindRegistry* registry = find_registry(word);
   const auto belongs = [&](const KindInfo* kind) {
     return kind->name == word || kind->category == word ||
-           (family && family->find(kind->name) && family->find(kind->name)->info == kind);
+           (registry && registry->find(kind->name) && registry->find(kind->name)->info == kind);
   };
   std::vector<const KindInfo*> kept;
   std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept), belongs);
@@ -54,7 +54,7 @@ std::vector<std::string> kind_words() {
     if (std::find(words.begin(), words.end(), kind->category) == words.end())
       words.push_back(kind->category);
   }
-  for (const Family& family : families()) words.push_back(family.type);
+  for (const KindRegistry& registry : kind_registries()) words.push_back(registry.type);
   return words;
 }
 

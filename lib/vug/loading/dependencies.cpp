@@ -6,7 +6,7 @@
 namespace vug::loading {
 namespace fs = std::filesystem;
 
-std::vector<fs::path> files_named(const Loaded& scene) {
+std::vector<fs::path> file_dependencies(const Loaded& scene) {
   std::vector<fs::path> files;
   std::error_code code;
   const auto add = [&](const fs::path& file) {

@@ -12,6 +12,6 @@ namespace vug::loading {
 /// quotes names, beside the text it stands in: meshes, grids, pictures; each once. Read from the
 /// words, so it holds for scenes with faults, too, and for files that only another camera would
 /// need; a name that is no file does not count.
-std::vector<std::filesystem::path> files_named(const Loaded& scene);
+std::vector<std::filesystem::path> file_dependencies(const Loaded& scene);
 
 }  // namespace vug::loading

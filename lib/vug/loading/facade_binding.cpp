@@ -48,11 +48,11 @@ const Schema<FacadeBlock>& schema() {
 
 /// The options of the block, evaluated; nothing where one of them has no value.
 std::optional<FacadeBlock> read_block(const scene::Grammar& grammar, RandomKey key,
-                                      Reading& reading) {
+                                      ReadContext& context) {
   Arguments arguments;
   bool sound = true;
   for (const scene::Entry& entry : grammar.options) {
-    const std::vector<Value> values = reading.evaluator.eval(entry, key);
+    const std::vector<Value> values = context.evaluator.eval(entry, key);
     sound = sound && std::none_of(values.begin(), values.end(),
                                   [](const Value& value) { return value.empty(); });
     arguments.push_back({entry.key,
@@ -62,7 +62,7 @@ std::optional<FacadeBlock> read_block(const scene::Grammar& grammar, RandomKey k
   if (!sound) return std::nullopt;
   Diagnostics found;
   auto block = schema().bind(arguments, grammar.where, found);
-  reading.evaluator.report(found, arguments);
+  context.evaluator.report(found, arguments);
   return block;
 }
 
@@ -70,27 +70,27 @@ std::optional<FacadeBlock> read_block(const scene::Grammar& grammar, RandomKey k
 
 const KindInfo& facade_info() { return schema().info(); }
 
-Value bind_facade(const scene::Grammar& grammar, Reading& reading) {
-  RandomKey key = reading.evaluator.root().at("grammar").at(grammar.name);
-  const std::optional<FacadeBlock> block = read_block(grammar, key, reading);
+Value bind_facade(const scene::Grammar& grammar, ReadContext& context) {
+  RandomKey key = context.evaluator.root().at("grammar").at(grammar.name);
+  const std::optional<FacadeBlock> block = read_block(grammar, key, context);
   Diagnostics found;
-  const facade::Rules rules = facade::read_rules(reading.document, grammar, found);
-  reading.diagnostics.append(found);
+  const facade::Rules rules = facade::read_rules(context.document, grammar, found);
+  context.diagnostics.append(found);
   if (!block || grammar.broken || found.has_errors()) return {};
   if (block->seed) key = RandomKey(static_cast<uint64_t>(*block->seed)).at("facade");
   try {
-    const auto derived = facade::derive(rules, reading.evaluator,
+    const auto derived = facade::derive(rules, context.evaluator,
                                         {.width = block->width,
                                          .height = block->height,
                                          .limits = {block->steps, block->limit},
                                          .key = key});
     if (!derived) return {};
     const auto tree = std::make_shared<const facade::Tree>(derived->tree);
-    reading.shot.derivations.push_back(
+    context.shot.derivations.push_back(
         {grammar.name, derived->derivation, derived->derivation.applied, tree});
     return field::as_value(facade::wall(tree, {block->at, block->yaw}, block->thickness));
   } catch (const Error& error) {
-    reading.diagnostics.error(error.where().known() ? error.where() : grammar.where, error.what(),
+    context.diagnostics.error(error.where().known() ? error.where() : grammar.where, error.what(),
                               error.hint());
     return {};
   }

@@ -10,6 +10,6 @@ const KindInfo& facade_info();
 
 /// The facade as a field, a wall with everything carved into it (see facade/carve.h); nothing where
 /// the text has faults. Its derivation is added to the shot.
-Value bind_facade(const scene::Grammar& grammar, Reading& reading);
+Value bind_facade(const scene::Grammar& grammar, ReadContext& context);
 
 }  // namespace vug::loading

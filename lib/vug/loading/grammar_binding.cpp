@@ -42,10 +42,10 @@ struct ItemClauses {
 
 class Binder {
  public:
-  Binder(const scene::Grammar& grammar, Reading& reading)
+  Binder(const scene::Grammar& grammar, ReadContext& context)
       : source_(grammar),
-        evaluator_(reading.evaluator),
-        diagnostics_(reading.diagnostics),
+        evaluator_(context.evaluator),
+        diagnostics_(context.diagnostics),
         key_(evaluator_.root().at("grammar").at(grammar.name)) {}
 
   grammar::Grammar bind();
@@ -317,10 +317,10 @@ sgm::Options Binder::options() {
 
 }  // namespace
 
-Value bind_grammar(const scene::Grammar& source, Reading& reading) {
-  if (source.kind == "lsystem") return bind_lsystem(source, reading);
-  if (source.kind == "facade") return bind_facade(source, reading);
-  Binder binder(source, reading);
+Value bind_grammar(const scene::Grammar& source, ReadContext& context) {
+  if (source.kind == "lsystem") return bind_lsystem(source, context);
+  if (source.kind == "facade") return bind_facade(source, context);
+  Binder binder(source, context);
   try {
     if (source.broken) {
       binder.options();
@@ -329,19 +329,19 @@ Value bind_grammar(const scene::Grammar& source, Reading& reading) {
     const grammar::Grammar bound = binder.bind();
     Diagnostics own;
     grammar::check(bound, own);
-    reading.diagnostics.append(own);
+    context.diagnostics.append(own);
     if (own.has_errors()) return Value();
     const sgm::Options options = binder.options();
-    const grammar::Limits limits{binder.limit("steps", kMostProductions),
-                                 binder.limit("limit", kMostSymbols)};
+    const grammar::Limits limits{binder.limit("steps", kMaxProductions),
+                                 binder.limit("limit", kMaxSymbols)};
     sgm::DerivationResult result = sgm::derive(bound, binder.key(), options, limits);
     for (const Diagnostic& d : result.diagnostics.all())
-      reading.diagnostics.warning(d.where.known() ? d.where : source.where, d.message, d.hint);
+      context.diagnostics.warning(d.where.known() ? d.where : source.where, d.message, d.hint);
     if (result.field.bounds().isEmpty())
-      reading.diagnostics.warning(
+      context.diagnostics.warning(
           source.where, fmt::format("the grammar '{}' grows nothing", source.name),
           result.counts.total() == 0 ? "no production of a shape was applied; see 'vug tree'" : "");
-    reading.shot.derivations.push_back(
+    context.shot.derivations.push_back(
         {source.name, std::move(result.tree), result.counts.total()});
     return Object{"field", result.field};
   } catch (const AlreadyReported&) {
@@ -349,7 +349,7 @@ Value bind_grammar(const scene::Grammar& source, Reading& reading) {
   } catch (const Error& error) {
     std::string message = error.what();
     for (const std::string& doing : error.context()) message += ", while " + doing;
-    reading.diagnostics.error(error.where().known() ? error.where() : source.where, message,
+    context.diagnostics.error(error.where().known() ? error.where() : source.where, message,
                               error.hint());
     return Value();
   }

@@ -9,10 +9,10 @@ namespace vug::loading {
 /// of an item, too.
 const KindInfo& grammar_info();
 
-constexpr int64_t kMostProductions = 100'000, kMostSymbols = 1'000'000;  ///< Unless a block says.
+constexpr int64_t kMaxProductions = 100'000, kMaxSymbols = 1'000'000;  ///< Unless a block says.
 
 /// Derives the grammar and gives its field; the derivation is added to the shot. L-systems
 /// and facades are bound by bind_lsystem and bind_facade.
-Value bind_grammar(const scene::Grammar& grammar, Reading& reading);
+Value bind_grammar(const scene::Grammar& grammar, ReadContext& context);
 
 }  // namespace vug::loading

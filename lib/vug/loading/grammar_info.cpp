@@ -55,8 +55,8 @@ const KindInfo& grammar_info() {
         whole("pieces", 0, 1000, "1",
               "shapes that are joined before they are glued; 0 counts as 1"),
         choice("piece_label", sgm::label_names(), "random", "the side that each piece is glued to"),
-        whole("steps", 1, 1e9, std::to_string(kMostProductions), "productions at most"),
-        whole("limit", 1, 1e9, std::to_string(kMostSymbols), "symbols at most")};
+        whole("steps", 1, 1e9, std::to_string(kMaxProductions), "productions at most"),
+        whole("limit", 1, 1e9, std::to_string(kMaxSymbols), "symbols at most")};
     return info;
   }();
   return kind;

@@ -2,13 +2,13 @@
 
 namespace vug::loading {
 
-#define VUG_KIND(name) const Kind<shot::Places>& name##_places();
+#define VUG_KIND(name) const Kind<shot::InstanceSource>& name##_places();
 #include <vug/loading/places_kinds.inc>
 #undef VUG_KIND
 
-const Kinds<shot::Places>& places_kinds() {
+const Kinds<shot::InstanceSource>& instance_source_kinds() {
 #define VUG_KIND(name) &name##_places(),
-  static const Kinds<shot::Places> kinds = {
+  static const Kinds<shot::InstanceSource> kinds = {
 #include <vug/loading/places_kinds.inc>
   };
 #undef VUG_KIND

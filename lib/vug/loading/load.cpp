@@ -64,65 +64,68 @@ std::string recipe(const scene::Document& document, const LoadOptions& options, 
 
 /// Makes the values of declarations, or finds them among what stands still. A reader first asks for
 /// what it needs, which may make other declarations, and then adds its own to the shot.
-class Maker {
+class DeclarationCache {
  public:
-  Maker(Still* still, Reading& reading) : still_(still), reading_(reading) {}
+  DeclarationCache(StaticCache* static_cache, ReadContext& context)
+      : static_cache_(static_cache), reading_(context) {}
 
   Value operator()(const std::string& kind, const std::string& name,
                    const std::function<Value()>& make) {
-    if (!still_) return make();
+    if (!static_cache_) return make();
     shot::Shot& shot = reading_.shot;
     const std::pair<std::string, std::string> key(kind, name);
-    if (const auto made = still_->declarations.find(key); made != still_->declarations.end()) {
+    if (const auto made = static_cache_->declarations.find(key);
+        made != static_cache_->declarations.end()) {
       shot.add(made->second.shot);
-      if (made->second.texts) shot.texts = *made->second.texts;
-      settled_ = shot.ends();
+      if (made->second.text_digest) shot.text_digest = *made->second.text_digest;
+      snapshot_ = shot.snapshot();
       return made->second.value;
     }
     const uint64_t uses = reading_.resolver.frame_uses();
-    const Digest texts = shot.texts;
-    settled_ = shot.ends();
+    const Digest texts = shot.text_digest;
+    snapshot_ = shot.snapshot();
     const Value value = make();
     if (!value.empty() && reading_.resolver.frame_uses() == uses) {
-      Still::Made& made = still_->declarations[key];
+      StaticCache::Entry& made = static_cache_->declarations[key];
       made.value = value;
-      made.shot = shot.since(settled_);
-      if (!(shot.texts == texts)) made.texts = shot.texts;
+      made.shot = shot.delta(snapshot_);
+      if (!(shot.text_digest == texts)) made.text_digest = shot.text_digest;
     }
-    settled_ = shot.ends();
+    snapshot_ = shot.snapshot();
     return value;
   }
 
  private:
-  Still* still_;
-  Reading& reading_;
-  shot::Shot::Ends settled_;  ///< What some declaration has added already.
+  StaticCache* static_cache_;
+  ReadContext& reading_;
+  shot::Shot::Snapshot snapshot_;  ///< What some declaration has added already.
 };
 
-void announce(const scene::Document& document, Reading& reading, Maker& maker) {
+void register_declarations(const scene::Document& document, ReadContext& context,
+                           DeclarationCache& cached) {
   for (const scene::Declaration& declaration : document.declarations) {
     const DeclarationKind* kind = find_declaration_kind(declaration.kind);
     if (!kind || declaration.broken)
-      reading.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });
+      context.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });
     if (declaration.broken) continue;  // its fault has been told
     if (!kind) {
-      reading.diagnostics.error(declaration.kind_where,
+      context.diagnostics.error(declaration.kind_where,
                                 fmt::format("nothing is declared by '{}'", declaration.kind),
                                 suggestion(declaration.kind, declaration_words()));
       continue;
     }
-    check_target(declaration, *kind, reading.diagnostics);
-    const auto make = [&declaration, kind, &reading] {
-      Value value = kind->read(declaration, reading);
+    check_target(declaration, *kind, context.diagnostics);
+    const auto make = [&declaration, kind, &context] {
+      Value value = kind->read(declaration, context);
       return declaration.incomplete ? Value() : value;
     };
-    reading.resolver.declare(declaration.kind, declaration.name, [&declaration, &maker, make] {
-      return maker(declaration.kind, declaration.name, make);
+    context.resolver.declare(declaration.kind, declaration.name, [&declaration, &cached, make] {
+      return cached(declaration.kind, declaration.name, make);
     });
   }
   for (const scene::Grammar& grammar : document.grammars)
-    reading.resolver.declare("grammar", grammar.name, [&grammar, &reading, &maker] {
-      return maker("grammar", grammar.name, [&] { return bind_grammar(grammar, reading); });
+    context.resolver.declare("grammar", grammar.name, [&grammar, &context, &cached] {
+      return cached("grammar", grammar.name, [&] { return bind_grammar(grammar, context); });
     });
 }
 
@@ -139,10 +142,11 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   Hasher texts;
   for (const auto& source : document.sources)
     texts.add_value(source->text.size()).add(source->text);
-  loaded.shot.texts = texts.finish();
-  Reading reading{document, evaluator, resolver, loaded.diagnostics, loaded.shot, options, file};
-  Maker maker(options.still, reading);
-  announce(document, reading, maker);
+  loaded.shot.text_digest = texts.finish();
+  ReadContext context{document,    evaluator, resolver, loaded.diagnostics,
+                      loaded.shot, options,   file};
+  DeclarationCache cached(options.static_cache, context);
+  register_declarations(document, context, cached);
   evaluator.check_all();
   for (const scene::ParamValue& each : evaluator.params())
     loaded.parameters.push_back({each.param->name, each.value, each.fallback, each.low, each.high,
@@ -152,11 +156,10 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   for (const scene::Grammar& grammar : document.grammars)
     resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
   scene::check_params_read(document, loaded.diagnostics);
-  foresee(loaded.shot, document, loaded.diagnostics);
-  if (!loaded.diagnostics.has_errors())
-    warn_of_misspelt_attributes(document, loaded.shot, loaded.diagnostics);
-  loaded.shot.moves = resolver.frame_uses() > 0;
-  loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.moves);
+  validate(loaded.shot, document, loaded.diagnostics);
+  if (!loaded.diagnostics.has_errors()) check_attributes(document, loaded.shot, loaded.diagnostics);
+  loaded.shot.animated = resolver.frame_uses() > 0;
+  loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.animated);
   return loaded;
 }
 

@@ -10,26 +10,26 @@
 namespace vug::loading {
 
 /// What a text declares that is the same in every frame, by kind and name.
-struct Still {
-  struct Made {
+struct StaticCache {
+  struct Entry {
     Value value;
-    shot::Shot shot;              ///< What the declaration adds to it.
-    std::optional<Digest> texts;  ///< Shot::texts with those that it takes in.
+    shot::Shot shot;                    ///< What the declaration adds to it.
+    std::optional<Digest> text_digest;  ///< Shot::texts with those that it takes in.
   };
-  std::map<std::pair<std::string, std::string>, Made> declarations;
+  std::map<std::pair<std::string, std::string>, Entry> declarations;
 };
 
 struct LoadOptions {
-  std::vector<scene::Override> overrides;              ///< -D NAME=VALUE, in order.
-  std::optional<uint64_t> seed;                        ///< Instead of the scene's.
-  std::vector<std::filesystem::path> include_folders;  ///< After the scene's own folder.
-  std::vector<std::filesystem::path> within;           ///< Scenes that place this one.
-  double frame = 1;                                    ///< The moment to show.
+  std::vector<scene::Override> overrides;               ///< -D NAME=VALUE, in order.
+  std::optional<uint64_t> seed;                         ///< Instead of the scene's.
+  std::vector<std::filesystem::path> include_folders;   ///< After the scene's own folder.
+  std::vector<std::filesystem::path> enclosing_scenes;  ///< Scenes that place this one.
+  double frame = 1;                                     ///< The moment to show.
   /// Bytes of a word that an L-system grows while the scene is read; 0: what the machine can give.
   uint64_t max_memory = 0;
   /// Of the same text, overrides and seed: what stands still is taken from here, as the very same
   /// objects, and what is found to do so goes there. May be null.
-  Still* still = nullptr;
+  StaticCache* static_cache = nullptr;
 };
 
 /// A parameter of a scene, as data for whoever shows or changes it.

@@ -16,40 +16,40 @@ namespace {
 bool is_names(const std::string& key) { return key == "instances"; }
 
 /// One of the values, or several where a list is written out between brackets.
-void add_values(const scene::Entry& entry, const scene::Expr& expr, RandomKey key, Reading& reading,
-                List& values) {
+void add_values(const scene::Entry& entry, const scene::Expr& expr, RandomKey key,
+                ReadContext& context, List& values) {
   const bool names = is_names(entry.key);
   if (names && expr.kind == scene::ExprKind::list) {
     for (const scene::Operand& part : expr.operands)
-      add_values(entry, *part.value, key, reading, values);
+      add_values(entry, *part.value, key, context, values);
     return;
   }
   const bool bare = names && expr.kind == scene::ExprKind::name;
-  values.push_back(bare ? Value(expr.text) : reading.evaluator.eval(expr, key.at(values.size())));
+  values.push_back(bare ? Value(expr.text) : context.evaluator.eval(expr, key.at(values.size())));
 }
 
-Value entry_value(const scene::Entry& entry, const scene::Grammar& grammar, Reading& reading) {
-  const RandomKey key = reading.evaluator.root().at("grammar").at(grammar.name).at(entry.key);
+Value entry_value(const scene::Entry& entry, const scene::Grammar& grammar, ReadContext& context) {
+  const RandomKey key = context.evaluator.root().at("grammar").at(grammar.name).at(entry.key);
   List values;
-  for (const scene::ExprPtr& expr : entry.values) add_values(entry, *expr, key, reading, values);
+  for (const scene::ExprPtr& expr : entry.values) add_values(entry, *expr, key, context, values);
   for (const Value& value : values)
     if (value.empty()) return {};
   return values.size() == 1 ? values[0] : Value(std::move(values));
 }
 
 /// Nothing, with diagnostics, where an entry is at fault.
-std::optional<shot::LSystemBlock> block_of(const scene::Grammar& grammar, Reading& reading) {
+std::optional<shot::LSystemBlock> block_of(const scene::Grammar& grammar, ReadContext& context) {
   Arguments entries;
   bool sound = true;
   for (const scene::Entry& entry : grammar.options) {
-    Value value = entry_value(entry, grammar, reading);
+    Value value = entry_value(entry, grammar, context);
     sound = sound && !value.empty();
     entries.push_back({entry.key, std::move(value), entry.where});
   }
   if (!sound) return std::nullopt;
   std::optional<shot::LSystemBlock> block =
-      shot::lsystem_schema().bind(entries, grammar.where, reading.diagnostics);
-  if (block && !lsystem::check_whole(*block, grammar, reading.diagnostics)) block.reset();
+      shot::lsystem_schema().bind(entries, grammar.where, context.diagnostics);
+  if (block && !lsystem::check_whole(*block, grammar, context.diagnostics)) block.reset();
   return block;
 }
 
@@ -85,28 +85,28 @@ bool check_queries(const scene::LSystem& text, bool has_field, Diagnostics& diag
 
 }  // namespace
 
-Value bind_lsystem(const scene::Grammar& grammar, Reading& reading) {
-  std::optional<shot::LSystemBlock> block = block_of(grammar, reading);
+Value bind_lsystem(const scene::Grammar& grammar, ReadContext& context) {
+  std::optional<shot::LSystemBlock> block = block_of(grammar, context);
   if (grammar.broken || !grammar.lsystem) return {};
   const bool has_field = !block || block->field.has_value();
-  const bool sound = check_queries(*grammar.lsystem, has_field, reading.diagnostics);
+  const bool sound = check_queries(*grammar.lsystem, has_field, context.diagnostics);
   const lsystem::FindSystem find = [&](const std::string& name,
                                        const SourceLocation& where) -> lsystem::SystemPtr {
-    const auto& all = reading.document.grammars;
+    const auto& all = context.document.grammars;
     const bool known = std::any_of(all.begin(), all.end(), [&](const scene::Grammar& other) {
       return other.name == name && other.kind == "lsystem";
     });
     if (!known || name == grammar.name) return nullptr;
-    const auto value = reading.resolver.declared("grammar", name, where, reading.diagnostics);
+    const auto value = context.resolver.declared("grammar", name, where, context.diagnostics);
     const auto* other = value ? value->object<shot::LSystemPtr>() : nullptr;
     return other ? (*other)->system : nullptr;
   };
   const lsystem::SystemPtr system =
-      lsystem::compile(grammar, block.value_or(shot::LSystemBlock()), reading.evaluator, find);
+      lsystem::compile(grammar, block.value_or(shot::LSystemBlock()), context.evaluator, find);
   if (!system || !block || !sound) return {};
   const auto made = std::make_shared<const shot::LSystemPlan>(
-      grammar.name, system, std::move(*block), reading.options.max_memory);
-  reading.shot.lsystems.push_back(made);
+      grammar.name, system, std::move(*block), context.options.max_memory);
+  context.shot.lsystems.push_back(made);
   return ValueTraits<shot::LSystemPtr>::write(shot::LSystemPtr(made));
 }
 

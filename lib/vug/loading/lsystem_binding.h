@@ -7,6 +7,6 @@ namespace vug::loading {
 
 /// An LSystemPtr; nothing where the text has faults. The plan joins the shot, where `vug derive`
 /// finds it.
-Value bind_lsystem(const scene::Grammar& grammar, Reading& reading);
+Value bind_lsystem(const scene::Grammar& grammar, ReadContext& context);
 
 }  // namespace vug::loading

@@ -16,22 +16,22 @@ namespace vug::loading {
 namespace {
 
 /// Collects first, so that a plugin that cannot be used changes nothing.
-class Collected : public PluginKinds {
+class KindCollector : public PluginKinds {
  public:
   void add(const cells::RuleKind& rule) override {
     static std::deque<Kind<shot::CellStagePtr>> stages;
     add_kind(ValueTraits<shot::CellStagePtr>::type(),
-             as_family_kind(stages.emplace_back(shot::as_stage(rule))));
+             registered_kind(stages.emplace_back(shot::stage_kind(rule))));
   }
-  const std::vector<std::pair<std::string, FamilyKind>>& all() const { return all_; }
+  const std::vector<std::pair<std::string, RegisteredKind>>& all() const { return all_; }
 
  protected:
-  void add_kind(const std::string& type, FamilyKind kind) override {
+  void add_kind(const std::string& type, RegisteredKind kind) override {
     all_.emplace_back(type, std::move(kind));
   }
 
  private:
-  std::vector<std::pair<std::string, FamilyKind>> all_;
+  std::vector<std::pair<std::string, RegisteredKind>> all_;
 };
 
 Error unusable(const std::filesystem::path& file, const std::string& why,
@@ -66,7 +66,7 @@ void load_plugin(const std::filesystem::path& file) {
   if (std::string(interface()) != kPluginInterface)
     throw unusable(file, fmt::format("is for {}, and this is {}", interface(), kPluginInterface),
                    "build it again with the headers of this version");
-  Collected kinds;
+  KindCollector kinds;
   give(kinds);
   try {
     add_kinds(kinds.all());

@@ -10,7 +10,7 @@
 #pragma once
 
 #include <vug/cells/rule.h>
-#include <vug/loading/kind_category.h>
+#include <vug/loading/kind_registry.h>
 
 #include <filesystem>
 #include <string>
@@ -34,13 +34,13 @@ class PluginKinds {
   /// Any family's: a field, a mask, a material, a light, ...
   template <class Product>
   void add(const Kind<Product>& kind) {
-    add_kind(ValueTraits<Product>::type(), as_family_kind(kind));
+    add_kind(ValueTraits<Product>::type(), registered_kind(kind));
   }
   /// A rule of cells.
   virtual void add(const cells::RuleKind& rule) = 0;
 
  protected:
-  virtual void add_kind(const std::string& type, FamilyKind kind) = 0;
+  virtual void add_kind(const std::string& type, RegisteredKind kind) = 0;
 };
 
 /// Loads a plugin, for the rest of the process; a second time there is nothing to do.

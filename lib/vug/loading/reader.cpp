@@ -22,14 +22,14 @@ const std::vector<const DeclarationKind*>& declaration_kinds() {
 namespace {
 
 /// Names that a message or a list shows; of solids there are many more than anybody reads.
-constexpr size_t kMostNames = 12;
+constexpr size_t kMaxNames = 12;
 
 }  // namespace
 
-KindInfo family_info(const std::string& name, const std::string& doc, const std::string& type,
-                     const std::string& fallback) {
+KindInfo kind_declaration_info(const std::string& name, const std::string& doc,
+                               const std::string& type, const std::string& fallback) {
   KindInfo info{name, "declaration", doc, "", {}};
-  const Family& family = *find_family(type);
+  const KindRegistry& registry = *find_registry(type);
   ParamInfo kind;
   kind.name = "kind";
   kind.type = "name";
@@ -37,10 +37,10 @@ KindInfo family_info(const std::string& name, const std::string& doc, const std:
                               : "which one it is; the parameters below are those of " + fallback;
   kind.fallback = fallback;
   kind.required = fallback.empty();
-  if (family.kinds.size() <= kMostNames)
-    for (const FamilyKind& each : family.kinds) kind.choices.push_back(each.info->name);
+  if (registry.kinds.size() <= kMaxNames)
+    for (const RegisteredKind& each : registry.kinds) kind.choices.push_back(each.info->name);
   info.params.push_back(std::move(kind));
-  if (const FamilyKind* usual = family.find(fallback))
+  if (const RegisteredKind* usual = registry.find(fallback))
     info.params.insert(info.params.end(), usual->info->params.begin(), usual->info->params.end());
   return info;
 }
@@ -50,15 +50,15 @@ namespace {
 /// What `kind` declares under the name that the expression is; `camera main` means the camera even
 /// where a mesh is called main too.
 std::optional<Value> declared_value(const std::string& kind, const scene::Expr& expr,
-                                    Reading& reading) {
+                                    ReadContext& context) {
   if (expr.kind != scene::ExprKind::name) return std::nullopt;
-  return reading.resolver.declared(kind, expr.text, expr.where, reading.diagnostics);
+  return context.resolver.declared(kind, expr.text, expr.where, context.diagnostics);
 }
 
 }  // namespace
 
 Arguments block_arguments(const scene::Declaration& declaration, const IsChoice& is_choice,
-                          Reading& reading) {
+                          ReadContext& context) {
   Arguments arguments;
   for (const scene::Entry& entry : declaration.entries) {
     std::vector<Value> values;
@@ -66,11 +66,11 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
     if (entry.values.size() == 1 && first.kind == scene::ExprKind::name &&
         is_choice(entry.key, first.text))
       values = {Value::Name{first.text}};
-    else if (auto declared = declared_value(entry.key, first, reading);
+    else if (auto declared = declared_value(entry.key, first, context);
              declared && entry.values.size() == 1)
       values = {*declared};
     else
-      values = reading.evaluator.eval(entry, reading.evaluator.key(declaration));
+      values = context.evaluator.eval(entry, context.evaluator.key(declaration));
     const bool faulty =
         std::any_of(values.begin(), values.end(), [](const Value& each) { return each.empty(); });
     Value value = faulty               ? Value()
@@ -82,9 +82,9 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
   return arguments;
 }
 
-bool has_block(const scene::Declaration& declaration, Reading& reading) {
+bool has_block(const scene::Declaration& declaration, ReadContext& context) {
   if (!declaration.value) return true;
-  reading.diagnostics.error(
+  context.diagnostics.error(
       declaration.where,
       fmt::format("'{}' is written with a block, not with '='", declaration.kind),
       fmt::format("for instance: {} {}{} {{ ... }}", declaration.kind, declaration.name,
@@ -93,16 +93,16 @@ bool has_block(const scene::Declaration& declaration, Reading& reading) {
 }
 
 Value target_value(const std::string& kind, const scene::Declaration& declaration, size_t number,
-                   Reading& reading) {
+                   ReadContext& context) {
   const scene::Expr& target = declaration.target_at(number);
-  if (auto value = declared_value(kind, target, reading)) return *value;
-  const RandomKey key = reading.evaluator.key(declaration).at("on");
-  return reading.evaluator.eval(target, number == 0 ? key : key.at(number));
+  if (auto value = declared_value(kind, target, context)) return *value;
+  const RandomKey key = context.evaluator.key(declaration).at("on");
+  return context.evaluator.eval(target, number == 0 ? key : key.at(number));
 }
 
 void report_no_target(const std::string& kind, const scene::Declaration& declaration,
-                      Reading& reading) {
-  reading.diagnostics.error(
+                      ReadContext& context) {
+  context.diagnostics.error(
       declaration.where, fmt::format("'{}' needs 'on' and a {}", declaration.kind, kind),
       fmt::format("{} {} on NAME {{ ... }}", declaration.kind, declaration.name));
 }
@@ -110,20 +110,21 @@ void report_no_target(const std::string& kind, const scene::Declaration& declara
 namespace {
 
 /// Makes the kind `name` of the family; nothing when it has none.
-std::optional<Value> make(const Family& family, const std::string& name, const Arguments& arguments,
-                          const SourceLocation& where, Reading& reading) {
+std::optional<Value> make(const KindRegistry& registry, const std::string& name,
+                          const Arguments& arguments, const SourceLocation& where,
+                          ReadContext& context) {
   Diagnostics own;
-  auto value = reading.resolver.make(family, name, arguments, where, own);
-  reading.evaluator.report(own, arguments);
+  auto value = context.resolver.make(registry, name, arguments, where, own);
+  context.evaluator.report(own, arguments);
   return value;
 }
 
-Value report_unknown(const Family& family, const std::string& name, const SourceLocation& where,
-                     Diagnostics& diagnostics) {
+Value report_unknown(const KindRegistry& registry, const std::string& name,
+                     const SourceLocation& where, Diagnostics& diagnostics) {
   std::vector<std::string> names;
-  for (const FamilyKind& kind : family.kinds) names.push_back(kind.info->name);
-  diagnostics.error(where, fmt::format("there is no {} '{}'", family.type, name),
-                    names.size() <= kMostNames || !nearest_name(name, names).empty()
+  for (const RegisteredKind& kind : registry.kinds) names.push_back(kind.info->name);
+  diagnostics.error(where, fmt::format("there is no {} '{}'", registry.type, name),
+                    names.size() <= kMaxNames || !nearest_name(name, names).empty()
                         ? suggestion(name, names)
                         : "'vug list' shows them all");
   return Value();
@@ -131,29 +132,31 @@ Value report_unknown(const Family& family, const std::string& name, const Source
 
 }  // namespace
 
-Value kind_value(const Family& family, const scene::Expr& expr, RandomKey key, Reading& reading) {
+Value kind_value(const KindRegistry& registry, const scene::Expr& expr, RandomKey key,
+                 ReadContext& context) {
   const bool called = expr.kind == scene::ExprKind::call && !expr.method;
-  if ((called || expr.kind == scene::ExprKind::name) && family.find(expr.text))
-    return *make(family, expr.text, called ? reading.evaluator.arguments(expr, key) : Arguments{},
-                 expr.where, reading);
-  Value value = reading.evaluator.eval(expr, key);
+  if ((called || expr.kind == scene::ExprKind::name) && registry.find(expr.text))
+    return *make(registry, expr.text, called ? context.evaluator.arguments(expr, key) : Arguments{},
+                 expr.where, context);
+  Value value = context.evaluator.eval(expr, key);
   if (value.get<Value::Name>())
-    return report_unknown(family, expr.text, expr.where, reading.diagnostics);
+    return report_unknown(registry, expr.text, expr.where, context.diagnostics);
   return value;
 }
 
 namespace {
 
-Value read_block_family(const Family& family, const std::string& fallback,
-                        const scene::Declaration& declaration, Reading& reading) {
+Value read_kind_block(const KindRegistry& registry, const std::string& fallback,
+                      const scene::Declaration& declaration, ReadContext& context) {
   std::string name = fallback;
   SourceLocation where = declaration.where;
   const IsChoice is_choice = [&](const std::string& key, const std::string& word) {
-    if (key == "kind") return family.find(word) != nullptr;
-    return std::any_of(family.kinds.begin(), family.kinds.end(),
-                       [&](const FamilyKind& kind) { return has_choice(*kind.info, key, word); });
+    if (key == "kind") return registry.find(word) != nullptr;
+    return std::any_of(
+        registry.kinds.begin(), registry.kinds.end(),
+        [&](const RegisteredKind& kind) { return has_choice(*kind.info, key, word); });
   };
-  Arguments arguments = block_arguments(declaration, is_choice, reading);
+  Arguments arguments = block_arguments(declaration, is_choice, context);
   bool told = false;
   for (size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].name != "kind") continue;
@@ -165,49 +168,42 @@ Value read_block_family(const Family& family, const std::string& fallback,
     arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
     break;
   }
-  if (!told && declaration.incomplete && reading.document.skipped.may_mention("kind"))
+  if (!told && declaration.incomplete && context.document.skipped.may_mention("kind"))
     return Value();  // it may stand among the lost entries
   if (name.empty() && declaration.incomplete) return Value();
   if (name.empty()) {
-    reading.diagnostics.error(where, fmt::format("'{}' needs a kind", declaration.name),
+    context.diagnostics.error(where, fmt::format("'{}' needs a kind", declaration.name),
                               fmt::format("{} {} = KIND(...), or 'kind KIND' in the block",
                                           declaration.kind, declaration.name));
     return Value();
   }
-  if (auto value = make(family, name, arguments, where, reading)) return *value;
-  return report_unknown(family, name, where, reading.diagnostics);
+  if (auto value = make(registry, name, arguments, where, context)) return *value;
+  return report_unknown(registry, name, where, context.diagnostics);
 }
 
 }  // namespace
 
-Value read_family(const std::string& type, const std::string& fallback,
-                  const scene::Declaration& declaration, Reading& reading) {
-  const Family& family = *find_family(type);
-  if (!declaration.value) return read_block_family(family, fallback, declaration, reading);
+Value read_kind_declaration(const std::string& type, const std::string& fallback,
+                            const scene::Declaration& declaration, ReadContext& context) {
+  const KindRegistry& registry = *find_registry(type);
+  if (!declaration.value) return read_kind_block(registry, fallback, declaration, context);
   const scene::Expr& expr = *declaration.value;
-  const RandomKey key = reading.evaluator.key(declaration);
-  if (expr.kind == scene::ExprKind::call && !expr.method && family.find(expr.text)) {
-    const Arguments arguments = reading.evaluator.arguments(expr, key);
-    return *make(family, expr.text, arguments, expr.where, reading);
+  const RandomKey key = context.evaluator.key(declaration);
+  if (expr.kind == scene::ExprKind::call && !expr.method && registry.find(expr.text)) {
+    const Arguments arguments = context.evaluator.arguments(expr, key);
+    return *make(registry, expr.text, arguments, expr.where, context);
   }
-  Value value = reading.evaluator.eval(expr, key);
+  Value value = context.evaluator.eval(expr, key);
   if (value.empty()) return value;
   const Object* object = value.get<Object>();
   if (object && object->type == type) return value;
   if (expr.kind == scene::ExprKind::call && !expr.method)
-    return report_unknown(family, expr.text, expr.where, reading.diagnostics);
+    return report_unknown(registry, expr.text, expr.where, context.diagnostics);
   Diagnostics own;
   own.error(expr.where,
             fmt::format("'{}' expects a {}, not {}", declaration.name, type, value.type_name()));
-  reading.evaluator.report(own, {{"", value, expr.where}});
+  context.evaluator.report(own, {{"", value, expr.where}});
   return Value();
 }
 
 }  // namespace vug::loading
-
-std::optional<vug::shot::AnyMesh> vug::ValueTraits<vug::shot::AnyMesh>::read(const Value& value) {
-  if (const auto* mesh = value.object<shot::MeshPtr>()) return shot::AnyMesh{*mesh};
-  const auto* volume = value.object<shot::VolumePtr>();
-  if (!volume || (*volume)->fog) return std::nullopt;
-  return shot::AnyMesh{shot::plain_mesh(*volume)};
-}

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 namespace vug::loading {
-SoundArguments::SoundArguments(const Arguments& given) {
+ValidArguments::ValidArguments(const Arguments& given) {
   bool placed = true;  // behind one that is lost nobody knows the others' places
   for (const Argument& each : given) {
     if (each.value.empty()) {
-      whole = false;
+      complete = false;
       placed = placed && !each.name.empty();
     } else if (placed || !each.name.empty()) {
       arguments.push_back(each);
@@ -17,20 +17,20 @@ SoundArguments::SoundArguments(const Arguments& given) {
   }
 }
 
-void SoundArguments::report(const Diagnostics& found, const SourceLocation& where,
+void ValidArguments::report(const Diagnostics& found, const SourceLocation& where,
                             Diagnostics& diagnostics) const {
   for (const Diagnostic& one : found.all()) {
-    if (!whole && one.where == where) continue;
+    if (!complete && one.where == where) continue;
     one.severity == Severity::error ? diagnostics.error(one.where, one.message, one.hint)
                                     : diagnostics.warning(one.where, one.message, one.hint);
   }
 }
 
-void Resolver::declare(const std::string& kind, const std::string& name, Maker maker) {
+void Resolver::declare(const std::string& kind, const std::string& name, Factory factory) {
   std::vector<Entry>& entries = entries_[name];
   for (Entry& entry : entries)
-    if (entry.kind == kind) return entry.makers.push_back(std::move(maker));
-  entries.push_back({kind, {std::move(maker)}, {}, false, false, false});
+    if (entry.kind == kind) return entry.factories.push_back(std::move(factory));
+  entries.push_back({kind, {std::move(factory)}, {}, false, false, false});
 }
 
 Value Resolver::value(Entry& entry, const std::string& name, const SourceLocation& where,
@@ -39,22 +39,22 @@ Value Resolver::value(Entry& entry, const std::string& name, const SourceLocatio
     diagnostics.error(where, fmt::format("'{}' is made of itself", name));
     return Value();
   }
-  if (!entry.made && pending_ >= kMaxPending) {
+  if (!entry.evaluated && pending_ >= kMaxPending) {
     diagnostics.error(where,
                       fmt::format("more than {} names depend on each other in a row", kMaxPending));
     return Value();
   }
-  if (!entry.made) {
+  if (!entry.evaluated) {
     entry.pending = true;
     ++pending_;
     const uint64_t uses = frame_uses();
-    for (const Maker& maker : entry.makers) entry.value = maker();
-    if (entry.makers.size() > 1) entry.value = Value();
+    for (const Factory& factory : entry.factories) entry.value = factory();
+    if (entry.factories.size() > 1) entry.value = Value();
     entry.pending = false;
     --pending_;
-    entry.made = true;
-    entry.moves = frame_uses() > uses;
-  } else if (entry.moves) {
+    entry.evaluated = true;
+    entry.frame_dependent = frame_uses() > uses;
+  } else if (entry.frame_dependent) {
     use_frame();
   }
   return entry.value;
@@ -78,35 +78,36 @@ std::optional<Value> Resolver::name(const std::string& name, const SourceLocatio
   return value(found->second.front(), name, where, diagnostics);
 }
 
-std::optional<Value> Resolver::make(const Family& family, const std::string& name,
+std::optional<Value> Resolver::make(const KindRegistry& registry, const std::string& name,
                                     const Arguments& arguments, const SourceLocation& where,
                                     Diagnostics& diagnostics) {
-  const FamilyKind* kind = family.find(name);
+  const RegisteredKind* kind = registry.find(name);
   if (!kind) return std::nullopt;
-  const SoundArguments sound(arguments);
+  const ValidArguments valid(arguments);
   Diagnostics found;
   Value made;
   try {
-    if (auto value = kind->make(sound.arguments, where, found); value && sound.whole) made = *value;
+    if (auto value = kind->make(valid.arguments, where, found); value && valid.complete)
+      made = *value;
   } catch (const Error& error) {
     found.error(error.where().known() ? error.where() : where, error.what(), error.hint());
   }
-  sound.report(found, where, diagnostics);
+  valid.report(found, where, diagnostics);
   return made;
 }
 
 std::optional<Value> Resolver::call(const std::string& name, const Arguments& arguments,
                                     const SourceLocation& where, RandomKey,
                                     Diagnostics& diagnostics) {
-  for (const Family& family : families())
-    if (auto value = make(family, name, arguments, where, diagnostics)) return value;
+  for (const KindRegistry& registry : kind_registries())
+    if (auto value = make(registry, name, arguments, where, diagnostics)) return value;
   return std::nullopt;
 }
 
 bool Resolver::is_choice(const std::string& call, size_t position, const std::string& argument,
                          const std::string& word) const {
-  for (const Family& family : families()) {
-    const FamilyKind* kind = family.find(call);
+  for (const KindRegistry& registry : kind_registries()) {
+    const RegisteredKind* kind = registry.find(call);
     if (!kind) continue;
     const std::vector<ParamInfo>& params = kind->info->params;
     const bool placed = argument.empty() && position < params.size();
@@ -146,8 +147,8 @@ std::vector<std::string> Resolver::known_names() const {
 
 std::vector<std::string> Resolver::known_calls() const {
   std::vector<std::string> names;
-  for (const Family& family : families())
-    for (const FamilyKind& kind : family.kinds) names.push_back(kind.info->name);
+  for (const KindRegistry& registry : kind_registries())
+    for (const RegisteredKind& kind : registry.kinds) names.push_back(kind.info->name);
   return names;
 }
 

@@ -1,7 +1,7 @@
 // The resolver that knows every kind and every declaration of a document.
 #pragma once
 
-#include <vug/loading/kind_category.h>
+#include <vug/loading/kind_registry.h>
 #include <vug/scene/document.h>
 #include <vug/scene/evaluator.h>
 #include <vug/scene/resolver.h>
@@ -14,23 +14,24 @@ namespace vug::loading {
 
 /// What a maker can be asked of arguments some of which have no value, because of faults that have
 /// been told: those with a value whose parameter is sure.
-struct SoundArguments {
-  explicit SoundArguments(const Arguments& given);
+struct ValidArguments {
+  explicit ValidArguments(const Arguments& given);
   /// What a maker found of them. When they are not whole, what it says of its own place (that
   /// something is missing or does not fit together) is not known.
-  void report(const Diagnostics& found, const SourceLocation& where, Diagnostics& diagnostics) const;
+  void report(const Diagnostics& found, const SourceLocation& where,
+              Diagnostics& diagnostics) const;
 
   Arguments arguments;
-  bool whole = true;
+  bool complete = true;
 };
 
 class Resolver final : public scene::Resolver {
  public:
   /// Makes the value of a declared name, once, when it is first needed.
-  using Maker = std::function<Value()>;
+  using Factory = std::function<Value()>;
 
   /// Announces a declared object. Kinds have rooms of names of their own (the parser checks).
-  void declare(const std::string& kind, const std::string& name, Maker maker);
+  void declare(const std::string& kind, const std::string& name, Factory factory);
 
   /// What that kind declares under the name; nothing when it declares none.
   std::optional<Value> declared(const std::string& kind, const std::string& name,
@@ -38,7 +39,7 @@ class Resolver final : public scene::Resolver {
 
   /// A call of a kind of one family, where a declaration says which family it wants: names such
   /// as `sphere` stand for a solid and for a lamp.
-  std::optional<Value> make(const Family& family, const std::string& name,
+  std::optional<Value> make(const KindRegistry& registry, const std::string& name,
                             const Arguments& arguments, const SourceLocation& where,
                             Diagnostics& diagnostics);
 
@@ -60,11 +61,11 @@ class Resolver final : public scene::Resolver {
  private:
   struct Entry {
     std::string kind;
-    std::vector<Maker> makers;  ///< More than one is a fault, and then there is no value.
+    std::vector<Factory> factories;  ///< More than one is a fault, and then there is no value.
     Value value;
-    bool made = false;
+    bool evaluated = false;
     bool pending = false;
-    bool moves = false;  ///< The value depends on the frame.
+    bool frame_dependent = false;  ///< The value depends on the frame.
   };
   Value value(Entry& entry, const std::string& name, const SourceLocation& where,
               Diagnostics& diagnostics);

@@ -10,17 +10,17 @@ namespace vug::loading {
 namespace {
 
 /// What stands behind "NAME/"; nothing where the text does not begin so.
-std::optional<std::string> behind(const std::string& text, const std::string& name) {
+std::optional<std::string> name_after(const std::string& text, const std::string& name) {
   if (text.compare(0, name.size() + 1, name + "/") != 0) return std::nullopt;
   return text.substr(name.size() + 1);
 }
 
 bool shows_several(const shot::Shot& shot) {
-  return shot::shown_objects(shot).size() != 1 || !shot.places.empty();
+  return shot::shown_objects(shot).size() != 1 || !shot.instancers.empty();
 }
 
 /// `rest` is what stands behind the place's own name.
-bool holds(const shot::PlacePlan& place, std::string rest) {
+bool contains(const shot::PointInstancer& place, std::string rest) {
   if (place.apart) {
     const size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
     if (digits == 0) return false;
@@ -29,7 +29,7 @@ bool holds(const shot::PlacePlan& place, std::string rest) {
     rest = rest.substr(digits + 1);
   }
   return std::any_of(place.of.begin(), place.of.end(), [&](const shot::Model& model) {
-    return model.scene && shows_several(*model.scene) && can_be_linked(*model.scene, rest);
+    return model.scene && shows_several(*model.scene) && is_linkable(*model.scene, rest);
   });
 }
 
@@ -43,11 +43,11 @@ SourceLocation where_of(const std::string& light, const scene::Document& documen
 std::string link_hint(const shot::Shot& shot, const std::string& name) {
   std::vector<std::string> names;
   for (const shot::ObjectPlan& object : shot::shown_objects(shot)) names.push_back(object.name);
-  for (const shot::PlacePlan& place : shot.places) {
+  for (const shot::PointInstancer& place : shot.instancers) {
     names.push_back(place.name);
-    shot::PlacePlan told_apart = place;
+    shot::PointInstancer told_apart = place;
     told_apart.apart = true;
-    if (const auto rest = behind(name, place.name); rest && holds(told_apart, *rest))
+    if (const auto rest = name_after(name, place.name); rest && contains(told_apart, *rest))
       return fmt::format("write 'apart true' in the place '{}' to tell its copies apart",
                          place.name);
     for (const shot::Model& model : place.of)
@@ -71,7 +71,7 @@ void warn_of_dark_portals(const shot::Shot& shot, const scene::Document& documen
                           Diagnostics& diagnostics) {
   const auto shines_through = [](const auto& named) {
     const render::Light& light = *named.second;
-    return light.is_sky() && !light.is_portal() && !light.beside_portals();
+    return light.is_infinite() && !light.is_portal() && !light.sampled_with_portals();
   };
   if (std::any_of(shot.lights.begin(), shot.lights.end(), shines_through)) return;
   for (const auto& [name, light] : shot.lights)
@@ -84,55 +84,55 @@ void warn_of_dark_portals(const shot::Shot& shot, const scene::Document& documen
 
 }  // namespace
 
-bool can_be_linked(const shot::Shot& shot, const std::string& name) {
+bool is_linkable(const shot::Shot& shot, const std::string& name) {
   for (const shot::ObjectPlan& object : shot::shown_objects(shot))
     if (object.name == name) return true;
-  for (const shot::PlacePlan& place : shot.places) {
+  for (const shot::PointInstancer& place : shot.instancers) {
     if (place.name == name) return true;
-    if (const auto rest = behind(name, place.name); rest && holds(place, *rest)) return true;
+    if (const auto rest = name_after(name, place.name); rest && contains(place, *rest)) return true;
   }
   return false;
 }
 
-bool shows_nothing(const shot::Shot& shot) {
-  return shot::shown_objects(shot).empty() && shot.places.empty() && shot.lights.empty();
+bool is_empty_scene(const shot::Shot& shot) {
+  return shot::shown_objects(shot).empty() && shot.instancers.empty() && shot.lights.empty();
 }
 
-render::LayerPlan foreseen_layers(const shot::Shot& shot, const shot::RenderPlan& plan) {
+render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& plan) {
   render::Scene lights;
   for (const std::string& group : shot::light_groups(shot))
     lights.objects.emplace_back().light_group = group;
   for (const shot::MeshPtr& mesh : shot.meshes)
     lights.objects.emplace_back().elements = shot::element_names(*mesh);
   try {
-    return render::scene_layers(lights, plan.layers);
+    return render::scene_aovs(lights, plan.layers);
   } catch (const Error& error) {
     throw error.at(plan.where);
   }
 }
 
-void require_sound(const shot::Shot& shot, const shot::RenderPlan& plan) {
+void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
   if (plan.deep && plan.noise > 0)
     throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once",
                 plan.where, "leave 'noise' away; a crop is no matter");
-  foreseen_layers(shot, plan);
+  expected_aovs(shot, plan);
   if (plan.crop.empty()) return;
   render::Options options;
   options.width = plan.size.at(0), options.height = plan.size.at(1);
   options.crop = {plan.crop.at(0), plan.crop.at(1), plan.crop.at(2), plan.crop.at(3)};
   try {
-    render::wanted_region(options);
+    render::render_region(options);
   } catch (const Error& error) {
     throw error.at(plan.where);
   }
 }
 
-void foresee(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics) {
+void validate(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics) {
   const bool whole = !diagnostics.has_errors();
   for (const auto& [name, light] : shot.lights)
     for (const auto* names : {&light->linking().only, &light->linking().except})
       for (const std::string& linked : *names)
-        if (!can_be_linked(shot, linked) && (whole || !is_declared(linked, document)))
+        if (!is_linkable(shot, linked) && (whole || !is_declared(linked, document)))
           diagnostics.error(
               where_of(name, document),
               fmt::format("the light is linked to '{}', but no object that shows has that name",
@@ -141,7 +141,7 @@ void foresee(const shot::Shot& shot, const scene::Document& document, Diagnostic
   if (!whole) return;
   warn_of_dark_portals(shot, document, diagnostics);
   for (const shot::RenderPlan& plan : shot.renders) try {
-      require_sound(shot, plan);
+      require_valid(shot, plan);
     } catch (const Error& error) {
       diagnostics.error(error.where(), error.what(), error.hint());
     }

@@ -12,21 +12,21 @@ namespace vug::loading {
 
 /// Whether a light can be linked to that name: it is an object that shows, or a place, or something
 /// in one ("PLACE/OBJECT"). How many a place has is not known yet; any number is taken to be there.
-bool can_be_linked(const shot::Shot& shot, const std::string& name);
+bool is_linkable(const shot::Shot& shot, const std::string& name);
 
 /// No object, place or light: then there is no picture. A text for others to include may be so.
-bool shows_nothing(const shot::Shot& shot);
+bool is_empty_scene(const shot::Shot& shot);
 
 /// The layers of a picture of the plan, with its lights' groups; any attribute of a mesh is taken
 /// to be there. Error(bad_input) at the plan's name.
-render::LayerPlan foreseen_layers(const shot::Shot& shot, const shot::RenderPlan& plan);
+render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& plan);
 
 /// Error(bad_input) at the plan's name for a crop that lies outside, a deep picture down to a
 /// noise, layers that there are none of.
-void require_sound(const shot::Shot& shot, const shot::RenderPlan& plan);
+void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan);
 
 /// All such faults, at what declares them. Says nothing of what may be missing only because of a
 /// fault that was told already.
-void foresee(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics);
+void validate(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics);
 
 }  // namespace vug::loading

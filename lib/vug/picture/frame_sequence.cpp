@@ -12,7 +12,7 @@ namespace vug::picture {
 namespace {
 
 constexpr const char* kForm = "write --frames 1..24, 1..24x2 for every second, or 3,7,10..12";
-constexpr size_t kMostFrames = 100'000;
+constexpr size_t kMaxFrames = 100'000;
 
 /// A whole number at the beginning of the text, which loses it.
 std::optional<int> take_number(std::string_view& text) {
@@ -35,7 +35,7 @@ struct Slot {
   int digits = 0;
 };
 
-std::vector<Slot> places(const std::string& name) {
+std::vector<Slot> find_slots(const std::string& name) {
   std::vector<Slot> found;
   for (size_t i = 0; i < name.size(); ++i) {
     size_t end = i;
@@ -75,8 +75,8 @@ std::vector<int> parse_frames(const std::string& text) {
     if (*last < *first) throw refuse("runs backwards");
     for (int64_t frame = *first; frame <= *last; frame += step) {
       frames.push_back(static_cast<int>(frame));
-      if (frames.size() > kMostFrames)
-        throw refuse(fmt::format("has more than {} frames", kMostFrames));
+      if (frames.size() > kMaxFrames)
+        throw refuse(fmt::format("has more than {} frames", kMaxFrames));
     }
   } while (take(rest, ","));
   if (!rest.empty()) throw refuse("is no range of frames");
@@ -87,9 +87,9 @@ std::vector<int> parse_frames(const std::string& text) {
   return frames;
 }
 
-std::filesystem::path at_frame(const std::filesystem::path& pattern, int frame) {
+std::filesystem::path frame_path(const std::filesystem::path& pattern, int frame) {
   std::string name = pattern.filename().string();
-  const std::vector<Slot> found = places(name);
+  const std::vector<Slot> found = find_slots(name);
   if (found.size() != 1)
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' says {} where the frame's number goes", pattern.string(),
@@ -100,18 +100,18 @@ std::filesystem::path at_frame(const std::filesystem::path& pattern, int frame) 
   return pattern.parent_path() / name;
 }
 
-bool has_frame(const std::filesystem::path& pattern) {
-  return !places(pattern.filename().string()).empty();
+bool has_frame_number(const std::filesystem::path& pattern) {
+  return !find_slots(pattern.filename().string()).empty();
 }
 
 bool is_finished(const std::filesystem::path& exr, const shot::Shot& shot,
                  const PictureOptions& options) {
-  if (!unreadable_reason(exr).empty() || !unreadable_reason(png_beside(exr)).empty()) return false;
+  if (!unreadable_reason(exr).empty() || !unreadable_reason(png_path(exr)).empty()) return false;
   try {
     const bool deep = render_plan(shot, options).deep;
-    if (deep && !unreadable_reason(deep_beside(exr)).empty()) return false;
+    if (deep && !unreadable_reason(deep_path(exr)).empty()) return false;
     PictureOptions first = options;
-    if (options.eye == 0 && has_two_views(shot, options)) first.eye = -1;
+    if (options.eye == 0 && is_stereo(shot, options)) first.eye = -1;
     const image::Metadata wanted = identifying_metadata(shot, first);
     const image::Metadata found = image::read_info(exr).metadata;
     return std::all_of(wanted.begin(), wanted.end(), [&](const auto& entry) {

@@ -15,9 +15,9 @@ std::vector<int> parse_frames(const std::string& text);
 
 /// The path with the frame's number in place of a row of # (as many digits at least) or of %d or
 /// %04d, of which its file name has exactly one; Error(bad_input) otherwise.
-std::filesystem::path at_frame(const std::filesystem::path& pattern, int frame);
+std::filesystem::path frame_path(const std::filesystem::path& pattern, int frame);
 /// Whether the path says where the frame's number goes; else all frames share the file.
-bool has_frame(const std::filesystem::path& pattern);
+bool has_frame_number(const std::filesystem::path& pattern);
 
 /// Whether `exr` and the PNG beside it are the picture that the shot and the options would give,
 /// as far as its header tells: made of the same texts with the same settings by this version. False

@@ -1,7 +1,7 @@
 #include <vug/base/hash.h>
 #include <vug/base/maths.h>
 #include <vug/base/memory.h>
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/loading/validate.h>
 #include <vug/picture/motion.h>
 #include <vug/picture/picture.h>
@@ -46,9 +46,10 @@ render::CameraPtr outside_camera(const Box3d& box) {
 }
 
 /// A picture from inside the rock shows its back side: hardly ever what is meant.
-void warn_of_rock(building::Builder& builder, const shot::RenderPlan& plan,
-                  const std::vector<shot::ObjectPlan>& objects, const render::Camera& camera) {
-  const Vec3d eye(camera.eye());
+void warn_if_inside_solid(building::Builder& builder, const shot::RenderPlan& plan,
+                          const std::vector<shot::ObjectPlan>& objects,
+                          const render::Camera& camera) {
+  const Vec3d eye(camera.position());
   const auto holds_eye = [&](const shot::ObjectPlan& object) {
     const shot::VolumePtr& volume = object.mesh->volume;
     return volume && builder.level_set(volume).value(eye) < 0;
@@ -72,15 +73,15 @@ std::string identity(const render::Scene& scene, const shot::Shot& shot,
     hash.add_value(values.size());
     if (!values.empty()) hash.add(values.data(), values.size() * sizeof(values[0]));
   };
-  hash.add_value(shot.texts).add_value(options.eye);
+  hash.add_value(shot.text_digest).add_value(options.eye);
   for (const std::string& text :
        {shot.recipe, plan.name, camera_name(shot, plan), std::string(VUG_VERSION)})
     add_all(text);
   std::set<const void*> known;
   for (const render::Object& object : scene.objects) {
     add_all(object.name);
-    if (object.placing)
-      for (const render::Affine& step : object.placing->steps())
+    if (object.instance)
+      for (const render::Affine& step : object.instance->keyframes())
         for (const Vec3f& column : {step.x, step.y, step.z, step.origin})
           hash.add(&column, sizeof column);
     hash.add_value(known.size());
@@ -103,7 +104,7 @@ std::string identity(const render::Scene& scene, const shot::Shot& shot,
 /// dirt.
 uint64_t sample_seed(const shot::Shot& shot, const PictureOptions& options) {
   const uint64_t seed = options.seed.value_or(shot.seed);
-  if (!shot.moves) return seed;
+  if (!shot.animated) return seed;
   return RandomKey(seed)
       .at("frame")
       .at(static_cast<uint64_t>(std::llround(shot.frame * 1e6)))
@@ -111,7 +112,7 @@ uint64_t sample_seed(const shot::Shot& shot, const PictureOptions& options) {
 }
 
 /// The fault of an option, where it told what is at fault, else of the text.
-Error at_cause(const Error& error, const std::string& option, const SourceLocation& where) {
+Error with_option(const Error& error, const std::string& option, const SourceLocation& where) {
   if (option.empty()) return error.at(where);
   return Error(error.code(), fmt::format("{}: {}", option, error.what()), {}, error.hint());
 }
@@ -127,7 +128,7 @@ std::string view_option(const PictureOptions& options) {
 
 /// How a picture is shown. A configuration that shows nothing of the space by itself is at fault
 /// itself, whatever view is asked of it.
-image::ViewSelection view_choice(const shot::RenderPlan& plan, const PictureOptions& options) {
+image::ViewSelection view_selection(const shot::RenderPlan& plan, const PictureOptions& options) {
   const image::ViewSelection choice{plan.view, plan.display, options.config};
   try {
     image::view_options(choice, plan.working_space);
@@ -135,27 +136,28 @@ image::ViewSelection view_choice(const shot::RenderPlan& plan, const PictureOpti
     try {
       image::view_options({{}, {}, options.config}, plan.working_space);
     } catch (const Error&) {
-      throw at_cause(error, options.config == image::environment_config() ? "$OCIO" : "--ocio", {});
+      throw with_option(error, options.config == image::environment_config() ? "$OCIO" : "--ocio",
+                        {});
     }
-    throw at_cause(error, view_option(options), plan.where);
+    throw with_option(error, view_option(options), plan.where);
   }
   return choice;
 }
 
 /// Of all that the scene may have, before meshes are made of it.
-render::LayerPlan early_layers(const shot::Shot& shot, const shot::RenderPlan& plan,
-                               const PictureOptions& options) {
+render::AovPlan early_aovs(const shot::Shot& shot, const shot::RenderPlan& plan,
+                             const PictureOptions& options) {
   try {
-    return loading::foreseen_layers(shot, plan);
+    return loading::expected_aovs(shot, plan);
   } catch (const Error& error) {
-    throw at_cause(error, layers_option(options), plan.where);
+    throw with_option(error, layers_option(options), plan.where);
   }
 }
 
-void require_options_fit(const PictureOptions& options, const shot::RenderPlan& plan,
-                         bool whole_film) {
+void require_deep_supported(const PictureOptions& options, const shot::RenderPlan& plan,
+                            bool whole_film) {
   if (plan.deep && (whole_film || plan.noise > 0))
-    throw at_cause(
+    throw with_option(
         Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once", {},
               "render it without noise, checkpoint, preview and parts; a crop is no matter"),
         options.deep ? "--deep" : "", plan.where);
@@ -166,7 +168,7 @@ void require_options_fit(const PictureOptions& options, const shot::RenderPlan& 
 image::Metadata identifying_metadata(const shot::Shot& shot, const PictureOptions& options) {
   const shot::RenderPlan plan = render_plan(shot, options);
   Hasher settings;
-  settings.add_value(shot.texts);
+  settings.add_value(shot.text_digest);
   for (const std::string& text :
        {plan.name, camera_name(shot, plan), plan.view, plan.display, options.config.string(),
         fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(plan.size, "x"), plan.noise,
@@ -180,7 +182,7 @@ image::Metadata identifying_metadata(const shot::Shot& shot, const PictureOption
                          {"vug:working_space", image::info(plan.working_space).name},
                          {"vug:spp", std::to_string(plan.spp)},
                          {"vug:settings", settings.finish().hex()}};
-  if (shot.moves) all.emplace_back("vug:frame", fmt::format("{}", shot.frame));
+  if (shot.animated) all.emplace_back("vug:frame", fmt::format("{}", shot.frame));
   return all;
 }
 
@@ -222,25 +224,25 @@ std::string camera_name(const shot::Shot& shot, const shot::RenderPlan& plan) {
   return shot.cameras.empty() ? "" : shot.cameras.front().name;
 }
 
-bool has_two_views(const shot::Shot& shot, const PictureOptions& options) {
+bool is_stereo(const shot::Shot& shot, const PictureOptions& options) {
   const render::CameraPtr camera = render_plan(shot, options).camera;
-  return camera && camera->eye_view(-1);
+  return camera && camera->stereo_view(-1);
 }
 
-render::Scene assemble(building::Builder& builder, const shot::RenderPlan& plan,
-                       const building::Moments& moments) {
+render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& plan,
+                          const building::TimeSamples& time_samples) {
   const shot::Shot& shot = builder.shot();
   render::Scene scene;
-  building::Cast cast = building::cast_of(builder, moments);
-  if (cast.objects.empty() && cast.lights.empty())
+  building::FlatScene flat = building::flatten_scene(builder, time_samples);
+  if (flat.objects.empty() && flat.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
-  building::light_plainly(cast, shot.medium.get());
-  scene.objects = std::move(cast.objects);
-  scene.lights = std::move(cast.lights);
+  building::add_default_light(flat, shot.medium.get());
+  scene.objects = std::move(flat.objects);
+  scene.lights = std::move(flat.lights);
   Box3d bounds;
   for (const render::Object& object : scene.objects) {
-    const render::Affine to = object.placing ? object.placing->at(0) : render::Affine();
+    const render::Affine to = object.instance ? object.instance->at(0) : render::Affine();
     Box3f box;
     if (object.mesh)
       for (const Vec3f& p : object.mesh->positions) box.extendBy(to.point(p));
@@ -254,18 +256,18 @@ render::Scene assemble(building::Builder& builder, const shot::RenderPlan& plan,
         volume::fog(builder.level_set(shot.medium_volume))));
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
   scene.camera = plan.camera ? plan.camera : outside_camera(bounds);
-  warn_of_rock(builder, plan, shot::shown_objects(shot), *scene.camera);
+  warn_if_inside_solid(builder, plan, shot::shown_objects(shot), *scene.camera);
   return render::in_space(std::move(scene), plan.working_space);
 }
 
 PictureJob prepare_picture(building::Builder& builder, const PictureOptions& options,
                            bool whole_film) {
   shot::RenderPlan plan = render_plan(builder.shot(), options);
-  const shot::RenderPlan at_frame = plan;
-  const building::Moments moments = shutter_moments(builder.shot(), options, plan);
-  plan.camera = camera_in_motion(moments, options, plan);
+  const shot::RenderPlan static_plan = plan;
+  const building::TimeSamples time_samples = shutter_samples(builder.shot(), options, plan);
+  plan.camera = animated_camera(time_samples, options, plan);
   if (options.eye != 0) {
-    plan.camera = plan.camera ? plan.camera->eye_view(options.eye) : nullptr;
+    plan.camera = plan.camera ? plan.camera->stereo_view(options.eye) : nullptr;
     if (!plan.camera)
       throw Error(ErrorCode::bad_input, "--eye: the camera has no views of a left and a right eye",
                   {}, "give it the distance of the eyes: interaxial 6.5cm");
@@ -281,41 +283,41 @@ PictureJob prepare_picture(building::Builder& builder, const PictureOptions& opt
   render.integrator = plan.integrator;
   render.noise = plan.noise;
   if (plan.deep) render.deep.emplace().tolerance = plan.deep_tolerance;
-  require_options_fit(options, plan, whole_film);
+  require_deep_supported(options, plan, whole_film);
   render.openings = plan.openings;
   if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
-  render.layers = early_layers(builder.shot(), plan, options);
-  if (options.denoise && !render.layers.has("variance"))
+  render.aovs = early_aovs(builder.shot(), plan, options);
+  if (options.denoise && !render.aovs.has("variance"))
     throw Error(ErrorCode::bad_input,
                 "--denoise: a picture without the layer 'variance' cannot be denoised", {},
                 "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
-  job.look.space = plan.working_space;
-  job.look.view = view_choice(plan, options);
-  require_memory(render::memory_estimate({}, render, whole_film), builder.room(),
+  job.output.space = plan.working_space;
+  job.output.view = view_selection(plan, options);
+  require_memory(render::memory_estimate({}, render, whole_film), builder.memory_budget(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
-  if (render.layers.has(render::kMotion)) render.step = frame_step(builder, options, at_frame);
-  job.scene = assemble(builder, plan, moments);
+  if (render.aovs.has(render::kMotion)) render.motion_step = frame_step(builder, options, static_plan);
+  job.scene = build_scene(builder, plan, time_samples);
   try {
-    render.layers = render::scene_layers(job.scene, plan.layers);
+    render.aovs = render::scene_aovs(job.scene, plan.layers);
   } catch (const Error& error) {
-    throw at_cause(error, layers_option(options), plan.where);
+    throw with_option(error, layers_option(options), plan.where);
   }
-  require_memory(render::memory_estimate(job.scene, render, whole_film), builder.room(),
+  require_memory(render::memory_estimate(job.scene, render, whole_film), builder.memory_budget(),
                  "the picture", std::string(kFewerPixels) + " or larger voxels");
-  job.look.exposure = plan.exposure;
-  job.look.half = plan.half;
-  job.look.multi_part = plan.multi_part;
-  job.look.tiled = plan.tiled;
-  job.look.denoise = options.denoise;
-  job.look.camera = job.scene.camera->matrices(static_cast<float>(render.width) /
-                                               static_cast<float>(render.height));
-  job.look.metadata = identifying_metadata(builder.shot(), options);
+  job.output.exposure = plan.exposure;
+  job.output.half = plan.half;
+  job.output.multi_part = plan.multi_part;
+  job.output.tiled = plan.tiled;
+  job.output.denoise = options.denoise;
+  job.output.camera = job.scene.camera->matrices(static_cast<float>(render.width) /
+                                                 static_cast<float>(render.height));
+  job.output.metadata = identifying_metadata(builder.shot(), options);
   if (const std::string inexact = plan.integrator ? plan.integrator->inexact() : "";
       !inexact.empty())
-    job.look.metadata.emplace_back("vug:inexact", inexact);
-  job.header = render::part_header(render);
+    job.output.metadata.emplace_back("vug:inexact", inexact);
+  job.header = render::partial_render_header(render);
   job.header.identity = identity(job.scene, builder.shot(), options);
-  job.header.notes = to_notes(job.look);
+  job.header.notes = to_header_attributes(job.output);
   return job;
 }
 

@@ -1,7 +1,7 @@
 // A shot as the renderer sees it.
 #pragma once
 
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/picture/picture_file.h>
 #include <vug/render/film/partial_render.h>
 
@@ -33,7 +33,7 @@ struct PictureOptions {
   std::vector<int> crop;         ///< Likewise.
   /// The same scene at another frame, or between frames, with the same objects for what stands
   /// still (see Still): asked while the shutter is open. Without it nothing is blurred by motion.
-  std::function<std::shared_ptr<const shot::Shot>(double frame)> moment = nullptr;
+  std::function<std::shared_ptr<const shot::Shot>(double frame)> shot_at_frame = nullptr;
 };
 
 /// The plan with the options applied; Error(bad_input) with the nearest name for unknown ones.
@@ -48,21 +48,21 @@ std::string camera_name(const shot::Shot& shot, const shot::RenderPlan& plan);
 image::Metadata identifying_metadata(const shot::Shot& shot, const PictureOptions& options);
 
 /// Whether the plan's camera is one for stereo.
-bool has_two_views(const shot::Shot& shot, const PictureOptions& options);
+bool is_stereo(const shot::Shot& shot, const PictureOptions& options);
 
 /// Meshes, materials, lamps and air. A shot without objects shows its meshes in grey; one without
 /// lights gets a soft sky.
-render::Scene assemble(building::Builder& builder, const shot::RenderPlan& plan,
-                       const building::Moments& moments = {});
+render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& plan,
+                          const building::TimeSamples& time_samples = {});
 
 /// Everything that a picture needs, ready to be rendered.
 struct PictureJob {
   render::Scene scene;
   render::Options options;
-  PictureLook look;
+  OutputSettings output;
   /// What makes it this picture and no other, for parts of it. With everything in its notes that
   /// writing the picture takes.
-  render::PartHeader header;
+  render::PartialRenderHeader header;
   SourceLocation where;  ///< The plan's name in the text.
 };
 

@@ -47,36 +47,37 @@ image::Image as_colour(image::Image smooth) {
 }
 
 void write_png(const std::filesystem::path& png, const image::Image& image,
-               const PictureLook& look) {
-  image::ViewOptions view = image::view_options(look.view, look.space);
-  view.exposure = look.exposure;
+               const OutputSettings& settings) {
+  image::ViewOptions view = image::view_options(settings.view, settings.space);
+  view.exposure = settings.exposure;
   image::write_png(png, image, view);
 }
 
-image::ExrOptions exr_options(const PictureLook& look, const render::PartHeader& header) {
+image::ExrOptions exr_options(const OutputSettings& settings, const render::PartialRenderHeader& header) {
   image::ExrOptions options;
-  options.half = look.half;
-  options.parts = look.multi_part;
-  options.tiles = look.tiled;
-  options.space = look.space;
-  if (look.camera) {
-    options.world_to_camera = look.camera->world_to_camera;
-    options.world_to_ndc = look.camera->world_to_ndc;
+  options.half = settings.half;
+  options.parts = settings.multi_part;
+  options.tiles = settings.tiled;
+  options.space = settings.space;
+  if (settings.camera) {
+    options.world_to_camera = settings.camera->world_to_camera;
+    options.world_to_ndc = settings.camera->world_to_ndc;
   }
-  options.metadata = look.metadata;
+  options.metadata = settings.metadata;
   options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
   return options;
 }
 
 /// With what the layers ask for.
-image::ExrOptions layered_options(const PictureLook& look, const render::PartHeader& header) {
-  image::ExrOptions options = exr_options(look, header);
-  for (const auto& entry : render::crypto_metadata(header.layers))
+image::ExrOptions layered_options(const OutputSettings& settings,
+                                  const render::PartialRenderHeader& header) {
+  image::ExrOptions options = exr_options(settings, header);
+  for (const auto& entry : render::crypto_metadata(header.aovs))
     options.metadata.push_back(entry);
   options.full_channels.insert(
       options.full_channels.end(),
       {render::kCryptoObject, render::kCryptoMaterial, render::kCryptoElement, render::kMotion});
-  for (const render::LayerAttribute& attribute : header.layers.attributes)
+  for (const render::AovAttribute& attribute : header.aovs.attributes)
     options.full_channels.push_back("attribute_" + attribute.name);
   return options;
 }
@@ -92,14 +93,14 @@ image::Image side_by_side(const image::Image& left, const image::Image& right) {
 }
 
 /// What denoising a view makes of it; nothing where its look does not ask for it.
-struct Denoised {
+struct DenoisedView {
   std::optional<image::Image> layers, shown;
 };
 
-std::vector<Denoised> denoised(const std::vector<PictureView>& views) {
-  std::vector<Denoised> out(views.size());
+std::vector<DenoisedView> denoise_views(const std::vector<PictureView>& views) {
+  std::vector<DenoisedView> out(views.size());
   for (size_t i = 0; i < views.size(); ++i) {
-    if (!from_notes(views[i].header.notes).denoise) continue;
+    if (!from_header_attributes(views[i].header.notes).denoise) continue;
     image::Image smooth = image::denoise(views[i].image);
     out[i].layers = image::joined(views[i].image, smooth);
     out[i].shown = as_colour(std::move(smooth));
@@ -113,22 +114,23 @@ std::string view_name(const std::vector<PictureView>& views, size_t i) {
 }
 
 void write_layers(const std::filesystem::path& exr, const std::vector<PictureView>& views,
-                  const std::vector<Denoised>& smooth) {
+                  const std::vector<DenoisedView>& smooth) {
   std::vector<image::ExrView> parts;
   for (size_t i = 0; i < views.size(); ++i)
-    parts.push_back({view_name(views, i), smooth[i].layers ? *smooth[i].layers : views[i].image,
-                     layered_options(from_notes(views[i].header.notes), views[i].header)});
+    parts.push_back(
+        {view_name(views, i), smooth[i].layers ? *smooth[i].layers : views[i].image,
+         layered_options(from_header_attributes(views[i].header.notes), views[i].header)});
   image::write_exr(exr, parts);
 }
 
-void write_shown(const std::filesystem::path& png, const std::vector<PictureView>& views,
-                 const std::vector<Denoised>& smooth) {
+void write_png_views(const std::filesystem::path& png, const std::vector<PictureView>& views,
+                     const std::vector<DenoisedView>& smooth) {
   const auto shown = [&](size_t i) -> const image::Image& {
     return smooth[i].shown ? *smooth[i].shown : views[i].image;
   };
-  const PictureLook look = from_notes(views.front().header.notes);
-  if (views.size() == 1) return write_png(png, shown(0), look);
-  write_png(png, side_by_side(shown(0), shown(1)), look);
+  const OutputSettings settings = from_header_attributes(views.front().header.notes);
+  if (views.size() == 1) return write_png(png, shown(0), settings);
+  write_png(png, side_by_side(shown(0), shown(1)), settings);
 }
 
 bool has_deep(const std::vector<PictureView>& views) { return views.front().deep != nullptr; }
@@ -137,82 +139,84 @@ void write_deep(const std::filesystem::path& file, const std::vector<PictureView
   std::vector<image::DeepView> deep;
   for (size_t i = 0; i < views.size(); ++i)
     deep.push_back({view_name(views, i), *views[i].deep,
-                    exr_options(from_notes(views[i].header.notes), views[i].header)});
+                    exr_options(from_header_attributes(views[i].header.notes), views[i].header)});
   image::write_deep_exr(file, deep);
 }
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& look) {
+std::vector<std::pair<std::string, std::string>> to_header_attributes(
+    const OutputSettings& settings) {
   std::vector<std::pair<std::string, std::string>> notes = {
-      {kExposure, fmt::format("{}", look.exposure)},
-      {kHalf, look.half ? "true" : "false"},
-      {kMultiPart, look.multi_part ? "true" : "false"},
-      {kTiled, look.tiled ? "true" : "false"}};
-  notes.emplace_back(kDenoise, look.denoise ? "true" : "false");
-  notes.emplace_back(kSpace, image::info(look.space).name);
-  notes.emplace_back(kView, look.view.view);
-  notes.emplace_back(kDisplay, look.view.display);
-  notes.emplace_back(kConfig, look.view.config.string());
-  if (look.camera) {
-    notes.emplace_back(kToCamera, matrix_text(look.camera->world_to_camera));
-    if (look.camera->world_to_ndc)
-      notes.emplace_back(kToNdc, matrix_text(*look.camera->world_to_ndc));
+      {kExposure, fmt::format("{}", settings.exposure)},
+      {kHalf, settings.half ? "true" : "false"},
+      {kMultiPart, settings.multi_part ? "true" : "false"},
+      {kTiled, settings.tiled ? "true" : "false"}};
+  notes.emplace_back(kDenoise, settings.denoise ? "true" : "false");
+  notes.emplace_back(kSpace, image::info(settings.space).name);
+  notes.emplace_back(kView, settings.view.view);
+  notes.emplace_back(kDisplay, settings.view.display);
+  notes.emplace_back(kConfig, settings.view.config.string());
+  if (settings.camera) {
+    notes.emplace_back(kToCamera, matrix_text(settings.camera->world_to_camera));
+    if (settings.camera->world_to_ndc)
+      notes.emplace_back(kToNdc, matrix_text(*settings.camera->world_to_ndc));
   }
-  for (const auto& [name, text] : look.metadata) notes.emplace_back(kMetadata + name, text);
+  for (const auto& [name, text] : settings.metadata) notes.emplace_back(kMetadata + name, text);
   return notes;
 }
 
-PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& notes) {
-  PictureLook look;
+OutputSettings from_header_attributes(
+    const std::vector<std::pair<std::string, std::string>>& notes) {
+  OutputSettings settings;
   for (const auto& [name, text] : notes) {
-    if (name == kExposure) look.exposure = std::strtod(text.c_str(), nullptr);
-    if (name == kHalf) look.half = text == "true";
-    if (name == kMultiPart) look.multi_part = text == "true";
-    if (name == kTiled) look.tiled = text == "true";
-    if (name == kDenoise) look.denoise = text == "true";
+    if (name == kExposure) settings.exposure = std::strtod(text.c_str(), nullptr);
+    if (name == kHalf) settings.half = text == "true";
+    if (name == kMultiPart) settings.multi_part = text == "true";
+    if (name == kTiled) settings.tiled = text == "true";
+    if (name == kDenoise) settings.denoise = text == "true";
     if (name == kSpace)
       for (const image::WorkingSpaceInfo& each : image::working_spaces())
-        if (each.name == text) look.space = each.space;
-    if (name == kView) look.view.view = text;
-    if (name == kDisplay) look.view.display = text;
-    if (name == kConfig) look.view.config = text;
-    if ((name == kToCamera || name == kToNdc) && !look.camera) look.camera.emplace();
-    if (name == kToCamera) look.camera->world_to_camera = read_matrix(text);
-    if (name == kToNdc) look.camera->world_to_ndc = read_matrix(text);
+        if (each.name == text) settings.space = each.space;
+    if (name == kView) settings.view.view = text;
+    if (name == kDisplay) settings.view.display = text;
+    if (name == kConfig) settings.view.config = text;
+    if ((name == kToCamera || name == kToNdc) && !settings.camera) settings.camera.emplace();
+    if (name == kToCamera) settings.camera->world_to_camera = read_matrix(text);
+    if (name == kToNdc) settings.camera->world_to_ndc = read_matrix(text);
     if (name.rfind(kMetadata, 0) == 0)
-      look.metadata.emplace_back(name.substr(std::string(kMetadata).size()), text);
+      settings.metadata.emplace_back(name.substr(std::string(kMetadata).size()), text);
   }
-  return look;
+  return settings;
 }
 
-std::filesystem::path png_beside(const std::filesystem::path& exr) {
+std::filesystem::path png_path(const std::filesystem::path& exr) {
   return std::filesystem::path(exr).replace_extension(".png");
 }
 
-std::filesystem::path deep_beside(const std::filesystem::path& exr) {
+std::filesystem::path deep_path(const std::filesystem::path& exr) {
   return std::filesystem::path(exr).replace_extension(".deep.exr");
 }
 
 std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
                                                  const std::vector<PictureView>& views) {
-  const std::vector<Denoised> smooth = denoised(views);
+  const std::vector<DenoisedView> smooth = denoise_views(views);
   write_layers(exr, views, smooth);
-  write_shown(png_beside(exr), views, smooth);
-  if (!has_deep(views)) return {exr, png_beside(exr)};
-  write_deep(deep_beside(exr), views);
-  return {exr, png_beside(exr), deep_beside(exr)};
+  write_png_views(png_path(exr), views, smooth);
+  if (!has_deep(views)) return {exr, png_path(exr)};
+  write_deep(deep_path(exr), views);
+  return {exr, png_path(exr), deep_path(exr)};
 }
 
 void write_picture_file(const std::filesystem::path& file, const std::vector<PictureView>& views) {
   const std::string name = file.filename().string(), extension = extension_of(file);
-  if (extension == ".png") return write_shown(file, views, denoised(views));
+  if (extension == ".png") return write_png_views(file, views, denoise_views(views));
   if (extension != ".exr")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for a picture", file.string()),
                 {}, "end it in .exr for all layers, or in .png for what an eye sees");
   constexpr std::string_view kDeep = ".deep.exr";
   if (name.size() < kDeep.size() || name.substr(name.size() - kDeep.size()) != kDeep)
-    return write_layers(file, views, denoised(views));
+    return write_layers(file, views, denoise_views(views));
   if (!has_deep(views))
     throw Error(ErrorCode::bad_input, "the picture was not rendered deep", {},
                 "ask for a deep picture when it is rendered");
@@ -220,9 +224,9 @@ void write_picture_file(const std::filesystem::path& file, const std::vector<Pic
 }
 
 void write_preview(const std::filesystem::path& png, const image::Image& image,
-                   const render::PartHeader& header) {
-  const PictureLook look = from_notes(header.notes);
-  write_png(png, look.denoise ? as_colour(image::denoise(image)) : image, look);
+                   const render::PartialRenderHeader& header) {
+  const OutputSettings settings = from_header_attributes(header.notes);
+  write_png(png, settings.denoise ? as_colour(image::denoise(image)) : image, settings);
 }
 
 }  // namespace vug::picture

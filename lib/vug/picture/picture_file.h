@@ -15,7 +15,7 @@
 namespace vug::picture {
 
 /// What writing a picture takes beyond its pixels.
-struct PictureLook {
+struct OutputSettings {
   double exposure = 0;      ///< Stops, for the PNG.
   bool half = true;         ///< 16-bit colour channels in the EXR.
   bool multi_part = false;  ///< A part of the EXR for each layer.
@@ -28,13 +28,15 @@ struct PictureLook {
 };
 
 /// The look as notes of a part, so that merging writes the same files, and back.
-std::vector<std::pair<std::string, std::string>> to_notes(const PictureLook& look);
-PictureLook from_notes(const std::vector<std::pair<std::string, std::string>>& notes);
+std::vector<std::pair<std::string, std::string>> to_header_attributes(
+    const OutputSettings& settings);
+OutputSettings from_header_attributes(
+    const std::vector<std::pair<std::string, std::string>>& notes);
 
 /// A picture, or what one of two eyes sees of it.
 struct PictureView {
   const image::Image& image;
-  const render::PartHeader& header;  ///< Tells where in the picture the image lies, and its look.
+  const render::PartialRenderHeader& header;  ///< Tells where in the picture the image lies, and its look.
   const image::DeepImage* deep = nullptr;
 };
 
@@ -46,12 +48,12 @@ std::vector<std::filesystem::path> write_picture(const std::filesystem::path& ex
 /// Writes one of these files: NAME.exr, NAME.png or NAME.deep.exr. Error(bad_input) for other names
 /// and for a deep picture of views without one.
 void write_picture_file(const std::filesystem::path& file, const std::vector<PictureView>& views);
-std::filesystem::path png_beside(const std::filesystem::path& exr);
+std::filesystem::path png_path(const std::filesystem::path& exr);
 /// NAME.deep.exr.
-std::filesystem::path deep_beside(const std::filesystem::path& exr);
+std::filesystem::path deep_path(const std::filesystem::path& exr);
 
 /// Only the PNG, as write_picture would write it.
 void write_preview(const std::filesystem::path& png, const image::Image& image,
-                   const render::PartHeader& header);
+                   const render::PartialRenderHeader& header);
 
 }  // namespace vug::picture

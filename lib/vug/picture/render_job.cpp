@@ -9,12 +9,12 @@ namespace vug::picture {
 namespace {
 namespace fs = std::filesystem;
 
-bool whole(const render::Share& share) {
-  return share.tiles == 1 && share.tile == 0 && share.begin == 0 && share.end == 0;
+bool whole(const render::RenderSlice& slice) {
+  return slice.bands == 1 && slice.band == 0 && slice.begin == 0 && slice.end == 0;
 }
 
 void require_fit(const RenderOptions& options) {
-  if (!whole(options.share) && options.part.empty())
+  if (!whole(options.slice) && options.part.empty())
     throw Error(ErrorCode::bad_input, "a part of a picture is no picture yet", {},
                 "name a file for it with --part, and put all parts together with vug merge");
   if (options.resume && options.checkpoint.empty())
@@ -27,26 +27,26 @@ void require_fit(const RenderOptions& options) {
 }
 
 /// How to go on after a stop.
-std::string kept_hint(const RenderOptions& options, const render::State& state) {
+std::string resume_hint(const RenderOptions& options, const render::RenderState& state) {
   return fmt::format("'{}' keeps what is done, {:.1f} %; {} goes on from it",
                      options.checkpoint.string(), std::floor(1000 * state.fraction()) / 10,
                      options.resume ? "the same command" : "the same command with --resume");
 }
 
 /// The state to begin with: that of the checkpoint, or an empty one.
-render::State first_state(const PictureJob& job, const RenderOptions& options) {
-  render::State state = render::start(job.options, options.share);
+render::RenderState initial_state(const PictureJob& job, const RenderOptions& options) {
+  render::RenderState state = render::begin_render(job.options, options.slice);
   if (!options.resume || !fs::exists(options.checkpoint)) return state;
   constexpr const char* kAnew = "remove it to begin anew";
   const auto read = [&] {
     try {
-      return render::read_part(options.checkpoint, "checkpoint");
+      return render::read_partial_render(options.checkpoint, "checkpoint");
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input) throw;
       throw Error(error.code(), error.what(), error.where(), kAnew);
     }
   };
-  render::Part kept = read();
+  render::PartialRender kept = read();
   const auto refuse = [&](const std::string& what) {
     return Error(ErrorCode::bad_input,
                  fmt::format("the checkpoint '{}' is of another picture: {}",
@@ -63,50 +63,50 @@ render::State first_state(const PictureJob& job, const RenderOptions& options) {
 
 }  // namespace
 
-Rendered render_picture(building::Builder& builder, const RenderOptions& options) {
+RenderResult render_picture(building::Builder& builder, const RenderOptions& options) {
   require_fit(options);
   const bool kept =
       !options.part.empty() || !options.checkpoint.empty() || !options.preview.empty();
   PictureJob job = prepare_picture(builder, options.picture, kept);
-  Rendered rendered{std::nullopt, std::nullopt, job.header, job.where};
-  render::Watch watch;
+  RenderResult rendered{std::nullopt, std::nullopt, job.header, job.where};
+  render::RenderCallbacks callbacks;
   const double memory = static_cast<double>(resident_memory()) +
                         render::memory_estimate(job.scene, job.options, kept);
-  if (options.estimate) watch.estimate = [&](double seconds) { options.estimate(seconds, memory); };
-  watch.faults = [&](uint64_t refused, uint64_t cut) {
+  if (options.estimate) callbacks.estimate = [&](double seconds) { options.estimate(seconds, memory); };
+  callbacks.invalid_samples = [&](uint64_t refused, uint64_t cut) {
     if (refused > 0)
       builder.warn(job.where, fmt::format("{} samples were no number and left out", refused),
                    "a material or a light gives values that are none");
     if (cut > 0)
-      builder.warn(job.where, fmt::format("{} samples were cut to {:.0f}", cut, render::kMostLight),
+      builder.warn(job.where, fmt::format("{} samples were cut to {:.0f}", cut, render::kMaxLight),
                    "a light is brighter than pictures can hold");
   };
   if (!kept) {
     image::DeepImage* deep = job.options.deep ? &rendered.deep.emplace() : nullptr;
-    rendered.image = render::render(job.scene, job.options, builder.progress(), watch, deep);
+    rendered.image = render::render(job.scene, job.options, builder.progress(), callbacks, deep);
     return rendered;
   }
   if (!options.checkpoint.empty()) {
-    watch.save_every = options.checkpoint_every;
-    watch.save = [&](const render::State& state) {
-      render::write_part(options.checkpoint, job.header, state);
+    callbacks.save_every = options.checkpoint_every;
+    callbacks.save = [&](const render::RenderState& state) {
+      render::write_partial_render(options.checkpoint, job.header, state);
     };
   }
   if (!options.preview.empty())
-    watch.pass = [&](const render::State& state) {
-      write_preview(options.preview, render::develop(state, job.options.layers), job.header);
+    callbacks.pass = [&](const render::RenderState& state) {
+      write_preview(options.preview, render::develop(state, job.options.aovs), job.header);
     };
-  render::State state = first_state(job, options);
+  render::RenderState state = initial_state(job, options);
   try {
-    render::proceed(job.scene, job.options, state, watch, builder.progress());
+    render::continue_render(job.scene, job.options, state, callbacks, builder.progress());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::cancelled || options.checkpoint.empty()) throw;
-    throw Error(error.code(), error.what(), error.where(), kept_hint(options, state));
+    throw Error(error.code(), error.what(), error.where(), resume_hint(options, state));
   }
   if (!options.part.empty())
-    render::write_part(options.part, job.header, state);
+    render::write_partial_render(options.part, job.header, state);
   else
-    rendered.image = render::develop(state, job.options.layers);
+    rendered.image = render::develop(state, job.options.aovs);
   return rendered;
 }
 

@@ -7,14 +7,14 @@
 
 namespace vug::picture {
 
-std::vector<Rendered> render_views(building::Builder& builder, const RenderOptions& options) {
-  if (options.picture.eye != 0 || !has_two_views(builder.shot(), options.picture))
+std::vector<RenderResult> render_views(building::Builder& builder, const RenderOptions& options) {
+  if (options.picture.eye != 0 || !is_stereo(builder.shot(), options.picture))
     return {render_picture(builder, options)};
   if (!options.part.empty() || !options.checkpoint.empty())
     throw Error(ErrorCode::bad_input,
                 "a picture of two views has no checkpoint and is not made of parts", {},
                 "render one view at a time: --eye left, then --eye right");
-  std::vector<Rendered> views;
+  std::vector<RenderResult> views;
   for (const int eye : {-1, 1}) {
     RenderOptions one = options;
     one.picture.eye = eye;
@@ -24,22 +24,23 @@ std::vector<Rendered> render_views(building::Builder& builder, const RenderOptio
   return views;
 }
 
-std::vector<PictureView> views_of(const std::vector<Rendered>& rendered) {
+std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered) {
   std::vector<PictureView> views;
-  for (const Rendered& each : rendered)
+  for (const RenderResult& each : rendered)
     if (each.image) views.push_back({*each.image, each.header, each.deep ? &*each.deep : nullptr});
   return views;
 }
 
-void warn_of_exposure(const building::Builder& builder, const Rendered& picture) {
+void warn_of_exposure(const building::Builder& builder, const RenderResult& picture) {
   constexpr double kOff = 5;  // stops
-  const PictureLook look = from_notes(picture.header.notes);
-  const double exposure = look.exposure;
-  const std::optional<double> grey = image::grey_exposure(*picture.image, look.space);
+  const OutputSettings settings = from_header_attributes(picture.header.notes);
+  const double exposure = settings.exposure;
+  const std::optional<double> grey = image::grey_exposure(*picture.image, settings.space);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
   // A lamp in a dark room makes no bright picture: most of it has to be.
   const double bright = 0.18 * std::exp2(kOff - exposure);
-  if (grey && *grey < exposure && image::fraction_above(*picture.image, bright, look.space) < 0.5)
+  if (grey && *grey < exposure &&
+      image::fraction_above(*picture.image, bright, settings.space) < 0.5)
     return;
   builder.warn(picture.where,
                !grey              ? "no light reaches the picture"

@@ -1,9 +1,9 @@
 #include <vug/base/median.h>
 #include <vug/facade/grammar_output.h>
-#include <vug/fit/as_facade.h>
+#include <vug/fit/to_facade.h>
 #include <vug/fit/evidence/cluster_image.h>
-#include <vug/fit/model/compile.h>
 #include <vug/fit/learning/labelling.h>
+#include <vug/fit/model/compile.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
 
@@ -53,9 +53,9 @@ double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
 /// Of carved windows, in whole centimetres; nothing where what was seen is no more than depths err
 /// by.
 std::optional<double> window_reveal(const FacadeFit& fit) {
-  constexpr double kLeast = 0.02, kMost = 0.4;  // metres
-  if (!(fit.reveal > kLeast)) return std::nullopt;
-  return std::round(100 * std::min(fit.reveal, kMost)) / 100;
+  constexpr double kMin = 0.02, kMax = 0.4;  // metres
+  if (!(fit.reveal > kMin)) return std::nullopt;
+  return std::round(100 * std::min(fit.reveal, kMax)) / 100;
 }
 
 void set_reveal(FacadeFit& fit) {
@@ -75,7 +75,7 @@ Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options)
   if (options.height > 0) return {options.height * picture.shape, options.height};
   if (picture.metres_wide > 0) return {picture.metres_wide, picture.metres_wide / picture.shape};
   constexpr double kLowest = 1, kHighest = 100;  // metres
-  const Vec2d usual(kUsualWidth, kUsualWidth / picture.shape);
+  const Vec2d usual(kDefaultWidth, kDefaultWidth / picture.shape);
   if (usual.y < kLowest || usual.y > kHighest)
     throw Error(
         ErrorCode::bad_input,

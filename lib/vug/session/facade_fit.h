@@ -5,7 +5,7 @@
 #include <vug/facade/tree.h>
 #include <vug/fit/evidence/cluster_image.h>
 #include <vug/fit/learning/pixel_classifier.h>
-#include <vug/fit/read.h>
+#include <vug/fit/fit_facade.h>
 #include <vug/session/facade_picture.h>
 
 #include <memory>
@@ -13,7 +13,7 @@
 namespace vug::session {
 
 /// Of a facade of which nothing tells it, metres.
-constexpr double kUsualWidth = 12;
+constexpr double kDefaultWidth = 12;
 
 struct FacadeFitOptions {
   std::filesystem::path grammar;  ///< Rules with free sizes.
@@ -23,7 +23,7 @@ struct FacadeFitOptions {
   std::shared_ptr<const fit::LookModel> looks;
   double trust = 0;  ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
   /// Of the facade, metres. Of one that is 0 the picture's shape tells; of both the picture, else
-  /// kUsualWidth.
+  /// kDefaultWidth.
   double width = 0, height = 0;
   fit::SamplerOptions sampler;
   uint64_t seed = 0;

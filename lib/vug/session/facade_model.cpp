@@ -19,7 +19,7 @@ constexpr double kFramedVoxel = 0.05;
 
 }  // namespace
 
-fs::path find_grammar(const fs::path& folder, const std::string& file) {
+fs::path find_grammar_file(const fs::path& folder, const std::string& file) {
   std::vector<fs::path> folders;
   if (!folder.empty()) folders.push_back(folder);
   for (const fs::path& data : loading::data_folders()) {
@@ -41,12 +41,13 @@ fs::path find_grammar(const fs::path& folder, const std::string& file) {
                            : fmt::format("did you mean '{}'?", near));
 }
 
-modeller::StyleLoader facade_styles(const fs::path& folder) {
+modeller::StyleLoader facade_style_loader(const fs::path& folder) {
   return [folder](const std::string& file, const std::string& facade) {
     Diagnostics diagnostics;
     scene::ParseOptions options;
     options.include_folders = loading::data_folders();
-    scene::Document document = scene::parse_file(find_grammar(folder, file), diagnostics, options);
+    scene::Document document =
+        scene::parse_file(find_grammar_file(folder, file), diagnostics, options);
     for (const Diagnostic& one : diagnostics.all())
       if (one.severity == Severity::error)
         throw Error(ErrorCode::bad_input, one.message, one.where, one.hint);
@@ -59,7 +60,7 @@ std::string pane_voxel(const std::string& voxel) {
   return fmt::format("min({0}, clamp({0} / 4, 1cm, 3cm))", voxel);
 }
 
-std::string carving_scene(const facade::Tree& tree, const FacadeCarving& options) {
+std::string carving_scene(const facade::Tree& tree, const CarvingOptions& options) {
   const std::string& name = options.name.empty() ? tree.name : options.name;
   const std::string voxel = fmt::format("{}m", options.voxel);
   std::string out = facade::grammar_text(tree, {.name = name, .thickness = options.thickness});

@@ -9,13 +9,14 @@ namespace vug::session {
 
 /// Finds a session's grammar: a relative name in the session's folder, else among the data that
 /// comes with us, in facades/ too. Lets of the grammar's text may hold whatever scenes know.
-modeller::StyleLoader facade_styles(const std::filesystem::path& folder);
+modeller::StyleLoader facade_style_loader(const std::filesystem::path& folder);
 
-/// As facade_styles finds it; without a folder only among the data. Error(bad_input) where there is
-/// none.
-std::filesystem::path find_grammar(const std::filesystem::path& folder, const std::string& file);
+/// As facade_style_loader finds it; without a folder only among the data. Error(bad_input) where
+/// there is none.
+std::filesystem::path find_grammar_file(const std::filesystem::path& folder,
+                                        const std::string& file);
 
-struct FacadeCarving {
+struct CarvingOptions {
   double voxel = 0.04;     ///< Metres.
   double thickness = 0.6;  ///< Of the wall, metres.
   std::string name = {};   ///< Of the grammar; empty: the tree's.
@@ -25,7 +26,7 @@ struct FacadeCarving {
 /// its openings (only where the wall's voxels are fine enough for their frames). What is carved is
 /// built from this text, so that its recipe tells the very sizes. Nodes that are open are plain
 /// wall.
-std::string carving_scene(const facade::Tree& tree, const FacadeCarving& options);
+std::string carving_scene(const facade::Tree& tree, const CarvingOptions& options);
 
 /// The voxels of what fills openings, as an expression of the wall's: finer, as panes are sheets of
 /// 6 cm, but not so fine that they take longer than the wall.

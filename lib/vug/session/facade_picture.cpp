@@ -118,10 +118,10 @@ void set_depth(FacadePicture& picture, const image::Image& depth) {
 }
 
 void require_pixels(int width, int height, const std::string& what) {
-  if (std::min(width, height) >= kLeastPixels) return;
+  if (std::min(width, height) >= kMinPixels) return;
   throw Error(ErrorCode::bad_input,
               fmt::format("{} has {} x {} pixels, which show no windows", what, width, height), {},
-              fmt::format("{} each way are the least", kLeastPixels));
+              fmt::format("{} each way are the least", kMinPixels));
 }
 
 bool of_one_colour(const image::Image& picture) {

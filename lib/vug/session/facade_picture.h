@@ -22,7 +22,7 @@ struct FacadePicture {
 };
 
 /// Fewer, to a side, show no windows.
-constexpr int kLeastPixels = 16;
+constexpr int kMinPixels = 16;
 
 struct FacadePictureOptions {
   fit::WorkingLimits limits;
@@ -33,7 +33,7 @@ struct FacadePictureOptions {
 /// The depth is a layer `depth` (metres before the plane), or `Z` (metres from an orthographic
 /// camera), of which the most frequent is the wall. How large it is follows where the header of the
 /// depth's file, or else of the photo's, tells the size of a pixel (scan::told_pixel).
-/// Error(bad_input) for files that are no pictures, of different shape, of fewer than kLeastPixels
+/// Error(bad_input) for files that are no pictures, of different shape, of fewer than kMinPixels
 /// a side, without any pixel that counts, or of one colour alone; Error(too_large) before they are
 /// read.
 FacadePicture read_facade_picture(const std::filesystem::path& photo,

@@ -123,9 +123,9 @@ Json rendered_picture(building::Builder& builder, const ScratchFolder& scratch) 
   options.picture.spp = std::min(plan.spp, kSamples);
   options.picture.denoise = true;
   options.picture.deep = false;
-  const std::vector<picture::Rendered> rendered = picture::render_views(builder, options);
+  const std::vector<picture::RenderResult> rendered = picture::render_views(builder, options);
   const std::filesystem::path png = scratch.file("picture.png");
-  picture::write_picture_file(png, picture::views_of(rendered));
+  picture::write_picture_file(png, picture::picture_views(rendered));
   return picture(
       png, fmt::format("Rendered small for this page: {} x {}, {} samples a pixel, "
                        "smoothed",
@@ -148,7 +148,7 @@ std::string largest_mesh(building::Builder& builder) {
   return name;
 }
 
-void thin_out(exchange::Assembly& assembly, size_t most, Progress& progress) {
+void decimate(exchange::Assembly& assembly, size_t most, Progress& progress) {
   const size_t all = triangles(assembly);
   if (all <= most) return;
   const double share = static_cast<double>(most) / static_cast<double>(all);
@@ -164,8 +164,8 @@ void thin_out(exchange::Assembly& assembly, size_t most, Progress& progress) {
 
 }  // namespace
 
-Preview preview(building::Builder& builder, const loading::Loaded& loaded,
-                const PreviewOptions& options) {
+Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
+                     const PreviewOptions& options) {
   const shot::Shot& shot = builder.shot();
   const shot::RenderPlan plan = picture::render_plan(shot, {});
   const ScratchFolder scratch("vug_preview");
@@ -179,21 +179,21 @@ Preview preview(building::Builder& builder, const loading::Loaded& loaded,
                {"metrics", nullptr}};
   if (!options.picture.empty())
     data["picture"] = picture(options.picture, options.picture.filename().string());
-  delivery::Assembled made = delivery::assemble(builder);
+  delivery::AssemblyResult made = delivery::build_assembly(builder);
   Preview out;
   out.whole = triangles(made.assembly);
-  thin_out(made.assembly, options.max_triangles, builder.progress());
+  decimate(made.assembly, options.max_triangles, builder.progress());
   out.triangles = triangles(made.assembly);
   const std::filesystem::path glb = scratch.file("model.glb");
   const exchange::Format& format = exchange::format("glb");
   exchange::WriteReport written =
       exchange::write(format, made.assembly, *format.space, glb, {}, builder.progress());
-  out.left_out = std::move(made.left_out);
+  out.unsupported = std::move(made.unsupported);
   if (shot.medium)
-    out.left_out.push_back(
+    out.unsupported.push_back(
         fmt::format("the medium '{}': the page shows surfaces", shot.medium_name));
   for (const auto& more : {written.unsupported, written.notes})  // no add-on reads the page
-    out.left_out.insert(out.left_out.end(), more.begin(), more.end());
+    out.unsupported.insert(out.unsupported.end(), more.begin(), more.end());
 
   const std::string mesh = options.mesh.empty() ? largest_mesh(builder) : options.mesh;
   if (!shot.meshes.empty() || !mesh.empty()) {
@@ -208,7 +208,7 @@ Preview preview(building::Builder& builder, const loading::Loaded& loaded,
   data["whole"] = out.whole;
   data["trees"] = trees(shot);
   data["parameters"] = parameters(loaded);
-  data["recipe"] = delivery::recipe_in(shot.recipe).scene;
+  data["recipe"] = delivery::parse_recipe(shot.recipe).scene;
   out.page = filled(options.page, {{"@VUG_TITLE@", xml_text(shot.name)},
                                    {"@VUG_DATA@", script_text(data)},
                                    {"@VUG_MODEL@", base64(read_text(glb))}});

@@ -21,15 +21,15 @@ struct PreviewOptions {
 };
 
 struct Preview {
-  std::string page;                   ///< Whole, and needs no other file.
-  size_t triangles = 0, whole = 0;    ///< In the page, and before they were thinned out.
-  std::vector<std::string> left_out;  ///< In sentences, what the model cannot hold.
+  std::string page;                      ///< Whole, and needs no other file.
+  size_t triangles = 0, whole = 0;       ///< In the page, and before they were thinned out.
+  std::vector<std::string> unsupported;  ///< In sentences, what the model cannot hold.
 };
 
 /// The model as glTF in the page, with the picture, the derivation trees, the metrics, the
 /// parameters and the recipe as JSON. The builder's shot is that of `loaded` by with_meshes. The
 /// same scene, the same bytes. Error(bad_input) where the page lacks a mark or the picture is none.
-Preview preview(building::Builder& builder, const loading::Loaded& loaded,
-                const PreviewOptions& options);
+Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
+                     const PreviewOptions& options);
 
 }  // namespace vug::session

@@ -7,17 +7,17 @@
 namespace vug::shot {
 namespace {
 
-constexpr int kMostSteps = 1000000;
+constexpr int kMaxSteps = 1000000;
 
 Schema<CellStage> stage_schema(const std::string& rule) {
   Schema<CellStage> s(rule, "rule");
   s.param("begin", &CellStage::begin,
-          {.doc = "its first step; the run begins with 0", .min = 0, .max = kMostSteps})
+          {.doc = "its first step; the run begins with 0", .min = 0, .max = kMaxSteps})
       .param("steps", &CellStage::steps,
              {.doc = "how many steps it works for; to the end of the run if not given, a rule for "
                      "a single step one",
               .min = 1,
-              .max = kMostSteps})
+              .max = kMaxSteps})
       .param("where", &CellStage::where,
              {.doc = "the cells that it may rewrite: each with the chance that the mask gives; "
                      "asked anew in "
@@ -27,7 +27,7 @@ Schema<CellStage> stage_schema(const std::string& rule) {
 
 }  // namespace
 
-Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
+Kind<CellStagePtr> stage_kind(const cells::RuleKind& rule) {
   const Schema<CellStage> schema = stage_schema(rule.info.name);
   KindInfo info = rule.info;
   const std::vector<ParamInfo>& own = schema.info().params;
@@ -47,7 +47,7 @@ Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
     if (!made || !stage) return std::nullopt;
     stage->rule = *made;
     stage->name = rule.info.name;
-    stage->at = where;
+    stage->location = where;
     return std::make_shared<const CellStage>(std::move(*stage));
   };
   return {std::move(info), make};
@@ -56,7 +56,7 @@ Kind<CellStagePtr> as_stage(const cells::RuleKind& rule) {
 const Kinds<CellStagePtr>& cell_stages() {
   static const std::deque<Kind<CellStagePtr>> made = [] {
     std::deque<Kind<CellStagePtr>> all;
-    for (const cells::RuleKind* rule : cells::rules()) all.push_back(as_stage(*rule));
+    for (const cells::RuleKind* rule : cells::rules()) all.push_back(stage_kind(*rule));
     return all;
   }();
   static const Kinds<CellStagePtr> kinds = [] {

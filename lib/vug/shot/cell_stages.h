@@ -10,7 +10,7 @@ namespace vug::shot {
 const Kinds<CellStagePtr>& cell_stages();
 
 /// The same of one, which must outlive it.
-Kind<CellStagePtr> as_stage(const cells::RuleKind& rule);
+Kind<CellStagePtr> stage_kind(const cells::RuleKind& rule);
 
 }  // namespace vug::shot
 

@@ -30,18 +30,18 @@ std::string CellsPlan::fault() const {
   return {};
 }
 
-MeshPtr below(const MeshPlan& mesh) {
-  return mesh.cells ? mesh.cells->on.at(mesh.ground) : nullptr;
+MeshPtr mesh_without_cells(const MeshPlan& mesh) {
+  return mesh.cells ? mesh.cells->on.at(mesh.support) : nullptr;
 }
 
 std::vector<MeshPtr> parts_of(const MeshPtr& mesh) {
   return mesh->parts.empty() ? std::vector<MeshPtr>{mesh} : mesh->parts;
 }
 
-MeshPtr part_on(const MeshPtr& mesh, const MeshPtr& ground) {
+MeshPtr part_with_support(const MeshPtr& mesh, const MeshPtr& support) {
   for (const MeshPtr& part : parts_of(mesh))
-    for (MeshPtr each = part; each; each = below(*each))
-      if (*each == *ground) return part;
+    for (MeshPtr each = part; each; each = mesh_without_cells(*each))
+      if (*each == *support) return part;
   return nullptr;
 }
 

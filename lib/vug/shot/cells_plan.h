@@ -17,10 +17,10 @@ namespace vug::shot {
 struct CellStage {
   cells::RulePtr rule;
   std::string name;
-  int begin = 0;             ///< Its first step, from 0.
-  std::optional<int> steps;  ///< How many; not given: to the end, or one for rules that say so.
-  paint::Mask where;         ///< The chance of a cell to be rewritten by it; null: all are.
-  SourceLocation at{};       ///< Its place in the text.
+  int begin = 0;              ///< Its first step, from 0.
+  std::optional<int> steps;   ///< How many; not given: to the end, or one for rules that say so.
+  paint::Mask where;          ///< The chance of a cell to be rewritten by it; null: all are.
+  SourceLocation location{};  ///< Its place in the text.
 
   /// How many steps it works for; below 0: to the end.
   int span() const { return steps.value_or(rule->is_single_step() ? 1 : -1); }
@@ -45,13 +45,13 @@ struct CellsPlan {
   std::filesystem::path from;  ///< Points that they go on from; empty: none.
   std::vector<std::string> files = {"points", "grids"};  ///< See `writes`.
   bool half = false;                                     ///< Numbers in files have 16 bits.
-  std::vector<std::string> brings;  ///< Names of attributes that it will carry.
+  std::vector<std::string> attribute_names;  ///< Names of attributes that it will carry.
   RandomKey key{0};
   /// Nothing of it but `steps` depends on the frame: another frame's run can go on to this one's.
-  bool still = false;
-  std::vector<std::string> surroundings;  ///< Those of building/cell_context.h that it names.
-  SourceLocation where;                   ///< Its name in the text.
-  SourceLocation spacing_where;           ///< What `spacing` says there.
+  bool resumable = false;
+  std::vector<std::string> context_attributes;  ///< Those of building/cell_context.h that it names.
+  SourceLocation where;                         ///< Its name in the text.
+  SourceLocation spacing_where;                 ///< What `spacing` says there.
 
   /// Steps of the whole run: `steps`, else what the last stage needs: 100 if it says nothing.
   int length() const;
@@ -61,12 +61,12 @@ struct CellsPlan {
 };
 
 /// The mesh without the last cells that it wears; null where it wears none.
-MeshPtr below(const MeshPlan& mesh);
+MeshPtr mesh_without_cells(const MeshPlan& mesh);
 
 /// What the mesh is made of: its parts, or itself.
 std::vector<MeshPtr> parts_of(const MeshPtr& mesh);
 
 /// Of its parts the one that is `ground` under what it wears; null where there is none.
-MeshPtr part_on(const MeshPtr& mesh, const MeshPtr& ground);
+MeshPtr part_with_support(const MeshPtr& mesh, const MeshPtr& support);
 
 }  // namespace vug::shot

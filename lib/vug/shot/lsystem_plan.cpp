@@ -42,8 +42,8 @@ const Schema<LSystemBlock>& lsystem_schema() {
   return schema;
 }
 
-lsystem::Derivation LSystemPlan::derived(std::optional<int> steps,
-                                         std::optional<double> time) const {
+lsystem::Derivation LSystemPlan::derive(std::optional<int> steps,
+                                        std::optional<double> time) const {
   const lsystem::TurtleEnvironment environment(block, block.field);
   return lsystem::derive(
       *system, {.steps = steps, .time = time, .memory = memory(), .environment = &environment});
@@ -58,7 +58,7 @@ std::optional<uint64_t> LSystemPlan::memory() const {
 }
 
 lsystem::Drawing LSystemPlan::draw() const {
-  return lsystem::draw(interpret(derived()), system->alphabet, block);
+  return lsystem::draw(interpret(derive()), system->alphabet, block);
 }
 
 lsystem::DrawingPtr LSystemPlan::drawing() const {

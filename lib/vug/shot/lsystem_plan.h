@@ -32,7 +32,7 @@ class LSystemPlan {
   const LSystemBlock block;
 
   /// The word after the block's steps or at its time, or those given: its turtle answers queries.
-  lsystem::Derivation derived(std::optional<int> steps = {}, std::optional<double> time = {}) const;
+  lsystem::Derivation derive(std::optional<int> steps = {}, std::optional<double> time = {}) const;
   /// Such a word as the turtle reads it.
   lsystem::Word interpret(lsystem::Derivation derivation) const;
   /// What is drawn of that, made when it is first asked for.

@@ -9,7 +9,7 @@
 
 namespace vug::shot {
 
-mesh::Mesh mesh_of(const Drawn& drawn, double tolerance) {
+mesh::Mesh mesh_from_source(const MeshSource& drawn, double tolerance) {
   if (drawn.shape) return *drawn.shape;
   if (drawn.polygons) return flora::polygon_mesh(*drawn.polygons->drawing());
   const std::vector<flora::Tube> tubes = flora::tubes_of(drawn.stems);
@@ -25,13 +25,13 @@ mesh::Mesh mesh_of(const Drawn& drawn, double tolerance) {
 
 namespace vug {
 
-std::optional<shot::Drawn> ValueTraits<shot::Drawn>::read(const Value& value) {
+std::optional<shot::MeshSource> ValueTraits<shot::MeshSource>::read(const Value& value) {
   if (const auto plant = ValueTraits<shot::LSystemPtr>::read(value))
-    return shot::Drawn{field::Field(), *plant, nullptr};
+    return shot::MeshSource{field::Field(), *plant, nullptr};
   if (const auto solid = ValueTraits<field::Field>::read(value))
-    return shot::Drawn{*solid, nullptr, nullptr};
+    return shot::MeshSource{*solid, nullptr, nullptr};
   if (const auto* shape = value.object<flora::Shape>())
-    return shot::Drawn{field::Field(), nullptr, shape->mesh};
+    return shot::MeshSource{field::Field(), nullptr, shape->mesh};
   return std::nullopt;
 }
 

@@ -7,7 +7,7 @@
 
 namespace vug::shot {
 
-struct Drawn {
+struct MeshSource {
   field::Field stems;
   LSystemPtr polygons;  ///< Null where it is of stems.
   mesh::MeshPtr shape;  ///< In place of both.
@@ -16,17 +16,17 @@ struct Drawn {
 /// With unit normals. Stems are cut into edges no further than `tolerance` metres from round;
 /// polygons make sheets. Where nothing is drawn it is empty, as in a film before anything grows.
 /// Error(bad_input) for a field that is not of stems, and for polygons that cross themselves.
-mesh::Mesh mesh_of(const Drawn& drawn, double tolerance);
+mesh::Mesh mesh_from_source(const MeshSource& drawn, double tolerance);
 
 }  // namespace vug::shot
 
 namespace vug {
 
 template <>
-struct ValueTraits<shot::Drawn> {
+struct ValueTraits<shot::MeshSource> {
   static std::string type() { return "stems, lsystem or shape"; }
-  static std::optional<shot::Drawn> read(const Value& value);
-  static Value write(const shot::Drawn&) { return {}; }
+  static std::optional<shot::MeshSource> read(const Value& value);
+  static Value write(const shot::MeshSource&) { return {}; }
 };
 
 }  // namespace vug

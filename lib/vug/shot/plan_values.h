@@ -18,15 +18,15 @@ struct ValueTraits<shot::MeshPtr> : ObjectTraits<shot::MeshPtr> {
 
 /// A mesh, or a level set that stands for a plain mesh of it.
 namespace shot {
-struct AnyMesh {
+struct MeshOrLevelSet {
   MeshPtr mesh;
 };
 }  // namespace shot
 template <>
-struct ValueTraits<shot::AnyMesh> {
+struct ValueTraits<shot::MeshOrLevelSet> {
   static std::string type() { return "mesh or level set"; }
-  static std::optional<shot::AnyMesh> read(const Value& value);
-  static Value write(const shot::AnyMesh& any) {
+  static std::optional<shot::MeshOrLevelSet> read(const Value& value);
+  static Value write(const shot::MeshOrLevelSet& any) {
     return ValueTraits<shot::MeshPtr>::write(any.mesh);
   }
 };

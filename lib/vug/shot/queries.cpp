@@ -40,7 +40,7 @@ std::vector<MeshPtr> declared_meshes(const Shot& shot) {
   return kept;
 }
 
-std::vector<MeshPtr> meshes_of(const Shot& shot) {
+std::vector<MeshPtr> shown_meshes(const Shot& shot) {
   if (!shot.meshes.empty()) return declared_meshes(shot);
   std::vector<MeshPtr> meshes;
   for (const VolumePtr& volume : shot.volumes) {
@@ -67,7 +67,7 @@ ObjectPlan plain_object(const MeshPtr& mesh) {
 
 std::vector<ObjectPlan> shown_objects(const Shot& shot) {
   const auto is_placed = [&](const std::string& name, const MeshPtr& mesh) {
-    for (const PlacePlan& plan : shot.places)
+    for (const PointInstancer& plan : shot.instancers)
       for (const Model& model : plan.of)
         if (mesh ? model.mesh == mesh : !model.scene && !model.mesh && model.name == name)
           return true;
@@ -77,7 +77,7 @@ std::vector<ObjectPlan> shown_objects(const Shot& shot) {
   for (const ObjectPlan& object : shot.objects)
     if (!is_placed(object.name, nullptr)) shown.push_back(object);
   if (!shot.objects.empty()) return shown;
-  for (const MeshPtr& mesh : meshes_of(shot))
+  for (const MeshPtr& mesh : shown_meshes(shot))
     if (!is_placed(mesh->name, mesh)) shown.push_back(plain_object(mesh));
   return shown;
 }
@@ -86,7 +86,7 @@ std::vector<std::string> light_groups(const Shot& shot) {
   std::vector<std::string> groups;
   for (const auto& [name, light] : shot.lights) groups.push_back(light->linking().group);
   for (const ObjectPlan& object : shot.objects) groups.push_back(object.light_group);
-  for (const PlacePlan& plan : shot.places)
+  for (const PointInstancer& plan : shot.instancers)
     for (const Model& model : plan.of) {
       if (!model.scene) continue;
       const std::vector<std::string> more = light_groups(*model.scene);
@@ -102,12 +102,12 @@ std::vector<std::string> element_names(const MeshPlan& plan) {
     names.insert(names.end(), more.begin(), more.end());
   };
   for (const MeshPtr& part : plan.parts) add(part);
-  if (const MeshPtr under = below(plan)) add(under);
+  if (const MeshPtr under = mesh_without_cells(plan)) add(under);
   return names;
 }
 
 MeshPtr find_mesh(const Shot& shot, const std::string& name) {
-  std::vector<MeshPtr> meshes = meshes_of(shot);
+  std::vector<MeshPtr> meshes = shown_meshes(shot);
   for (const MeshPtr& mesh : shot.meshes)
     if (std::find(meshes.begin(), meshes.end(), mesh) == meshes.end()) meshes.push_back(mesh);
   return find_named(meshes, name, "mesh", kVolume);

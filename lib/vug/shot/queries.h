@@ -12,7 +12,7 @@ namespace vug::shot {
 std::vector<MeshPtr> declared_meshes(const Shot& shot);
 
 /// The meshes a shot shows or measures: those it declares, else one for each level set.
-std::vector<MeshPtr> meshes_of(const Shot& shot);
+std::vector<MeshPtr> shown_meshes(const Shot& shot);
 
 /// The cells that a shot declares, in its order; also those that others stand on.
 std::vector<CellsPtr> declared_cells(const Shot& shot);
@@ -30,9 +30,8 @@ std::vector<std::string> light_groups(const Shot& shot);
 /// The attributes that tell its elements apart, those of what it wears cells on too.
 std::vector<std::string> element_names(const MeshPlan& plan);
 
-/// Of what a shot shows or measures (see meshes_of), and of meshes under cells; an empty name takes
-/// the first.
-/// Error(bad_input), with the nearest name, where there is none.
+/// Of what a shot shows or measures (see shown_meshes), and of meshes under cells; an empty name
+/// takes the first. Error(bad_input), with the nearest name, where there is none.
 MeshPtr find_mesh(const Shot& shot, const std::string& name);
 /// Likewise of its volumes.
 VolumePtr find_volume(const Shot& shot, const std::string& name);

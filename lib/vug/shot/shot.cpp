@@ -9,7 +9,7 @@ void with_lists(A& a, B& b, const With& with) {
   with(a.volumes, b.volumes);
   with(a.meshes, b.meshes);
   with(a.objects, b.objects);
-  with(a.places, b.places);
+  with(a.instancers, b.instancers);
   with(a.cameras, b.cameras);
   with(a.lights, b.lights);
   with(a.materials, b.materials);
@@ -33,21 +33,21 @@ MeshPtr plain_mesh(const VolumePtr& volume) {
   return std::make_shared<const MeshPlan>(std::move(plan));
 }
 
-Shot::Ends Shot::ends() const {
-  Ends out;
+Shot::Snapshot Shot::snapshot() const {
+  Snapshot out;
   out.medium = medium != nullptr;
   with_lists(*this, *this,
              [&](const auto& list, const auto&) { out.lists.push_back(list.size()); });
   return out;
 }
 
-Shot Shot::since(const Ends& ends) const {
+Shot Shot::delta(const Snapshot& snapshot) const {
   Shot out;
   size_t i = 0;
   with_lists(*this, out, [&](const auto& from, auto& to) {
-    to.assign(from.begin() + static_cast<std::ptrdiff_t>(ends.lists.at(i++)), from.end());
+    to.assign(from.begin() + static_cast<std::ptrdiff_t>(snapshot.lists.at(i++)), from.end());
   });
-  if (!ends.medium) copy_medium(*this, out);
+  if (!snapshot.medium) copy_medium(*this, out);
   return out;
 }
 

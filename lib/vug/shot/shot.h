@@ -29,7 +29,7 @@ struct Tree;
 }  // namespace vug::facade
 namespace vug::building {
 class Builder;
-struct Place;
+struct Instance;
 }  // namespace vug::building
 
 namespace vug::shot {
@@ -40,7 +40,8 @@ struct MeshPlan;
 struct VolumePlan {
   std::string name;  ///< Also the grid's name in the file.
   field::Field field;
-  std::shared_ptr<const MeshPlan> of;  ///< The mesh that it is made of in place of the field.
+  std::shared_ptr<const MeshPlan>
+      source_mesh;  ///< The mesh that it is made of in place of the field.
   bool fog = false;
   double voxel = 0.1;         ///< Metres.
   double half_width = 3;      ///< Of the narrow band, voxels.
@@ -62,7 +63,7 @@ using CellsPtr = std::shared_ptr<const CellsPlan>;
 struct MeshPlan {
   std::string name;
   VolumePtr volume;            ///< Null for several and for one from a file.
-  mesh::MeshPtr given;         ///< What the file holds, in metres and with normals.
+  mesh::MeshPtr file_mesh;     ///< What the file holds, in metres and with normals.
   double adaptivity = 0;       ///< 0 keeps every quad, 1 merges what is flat.
   bool polish = true;          ///< Move vertices onto the exact field.
   double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
@@ -70,8 +71,8 @@ struct MeshPlan {
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
   /// Facades whose nodes the vertices tell apart; see add_semantics.
   std::vector<std::shared_ptr<const facade::FacadeInstance>> elements;
-  CellsPtr cells;     ///< That it wears on one of what they stand on; null: none.
-  size_t ground = 0;  ///< On which.
+  CellsPtr cells;      ///< That it wears on one of what they stand on; null: none.
+  size_t support = 0;  ///< On which.
   std::vector<std::shared_ptr<const MeshPlan>> parts;  ///< All that it is in one; none: itself.
 
   bool operator==(const MeshPlan&) const = default;
@@ -94,8 +95,8 @@ struct ObjectPlan {
 
 struct Shot;
 /// See places.h.
-using Places = std::shared_ptr<
-    const std::function<std::vector<building::Place>(building::Builder&, RandomKey)>>;
+using InstanceSource = std::shared_ptr<
+    const std::function<std::vector<building::Instance>(building::Builder&, RandomKey)>>;
 
 /// What can be placed: an object of the shot, or else a mesh in grey, or a whole scene.
 struct Model {
@@ -108,10 +109,10 @@ struct Model {
 };
 
 /// `place NAME { of ... at ... }`.
-struct PlacePlan {
+struct PointInstancer {
   std::string name;
   std::vector<Model> of;
-  std::vector<Places> at;
+  std::vector<InstanceSource> at;
   std::vector<double> shares;    ///< Of each model; empty: the same.
   render::MaterialPtr material;  ///< Null: their own.
   bool apart = false;            ///< Each has a name of its own.
@@ -141,7 +142,7 @@ struct RenderPlan {
   double noise = 0;              ///< See render::Options.
   image::WorkingSpace working_space = image::WorkingSpace::rec709;
   std::string view, display;        ///< Of the PNG; see image::ViewSelection.
-  std::vector<std::string> layers;  ///< As render::plan_layers takes them.
+  std::vector<std::string> layers;  ///< As render::plan_aovs takes them.
   std::vector<int> crop;            ///< Left, top, right, bottom in pixels; empty: all.
   render::CameraPtr camera;         ///< Null: the camera named like the plan, else the first.
   render::SamplerPtr sampler;
@@ -163,14 +164,14 @@ using LSystemPtr = std::shared_ptr<const LSystemPlan>;
 struct Shot {
   std::string name;  ///< The scene file's stem.
   uint64_t seed = 0;
-  double frame = 1;    ///< The moment that it shows.
-  bool moves = false;  ///< Something in it depends on the frame.
-  std::string recipe;  ///< The scene text with its overrides: what rebuilds all of this.
-  Digest texts;        ///< Of the scene text and all that it includes.
+  double frame = 1;       ///< The moment that it shows.
+  bool animated = false;  ///< Something in it depends on the frame.
+  std::string recipe;     ///< The scene text with its overrides: what rebuilds all of this.
+  Digest text_digest;     ///< Of the scene text and all that it includes.
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;
-  std::vector<PlacePlan> places;
+  std::vector<PointInstancer> instancers;
   std::vector<CameraPlan> cameras;
   std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
   render::MediumPtr medium;
@@ -182,13 +183,13 @@ struct Shot {
   std::vector<LSystemPtr> lsystems;
 
   /// Where its lists end, to tell later what has been added to them.
-  struct Ends {
+  struct Snapshot {
     std::vector<size_t> lists;
     bool medium = false;
   };
-  Ends ends() const;
+  Snapshot snapshot() const;
   /// What has been added since, in a shot of its own.
-  Shot since(const Ends& ends) const;
+  Shot delta(const Snapshot& snapshot) const;
   /// Takes in what another shot declares: all its lists, and its medium if it has one.
   void add(const Shot& more);
 };

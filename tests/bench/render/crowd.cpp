@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     render::Object stone = object(stones[static_cast<size_t>(i % 4)], "stones");
     const double x = random.uniform(-15, 15), z = random.uniform(-15, 15),
                  size = random.uniform(0.5, 2);
-    stone.placing = std::make_shared<const render::Placing>(
+    stone.instance = std::make_shared<const render::InstanceTransform>(
         Transform::translation({x, 0.5 * std::sin(x) * std::sin(z), z}) *
         Transform::rotation({0, 1, 0}, random.uniform(0, 6)) *
         Transform::scaling({size, 0.6 * size, size}));
@@ -99,9 +99,9 @@ int main(int argc, char** argv) {
   double told = 0;
   const Clock::time_point start = Clock::now();
   Clock::time_point ready = start;
-  render::Watch watch;
-  watch.estimate = [&](double seconds) { told = seconds, ready = Clock::now(); };
-  render::render(scene, options, Progress::none(), watch);
+  render::RenderCallbacks callbacks;
+  callbacks.estimate = [&](double seconds) { told = seconds, ready = Clock::now(); };
+  render::render(scene, options, Progress::none(), callbacks);
   const double peak = peak_memory(), all = seconds_since(start), rendering = seconds_since(ready);
   fmt::print("{} at the peak: {:.2f} of what was promised\n", bytes_text(peak), peak / promised);
   fmt::print("{:.1f} s of building; {:.1f} s of rendering, {:.2f} of the {:.1f} s that were told\n",

@@ -26,7 +26,7 @@ Vec2f pair(RandomStream& random) {
 }
 
 /// Rays per second of processor time, which other work on the machine disturbs less.
-double speed(const render::World& world, const render::Camera& camera, int paths) {
+double speed(const render::PreparedScene& world, const render::Camera& camera, int paths) {
   RandomStream random(RandomKey(1));
   size_t rays = 0;
   const std::clock_t start = std::clock();
@@ -74,9 +74,10 @@ int main(int argc, char** argv) {
       active +=
           static_cast<double>(builder.level_set(object.mesh->volume).statistics().active_voxels);
     const double grids = held();
-    const render::Scene scene = picture::assemble(builder, picture::render_plan(loaded.shot, {}));
+    const render::Scene scene =
+        picture::build_scene(builder, picture::render_plan(loaded.shot, {}));
     const double made = held();
-    const render::World world(scene);
+    const render::PreparedScene world(scene);
     const double tree = held(), peak = peak_memory();
     size_t triangles = 0, bricks = 0;
     for (const render::Object& object : scene.objects) {

@@ -23,7 +23,7 @@ shot::Shot shot_of(const std::string& cells) {
   return loaded.shot;
 }
 
-TEST(Skin, IsMadeOnceAndHeld) {
+TEST(CellLayer, IsMadeOnceAndHeld) {
   const shot::Shot shot =
       shot_of("cells skin on wall { spacing 10cm  steps 7  run sprinkle(attribute: \"wet\") }");
   BuildOptions options;
@@ -31,34 +31,34 @@ TEST(Skin, IsMadeOnceAndHeld) {
   Builder builder(shot, options);
   const shot::CellsPtr cells = shot.meshes.back()->cells;
   builder.mesh(cells->on.at(0));
-  const uint64_t room = builder.room();
-  const SkinPtr skin = builder.skin(cells);
-  EXPECT_NEAR(static_cast<double>(skin->network().size()), 4 * kPi / 0.01, 0.2 * 4 * kPi / 0.01);
-  EXPECT_EQ(skin->simulation.step(), 7);
-  EXPECT_EQ(room - builder.room(), skin->simulation.bytes());
+  const uint64_t room = builder.memory_budget();
+  const CellLayerPtr layer = builder.cell_layer(cells);
+  EXPECT_NEAR(static_cast<double>(layer->network().size()), 4 * kPi / 0.01, 0.2 * 4 * kPi / 0.01);
+  EXPECT_EQ(layer->simulation.step(), 7);
+  EXPECT_EQ(room - builder.memory_budget(), layer->simulation.bytes());
   // Three vectors, two numbers and six links or so of a cell, and what it carries.
-  EXPECT_GT(skin->simulation.bytes(), skin->network().size() * (3 * 12 + 2 * 4 + 4 * 4 + 4));
-  const auto& wet = skin->simulation.attributes().values<float>("wet");
-  EXPECT_EQ(wet.size(), skin->network().size());
-  EXPECT_FALSE(skin->relaxing.empty());
+  EXPECT_GT(layer->simulation.bytes(), layer->network().size() * (3 * 12 + 2 * 4 + 4 * 4 + 4));
+  const auto& wet = layer->simulation.attributes().values<float>("wet");
+  EXPECT_EQ(wet.size(), layer->network().size());
+  EXPECT_FALSE(layer->relaxing.empty());
 
   const auto worn = builder.mesh(shot.meshes.back());
   EXPECT_TRUE(mesh::find_attribute(*worn, "wet"));
-  EXPECT_EQ(builder.skin(cells), skin);
+  EXPECT_EQ(builder.cell_layer(cells), layer);
 
   const shot::Shot again = shot;
   Builder next(again, options);
-  next.take_over(std::move(builder));
-  EXPECT_EQ(next.skin(cells), skin);
+  next.reuse_from(std::move(builder));
+  EXPECT_EQ(next.cell_layer(cells), layer);
 }
 
-TEST(Skin, TooManyCellsAreRefusedBeforeAnyWork) {
+TEST(CellLayer, TooManyCellsAreRefusedBeforeAnyWork) {
   const shot::Shot shot = shot_of("cells skin on wall { spacing 1mm  run voronoi }");
   BuildOptions options;
   options.max_memory = uint64_t{1} << 30;
   Builder builder(shot, options);
   try {
-    builder.require_room(shot.meshes.back());
+    builder.require_mesh_memory(shot.meshes.back());
     FAIL() << "12 million cells in a GiB";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::too_large);
@@ -80,14 +80,14 @@ std::string cubes(double gap) {
       0.5 + gap);
 }
 
-TEST(Skin, ObjectsThatTouchAreOneNetwork) {
+TEST(CellLayer, ObjectsThatTouchAreOneNetwork) {
   for (const double gap : {0.0, 0.3}) {
     const loading::Loaded loaded = loading::load_text(cubes(gap), "cubes.vug");
     ASSERT_TRUE(loaded.usable()) << loaded.report();
     Builder builder(loaded.shot);
     ASSERT_EQ(loaded.shot.meshes.size(), 3u);
     EXPECT_EQ(shot::declared_meshes(loaded.shot).size(), 2u) << "those that wear the cells";
-    const cells::Network& n = builder.skin(loaded.shot.meshes.back()->cells)->network();
+    const cells::Network& n = builder.cell_layer(loaded.shot.meshes.back()->cells)->network();
     const auto pieces = cells::components(n.links);
     EXPECT_EQ(*std::max_element(pieces.begin(), pieces.end()), gap > 0 ? 1u : 0u);
     size_t across = 0, on_wall = 0;
@@ -107,7 +107,7 @@ TEST(Skin, ObjectsThatTouchAreOneNetwork) {
   }
 }
 
-TEST(Skin, EachOfSeveralObjectsShowsWithAMaterialOfItsOwn) {
+TEST(CellLayer, EachOfSeveralObjectsShowsWithAMaterialOfItsOwn) {
   const loading::Loaded loaded =
       loading::load_text(cubes(0) +
                              "material red = lambert(albedo: (0.8, 0.1, 0.1))\n"
@@ -134,7 +134,7 @@ TEST(Skin, EachOfSeveralObjectsShowsWithAMaterialOfItsOwn) {
   EXPECT_EQ(objects[4].mesh, objects[1].mesh);
 }
 
-TEST(Skin, SeveralMeshesInOneAreTheirSum) {
+TEST(CellLayer, SeveralMeshesInOneAreTheirSum) {
   const loading::Loaded loaded =
       loading::load_text(cubes(0.3) + "render main { spp 1 }\n", "cubes.vug");
   ASSERT_TRUE(loaded.usable()) << loaded.report();
@@ -151,7 +151,7 @@ TEST(Skin, SeveralMeshesInOneAreTheirSum) {
   EXPECT_EQ(mesh::bounds(*one).max.x, mesh::bounds(*b).max.x);
 }
 
-TEST(Skin, CellsThatAreGoneAreHoles) {
+TEST(CellLayer, CellsThatAreGoneAreHoles) {
   const std::string gone =
       "cells skin on wall {{ spacing 10cm  holes {}  steps 12 "
       " run corrosion(share: 90%, loss: 50%, where: noise(noise: fbm(scale: 50cm), from: 0, to: "
@@ -170,7 +170,7 @@ TEST(Skin, CellsThatAreGoneAreHoles) {
 }
 
 // Erosion that says how deep is a level set again, on which all stands as usual.
-TEST(Skin, AMovedSurfaceIsALevelSetAgain) {
+TEST(CellLayer, AMovedSurfaceIsALevelSetAgain) {
   const shot::Shot shot = shot_of(
       "cells skin on wall { spacing 5cm "
       " run sprinkle(attribute: \"height\", value: -0.05, share: 100%) }\n"
@@ -199,7 +199,7 @@ TEST(Skin, AMovedSurfaceIsALevelSetAgain) {
   EXPECT_EQ(other.mesh(still.meshes.at(1))->positions, other.mesh(still.meshes.at(0))->positions);
 }
 
-TEST(Skin, AMeshWithHolesBoundsNoSolid) {
+TEST(CellLayer, AMeshWithHolesBoundsNoSolid) {
   const shot::Shot shot = shot_of(
       "cells skin on wall { spacing 10cm  holes true  run corrosion(share: 4%, loss: 100%) }\n"
       "volume worn on skin {}");

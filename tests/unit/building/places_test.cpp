@@ -1,7 +1,7 @@
 // What `place` makes of a scene's text: instances with transforms, names, materials and lamps.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/loading/load.h>
 #include <vug/picture/picture.h>
 
@@ -44,23 +44,24 @@ class Places : public testing::Test {
     return loading::load_text(text, (folder_ / "t.vug").string());
   }
   /// What the text shows, and nothing but warnings said of it.
-  Cast cast(const std::string& text) const {
+  FlatScene cast(const std::string& text) const {
     const loading::Loaded scene = loaded(text);
     EXPECT_TRUE(scene.usable()) << scene.report();
     Builder builder(scene.shot);
-    return cast_of(builder);
+    return flatten_scene(builder);
   }
   std::string faults(const std::string& text) const { return loaded(text).report(); }
 
   fs::path folder_;
 };
 
-Vec3d origin(const render::Object& object) { return Vec3d(object.placing->at(0).origin); }
+Vec3d origin(const render::Object& object) { return Vec3d(object.instance->at(0).origin); }
 
 TEST_F(Places, OnePlaceAndAList) {
-  const Cast made = cast(std::string(kStones) +
-                         "place pile { of pebble  at [(1, 2, 3), pose(position: (0, 1, 0), yaw: "
-                         "90deg, scale: 2, stretch: (1, 1, -1))] }\n");
+  const FlatScene made =
+      cast(std::string(kStones) +
+           "place pile { of pebble  at [(1, 2, 3), pose(position: (0, 1, 0), yaw: "
+           "90deg, scale: 2, stretch: (1, 1, -1))] }\n");
   ASSERT_EQ(made.objects.size(), 4u);  // soil and brick stand where they are, the pebble does not
   EXPECT_EQ(made.objects[0].name, "soil");
   EXPECT_EQ(made.objects[1].name, "brick");
@@ -68,23 +69,23 @@ TEST_F(Places, OnePlaceAndAList) {
   EXPECT_EQ(made.objects[2].mesh, made.objects[3].mesh);
   EXPECT_EQ(made.objects[2].material_name, "pebble");
   EXPECT_EQ(origin(made.objects[2]), Vec3d(1, 2, 3));
-  const render::Affine to = made.objects[3].placing->at(0);
+  const render::Affine to = made.objects[3].instance->at(0);
   EXPECT_LT((to.point({0, 0, 1}) - Vec3f(-2, 1, 0)).length(), 1e-6f);  // mirrored, then z goes to x
   EXPECT_LT(to.determinant(), 0);
 }
 
 TEST_F(Places, MaterialIsThatOfThePlaceIfItHasOne) {
-  const Cast made =
+  const FlatScene made =
       cast(std::string(kStones) +
            "place a { of brick  at (1, 0, 0) }\n"
            "place b { of pebble  at [(1, 0, 0), (2, 0, 0)]  material moss  apart true }\n");
   ASSERT_EQ(made.objects.size(), 4u);
   EXPECT_EQ(made.objects[1].material, nullptr);
-  EXPECT_FALSE(made.objects[1].looks_by_place);
+  EXPECT_FALSE(made.objects[1].world_space_material);
   EXPECT_EQ(made.objects[2].name, "b/1");
   EXPECT_EQ(made.objects[3].name, "b/2");
   EXPECT_EQ(made.objects[3].material_name, "moss");
-  EXPECT_TRUE(made.objects[3].looks_by_place);
+  EXPECT_TRUE(made.objects[3].world_space_material);
 }
 
 TEST_F(Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
@@ -96,7 +97,8 @@ TEST_F(Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
            more + ") }\n";
   };
   const std::string top = ", where: slope(from: 30deg, to: 20deg)";
-  const Cast made = cast(text(top)), again = cast(text(top)), other = cast(text(top + ", seed: 1"));
+  const FlatScene made = cast(text(top)), again = cast(text(top)),
+                  other = cast(text(top + ", seed: 1"));
   ASSERT_GT(made.objects.size(), 150u);
   ASSERT_EQ(made.objects.size(), again.objects.size());
   size_t pebbles = 0, same = 0;
@@ -106,7 +108,7 @@ TEST_F(Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
     if (i < other.objects.size()) same += p == origin(other.objects[i]);
     EXPECT_NEAR(p.y, 0.25, 0.05);  // on top, not at the sides or beneath
     for (size_t j = 1; j < i; ++j) EXPECT_GE((p - origin(made.objects[j])).length(), 0.2999);
-    const auto size = static_cast<double>(made.objects[i].placing->stretch());
+    const auto size = static_cast<double>(made.objects[i].instance->mean_scale());
     EXPECT_GE(size, 0.499);
     EXPECT_LE(size, 1.501);
     pebbles += made.objects[i].material != nullptr;
@@ -119,13 +121,14 @@ TEST_F(Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
 TEST_F(Places, PointsOfATable) {
   file("p.csv",
        "x,y,z,yaw,scale,model,name\n1,2,3,90,2,1,\"a, b\"\n\n# a remark\n-4, 0,0,0,1,0,c\n");
-  const Cast made = cast(std::string(kStones) +
-                         "place t { of [pebble, brick]  at points(file: \"p.csv\", unit: 1cm) }\n");
+  const FlatScene made =
+      cast(std::string(kStones) +
+           "place t { of [pebble, brick]  at points(file: \"p.csv\", unit: 1cm) }\n");
   ASSERT_EQ(made.objects.size(), 3u);
   EXPECT_LT((origin(made.objects[1]) - Vec3d(0.01, 0.02, 0.03)).length(), 1e-7);
   EXPECT_EQ(made.objects[1].material, nullptr);
   EXPECT_NE(made.objects[2].material, nullptr);
-  EXPECT_NEAR(made.objects[1].placing->stretch(), 2, 1e-6);
+  EXPECT_NEAR(made.objects[1].instance->mean_scale(), 2, 1e-6);
 
   file("p.csv", "x,y,z\n1,2,three\n");
   EXPECT_NE(faults(std::string(kStones) + "place t { of pebble  at points(file: \"p.csv\") }\n")
@@ -143,7 +146,7 @@ TEST_F(Places, AWholeSceneWithItsLampsAndInstances) {
                         "light lamp = sphere(center: (0, 1, 0), radius: 0.1, radiance: (9, 9, 9), "
                         "only: [\"soil\"])\n"
                         "light sky = sky(radiance: (1, 1, 1))\n");
-  const Cast made = cast(
+  const FlatScene made = cast(
       "place hall { of scene(\"inner.vug\")  at [(0, 0, 0), pose(position: (10, "
       "0, 0), scale: 2)] }\n");
   ASSERT_EQ(made.objects.size(), 8u);
@@ -172,7 +175,7 @@ TEST_F(Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
            "count: " +
            std::to_string(count) + ") }\n";
   };
-  const Cast few = cast(text(3)), many = cast(text(200));
+  const FlatScene few = cast(text(3)), many = cast(text(200));
   EXPECT_EQ(few.objects.size(), 3u * 301);
   ASSERT_EQ(many.objects.size(), 2u * 200);
   EXPECT_EQ(many.objects[0].name, "grove/stem");
@@ -184,10 +187,10 @@ TEST_F(Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
   for (size_t leaf = 0; leaf < 300; ++leaf)
     for (uint32_t corner = 0; corner < 3; ++corner) {
       const render::Object& one = few.objects[1 + leaf];
-      const Vec3f alone = one.placing->at(0).point(one.mesh->positions[corner]);
+      const Vec3f alone = one.instance->at(0).point(one.mesh->positions[corner]);
       const auto number = many.objects[1].mesh->triangles[leaf][corner];
       const Vec3f merged =
-          many.objects[1].placing->at(0).point(many.objects[1].mesh->positions[number]);
+          many.objects[1].instance->at(0).point(many.objects[1].mesh->positions[number]);
       ASSERT_LT((alone - merged).length(), 1e-4f);
     }
 }

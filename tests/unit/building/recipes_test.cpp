@@ -11,7 +11,7 @@
 namespace vug::building {
 namespace {
 
-SkinPtr skin_of(const std::string& text) {
+CellLayerPtr skin_of(const std::string& text) {
   loading::LoadOptions options;
   options.include_folders = {VUG_DATA};
   const loading::Loaded loaded = loading::load_text(
@@ -22,16 +22,17 @@ SkinPtr skin_of(const std::string& text) {
   EXPECT_EQ(loaded.report(), "");
   if (!loaded.usable()) return nullptr;
   Builder builder(loaded.shot);
-  return builder.skin(loaded.shot.meshes.back()->cells);
+  return builder.cell_layer(loaded.shot.meshes.back()->cells);
 }
 
 TEST(Recipes, OfTheLibraryDoWhatTheyAreCalled) {
   for (const auto& [name, brings] : std::vector<std::pair<std::string, std::string>>{
            {"limestone_wet", "stain"}, {"mossy", "moss"}, {"dusty", "dust"}}) {
-    const SkinPtr skin = skin_of("include \"recipes/" + name +
-                                 ".vug\"\ncells skin on wall { spacing 10cm  run " + name + " }");
-    ASSERT_TRUE(skin) << name;
-    const auto& values = skin->simulation.attributes().values<float>(brings);
+    const CellLayerPtr layer =
+        skin_of("include \"recipes/" + name + ".vug\"\ncells skin on wall { spacing 10cm  run " +
+                name + " }");
+    ASSERT_TRUE(layer) << name;
+    const auto& values = layer->simulation.attributes().values<float>(brings);
     const float most = *std::max_element(values.begin(), values.end());
     EXPECT_GT(most, 0) << name;
     EXPECT_LT(*std::min_element(values.begin(), values.end()), most) << name;
@@ -39,9 +40,9 @@ TEST(Recipes, OfTheLibraryDoWhatTheyAreCalled) {
 }
 
 TEST(Recipes, ListsStandForTheirRules) {
-  const SkinPtr plain =
+  const CellLayerPtr plain =
       skin_of("cells skin on wall { spacing 15cm  run run_off, moisture, crust }");
-  const SkinPtr named = skin_of(
+  const CellLayerPtr named = skin_of(
       "let wet = [run_off(), moisture()]\ncells skin on wall { spacing 15cm  run wet, crust }");
   ASSERT_TRUE(plain && named);
   for (const char* name : {"stain", "moisture", "crust"})
@@ -51,18 +52,18 @@ TEST(Recipes, ListsStandForTheirRules) {
 
 TEST(Surroundings, OfABallAreThoseOfItsSlope) {
   // An even sky lights a place of a convex body by (1 + cosine of its slope) / 2.
-  const SkinPtr skin = skin_of(
+  const CellLayerPtr layer = skin_of(
       "cells skin on wall { spacing 8cm  steps 1  run set(attribute: \"a\", to: "
       "add([value(name: \"exposure\"), value(name: \"occlusion\", scale: 10)])) }");
-  ASSERT_TRUE(skin);
-  const auto& open = skin->simulation.attributes().values<float>("exposure");
-  const auto& closed = skin->simulation.attributes().values<float>("occlusion");
+  ASSERT_TRUE(layer);
+  const auto& open = layer->simulation.attributes().values<float>("exposure");
+  const auto& closed = layer->simulation.attributes().values<float>("occlusion");
   double off = 0;
   for (uint32_t i = 0; i < open.size(); ++i) {
-    const double expected = (1 + static_cast<double>(skin->network().normal[i].y)) / 2;
+    const double expected = (1 + static_cast<double>(layer->network().normal[i].y)) / 2;
     ASSERT_NEAR(open[i], expected, 0.12);
     ASSERT_LT(closed[i], 0.1f);
-    ASSERT_FLOAT_EQ(skin->simulation.attributes().values<float>("a")[i], open[i] + 10 * closed[i]);
+    ASSERT_FLOAT_EQ(layer->simulation.attributes().values<float>("a")[i], open[i] + 10 * closed[i]);
     off += static_cast<double>(open[i]) - expected;
   }
   EXPECT_NEAR(off / static_cast<double>(open.size()), 0, 0.02);
@@ -71,16 +72,16 @@ TEST(Surroundings, OfABallAreThoseOfItsSlope) {
 TEST(Surroundings, ABallIsCurvedByItsRadiusAndAHollowTheOtherWay) {
   for (const auto& [solid, expected] : std::vector<std::pair<std::string, double>>{
            {"sphere(50cm)", 2}, {"sphere(2m) - sphere(1m)", -1}}) {
-    const SkinPtr skin = skin_of(
+    const CellLayerPtr layer = skin_of(
         "volume other = level_set(" + solid +
         ", voxel: 5cm)\nmesh face on other {}\n"
         "cells curved on face { spacing 6cm  steps 1  run set(attribute: \"c\", to: value(name: "
         "\"curvature\")) }");
-    ASSERT_TRUE(skin);
+    ASSERT_TRUE(layer);
     double sum = 0, cells = 0;
-    for (uint32_t i = 0; i < skin->network().size(); ++i) {
-      if (skin->network().position[i].length() > 1.5f) continue;  // the outside of the hollow one
-      sum += static_cast<double>(skin->simulation.attributes().values<float>("curvature")[i]);
+    for (uint32_t i = 0; i < layer->network().size(); ++i) {
+      if (layer->network().position[i].length() > 1.5f) continue;  // the outside of the hollow one
+      sum += static_cast<double>(layer->simulation.attributes().values<float>("curvature")[i]);
       ++cells;
     }
     EXPECT_GT(cells, 100);

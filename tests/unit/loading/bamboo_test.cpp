@@ -1,5 +1,5 @@
 // The species of data/bamboo against what is measured of them: many seeds of the text itself.
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
 #include <vug/loading/load.h>
@@ -285,7 +285,7 @@ TEST(Bamboo, LeavesAreCutByAPictureAndEachIsAnother) {
     ASSERT_TRUE(loaded.usable()) << loaded.report();
     building::Builder builder(loaded.shot);
     std::map<const render::Material*, size_t> forms;
-    for (const render::Object& object : building::cast_of(builder).objects)
+    for (const render::Object& object : building::flatten_scene(builder).objects)
       if (object.material->thin()) {
         EXPECT_TRUE(object.material->cut_out()) << species;
         forms[object.material.get()] += 1;

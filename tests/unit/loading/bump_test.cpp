@@ -41,8 +41,8 @@ TEST(Bump, ByAnAttributeIsAsByPlace) {
     render::Scene scene;
     scene.objects.resize(1);
     scene.objects[0].mesh = ball();
-    if (instance) scene.objects[0].placing = std::make_shared<const render::Placing>(turned);
-    const render::World world(scene);
+    if (instance) scene.objects[0].instance = std::make_shared<const render::InstanceTransform>(turned);
+    const render::PreparedScene world(scene);
     RandomStream random(RandomKey(3));
     double bent = 0;
     const int kRays = 500;

@@ -67,11 +67,11 @@ TEST(Catalogue, DefaultsThatAreObjectsHaveASpelling) {
 }
 
 TEST(Catalogue, TheWordOfADeclarationFindsWhatStandsThere) {
-  for (const Family& family : families()) {
-    const std::vector<const KindInfo*> found = find_kinds(family.type);
-    for (const FamilyKind& kind : family.kinds)
+  for (const KindRegistry& registry : kind_registries()) {
+    const std::vector<const KindInfo*> found = find_kinds(registry.type);
+    for (const RegisteredKind& kind : registry.kinds)
       EXPECT_EQ(std::count(found.begin(), found.end(), kind.info), 1)
-          << family.type << " " << kind.info->name;
+          << registry.type << " " << kind.info->name;
   }
   const std::vector<const KindInfo*> materials = find_kinds("material");
   ASSERT_GE(materials.size(), 3u);

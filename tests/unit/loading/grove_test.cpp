@@ -1,5 +1,5 @@
 // grove(...) of a scene's text: where its plants stand, and what is told of faults.
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/image/io.h>
 #include <vug/loading/load.h>
 
@@ -23,12 +23,12 @@ let hill = sphere(radius: 20m).translate((0, -18, 0))
 )";
 
 /// What is placed.
-building::Cast cast(const std::string& text) {
+building::FlatScene cast(const std::string& text) {
   const Loaded scene = load_text(kThings + text, "t.vug");
   EXPECT_TRUE(scene.usable()) << scene.report();
   building::Builder builder(scene.shot);
-  building::Cast made = building::cast_of(builder);
-  std::erase_if(made.objects, [](const render::Object& object) { return !object.placing; });
+  building::FlatScene made = building::flatten_scene(builder);
+  std::erase_if(made.objects, [](const render::Object& object) { return !object.instance; });
   return made;
 }
 std::string faults(const std::string& text) {
@@ -36,10 +36,10 @@ std::string faults(const std::string& text) {
       .report();
 }
 
-Vec3d origin(const render::Object& object) { return Vec3d(object.placing->at(0).origin); }
+Vec3d origin(const render::Object& object) { return Vec3d(object.instance->at(0).origin); }
 
 TEST(GrovePlaces, DensityIsThatOfAHectare) {
-  const building::Cast made = cast(
+  const building::FlatScene made = cast(
       "place p { of [thin, thick]  at grove(polygon: [(0, 0), (50, 0), (50, 20), (0, 20)], "
       "density: "
       "4000) }\n");
@@ -48,7 +48,7 @@ TEST(GrovePlaces, DensityIsThatOfAHectare) {
 }
 
 TEST(GrovePlaces, StandOnTheHillOutOfTheRockAndLean) {
-  const building::Cast made = cast(
+  const building::FlatScene made = cast(
       "place p { of thin  at grove(polygon: [(-9, -9), (9, -9), (9, 9), (-9, 9)], count: 500, on: "
       "hill, "
       "avoid: [sphere(radius: 3m).translate((3, 2, 0))], lean: 10deg, lean_to: (1, 0, 0), sink: "
@@ -59,7 +59,7 @@ TEST(GrovePlaces, StandOnTheHillOutOfTheRockAndLean) {
     const Vec3d at = origin(object) + Vec3d(0, 0.1, 0);
     EXPECT_NEAR((at - Vec3d(0, -18, 0)).length(), 20, 1e-4);
     EXPECT_GT((at - Vec3d(3, 2, 0)).length(), 3 - 1e-4);
-    const Vec3d up(object.placing->at(0).y);
+    const Vec3d up(object.instance->at(0).y);
     EXPECT_GE(up.x, -1e-6);
     EXPECT_NEAR(up.z, 0, 1e-6);
     EXPECT_GE(up.y, std::cos(10 * kPi / 180) - 1e-6);
@@ -71,8 +71,8 @@ TEST(GrovePlaces, StandOnAMeshAlike) {
       "volume earth = level_set(hill, voxel: 25cm, from: (-10, -2, -10), to: (10, 3, 10))\n"
       "mesh ground on earth {}\n"
       "place p { of thin  at grove(polygon: [(-5, -5), (5, -5), (5, 5), (-5, 5)], count: 200, on: ";
-  const building::Cast by_mesh = cast(on_mesh + "ground) }\n"),
-                       by_field = cast(on_mesh + "earth) }\n");
+  const building::FlatScene by_mesh = cast(on_mesh + "ground) }\n"),
+                            by_field = cast(on_mesh + "earth) }\n");
   ASSERT_EQ(by_mesh.objects.size(), by_field.objects.size());
   for (size_t i = 0; i < by_mesh.objects.size(); ++i)
     EXPECT_LT((origin(by_mesh.objects[i]) - origin(by_field.objects[i])).length(), 0.01);
@@ -89,7 +89,7 @@ TEST(GrovePlaces, StandOnAPictureWhereItIsNotTooSteep) {
     for (int x = 0; x < 241; ++x) heights.at(x, y) = static_cast<float>(height(0.1 * x - 12) / 8);
   const auto path = std::filesystem::temp_directory_path() / "vug_grove_heights.exr";
   image::write_exr(path, heights, {});
-  const building::Cast made = cast(
+  const building::FlatScene made = cast(
       "let land = heightfield(file: \"" + path.string() +
       "\", size: (24m, 8m, 24m), sampling: bilinear)\n"
       "place p { of thin  at grove(polygon: [(-11, -9), (11, -9), (11, 9), (-11, 9)], count: 600, "
@@ -107,7 +107,7 @@ TEST(GrovePlaces, StandOnAPictureWhereItIsNotTooSteep) {
 }
 
 TEST(GrovePlaces, DiametersChooseTheThingAndItsSize) {
-  const building::Cast made = cast(
+  const building::FlatScene made = cast(
       "place p { of [thin, thick]  at grove(polygon: [(0, 0), (40, 0), (40, 40), (0, 40)], count: "
       "2000, "
       "diameter: 14cm, diameter_spread: 3cm, diameters: [10cm, 20cm], height_power: 0.629) }\n");
@@ -119,7 +119,7 @@ TEST(GrovePlaces, DiametersChooseTheThingAndItsSize) {
     for (const Vec3f& p : object.mesh->positions)
       width = std::max(width, 2 * static_cast<double>(p.x));
     thick += width > 0.15;
-    const render::Affine to = object.placing->at(0);
+    const render::Affine to = object.instance->at(0);
     EXPECT_NEAR(std::log(to.y.length()), 0.629 * std::log(to.x.length()), 1e-5);
     const double diameter = width * static_cast<double>(to.x.length());
     EXPECT_NEAR(diameter, 0.14, 2.5 * 0.03 + 0.005);
@@ -142,7 +142,7 @@ std::string told(const std::string& grove) {
   options.tell = [&](const Diagnostics& more) { all.append(more); };
   building::Builder builder(scene.shot, options);
   try {
-    building::cast_of(builder);
+    building::flatten_scene(builder);
   } catch (const Error& error) {
     all.error(error.where(), error.what(), error.hint());
   }

@@ -1,6 +1,6 @@
 // The ways out of an L-system's drawing: a field, meshes, places.
 #include <gtest/gtest.h>
-#include <vug/building/instances.h>
+#include <vug/building/flat_scene.h>
 #include <vug/loading/load.h>
 #include <vug/mesh/topology.h>
 #include <vug/shot/lsystem_plan.h>
@@ -55,12 +55,12 @@ TEST(Plants, ThingsStandWhereTheTurtleSetThem) {
       loaded(kTwig + "place buds { of thing  at instances(of: twig, name: \"bud\", scale: 2) }\n");
   ASSERT_EQ(scene.report(), "");
   building::Builder builder(scene.shot);
-  const building::Cast cast = building::cast_of(builder);
+  const building::FlatScene cast = building::flatten_scene(builder);
   ASSERT_EQ(cast.objects.size(), 2u);
   const lsystem::DrawingPtr drawing = scene.shot.lsystems.at(0)->drawing();
   for (size_t i = 0; i < 2; ++i) {
-    const auto placing = cast.objects[i].placing->at(0);
-    EXPECT_LT((Vec3d(placing.origin) - drawing->instances[i].position).length(), 1e-6);
+    const auto instance = cast.objects[i].instance->at(0);
+    EXPECT_LT((Vec3d(instance.origin) - drawing->instances[i].position).length(), 1e-6);
   }
 }
 
@@ -174,7 +174,7 @@ place plants { of leaves  at [(0, 0, 0), (1, 0, 0)] }
             std::string::npos);
   building::Builder builder(scene.shot);
   EXPECT_TRUE(builder.mesh(scene.shot.meshes.at(0))->triangles.empty());
-  EXPECT_EQ(building::cast_of(builder).objects.size(), 3u);
+  EXPECT_EQ(building::flatten_scene(builder).objects.size(), 3u);
 }
 
 TEST(Plants, PolygonsDoNotCrossThemselves) {

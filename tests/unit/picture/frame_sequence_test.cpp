@@ -23,17 +23,17 @@ camera main { eye (way, 2, 9) }
 camera still { eye (0, 2, 9) }
 )";
 
-loading::Loaded at(double frame, loading::Still* still, const std::string& text = kScene) {
+loading::Loaded at(double frame, loading::StaticCache* still, const std::string& text = kScene) {
   loading::LoadOptions options;
   options.frame = frame;
-  options.still = still;
+  options.static_cache = still;
   loading::Loaded loaded = loading::load_text(text, "t.vug", options);
   EXPECT_EQ(loaded.report(), "");
   return loaded;
 }
 
 TEST(Sequence, WhatStandsStillIsTheSameObject) {
-  loading::Still still;
+  loading::StaticCache still;
   const shot::Shot one = at(1, &still).shot, two = at(2, &still).shot, alone = at(2, nullptr).shot;
   EXPECT_TRUE(one.moves);
   ASSERT_EQ(two.volumes.size(), 2u);
@@ -45,7 +45,7 @@ TEST(Sequence, WhatStandsStillIsTheSameObject) {
   EXPECT_NE(one.objects[1].material, two.objects[1].material);
   EXPECT_NE(one.cameras[0].camera, two.cameras[0].camera);
   EXPECT_EQ(one.cameras[1].camera, two.cameras[1].camera);
-  EXPECT_FLOAT_EQ(two.cameras[0].camera->eye().x, 0.5f);
+  EXPECT_FLOAT_EQ(two.cameras[0].camera->position().x, 0.5f);
   // The shot is the one that loading this frame alone gives.
   EXPECT_EQ(two.recipe, alone.recipe);
   EXPECT_EQ(two.derivations.size(), alone.derivations.size());
@@ -53,16 +53,16 @@ TEST(Sequence, WhatStandsStillIsTheSameObject) {
   ASSERT_EQ(two.cameras.size(), alone.cameras.size());
   for (size_t i = 0; i < two.cameras.size(); ++i)
     EXPECT_EQ(two.cameras[i].name, alone.cameras[i].name);
-  EXPECT_FALSE(at(3, nullptr, "camera main { eye (0, 2, 9) }").shot.moves);
+  EXPECT_FALSE(at(3, nullptr, "camera main { eye (0, 2, 9) }").shot.animated);
 }
 
 TEST(Sequence, ABuilderKeepsWhatStandsStill) {
-  loading::Still still;
+  loading::StaticCache still;
   const loading::Loaded one = at(1, &still), two = at(2, &still);
   building::Builder first(one.shot);
   const auto stone = first.mesh(one.shot.meshes[0]), roller = first.mesh(one.shot.meshes[1]);
   building::Builder second(two.shot);
-  second.take_over(std::move(first));
+  second.reuse_from(std::move(first));
   EXPECT_EQ(second.mesh(two.shot.meshes[0]), stone);
   EXPECT_NE(second.mesh(two.shot.meshes[1]), roller);
   EXPECT_NEAR(second.mesh(two.shot.meshes[1])->positions[0].x - roller->positions[0].x, 0.5, 0.5);
@@ -73,16 +73,16 @@ TEST(Sequence, ACameraThatMovesIsBlurredWhileItsShutterIsOpen) {
       "camera main { eye (keys(1: 0m, 3: 2m), 0, 5)  target (0, 0, -9)  shutter 0.5 }\n"
       "camera rest { eye (1, 0, 5)  shutter 0.5 }\n"
       "camera fast { eye (keys(1: 0m, 3: 2m), 0, 5)  target (0, 0, -9) }\n";
-  loading::Still still;
+  loading::StaticCache still;
   const shot::Shot shot = at(2, &still, text).shot;
   PictureOptions options;
-  options.moment = [&](double frame) {
+  options.shot_at_frame = [&](double frame) {
     return std::make_shared<const shot::Shot>(at(frame, &still, text).shot);
   };
   const auto camera = [&](const std::string& name) {
     options.camera = name;
     const shot::RenderPlan plan = render_plan(shot, options);
-    return camera_in_motion(shutter_moments(shot, options, plan), options, plan);
+    return animated_camera(shutter_samples(shot, options, plan), options, plan);
   };
   const render::CameraPtr main = camera("main");
   ASSERT_TRUE(main->moves());
@@ -94,7 +94,7 @@ TEST(Sequence, ACameraThatMovesIsBlurredWhileItsShutterIsOpen) {
   EXPECT_FLOAT_EQ(x_at(1), 1.5f);
   EXPECT_FALSE(camera("rest")->moves());
   EXPECT_FALSE(camera("fast")->moves());
-  options.moment = nullptr;
+  options.shot_at_frame = nullptr;
   EXPECT_FALSE(camera("main")->moves());
 }
 
@@ -110,17 +110,17 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
       "place glowing { of ember  at (0, 2, 0) }\n"
       "camera main { shutter 0.5 }\n"
       "render main { size 4x4  spp 1  layers [\"beauty\", \"motion\"] }\n";
-  loading::Still still;
+  loading::StaticCache still;
   const loading::Loaded loaded = at(3, &still, text);
   PictureOptions options;
-  options.moment = [&](double frame) {
+  options.shot_at_frame = [&](double frame) {
     return std::make_shared<const shot::Shot>(at(frame, &still, text).shot);
   };
   building::Builder builder(loaded.shot);
   const PictureJob job = prepare_picture(builder, options, false);
   ASSERT_EQ(job.scene.objects.size(), 4u);
   const auto x_at = [&](size_t object, float time) {
-    return job.scene.objects[object].placing->at(time).origin.x;
+    return job.scene.objects[object].instance->at(time).origin.x;
   };
   EXPECT_FLOAT_EQ(x_at(0, 1), 0);
   EXPECT_FLOAT_EQ(x_at(1, 0), 6);
@@ -128,7 +128,7 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
   EXPECT_FLOAT_EQ(x_at(1, 1), 7);
   // Beside one that rolls, in a declaration of its own, and of a thing whose light alone changes.
   for (const size_t at_rest : {0u, 2u, 3u})
-    EXPECT_FALSE(job.scene.objects[at_rest].placing->moves()) << at_rest;
+    EXPECT_FALSE(job.scene.objects[at_rest].instance->moves()) << at_rest;
   ASSERT_TRUE(job.options.step);
   ASSERT_TRUE(job.options.step->places.count(1));
   EXPECT_FLOAT_EQ(job.options.step->places.at(1).first.origin.x, 6);
@@ -139,13 +139,13 @@ TEST(Sequence, MeshesThatNobodyDeclaresAreKeptToo) {
   const std::string text =
       "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
       "camera main { eye (frame, 2, 9) }\n";
-  loading::Still still;
+  loading::StaticCache still;
   const loading::Loaded one = at(1, &still, text), two = at(2, &still, text);
   building::Builder first(one.shot);
-  const auto mesh = first.mesh(shot::meshes_of(one.shot).at(0));
+  const auto mesh = first.mesh(shot::shown_meshes(one.shot).at(0));
   building::Builder second(two.shot);
-  second.take_over(std::move(first));
-  EXPECT_EQ(second.mesh(shot::meshes_of(two.shot).at(0)), mesh);
+  second.reuse_from(std::move(first));
+  EXPECT_EQ(second.mesh(shot::shown_meshes(two.shot).at(0)), mesh);
 }
 
 TEST(Sequence, RangesOfFrames) {
@@ -159,15 +159,15 @@ TEST(Sequence, RangesOfFrames) {
 }
 
 TEST(Sequence, NamesWithTheFrame) {
-  EXPECT_EQ(at_frame("out/cave.####.exr", 7), "out/cave.0007.exr");
-  EXPECT_EQ(at_frame("cave_%04d.exr", 12345), "cave_12345.exr");
-  EXPECT_EQ(at_frame("c%d.exr", 7), "c7.exr");
-  EXPECT_EQ(at_frame("50%_#.exr", 3), "50%_3.exr");
-  EXPECT_EQ(at_frame("c.###.exr", -3), "c.-03.exr");
-  EXPECT_TRUE(has_frame("out/c.#.png") && has_frame("c%04d.png"));
-  EXPECT_FALSE(has_frame("out.#/c.png") || has_frame("c50%.png"));
+  EXPECT_EQ(frame_path("out/cave.####.exr", 7), "out/cave.0007.exr");
+  EXPECT_EQ(frame_path("cave_%04d.exr", 12345), "cave_12345.exr");
+  EXPECT_EQ(frame_path("c%d.exr", 7), "c7.exr");
+  EXPECT_EQ(frame_path("50%_#.exr", 3), "50%_3.exr");
+  EXPECT_EQ(frame_path("c.###.exr", -3), "c.-03.exr");
+  EXPECT_TRUE(has_frame_number("out/c.#.png") && has_frame_number("c%04d.png"));
+  EXPECT_FALSE(has_frame_number("out.#/c.png") || has_frame_number("c50%.png"));
   for (const char* bad : {"cave.exr", "####/cave.exr", "a#b#.exr"})
-    EXPECT_THROW(at_frame(bad, 1), Error) << bad;
+    EXPECT_THROW(frame_path(bad, 1), Error) << bad;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <vug/base/median.h>
 #include <vug/building/builder.h>
-#include <vug/fit/as_facade.h>
+#include <vug/fit/to_facade.h>
 #include <vug/fit/polish/polish.h>
 #include <vug/loading/load.h>
 #include <vug/picture/stereo_views.h>
@@ -201,8 +201,8 @@ class FacadeLoop : public testing::Test {
     const facade::Tree& truth = *loaded.shot.derivations.at(0).facade;
     if (!can_be_seen(truth)) return std::nullopt;
     building::Builder builder(loaded.shot, {});
-    const std::vector<picture::Rendered> rendered = picture::render_views(builder, {});
-    picture::write_picture(folder_ / "photo.exr", picture::views_of(rendered));
+    const std::vector<picture::RenderResult> rendered = picture::render_views(builder, {});
+    picture::write_picture(folder_ / "photo.exr", picture::picture_views(rendered));
 
     FacadeFitOptions options;
     options.grammar = VUG_DATA "/facades/ripperda.vug";

@@ -67,7 +67,7 @@ Input read_input(const Options& options) {
 /// Of --grammar, as a session's is found; else the paper's.
 fs::path grammar_of(const Options& options) {
   if (fs::exists(options.grammar)) return options.grammar;
-  return session::find_grammar({}, options.grammar.empty() ? "ripperda.vug" : options.grammar);
+  return session::find_grammar_file({}, options.grammar.empty() ? "ripperda.vug" : options.grammar);
 }
 
 /// Where nobody has told how large the facade is, what it is taken for.
@@ -230,7 +230,7 @@ Verb facade_fit_verb() {
             ->transform(number_in(Dimension::length, 0.1, 1e4));
         app.add_option("--rows", options->picture.limits.height,
                        "of pixels that the picture is shrunk to")
-            ->transform(whole_number_in(session::kLeastPixels, 4096));
+            ->transform(whole_number_in(session::kMinPixels, 4096));
         app.add_option("--grammar", options->grammar,
                        "a file with a grammar whose sizes are free, in place of ripperda.vug");
         app.add_option("--likelihood", options->fit.likelihood, "kt or paper")

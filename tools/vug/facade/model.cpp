@@ -33,7 +33,7 @@ struct Options {
   bool tree = false, theta = false, json = false;
   std::optional<std::string> list;
   std::string svg, overlay, scene, carve;
-  session::FacadeCarving carving;
+  session::CarvingOptions carving;
   WorkOptions work;
 
   bool edited() const {
@@ -69,7 +69,7 @@ modeller::Session begun(const Options& options) {
     if (header.height && !header.width) header.width = *header.height * info.width / info.height;
     header.photo = photo;
   }
-  return modeller::new_session(std::move(header), session::facade_styles(folder));
+  return modeller::new_session(std::move(header), session::facade_style_loader(folder));
 }
 
 /// What the session cannot say as the tree did.
@@ -87,7 +87,7 @@ std::string grammar_named(const facade::Tree& tree, const Options& options) {
   std::string file = tree.name + ".vug";
   const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
   try {
-    session::find_grammar(folder, file);
+    session::find_grammar_file(folder, file);
   } catch (const Error& error) {
     throw Error(
         error.code(), error.what(), {},
@@ -124,7 +124,7 @@ modeller::Session read(const Options& options) {
         fmt::format("{} is for a session that begins, and '{}' has begun", told, options.session),
         {}, "leave it out, or begin another session with --grammar");
   return modeller::read_session(read_text(options.session), options.session,
-                                session::facade_styles(folder_of(options.session)));
+                                session::facade_style_loader(folder_of(options.session)));
 }
 
 /// Tells where an earlier one of that name was.
@@ -196,7 +196,7 @@ std::vector<fs::path> files_of(const Options& options, const modeller::Session& 
 }
 
 /// Of a wall too thin for its voxels, which hold it here and there.
-void warn_of_shreds(const session::FacadeCarving& carving) {
+void warn_of_shreds(const session::CarvingOptions& carving) {
   if (carving.thickness >= 2 * carving.voxel) return;
   const auto length = [](double metres) { return quantity_text(metres, Dimension::length); };
   fmt::print(stderr,

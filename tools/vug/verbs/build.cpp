@@ -36,19 +36,19 @@ void build_one(const Options& options, building::Builder& builder, const loading
                 fmt::format("'{}' declares nothing to build", options.scene.scene), {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
   if (!options.checkpoint.empty()) outputs.emplace_back(options.checkpoint);
-  require_outputs(outputs, loading::files_named(loaded));
+  require_outputs(outputs, loading::file_dependencies(loaded));
   for (const auto& path : delivery::write_products(builder, options.folder, frame))
     fmt::print("{}\n", path.string());
 }
 
 int run_frames(const Options& options, Progress& progress) {
   const std::vector<int> frames = picture::parse_frames(options.frames);
-  loading::Still still;
+  loading::StaticCache still;
   std::unique_ptr<Moment> now;
   for (size_t i = 0; i < frames.size(); ++i) {
     auto next =
         std::make_unique<Moment>(options.scene.load(frames[i], still), options.work, progress);
-    if (now) next->builder.take_over(std::move(now->builder));
+    if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
     if (!options.work.quiet) {
       clear_bar();

@@ -36,7 +36,7 @@ loading::Loaded examine(const Options& options) {
   loading::Loaded loaded = loading::load(options.scene.scene, options.scene.load_options());
   if (!loaded.usable()) return loaded;
   for (const shot::CellsPtr& cells : shot::declared_cells(loaded.shot)) try {
-      building::points_from(*cells);
+      building::initial_points(*cells);
     } catch (const Error& error) {
       loaded.diagnostics.error(error.where(), error.what(), error.hint());
     }
@@ -47,7 +47,7 @@ loading::Loaded examine(const Options& options) {
       loaded.diagnostics.error(where, error.what(), error.hint());
     }
   for (const shot::RenderPlan& plan : loaded.shot.renders) try {
-      if (loading::shows_nothing(loaded.shot))
+      if (loading::is_empty_scene(loaded.shot))
         loaded.diagnostics.warning(plan.where, "the scene has nothing to show");
       image::view_options({plan.view, plan.display, image::environment_config()},
                           plan.working_space);
@@ -86,7 +86,7 @@ int run(const Options& options) {
                pluralize(shot.volumes.size(), "volume", "volumes"),
                pluralize(shot.meshes.size(), "mesh", "meshes"),
                pluralize(shot.objects.size(), "object", "objects"),
-               pluralize(shot.places.size(), "place", "places"),
+               pluralize(shot.instancers.size(), "place", "places"),
                pluralize(shot.lights.size(), "light", "lights"),
                pluralize(shot.cameras.size(), "camera", "cameras"),
                pluralize(shot.renders.size(), "render", "renders"));

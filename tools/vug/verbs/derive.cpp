@@ -94,7 +94,7 @@ int run(const Options& options) {
                             system.timed ? "a time, not steps" : "steps, not a time"),
                 {}, system.timed ? "--time T" : "--steps N");
   const ThreadLimit limit(options.threads);
-  lsystem::Derivation derivation = plan->derived(options.steps, options.time);
+  lsystem::Derivation derivation = plan->derive(options.steps, options.time);
   const lsystem::Word word =
       options.drawn ? plan->interpret(std::move(derivation)) : std::move(derivation.word);
   const lsystem::Alphabet& alphabet = system.alphabet;

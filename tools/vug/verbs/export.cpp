@@ -31,10 +31,11 @@ int run(const Options& options) {
   const ThreadLimit threads(options.work.threads);
   const loading::Loaded loaded = options.scene.load();
   const shot::Shot shot = delivery::with_meshes(loaded.shot);
-  require_outputs(delivery::export_paths(shot, options.folder, what), loading::files_named(loaded));
+  require_outputs(delivery::export_paths(shot, options.folder, what),
+                  loading::file_dependencies(loaded));
   building::Builder builder(shot, options.work.build_options(loaded),
                             terminal_progress(options.work.bar()));
-  const delivery::Exported written = delivery::export_set(builder, options.folder, what);
+  const delivery::ExportResult written = delivery::export_set(builder, options.folder, what);
   for (const auto& path : written.files) fmt::print("{}\n", path.string());
   clear_bar();
   for (const std::string& each : written.unsupported) fmt::print(stderr, "left out: {}\n", each);

@@ -18,8 +18,8 @@ struct Options {
 int run(const Options& options) {
   require_ending(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
   const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
-  require_outputs({options.output, picture::png_beside(options.output)}, paths);
-  const render::Part whole = render::merge(paths, terminal_progress(options.work.bar()));
+  require_outputs({options.output, picture::png_path(options.output)}, paths);
+  const render::PartialRender whole = render::merge(paths, terminal_progress(options.work.bar()));
   const image::Image image = render::develop(whole.state, whole.header.layers);
   for (const auto& path : picture::write_picture(options.output, {{image, whole.header}}))
     fmt::print("{}\n", path.string());

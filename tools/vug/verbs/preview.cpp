@@ -41,7 +41,7 @@ int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   const loading::Loaded loaded = options.scene.load();
   const shot::Shot shot = delivery::with_meshes(loaded.shot);
-  std::vector<std::filesystem::path> inputs = loading::files_named(loaded);
+  std::vector<std::filesystem::path> inputs = loading::file_dependencies(loaded);
   inputs.push_back(page);
   if (!options.picture.empty()) inputs.emplace_back(options.picture);
   require_outputs({options.output}, inputs);
@@ -52,11 +52,11 @@ int run(Options options) {
   what.max_triangles = static_cast<size_t>(options.max_triangles);
   building::Builder builder(shot, options.work.build_options(loaded),
                             terminal_progress(options.work.bar()));
-  const session::Preview made = session::preview(builder, loaded, what);
+  const session::Preview made = session::make_preview(builder, loaded, what);
   write_text(options.output, made.page);
   fmt::print("{}\n", options.output);
   clear_bar();
-  for (const std::string& each : made.left_out) fmt::print(stderr, "left out: {}\n", each);
+  for (const std::string& each : made.unsupported) fmt::print(stderr, "left out: {}\n", each);
   if (options.work.quiet) return kDone;
   if (made.triangles < made.whole)
     fmt::print(stderr, "thinned out to {} of {} triangles\n", made.triangles, made.whole);

@@ -12,7 +12,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  const delivery::Recipe recipe = delivery::recipe_of(options.file);
+  const delivery::Recipe recipe = delivery::read_recipe(options.file);
   if (options.output.empty()) {
     fmt::print("{}", recipe.scene);
   } else {

@@ -77,13 +77,13 @@ void parse(Options& options) {
   }
   if (!options.tile.empty()) {
     const auto tile = parse_numbers(options.tile, "N/N", "tile", "write --tile 1/4 to --tile 4/4");
-    render.share.tile = tile[0] - 1, render.share.tiles = tile[1];
+    render.slice.band = tile[0] - 1, render.slice.bands = tile[1];
   }
   if (!options.samples.empty()) {
     const auto range = parse_numbers(options.samples, "N..N", "range of samples",
                                      "write --samples 0..64, and --samples 64..128 for the next");
-    render.share.begin = static_cast<uint32_t>(range[0]);
-    render.share.end = static_cast<uint32_t>(range[1]);
+    render.slice.begin = static_cast<uint32_t>(range[0]);
+    render.slice.end = static_cast<uint32_t>(range[1]);
     if (range[0] >= range[1])
       throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no samples", options.samples), {},
                   "write --samples 0..64: the second number is beyond the range");
@@ -114,8 +114,9 @@ std::string time_text(double seconds) {
 
 /// Renders one picture of what is loaded, and writes it.
 void render_one(const Options& options, building::Builder& builder) {
-  const std::vector<picture::Rendered> rendered = picture::render_views(builder, options.render);
-  const std::vector<picture::PictureView> views = picture::views_of(rendered);
+  const std::vector<picture::RenderResult> rendered =
+      picture::render_views(builder, options.render);
+  const std::vector<picture::PictureView> views = picture::picture_views(rendered);
   if (views.empty()) {
     fmt::print("{}\n", options.part);
   } else {
@@ -134,24 +135,24 @@ void require_outputs(const Options& options, const loading::Loaded& loaded) {
   std::vector<std::filesystem::path> outputs;
   for (const std::string& path : {options.output, options.part, options.checkpoint})
     if (!path.empty()) outputs.emplace_back(path);
-  if (!options.output.empty()) outputs.push_back(picture::png_beside(options.output));
+  if (!options.output.empty()) outputs.push_back(picture::png_path(options.output));
   // A preview may become the picture.
   if (!options.preview.empty() &&
-      (options.output.empty() || options.preview != picture::png_beside(options.output)))
+      (options.output.empty() || options.preview != picture::png_path(options.output)))
     outputs.emplace_back(options.preview);
   if (!options.output.empty() && picture::render_plan(loaded.shot, options.render.picture).deep)
-    outputs.push_back(picture::deep_beside(options.output));
+    outputs.push_back(picture::deep_path(options.output));
   if (!options.products.empty())
     for (auto& path : delivery::product_paths(loaded.shot, options.products))
       outputs.push_back(std::move(path));
-  vug::require_outputs(outputs, loading::files_named(loaded));
+  vug::require_outputs(outputs, loading::file_dependencies(loaded));
 }
 
 /// Puts the frame's number where names have a place for it.
 Options with_number(const Options& options, int frame) {
   Options out = options;
   for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview})
-    if (picture::has_frame(*path)) *path = picture::at_frame(*path, frame).string();
+    if (picture::has_frame_number(*path)) *path = picture::frame_path(*path, frame).string();
   out.render.part = out.part, out.render.checkpoint = out.checkpoint;
   out.render.preview = out.preview;
   return out;
@@ -161,13 +162,13 @@ Options with_number(const Options& options, int frame) {
 Options at_frame(const Options& options, int frame) {
   for (const std::string* path :
        {&options.output, &options.part, &options.checkpoint, &options.products})
-    if (!path->empty()) picture::at_frame(*path, frame);  // refuses a name that all would share
+    if (!path->empty()) picture::frame_path(*path, frame);  // refuses a name that all would share
   Options out = with_number(options, frame);
   if (out.checkpoint.empty()) out.render.resume = false;  // nothing but whole frames is kept
   return out;
 }
 
-int run_frames(const Options& options, loading::Still& still, Progress& progress) {
+int run_frames(const Options& options, loading::StaticCache& still, Progress& progress) {
   using Clock = std::chrono::steady_clock;
   const std::vector<int> frames = picture::parse_frames(options.frames);
   for (const int frame : frames) at_frame(options, frame);  // before any work
@@ -178,7 +179,7 @@ int run_frames(const Options& options, loading::Still& still, Progress& progress
     const Options one = at_frame(options, frames[i]);
     auto next =
         std::make_unique<Moment>(options.scene.load(frames[i], still), options.work, progress);
-    if (now) next->builder.take_over(std::move(now->builder));
+    if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
     if (options.render.resume && one.part.empty() &&
         picture::is_finished(one.output, now->loaded.shot, one.render.picture)) {
@@ -222,8 +223,8 @@ int run(Options options) {
     };
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar());
-  loading::Still still;
-  options.render.picture.moment = options.scene.moments(still);
+  loading::StaticCache still;
+  options.render.picture.shot_at_frame = options.scene.moments(still);
   if (!options.frames.empty()) return run_frames(options, still, progress);
   if (const auto& frame = options.scene.frame;
       frame && *frame == std::floor(*frame) && std::fabs(*frame) < 1e9)

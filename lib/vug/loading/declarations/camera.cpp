@@ -4,12 +4,12 @@ namespace vug::loading {
 
 const DeclarationKind& camera_declaration() {
   static const DeclarationKind kind = {
-      family_info("camera", "Where the picture is taken from: camera NAME { eye ... }.", "camera",
-                  "perspective"),
-      [](const scene::Declaration& declaration, Reading& reading) {
-        const Value value = read_family("camera", "perspective", declaration, reading);
+      kind_declaration_info("camera", "Where the picture is taken from: camera NAME { eye ... }.",
+                            "camera", "perspective"),
+      [](const scene::Declaration& declaration, ReadContext& context) {
+        const Value value = read_kind_declaration("camera", "perspective", declaration, context);
         if (const auto* camera = value.object<render::CameraPtr>())
-          reading.shot.cameras.push_back({declaration.name, *camera, declaration.where});
+          context.shot.cameras.push_back({declaration.name, *camera, declaration.where});
         return value;
       }};
   return kind;

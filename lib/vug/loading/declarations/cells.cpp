@@ -1,5 +1,5 @@
 #include <vug/loading/reader.h>
-#include <vug/shot/cell_names.h>
+#include <vug/shot/cell_attributes.h>
 #include <vug/shot/cell_stages.h>
 
 #include <algorithm>
@@ -69,10 +69,10 @@ bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
 
 /// The values of an entry that names kinds of a family.
 Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key,
-               Reading& reading) {
+               ReadContext& context) {
   List all;
   for (const scene::ExprPtr& expr : entry.values) {
-    Value made = kind_value(*find_family(type), *expr, key.at(entry.key).at(all.size()), reading);
+    Value made = kind_value(*find_registry(type), *expr, key.at(entry.key).at(all.size()), context);
     // A list, as of a recipe that has a name, stands for what is in it.
     const List* list = made.get<List>();
     if (!list) all.push_back(std::move(made));
@@ -84,11 +84,11 @@ Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key
 }
 
 /// `still`: whether nothing but `steps` depends on the frame.
-Arguments arguments_of(const scene::Declaration& declaration, Reading& reading, bool& still) {
+Arguments arguments_of(const scene::Declaration& declaration, ReadContext& context, bool& still) {
   const auto type_of = [](const scene::Entry& entry) -> std::string {
     return entry.key == "run" ? "rule" : entry.key == "grid" ? "grid" : "";
   };
-  const uint64_t frame_uses = reading.resolver.frame_uses();
+  const uint64_t frame_uses = context.resolver.frame_uses();
   scene::Declaration plain = declaration, clock = declaration;
   plain.entries.clear();
   clock.entries.clear();
@@ -98,39 +98,39 @@ Arguments arguments_of(const scene::Declaration& declaration, Reading& reading, 
       (entry.key == "steps" ? clock : plain).entries.push_back(entry);
     else
       arguments.push_back(
-          {entry.key, kinds_of(type_of(entry), entry, reading.evaluator.key(declaration), reading),
+          {entry.key, kinds_of(type_of(entry), entry, context.evaluator.key(declaration), context),
            entry.where});
   }
   const auto is_choice = [](const std::string& key, const std::string& word) {
     return has_choice(schema().info(), key, word);
   };
-  for (Argument& each : block_arguments(plain, is_choice, reading)) {
+  for (Argument& each : block_arguments(plain, is_choice, context)) {
     const Number* number = each.value.get<Number>();
     if (each.name == "spacing" && number && !(number->value > 0)) {
-      reading.diagnostics.error(each.where, "the spacing of cells is a length above 0",
+      context.diagnostics.error(each.where, "the spacing of cells is a length above 0",
                                 "for instance: spacing 2cm");
       each.value = Value();
     }
     if (each.name == "files")
       for (const scene::ExprPtr& value : declaration.find_entry("files")->values)
-        if (!are_files(value, reading.diagnostics)) each.value = Value();
+        if (!are_files(value, context.diagnostics)) each.value = Value();
     arguments.push_back(std::move(each));
   }
-  still = reading.resolver.frame_uses() == frame_uses;
-  for (Argument& each : block_arguments(clock, is_choice, reading))
+  still = context.resolver.frame_uses() == frame_uses;
+  for (Argument& each : block_arguments(clock, is_choice, context))
     arguments.push_back(std::move(each));
   return arguments;
 }
 
 /// The meshes to stand on, those that are several in one taken apart; none with a diagnostic.
-std::vector<shot::MeshPtr> grounds(const scene::Declaration& declaration, Reading& reading) {
+std::vector<shot::MeshPtr> supports(const scene::Declaration& declaration, ReadContext& context) {
   std::vector<shot::MeshPtr> all;
-  const auto targets = read_targets<shot::AnyMesh>(declaration, reading, "mesh");
+  const auto targets = read_targets<shot::MeshOrLevelSet>(declaration, context, "mesh");
   for (size_t i = 0; i < targets.size(); ++i)
     for (const shot::MeshPtr& part : shot::parts_of(targets[i].mesh)) {
       for (const shot::MeshPtr& other : all)
         if (*part == *other) {
-          reading.diagnostics.error(declaration.target_at(i).where,
+          context.diagnostics.error(declaration.target_at(i).where,
                                     "'" + part->name + "' is there already", "name it once");
           return {};
         }
@@ -144,7 +144,7 @@ std::vector<shot::MeshPtr> worn(const shot::CellsPtr& cells) {
   std::vector<shot::MeshPtr> all;
   for (const shot::MeshPtr& bare : cells->on) {
     shot::MeshPlan plan = *bare;
-    plan.ground = all.size();
+    plan.support = all.size();
     plan.name = cells->on.size() == 1 ? cells->name : cells->name + "_" + bare->name;
     plan.cells = cells;
     all.push_back(std::make_shared<const shot::MeshPlan>(std::move(plan)));
@@ -165,26 +165,26 @@ shot::MeshPtr in_one(const std::string& name, const std::vector<shot::MeshPtr>& 
 const DeclarationKind& cells_declaration() {
   static const DeclarationKind kind = {
       schema().info(),
-      [](const scene::Declaration& declaration, Reading& reading) -> Value {
+      [](const scene::Declaration& declaration, ReadContext& context) -> Value {
         std::optional<shot::CellsPlan> plan;
         Arguments arguments;
         bool still = false;
-        if (has_block(declaration, reading)) {
-          arguments = arguments_of(declaration, reading, still);
-          plan = bind_block(schema(), arguments, declaration, reading);
+        if (has_block(declaration, context)) {
+          arguments = arguments_of(declaration, context, still);
+          plan = bind_block(schema(), arguments, declaration, context);
         }
-        const std::vector<shot::MeshPtr> on = grounds(declaration, reading);
+        const std::vector<shot::MeshPtr> on = supports(declaration, context);
         if (!plan || on.empty()) return Value();
         plan->name = declaration.name;
         plan->on = on;
-        plan->key = reading.evaluator.key(declaration);
+        plan->key = context.evaluator.key(declaration);
         plan->where = declaration.where;
         for (const Argument& each : arguments)
           if (each.name == "spacing") plan->spacing_where = each.where;
-        plan->still = still;
-        shot::read_names(*plan, reading.diagnostics);
+        plan->resumable = still;
+        shot::resolve_attribute_names(*plan, context.diagnostics);
         const auto made = worn(std::make_shared<const shot::CellsPlan>(std::move(*plan)));
-        for (const shot::MeshPtr& mesh : made) reading.shot.meshes.push_back(mesh);
+        for (const shot::MeshPtr& mesh : made) context.shot.meshes.push_back(mesh);
         return Object{"mesh", in_one(declaration.name, made)};
       },
       "mesh", true};

@@ -5,9 +5,9 @@ namespace vug::loading {
 
 const DeclarationKind& field_declaration() {
   static const DeclarationKind kind = {
-      family_info("field", "Names a solid: field NAME = EXPRESSION.", "field", ""),
-      [](const scene::Declaration& declaration, Reading& reading) {
-        return read_family("field", "", declaration, reading);
+      kind_declaration_info("field", "Names a solid: field NAME = EXPRESSION.", "field", ""),
+      [](const scene::Declaration& declaration, ReadContext& context) {
+        return read_kind_declaration("field", "", declaration, context);
       }};
   return kind;
 }

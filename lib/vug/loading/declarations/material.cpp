@@ -4,12 +4,12 @@ namespace vug::loading {
 
 const DeclarationKind& material_declaration() {
   static const DeclarationKind kind = {
-      family_info("material", "What a surface is made of: material NAME = lambert(...).",
-                  "material", "lambert"),
-      [](const scene::Declaration& declaration, Reading& reading) {
-        const Value value = read_family("material", "lambert", declaration, reading);
+      kind_declaration_info("material", "What a surface is made of: material NAME = lambert(...).",
+                            "material", "lambert"),
+      [](const scene::Declaration& declaration, ReadContext& context) {
+        const Value value = read_kind_declaration("material", "lambert", declaration, context);
         if (const auto* material = value.object<render::MaterialPtr>())
-          reading.shot.materials.emplace_back(declaration.name, *material);
+          context.shot.materials.emplace_back(declaration.name, *material);
         return value;
       }};
   return kind;

@@ -4,10 +4,10 @@ namespace vug::loading {
 namespace {
 
 /// `on VOLUME`, where the medium is as dense as a fog; null (with a diagnostic) where it is none.
-shot::VolumePtr read_density(const scene::Declaration& declaration, Reading& reading) {
-  const shot::VolumePtr volume = read_target<shot::VolumePtr>(declaration, reading);
+shot::VolumePtr read_density(const scene::Declaration& declaration, ReadContext& context) {
+  const shot::VolumePtr volume = read_target<shot::VolumePtr>(declaration, context);
   if (volume && !volume->fog) {
-    reading.diagnostics.error(declaration.target->where,
+    context.diagnostics.error(declaration.target->where,
                               "a medium takes its density from a fog, not from a level set",
                               "volume NAME = fog(...)");
     return nullptr;
@@ -19,26 +19,27 @@ shot::VolumePtr read_density(const scene::Declaration& declaration, Reading& rea
 
 const DeclarationKind& medium_declaration() {
   static const DeclarationKind kind = {
-      family_info("medium",
-                  "What fills the air: medium NAME = haze(...), or where it is as dense as a fog "
-                  "medium NAME on VOLUME { kind cloud }.",
-                  "medium", ""),
-      [](const scene::Declaration& declaration, Reading& reading) {
-        const Value value = read_family("medium", "", declaration, reading);
+      kind_declaration_info(
+          "medium",
+          "What fills the air: medium NAME = haze(...), or where it is as dense as a fog "
+          "medium NAME on VOLUME { kind cloud }.",
+          "medium", ""),
+      [](const scene::Declaration& declaration, ReadContext& context) {
+        const Value value = read_kind_declaration("medium", "", declaration, context);
         const shot::VolumePtr volume =
-            declaration.target ? read_density(declaration, reading) : nullptr;
+            declaration.target ? read_density(declaration, context) : nullptr;
         if (const auto* medium = value.object<render::MediumPtr>()) {
-          if (reading.shot.medium)
-            reading.diagnostics.error(declaration.where, "a scene has one medium at most");
+          if (context.shot.medium)
+            context.diagnostics.error(declaration.where, "a scene has one medium at most");
           if ((*medium)->needs_density() && !declaration.target)
-            reading.diagnostics.error(declaration.where, "this medium needs a density",
+            context.diagnostics.error(declaration.where, "this medium needs a density",
                                       "medium NAME on VOLUME { kind cloud }, or a 'file'");
           if (volume && !(*medium)->needs_density())
-            reading.diagnostics.error(declaration.target->where,
+            context.diagnostics.error(declaration.target->where,
                                       "this medium has a density of its own", "leave out 'on'");
-          reading.shot.medium = *medium;
-          reading.shot.medium_name = declaration.name;
-          reading.shot.medium_volume = volume;
+          context.shot.medium = *medium;
+          context.shot.medium_name = declaration.name;
+          context.shot.medium_volume = volume;
         }
         return value;
       },

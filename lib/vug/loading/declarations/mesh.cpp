@@ -21,7 +21,7 @@ std::vector<std::pair<std::string, std::string>> formats() {
 struct Block : shot::MeshPlan {
   std::filesystem::path file;
   double scale = 1;
-  shot::Drawn of;
+  shot::MeshSource of;
   std::vector<field::Field> elements_of;
   double tolerance = 0.2e-3;
 };
@@ -75,7 +75,7 @@ mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
 }
 
 /// A mesh that is empty: a film of growth may begin so, but it may be a slip.
-void warn_of_nothing(const shot::Drawn& drawn, const scene::Entry& entry,
+void warn_of_nothing(const shot::MeshSource& drawn, const scene::Entry& entry,
                      Diagnostics& diagnostics) {
   diagnostics.warning(
       entry.values.at(0)->where,
@@ -85,58 +85,60 @@ void warn_of_nothing(const shot::Drawn& drawn, const scene::Entry& entry,
 }
 
 /// What the block says of a file; null with a diagnostic at what is at fault.
-mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration, Reading& reading) {
+mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration,
+                    ReadContext& context) {
   const bool drawn = declaration.find_entry("of") != nullptr;
   const scene::Entry& entry = *declaration.find_entry(drawn ? "of" : "file");
   const char* source = drawn ? "of stems" : "from a file";
   if (declaration.target) {
-    reading.diagnostics.error(entry.where, fmt::format("a mesh {} stands on no volume", source),
+    context.diagnostics.error(entry.where, fmt::format("a mesh {} stands on no volume", source),
                               fmt::format("leave out 'on' or '{}'", entry.key));
     return nullptr;
   }
   for (const char* key : {"adaptivity", "polish", "elements", drawn ? "file" : "tolerance"})
     if (const scene::Entry* other = declaration.find_entry(key)) {
-      reading.diagnostics.error(
+      context.diagnostics.error(
           other->where, fmt::format("a mesh {} has no use for '{}'", source, key), "leave it out");
       return nullptr;
     }
   try {
-    const auto made = std::make_shared<const mesh::Mesh>(
-        drawn ? shot::mesh_of(block.of, block.tolerance) : read_file(block.file, block.scale));
-    if (made->triangles.empty()) warn_of_nothing(block.of, entry, reading.diagnostics);
+    const auto made =
+        std::make_shared<const mesh::Mesh>(drawn ? shot::mesh_from_source(block.of, block.tolerance)
+                                                 : read_file(block.file, block.scale));
+    if (made->triangles.empty()) warn_of_nothing(block.of, entry, context.diagnostics);
     return made;
   } catch (const Error& error) {
     const SourceLocation& there = error.where();
     const std::string what =
         there.known() ? fmt::format("{} (line {} of '{}')", error.what(), there.line, there.file)
                       : error.what();
-    reading.diagnostics.error(entry.values.at(0)->where, what, error.hint());
+    context.diagnostics.error(entry.values.at(0)->where, what, error.hint());
     return nullptr;
   }
 }
 
 /// What the block says of a level set; null with a diagnostic.
-shot::VolumePtr read_volume(const scene::Declaration& declaration, Reading& reading) {
+shot::VolumePtr read_volume(const scene::Declaration& declaration, ReadContext& context) {
   if (!declaration.value && !declaration.target) {
-    reading.diagnostics.error(
+    context.diagnostics.error(
         declaration.where, "'mesh' needs 'on' and a volume, a file or 'of'",
         fmt::format("mesh {0} on NAME {{ ... }}, or mesh {0} {{ file \"NAME.ply\" }}",
                     declaration.name));
     return nullptr;
   }
-  const shot::VolumePtr volume = read_target<shot::VolumePtr>(declaration, reading);
+  const shot::VolumePtr volume = read_target<shot::VolumePtr>(declaration, context);
   if (!volume || !volume->fog) return volume;
-  reading.diagnostics.error(declaration.where, "a mesh is made of a level set, not of a fog");
+  context.diagnostics.error(declaration.where, "a mesh is made of a level set, not of a fog");
   return nullptr;
 }
 
 /// Fills plan.elements; false with a diagnostic where one of them is no facade.
-bool tell_elements(const Block& block, const scene::Declaration& declaration, Reading& reading,
+bool tell_elements(const Block& block, const scene::Declaration& declaration, ReadContext& context,
                    shot::MeshPlan& plan) {
   for (const field::Field& each : block.elements_of) {
     const std::optional<facade::FacadeInstance> placed = facade::find_facade(each);
     if (!placed) {
-      reading.diagnostics.error(declaration.find_entry("elements")->where,
+      context.diagnostics.error(declaration.find_entry("elements")->where,
                                 "'elements' are grammars of kind facade, or what carve(...) has "
                                 "made with one",
                                 "name the result of carve itself, before it is displaced");
@@ -152,19 +154,19 @@ bool tell_elements(const Block& block, const scene::Declaration& declaration, Re
 const DeclarationKind& mesh_declaration() {
   static const DeclarationKind kind = {
       schema().info(),
-      [](const scene::Declaration& declaration, Reading& reading) -> Value {
-        std::optional<Block> block = read_block(schema(), declaration, reading);
+      [](const scene::Declaration& declaration, ReadContext& context) -> Value {
+        std::optional<Block> block = read_block(schema(), declaration, context);
         const bool is_given = declaration.find_entry("file") || declaration.find_entry("of");
-        const shot::VolumePtr volume = is_given ? nullptr : read_volume(declaration, reading);
+        const shot::VolumePtr volume = is_given ? nullptr : read_volume(declaration, context);
         if (!block) return Value();
         shot::MeshPlan plan = *block;
         plan.name = declaration.name;
         plan.volume = volume;
-        if (!tell_elements(*block, declaration, reading, plan)) return Value();
-        if (is_given) plan.given = given(*block, declaration, reading);
-        if (!plan.volume && !plan.given) return Value();
+        if (!tell_elements(*block, declaration, context, plan)) return Value();
+        if (is_given) plan.file_mesh = given(*block, declaration, context);
+        if (!plan.volume && !plan.file_mesh) return Value();
         const shot::MeshPtr made = std::make_shared<const shot::MeshPlan>(std::move(plan));
-        reading.shot.meshes.push_back(made);
+        context.shot.meshes.push_back(made);
         return Object{"mesh", made};
       },
       "volume"};

@@ -8,7 +8,7 @@ namespace vug::loading {
 namespace {
 
 struct Block : shot::ObjectPlan {
-  shot::AnyMesh of;
+  shot::MeshOrLevelSet of;
 };
 
 Schema<Block> schema() {
@@ -32,14 +32,15 @@ Schema<Block> schema() {
 /// A fault of what the object asks of its mesh and material, and its hint; empty where there is
 /// none.
 std::pair<std::string, std::string> fault(const shot::ObjectPlan& plan, const std::string& name) {
-  const bool shines = plan.emission.length2() > 0 || (plan.material && plan.material->is_emissive());
+  const bool shines =
+      plan.emission.length2() > 0 || (plan.material && plan.material->is_emissive());
   const bool holes = plan.material && plan.material->cut_out();
   if (shines && holes)
     return {fmt::format("'{}' shines and has holes by its material's opacity", name),
             "make it of two objects, or use emission_mask"};
   if (!plan.direct) return {};
   const std::string hint = "leave out 'direct'";
-  if (plan.mesh->given)
+  if (plan.mesh->file_mesh)
     return {fmt::format("'{}' is to be traced, but '{}' is a mesh of no level set", name,
                         plan.mesh->name),
             hint};
@@ -53,13 +54,13 @@ std::pair<std::string, std::string> fault(const shot::ObjectPlan& plan, const st
 
 /// The parts of the mesh to show; none, with a diagnostic, where `of` is none of them.
 std::vector<shot::MeshPtr> shown(const shot::MeshPtr& mesh, const shot::MeshPtr& of,
-                                 const scene::Declaration& declaration, Reading& reading) {
+                                 const scene::Declaration& declaration, ReadContext& context) {
   if (!of) return shot::parts_of(mesh);
-  if (const shot::MeshPtr part = shot::part_on(mesh, of)) return {part};
+  if (const shot::MeshPtr part = shot::part_with_support(mesh, of)) return {part};
   std::vector<std::string> names;
   for (const shot::MeshPtr& part : shot::parts_of(mesh))
-    if (part->cells) names.push_back(shot::below(*part)->name);
-  reading.diagnostics.error(declaration.find_entry("of")->values.at(0)->where,
+    if (part->cells) names.push_back(shot::mesh_without_cells(*part)->name);
+  context.diagnostics.error(declaration.find_entry("of")->values.at(0)->where,
                             fmt::format("'{}' is not of '{}'", of->name, mesh->name),
                             suggestion(of->name, names));
   return {};
@@ -70,19 +71,19 @@ std::vector<shot::MeshPtr> shown(const shot::MeshPtr& mesh, const shot::MeshPtr&
 const DeclarationKind& object_declaration() {
   static const DeclarationKind kind = {
       schema().info(),
-      [](const scene::Declaration& declaration, Reading& reading) -> Value {
-        std::optional<Block> block = read_block(schema(), declaration, reading);
-        const shot::MeshPtr mesh = read_target<shot::MeshPtr>(declaration, reading);
+      [](const scene::Declaration& declaration, ReadContext& context) -> Value {
+        std::optional<Block> block = read_block(schema(), declaration, context);
+        const shot::MeshPtr mesh = read_target<shot::MeshPtr>(declaration, context);
         if (!block || !mesh) return Value();
-        for (const shot::MeshPtr& part : shown(mesh, block->of.mesh, declaration, reading)) {
+        for (const shot::MeshPtr& part : shown(mesh, block->of.mesh, declaration, context)) {
           shot::ObjectPlan plan = *block;
           plan.name = declaration.name;
           plan.mesh = part;
           if (const auto [told, hint] = fault(plan, plan.name); !told.empty()) {
-            reading.diagnostics.error(declaration.where, told, hint);
+            context.diagnostics.error(declaration.where, told, hint);
             return Value();
           }
-          reading.shot.objects.push_back(std::move(plan));
+          context.shot.objects.push_back(std::move(plan));
         }
         return Value(Value::Name{declaration.name});
       },

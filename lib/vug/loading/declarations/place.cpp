@@ -10,26 +10,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Schema<shot::PlacePlan> schema() {
-  Schema<shot::PlacePlan> s("place", "declaration");
+Schema<shot::PointInstancer> schema() {
+  Schema<shot::PointInstancer> s("place", "declaration");
   s.doc(
        "Things that stand in one or many places: place NAME { of OBJECT at PLACES }. An object "
        "that is placed shows nowhere else.")
       .param(
-          "of", &shot::PlacePlan::of,
+          "of", &shot::PointInstancer::of,
           {.doc = "what stands there: an object, a scene(\"file.vug\"), or several to choose from",
            .required = true})
       .param(
-          "at", &shot::PlacePlan::at,
+          "at", &shot::PointInstancer::at,
           {.doc =
                "where: points such as (1, 0, 2), pose(...), scatter(...), grove(...), points(...)",
            .required = true})
-      .param("shares", &shot::PlacePlan::shares,
+      .param("shares", &shot::PointInstancer::shares,
              {.doc = "how often each of several things is chosen, against the others", .min = 0})
-      .param("material", &shot::PlacePlan::material,
+      .param("material", &shot::PointInstancer::material,
              {.doc = "what all of it is made of, instead; its masks see the places, where those of "
                      "a thing's own material see the thing"})
-      .param("apart", &shot::PlacePlan::apart,
+      .param("apart", &shot::PointInstancer::apart,
              {.doc = "in mattes each is an object NAME/1, NAME/2 ... of its own"});
   return s;
 }
@@ -54,19 +54,20 @@ fs::path found(const fs::path& file, const SourceLocation& where, const LoadOpti
 
 /// The other scene's shot; null with a diagnostic where it cannot be had.
 std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const SourceLocation& where,
-                                             Reading& reading) {
+                                             ReadContext& context) {
   LoadOptions options;
-  options.include_folders = reading.options.include_folders;
-  options.within = reading.options.within;
-  options.frame = reading.options.frame;
-  options.max_memory = reading.options.max_memory;
-  options.within.push_back(fs::weakly_canonical(reading.file));
+  options.include_folders = context.options.include_folders;
+  options.enclosing_scenes = context.options.enclosing_scenes;
+  options.frame = context.options.frame;
+  options.max_memory = context.options.max_memory;
+  options.enclosing_scenes.push_back(fs::weakly_canonical(context.file));
   const fs::path own = fs::weakly_canonical(model.file);
   const auto refuse = [&](const std::string& what, const std::string& hint) {
-    reading.diagnostics.error(where, what, hint);
+    context.diagnostics.error(where, what, hint);
     return nullptr;
   };
-  if (std::find(options.within.begin(), options.within.end(), own) != options.within.end())
+  if (std::find(options.enclosing_scenes.begin(), options.enclosing_scenes.end(), own) !=
+      options.enclosing_scenes.end())
     return refuse(fmt::format("the scene '{}' would stand inside of itself", model.name), "");
   try {
     for (const std::string& text : model.with) options.overrides.push_back(override_of(text));
@@ -76,13 +77,13 @@ std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const Sou
       if (fault.severity == Severity::error)
         return refuse(fmt::format("the scene '{}' has faults and cannot be placed", model.name),
                       fmt::format("{}: {}", to_string(fault.where), fault.message));
-    if (loaded.shot.moves) reading.resolver.use_frame();
+    if (loaded.shot.animated) context.resolver.use_frame();
     Hasher texts;
-    texts.add_value(reading.shot.texts)
-        .add_value(loaded.shot.texts)
+    texts.add_value(context.shot.text_digest)
+        .add_value(loaded.shot.text_digest)
         .add_value(options.seed.value_or(~0ull));
     for (const std::string& text : model.with) texts.add_value(text.size()).add(text);
-    reading.shot.texts = texts.finish();
+    context.shot.text_digest = texts.finish();
     return std::make_shared<const shot::Shot>(std::move(loaded.shot));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
@@ -91,18 +92,18 @@ std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const Sou
 }
 
 /// Makes sure that there is what is to be placed; false with a diagnostic.
-bool complete(shot::Model& model, const SourceLocation& where, Reading& reading) {
+bool complete(shot::Model& model, const SourceLocation& where, ReadContext& context) {
   if (!model.file.empty()) {
-    model.file = found(model.file, where, reading.options);
-    model.scene = load_model(model, where, reading);
+    model.file = found(model.file, where, context.options);
+    model.scene = load_model(model, where, context);
     return model.scene != nullptr;
   }
   std::vector<std::string> names;
-  for (const shot::ObjectPlan& object : reading.shot.objects) names.push_back(object.name);
+  for (const shot::ObjectPlan& object : context.shot.objects) names.push_back(object.name);
   if (std::find(names.begin(), names.end(), model.name) != names.end())
     model.mesh = nullptr;  // the object of that name, rather than its mesh
   else if (!model.mesh) {
-    reading.diagnostics.error(where, fmt::format("there is no object '{}' to place", model.name),
+    context.diagnostics.error(where, fmt::format("there is no object '{}' to place", model.name),
                               suggestion(model.name, names));
     return false;
   }
@@ -116,7 +117,8 @@ SourceLocation where_of(const char* key, const scene::Declaration& declaration) 
 }
 
 /// A sentence on shares and numbers of things that do not fit, with its place; else nothing.
-std::optional<Error> misfit(const shot::PlacePlan& plan, const scene::Declaration& declaration) {
+std::optional<Error> misfit(const shot::PointInstancer& plan,
+                            const scene::Declaration& declaration) {
   const auto refuse = [&](const char* key, const std::string& what, const std::string& hint = {}) {
     return Error(ErrorCode::bad_input, what, where_of(key, declaration), hint);
   };
@@ -128,14 +130,14 @@ std::optional<Error> misfit(const shot::PlacePlan& plan, const scene::Declaratio
       std::all_of(plan.shares.begin(), plan.shares.end(), [](double s) { return s == 0; }))
     return refuse("shares", "the shares are all 0: nothing could be chosen");
   const auto count = static_cast<int>(plan.of.size());
-  for (const shot::Places& at : plan.at) {
-    const auto* numbered = at->target<building::NumberedPlaces>();
-    if (numbered && numbered->last >= count)
+  for (const shot::InstanceSource& at : plan.at) {
+    const auto* numbered = at->target<building::IndexedInstanceSource>();
+    if (numbered && numbered->last_model >= count)
       return refuse(
           "at",
           fmt::format("a place asks for thing number {}, but the last of '{}' is "
                       "number {}",
-                      numbered->last, declaration.name, count - 1),
+                      numbered->last_model, declaration.name, count - 1),
           "they are counted from 0, in the order of 'of'; a grove's 'diameters' have one each");
   }
   return std::nullopt;
@@ -145,19 +147,19 @@ std::optional<Error> misfit(const shot::PlacePlan& plan, const scene::Declaratio
 
 const DeclarationKind& place_declaration() {
   static const DeclarationKind kind = {
-      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
-        std::optional<shot::PlacePlan> plan = read_block(schema(), declaration, reading);
+      schema().info(), [](const scene::Declaration& declaration, ReadContext& context) -> Value {
+        std::optional<shot::PointInstancer> plan = read_block(schema(), declaration, context);
         if (!plan) return Value();
         plan->name = declaration.name;
         plan->where = declaration.where;
-        plan->key = reading.evaluator.key(declaration);
+        plan->key = context.evaluator.key(declaration);
         if (const std::optional<Error> fault = misfit(*plan, declaration)) {
-          reading.diagnostics.error(fault->where(), fault->what(), fault->hint());
+          context.diagnostics.error(fault->where(), fault->what(), fault->hint());
           return Value();
         }
         for (shot::Model& model : plan->of)
-          if (!complete(model, declaration.where, reading)) return Value();
-        reading.shot.places.push_back(std::move(*plan));
+          if (!complete(model, declaration.where, context)) return Value();
+        context.shot.instancers.push_back(std::move(*plan));
         return Value(Value::Name{declaration.name});
       }};
   return kind;

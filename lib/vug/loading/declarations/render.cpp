@@ -61,12 +61,12 @@ Schema<shot::RenderPlan> schema() {
 
 const DeclarationKind& render_declaration() {
   static const DeclarationKind kind = {
-      schema().info(), [](const scene::Declaration& declaration, Reading& reading) -> Value {
-        std::optional<shot::RenderPlan> plan = read_block(schema(), declaration, reading);
+      schema().info(), [](const scene::Declaration& declaration, ReadContext& context) -> Value {
+        std::optional<shot::RenderPlan> plan = read_block(schema(), declaration, context);
         if (!plan) return Value();
         const auto refuse = [&](const char* key, const char* what, const char* hint) {
           for (const scene::Entry& entry : declaration.entries)
-            if (entry.key == key) reading.diagnostics.error(entry.where, what, hint);
+            if (entry.key == key) context.diagnostics.error(entry.where, what, hint);
           return Value();
         };
         if (plan->size.size() != 2)
@@ -75,7 +75,7 @@ const DeclarationKind& render_declaration() {
           return refuse("crop", "'crop' is left, top, right and bottom", "crop [0, 0, 960, 540]");
         plan->name = declaration.name;
         plan->where = declaration.where;
-        reading.shot.renders.push_back(std::move(*plan));
+        context.shot.renders.push_back(std::move(*plan));
         return Value(Value::Name{declaration.name});
       }};
   return kind;

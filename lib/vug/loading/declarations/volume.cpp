@@ -27,17 +27,17 @@ double voxel_of(const shot::MeshPlan& mesh) {
   return voxel;
 }
 
-shot::VolumePtr read_on_mesh(const scene::Declaration& declaration, Reading& reading) {
-  const auto block = read_block(schema(), declaration, reading);
-  const shot::MeshPtr mesh = read_target<shot::MeshPtr>(declaration, reading);
+shot::VolumePtr read_on_mesh(const scene::Declaration& declaration, ReadContext& context) {
+  const auto block = read_block(schema(), declaration, context);
+  const shot::MeshPtr mesh = read_target<shot::MeshPtr>(declaration, context);
   if (!block || !mesh) return nullptr;
   shot::VolumePlan plan;
-  plan.of = mesh;
+  plan.source_mesh = mesh;
   plan.voxel = block->voxel > 0 ? block->voxel : voxel_of(*mesh);
   plan.half_width = block->half_width;
   plan.half = block->half;
   if (plan.voxel > 0) return std::make_shared<const shot::VolumePlan>(std::move(plan));
-  reading.diagnostics.error(declaration.where, "'volume' needs 'voxel'",
+  context.diagnostics.error(declaration.where, "'volume' needs 'voxel'",
                             "voxel: edge of a voxel, for instance 2cm");
   return nullptr;
 }
@@ -46,24 +46,24 @@ shot::VolumePtr read_on_mesh(const scene::Declaration& declaration, Reading& rea
 
 const DeclarationKind& volume_declaration() {
   static const DeclarationKind kind = {
-      family_info(
+      kind_declaration_info(
           "volume",
           "A grid of the scene's .vdb file: volume NAME = level_set(...), or a level set of "
           "a closed mesh: volume NAME on MESH { voxel 2cm }.",
           "volume", "level_set"),
-      [](const scene::Declaration& declaration, Reading& reading) -> Value {
+      [](const scene::Declaration& declaration, ReadContext& context) -> Value {
         shot::VolumePtr plan;
         if (declaration.target) {
-          plan = read_on_mesh(declaration, reading);
+          plan = read_on_mesh(declaration, context);
         } else {
-          const Value value = read_family("volume", "level_set", declaration, reading);
+          const Value value = read_kind_declaration("volume", "level_set", declaration, context);
           if (const shot::VolumePtr* read = value.object<shot::VolumePtr>()) plan = *read;
         }
         if (!plan) return Value();
         auto named = std::make_shared<shot::VolumePlan>(*plan);
         named->name = declaration.name;
         named->where = declaration.where;
-        reading.shot.volumes.push_back(named);
+        context.shot.volumes.push_back(named);
         return Object{"volume", shot::VolumePtr(named)};
       },
       "mesh"};

@@ -49,7 +49,7 @@ struct ValueTraits<loading::Earth> {
     if (const auto* field = v.object<field::Field>()) return loading::Earth{*field, nullptr};
     if (const auto* mesh = v.object<shot::MeshPtr>()) return loading::Earth{{}, *mesh};
     const auto* volume = v.object<shot::VolumePtr>();
-    if (!volume || (*volume)->fog || (*volume)->of) return std::nullopt;
+    if (!volume || (*volume)->fog || (*volume)->source_mesh) return std::nullopt;
     return loading::Earth{(*volume)->field, nullptr};
   }
   static Value write(const loading::Earth& earth) {
@@ -181,7 +181,7 @@ flora::Ground ground_for(const Grove& g, building::Builder& builder) {
   return g.on.mesh ? flora::ground_of(builder.mesh(g.on.mesh), options) : flora::level_ground();
 }
 
-building::Place place_of(const Grove& g, const flora::Stem& stem) {
+building::Instance place_of(const Grove& g, const flora::Stem& stem) {
   RandomStream random(stem.key.at("pose"));
   const double yaw = (random.uniform() - 0.5) * g.turn, tilt = random.uniform() * g.lean;
   double side = random.uniform() * 2 * kPi;
@@ -227,17 +227,17 @@ flora::GroveOptions options_for(const Grove& g, const flora::Plot& plot, buildin
   return options;
 }
 
-std::vector<building::Place> plant(const Grove& g, const flora::Plot& plot,
-                                   building::Builder& builder, RandomKey key) {
-  std::vector<building::Place> places;
+std::vector<building::Instance> plant(const Grove& g, const flora::Plot& plot,
+                                      building::Builder& builder, RandomKey key) {
+  std::vector<building::Instance> places;
   for (const flora::Stem& stem :
        flora::grove(plot, options_for(g, plot, builder, key), builder.progress()))
     places.push_back(place_of(g, stem));
   return places;
 }
 
-std::string why_none(const Grove& g, const flora::Plot& plot, building::Builder& builder,
-                     RandomKey key) {
+std::string empty_reason(const Grove& g, const flora::Plot& plot, building::Builder& builder,
+                         RandomKey key) {
   const flora::Fates fates =
       flora::fates(plot, options_for(g, plot, builder, key), builder.progress());
   std::vector<std::string> reasons;
@@ -258,17 +258,20 @@ std::string why_none(const Grove& g, const flora::Plot& plot, building::Builder&
 }  // namespace loading
 }  // namespace vug
 
-VUG_PLACES_KIND(grove) {
-  return make_kind<shot::Places, Grove>("grove", "places", [](const Grove& g) -> shot::Places {
-    flora::Corners corners;
-    for (const PlanPoint& corner : g.polygon) corners.push_back(corner.at);
-    const auto make = [g, plot = flora::Plot(corners)](building::Builder& builder, RandomKey key) {
-      return plant(g, plot, builder, key);
-    };
-    const auto why = [g, plot = flora::Plot(corners)](building::Builder& builder, RandomKey key) {
-      return why_none(g, plot, builder, key);
-    };
-    return std::make_shared<const building::PlacesMaker>(
-        building::NumberedPlaces{make, static_cast<int>(g.diameters.size()) - 1, why});
-  });
+VUG_INSTANCE_SOURCE_KIND(grove) {
+  return make_kind<shot::InstanceSource, Grove>(
+      "grove", "places", [](const Grove& g) -> shot::InstanceSource {
+        flora::Corners corners;
+        for (const PlanPoint& corner : g.polygon) corners.push_back(corner.at);
+        const auto make = [g, plot = flora::Plot(corners)](building::Builder& builder,
+                                                           RandomKey key) {
+          return plant(g, plot, builder, key);
+        };
+        const auto why = [g, plot = flora::Plot(corners)](building::Builder& builder,
+                                                          RandomKey key) {
+          return empty_reason(g, plot, builder, key);
+        };
+        return std::make_shared<const building::InstanceFunction>(
+            building::IndexedInstanceSource{make, static_cast<int>(g.diameters.size()) - 1, why});
+      });
 }

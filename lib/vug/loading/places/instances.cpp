@@ -33,9 +33,9 @@ struct Instances {
   }
 };
 
-std::vector<building::Place> places_of(const Instances& wanted, RandomKey key) {
+std::vector<building::Instance> places_of(const Instances& wanted, RandomKey key) {
   const lsystem::DrawingPtr drawing = wanted.of->drawing();
-  std::vector<building::Place> places;
+  std::vector<building::Instance> places;
   for (size_t i = 0; i < drawing->instances.size(); ++i) {
     const lsystem::Instance& each = drawing->instances[i];
     const double size = each.size * wanted.scale;
@@ -50,7 +50,9 @@ std::vector<building::Place> places_of(const Instances& wanted, RandomKey key) {
 }  // namespace
 }  // namespace vug::loading
 
-VUG_PLACES_KIND(instances) {
-  return places_kind<Instances>("instances", [](const Instances& wanted, building::Builder&,
-                                                RandomKey key) { return places_of(wanted, key); });
+VUG_INSTANCE_SOURCE_KIND(instances) {
+  return instance_source_kind<Instances>(
+      "instances", [](const Instances& wanted, building::Builder&, RandomKey key) {
+        return places_of(wanted, key);
+      });
 }

@@ -43,12 +43,12 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   return cells;
 }
 
-std::vector<building::Place> read_points(const Points& p) {
+std::vector<building::Instance> read_points(const Points& p) {
   const std::vector<std::string> known = {"x",     "y",  "z",  "yaw", "pitch", "roll",
                                           "scale", "sx", "sy", "sz",  "model"};
   const std::string text = read_text(p.file);
   std::map<std::string, size_t> column;
-  std::vector<building::Place> places;
+  std::vector<building::Instance> places;
   int number = 0;
   const auto refuse = [&](const std::string& what, const std::string& hint = {}) {
     throw Error(ErrorCode::bad_input, fmt::format("{}:{}: {}", p.file.string(), number, what), {},
@@ -87,9 +87,10 @@ std::vector<building::Place> read_points(const Points& p) {
     if (size.x == 0 || size.y == 0 || size.z == 0) refuse("a thing of size 0 cannot be placed");
     const double degree = kPi / 180;
     const Vec3d at(value("x", 0), value("y", 0), value("z", 0));
-    places.push_back({building::pose(at * p.unit, value("yaw", 0) * degree,
-                                     value("pitch", 0) * degree, value("roll", 0) * degree, size),
-                      RandomKey(0), static_cast<int>(value("model", -1))});
+    places.push_back(
+        {building::pose_transform(at * p.unit, value("yaw", 0) * degree, value("pitch", 0) * degree,
+                                  value("roll", 0) * degree, size),
+         RandomKey(0), static_cast<int>(value("model", -1))});
   }
   return places;
 }
@@ -97,17 +98,19 @@ std::vector<building::Place> read_points(const Points& p) {
 }  // namespace
 }  // namespace vug::loading
 
-VUG_PLACES_KIND(points) {
-  return make_kind<shot::Places, Points>("points", "places", [](const Points& p) -> shot::Places {
-    // Now, so that a faulty table is told as a fault of the text.
-    std::vector<building::Place> places = read_points(p);
-    int last = -1;
-    for (const building::Place& place : places) last = std::max(last, place.model);
-    const auto make = [places = std::move(places)](building::Builder&, RandomKey key) {
-      std::vector<building::Place> keyed = places;
-      for (size_t i = 0; i < keyed.size(); ++i) keyed[i].key = key.at(i);
-      return keyed;
-    };
-    return std::make_shared<const building::PlacesMaker>(building::NumberedPlaces{make, last});
-  });
+VUG_INSTANCE_SOURCE_KIND(points) {
+  return make_kind<shot::InstanceSource, Points>(
+      "points", "places", [](const Points& p) -> shot::InstanceSource {
+        // Now, so that a faulty table is told as a fault of the text.
+        std::vector<building::Instance> places = read_points(p);
+        int last = -1;
+        for (const building::Instance& place : places) last = std::max(last, place.model);
+        const auto make = [places = std::move(places)](building::Builder&, RandomKey key) {
+          std::vector<building::Instance> keyed = places;
+          for (size_t i = 0; i < keyed.size(); ++i) keyed[i].key = key.at(i);
+          return keyed;
+        };
+        return std::make_shared<const building::InstanceFunction>(
+            building::IndexedInstanceSource{make, last});
+      });
 }

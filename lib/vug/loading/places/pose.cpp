@@ -36,13 +36,16 @@ struct Pose {
 }  // namespace
 }  // namespace vug::loading
 
-VUG_PLACES_KIND(pose) {
-  return make_kind<shot::Places, Pose>("pose", "places", [](const Pose& p) -> shot::Places {
-    const int model = p.model.value_or(-1);
-    const Transform at = building::pose(p.position, p.yaw, p.pitch, p.roll, p.stretch * p.scale);
-    const auto make = [at, model](building::Builder&, RandomKey key) {
-      return std::vector<building::Place>{{at, key, model}};
-    };
-    return std::make_shared<const building::PlacesMaker>(building::NumberedPlaces{make, model});
-  });
+VUG_INSTANCE_SOURCE_KIND(pose) {
+  return make_kind<shot::InstanceSource, Pose>(
+      "pose", "places", [](const Pose& p) -> shot::InstanceSource {
+        const int model = p.model.value_or(-1);
+        const Transform at =
+            building::pose_transform(p.position, p.yaw, p.pitch, p.roll, p.stretch * p.scale);
+        const auto make = [at, model](building::Builder&, RandomKey key) {
+          return std::vector<building::Instance>{{at, key, model}};
+        };
+        return std::make_shared<const building::InstanceFunction>(
+            building::IndexedInstanceSource{make, model});
+      });
 }

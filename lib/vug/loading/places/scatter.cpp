@@ -58,7 +58,7 @@ struct Scatter {
   }
 };
 
-building::Place place_at(const Scatter& s, const mesh::SurfaceSample& spot) {
+building::Instance place_at(const Scatter& s, const mesh::SurfaceSample& spot) {
   RandomStream random(spot.key.at("pose"));
   const Vec3d up(0, 1, 0);
   Vec3d axis = spot.normal * (1 - s.upright) + up * s.upright;
@@ -72,7 +72,8 @@ building::Place place_at(const Scatter& s, const mesh::SurfaceSample& spot) {
   return {Transform::translation(spot.position - axis * (s.sink * size)) * turned, spot.key, -1};
 }
 
-std::vector<building::Place> scatter_on_mesh(const Scatter& s, building::Builder& builder, RandomKey key) {
+std::vector<building::Instance> scatter_on_mesh(const Scatter& s, building::Builder& builder,
+                                                RandomKey key) {
   const mesh::MeshPtr mesh = builder.mesh(s.on);
   const auto solid = builder.solid(s.on);
   mesh::ScatterOptions options;
@@ -85,7 +86,7 @@ std::vector<building::Place> scatter_on_mesh(const Scatter& s, building::Builder
       at.footprint = s.spacing;
       return (*s.where)(at);
     };
-  std::vector<building::Place> places;
+  std::vector<building::Instance> places;
   for (const mesh::SurfaceSample& spot : mesh::scatter(*mesh, options, builder.progress()))
     places.push_back(place_at(s, spot));
   return places;
@@ -94,4 +95,6 @@ std::vector<building::Place> scatter_on_mesh(const Scatter& s, building::Builder
 }  // namespace
 }  // namespace vug::loading
 
-VUG_PLACES_KIND(scatter) { return places_kind<Scatter>("scatter", scatter_on_mesh); }
+VUG_INSTANCE_SOURCE_KIND(scatter) {
+  return instance_source_kind<Scatter>("scatter", scatter_on_mesh);
+}

@@ -1,5 +1,5 @@
 #include <vug/cells/simulation.h>
-#include <vug/shot/cell_names.h>
+#include <vug/shot/cell_attributes.h>
 
 #include <fmt/format.h>
 
@@ -17,26 +17,28 @@ cells::Simulation few_cells() {
 }
 
 /// What rules bring they tell by doing it, on a few cells.
-class Trial {
+class TrialRun {
  public:
-  explicit Trial(const CellsPlan& plan) : cells_(few_cells()) {
+  explicit TrialRun(const CellsPlan& plan) : cells_(few_cells()) {
     for (const CellStagePtr& stage : plan.run) step(*stage);
     // Again, now that each finds what later ones bring.
     faults_.clear();
     for (const CellStagePtr& stage : plan.run) step(*stage);
   }
 
-  void tell(Diagnostics& diagnostics) const {
+  void report(Diagnostics& diagnostics) const {
     for (const auto& [where, error] : faults_) diagnostics.error(where, error.what(), error.hint());
   }
-  const std::map<std::string, bool>& requested_attributes() const { return cells_.requested_attributes(); }
+  const std::map<std::string, bool>& requested_attributes() const {
+    return cells_.requested_attributes();
+  }
   std::vector<std::string> names() const {
-    std::vector<std::string> all = surroundings();
+    std::vector<std::string> all = context_attribute_names();
     for (const cells::Attribute& each : cells_.attributes().all()) all.push_back(each.name);
     all.emplace_back(cells::kTransparent);
     return all;
   }
-  bool brings(const std::string& name) const { return cells_.attributes().find(name); }
+  bool creates(const std::string& name) const { return cells_.attributes().find(name); }
 
  private:
   void step(const CellStage& stage) {
@@ -44,7 +46,7 @@ class Trial {
       cells_.run({{stage.rule, stage.name, cells_.step(), 1}}, 1);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input) throw;
-      faults_.emplace_back(stage.at, error);
+      faults_.emplace_back(stage.location, error);
     }
   }
 
@@ -67,15 +69,15 @@ std::string fault_of_name(const std::string& name) {
 
 }  // namespace
 
-const std::vector<std::string>& surroundings() {
+const std::vector<std::string>& context_attribute_names() {
   static const std::vector<std::string> names = {kExposure, kOcclusion, kCurvature};
   return names;
 }
 
-void read_names(CellsPlan& plan, Diagnostics& diagnostics) {
-  const Trial trial(plan);
-  trial.tell(diagnostics);
-  const std::vector<std::string> known = trial.names();
+void resolve_attribute_names(CellsPlan& plan, Diagnostics& diagnostics) {
+  const TrialRun trial_run(plan);
+  trial_run.report(diagnostics);
+  const std::vector<std::string> known = trial_run.names();
   std::set<std::string> named, told;
   const auto look = [&](const std::string& name, const SourceLocation& where) {
     named.insert(name);
@@ -99,15 +101,15 @@ void read_names(CellsPlan& plan, Diagnostics& diagnostics) {
     }
     for (const auto& [name, needed] : alone.requested_attributes()) {
       named.insert(name);
-      if (needed) look(name, stage->at);
+      if (needed) look(name, stage->location);
     }
   }
-  plan.brings = known;
+  plan.attribute_names = known;
   for (const std::string& name : known)
     if (const std::string fault = fault_of_name(name); !fault.empty())
       diagnostics.error(plan.where, fault, "letters, digits and _ that do not begin with a digit");
-  for (const std::string& name : surroundings())
-    if (named.count(name) > 0 && !trial.brings(name)) plan.surroundings.push_back(name);
+  for (const std::string& name : context_attribute_names())
+    if (named.count(name) > 0 && !trial_run.creates(name)) plan.context_attributes.push_back(name);
 }
 
 }  // namespace vug::shot

@@ -11,14 +11,14 @@
 
 namespace vug::loading {
 
-struct FamilyKind {
+struct RegisteredKind {
   const KindInfo* info = nullptr;
   std::function<std::optional<Value>(const Arguments&, const SourceLocation&, Diagnostics&)> make;
 };
 
 /// The kind, of whatever product; it must outlive what is given.
 template <class Product>
-FamilyKind as_family_kind(const Kind<Product>& kind) {
+RegisteredKind registered_kind(const Kind<Product>& kind) {
   return {&kind.info,
           [&kind](const Arguments& arguments, const SourceLocation& where,
                   Diagnostics& diagnostics) -> std::optional<Value> {
@@ -29,19 +29,19 @@ FamilyKind as_family_kind(const Kind<Product>& kind) {
 }
 
 /// All kinds whose product is of one type.
-struct Family {
+struct KindRegistry {
   std::string type;  ///< "field", "light", ...
-  std::vector<FamilyKind> kinds;
+  std::vector<RegisteredKind> kinds;
 
-  const FamilyKind* find(const std::string& name) const;
+  const RegisteredKind* find(const std::string& name) const;
 };
 
 /// Whether the kind's parameter has the word among its choices.
 bool has_choice(const KindInfo& kind, const std::string& parameter, const std::string& word);
 
 /// Every family there is, with the kinds of plugins that were loaded before it is first asked for.
-const std::vector<Family>& families();
+const std::vector<KindRegistry>& kind_registries();
 /// The family of a product type; null when there is none.
-const Family* find_family(const std::string& type);
+const KindRegistry* find_registry(const std::string& type);
 
 }  // namespace vug::loading

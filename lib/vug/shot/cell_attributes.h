@@ -16,10 +16,10 @@ inline constexpr const char* kCurvature = "curvature";
 /// share of the directions above a cell in which rock stands within 50 cm, weighted by cosines;
 /// curvature: the mean of the surface's, by how normals turn from a cell to its neighbours, in 1/m:
 /// 1/r on a ball, below 0 in hollows. It needs no level set, as the masks cavity and edge do.
-const std::vector<std::string>& surroundings();
+const std::vector<std::string>& context_attribute_names();
 
 /// Fills plan.surroundings, and tells of attributes that rules or masks of the plan name and nobody
 /// brings, where the text does so, and of rules that disagree about the type of one.
-void read_names(CellsPlan& plan, Diagnostics& diagnostics);
+void resolve_attribute_names(CellsPlan& plan, Diagnostics& diagnostics);
 
 }  // namespace vug::shot

@@ -1,0 +1,113 @@
+#include <vug/cells/kind.h>
+#include <vug/facade/carve.h>
+#include <vug/field/blend_kind.h>
+#include <vug/field/noise.h>
+#include <vug/field/registry.h>
+#include <vug/flora/distribution.h>
+#include <vug/flora/shape.h>
+#include <vug/loading/instance_source_kinds.h>
+#include <vug/loading/kind_registry.h>
+#include <vug/loading/plants.h>
+#include <vug/loading/plugin_kinds.h>
+#include <vug/paint/kind.h>
+#include <vug/render/kinds.h>
+#include <vug/shot/cell_stages.h>
+#include <vug/shot/curves.h>
+#include <vug/shot/plan_values.h>
+#include <vug/shot/volume_kinds.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace vug::loading {
+namespace {
+
+template <class Product, class... More>
+KindRegistry registry(const Kinds<Product>& kinds, const More&... more) {
+  KindRegistry out{ValueTraits<Product>::type(), {}};
+  for (const Kinds<Product>* each : {&kinds, &more...})
+    for (const Kind<Product>* kind : *each) out.kinds.push_back(registered_kind(*kind));
+  return out;
+}
+
+}  // namespace
+
+bool has_choice(const KindInfo& kind, const std::string& parameter, const std::string& word) {
+  for (const ParamInfo& info : kind.params)
+    if (info.name == parameter)
+      return std::find(info.choices.begin(), info.choices.end(), word) != info.choices.end();
+  return false;
+}
+
+const RegisteredKind* KindRegistry::find(const std::string& name) const {
+  for (const RegisteredKind& kind : kinds)
+    if (kind.info->name == name) return &kind;
+  return nullptr;
+}
+
+namespace {
+
+std::vector<KindRegistry>& own_registries() {
+  static std::vector<KindRegistry> all = {
+      registry(field::field_kinds(), plant_kinds(), facade::solids()),
+      registry(field::blends()),
+      registry(field::noises()),
+      registry(shot::volume_kinds()),
+      registry(paint::masks()),
+      registry(paint::paints()),
+      registry(render::materials()),
+      registry(render::lights()),
+      registry(render::media()),
+      registry(render::cameras()),
+      registry(render::samplers()),
+      registry(render::integrators()),
+      registry(instance_source_kinds()),
+      registry(model_kinds()),
+      registry(cells::grids()),
+      registry(flora::distributions()),
+      registry(flora::shapes()),
+      registry(shot::cell_stages()),
+      registry(shot::curve_kinds()),
+      registry(facade::elements()),
+  };
+  return all;
+}
+
+std::atomic<bool> asked_for = false;
+
+}  // namespace
+
+const std::vector<KindRegistry>& kind_registries() {
+  asked_for = true;
+  return own_registries();
+}
+
+void add_kinds(const std::vector<std::pair<std::string, RegisteredKind>>& kinds) {
+  if (asked_for)
+    throw Error(ErrorCode::bad_input, "comes too late: the kinds are in use already", {},
+                "load plugins before the first scene");
+  std::vector<KindRegistry> all = own_registries();
+  for (const auto& [type, kind] : kinds) {
+    const std::string& wanted = type;  // clang 14 captures no parts of a pair
+    const auto registry = std::find_if(
+        all.begin(), all.end(), [&](const KindRegistry& each) { return each.type == wanted; });
+    if (registry == all.end())
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("brings a {}, of which a scene knows none", type));
+    if (registry->find(kind.info->name))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("brings a {} '{}', which is there already", type, kind.info->name));
+    registry->kinds.push_back(kind);
+  }
+  own_registries() = std::move(all);
+}
+
+const KindRegistry* find_registry(const std::string& type) {
+  for (const KindRegistry& registry : kind_registries())
+    if (registry.type == type) return &registry;
+  return nullptr;
+}
+
+}  // namespace vug::loading
