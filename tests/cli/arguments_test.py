@@ -36,7 +36,7 @@ class Arguments(VugTest):
     def test_limits_that_nothing_keeps_or_that_are_told_twice(self):
         self.expect(0, *RENDER)
         diff = ("diff", "a.exr", "a.exr")
-        self.refused("nothing keeps the limit -1 of rmse", *diff, "--max", "rmse=-1")
+        self.refused("no image can meet the limit -1 of rmse", *diff, "--max", "rmse=-1")
         self.refused("equal pictures have 1", *diff, "--min", "ssim=2")
         self.expect(0, *diff, "--max", "rmse=0", "--max", "albedo.rmse=0", "--min", "psnr=-1")
         self.refused("there are two limits of rmse\n", *diff, "--max", "rmse=1", "--max", "rmse=2")
@@ -47,15 +47,15 @@ class Arguments(VugTest):
         self.write("s.vug", BALL + "camera main { eye (0, 0, 4) }\nrender main { size 8x8  spp 1 }\n")
         render = ("render", "s.vug", "-o", "s.exr")
         for option, said in ((["--layers", "beauty,nope"], "--layers: there is no layer 'nope'"),
-                             (["--view", "nope"], "--view: there is no view 'nope'"),
-                             (["--display", "nope"], "--display: there is no display 'nope'"),
+                             (["--view", "nope"], "--view: unknown view 'nope'"),
+                             (["--display", "nope"], "--display: unknown display 'nope'"),
                              (["--eye", "left"], "--eye: the camera has no views"),
-                             (["--denoise", "--layers", "beauty"], "--denoise: a picture without the layer 'variance'"),
+                             (["--denoise", "--layers", "beauty"], "--denoise: an image without the layer 'variance'"),
                              (["--deep", "--noise", "5%"], "--deep: a deep picture takes all samples")):
             error = self.refused("error: " + said, *render, *option)
             self.assertNotIn("s.vug", error)
         self.assertEqual(self.refused("", *render, "--view", "nope").count("filmic"), 1)
-        self.assertIn("did you mean 'filmic'? there are: ", self.refused("", *render, "--view", "filmc"))
+        self.assertIn("did you mean 'filmic'? known: ", self.refused("", *render, "--view", "filmc"))
 
     def test_without_a_verb_the_verbs_are_told(self):
         error = self.refused("error: there is no verb\n")

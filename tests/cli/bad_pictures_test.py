@@ -86,7 +86,7 @@ class BadPictures(VugTest):
 
         def changed(data, at):
             return data[:at] + bytes(b ^ 0x5a for b in data[at:at + 200]) + data[at + 200:]
-        damaged, cut, pixels = "its content is damaged", "it is cut short", "its pixels are damaged or cut short"
+        damaged, cut, pixels = "its content is damaged", "it is truncated", "its pixels are damaged or truncated"
         start = "or its beginning is damaged"
         for name, content, said in [
                 ("b.png", changed(png, len(png) // 2), damaged), ("c.png", png[:len(png) // 2], cut),
@@ -95,8 +95,8 @@ class BadPictures(VugTest):
                 ("h.exr", picture[:len(picture) * 2 // 3], pixels), ("i.exr", changed(picture, len(picture) // 2), pixels),
                 ("j.jpg", b"\xff\xd8\xff\xe0" + bytes(99), start), ("k.tif", b"II*\0" + b"\7" * 99, start),
                 ("l.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40 +X 40\nabc", pixels),
-                ("m.gif", b"GIF89a" + b"\7" * 99, "damaged"), ("n.xyz", b"hello", "pictures do not end in .xyz"),
-                ("o", b"hello", "its name does not end as that of a picture")]:
+                ("m.gif", b"GIF89a" + b"\7" * 99, "damaged"), ("n.xyz", b"hello", "no image format has the extension .xyz"),
+                ("o", b"hello", "its name does not have the extension of an image format")]:
             self.write(name, content)
             with self.subTest(name=name):
                 error = self.expect(2, "info", name).err

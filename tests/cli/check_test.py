@@ -108,7 +108,7 @@ class Check(VugTest):
     def test_a_view_that_there_is_none_of(self):
         self.write("s.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
                             'render main { size 4x4  spp 1  view "flimic" }\n')
-        self.assertIn("s.vug:2:8: warning: there is no view 'flimic'", self.expect(0, "check", "s.vug").err)
+        self.assertIn("s.vug:2:8: warning: unknown view 'flimic'", self.expect(0, "check", "s.vug").err)
         report = json.loads(self.expect(0, "check", "s.vug", "--json").out)
         self.assertEqual([d["severity"] for d in report["diagnostics"]], ["warning"])
         self.expect(2, "render", "s.vug", "-o", "s.exr")

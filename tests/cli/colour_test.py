@@ -81,10 +81,10 @@ class Colour(VugTest):
         others = {self.png("--view", view) for view in ("standard", "aces")}
         self.assertEqual(len(others | {usual}), 3)
         said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--view", "acs").err
-        self.assertIn("there is no view 'acs'", said)
+        self.assertIn("unknown view 'acs'", said)
         self.assertIn("aces, filmic, standard", said)
         self.write("bad.vug", SCENE.replace("spp 4 ", 'spp 4  view "filmik"'))
-        self.assertIn("bad.vug:7:8: error: there is no view 'filmik'",
+        self.assertIn("bad.vug:7:8: error: unknown view 'filmik'",
                       self.expect(2, "render", "bad.vug", "-o", "no.exr").err)
 
     def test_configurations(self):
@@ -105,7 +105,7 @@ class Colour(VugTest):
                 self.assertTrue(said.startswith(cause.format("$OCIO")), said)
         self.expect(0, "render", "seen.vug", "-o", "seen.exr", "--ocio", "studio.ocio")
         self.write("seen.vug", SCENE.replace("spp 4 ", 'spp 4  view "Dimm"'))
-        self.assertIn("seen.vug:7:8: error: there is no view 'Dimm' in 'studio.ocio'",
+        self.assertIn("seen.vug:7:8: error: unknown view 'Dimm' in 'studio.ocio'",
                       self.expect(2, "render", "seen.vug", "-o", "no.exr", "--ocio", "studio.ocio").err)
         said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--ocio", "studio.ocio", "--display",
                            "Screen").err

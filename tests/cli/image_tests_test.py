@@ -37,7 +37,7 @@ class ImageTests(VugTest):
         self.assertEqual(lost.code, 2)
         self.assertRegex(lost.out, r"unusable +lost  its scene 'gone.vug' cannot be read: no such file\n")
         self.case("low", {**SCENE, "limits": {"albedo.rmse": -0.1}})
-        self.assertIn("nothing keeps the limit -0.1 of albedo.rmse", self.vug("test", "looks", "--filter", "low").out)
+        self.assertIn("no image can meet the limit -0.1 of albedo.rmse", self.vug("test", "looks", "--filter", "low").out)
         kept = self.vug("test", "looks", "--filter", "new", "--output", "kept")
         self.assertEqual(kept.code, 2)
         self.assertRegex(kept.out, r"hint: look at \S*kept/new/test\.png, then")

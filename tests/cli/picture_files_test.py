@@ -185,7 +185,7 @@ class PictureFiles(VugTest):
             self.assertIn("a deep picture takes all samples of a pixel at once", said)
         self.expect(2, "render", "s.vug", "--part", "no.part", "--deep")
         self.assertFalse(any(name.startswith("no") for name in self.files()))
-        self.assertIn("no flat picture", self.expect(2, "diff", "deep.deep.exr", "deep.deep.exr").err)
+        self.assertIn("not a flat image", self.expect(2, "diff", "deep.deep.exr", "deep.deep.exr").err)
 
     def test_info_tells_what_a_deep_picture_is(self):
         flat = json.loads(self.expect(0, "info", "deep.exr", "--json").out)

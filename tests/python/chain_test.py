@@ -158,7 +158,7 @@ class Chain(Case):
         self.assertIn("\nsignificance of right, ", said)
         self.assertTrue(vug.diff("one.exr", one).same)
         self.assertNotIn("of right", str(vug.diff(one.views["right"], other.views["right"])))
-        with self.assertRaisesRegex(vug.Error, "has the views of two eyes"):
+        with self.assertRaisesRegex(vug.Error, "is a stereo image"):
             vug.diff(one, other.views["left"])
 
     def test_export(self):

@@ -23,7 +23,7 @@ Rows multiply(const Rows& a, const Rows& b) {
   return out;
 }
 
-/// By cofactors.
+/// Inverse by cofactors.
 Rows inverse(const Rows& m) {
   const auto minor = [&](size_t i, size_t j) {
     const size_t r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
@@ -41,7 +41,7 @@ Row xyz(const Chromaticities& c, size_t which) {
   return {x / y, 1, (1 - x - y) / y};
 }
 
-/// From the primaries to CIE XYZ, white at luminance 1.
+/// Converts from the primaries to CIE XYZ, with white at luminance 1.
 Rows to_xyz(const Chromaticities& c) {
   Rows columns{};
   for (size_t j = 0; j < 3; ++j)
@@ -63,7 +63,7 @@ Rows adaptation(const Row& from, const Row& to) {
 }
 
 bool same(const Chromaticities& a, const Chromaticities& b) {
-  constexpr double kSame = 1e-5;  // what 32-bit headers keep of them
+  constexpr double kSame = 1e-5;  // Precision of 32-bit headers.
   return std::equal(a.begin(), a.end(), b.begin(),
                     [](double x, double y) { return std::fabs(x - y) < kSame; });
 }

@@ -27,7 +27,7 @@ namespace {
 OIIO::ImageSpec deep_spec(const DeepView& view) {
   const ExrOptions& options = view.options;
   if (view.image.width < 1 || view.image.height < 1)
-    throw Error(ErrorCode::bad_input, "a picture without pixels cannot be written");
+    throw Error(ErrorCode::bad_input, "an image without pixels cannot be written");
   OIIO::ImageSpec spec = exr_spec(view.image.width, view.image.height, options);
   spec.tile_width = spec.tile_height = 0;
   spec.deep = true;

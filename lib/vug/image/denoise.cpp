@@ -9,18 +9,18 @@
 namespace vug::image {
 namespace {
 
-constexpr int kStrip = 32;  // lines that one task works on
+constexpr int kStrip = 32;  // Lines per task.
 constexpr float kLeastAlbedo = 0.02f;
-constexpr float kDot = 2;        ///< Times as bright as its neighbours: a dot.
-constexpr float kDotErrors = 3;  ///< More standard errors than this are no noise.
+constexpr float kDot = 2;  ///< A pixel this many times as bright as its neighbours is an outlier.
+constexpr float kDotErrors = 3;  ///< Larger differences in standard errors are not noise.
 
-/// One value for each pixel.
+/// One value per pixel.
 using Plane = std::vector<float>;
 
 struct Planes {
   int width = 0, height = 0;
   Plane colour[3], variance[3], albedo[3];  ///< Colour and variance are those of light / albedo.
-  std::vector<Plane> features;              ///< In units in which a difference of 1 is an edge.
+  std::vector<Plane> features;              ///< Scaled such that a difference of 1 is an edge.
 };
 
 float usable(float v) { return std::isfinite(v) ? v : 0.0f; }
@@ -38,12 +38,12 @@ Plane needed(const Image& picture, const std::string& channel) {
   Plane out = plane(picture, channel);
   if (out.empty())
     throw Error(ErrorCode::bad_input,
-                "a picture without the layer '" + channel + "' cannot be denoised", {},
+                "an image without the layer '" + channel + "' cannot be denoised", {},
                 "render it with the layers beauty, albedo, N, Z and variance");
   return out;
 }
 
-/// Means over 3 x 3 pixels: single variances are themselves noisy.
+/// Means over 3 x 3 pixels, because single variances are noisy themselves.
 Plane smoothed(const Plane& in, int width, int height) {
   Plane out(in.size());
   for (int y = 0; y < height; ++y)
@@ -59,9 +59,10 @@ Plane smoothed(const Plane& in, int width, int height) {
   return out;
 }
 
-/// Dims single bright dots: a pixel that outshines all but one of its neighbours, by noise as far
-/// as its own variance tells, is as bright as the second of them. A dot's variance is about its
-/// square, so that nothing tells it from its surroundings, and it would become a bright patch.
+/// Clamps single bright outliers: a pixel brighter than all but one of its neighbours, within the
+/// noise of its own variance, gets the value of the second brightest. The variance of an outlier is
+/// about its square, so nothing distinguishes it from its surroundings, and it would become a
+/// bright patch.
 void dim_dots(Planes& all) {
   const auto luminance = [](const Plane* of, size_t p) {
     return 0.2126f * of[0][p] + 0.7152f * of[1][p] + 0.0722f * of[2][p];
@@ -105,7 +106,8 @@ Planes planes_of(const Image& picture) {
     if (all.albedo[c].empty()) all.albedo[c].assign(picture.pixel_count(), 0.0f);
     for (size_t p = 0; p < picture.pixel_count(); ++p) {
       float& albedo = all.albedo[c][p];
-      // Without a step where rock gets black: a step in light / albedo would show as an outline.
+      // Continuous where rock becomes black, because a step in light / albedo would be visible as
+      // an outline.
       albedo = albedo > 0 ? std::max(albedo, kLeastAlbedo) : 1.0f;
       all.colour[c][p] /= albedo;
       all.variance[c][p] /= albedo * albedo;
@@ -120,18 +122,18 @@ Planes planes_of(const Image& picture) {
   }
   dim_dots(all);
   for (Plane& variance : all.variance) variance = smoothed(variance, all.width, all.height);
-  // Depth, by its relative differences: the reciprocal of its logarithm's slope is its own size.
+  // Relative differences of depth: the reciprocal slope of its logarithm is the depth itself.
   Plane depth = plane(picture, "Z");
   if (!depth.empty()) {
     for (float& z : depth) z = std::clamp(z, 1e-3f, 1e6f);
-    // A root of the 16th degree is near enough to a logarithm over the depths of one picture.
+    // The 16th root approximates the logarithm over the depths of one image.
     for (float& z : depth) z = 16 * std::sqrt(std::sqrt(std::sqrt(std::sqrt(z)))) / 0.1f;
     all.features.push_back(std::move(depth));
   }
   return all;
 }
 
-/// exp(-x), about: 1 at 0, 0 from 8 on.
+/// Approximates exp(-x): 1 at 0, 0 from 8 on.
 float falling(float x) {
   const float base = std::max(0.0f, 1 - 0.125f * std::max(0.0f, x));
   const float squared = base * base, fourth = squared * squared;
@@ -152,7 +154,7 @@ class Strip {
   void store(Image& out) const;
 
  private:
-  /// Squared distance of colours of two pixels in units of what noise makes of them.
+  /// Squared colour distance of two pixels in units of its noise.
   float colour_distance(size_t p, size_t q) const {
     const auto k = static_cast<float>(options_.strength * options_.strength);
     float sum = 0;
@@ -184,7 +186,7 @@ class Strip {
 
 void Strip::add_shift(int dx, int dy) {
   const int patch = options_.patch, width = in_.width, height = in_.height;
-  // Distances of pixels to their shifted selves, for the lines that patches reach.
+  // Distances between pixels and their shifted counterparts, for the lines that patches cover.
   const int top = std::max(y0_ - patch, std::max(0, -dy));
   const int bottom = std::min(y1_ + patch, std::min(height, height - dy));
   const int left = std::max(0, -dx), right = std::min(width, width - dx);
@@ -221,7 +223,7 @@ void Strip::store(Image& out) const {
   for (int y = y0_; y < y1_; ++y)
     for (int x = 0; x < in_.width; ++x) {
       const float* sums = &sums_[static_cast<size_t>((y - y0_) * in_.width + x) * 4];
-      // A pixel's own weight is 1, so the sum of weights is never 0.
+      // The weight of the pixel itself is 1, so the sum of weights is never 0.
       for (size_t c = 0; c < 3; ++c) out.at(x, y, c) = sums[c] / sums[3] * in_.albedo[c][at(x, y)];
     }
 }

@@ -34,7 +34,7 @@ std::vector<Layer> without_bookkeeping(std::vector<Layer> layers) {
   return layers;
 }
 
-/// A layer and whether measures of all kinds and limits without a name are for it.
+/// A layer, and whether all measures and the unnamed limits apply to it.
 struct Chosen {
   Layer layer;
   bool main = false;
@@ -123,10 +123,9 @@ void require_known(const std::vector<Chosen>& chosen, const DiffOptions& options
   for (const Limit& limit : options.limits) {
     measure_of(limit.measure);
     if (!limit.layer.empty() && std::find(names.begin(), names.end(), limit.layer) == names.end())
-      throw Error(
-          ErrorCode::bad_input,
-          fmt::format("a limit is set for the layer '{}', which is not compared", limit.layer), {},
-          suggestion(limit.layer, names));
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("a limit names the layer '{}', which is not compared", limit.layer),
+                  {}, suggestion(limit.layer, names));
   }
 }
 
@@ -134,7 +133,7 @@ bool passes(const Measure& measure, double value, double limit) {
   return measure.better == Measure::Better::low ? value <= limit : value >= limit;
 }
 
-/// Light of both pictures at which their middle is grey.
+/// The exposure at which both images together have a middle grey mean.
 double exposure_of(const Comparison& pair) {
   const auto a = grey_exposure(pair.reference, pair.view.space),
              b = grey_exposure(pair.test, pair.view.space);
@@ -146,7 +145,7 @@ Comparison comparison_of(const Layer& layer, const ImageUnderTest& a, const Imag
                          const DiffOptions& options, double exposure) {
   Comparison pair;
   pair.reference = extract(a.image, layer);
-  pair.test = b.image.select(layer.channels);  // in the order of the reference
+  pair.test = b.image.select(layer.channels);  // In the order of the reference.
   pair.test.channels = pair.reference.channels;
   pair.mask = options.mask;
   pair.reference_exposures = options.reference_exposures;
@@ -191,16 +190,16 @@ std::optional<Significance> significance_of(const std::vector<Chosen>& chosen,
     const NoisyPicture noisy_a = noisy(a), noisy_b = noisy(b);
     if (noisy_a.variance || noisy_b.variance)
       return test_significance(noisy_a, noisy_b, options.mask, {.false_alarm_rate = alarm});
-    why = fmt::format("neither '{}' nor '{}' tells the variance of its pixels", a.name, b.name);
+    why = fmt::format("neither '{}' nor '{}' contains the variance of its pixels", a.name, b.name);
   }
   if (options.false_alarm_rate)
     throw Error(ErrorCode::bad_input, why, {},
-                "the test of significance reads variance.R, variance.G and variance.B; without "
-                "them set a limit, for instance --max relative_rmse=0.01");
+                "the significance test reads variance.R, variance.G and variance.B; without them "
+                "set a limit, for instance --max relative_rmse=0.01");
   return {};
 }
 
-/// The limits given, or without anything to judge by, what rounding explains in every layer.
+/// The given limits or, without any basis for a verdict, the rounding limit for every layer.
 std::vector<Limit> limits_for(const std::vector<Chosen>& chosen, const DiffOptions& options,
                               bool tested) {
   std::vector<Limit> out = options.limits;
@@ -211,11 +210,11 @@ std::vector<Limit> limits_for(const std::vector<Chosen>& chosen, const DiffOptio
 
 std::string unlikely(const Finding& finding) {
   if (finding.name == "pixels")
-    return fmt::format("{:.2f} % of the pixels are further apart than their noise allows",
+    return fmt::format("{:.2f} % of the pixels differ by more than their noise allows",
                        100 * finding.value);
-  const char* what = finding.name == "bias"     ? "blocks lean to one side"
-                     : finding.name == "spread" ? "blocks are further apart than their noise allows"
-                                                : "one block is off";
+  const char* what = finding.name == "bias"     ? "blocks are biased to one side"
+                     : finding.name == "spread" ? "blocks differ by more than their noise allows"
+                                                : "one block deviates";
   return fmt::format("{} (z = {:.1f} in {}, chance {:.2g})", what, finding.value, finding.channel,
                      finding.p_value);
 }
@@ -236,7 +235,7 @@ void judge(Diff& out, const DiffOptions& options) {
   out.same = out.reasons.empty();
 }
 
-/// What differs although nothing judges it.
+/// Collects layers that differ but are not judged.
 void find_unjudged(Diff& out, const std::vector<Chosen>& chosen,
                    const std::vector<double>& largest) {
   for (size_t i = 0; i < chosen.size(); ++i) {
@@ -270,8 +269,8 @@ Limit limit_of(const std::string& name, double value) {
   const Measure& measure = measure_of(out.measure);
   if (!passes(measure, measure.equal, value))
     throw Error(ErrorCode::bad_input,
-                fmt::format("nothing keeps the limit {} of {}: equal pictures have {}", value, name,
-                            measure.equal));
+                fmt::format("no image can meet the limit {} of {}: equal images have {}", value,
+                            name, measure.equal));
   return out;
 }
 
@@ -286,10 +285,9 @@ Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
   if (reference.left != test.left || reference.top != test.top)
     throw Error(
         ErrorCode::bad_input,
-        fmt::format("'{}' shows the part of a picture from {}, {} on and '{}' that from "
-                    "{}, {} on",
-                    reference.name, reference.left, reference.top, test.name, test.left, test.top),
-        {}, "compare the same part of both");
+        fmt::format("'{}' shows a crop from {}, {} and '{}' a crop from {}, {}", reference.name,
+                    reference.left, reference.top, test.name, test.left, test.top),
+        {}, "compare crops of the same region");
   if (reference.space != test.space)
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' is in the colour space {} and '{}' in {}", reference.name,
@@ -315,13 +313,13 @@ Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
   };
   out.tested = out.significance &&
                (options.false_alarm_rate || std::none_of(chosen.begin(), chosen.end(), of_beauty));
-  std::vector<double> largest;  // of each layer's differences
+  std::vector<double> largest;  // Per layer, the largest difference.
   for (const Chosen& each : chosen) {
     const Comparison pair = comparison_of(each.layer, reference, test, options, out.exposure);
     const Differences d = differences(pair);
     out.not_finite += d.not_finite;
     largest.push_back(d.largest);
-    const bool brief = d.largest == 0 && !each.main;  // one word says it all
+    const bool brief = d.largest == 0 && !each.main;  // "identical" suffices.
     if (brief) out.identical.push_back(each.layer.name);
     if (each.layer.name == kBeauty && out.tested && std::isinf(d.largest))
       out.reasons.push_back("values of the beauty are not finite in one picture only");

@@ -1,4 +1,4 @@
-// Pictures of two views: each is compared by itself, and both have to be the same.
+// Comparison of stereo images: each view is compared by itself, and both have to be the same.
 #include <vug/base/error.h>
 #include <vug/image/diff_view.h>
 #include <vug/image/views.h>
@@ -19,7 +19,7 @@ ImageUnderTest in_view(const ImageUnderTest& subject, const View& view) {
           subject.screen};
 }
 
-/// What the options say of one view; none where they ask for layers of the other one only.
+/// The options for one view; none if they request layers of the other view only.
 std::optional<DiffOptions> in_view(const DiffOptions& options, const View& view) {
   DiffOptions out = options;
   out.layers.clear(), out.limits.clear();
@@ -36,7 +36,7 @@ std::string name_of(const View& view, const std::string& layer) {
   return layer == kBeauty && !view.name.empty() ? view.name : view.full(layer);
 }
 
-/// Names layers as the whole picture does.
+/// Renames layers as in the whole image.
 Diff named(Diff diff, const View& view) {
   if (view.name.empty()) return diff;
   for (LayerResult& row : diff.rows) row.layer = name_of(view, row.layer);
@@ -54,7 +54,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 
 void add(Diff& all, const Diff& one, const View& view) {
   all.same = all.same && one.same;
-  if (one.basis != Basis::identical)  // that which says most about how it was judged
+  if (one.basis != Basis::identical)  // The most informative basis.
     all.basis = all.basis == Basis::identical ? one.basis : std::min(all.basis, one.basis);
   append(all.rows, one.rows);
   append(all.identical, one.identical);
@@ -75,7 +75,7 @@ void require_same_views(const ImageUnderTest& a, const ImageUnderTest& b) {
   if (of_a == of_b) return;
   const bool more = of_a.size() > of_b.size();
   throw Error(ErrorCode::bad_input,
-              fmt::format("'{}' has the views of two eyes, '{}' has not", more ? a.name : b.name,
+              fmt::format("'{}' is a stereo image, '{}' is not", more ? a.name : b.name,
                           more ? b.name : a.name),
               {}, "render one view by itself with --eye left");
 }

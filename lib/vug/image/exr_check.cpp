@@ -1,5 +1,5 @@
-// The layout is that of "OpenEXR file layout" (openexr.com): magic, version, then for each part a
-// list of attributes (name, type, size, value) that an empty name ends.
+// The layout follows "OpenEXR file layout" (openexr.com): magic number, version, then for each part
+// a list of attributes (name, type, size, value) terminated by an empty name.
 #include <vug/image/exr_check.h>
 
 #include <cstdint>
@@ -14,7 +14,7 @@ constexpr uint32_t kManyParts = 0x1000;
 constexpr int kLongestName = 255;
 constexpr int kMostParts = 10000;
 
-/// Numbers stand in the file as the processor keeps them, which is little-endian.
+/// Numbers in the file are little-endian, as in memory.
 class Headers {
  public:
   explicit Headers(const std::filesystem::path& path)
@@ -26,11 +26,11 @@ class Headers {
   }
   std::string fault() {
     uint32_t version = 0;
-    if (!number(version)) return "it is cut short";
+    if (!number(version)) return "it is truncated";
     for (int part = 0; part < kMostParts; ++part) {
       bool any = false;
       if (std::string fault = part_fault(any); !fault.empty()) return fault;
-      // Behind the last of many parts an empty one stands.
+      // An empty part follows the last of several parts.
       if (!(version & kManyParts) || !any) return any ? "" : part == 0 ? "it has no header" : "";
     }
     return "its parts have no end";
@@ -60,14 +60,14 @@ class Headers {
       if (!name(type) || !number(bytes) || bytes < 0) return "its header is damaged";
       const auto begin = static_cast<uint64_t>(in_.tellg());
       const uint64_t end = begin + static_cast<uint64_t>(bytes);
-      if (end > size_) return "it is cut short";
+      if (end > size_) return "it is truncated";
       if (attribute == "channels")
         if (std::string fault = channels_fault(end); !fault.empty()) return fault;
       if (attribute == "dataWindow" || attribute == "displayWindow") {
         int32_t box[4];
         if (type != "box2i" || bytes != sizeof box || !number(box) || box[0] > box[2] ||
             box[1] > box[3])
-          return "its header tells of no window";
+          return "its header contains no window";
       }
       in_.seekg(static_cast<std::streamoff>(end));
     }
@@ -77,8 +77,8 @@ class Headers {
       int32_t type = 0, flags = 0, step_x = 0, step_y = 0;
       if (!number(type) || !number(flags) || !number(step_x) || !number(step_y)) break;
       if (static_cast<uint64_t>(in_.tellg()) > end) break;
-      if (type < 0 || type > 2) return "a channel of it has numbers of an unknown kind";
-      if (step_x < 1 || step_y < 1) return "a channel of it has no pixels";
+      if (type < 0 || type > 2) return "one of its channels has an unknown number type";
+      if (step_x < 1 || step_y < 1) return "one of its channels has no pixels";
     }
     if (!in_ || static_cast<uint64_t>(in_.tellg()) != end) return "its list of channels is damaged";
     return "";

@@ -13,12 +13,13 @@ namespace {
 using Colour = std::array<double, 3>;
 using Matrix = std::array<Colour, 3>;
 
-// Linear Rec.709 to XYZ under D65, in the fractions that the papers' authors use.
+// Linear Rec.709 to XYZ under D65, with the fractions used by the papers' authors.
 constexpr Matrix kToXyz = {{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                             {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                             {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
 
-// andersson2020flip, section 4: exponents, where errors are bent, width of an edge in degrees.
+// andersson2020flip, section 4: exponents, break point of the error curve, width of an edge in
+// degrees.
 constexpr double kColourExponent = 0.7, kBendAt = 0.4, kBendTo = 0.95;
 constexpr double kFeatureExponent = 0.5, kEdgeWidth = 0.082;
 
@@ -48,7 +49,7 @@ const Colour& white() {
   return colour;
 }
 
-/// Opponent colours that are linear in light: luminance, red-green, blue-yellow.
+/// Opponent colours, linear in light: luminance, red-green, blue-yellow.
 Colour opponent(const Colour& linear) {
   Colour c = multiply(kToXyz, linear);
   for (size_t i = 0; i < 3; ++i) c[i] /= white()[i];
@@ -61,7 +62,7 @@ Colour linear_of_opponent(const Colour& c) {
                   {(y + c[1] / 500) * white()[0], y * white()[1], (y - c[2] / 200) * white()[2]});
 }
 
-/// L*a*b* (CIE 1976) with the colour axes drawn in for dark colours after Hunt.
+/// L*a*b* (CIE 1976) with reduced chroma for dark colours after Hunt.
 Colour hunt_lab(const Colour& linear) {
   constexpr double kDelta = 6.0 / 29;
   Colour c = multiply(kToXyz, linear);
@@ -75,13 +76,13 @@ Colour hunt_lab(const Colour& linear) {
           0.01 * lightness * 200 * (c[1] - c[2])};
 }
 
-/// The HyAB distance: steps of lightness and of colour add up.
+/// The HyAB distance: the sum of the differences in lightness and in chroma.
 double hyab(const Colour& a, const Colour& b) {
   const double da = a[1] - b[1], db = a[2] - b[2];
   return std::fabs(a[0] - b[0]) + std::sqrt(da * da + db * db);
 }
 
-/// The colour difference in [0, 1]: the large ones are squeezed into the last twentieth.
+/// The colour difference in [0, 1]: large differences are compressed into the last twentieth.
 double colour_error(const Colour& a, const Colour& b) {
   static const double most =
       maths::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), kColourExponent);
@@ -92,7 +93,7 @@ double colour_error(const Colour& a, const Colour& b) {
                       : kBendTo + (error - bend) / (most - bend) * (1 - kBendTo);
 }
 
-/// Sum of the separable filters that make one contrast sensitivity: weight and width parameter of
+/// Sum of the separable filters of one contrast sensitivity function: weight and width parameter of
 /// each Gaussian a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees (table 1 of the paper).
 struct Sensitivity {
   std::vector<std::pair<double, double>> gaussians;
@@ -112,8 +113,7 @@ Plane sensed(const Plane& in, const Sensitivity& sensitivity, double pixels_per_
   std::vector<Plane> parts;
   double total = 0;
   for (const auto& [weight, width] : sensitivity.gaussians) {
-    // The same curve in the form that `gaussian` takes; its own sum in the plane goes into the
-    // share.
+    // The same curve in the form of `gaussian`; its own sum in the plane is included in the weight.
     const double sigma = std::sqrt(width / 2) / kPi * pixels_per_degree;
     double sum = 0;
     for (int x = -radius; x <= radius; ++x) sum += maths::exp(-0.5 * x * x / (sigma * sigma));
@@ -142,10 +142,10 @@ Kernel balanced(Kernel kernel) {
   return kernel;
 }
 
-/// What the two halves of the metric look at, of one picture.
+/// The inputs of both halves of the metric for one image.
 struct Seen {
   std::vector<Colour> colours;
-  std::vector<float> edges, points;  ///< Lengths of first and second differences.
+  std::vector<float> edges, points;  ///< Lengths of first and second derivatives.
 };
 
 std::vector<float> lengths(const Plane& a, const Plane& b) {

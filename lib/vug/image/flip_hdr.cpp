@@ -9,20 +9,20 @@ namespace vug::image {
 namespace {
 
 constexpr double kLog2 = 0.69314718055994530942;
-constexpr double kShoulder = 0.85;  ///< Where on the curve the ends of the range are put.
+constexpr double kShoulder = 0.85;  ///< Value of the curve at the ends of the range.
 
-// Narkowicz's fit of the ACES curve (narkowicz2016aces) with its exposure of 0.6 taken in:
-// (a x^2 + b x) / (c x^2 + d x + e).
+// Narkowicz's fit of the ACES curve (narkowicz2016aces) with its exposure of 0.6 included: (a x^2 +
+// b x) / (c x^2 + d x + e).
 constexpr double kA = 0.6 * 0.6 * 2.51, kB = 0.6 * 0.03;
 constexpr double kC = 0.6 * 0.6 * 2.43, kD = 0.6 * 0.59, kE = 0.14;
 
 double curve(double x) {
-  // Far up the curve is flat; a cap keeps squares finite.
+  // The curve is flat for large values; a cap keeps squares finite.
   x = std::isnan(x) ? 0 : std::clamp(x, 0.0, 1e9);
   return std::clamp((x * (kA * x + kB)) / (x * (kC * x + kD) + kE), 0.0, 1.0);
 }
 
-/// The light that the curve takes to y: the larger root of a quadratic.
+/// The light that the curve maps to y: the larger root of a quadratic.
 double light_of(double y) {
   const double p = (kB - kD * y) / (kA - kC * y), q = -kE * y / (kA - kC * y);
   return -p / 2 + std::sqrt(p * p / 4 - q);
@@ -42,7 +42,7 @@ std::vector<double> luminances(const Image& picture) {
   return out;
 }
 
-/// The median of ordered values: the mean of the middle two where they are even in number.
+/// The median of sorted values: the mean of the middle two for an even count.
 double median(const std::vector<double>& ordered) {
   const size_t n = ordered.size();
   return 0.5 * (ordered[(n - 1) / 2] + ordered[n / 2]);

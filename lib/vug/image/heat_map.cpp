@@ -6,8 +6,8 @@
 namespace vug::image {
 namespace {
 
-/// Screen colours (sRGB) at even steps: black, plum, red, orange, pale yellow. Lightness rises
-/// evenly, so that the map reads in grey as well.
+/// sRGB colours at equal steps: black, plum, red, orange, pale yellow. Lightness increases evenly,
+/// so the map is also readable in grey.
 constexpr double kStops[][3] = {{0.02, 0.02, 0.05},
                                 {0.28, 0.07, 0.42},
                                 {0.70, 0.17, 0.36},

@@ -8,8 +8,10 @@ namespace vug::image {
 Image::Image(int w, int h, std::vector<std::string> names)
     : width(w), height(h), channels(std::move(names)) {
   if (w < 1 || h < 1)
-    throw Error(ErrorCode::bad_input, fmt::format("a picture cannot be {} x {} pixels", w, h));
-  if (channels.empty()) throw Error(ErrorCode::bad_input, "a picture needs at least one channel");
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("invalid image size {} x {}: width and height must be at least 1", w, h));
+  if (channels.empty()) throw Error(ErrorCode::bad_input, "an image needs at least one channel");
   pixels.assign(pixel_count() * channels.size(), 0.0f);
 }
 

@@ -32,9 +32,8 @@ std::vector<uint8_t> read_mask(const std::filesystem::path& file, int width, int
   for (size_t p = 0; p < out.size(); ++p)
     out[p] = image.pixels[p * image.channels.size()] >= 0.5f ? 1 : 0;
   if (std::none_of(out.begin(), out.end(), [](uint8_t v) { return v != 0; }))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("the mask '{}' leaves no pixel to compare", file.string()), {},
-                "pixels count where the mask's first channel is 0.5 or more");
+    throw Error(ErrorCode::bad_input, fmt::format("the mask '{}' selects no pixel", file.string()),
+                {}, "pixels count where the mask's first channel is 0.5 or more");
   return out;
 }
 

@@ -59,18 +59,20 @@ struct ExrView {
 /// EXR attribute `view`. Readers of a single view show the first one.
 void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& views);
 
-/// 8-bit PNG, sRGB unless a configured view says otherwise, of the channels R, G, B (or of the one
-/// channel there is, as grey), through the view transform. Same errors as write_exr.
+/// Writes an 8-bit PNG, sRGB unless an OpenColorIO view specifies otherwise, from the channels R,
+/// G, B (or a single channel as grey) after the view transform. Throws the same errors as
+/// write_exr.
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view = {},
                const Metadata& metadata = {});
 
-/// What write_png writes.
+/// The bytes that write_png writes.
 std::string png_bytes(const Image& image, const ViewOptions& view = {},
                       const Metadata& metadata = {});
 
-/// Any file OpenImageIO reads, all channels as float; those of an EXR's parts together. Integer
-/// files become [0, 1]; with `linear`, R, G, B of 8- and 16-bit files are turned from sRGB to
-/// linear light. Error(bad_input) names the file and the reason (missing, no picture, cut short).
+/// Reads any file supported by OpenImageIO, with all channels as float and all parts of an EXR
+/// combined. Integer files are scaled to [0, 1]; with `linear`, R, G, B of 8- and 16-bit files are
+/// converted from sRGB to linear light. Throws Error(bad_input) with the file and the reason
+/// (missing, not an image, truncated).
 struct ReadOptions {
   bool linear = false;
 };
@@ -80,19 +82,20 @@ Image read(const std::filesystem::path& path, const ReadOptions& options = {});
 struct FileInfo {
   int width = 0;
   int height = 0;
-  int left = 0, top = 0;  ///< Where its pixels begin in the whole picture, which may be larger.
+  int left = 0, top = 0;  ///< Position of its pixels in the whole image, which may be larger.
   std::vector<std::string> channels;
-  std::vector<std::string> formats;  ///< "half", "float", "uint8", one for each channel.
+  std::vector<std::string> formats;  ///< "half", "float", "uint8", one per channel.
   Metadata metadata;
-  std::optional<Chromaticities> chromaticities;  ///< Of an EXR that tells its primaries.
+  std::optional<Chromaticities> chromaticities;  ///< Of an EXR with the attribute.
 };
 FileInfo read_info(const std::filesystem::path& path);
 
-/// The way of the file's linear colours to Rec.709: plain for one that tells no primaries.
+/// The conversion of the file's linear colours to Rec.709; the identity if the file has no
+/// primaries.
 ColourMatrix to_rec709(const FileInfo& info);
 
-/// One channel in [0, 1] for heightfields: the only channel, else the mean of R, G, B as stored
-/// (no colour conversion).
+/// One channel in [0, 1] for heightfields: the only channel, or the mean of R, G, B as stored (no
+/// colour conversion).
 Image read_grey(const std::filesystem::path& path);
 
 }  // namespace vug::image

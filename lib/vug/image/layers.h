@@ -1,5 +1,4 @@
-// Channels of a picture gathered into layers, by EXR's convention: "albedo.R" is channel R of the
-// layer "albedo".
+// Layers of an image, by EXR's naming convention: "albedo.R" is channel R of the layer "albedo".
 #pragma once
 
 #include <vug/image/image.h>

@@ -29,11 +29,11 @@ const Measure& measure_of(const std::string& name) {
 void require_comparable(const Image& reference, const Image& test) {
   if (reference.width != test.width || reference.height != test.height)
     throw Error(ErrorCode::bad_input,
-                fmt::format("pictures of different size cannot be compared: {} x {} and {} x {}",
+                fmt::format("images of different size cannot be compared: {} x {} and {} x {}",
                             reference.width, reference.height, test.width, test.height));
   if (reference.channels != test.channels)
     throw Error(ErrorCode::bad_input,
-                fmt::format("pictures with different channels cannot be compared: {} and {}",
+                fmt::format("images with different channels cannot be compared: {} and {}",
                             fmt::join(reference.channels, " "), fmt::join(test.channels, " ")));
 }
 

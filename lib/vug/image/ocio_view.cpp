@@ -15,8 +15,9 @@ namespace vug::image {
 namespace {
 namespace ocio = OCIO_NAMESPACE;
 
-/// What OpenColorIO knows by itself, put together: our spaces, and ACES on an sRGB screen. The
-/// colours' common point is ACES2065-1, the displays' is CIE XYZ of a white of D65.
+/// A configuration from OpenColorIO's built-in transforms: our spaces, and ACES on an sRGB display.
+/// The interchange space of colours is ACES2065-1, that of displays is CIE XYZ with a white point
+/// of D65.
 constexpr const char* kBuiltIn = R"(ocio_profile_version: 2
 roles: {aces_interchange: ACES2065-1, cie_xyz_d65_interchange: XYZ, scene_linear: ACEScg}
 file_rules: [!<Rule> {name: Default, colorspace: ACES2065-1}]
@@ -60,7 +61,7 @@ class Processed final : public OcioView {
   bool srgb() const override { return srgb_; }
 
  private:
-  ColourMatrix to_source_;  ///< To what the processor starts from.
+  ColourMatrix to_source_;  ///< To the source space of the processor.
   ocio::ConstCPUProcessorRcPtr processor_;
   bool srgb_;
 };
@@ -114,7 +115,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Where colours of the space enter the configuration, and by which matrix.
+/// The colour space of the configuration in which colours enter, and the matrix to it.
 std::pair<std::string, ColourMatrix> entrance(const Config& config, WorkingSpace space) {
   for (const std::string& name : info(space).aliases)
     if (const auto found = config.ocio->getColorSpace(name.c_str())) return {found->getName(), {}};
@@ -124,7 +125,7 @@ std::pair<std::string, ColourMatrix> entrance(const Config& config, WorkingSpace
   for (int i = 0; i < config.ocio->getNumColorSpaces(); ++i)
     names.emplace_back(config.ocio->getColorSpaceNameByIndex(i));
   throw Error(ErrorCode::bad_input,
-              fmt::format("no colour space {} is linear with the primaries of {}", config.name,
+              fmt::format("no linear colour space {} has the primaries of {}", config.name,
                           info(space).name),
               {},
               fmt::format("give one of them the alias '{}', or the role aces_interchange: {}",
@@ -153,8 +154,8 @@ ViewOptions view_options(const ViewSelection& choice, WorkingSpace space) {
                           const std::vector<std::string>& there) {
     const std::string near = nearest_name(name, there);
     return Error(
-        ErrorCode::bad_input, fmt::format("there is no {} '{}' {}", what, name, config.name), {},
-        fmt::format("{}there are: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
+        ErrorCode::bad_input, fmt::format("unknown {} '{}' {}", what, name, config.name), {},
+        fmt::format("{}known: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
                     fmt::join(there, ", ")));
   };
   const std::vector<std::string> screens = displays(config);

@@ -4,7 +4,7 @@
 namespace vug::image {
 namespace {
 
-// Neutral greys around a picture: colours beside it would change how it looks.
+// Neutral greys around an image, because adjacent colours would change its appearance.
 constexpr const char* kStyle = R"(
 :root { color-scheme: dark; }
 * { box-sizing: border-box; }

@@ -14,7 +14,7 @@
 namespace vug::image {
 namespace {
 
-/// Ordered dither of 16 x 16 thresholds in (-1/2, 1/2) code values: Bayer's matrix, 1973, by
+/// Ordered dither with 16 x 16 thresholds in (-1/2, 1/2) code values: Bayer's matrix, 1973, by
 /// interleaving the bits of x ^ y and y (cite bayer1973dither).
 double dither(int x, int y) {
   const auto u = static_cast<unsigned>(x), v = static_cast<unsigned>(y);
@@ -24,7 +24,7 @@ double dither(int x, int y) {
   return (rank + 0.5) / 256 - 0.5;
 }
 
-/// R, G, B as they are shown, a byte each.
+/// R, G, B as displayed, one byte each.
 std::vector<uint8_t> codes(const Image& shown, bool dithered) {
   std::vector<uint8_t> bytes(shown.pixels.size());
   for (int y = 0; y < shown.height; ++y)
@@ -44,7 +44,7 @@ std::vector<uint8_t> codes(const Image& shown, bool dithered) {
 std::string png_bytes(const Image& image, const ViewOptions& view, const Metadata& metadata) {
   if (image.width < 1 || image.height < 1 ||
       image.pixels.size() != image.pixel_count() * image.channels.size())
-    throw Error(ErrorCode::bad_input, "a picture without pixels cannot be written");
+    throw Error(ErrorCode::bad_input, "an image without pixels cannot be written");
   const Image shown = display(image, view);
   const std::vector<uint8_t> bytes = codes(shown, view.dither);
   OIIO::ImageSpec spec(shown.width, shown.height, 3, OIIO::TypeDesc::UINT8);
@@ -55,7 +55,8 @@ std::string png_bytes(const Image& image, const ViewOptions& view, const Metadat
   const auto output = OIIO::ImageOutput::create("memory.png", &memory);
   if (!output || !output->open("memory.png", spec) ||
       !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close()) {
-    (void)(output ? output->geterror() : OIIO::geterror());  // else told at the end of the program
+    (void)(output ? output->geterror()
+                  : OIIO::geterror());  // Otherwise OpenImageIO prints it at exit.
     throw Error(ErrorCode::internal,
                 fmt::format("cannot make a PNG of {} x {} pixels", shown.width, shown.height));
   }

@@ -1,4 +1,4 @@
-// The layout is that of the PNG specification (W3C, third edition): a signature, then chunks of
+// The layout follows the PNG specification (W3C, third edition): a signature, then chunks of
 // length, type, data and a CRC-32 of type and data, IHDR first and IEND last.
 #include <vug/image/png_check.h>
 
@@ -47,12 +47,12 @@ class Chunks {
       if (!number(told)) return kCut;
       if (told != wanted) return "its content is damaged";
       pixels = pixels || name == "IDAT";
-      if (name == "IEND") return pixels ? "" : "it holds no pixels";
+      if (name == "IEND") return pixels ? "" : "it contains no pixels";
     }
   }
 
  private:
-  static constexpr const char* kCut = "it is cut short";
+  static constexpr const char* kCut = "it is truncated";
 
   bool bytes(char* to, size_t count) {
     static const std::array<uint32_t, 256> table = crc_table();
@@ -67,7 +67,7 @@ class Chunks {
       if (!bytes(some.data(), some.size())) return false;
     return bytes(some.data(), count);
   }
-  /// Four bytes, the highest first.
+  /// Four bytes, most significant first.
   bool number(uint32_t& value) {
     unsigned char b[4];
     if (!in_.read(reinterpret_cast<char*>(b), 4)) return false;

@@ -17,7 +17,7 @@
 namespace vug::image {
 namespace {
 
-/// More pixels than this times channels is taken for a broken header (64 GiB of floats).
+/// A larger product of pixels and channels is considered a broken header (64 GiB of floats).
 constexpr double kMostValues = 1.6e10;
 
 Error refuse(const std::filesystem::path& path, const std::string& reason,
@@ -26,9 +26,10 @@ Error refuse(const std::filesystem::path& path, const std::string& reason,
                fmt::format("cannot read picture '{}': {}", path.string(), reason), {}, hint);
 }
 
-/// Why there is no reader for the file, in our words; OpenImageIO's are for programmers.
+/// The reason why the file has no reader, in terms for users; OpenImageIO's messages are for
+/// programmers.
 Error refuse_opening(const std::filesystem::path& path) {
-  (void)OIIO::geterror();  // else it is told at the end of the program
+  (void)OIIO::geterror();  // Otherwise OpenImageIO prints it at exit.
   const std::string ending = extension_of(path);
   // "bmp:bmp;jpeg:jpg,jpe,jpeg;..."
   std::string known = fmt::format(",{},", OIIO::get_string_attribute("extension_list"));
@@ -36,16 +37,16 @@ Error refuse_opening(const std::filesystem::path& path) {
     if (c == ':' || c == ';') c = ',';
   if (ending.size() < 2 || known.find(fmt::format(",{},", ending.substr(1))) == known.npos)
     return refuse(path,
-                  ending.size() < 2 ? "its name does not end as that of a picture"
-                                    : fmt::format("pictures do not end in {}", ending),
+                  ending.size() < 2 ? "its name does not have the extension of an image format"
+                                    : fmt::format("no image format has the extension {}", ending),
                   "use a .exr, .png, .jpg, .hdr or .tif");
-  return refuse(path, fmt::format("it is no {} picture, or its beginning is damaged", ending),
+  return refuse(path, fmt::format("it is not a {} image, or its beginning is damaged", ending),
                 "write it again with the program that made it");
 }
 
 Error refuse_pixels(const std::filesystem::path& path, OIIO::ImageInput& input) {
   (void)input.geterror();
-  return refuse(path, "its pixels are damaged or cut short",
+  return refuse(path, "its pixels are damaged or truncated",
                 "write it again with the program that made it");
 }
 
@@ -54,15 +55,15 @@ std::unique_ptr<OIIO::ImageInput> open_any(const std::filesystem::path& path) {
   for (const auto& fault_of : {exr_fault, png_fault})
     if (const std::string fault = fault_of(path); !fault.empty())
       throw refuse(path, fault, "write it again with the program that made it");
-  // Else a file that the reader of its ending refuses goes to all others, which are many and slow,
-  // and some keep memory.
+  // Otherwise a file that the reader of its extension refuses is tried with all other readers,
+  // which are many and slow, and some keep memory.
   static const bool by_ending = OIIO::attribute("try_all_readers", 0);
   (void)by_ending;
   auto input = OIIO::ImageInput::open(path.string());
   if (!input) throw refuse_opening(path);
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
-    throw refuse(path, "it is no flat picture");
+    throw refuse(path, "it is not a flat image");
   if (static_cast<double>(spec.width) * spec.height * spec.nchannels > kMostValues)
     throw refuse(path, fmt::format("its header claims {} x {} pixels", spec.width, spec.height));
   return input;
@@ -71,15 +72,15 @@ std::unique_ptr<OIIO::ImageInput> open_any(const std::filesystem::path& path) {
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
   auto input = open_any(path);
   if (input->spec().deep)
-    throw refuse(path, "it is no flat picture",
-                 "the flat one of a render lies beside the deep one");
+    throw refuse(path, "it is not a flat image",
+                 "the flat image of a render lies next to the deep one");
   return input;
 }
 
 bool is_colour(const std::string& name) { return name == "R" || name == "G" || name == "B"; }
 
-/// The parts that show the same window as the first: those of a multi-part EXR, not the smaller
-/// pictures that some formats add.
+/// The parts with the same window as the first: those of a multi-part EXR, not the thumbnails that
+/// some formats add.
 std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input) {
   std::vector<OIIO::ImageSpec> parts = {input.spec()};
   const bool many = std::string_view(input.format_name()) == "openexr";
@@ -94,8 +95,9 @@ std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input) {
   return parts;
 }
 
-/// Channels of all parts. Those of another view than the first have its name before theirs, as in
-/// files that hold several views in one part; another name that is there already its part's.
+/// Channels of all parts. Those of a view other than the first are prefixed with its name, as in
+/// files with several views in one part; other duplicate names are prefixed with the name of their
+/// part.
 std::vector<std::string> channels_of(const std::vector<OIIO::ImageSpec>& parts) {
   std::vector<std::string> out;
   for (const OIIO::ImageSpec& part : parts) {
@@ -169,7 +171,7 @@ std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path) {
   if (!input->spec().deep) return std::nullopt;
   const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
   DeepInfo info{info_of(parts)};
-  constexpr double kPixelBytes = 16;  // of OpenImageIO, for a pixel without samples
+  constexpr double kPixelBytes = 16;  // Memory of OpenImageIO for a pixel without samples.
   require_memory(kPixelBytes * info.file.width * info.file.height, available_memory(),
                  fmt::format("the picture '{}'", path.string()));
   for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
@@ -183,7 +185,7 @@ std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path) {
 
 ColourMatrix to_rec709(const FileInfo& file) {
   if (!file.chromaticities) return {};
-  // Broken ones would make broken colours.
+  // Invalid chromaticities would give invalid colours.
   for (size_t i = 0; i < 8; ++i)
     if (!((*file.chromaticities)[i] > (i % 2 == 1 ? 1e-3 : -1.0))) return {};
   return {*file.chromaticities, info(WorkingSpace::rec709).chromaticities};

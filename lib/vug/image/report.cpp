@@ -74,11 +74,11 @@ std::string verdict_text(const Diff& diff) {
       return diff.tested ? "the same: within the limits and the noise"
                          : "the same: within the limits";
     case Basis::significance:
-      return "the same: noise explains what differs";
+      return "the same: the differences are within the noise";
     case Basis::rounding:
       break;
   }
-  return "the same: rounding explains what differs";
+  return "the same: the differences are within rounding";
 }
 
 std::string to_table(const Diff& diff) {
@@ -90,9 +90,9 @@ std::string to_table(const Diff& diff) {
   for (const auto& [view, significance] : diff.other_views) out += to_text(significance, view);
   if (diff.not_finite > 0) out += fmt::format("\n{} values are not finite\n", diff.not_finite);
   if (!diff.unjudged.empty())
-    out +=
-        fmt::format("\nnot judged though they differ: {} (set limits, as in --max {}.rmse=0.01)\n",
-                    fmt::join(diff.unjudged, ", "), diff.unjudged.front());
+    out += fmt::format(
+        "\nnot judged although they differ: {} (set limits, as in --max {}.rmse=0.01)\n",
+        fmt::join(diff.unjudged, ", "), diff.unjudged.front());
   return out + "\n" + verdict_text(diff) + "\n";
 }
 

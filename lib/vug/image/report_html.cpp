@@ -11,7 +11,7 @@
 namespace vug::image {
 namespace {
 
-/// Narrower pictures are shown larger than they are, pixel by pixel.
+/// Narrower images are enlarged, pixel by pixel.
 constexpr int kSmall = 640;
 
 std::string base64(const std::string& bytes) {
@@ -28,7 +28,8 @@ std::string base64(const std::string& bytes) {
   return out;
 }
 
-/// Signed z-scores: blue where the test is darker, orange where it is brighter, grey where equal.
+/// Signed z-scores: blue where the test is darker, orange where it is brighter, grey where they are
+/// equal.
 Image z_picture(const std::vector<float>& z, int width, int height) {
   constexpr double kFull = 6, kGrey = 0.17;
   constexpr double kDarker[] = {0.25, 0.55, 1.0}, kBrighter[] = {1.0, 0.6, 0.15};
@@ -51,7 +52,7 @@ std::string picture(const std::string& id, const std::string& label, const Image
       label, scale);
 }
 
-/// A layer without colours is shown from its least to its greatest value.
+/// A layer without colours is shown from its minimum to its maximum.
 Image as_grey(const Image& layer, double low, double high) {
   Image out(layer.width, layer.height, {"Y"});
   for (size_t p = 0; p < out.pixels.size(); ++p) {
@@ -112,7 +113,7 @@ void add_measures(const Diff& diff, std::string& out) {
     out += fmt::format("<p>Identical: {}.</p>",
                        xml_text(fmt::format("{}", fmt::join(diff.identical, ", "))));
   if (!diff.unjudged.empty())
-    out += fmt::format("<p>Not judged though they differ: {}.</p>",
+    out += fmt::format("<p>Not judged although they differ: {}.</p>",
                        xml_text(fmt::format("{}", fmt::join(diff.unjudged, ", "))));
   if (diff.not_finite > 0) out += fmt::format("<p>{} values are not finite.</p>", diff.not_finite);
   out += "</section>\n";
@@ -124,7 +125,7 @@ void add_significance(const Significance& s, const std::string& of, bool heeded,
       "deviation {:.3f}, |z| > 3 in {:.2f} % (noise: 0.27 %), brightness {:+.3f} %.{}</p>\n"
       "<table><tr><th>finding</th><th>channel</th><th>value</th><th>chance by noise</th></tr>\n",
       of, s.blocks, s.block, s.block, s.mean_z, s.std_z, 100 * s.beyond_3, 100 * s.bias,
-      heeded ? "" : " The verdict rests on limits instead.");
+      heeded ? "" : " The verdict is based on limits instead.");
   for (const Finding& f : s.findings)
     out += fmt::format(
         "<tr class=\"first\"><td>{}</td><td>{}</td><td class=\"n\">{:.4g}</td>"

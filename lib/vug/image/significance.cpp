@@ -10,11 +10,11 @@
 namespace vug::image {
 namespace {
 
-constexpr double kStorage = 5e-4;       ///< Relative error of a half.
-constexpr double kFloor = 1e-4;         ///< Of the log-average of the picture.
-constexpr double kPixelShare = 0.0025;  ///< Of the pixels that may fail (Mitsuba 3).
+constexpr double kStorage = 5e-4;       ///< Relative rounding error of a half.
+constexpr double kFloor = 1e-4;         ///< Relative to the log-average of the image.
+constexpr double kPixelShare = 0.0025;  ///< Fraction of the pixels that may fail (Mitsuba 3).
 constexpr size_t kFamilies = 4;
-constexpr double kLeastScatter = 12;  ///< Pixels of a block whose scatter means something.
+constexpr double kLeastScatter = 12;  ///< Minimum number of pixels for a meaningful scatter.
 constexpr size_t kChannels = 3;
 
 std::string channel_name(size_t channel) { return std::string(1, "RGB"[channel]); }
@@ -26,18 +26,18 @@ Finding finding_of(const char* name) {
   return out;
 }
 
-/// Chance that at least one of `count` independent events of chance p happens.
+/// Probability that at least one of `count` independent events of probability p occurs.
 double any_of_chance(double p, double count) {
   if (p >= 1) return 1;
   return p < 1e-9 ? std::min(1.0, p * count) : 1 - maths::exp(count * maths::log(1 - p));
 }
 
-/// The chance of each of `count` events that leaves `any` for at least one of them.
+/// The probability of each of `count` events that gives `any` for at least one of them.
 double share_of_chance(double any, double count) {
   return 1 - maths::exp(maths::log(1 - any) / count);
 }
 
-/// One channel of one pixel of both pictures.
+/// One channel of one pixel of both images.
 struct Entry {
   double difference = 0, size = 0, variance = 0;
   bool counts = false;
@@ -63,7 +63,7 @@ std::optional<double> variance(const NoisyPicture& picture, size_t pixel, size_t
   return std::isfinite(v) ? std::max(v, 0.0) : 0.0;
 }
 
-/// The log-average of what is lit: lamps in view do not move it far.
+/// The log-average of lit pixels, which visible lights hardly affect.
 double typical_size(const NoisyPicture& a, const NoisyPicture& b) {
   double sum = 0;
   size_t count = 0;
@@ -94,8 +94,8 @@ std::vector<Entry> entries(const NoisyPicture& a, const NoisyPicture& b,
   return out;
 }
 
-/// Sums over a block, and how far its mean difference lies from 0 in standard errors. Of these
-/// there are two: one that the pictures tell, one from the scatter of the block's own pixels.
+/// Sums over a block, and its mean difference in standard errors. There are two z-scores: one from
+/// the images' variances, one from the scatter of the block's own pixels.
 struct Block {
   double difference = 0, square = 0, size = 0, variance = 0;
   double count = 0;
@@ -109,7 +109,8 @@ struct Block {
   double stored() const { return kStorage * size / count; }
   double deviation() const { return std::sqrt(variance / (count * count) + stored() * stored()); }
   double z() const { return count > 0 && deviation() > 0 ? difference / count / deviation() : 0; }
-  /// Student's t of the pixels, as the normal deviate of the same chance (wallace1959).
+  /// Student's t of the pixels, converted to the normal deviate of the same probability
+  /// (wallace1959).
   double scatter_z() const {
     if (count < kLeastScatter) return 0;
     const double mean = difference / count, free = count - 1;
@@ -150,15 +151,15 @@ Blocks blocks_of(const std::vector<Entry>& entries, const Image& image, const Gr
   return out;
 }
 
-/// The z-scores of one channel's blocks, and what they weigh.
+/// The z-scores of one channel's blocks, and their weights.
 struct Scores {
   size_t channel = 0;
   std::vector<double> z, signal;
 };
 
-/// Those that the variances give; then, where both pictures have as many samples, those of the
-/// pixels' scatter: a difference is then as likely as its opposite, whatever the noise, and the
-/// scatter shows what Sobol points gained.
+/// The scores from the variances; then, if both images have equal sample counts, those from the
+/// scatter of the pixels: a difference is then as likely as its opposite, whatever the noise, and
+/// the scatter reflects the lower error of Sobol points.
 std::vector<Scores> scores_of(const Blocks& blocks, bool exchangeable) {
   std::vector<Scores> out;
   for (const bool scatter : {false, true})
@@ -175,7 +176,7 @@ std::vector<Scores> scores_of(const Blocks& blocks, bool exchangeable) {
   return out;
 }
 
-/// The most unlikely of the scores by `statistic`, a z-score, and its `chance`.
+/// The least likely of the scores by `statistic`, a z-score, and its p-value.
 template <class Statistic, class Chance>
 Finding most_unlikely(const char* name, const std::vector<Scores>& all, Statistic statistic,
                       Chance chance) {
@@ -273,7 +274,7 @@ void summarise(const Blocks& blocks, bool exchangeable, const Image& image, cons
           furthest[static_cast<size_t>(grid.block_of(x, y, image.width, image.height))]));
 }
 
-/// As many samples in both pictures, within a tenth.
+/// Equal sample counts in both images, within a tenth.
 bool same_samples(const NoisyPicture& a, const NoisyPicture& b) {
   if (a.samples.empty() || b.samples.empty()) return false;
   double sum_a = 0, sum_b = 0;
@@ -286,7 +287,7 @@ void require_usable(const NoisyPicture& a, const NoisyPicture& b) {
   if (a.mean.width != b.mean.width || a.mean.height != b.mean.height)
     throw Error(ErrorCode::bad_input, "pictures of different size cannot be tested");
   if (!a.variance && !b.variance)
-    throw Error(ErrorCode::bad_input, "neither picture tells the variance of its pixels", {},
+    throw Error(ErrorCode::bad_input, "neither image contains the variance of its pixels", {},
                 "the statistical test reads the channels variance.R, variance.G and variance.B");
 }
 
@@ -294,8 +295,8 @@ void require_usable(const NoisyPicture& a, const NoisyPicture& b) {
 
 double two_sided_p_value(double z) {
   const double x = std::fabs(z) / std::sqrt(2.0);
-  if (!(x < 26)) return 0;  // below the smallest number
-  if (x < 2) {              // 1 - erf(x) by its series
+  if (!(x < 26)) return 0;  // Below the smallest number.
+  if (x < 2) {              // 1 - erf(x) by its series.
     double term = x, sum = x;
     for (int k = 1; k < 60; ++k) {
       term *= -x * x / k;
@@ -303,7 +304,7 @@ double two_sided_p_value(double z) {
     }
     return std::max(0.0, 1 - 2 / std::sqrt(kPi) * sum);
   }
-  double fraction = 0;  // erfc(x) by its continued fraction
+  double fraction = 0;  // erfc(x) by its continued fraction.
   for (int k = 120; k > 0; --k) fraction = 0.5 * k / (x + fraction);
   return maths::exp(-x * x) / (std::sqrt(kPi) * (x + fraction));
 }

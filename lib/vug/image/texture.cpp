@@ -19,7 +19,7 @@ OIIO::TextureSystem& textures() {
     std::shared_ptr<OIIO::TextureSystem> made(
         OIIO::TextureSystem::create(false),
         [](OIIO::TextureSystem* t) { OIIO::TextureSystem::destroy(t); });
-    // Files that are no tiled textures are cut and made smaller in memory.
+    // Untiled files are tiled and MIP-mapped in memory.
     made->attribute("autotile", 64);
     made->attribute("automip", 1);
     made->attribute("max_memory_MB", kCacheMegabytes);
@@ -52,10 +52,11 @@ Texture::Texture(const std::filesystem::path& path) {
     if (bad != whole.pixels.end()) {
       const auto pixel = static_cast<size_t>(bad - whole.pixels.begin()) / whole.channels.size();
       const auto width = static_cast<size_t>(whole.width);
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("the texture '{}' holds a number that is not finite, first at pixel "
-                              "({}, {})",
-                              path.string(), pixel % width, pixel / width));
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format(
+              "the texture '{}' contains a number that is not finite, first at pixel ({}, {})",
+              path.string(), pixel % width, pixel / width));
     }
   }
   file_ = std::move(file);
@@ -64,14 +65,14 @@ Texture::Texture(const std::filesystem::path& path) {
 Vec3d Texture::at(double s, double t, double width) const {
   OIIO::TextureOpt options;
   options.swrap = options.twrap = OIIO::TextureOpt::WrapPeriodic;
-  // Whole turns are cut off here, where they cost no digits.
+  // Integer repetitions are removed here, where it costs no precision.
   const auto x = static_cast<float>(s - std::floor(s)), y = static_cast<float>(t - std::floor(t));
   const auto w = static_cast<float>(width);
   float rgb[3] = {0, 0, 0};
   if (!textures().texture(file_->name, options, x, y, w, 0, 0, w, file_->channels, rgb)) {
-    (void)textures().geterror();  // its words are for programmers
+    (void)textures().geterror();  // OpenImageIO's messages are for programmers.
     throw Error(ErrorCode::bad_input,
-                fmt::format("the texture '{}' cannot be read: its pixels are damaged or cut short",
+                fmt::format("the texture '{}' cannot be read: its pixels are damaged or truncated",
                             file_->name.string()),
                 {}, "write it again with the program that made it");
   }

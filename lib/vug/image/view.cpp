@@ -20,8 +20,8 @@ Colour multiply(const double (&m)[3][3], const Colour& c) {
 }
 
 // Matrices and rational curve: S. Hill's fit of the ACES 1.0 reference rendering and sRGB output
-// transforms. The matrices fold in Rec.709 <-> AP1, D65 <-> D60 and the desaturations at both
-// ends (hill2017aces).
+// transforms. The matrices include Rec.709 <-> AP1, D65 <-> D60 and the desaturations at both ends
+// (hill2017aces).
 constexpr double kToCurve[3][3] = {
     {0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
 constexpr double kFromCurve[3][3] = {
@@ -37,7 +37,8 @@ Colour filmic(Colour c) {
   return multiply(kFromCurve, c);
 }
 
-/// Beyond this the curve is flat; a cap keeps infinities from turning into NaN in the matrices.
+/// The curve is flat beyond this value; a cap prevents infinities from becoming NaN in the
+/// matrices.
 constexpr double kBrightest = 1e6;
 
 double usable(double v) { return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, kBrightest); }
@@ -60,7 +61,7 @@ Vec3d colour_at(const Image& image, size_t pixel, const Channels& from) {
           static_cast<double>(values[from[2]])};
 }
 
-/// Calls `take` with the luminance of each pixel, where there are R, G and B.
+/// Calls `take` with the luminance of each pixel if there are R, G and B.
 template <class Take>
 void each_luminance(const Image& linear, WorkingSpace space, const Take& take) {
   constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Of Rec.709.
@@ -130,7 +131,7 @@ Image display(const Image& linear, const ViewOptions& options) {
   std::optional<Channels> from = colour_channels(linear);
   if (!from) {
     if (linear.channels.size() != 1)
-      throw Error(ErrorCode::bad_input, "a picture to be shown needs the channels R, G and B");
+      throw Error(ErrorCode::bad_input, "displaying an image requires the channels R, G and B");
     from = Channels{0, 0, 0};
   }
   const double gain = maths::exp(options.exposure * 0.69314718055994530942);
@@ -138,7 +139,7 @@ Image display(const Image& linear, const ViewOptions& options) {
   if (options.ocio) {
     for (size_t p = 0; p < linear.pixel_count(); ++p) {
       const Vec3d c = colour_at(linear, p, *from) * gain;
-      // Colours outside of the space have negative parts, which a configuration knows to treat.
+      // Colours outside the space have negative components, which a configuration can handle.
       for (size_t i = 0; i < 3; ++i) {
         const double v = c[static_cast<int>(i)];
         out.pixels[p * 3 + i] =

@@ -13,11 +13,11 @@ Image warped(const Image& picture, const Homography& to_target, int width, int h
   const auto spec = [&](int w, int h) {
     return OIIO::ImageSpec(w, h, channels, OIIO::TypeDesc::FLOAT);
   };
-  // A buffer around our pixels, which it only reads.
+  // A read-only buffer around our pixels.
   const OIIO::ImageBuf from(spec(picture.width, picture.height),
                             const_cast<float*>(picture.pixels.data()));
   OIIO::ImageBuf to(spec(width, height), out.pixels.data());
-  // Imath's vectors are rows.
+  // Imath uses row vectors.
   Imath::M33f matrix;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
@@ -25,7 +25,7 @@ Image warped(const Image& picture, const Homography& to_target, int width, int h
   const OIIO::ROI all(0, width, 0, height, 0, 1, 0, channels);
   if (!OIIO::ImageBufAlgo::warp(to, from, matrix, "lanczos3", 6, false, OIIO::ImageBuf::WrapBlack,
                                 all))
-    throw Error(ErrorCode::internal, "a picture could not be warped: " + to.geterror());
+    throw Error(ErrorCode::internal, "resampling of the image failed: " + to.geterror());
   const auto count = static_cast<size_t>(channels);
   for (size_t c = 0; c < count; ++c) {
     float least = 0;

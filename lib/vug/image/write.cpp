@@ -16,17 +16,17 @@ namespace {
 void require_whole(const Image& image) {
   if (image.width < 1 || image.height < 1 || image.channels.empty() ||
       image.pixels.size() != image.pixel_count() * image.channels.size())
-    throw Error(ErrorCode::bad_input, "a picture without pixels cannot be written");
+    throw Error(ErrorCode::bad_input, "an image without pixels cannot be written");
 }
 
-/// Channels `from` on, `count` of them, that go into one part of a file.
+/// `count` channels, starting at `from`, of one part of a file.
 struct PartOf {
   std::string name;
   size_t from, count;
 };
 
-/// The layer of a channel, where a file has a part for each: those of a Cryptomatte together, and
-/// alpha with the colour.
+/// The part name of a channel in a file with one part per layer: all of a Cryptomatte share one
+/// part, and alpha belongs to the colour.
 std::string part_name(const std::string& channel) {
   const size_t dot = channel.find('.');
   if (dot == std::string::npos) return channel.find_first_of("RGBA") == 0 ? "beauty" : channel;
@@ -39,7 +39,7 @@ std::vector<PartOf> parts_of(const std::vector<std::string>& channels, bool spli
   std::vector<PartOf> parts;
   for (size_t c = 0; c < channels.size(); ++c) {
     const std::string name = split ? part_name(channels[c]) : "";
-    // A part of one channel without a layer is more than Blender 3.4 can read, but for depth.
+    // Blender 3.4 cannot read a part with one channel and no layer, except for depth.
     const bool alone = name == channels[c] && name != "Z";
     if (parts.empty() || (parts.back().name != name && !alone))
       parts.push_back({name, c, 1});
@@ -65,7 +65,8 @@ OIIO::ImageSpec exr_spec(int width, int height, const ExrOptions& options) {
   }
   if (options.tiles) spec.tile_width = spec.tile_height = 64;
   spec.attribute("compression", "zip");
-  // OpenImageIO would write the time of day: the same picture shall have the same bytes.
+  // A constant, because OpenImageIO would write the current time and equal images must have equal
+  // bytes.
   spec.attribute("DateTime", "1970:01:01 00:00:00");
   spec.attribute("oiio:ColorSpace", options.space == WorkingSpace::acescg ? "ACEScg" : "linear");
   const WorkingSpaceInfo& space = info(options.space);
@@ -90,7 +91,7 @@ ExrOutput::ExrOutput(const std::filesystem::path& path, const std::filesystem::p
       file_(std::fopen(temporary.c_str(), "wb"), std::fclose),
       io_(file_.get(), OIIO::Filesystem::IOProxy::Write) {
   check(file_ != nullptr);
-  output_ = OIIO::ImageOutput::create(temporary.string());  // by its extension
+  output_ = OIIO::ImageOutput::create(temporary.string());  // By its extension.
   check(output_ != nullptr && output_->set_ioproxy(&io_));
   check(parts.size() == 1
             ? output_->open(temporary.string(), parts[0])
@@ -104,7 +105,7 @@ void ExrOutput::begin(size_t part) {
 
 void ExrOutput::close() {
   check(output_->close());
-  // A flush that has failed before is told by the flag alone.
+  // Only the error flag reports an earlier failed flush.
   const bool whole = std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0;
   check(std::fclose(file_.release()) == 0 && whole);
 }
@@ -112,10 +113,10 @@ void ExrOutput::close() {
 void ExrOutput::check(bool done) const {
   if (done) return;
   if (output_)
-    (void)output_->geterror();  // else it is told at the end of the program
+    (void)output_->geterror();  // Otherwise OpenImageIO prints it at exit.
   else
     (void)OIIO::geterror();
-  const int fault = errno;  // may be of something else: only these come of writing
+  const int fault = errno;  // May come from something else; only these errors result from writing.
   const bool system = fault == ENOSPC || fault == EFBIG || fault == EDQUOT || fault == EIO ||
                       fault == EACCES || fault == EROFS || fault == ENOMEM;
   throw Error(ErrorCode::io,
@@ -131,7 +132,7 @@ bool is_full(const std::string& channel, const ExrOptions& options) {
                      [&](const std::string& layer) { return in_layer(channel, layer); });
 }
 
-/// The channels of a part, those stored as half within its range.
+/// The channels of a part; those stored as half are clamped to its range.
 std::vector<float> pixels_of(const Image& image, const PartOf& part, const ExrOptions& options) {
   std::vector<float> out(image.pixel_count() * part.count);
   for (size_t c = 0; c < part.count; ++c) {
@@ -148,14 +149,15 @@ std::vector<float> pixels_of(const Image& image, const PartOf& part, const ExrOp
 
 namespace {
 
-/// What goes into one part of a file.
+/// The content of one part of a file.
 struct FilePart {
   const ExrView* view;
   PartOf channels;
   OIIO::ImageSpec spec;
 };
 
-/// The parts that hold one view; of several, parts say which, and their names begin with it.
+/// Adds the parts of one view; with several views, the parts have a view attribute, and their names
+/// begin with it.
 void add_parts(const ExrView& view, std::vector<FilePart>& all) {
   const Image& image = view.image;
   const ExrOptions& options = view.options;
@@ -178,7 +180,7 @@ void add_parts(const ExrView& view, std::vector<FilePart>& all) {
     if (const std::string name = view.name + dot + part.name; !name.empty())
       spec.attribute("oiio:subimagename", name);
     for (const auto& [name, text] : options.metadata) {
-      // A list of names stands with the channels it is for, everything else in the first part.
+      // A list of names accompanies its channels; everything else goes to the first part.
       const bool matte = name.rfind("cryptomatte/", 0) == 0;
       if (!options.parts || (matte ? part.name.rfind("Crypto", 0) == 0 : part.from == 0))
         spec.attribute(name, text);

@@ -1,11 +1,11 @@
-// LDR-FLIP of the pictures as shown: through the view transform at the exposure of the comparison.
+// LDR-FLIP of the displayed images: after the view transform at the exposure of the comparison.
 #include <vug/image/flip.h>
 #include <vug/image/measure_kind.h>
 
 namespace vug::image {
 namespace {
 
-/// The light that a screen gives off for the picture.
+/// The light emitted by a display of the image.
 Image screen_light(const Image& picture, const ViewOptions& view) {
   Image shown = display(picture, view);
   for (float& v : shown.pixels) v = static_cast<float>(srgb_decode(static_cast<double>(v)));
@@ -25,6 +25,6 @@ MeasureResult ldr_flip(const Comparison& pair) {
 
 VUG_MEASURE(flip) {
   return lower_is_better("flip",
-                         "LDR-FLIP of the pictures as shown, mean over the pixels, in [0, 1].",
+                         "LDR-FLIP of the displayed images, mean over the pixels, in [0, 1].",
                          "andersson2020flip", ldr_flip, true);
 }

@@ -1,6 +1,5 @@
-// HDR-FLIP. The paper takes the range of exposures from the reference; by default it is here the
-// range that holds those of both pictures, so that it does not matter which is called the
-// reference.
+// HDR-FLIP. The paper derives the range of exposures from the reference; the default here is the
+// union of both images' ranges, so that the measure is symmetric.
 #include <vug/image/flip.h>
 #include <vug/image/measure_kind.h>
 
@@ -20,7 +19,7 @@ MeasureResult hdr_flip(const Comparison& pair) {
       range->stop = std::max(range->stop, other->stop);
     }
   MeasureResult out;
-  if (!range) return out;  // two black pictures
+  if (!range) return out;  // Both images are black.
   out.map = flip_hdr(reference, test, *range).values;
   out.value = pooled_mean(pair, out.map);
   return out;

@@ -12,5 +12,5 @@ MeasureResult largest(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(max) {
-  return lower_is_better("max", "Largest difference of two values, without sign.", "", largest);
+  return lower_is_better("max", "Largest absolute difference of two values.", "", largest);
 }

@@ -9,5 +9,5 @@ MeasureResult mean(const Comparison& pair) { return {differences(pair).mean, {}}
 }  // namespace vug::image
 
 VUG_MEASURE(mean) {
-  return lower_is_better("mean", "Mean difference of all values, without sign.", "", mean);
+  return lower_is_better("mean", "Mean absolute difference of all values.", "", mean);
 }

@@ -20,7 +20,7 @@ MeasureResult psnr(const Comparison& pair) {
 
 VUG_MEASURE(psnr) {
   return higher_is_better("psnr",
-                          "Peak signal to noise ratio in dB of R, G, B as shown (peak 1); without "
-                          "end for equal pictures.",
+                          "Peak signal-to-noise ratio in dB of R, G, B as displayed (peak 1); "
+                          "infinite for equal images.",
                           "", kInfinity, psnr);
 }

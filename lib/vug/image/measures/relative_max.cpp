@@ -1,5 +1,5 @@
-// A difference counts against the larger of the two values, or against the mean of the layer where
-// both are smaller than that: what is lost in the dark by rounding is no difference.
+// A difference is relative to the larger of the two values, or to the mean of the layer if both are
+// smaller: rounding losses in dark regions do not count.
 #include <vug/image/measure_kind.h>
 
 #include <algorithm>
@@ -32,6 +32,7 @@ MeasureResult relative_max(const Comparison& pair) {
 
 VUG_MEASURE(relative_max) {
   return lower_is_better(
-      "relative_max", "Largest difference of two values over the larger one or the layer's mean.",
-      "", relative_max);
+      "relative_max",
+      "Largest difference of two values relative to the larger one or the layer's mean.", "",
+      relative_max);
 }

@@ -1,5 +1,5 @@
-// Divided by what both pictures show, not by the reference alone, so that it does not matter which
-// of them is called the reference.
+// Relative to the content of both images, not to the reference alone, so that the measure is
+// symmetric.
 #include <vug/image/measure_kind.h>
 
 #include <cmath>
@@ -17,6 +17,7 @@ MeasureResult relative_rmse(const Comparison& pair) {
 }  // namespace vug::image
 
 VUG_MEASURE(relative_rmse) {
-  return lower_is_better("relative_rmse", "rmse over the mean size of all values of both pictures.",
-                         "", relative_rmse);
+  return lower_is_better("relative_rmse",
+                         "rmse relative to the mean absolute value of both images.", "",
+                         relative_rmse);
 }

@@ -11,5 +11,5 @@ MeasureResult rmse(const Comparison& pair) { return {std::sqrt(differences(pair)
 }  // namespace vug::image
 
 VUG_MEASURE(rmse) {
-  return lower_is_better("rmse", "Root of the mean squared difference of all values.", "", rmse);
+  return lower_is_better("rmse", "Root mean squared difference of all values.", "", rmse);
 }

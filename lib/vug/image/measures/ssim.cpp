@@ -1,7 +1,7 @@
-// Structural similarity (wang2004ssim, eq. 13 with its constants) of the luminance as shown, in
+// Structural similarity (wang2004ssim, eq. 13 with its constants) of the displayed luminance, in
 // [0, 1]. The window is a Gaussian of 11 x 11 pixels, sigma 1.5. As in the paper's own programs the
-// mean is taken where the whole window lies inside the picture; a picture too small for that is
-// taken whole.
+// mean is taken where the whole window lies inside the image; for an image too small for that, over
+// the whole image.
 #include <vug/image/measure_kind.h>
 #include <vug/image/planes.h>
 
@@ -62,6 +62,6 @@ MeasureResult ssim(const Comparison& pair) {
 
 VUG_MEASURE(ssim) {
   return higher_is_better("ssim",
-                          "Structural similarity of the luminance as shown; 1 for equal pictures.",
+                          "Structural similarity of the displayed luminance; 1 for equal images.",
                           "wang2004ssim", 1, ssim);
 }
