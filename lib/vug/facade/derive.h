@@ -1,4 +1,4 @@
-// Deriving a facade: rules are chosen as in every grammar, splits hand the rectangles on.
+// Derivation of facades: rules are selected as in every grammar, and splits subdivide rectangles.
 #pragma once
 
 #include <vug/facade/plan.h>
@@ -19,32 +19,33 @@ struct DeriveOptions {
 };
 
 struct FacadeDerivation {
-  grammar::Tree derivation;  ///< With the rules that were chosen, for traces.
+  grammar::Tree derivation;  ///< With the selected rules, for traces.
   Tree tree;
 };
 
-/// A derivation whose rules and numbers are chosen; see plan.h.
+/// Options of a derivation with given rules and numbers; see plan.h.
 struct PlanOptions {
-  Plan plan;         ///< Of the facade itself; its parts are those of the axiom.
-  double least = 0;  ///< Metres; no part is narrower or lower.
+  Plan plan;         ///< Plan of the facade itself; its parts are those of the axiom.
+  double least = 0;  ///< Minimum width and height of parts, metres.
 };
 
 struct PlannedDerivation {
   FacadeDerivation derived;
-  PlannedNode root;                ///< Of the facade itself.
-  std::vector<PlannedNode> nodes;  ///< Index as in Tree::nodes.
+  PlannedNode root;                ///< The facade itself.
+  std::vector<PlannedNode> nodes;  ///< Indexed like Tree::nodes.
 };
 
-/// Guards, weights, sizes and arguments are evaluated as expressions of the evaluator's document,
-/// in which `width` and `height` are the scope's, `index` and `total` say which of how many places
-/// of its split a symbol has. Faults go to the evaluator's diagnostics, and then nothing is
-/// derived; symbols that no rule applies to are warnings. Error(too_large) beyond the limits.
+/// Derives a facade. Guards, weights, sizes and arguments are evaluated as expressions of the
+/// evaluator's document; `width` and `height` are the scope's size, `index` (0-based) and `total`
+/// the position among the split's cells and their number. Returns nothing, with diagnostics, after
+/// an error; symbols to which no rule applies are warnings. Throws Error(too_large) beyond the
+/// limits.
 std::optional<FacadeDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
                                        const DeriveOptions& options);
 
-/// The same with chosen rules and numbers: symbols without a rule stay as they are, stuck. Numbers
-/// that are not told are what is usual for the size. InfeasiblePlan where a rule or a number cannot
-/// be had.
+/// Derives a facade by a plan. Symbols without a rule remain, marked as stuck. Numbers that the
+/// plan does not fix have defaults that depend on the size. Throws InfeasiblePlan if a rule or a
+/// number is not possible.
 std::optional<PlannedDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
                                         const DeriveOptions& options, const PlanOptions& planning);
 

@@ -1,4 +1,4 @@
-// Elements: what stands in a rectangle that is not split any further.
+// Elements of facades: windows, doors and other solids in a rectangle that is not split further.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -10,26 +10,27 @@
 
 namespace vug::facade {
 
-/// What an element is made of, in its own frame: x to the right from 0 to its width, y up from 0 to
-/// its height, z out of the wall, whose face is at z = 0. Metres.
+/// The solids of an element in its own frame, in metres: x to the right from 0 to its width, y up
+/// from 0 to its height, z out of the wall, whose face is at z = 0.
 struct Solids {
-  std::vector<field::Field> cut;   ///< Taken out of the wall, before anything is added.
-  std::vector<field::Field> add;   ///< Of the wall's own matter.
-  std::vector<field::Field> fill;  ///< Of other matter: panes of glass, leaves of doors.
+  std::vector<field::Field> cut;   ///< Subtracted from the wall before anything is added.
+  std::vector<field::Field> add;   ///< Added to the wall, of the wall's material.
+  std::vector<field::Field> fill;  ///< Of other materials: panes of glass, leaves of doors.
 
   void take(Solids more);
 };
 
-/// A window, a door, ... of a kind, with its measures. Shared and immutable.
+/// An element of a kind (window, door, ...) with its parameters. Shared and immutable.
 class Element {
  public:
   Element(std::string kind, std::string text) : kind_(std::move(kind)), text_(std::move(text)) {}
   virtual ~Element() = default;
   /// The kind's name: "window".
   const std::string& kind() const { return kind_; }
-  /// As scenes write it, with the measures that were told: "window(reveal: 20cm)".
+  /// The element as scene text with its given arguments: "window(reveal: 20cm)".
   const std::string& text() const { return text_; }
-  /// In a rectangle of that size in metres. Error(bad_input) where the measures leave nothing.
+  /// The solids for a rectangle of that size in metres. Throws Error(bad_input) if the parameters
+  /// do not fit into the rectangle.
   virtual Solids solids(double width, double height) const = 0;
 
  private:
@@ -41,7 +42,7 @@ using ElementKind = Kind<ElementPtr>;
 /// ParametricElement from the list in CMakeLists.txt.
 const Kinds<ElementPtr>& elements();
 
-/// An element of that kind with arguments that its schema has accepted, as scenes write it.
+/// The scene text of an element of that kind with arguments that its schema has accepted.
 std::string element_text(const KindInfo& kind, const Arguments& arguments);
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
@@ -69,7 +70,7 @@ ElementKind element_kind(const std::string& name) {
 
 }  // namespace vug::facade
 
-/// Opens the one definition that the file of an element exports; see VUG_EXPORT_KIND.
+/// Opens the only definition that the file of an element exports; see VUG_EXPORT_KIND.
 #define VUG_ELEMENT_KIND(name) VUG_EXPORT_KIND(vug::facade, ElementKind, name##_element)
 
 namespace vug {

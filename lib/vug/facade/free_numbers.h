@@ -1,5 +1,6 @@
-// What a text leaves open of a split: counts, sizes, places. Deriving draws them. Who models tells
-// them, and what is not told is what is usual for the size.
+// Free numbers of a split: counts, sizes and positions that the text does not specify. A derivation
+// draws them at random; a model fixes some of them, and the others have defaults that depend on the
+// size.
 #pragma once
 
 #include <vug/base/error.h>
@@ -15,32 +16,32 @@ namespace vug::facade {
 /// Numbers by name: {"columns": {4}, "dx": {2.1, 2.4, 2.1}}. Lengths are metres.
 using NumberValues = std::map<std::string, std::vector<double>>;
 
-/// A number, or a row of them, that a split has asked for.
+/// A free number, or a list of them, that a split has requested.
 struct FreeNumber {
   std::string name;
-  bool whole = false;          ///< Counts; else metres.
-  double least = 0, most = 0;  ///< Of each.
-  std::string per = {};        ///< The count that says how many there are; empty: always as many.
+  bool whole = false;          ///< True for counts, false for lengths in metres.
+  double least = 0, most = 0;  ///< Range of each value.
+  std::string per = {};        ///< Name of the count that gives their number; empty: constant.
   std::vector<double> values = {};
-  bool fixed = false;  ///< Else they are what is usual, or drawn.
+  bool fixed = false;  ///< Set by the plan; else a default or random.
 };
 
-/// Why a rule is not there to be applied.
+/// The reason why a rule cannot be applied.
 enum class Reason {
-  none,             ///< It is.
+  none,             ///< The rule can be applied.
   wrong_symbol,     ///< It divides another symbol.
-  wrong_arguments,  ///< It takes another number of arguments.
+  wrong_arguments,  ///< It takes a different number of arguments.
   condition,        ///< Its condition is false.
-  does_not_fit,     ///< Numbers are out of their ranges, or sizes are more than there is.
-  too_small,        ///< A part would be smaller than the least.
-  divided           ///< Another rule divides the node already.
+  does_not_fit,     ///< Numbers are out of range, or sizes exceed the available extent.
+  too_small,        ///< A part would be smaller than the minimum.
+  divided           ///< Another rule already divides the node.
 };
 std::string to_string(Reason reason);
 
-/// A choice that cannot be followed.
+/// Thrown if a plan cannot be followed.
 class InfeasiblePlan : public Error {
  public:
-  /// `number` names what was told wrong; empty: none of them alone.
+  /// `number` is the name of the invalid number; empty if no single number is responsible.
   InfeasiblePlan(Reason reason, std::string number, const std::string& message,
                  std::string hint = {}, SourceLocation where = {});
   Reason reason() const { return reason_; }
@@ -51,11 +52,12 @@ class InfeasiblePlan : public Error {
   std::string number_;
 };
 
+/// Provides the free numbers of one split and records its requests.
 class FreeNumbers {
  public:
-  /// Draws from the key.
+  /// Draws all numbers from the key.
   explicit FreeNumbers(RandomKey key) : key_(key) {}
-  /// Takes what is told. `apart`: what a split would stamp again are places of their own.
+  /// Uses the fixed numbers and defaults. `apart`: copies of a cell become cells of their own.
   explicit FreeNumbers(NumberValues fixed, bool apart = false)
       : key_(0), random_(false), apart_(apart), fixed_(std::move(fixed)) {}
 
@@ -64,23 +66,24 @@ class FreeNumbers {
   RandomKey key() const { return key_; }
   bool is_fixed(const std::string& name) const { return fixed_.count(name) > 0; }
 
-  /// A whole number in least..most. InfeasiblePlan when another is told; so do all below.
+  /// A whole number in least..most. Throws InfeasiblePlan if the fixed number is invalid, like all
+  /// functions below.
   int count(const std::string& name, int least, int most, double usual,
             const std::function<int()>& draw);
-  /// Metres in least..most. With a tolerance of rounding.
+  /// A length in metres in least..most, with a tolerance for rounding.
   double length(const std::string& name, double least, double most, double usual,
                 const std::function<double()>& draw = {});
-  /// As many lengths in least..most. What is told may be fewer: the others are as its last.
+  /// `count` lengths in least..most. If fewer are fixed, the others equal the last fixed one.
   std::vector<double> lengths(const std::string& name, const std::string& per, size_t count,
                               double least, double most, double usual);
-  /// Lengths that add up to the extent. Of what is told the last may be missing: they share the
-  /// rest. Drawn from the key as shares between 1/2 and 3/2 of an even one.
+  /// `count` lengths that add up to the extent. If fewer are fixed, the others share the rest
+  /// evenly. Random lengths are drawn from the key, proportional to numbers between 1/2 and 3/2.
   std::vector<double> shares(const std::string& name, const std::string& per, size_t count,
                              double extent, RandomKey key, const std::vector<double>& usual = {});
 
-  /// All that was asked for, with the answers.
+  /// All requested numbers with their values.
   const std::vector<FreeNumber>& requested() const { return requested_; }
-  /// InfeasiblePlan where something was told that nothing asks for.
+  /// Throws InfeasiblePlan if a fixed number was not requested.
   void check_all_used() const;
 
  private:

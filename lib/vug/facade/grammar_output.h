@@ -1,4 +1,4 @@
-// A derived facade as the text of a grammar that leaves nothing open: to be edited, included and
+// Output of a derived facade as the text of a deterministic grammar, to be edited, included and
 // carved.
 #pragma once
 
@@ -9,13 +9,13 @@
 namespace vug::facade {
 
 struct GrammarTextOptions {
-  std::string name;      ///< Of the grammar; empty: the tree's.
-  double thickness = 0;  ///< Of a wall that it is carved into, metres; 0: as is usual.
+  std::string name;      ///< Name of the grammar; empty: the tree's name.
+  double thickness = 0;  ///< Thickness of the wall, metres; 0: the default.
 };
 
-/// `grammar NAME: facade { ... }` with all sizes, in millimetres. It derives to the same elements
-/// with the measures that they were told, at the same places within a millimetre. Trees without
-/// nodes are a bare wall.
+/// `grammar NAME: facade { ... }` with all sizes, in millimetres. Its derivation has the same
+/// elements with the same arguments at the same positions within a millimetre. A tree without nodes
+/// is a plain wall.
 std::string grammar_text(const Tree& tree, const GrammarTextOptions& options = {});
 
 }  // namespace vug::facade

@@ -1,6 +1,6 @@
-// A derivation that is chosen instead of drawn: which rule divides which node, and the numbers that
-// its text leaves open. Plain data, shared and immutable: a changed plan shares all but the way to
-// the change.
+// Plans: derivations that are specified instead of random: the rule that divides each node and the
+// free numbers of its text. Plain data, shared and immutable: a modified plan shares everything
+// except the path to the modification.
 #pragma once
 
 #include <vug/facade/free_numbers.h>
@@ -13,10 +13,10 @@
 
 namespace vug::facade {
 
-/// Which part of its parent a node is. It stays the same when counts change.
+/// Identifies a node among the parts of its parent. It does not change when counts change.
 struct PartKey {
-  int item = 0;             ///< Among the items of the rule, from 0.
-  int part = 0;             ///< Among the parts of the item's split; else 0.
+  int item = 0;             ///< Index among the items of the rule.
+  int part = 0;             ///< Index among the parts of the item's split; else 0.
   int column = 0, row = 0;  ///< As in Cell.
   auto operator<=>(const PartKey&) const = default;
 };
@@ -24,24 +24,24 @@ struct PartKey {
 struct Plan;
 using PlanPtr = std::shared_ptr<const Plan>;
 
-/// What is decided of a node.
+/// The decisions about a node.
 struct Plan {
-  int rule = -1;  ///< Index in Rules::rules; below 0: none divides it yet. Splits inside of splits
-                  ///< have none, but numbers and parts of their own.
-  /// Of its split; those of a rule's second split have "2." before their names, and so on.
+  int rule = -1;  ///< Index in Rules::rules; negative: no rule divides it yet. Splits inside of
+                  ///< splits have no rule, but numbers and parts of their own.
+  /// Numbers of its split; the names of those of a rule's second split start with "2.", and so on.
   NumberValues numbers;
-  bool apart = false;  ///< What its split would stamp again are nodes of their own.
-  /// Columns and rows of its split where nothing stands; what is stamped again stands everywhere.
+  bool apart = false;  ///< Copies made by its split become nodes of their own.
+  /// Empty cells of its split as (column, row); copied cells cannot be empty.
   std::set<std::pair<int, int>> off;
-  std::map<PartKey, PlanPtr> parts;  ///< Missing: nothing is decided.
+  std::map<PartKey, PlanPtr> parts;  ///< Missing: no decisions.
 };
 
-/// What deriving by a plan tells of a node beside the tree.
+/// The result of a planned derivation for a node, in addition to the tree.
 struct PlannedNode {
   PartKey place;
-  PlanPtr plan;                  ///< Null: nothing is decided.
-  std::vector<FreeNumber> free;  ///< What its splits leave open, with the numbers as they are.
-  bool mirrored = false;         ///< Its own frame runs from the right to the left.
+  PlanPtr plan;                  ///< Null: no decisions.
+  std::vector<FreeNumber> free;  ///< The free numbers of its splits with their values.
+  bool mirrored = false;         ///< Its frame runs from right to left.
 };
 
 }  // namespace vug::facade

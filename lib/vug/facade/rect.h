@@ -1,4 +1,4 @@
-// Rectangles on a facade's plane and how they are stamped: metres, x to the right, y up.
+// Rectangles on a facade's plane and placements of their copies: metres, x to the right, y up.
 #pragma once
 
 namespace vug::facade {
@@ -12,7 +12,7 @@ struct Rect {
   bool operator==(const Rect&) const = default;
 };
 
-/// Shifts, or mirrors about an upright line and shifts.
+/// A translation, optionally preceded by a reflection about a vertical line.
 struct Placement {
   double x = 0, y = 0;
   bool mirrored = false;
@@ -20,14 +20,14 @@ struct Placement {
   Rect operator()(const Rect& r) const {
     return {mirrored ? x - r.right() : x + r.x, y + r.y, r.width, r.height};
   }
-  /// First `inner`, then this.
+  /// The composition: first `inner`, then this.
   Placement after(const Placement& inner) const {
     return {mirrored ? x - inner.x : x + inner.x, y + inner.y, mirrored != inner.mirrored};
   }
   bool operator==(const Placement&) const = default;
 
   static Placement shift(double x, double y) { return {x, y, false}; }
-  /// About the upright line at `x`.
+  /// The reflection about the vertical line at `x`.
   static Placement mirror(double x) { return {2 * x, 0, true}; }
 };
 

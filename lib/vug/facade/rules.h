@@ -1,5 +1,5 @@
-// The rules of a facade's grammar as a table: which symbol becomes which split of which parts. It
-// shows without deriving anything; what the sizes are only shows while deriving.
+// The rules of a facade's grammar as a table: symbols, their splits and parts. The table is static;
+// sizes are only known during a derivation.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -14,25 +14,25 @@
 namespace vug::facade {
 
 enum class ItemKind {
-  symbol,   ///< A symbol that has rules.
-  split,    ///< A split of parts.
+  symbol,   ///< A symbol with rules.
+  split,    ///< A split with parts.
   element,  ///< An element of a kind.
   value     ///< A name that may be an element or a number: a let, a parameter, a formal.
 };
 
-/// One item of a right side, or one part of a split.
+/// One item of a right-hand side, or one part of a split.
 struct Item {
   ItemKind kind = ItemKind::symbol;
-  std::string name;  ///< Of the symbol, or of the kind.
+  std::string name;  ///< Name of the symbol or of the kind.
   SourceLocation where;
   scene::ExprPtr expr;      ///< Never null: the name or the call.
-  size_t position = 0;      ///< Among the rule's items; of a part, among the split's operands.
-  std::vector<Item> parts;  ///< Of a split, in the order of its operands.
+  size_t position = 0;      ///< Index among the rule's items or among the split's operands.
+  std::vector<Item> parts;  ///< Parts of a split in the order of its operands.
   const SplitKind* split = nullptr;
   const ElementKind* element = nullptr;
 };
 
-/// `head(formals) @ weight if guard -> items`, all of which stand in the head's whole scope.
+/// `head(formals) @ weight if guard -> items`; each item fills the head's whole scope.
 struct Rule {
   std::string head;
   std::vector<std::string> formals;
@@ -48,20 +48,21 @@ struct Rules {
   std::vector<Item> axiom;
   std::vector<Rule> rules;
 
-  /// Heads, in the order of the text, then the kinds of elements that stand in the rules: the
-  /// alphabet of the grammar.
+  /// The alphabet of the grammar: the heads in the order of the text, then the kinds of elements in
+  /// the rules.
   std::vector<std::string> symbols() const;
 };
 
-/// "Facade -> rows(FacadeRow, PartFacade)": names only.
+/// The rule with names only, e.g. "Facade -> rows(FacadeRow, PartFacade)".
 std::string to_string(const Rule& rule);
 
-/// The rules of a grammar of kind facade. Diagnostics for names that are nothing, symbols with
-/// another number of arguments than their rules take, and items that a facade does not have.
+/// The rules of a grammar of kind facade. Adds diagnostics for unknown names, symbols with a wrong
+/// number of arguments, and items that are not valid in a facade.
 Rules read_rules(const scene::Document& document, const scene::Grammar& grammar,
                  Diagnostics& diagnostics);
 
-/// The rules of the only grammar of kind facade in a file. Error(bad_input) with the first fault.
+/// The rules of the only grammar of kind facade in a file. Throws Error(bad_input) with the first
+/// error.
 Rules load_rules(const std::filesystem::path& file);
 
 }  // namespace vug::facade

@@ -1,4 +1,4 @@
-// Inside facade/ only: what a symbol of a facade carries while it is derived.
+// Internal to facade/: the payload of a facade's symbols during the derivation.
 #pragma once
 
 #include <vug/facade/plan.h>
@@ -13,19 +13,19 @@ struct Scope {
   Rect rect;                      ///< On the facade's plane.
   std::vector<Placement> copies;  ///< On the facade's plane.
   Numbers given;
-  double depth = 0;  ///< As in Node.
+  double depth = 0;  ///< As Node::depth.
   double index = 0, total = 1;
-  bool mirrored = false;  ///< Its frame runs from the right to the left.
+  bool mirrored = false;  ///< Its frame runs from right to left.
   PartKey place;
-  PlanPtr plan;                          ///< Null: nothing is decided.
-  RandomKey key{0};                      ///< Of this occurrence.
+  PlanPtr plan;                          ///< Null: no decisions.
+  RandomKey key{0};                      ///< Key of this occurrence.
   ElementPtr element;                    ///< Null for symbols.
-  std::shared_ptr<const Layout> layout;  ///< Of the split that placed it; null: the whole scope.
-  std::string split;                     ///< That split's kind.
+  std::shared_ptr<const Layout> layout;  ///< Layout of its parent split; null: the whole scope.
+  std::string split;                     ///< The kind of that split.
 };
 
-/// The rectangles of a derivation whose symbols carry scopes, without its size. Node i of the
-/// derivation becomes node i - 1: the root is left out.
+/// Converts a derivation whose payloads are scopes into a tree of rectangles without its total
+/// size. Node i of the derivation becomes node i - 1, as the root is omitted.
 Tree tree_of(const grammar::Tree& derivation);
 
 }  // namespace vug::facade

@@ -1,5 +1,5 @@
-// Inside facade/ only: what expressions of a rule come to in a scope: splits with their places,
-// elements with their measures.
+// Internal to facade/: evaluation of a rule's expressions in a scope: splits with their cells, and
+// elements with their arguments.
 #pragma once
 
 #include <vug/facade/derive.h>
@@ -11,26 +11,27 @@
 
 namespace vug::facade {
 
-/// Thrown out of a derivation whose text is at fault; the diagnostics already say why.
+/// Thrown out of a derivation after an error was added to the diagnostics.
 struct AlreadyReported {};
 
-/// What a split comes to in one scope: its places, and its arguments by operand.
+/// A split evaluated in one scope: its cells and its arguments by operand.
 struct EvaluatedSplit {
   std::shared_ptr<const Layout> layout;
   std::vector<Value> values;
-  std::vector<FreeNumber> free;  ///< What it asked for.
+  std::vector<FreeNumber> free;  ///< The requested free numbers.
 };
 
 class ScopeEvaluator {
  public:
   explicit ScopeEvaluator(scene::Evaluator& evaluator) : evaluator_(evaluator) {}
 
-  /// The split in the scope, whose names are `known`. Without a plan its free numbers are drawn.
+  /// Evaluates the split in the scope, whose names are `known`. Without a plan its free numbers are
+  /// drawn at random.
   EvaluatedSplit place(const Item& split, const Scope& scope, const scene::Scope& known,
                        const PlanOptions* planning, const std::string& prefix);
-  /// An element of a kind, or `value`, which a name stands for; empty: not looked up yet.
+  /// An element of a kind, or the element `value` of a name (empty: not evaluated yet).
   ElementPtr element(const Item& item, Value value, RandomKey key, const scene::Scope& known);
-  /// Throws AlreadyReported instead of giving nothing.
+  /// Throws AlreadyReported after an error.
   Value eval(const scene::Expr& expr, RandomKey key, const scene::Scope& scope);
   bool fail(const SourceLocation& where, const std::string& message);
 

@@ -1,4 +1,5 @@
-// Which part of a facade a place of its surface belongs to: what meshes of carved facades carry.
+// Semantic labels of carved facades: the node to which each point of a surface belongs, stored as
+// mesh attributes.
 #pragma once
 
 #include <vug/facade/carve.h>
@@ -11,27 +12,28 @@
 
 namespace vug::facade {
 
-/// How far weather may have moved a surface from what was carved, metres.
+/// Maximum distance between a weathered surface and the carved one, metres.
 inline constexpr double kReach = 0.3;
 
-/// A carved facade, asked for the node whose surface is nearest. Surfaces are what elements cut and
-/// add, the rectangles of nodes in their planes (but of holes), and the sides of planes that jump.
+/// Nearest-surface queries on a carved facade. The surfaces are the solids that elements cut and
+/// add, the rectangles of nodes in their planes (except holes), and the sides of offset planes.
 /// Immutable.
 class Semantics {
  public:
-  /// Error where an element's measures do not fit, as from carve().
+  /// Throws an Error if an element's dimensions are invalid, like carve().
   explicit Semantics(FacadeInstance placed);
 
   const Tree& tree() const { return *placed_.tree; }
-  /// Index in Tree::nodes, the inner one of those that are equally near (in one plane the part
-  /// before the whole); -1 where nothing of the facade is within kReach. World space, metres.
+  /// Index in Tree::nodes of the nearest surface at a world-space point in metres; of equally near
+  /// nodes the inner one (within a plane, the part rather than the whole). -1 if no surface is
+  /// within kReach.
   int node_at(const Vec3d& p) const;
 
  private:
   struct Piece {
     int node = 0;
     Box3d box;
-    field::Field solid;  ///< Unused where the box is a flat rectangle, whose distance it is itself.
+    field::Field solid;  ///< Unused for flat rectangles; their distance is that of the box.
     bool flat = false;
   };
   void add(int node, field::Field solid);
@@ -44,12 +46,13 @@ class Semantics {
 
 using Facades = std::vector<std::shared_ptr<const FacadeInstance>>;
 
-/// Adds to a mesh of these facades, vertex by vertex, "node", the number that `vug tree --json`
-/// gives the node (-1: none; those of a second facade follow those of the first), and for each kind
-/// of element that stands in them, and for "wall", 1 where a vertex is of such an element, else 0.
-/// What is of a facade and of no element is wall.
+/// Adds vertex attributes to a mesh of these facades: "node" is the node's number in `vug tree
+/// --json`
+/// (-1: none; the numbers of a second facade follow those of the first). For each kind of element
+/// in the facades and for "wall" there is an attribute of that name, which is 1 on such elements,
+/// else 0. Vertices that belong to a facade but to no element are wall.
 void add_semantics(mesh::Mesh& mesh, const Facades& facades);
-/// The names of the latter.
+/// The names of the attributes for elements and "wall".
 std::vector<std::string> element_names(const Facades& facades);
 /// The names of all these attributes.
 std::vector<std::string> semantic_names(const Facades& facades);

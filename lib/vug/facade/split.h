@@ -1,4 +1,4 @@
-// Splits: how a rectangle is given to parts.
+// Splits: subdivision of a rectangle into parts.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -12,55 +12,55 @@
 
 namespace vug::facade {
 
-/// Numbers that a model has beside its symbols, in order: {"columns", 3}. Lengths are metres.
+/// Ordered named numbers of a model, e.g. {"columns", 3}. Lengths are in metres.
 using Numbers = std::vector<std::pair<std::string, double>>;
 
-/// A place that a split gives to one of its parts.
+/// A rectangle that a split assigns to one of its parts.
 struct Cell {
-  int part = 0;  ///< Which of the split's parts, from 0.
+  int part = 0;  ///< Index of the split's part.
   Rect rect;     ///< In the frame of the scope: (0, 0) is its lower left corner.
-  /// Where it is stamped again; the part is derived once for all of them.
+  /// Placements of copies; the part is derived once for all of them.
   std::vector<Placement> copies = {};
-  Numbers given = {};  ///< What the model stores of the place itself, such as a row's height.
-  double depth = 0;    ///< How far its plane lies before that of the scope; below 0: behind.
-  int64_t index = 0;   ///< Which of `total` places of one part, from 0.
+  Numbers given = {};  ///< Numbers stored for the cell itself, such as a row's height.
+  double depth = 0;    ///< Distance of its plane in front of the scope's, metres; negative: behind.
+  int64_t index = 0;   ///< 0-based index among the `total` cells of its part.
   int64_t total = 1;
-  /// Which of its part's places it is as columns and rows count, from 0; it stays the same when
-  /// counts change. What is stamped again has both 0.
+  /// 0-based column and row among the cells of its part; they do not change when counts change.
+  /// Both are 0 for cells with copies.
   int column = 0, row = 0;
-  bool mirrored = false;  ///< What stands there is turned about its upright middle.
+  bool mirrored = false;  ///< The content is mirrored about the cell's vertical centre line.
 };
 
 struct Layout {
   std::vector<Cell> cells;
-  Numbers numbers = {};  ///< What the model stores of the split, such as counts of a grid.
+  Numbers numbers = {};  ///< Numbers stored for the split, such as counts of a grid.
 };
 
-/// A way to divide. Shared and immutable.
+/// A method of subdivision. Shared and immutable.
 class Split {
  public:
   virtual ~Split() = default;
-  /// The places in a scope of that size in metres; `free` answers for what the text leaves open.
-  /// Error(bad_input) where the sizes do not fit.
+  /// The cells in a scope of that size in metres; `free` provides the numbers that the text does
+  /// not specify. Throws Error(bad_input) if the sizes do not fit.
   virtual Layout layout(double width, double height, FreeNumbers& free) const = 0;
 };
 using SplitPtr = std::shared_ptr<const Split>;
 
-/// A part as an argument of a split: which one, and its name for messages.
+/// A part as an argument of a split: its index and its name for messages.
 struct PartRef {
   int part = 0;
   std::string name;
 };
 
-/// A length, a share of the whole in per cent or, as a plain number, of what is left. As numbers of
-/// a scene measure one thing where a schema takes them, sizes go to schemas as objects.
+/// A length, a percentage of the whole or, as a plain number, a proportion of the rest. As a number
+/// in a schema has a single dimension, sizes are passed to schemas as objects.
 struct Size {
   Number number;
 };
-/// The value with each number in it as a Size.
+/// The value with each number converted to a Size.
 Value as_sizes(const Value& value);
 
-/// A size or a part: what sequences like `4m, Base, 1, Upper` are made of.
+/// An element of sequences such as `4m, Base, 1, Upper`.
 struct SizeOrPart {
   bool is_part = false;
   Number size;
@@ -89,7 +89,7 @@ SplitKind split_kind(const std::string& name) {
 
 }  // namespace vug::facade
 
-/// Opens the one definition that the file of a split exports; see VUG_EXPORT_KIND.
+/// Opens the only definition that the file of a split exports; see VUG_EXPORT_KIND.
 #define VUG_SPLIT_KIND(name) VUG_EXPORT_KIND(vug::facade, SplitKind, name##_split)
 
 namespace vug {

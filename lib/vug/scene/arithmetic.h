@@ -1,4 +1,4 @@
-// Arithmetic of numbers that know what they measure.
+// Arithmetic with dimensions.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -10,39 +10,40 @@
 
 namespace vug::scene {
 
-/// Where to report, and to whom.
+/// The location of an expression and the diagnostics to which its errors are added.
 struct FaultSite {
   const SourceLocation& where;
   Diagnostics& diagnostics;
 
-  /// Reports and gives the value that silences what uses it.
+  /// Adds an error and returns the empty value, which suppresses errors of dependent expressions.
   Value fault(std::string message, std::string hint = {}) const {
     diagnostics.error(where, std::move(message), std::move(hint));
     return {};
   }
 };
 
-/// Makes both measure the same: a bare number takes the other's dimension, but beside an angle
-/// only 0 may be bare. False after reporting "`doing` a length and an angle".
+/// Gives both numbers the same dimension: a plain number takes the dimension of the other one; for
+/// angles only 0 may be plain. Returns false after an error such as "`doing` a length and an
+/// angle".
 bool unify_dimensions(Number& a, Number& b, const std::string& doing, const FaultSite& site);
 
-/// a op b for op in + - * / ^ on numbers and vectors: lengths add to lengths, a length by a
-/// length is a plain number, 1 by a length is per metre; areas and the like have no meaning
-/// here and are reported, as are division by zero and overflow. Nothing for other types.
+/// a op b for op in + - * / ^ on numbers and vectors: lengths add to lengths, a length divided by a
+/// length is a plain number, 1 divided by a length is per metre. Other dimensions such as areas are
+/// errors, as are division by zero and overflow. Returns nothing for other types.
 std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const FaultSite& site);
 
-/// -a or +a; nothing for other types.
+/// -a or +a for numbers and vectors; nothing for other types.
 std::optional<Value> negate(char op, const Value& a);
 
-/// a op b for op in < <= > >= == !=. Numbers compare by size, all but lists and objects by
-/// equality. Nothing for other types.
+/// a op b for op in < <= > >= == !=. Numbers are ordered; all types except lists and objects
+/// support equality. Returns nothing for other types.
 std::optional<Value> compare(const std::string& op, const Value& a, const Value& b,
                              const FaultSite& site);
 
-/// The dimension of a product (or, with power -1, of a quotient); nothing where none fits.
+/// The dimension of a product (or, with power -1, of a quotient); nothing if it is not supported.
 std::optional<Dimension> product(Dimension a, Dimension b, int power = 1);
 
-/// (x, y, z) of three numbers, [x, y] of two, all of one dimension.
+/// The vector (x, y, z) of three numbers, or the list [x, y] of two, all with the same dimension.
 Value vector_of(std::vector<Number> parts, const FaultSite& site);
 
 }  // namespace vug::scene

@@ -1,4 +1,4 @@
-// Faults that show only in the whole document.
+// Checks that need the whole document.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -8,15 +8,15 @@
 
 namespace vug::scene {
 
-/// True for a name that is neither a unit nor a word of the language.
+/// True if the name is neither a unit nor a keyword.
 bool may_name(const std::string& name);
 
-/// Names given twice, names that are units, symbols of a grammar without a rule, calls of
-/// symbols with the wrong number of arguments; marks what is in doubt by that. `parse` runs it.
+/// Reports duplicate names, names that are units or keywords, grammars without an axiom, and calls
+/// of symbols with the wrong number of arguments. Marks ambiguous names in `document.skipped` and
+/// erroneous grammars as broken. Called by `parse`.
 void check_names(Document& document, Diagnostics& diagnostics);
 
-/// An error for each parameter whose name stands in no expression of the document, and
-/// in nothing that was lost.
+/// Reports each parameter that occurs neither in an expression of the document nor in skipped text.
 void check_params_read(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace vug::scene

@@ -1,4 +1,4 @@
-// The parser's place in the tokens of one file, and how it fails and finds its feet again.
+// The parser's position in the tokens of one file, error reporting and error recovery.
 #pragma once
 
 #include <vug/scene/lexer.h>
@@ -11,7 +11,7 @@
 
 namespace vug::scene {
 
-/// Thrown after a fault was reported; caught where parsing can go on.
+/// Thrown after a syntax error was reported; caught where parsing can continue.
 struct SyntaxFault {};
 
 class Cursor {
@@ -21,25 +21,25 @@ class Cursor {
          const ParseOptions& options)
       : tokens_(tokens), file_(file), diagnostics_(diagnostics), options_(options) {}
 
-  /// The token `ahead` from here; line breaks are invisible while inside ( ) or [ ].
+  /// The token `ahead` positions from here; line breaks are skipped inside ( ) or [ ].
   const Token& peek(size_t ahead = 0) const;
-  /// The token taken last; the first token if none was.
+  /// The last consumed token; initially the first token.
   const Token& last() const { return tokens_[last_]; }
   const Token& take();
   bool accept(std::string_view sign);
   bool at_end() const { return peek().kind == TokenKind::end; }
-  /// At a line break or ";", "}" or the end.
+  /// True at a line break, ";", "}" or the end.
   bool at_line_end() const;
 
-  /// Takes `sign` or fails with "expected ... before/instead".
+  /// Consumes `sign` or fails; `purpose` describes it in the message.
   void expect(std::string_view sign, const std::string& purpose);
-  /// Takes a name or fails: "expected `what`, found ...".
+  /// Consumes a name or fails with "expected `what`, found ...".
   const Token& expect_name(const std::string& what);
-  /// Takes line breaks, but not those before a new statement, a "}" or the end.
+  /// Consumes line breaks except those before a new statement, a "}" or the end.
   void skip_newlines();
-  /// The token after any line breaks (not ";"), without taking them.
+  /// The token after any line breaks (not ";"), without consuming them.
   const Token& beyond_newlines() const;
-  /// Takes line breaks if the first token after them is `sign`, then the sign itself.
+  /// If the first token after any line breaks is `sign`, consumes the line breaks and the sign.
   bool accept_beyond_newlines(std::string_view sign);
 
   SourceLocation where(const Token& token) const { return {file_, token.line, token.column}; }
@@ -47,27 +47,28 @@ class Cursor {
   const ParseOptions& options() const { return options_; }
   Diagnostics& diagnostics() const { return diagnostics_; }
 
-  /// How often anything was at fault so far: tokens that were taken and errors, told or dropped.
+  /// The number of faults so far: consumed faulty tokens and errors, reported or dropped.
   int faults() const { return faults_; }
-  /// The index of the next token, and the names among the tokens since such an index.
+  /// The index of the next token.
   size_t position() const { return at_; }
+  /// Adds the names among the tokens since an index.
   void add_names_since(size_t position, std::set<std::string>& names) const;
 
-  /// Reports at a token and goes on.
+  /// Reports an error at a token and returns.
   void error(const Token& token, std::string message, std::string hint = {});
-  /// Reports at a token and throws SyntaxFault.
+  /// Reports an error at a token and throws SyntaxFault.
   [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {});
-  /// "expected X, found Y", with a hint for common slips.
+  /// Fails with "expected X, found Y" and a hint for common mistakes.
   [[noreturn]] void unexpected(const std::string& expected);
 
-  /// After a fault: goes to the next statement at the top of a file.
+  /// After an error: skips to the next top-level statement.
   void recover_statement();
-  /// After a fault inside { }: goes behind the next line break outside brackets, or to "}".
+  /// After an error inside { }: skips past the next line break outside brackets, or to "}".
   void recover_entry();
   /// True at the first token of a line that can only start a statement, e.g. after a lost "}".
   bool at_statement() const;
 
-  /// While it lives, line breaks are invisible.
+  /// Line breaks are skipped during its lifetime.
   class BracketScope {
    public:
     explicit BracketScope(Cursor& cursor) : cursor_(cursor) { ++cursor_.brackets_; }
@@ -79,7 +80,7 @@ class Cursor {
     Cursor& cursor_;
   };
 
-  /// While it lives, an expression ends with its line: the next one may start with any sign.
+  /// During its lifetime an expression ends with its line: the next line may start with any sign.
   class LineScope {
    public:
     explicit LineScope(Cursor& cursor) : cursor_(cursor) { ++cursor_.lines_; }
@@ -91,7 +92,7 @@ class Cursor {
     Cursor& cursor_;
   };
 
-  /// Bounds recursion; fails when too deep.
+  /// Limits the nesting depth; fails beyond it.
   class NestingGuard {
    public:
     explicit NestingGuard(Cursor& cursor);
@@ -121,7 +122,7 @@ class Cursor {
   int faults_ = 0;
 };
 
-/// How a token is called in messages: "'+'", "the end of the line", "the number 2cm", ...
+/// The description of a token in messages: "'+'", "the end of the line", "the number 2cm", ...
 std::string describe(const Token& token);
 
 }  // namespace vug::scene

@@ -1,5 +1,5 @@
-// What a scene text says, before anything is made of it: parameters, lets, declarations whose
-// kinds this module does not interpret, and grammar blocks. Every part knows its place.
+// The syntax tree of a scene text: parameters, lets, declarations, whose kinds are not interpreted
+// here, and grammar blocks. Every element has its source location.
 #pragma once
 
 #include <vug/scene/expr.h>
@@ -11,13 +11,13 @@
 
 namespace vug::scene {
 
-/// A file's text as read; diagnostics quote it.
+/// A file's text, quoted by diagnostics.
 struct Source {
   std::string file;
   std::string text;
 };
 
-/// `param NAME = value in low..high "doc"`; low and high are null without a range.
+/// `param NAME = value in low..high "doc"`. Without a range, low and high are null.
 struct Param {
   std::string name;
   SourceLocation where;
@@ -41,23 +41,22 @@ struct Entry {
   std::vector<ExprPtr> values;  ///< At least one; clauses have exactly one.
 };
 
-/// `kind name = value` or `kind name on target, target { entries }`. After a fault it may be
-/// broken, when its kind and name are all that is sure of it, or incomplete, when some of its
-/// entries are lost.
+/// `kind name = value` or `kind name on target, target { entries }`. After a syntax error it may be
+/// `broken` (only kind and name are valid) or `incomplete` (some entries are missing).
 struct Declaration {
   std::string kind;
   SourceLocation kind_where;
   std::string name;
-  SourceLocation where;               ///< Of the name.
+  SourceLocation where;               ///< Location of the name.
   ExprPtr value;                      ///< Null in the block form.
-  ExprPtr target;                     ///< What follows `on`; null without.
-  std::vector<ExprPtr> more_targets;  ///< Behind it, after commas.
-  SourceLocation on_where;            ///< Of the word `on`.
+  ExprPtr target;                     ///< The expression after `on`; null without `on`.
+  std::vector<ExprPtr> more_targets;  ///< Further targets after commas.
+  SourceLocation on_where;            ///< Location of the word `on`.
   std::vector<Entry> entries;         ///< Empty in the `=` form.
   bool broken = false;
   bool incomplete = false;
 
-  /// The first entry of that key; null without one.
+  /// The first entry with that key, or null.
   const Entry* find_entry(const std::string& key) const {
     for (const Entry& entry : entries)
       if (entry.key == key) return &entry;
@@ -68,15 +67,15 @@ struct Declaration {
   }
 };
 
-/// One part of a right-hand side or of the axiom: `op amount shape * count clauses`.
-/// Without `op` it uses a symbol of the grammar: `shape` is then a name or a call of one. In a
-/// facade it has a shape alone, which may also be a split or an element.
+/// One item of a right-hand side or of the axiom: `op amount shape * count clauses`. Without `op`
+/// it refers to a symbol of the grammar: `shape` is a name or a call. In a facade it consists of a
+/// shape only, which may also be a split or an element.
 struct Item {
   std::string op;  ///< "+" union, "-" difference, "&" intersection, "~" morph, "" symbol.
   SourceLocation where;
-  ExprPtr amount;  ///< Only with "~"; null when not given.
+  ExprPtr amount;  ///< Only with "~"; may be null.
   ExprPtr shape;   ///< Never null.
-  ExprPtr count;   ///< Null means once.
+  ExprPtr count;   ///< Null: once.
   std::vector<Entry> clauses;
 
   /// The symbol's name (items without `op`).
@@ -100,7 +99,7 @@ struct Rule {
 
 struct LSystem;  ///< See lsystem_document.h.
 
-/// `grammar name : kind { ... }`. The kind picks the dialect: "shape", "facade", or "lsystem",
+/// `grammar name : kind { ... }`. The kind selects the dialect: "shape", "facade", or "lsystem",
 /// whose axiom and rules are in `lsystem`.
 struct Grammar {
   std::string name;
@@ -110,39 +109,41 @@ struct Grammar {
   SourceLocation axiom_where;
   std::vector<Entry> options;
   std::vector<Rule> rules;
-  std::shared_ptr<const LSystem> lsystem;  ///< Null for shapes.
-  bool broken = false;                     ///< Something in it is at fault: nothing can be derived.
-  std::set<std::string> broken_rules;      ///< Heads of rules that are left out for their faults.
+  std::shared_ptr<const LSystem> lsystem;  ///< Null for other kinds.
+  bool broken = false;                     ///< Contains errors: nothing can be derived.
+  std::set<std::string> broken_rules;      ///< Heads of rules that were omitted because of errors.
 };
 
-/// What faults have hidden of a text. It is there so that nobody blames the rest for it.
+/// Names in text that was skipped after syntax errors. They suppress errors in the rest of the text
+/// that would only follow from the skipped part.
 struct SkippedNames {
-  std::set<std::string> declared;   ///< Names that statements may give which nobody understood.
-  std::set<std::string> mentioned;  ///< Names in faulty statements, which may use them.
-  std::set<std::string> doubtful;   ///< Parameters and lets of which several meanings are given.
-  bool file = false;                ///< A file that could not be included may do anything.
+  std::set<std::string> declared;   ///< Names that skipped statements may declare.
+  std::set<std::string> mentioned;  ///< Names that skipped statements may use.
+  std::set<std::string> doubtful;   ///< Names with several declarations.
+  bool file = false;                ///< An included file is missing; it may contain anything.
 
   bool may_declare(const std::string& name) const { return file || declared.count(name); }
   bool may_mention(const std::string& name) const { return file || mentioned.count(name); }
 };
 
 struct Document {
-  ExprPtr seed;  ///< Null when the text has none.
+  ExprPtr seed;  ///< Null if the text has no seed.
   std::vector<Param> params;
   std::vector<Let> lets;
   std::vector<Declaration> declarations;
   std::vector<Grammar> grammars;
   SkippedNames skipped;  ///< Empty in a text without faults.
-  /// Files in the order they were opened, the scene first.
+  /// Files in the order in which they were opened, the scene first.
   std::vector<std::shared_ptr<const Source>> sources;
 
   const Param* find_param(const std::string& name) const;
   const Let* find_let(const std::string& name) const;
-  /// The first declaration of that name, of any kind or of one.
+  /// The first declaration with that name, of the given kind or (empty) of any kind.
   const Declaration* find(const std::string& name, const std::string& kind = {}) const;
 };
 
-/// The whole document in canonical lines; equal documents (places aside) give equal texts.
+/// The whole document in canonical form; documents that are equal except for locations have equal
+/// texts.
 std::string dump(const Document& document);
 
 }  // namespace vug::scene

@@ -119,7 +119,7 @@ std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope
 
 Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
   if (global.value) {
-    if (global.moves) resolver_.use_frame();
+    if (global.animated) resolver_.use_frame();
     return upon(global, where);
   }
   const auto first = std::find(pending_.begin(), pending_.end(), name);
@@ -142,7 +142,7 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   deepest_ = deepest;
   if (document_.skipped.doubtful.count(name)) value = {};
   global.value = value;
-  global.moves = resolver_.frame_uses() > uses;
+  global.animated = resolver_.frame_uses() > uses;
   return upon(global, where);
 }
 

@@ -1,4 +1,5 @@
-// Expressions to values: parameters, lets and seeded draws here, objects through a Resolver.
+// Evaluation of expressions: parameters, lets and seeded random choices; objects are provided by a
+// Resolver.
 #pragma once
 
 #include <vug/scene/arithmetic.h>
@@ -14,7 +15,7 @@
 
 namespace vug::scene {
 
-/// Names bound for a while (formal parameters of a rule); an inner scope hides an outer one.
+/// Local names such as the formal parameters of a rule; an inner scope hides an outer one.
 struct Scope {
   std::vector<std::pair<std::string, Value>> names;
   const Scope* outer = nullptr;
@@ -22,13 +23,13 @@ struct Scope {
   const Value* find(const std::string& name) const;
 };
 
-/// `-D NAME=EXPR` from a command line.
+/// `-D NAME=EXPR` of a command line.
 struct Override {
   std::string name;
   std::string text;
 };
 
-/// A parameter with its value for this run; low and high are empty without a range.
+/// A parameter with its value in this run. Without a range, low and high are empty.
 struct ParamValue {
   const Param* param = nullptr;
   Value value;
@@ -39,34 +40,34 @@ struct ParamValue {
 
 struct EvaluatorOptions {
   std::vector<Override> overrides;
-  std::optional<uint64_t> seed;  ///< Instead of the document's.
-  double frame = 1;              ///< What `frame` and `keys` stand for.
+  std::optional<uint64_t> seed;  ///< Overrides the document's seed.
+  double frame = 1;              ///< The frame at which `frame` and `keys` are evaluated.
 };
 
-/// Evaluates the expressions of one document. Faults go to the diagnostics and give Value(),
-/// which silences everything computed from it. Lets and parameters are evaluated once, when
-/// first needed, in any order of the text; a circle among them is a fault. Document, resolver
-/// and diagnostics must outlive the evaluator. Not for use by several threads at once.
+/// Evaluates the expressions of one document. Errors are added to the diagnostics and give Value(),
+/// which suppresses errors of everything computed from it. Lets and parameters are evaluated once,
+/// on first use, in any order of the text; a cyclic definition is an error. Document, resolver and
+/// diagnostics must outlive the evaluator. Not thread-safe.
 class Evaluator {
  public:
   Evaluator(const Document& document, Resolver& resolver, Diagnostics& diagnostics,
             EvaluatorOptions options = {});
 
-  /// `key` is the place of this evaluation for seeded choice: the same expression under the same
-  /// key draws the same numbers, so rules that are applied again need another key.
+  /// `key` determines the random choices: the same expression with the same key draws the same
+  /// numbers, so each application of a rule needs its own key.
   Value eval(const Expr& expr, RandomKey key, const Scope* scope = nullptr);
 
-  /// Arguments of a call expression (none for a name): what a symbol of a grammar is given.
+  /// The arguments of a call expression (none for a name), e.g. of a grammar's symbol.
   Arguments arguments(const Expr& call, RandomKey key, const Scope* scope = nullptr);
 
-  /// A repetition count, at least 0: a whole number, or a whole number drawn from a range of
-  /// whole ends, both included. Nothing after a fault.
+  /// A repetition count, at least 0: a whole number, or one drawn from a range between whole
+  /// numbers, both included. Returns nothing after an error.
   std::optional<int> count(const Expr& expr, RandomKey key, const Scope* scope = nullptr);
 
-  /// Values of one entry; the key is `key.at(entry.key)`, then the index.
+  /// The values of one entry, evaluated with `key.at(entry.key)` followed by the index.
   std::vector<Value> eval(const Entry& entry, RandomKey key, const Scope* scope = nullptr);
 
-  /// The document's seed (0 without) and the key everything in it starts from.
+  /// The document's seed (default 0) and the root key of all random choices.
   uint64_t seed() const { return seed_; }
   RandomKey root() const { return RandomKey(seed_); }
   /// Conventional key of a declaration: root, its kind, its name.
@@ -77,32 +78,32 @@ class Evaluator {
   /// All parameters with their values, checked against their ranges; in order of the text.
   const std::vector<ParamValue>& params();
 
-  /// Evaluates every let and parameter, so that their faults show even where nothing uses them.
+  /// Evaluates every let and parameter to report their errors even if nothing uses them.
   void check_all();
 
   Diagnostics& diagnostics() { return diagnostics_; }
 
-  /// Tells what a maker found wrong with what it was given. Where it refuses a name that nothing
-  /// declares, the nearest declared one becomes the hint.
+  /// Adds the diagnostics of a kind about its arguments. If an argument is an undeclared name, the
+  /// nearest declared name becomes the hint.
   void report(const Diagnostics& found, const Arguments& given);
 
-  /// The document's sources and those of the overrides, for `report`.
+  /// The sources of the document and of the overrides, for scene::report.
   std::vector<std::shared_ptr<const Source>> sources() const;
 
  private:
-  /// Where an expression is evaluated.
+  /// The context in which an expression is evaluated.
   struct Context {
     RandomKey key;
     const Scope* scope;
   };
-  /// A parameter or let, evaluated when first asked for.
+  /// A parameter or let, evaluated on first use.
   struct Global {
     const Let* let = nullptr;
     ParamValue* param = nullptr;
     std::optional<Value> value;
-    bool moves = false;  ///< It depends on the frame.
-    /// How deep calls in calls are that made the value, with names in place of what they stand for;
-    /// 0 of a number or a text, which keeps nothing of what it was made of.
+    bool animated = false;  ///< The value depends on the frame.
+    /// Nesting depth of the calls that made the value, including those of referenced names; 0 for a
+    /// number or a text, which does not refer to its inputs.
     int height = 0;
   };
 
@@ -140,9 +141,9 @@ class Evaluator {
   std::map<std::string, Global> globals_;
   std::map<std::string, ExprPtr> overrides_;
   std::vector<std::shared_ptr<const Source>> sources_;
-  std::vector<std::string> pending_;  ///< Globals being evaluated, to find circles.
+  std::vector<std::string> pending_;  ///< Globals being evaluated, to detect cycles.
   int depth_ = 0;
-  int deepest_ = 0;  ///< That depth_ has been, with heights of the names there.
+  int deepest_ = 0;  ///< Maximum of depth_ including the heights of the names used there.
 };
 
 }  // namespace vug::scene

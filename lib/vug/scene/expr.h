@@ -1,4 +1,4 @@
-// Expressions of a scene as a tree: immutable, shared, knowing where they stand in the text.
+// Expression trees of a scene: immutable, shared, with source locations.
 #pragma once
 
 #include <vug/base/error.h>
@@ -22,37 +22,37 @@ enum class ExprKind {
   binary,  ///< `text` is + - & * / ^ < <= > >= == != and or; 2 operands
   range,   ///< lo..hi, a uniform random draw; 2 operands
   call,    ///< `text` is the function; operands are its arguments
-  broken   ///< Could not be understood; its fault has been told, and it has no value.
+  broken   ///< Has a reported syntax error and no value.
 };
 
 struct Expr;
 using ExprPtr = std::shared_ptr<const Expr>;
 
-/// A part of an expression; `name` is set for arguments given by name.
+/// An operand or argument of an expression; `name` is set for arguments given by name.
 struct Operand {
   std::string name;
-  SourceLocation where;  ///< Of the name if there is one, else of the value.
+  SourceLocation where;  ///< Location of the name, if any, else of the value.
   ExprPtr value;
 };
 
 struct Expr {
   ExprKind kind = ExprKind::number;
-  SourceLocation where;  ///< Operators: of their sign; calls: of the function's name.
+  SourceLocation where;  ///< Operators: location of the sign; calls: of the function's name.
   Number number;
   std::string text;
   std::vector<Operand> operands;
-  /// Calls: written as receiver.f(...); the receiver is the first operand.
+  /// Calls: true if written as receiver.f(...); the receiver is the first operand.
   bool method = false;
-  /// Ranges and calls: identity inside the statement for seeded choice. It depends on the names
-  /// of the enclosing calls and arguments and on how many equal paths stand before it, so that
-  /// siblings of other names may come and go without changing what this one draws.
+  /// Ranges and calls: identity within the statement for seeded random choices. It depends on the
+  /// names of the enclosing calls and arguments and on the number of equal paths before it, so that
+  /// siblings with other names can be added or removed without changing its random numbers.
   uint64_t path = 0;
-  /// Height of the tree below and with this node; the parser bounds it.
+  /// Height of the tree including this node; the parser limits it.
   int depth = 1;
 };
 
-/// One canonical line for the expression, fully parenthesised; equal trees (places aside) give
-/// equal lines.
+/// The expression in one canonical line, fully parenthesised; trees that are equal except for
+/// locations have equal lines.
 std::string dump(const Expr& expr);
 
 }  // namespace vug::scene

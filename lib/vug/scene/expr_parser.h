@@ -1,4 +1,4 @@
-// Expressions out of tokens; docs/reference/language.md has the EBNF.
+// Parser of expressions; docs/reference/language.md has the EBNF.
 #pragma once
 
 #include <vug/scene/cursor.h>
@@ -12,10 +12,10 @@ class ExprParser {
  public:
   explicit ExprParser(Cursor& cursor) : cursor_(cursor) {}
 
-  /// A whole expression; it goes on over a line break before an operator or a ".method".
+  /// A full expression; it continues across a line break before an operator or a ".method".
   ExprPtr whole();
-  /// Without operators outside brackets but for signs, powers and a range: what stands where
-  /// + - & * have a meaning of their own (counts, amounts and clauses of items).
+  /// An expression whose only operators outside brackets are signs, powers and a range. Used where
+  /// + - & * have another meaning (counts, amounts and clauses of items).
   ExprPtr tight();
   /// A name, call or bracketed expression with its method chain: the shape of an item.
   ExprPtr shape();
@@ -42,8 +42,8 @@ class ExprParser {
   void restart();
 
   Cursor& cursor_;
-  std::string path_;                      ///< Names of the calls and arguments around.
-  std::map<std::string, uint64_t> seen_;  ///< How often a path occurred so far.
+  std::string path_;                      ///< Names of the enclosing calls and arguments.
+  std::map<std::string, uint64_t> seen_;  ///< Number of previous occurrences of each path.
 };
 
 }  // namespace vug::scene

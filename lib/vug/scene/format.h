@@ -1,4 +1,4 @@
-// One way of writing a scene.
+// Formatter of scene texts.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace vug::scene {
 
-/// The text with its spaces, indents and columns put in order. Comments, line breaks and single
-/// blank lines stay; nothing else changes: the result parses to an equal document, and
-/// formatting it again changes nothing. Meant for texts that parse; others come out readable.
+/// The text with normalized spaces, indents and columns. Comments, line breaks and single blank
+/// lines are kept. The result parses to an equal document, and formatting is idempotent. Intended
+/// for texts without syntax errors; others remain readable.
 std::string format(std::string_view text);
 
 }  // namespace vug::scene

@@ -1,4 +1,4 @@
-// Lines of a formatted text whose parts stand in columns.
+// Column alignment of the lines of a formatted text.
 #pragma once
 
 #include <string>
@@ -6,19 +6,19 @@
 
 namespace vug::scene {
 
-/// One line. Neighbours of the same kind and indent form a run whose cells line up.
+/// One line. The cells of adjacent lines of the same kind and indent are aligned.
 struct FormattedLine {
   bool blank_before = false;
   int indent = 0;
-  std::string kind;                ///< Empty: lines up with nothing.
-  std::vector<std::string> cells;  ///< The first is never empty unless the line is a comment.
+  std::string kind;                ///< Empty: not aligned.
+  std::vector<std::string> cells;  ///< The first is not empty unless the line is a comment.
   std::string comment;             ///< With its '#', or empty.
 };
 
-/// Spaces before cell `cell` of a row of this kind when nothing lines up.
+/// Minimum number of spaces before cell `cell` of a line of this kind.
 int cell_gap(const std::string& kind, size_t cell);
 
-/// All rows as text.
+/// The aligned lines as text.
 std::string align_columns(const std::vector<FormattedLine>& rows);
 
 }  // namespace vug::scene

@@ -1,4 +1,4 @@
-// Where a text's tokens are modules of an L-system: signs that have other meanings elsewhere.
+// Classification of the tokens in L-system blocks, where signs are modules instead of operators.
 #pragma once
 
 #include <vug/scene/lexer.h>
@@ -9,11 +9,11 @@ namespace vug::scene {
 
 struct LSystemToken {
   bool inside = false;   ///< In the block of an L-system.
-  bool module = false;   ///< A module of a head or a word, its parameters' brackets among it.
-  bool goes_on = false;  ///< The first of a line that continues the one before.
+  bool module = false;   ///< Part of a module of a head or a word, including parameter brackets.
+  bool goes_on = false;  ///< The first token of a continuation line.
 };
 
-/// One for each token of a text that was lexed with its comments.
+/// Classifies each token of a text that was lexed with its comments.
 std::vector<LSystemToken> mark_lsystems(const std::vector<Token>& tokens);
 
 }  // namespace vug::scene

@@ -1,4 +1,4 @@
-// The functions that every scene knows: plain arithmetic, no objects.
+// Built-in functions of the scene language on numbers, vectors and lists.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -10,13 +10,13 @@
 
 namespace vug::scene {
 
-/// A built-in function; `takes` says in words what it takes, for messages and lists.
+/// A built-in function; `takes` describes its arguments in words, for messages and lists.
 struct Function {
   const char* name;
   const char* takes;
   const char* doc;
-  /// Nothing when the arguments are of other types (then the resolver is asked, so that kinds
-  /// may bear the same name: round(2.4) here, round(10cm) there).
+  /// Returns nothing if the arguments have other types. The call is then passed to the resolver, so
+  /// that a kind may have the same name: round(2.4) is a function, round(10cm) a kind.
   std::optional<Value> (*apply)(const Arguments& arguments, const FaultSite& site);
 };
 

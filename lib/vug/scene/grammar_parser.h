@@ -1,4 +1,4 @@
-// Grammar blocks out of tokens: those of shapes here, those of L-systems in lsystem_parser.h.
+// Parser of grammar blocks of shapes and facades; for L-systems see lsystem_parser.h.
 #pragma once
 
 #include <vug/scene/expr_parser.h>
@@ -13,8 +13,8 @@ class GrammarParser {
  public:
   explicit GrammarParser(Cursor& cursor) : cursor_(cursor), exprs_(cursor) {}
 
-  /// Everything behind the grammar's name, into a grammar that has it. `lookahead` is one for all
-  /// grammars of a file.
+  /// Parses everything after the grammar's name into `grammar`. All grammars of a file share one
+  /// `lookahead`.
   void parse(Grammar& grammar, RuleLookahead& lookahead);
 
  private:
@@ -32,11 +32,11 @@ class GrammarParser {
 
   Cursor& cursor_;
   ExprParser exprs_;
-  std::set<std::string> heads_;  ///< Symbols that have a rule in this block.
-  bool places_ = false;          ///< Items are symbols and calls, nothing else: a facade's.
+  std::set<std::string> heads_;  ///< Symbols with a rule in this block.
+  bool places_ = false;          ///< A facade: items are only symbols and calls.
 };
 
-/// `key value, value ...` where the cursor stands at the key.
+/// Parses `key value, value ...`; the cursor is at the key.
 Entry parse_entry(Cursor& cursor, ExprParser& exprs);
 
 }  // namespace vug::scene

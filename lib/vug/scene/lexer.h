@@ -1,4 +1,4 @@
-// Text to tokens, each knowing its place and how it was spaced.
+// Lexer: text to tokens with locations and spacing.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -14,14 +14,14 @@ namespace vug::scene {
 enum class TokenKind {
   end,      ///< After the last character; always the last token.
   newline,  ///< A line's end, or ";" in its place.
-  comment,  ///< "#..." up to the line's end; only when asked for.
+  comment,  ///< "#..." up to the line's end; only on request.
   number,   ///< With its unit: `number` is in base units.
   size,     ///< 1920x1080
   text,     ///< With its quotes; see `unquote`.
   name,     ///< Letters, digits and _, not starting with a digit.
   sign,     ///< ( ) [ ] { } , : = + - * / ^ & ~ @ . .. -> < <= > >= == != and, in the block of an
             ///< L-system, \ | $ ! ' % ?
-  junk      ///< Characters that no text may hold; a diagnostic was given.
+  junk      ///< Invalid characters, for which a diagnostic was added.
 };
 
 struct Token {
@@ -29,26 +29,27 @@ struct Token {
   std::string_view text;  ///< As written; views the lexed text.
   int line = 1;           ///< From 1.
   int column = 1;         ///< From 1, in characters (UTF-8), a tab being one.
-  bool touches = false;   ///< No space, comment or line break before it.
+  bool touches = false;   ///< Directly follows the previous token.
   Number number;          ///< For TokenKind::number.
-  bool faulty = false;    ///< A diagnostic was given of it.
+  bool faulty = false;    ///< A diagnostic was added for it.
 
   bool is(std::string_view sign) const { return kind == TokenKind::sign && text == sign; }
   bool is_name(std::string_view name) const { return kind == TokenKind::name && text == name; }
 };
 
-/// Line ends become "\n" and a byte order mark goes; what `lex` and `report` expect.
+/// Converts line ends to "\n" and removes a byte order mark, as `lex` and `report` expect.
 std::string normalise_text(std::string text);
 
-/// Tokens of `text`, which must outlive them. Faults (junk bytes, open quotes, unknown units and
-/// escapes) are reported at `file` and passed over; after `max_errors` of them silently.
+/// The tokens of `text`, which must outlive them. Errors (invalid bytes, open quotes, unknown units
+/// and escapes) are reported with `file` and skipped; only the first `max_errors` are reported.
 std::vector<Token> lex(std::string_view text, const std::string& file, Diagnostics& diagnostics,
                        bool keep_comments = false, int max_errors = 100);
 
-/// The characters that a text token stands for.
+/// The text of a text token, with quotes removed and escapes replaced.
 std::string unquote(std::string_view token);
 
-/// A number alone, as scenes write it but with a sign: "-2", "3%", "90s"; nothing for other texts.
+/// Parses a single number as in scenes, with an optional sign: "-2", "3%", "90s"; nothing for other
+/// texts.
 std::optional<Number> read_number(std::string_view text);
 
 }  // namespace vug::scene

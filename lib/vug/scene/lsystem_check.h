@@ -1,4 +1,4 @@
-// Faults of an L-system's text that show without evaluating anything.
+// Static checks of an L-system's text.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -8,12 +8,11 @@
 
 namespace vug::scene {
 
-/// False after a report, for names that nothing may have.
+/// Returns false, after an error, for names that are not allowed.
 using NameAllowed = std::function<bool(const std::string& name, const SourceLocation& where)>;
 
-/// Formals given twice or called like words of the language, modules with another number of
-/// parameters than their rules have, turns of tables that there are not, both lists of what
-/// contexts see.
+/// Reports duplicate or reserved formals, modules whose number of parameters differs from that of
+/// their rules, schedules with unknown tables, and the use of both 'ignore' and 'consider'.
 void check_lsystem(const LSystem& system, const NameAllowed& allowed, Diagnostics& diagnostics);
 
 }  // namespace vug::scene

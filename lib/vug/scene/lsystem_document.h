@@ -1,4 +1,4 @@
-// What the block of an L-system says: words, productions and tables, still as text says them.
+// The syntax tree of an L-system's block: words, productions and tables.
 #pragma once
 
 #include <vug/scene/document.h>
@@ -7,7 +7,7 @@
 
 namespace vug::scene {
 
-/// `Name(expression, ...)` or one of the turtle's signs, brackets among them; "?P" is a query.
+/// `Name(expression, ...)` or one of the turtle's signs, including brackets; "?P" is a query.
 struct Module {
   std::string name;
   SourceLocation where;
@@ -15,25 +15,25 @@ struct Module {
 };
 using ModuleString = std::vector<Module>;
 
-/// `Name(formal, ...)` on a left side; in a right context also "[" and "]".
+/// `Name(formal, ...)` on a left-hand side; in a right context also "[" and "]".
 struct Pattern {
   std::string name;
   SourceLocation where;
   std::vector<Formal> formals;
 };
 
-/// `left < head > right @ weight if guard after age -> word`; what is not written is empty or null.
+/// `left < head > right @ weight if guard after age -> word`; omitted parts are empty or null.
 struct Production {
   std::vector<Pattern> left;
   Pattern head;
   std::vector<Pattern> right;
   ExprPtr weight;
   ExprPtr guard;
-  ExprPtr after;      ///< The age at which a module that ages is replaced.
+  ExprPtr after;      ///< The age at which the module is replaced.
   ModuleString word;  ///< Empty for `-> nothing`.
 };
 
-/// `table NAME { productions }`, which apply in the steps of its turns.
+/// `table NAME { productions }`, applied in the steps scheduled for the table.
 struct ProductionTable {
   std::string name;
   SourceLocation where;
@@ -42,12 +42,12 @@ struct ProductionTable {
 
 /// `decompose { ... }` or `interpret { ... }`.
 struct ProductionStage {
-  SourceLocation where;  ///< Of the word; unknown without such a block.
-  ExprPtr depth;         ///< Null when not given.
+  SourceLocation where;  ///< Location of the keyword; unknown without such a block.
+  ExprPtr depth;         ///< May be null.
   std::vector<Production> productions;
 };
 
-/// `table * count` of a schedule; `count` is null for once.
+/// `table * count` of a schedule; `count` may be null (once).
 struct ScheduleTurn {
   std::string table;
   SourceLocation where;
@@ -56,17 +56,17 @@ struct ScheduleTurn {
 
 struct LSystem {
   ModuleString axiom;
-  std::vector<Production> productions;  ///< Outside of tables: they apply in every step.
+  std::vector<Production> productions;  ///< Outside of tables: applied in every step.
   std::vector<ProductionTable> tables;
   std::vector<ScheduleTurn> schedule;
   ProductionStage decompose;
   ProductionStage interpret;
-  std::vector<Pattern> ignore;    ///< Names that contexts look past.
-  std::vector<Pattern> consider;  ///< If not empty, contexts look past all other names.
+  std::vector<Pattern> ignore;    ///< Names that contexts skip.
+  std::vector<Pattern> consider;  ///< If not empty, contexts skip all other names.
   std::vector<Pattern> ages;      ///< Names whose first parameter is an age.
 };
 
-/// Calls visit(production) for each one, those of tables and stages among them.
+/// Calls visit(production) for all productions, including those of tables and stages.
 template <class Visit>
 void for_each_production(const LSystem& system, const Visit& visit) {
   for (const Production& one : system.productions) visit(one);
@@ -76,11 +76,11 @@ void for_each_production(const LSystem& system, const Visit& visit) {
     for (const Production& one : stage->productions) visit(one);
 }
 
-/// In canonical lines: a part of dump(Document).
+/// The block in canonical lines; a part of dump(Document).
 std::string dump(const LSystem& system);
 
-/// True for the turtle's own names: signs, F, f and G. They may bear any number of parameters
-/// whatever rules say of them.
+/// True for the turtle's commands: signs, F, f and G. They may have any number of parameters,
+/// regardless of rules.
 bool is_turtle_name(const std::string& name);
 
 }  // namespace vug::scene

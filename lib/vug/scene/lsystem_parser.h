@@ -1,4 +1,4 @@
-// The block of an L-system out of tokens: the dialect of `grammar NAME: lsystem { ... }`.
+// Parser of L-system blocks: the dialect of `grammar NAME: lsystem { ... }`.
 #pragma once
 
 #include <vug/scene/expr_parser.h>
@@ -9,11 +9,12 @@ namespace vug::scene {
 
 class LSystemParser {
  public:
-  /// `lookahead` is one for all blocks of a file, of the same cursor.
+  /// All blocks of a file share one `lookahead` of the same cursor.
   LSystemParser(Cursor& cursor, RuleLookahead& lookahead)
       : cursor_(cursor), exprs_(cursor), lookahead_(lookahead) {}
 
-  /// Everything behind the block's '{' up to its '}'; broken parts are reported and left out.
+  /// Parses everything after the block's '{' up to its '}'; erroneous parts are reported and
+  /// omitted.
   void parse(Grammar& grammar);
 
  private:
@@ -44,11 +45,11 @@ class LSystemParser {
   ExprParser exprs_;
   RuleLookahead& lookahead_;
   LSystem* system_ = nullptr;
-  int indent_ = 0;  ///< Column that the rule or the axiom begins at; 0 behind others on its line.
+  int indent_ = 0;  ///< Start column of the rule or axiom; 0 if it is not the first on its line.
 };
 
-/// The names that letters in a row are: each capital begins one, so FFA is F F A and FlFr is Fl Fr;
-/// and Ff is F f, the turtle's line and its move, as ff is f f. The pieces view the text.
+/// Splits consecutive letters into names: each capital starts a name, so FFA is F F A and FlFr is
+/// Fl Fr; Ff is F f (the turtle's commands), and ff is f f. The results are views of the text.
 std::vector<std::string_view> split_names(std::string_view letters);
 
 }  // namespace vug::scene

@@ -1,4 +1,4 @@
-// Diagnostics as people read them.
+// Formatting of diagnostics for users.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -10,10 +10,10 @@
 
 namespace vug::scene {
 
-/// For each diagnostic "file:line:column: error: message", the line it stands on, a caret, and
-/// "hint: ..."; in the order of the sources, then of lines and columns, each once, at most
-/// `limit` with a last line that counts the rest (of which the parser keeps a hundred). Ends in a
-/// newline unless empty.
+/// For each diagnostic: "file:line:column: error: message", the source line, a caret, and "hint:
+/// ...". Sorted by source, line and column, without duplicates; at most `limit` diagnostics and a
+/// last line with the number of the others (of which the parser keeps a hundred). Ends in a newline
+/// unless empty.
 std::string report(const Diagnostics& diagnostics,
                    const std::vector<std::shared_ptr<const Source>>& sources, int limit = 20);
 

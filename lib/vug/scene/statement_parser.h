@@ -1,4 +1,4 @@
-// The statements of one file, put into a document.
+// Parser of the statements of one file.
 #pragma once
 
 #include <vug/scene/expr_parser.h>
@@ -7,10 +7,10 @@
 
 namespace vug::scene {
 
-/// Called for `include "path"`; `where` is the path's token.
+/// Called for `include "path"`; `where` is the location of the path.
 using Includer = std::function<void(const std::string& path, const SourceLocation& where)>;
 
-/// Parses every statement up to the end.
+/// Parses all statements up to the end and adds them to the document.
 void parse_statements(Cursor& cursor, Document& document, const Includer& include);
 
 }  // namespace vug::scene

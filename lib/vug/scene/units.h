@@ -1,4 +1,4 @@
-// Units that a number of a scene text may carry.
+// Units of numbers in scene texts.
 #pragma once
 
 #include <vug/base/value.h>
@@ -10,11 +10,11 @@
 
 namespace vug::scene {
 
-/// `value` written with `unit` as a Number in metres, radians, seconds or as a fraction; nothing
-/// when there is no such unit. Known: m cm mm km in ft, deg rad, %, s ms.
+/// `value` with `unit` as a Number in metres, radians, seconds or as a fraction; nothing for an
+/// unknown unit. Known: m cm mm km in ft, deg rad, %, s ms.
 std::optional<Number> with_unit(double value, std::string_view unit);
 
-/// Names of the units that are words (all but %), for suggestions and reserved names.
+/// Names of all units except %, for suggestions and reserved names.
 const std::vector<std::string>& unit_names();
 bool is_unit(std::string_view name);
 
