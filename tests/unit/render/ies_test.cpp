@@ -67,12 +67,12 @@ TEST(Ies, BadFilesAreRefusedByLine) {
   EXPECT_NE(refusal(head + "1 -1 1 2.5 1 1 1").find("whole number"), std::string::npos);
   EXPECT_NE(refusal(head + "1 -1 1 9999 9999 1 1").find("four million"), std::string::npos);
   const std::string lamp = head + "1 -1 1 2 2 1 1 0 0 0 1 1 9\n";
-  EXPECT_NE(refusal(lamp + "90 0\n").find("should rise"), std::string::npos);
-  EXPECT_NE(refusal(lamp + "0 90\n0 70\n").find("not with 90"), std::string::npos);
+  EXPECT_NE(refusal(lamp + "90 0\n").find("must ascend"), std::string::npos);
+  EXPECT_NE(refusal(lamp + "0 90\n0 70\n").find("must end with 90"), std::string::npos);
   EXPECT_NE(refusal(lamp + "0 90\n0 90\n1 2 -3 4").find("below 0"), std::string::npos);
   EXPECT_NE(refusal(lamp + "0 90\n0 90\n1 2 3").find("ends before"), std::string::npos);
   EXPECT_NE(refusal(lamp + "0 90\n0 90\n0 0 0 0").find("all intensities"), std::string::npos);
-  EXPECT_NE(refusal(lamp + "0 90\n0 90\n1 nan 1 1").find("no number"), std::string::npos);
+  EXPECT_NE(refusal(lamp + "0 90\n0 90\n1 nan 1 1").find("is not a number"), std::string::npos);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace vug::render {
 namespace {
 
-/// Cubes that are brighter than this many times the mean are bright.
+/// Cubes brighter than this multiple of the mean are bright.
 constexpr double kBright = 3;
 
 using CubeIndex = std::array<int32_t, 3>;
@@ -24,11 +24,11 @@ struct CubeHash {
 };
 
 struct Cube {
-  Vec3f center{0, 0, 0};  ///< Of what was seen in it.
+  Vec3f center{0, 0, 0};  ///< Mean position of its samples.
   double luminance = 0;
 };
 
-/// In the order in which they were first seen, so that sums do not depend on a hash.
+/// Cubes are in the order of their first samples, so that sums do not depend on a hash.
 std::vector<Cube> average(const std::vector<RadianceSample>& radiance_samples, float edge) {
   std::unordered_map<CubeIndex, size_t, CubeHash> places;
   std::vector<Cube> cubes;
@@ -45,13 +45,13 @@ std::vector<Cube> average(const std::vector<RadianceSample>& radiance_samples, f
   }
   for (size_t i = 0; i < cubes.size(); ++i) {
     cubes[i].center *= 1 / counts[i];
-    // As if one more had seen nothing: a single path is believed by half.
+    // One additional sample of 0 halves the weight of a single path.
     cubes[i].luminance /= static_cast<double>(counts[i]) + 1;
   }
   return cubes;
 }
 
-/// Cubes that may become one patch.
+/// Cubes that may become one cluster.
 struct Group {
   std::vector<Cube> cubes;
   double luminance = 0;
@@ -64,13 +64,13 @@ struct Group {
       box.extendBy(cube.center);
     }
   }
-  /// How much would be gained by parting it.
+  /// Estimated gain of splitting it.
   double spread() const {
     return cubes.size() < 2 ? 0 : luminance * static_cast<double>(length(box.size()));
   }
 };
 
-/// Halves the box across its longest side. The first half stays in `group`.
+/// Splits the box in the middle of its longest side. The lower half stays in `group`.
 Group split(Group& group) {
   const Vec3f size = group.box.size();
   const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);

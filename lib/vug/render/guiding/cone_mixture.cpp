@@ -11,7 +11,7 @@ void ConeMixture::normalize(float mixture_weight) {
   const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   __m256 sum = _mm256_setzero_ps();
   for (size_t i = 0; i < size_; i += kLanes) {
-    // Behind the last cone stands whatever was not chosen.
+    // Lanes behind the last cone hold cones that were not added.
     const __m256i left = _mm256_set1_epi32(static_cast<int>(size_ - i));
     const __m256 taken = _mm256_castsi256_ps(_mm256_cmpgt_epi32(left, lanes));
     const __m256 share = _mm256_and_ps(taken, _mm256_load_ps(&share_[i]));

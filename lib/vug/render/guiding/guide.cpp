@@ -6,16 +6,16 @@
 namespace vug::render {
 namespace {
 
-/// Edges of the cubes that brightness is averaged over and of the regions that share what they
-/// see, in parts of the scene's diagonal.
+/// Edges of the cubes that average luminance and of the regions that share visibility, as fractions
+/// of the scene's diagonal.
 constexpr float kCube = 1.0f / 64, kRegion = 1.0f / 16;
-/// Where patches give less than this part of all light, they are not worth weighing.
+/// Clusters that give less than this fraction of all light are ignored.
 constexpr float kMinMixtureWeight = 0.02f;
-/// A cone that is wider, beyond 45 degrees from its axis, says no more than the material does.
+/// A wider cone, beyond 45 degrees from its axis, is no better than BSDF sampling.
 constexpr float kWidest = 0.3f;
-/// Patches of less than this part of the best one's light are left out.
+/// Clusters with less than this fraction of the best one's light are left out.
 constexpr float kFaint = 0.02f;
-/// Patches are weighed so many at a time.
+/// Number of clusters weighted at a time.
 constexpr size_t kLanes = 8;
 
 }  // namespace
@@ -52,7 +52,7 @@ ConeMixture Guide::at(const Vec3f& point, const Vec3f& normal) const {
       x[i] = x_[i] - point.x, y[i] = y_[i] - point.y, z[i] = z_[i] - point.z;
       const float square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
       const float distance = std::sqrt(square), scale = 1 / distance;
-      // The cosine at the point of the ball that is highest over the surface.
+      // Cosine at the sphere's highest point above the surface.
       const float above = x[i] * normal.x + y[i] * normal.y + z[i] * normal.z + radius_[i];
       const float cosine = std::min(1.0f, std::max(0.0f, above * scale));
       x[i] *= scale, y[i] *= scale, z[i] *= scale;

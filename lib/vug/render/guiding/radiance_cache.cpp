@@ -6,7 +6,7 @@
 namespace vug::render {
 namespace {
 
-/// Radiance samples that the mean over all places counts for in each.
+/// Number of prior samples, with the mean of the whole scene, in each region.
 constexpr double kPrior = 0.5;
 
 struct Sum {

@@ -3,7 +3,7 @@
 namespace vug::render {
 namespace {
 
-/// Glances that the mean over all regions counts for in each.
+/// Number of prior samples, with the mean over all regions, in each region.
 constexpr float kPrior = 2;
 
 }  // namespace

@@ -10,17 +10,18 @@ namespace {
 
 constexpr double kSecond = 1.438776877e7;  // hc/k in nm K
 
-/// A bell with other widths below and above its middle, in nm.
+/// Piecewise Gaussian around `middle` in nm; `below` and `above` are the inverse widths on either
+/// side.
 double bell(double x, double middle, double below, double above) {
   const double t = (x - middle) * (x < middle ? below : above);
   return maths::exp(-0.5 * t * t);
 }
 
-/// Tristimulus values of Planck's law over its value at 560 nm.
+/// Tristimulus values of Planck's law, relative to its value at 560 nm.
 Vec3d spectrum(double temperature) {
   Vec3d xyz(0.0);
   for (double nm = 380; nm <= 780; nm += 5) {
-    // Relative to the value at 560 nm, so that nothing overflows.
+    // Relative to the value at 560 nm to avoid overflow.
     const double ratio = 560 / nm, square = ratio * ratio;
     const double planck = square * square * ratio *
                           (maths::exp(kSecond / (560 * temperature)) - 1) /
@@ -45,8 +46,7 @@ Vec3d to_rgb(const Vec3d& xyz) {
   return rgb / luminance(rgb);
 }
 
-/// Colour and logarithm of the luminance at even steps of 1 / temperature, along which both are
-/// nearly straight.
+/// Colour and log luminance at even steps of 1 / temperature, where both are nearly linear.
 struct ThermalTable {
   static constexpr size_t kSteps = 1024;
   static constexpr double kHottest = 40000, kCoolest = 300;

@@ -15,10 +15,10 @@ struct Emitters::WorldTriangle {
   Vec3f a, b, c;
   Vec3f normal;  ///< Unit; zero for a triangle without area.
   float area;
-  float orientation;  ///< -1 where an instance mirrors the triangle, which runs clockwise then.
+  float orientation;  ///< -1 if the instance mirrors the triangle and so makes it clockwise.
 
   Vec3f centroid() const { return (a + b + c) * (1 / 3.0f); }
-  /// The distance at which 1 / distance^2 varies by about a quarter over the triangle.
+  /// Beyond the distance at which 1 / distance^2 varies by about a quarter over the triangle.
   bool is_far(const Vec3f& point) const {
     const Vec3f m = centroid(), to = m - point;
     const auto squared = [&](const Vec3f& p) { return dot(p - m, p - m); };
@@ -44,7 +44,7 @@ struct SphericalTriangle {
     const Vec3d ab = a.cross(b), ac = a.cross(c);
     alpha = maths::atan2(ab.cross(ac).length(), ab.dot(ac));
   }
-  /// Else too thin a sliver for the difference of angles to mean anything.
+  /// False for a sliver too thin for the difference of angles to be meaningful.
   bool usable() const { return area > 1e-7 && area < 6.2 && alpha > 1e-5 && alpha < kPi - 1e-5; }
 
   Vec3d sample(const Vec2f& u) const {
@@ -64,8 +64,8 @@ struct SphericalTriangle {
   }
 };
 
-/// Uniform over a triangle, as shares of the second and third corner: Heitz 2019, "A low-distortion
-/// map between triangle and square".
+/// Uniform point on a triangle as the barycentric coordinates of its second and third vertex: Heitz
+/// 2019, "A low-distortion map between triangle and square".
 Vec2f on_triangle(const Vec2f& u) {
   return u.y > u.x ? Vec2f(0.5f * u.x, u.y - 0.5f * u.x) : Vec2f(u.x - 0.5f * u.y, 0.5f * u.y);
 }
@@ -78,25 +78,27 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
     const bool varies = object.material && object.material->is_emissive();
     if (object.material && object.material->cut_out() && (varies || !is_black(object.emission)))
       throw Error(ErrorCode::bad_input,
-                  fmt::format("object '{}' shines and has holes by its material's opacity, which "
-                              "cannot be rendered",
+                  fmt::format("object '{}' is emissive and has holes by its material's opacity, "
+                              "which cannot be rendered",
                               object.name),
-                  {}, "make it of two objects, or use emission_mask");
+                  {}, "split it into two objects, or use emission_mask");
     if (object.surface && (varies || !is_black(object.emission)))
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("object '{}' shines, but has no mesh whose triangles could be lamps",
-                              object.name),
-                  {}, "leave out 'direct'");
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format("object '{}' is emissive, but has no mesh whose triangles could be lights",
+                      object.name),
+          {}, "remove 'direct'");
     if (!object.mesh || object.mesh->triangles.empty() || (is_black(object.emission) && !varies))
       continue;
     if (count_ + object.mesh->triangles.size() > (1u << 28))
       throw Error(ErrorCode::too_large,
-                  fmt::format("object '{}' brings the triangles that shine to more than {}",
+                  fmt::format("object '{}' brings the number of emissive triangles to more than {}",
                               object.name, 1u << 28));
-    require_still(object);
+    require_static(object);
     first_[i] = static_cast<uint32_t>(count_);
     sources_.push_back({object.mesh, object.emission, static_cast<uint32_t>(i),
-                        static_cast<uint32_t>(count_), object.placing, object.looks_by_place});
+                        static_cast<uint32_t>(count_), object.instance,
+                        object.world_space_material});
     count_ += object.mesh->triangles.size();
     if (!varies) continue;
     EmissiveMesh& source = sources_.back();
@@ -118,8 +120,8 @@ Emitters::WorldTriangle Emitters::world_triangle(uint32_t index) const {
   const mesh::Triangle& t = source.mesh->triangles[index - source.first];
   const auto& p = source.mesh->positions;
   WorldTriangle out{p[t[0]], p[t[1]], p[t[2]], Vec3f(0.0f), 0, 1};
-  if (source.placing) {
-    const Affine place = source.placing->at(0);
+  if (source.instance) {
+    const Affine place = source.instance->at(0);
     out.a = place.point(out.a), out.b = place.point(out.b), out.c = place.point(out.c);
     out.orientation = place.determinant() < 0 ? -1.0f : 1.0f;
   }
@@ -156,19 +158,20 @@ Rgb Emitters::radiance_at(const EmissiveMesh& source, uint32_t triangle, float u
   surface.footprint = footprint;
   surface.mesh = &mesh, surface.triangle = triangle, surface.u = u, surface.v = v;
   surface.solid = source.solid.get();
-  if (source.placing) {
-    const Affine place = source.placing->at(0);
+  if (source.instance) {
+    const Affine place = source.instance->at(0);
     surface.position = place.point(surface.position);
     surface.geometric_normal = normalized(place.normal(surface.geometric_normal));
     surface.shading_normal = normalized(place.normal(surface.shading_normal));
-    surface.placing = source.placing.get();
-    surface.looks_by_place = source.looks_by_place;
+    surface.instance = source.instance.get();
+    surface.world_space_material = source.world_space_material;
   }
   return source.radiance + source.material->emission(surface);
 }
 
-/// Means over places that fill the triangle evenly (Roberts 2018, "The unreasonable effectiveness
-/// of quasirandom sequences", cite roberts2018sequences): more where triangles are few.
+/// Means over a low-discrepancy sequence of points on each triangle (Roberts 2018, "The
+/// unreasonable effectiveness of quasirandom sequences", cite roberts2018sequences); meshes of few
+/// triangles get more points.
 void Emitters::estimate_luminances(EmissiveMesh& source) const {
   constexpr size_t kAll = 1u << 22, kFewest = 3, kMax = 64;
   const size_t count = source.mesh->triangles.size();

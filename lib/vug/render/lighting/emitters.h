@@ -43,8 +43,8 @@ class Emitters {
     mesh::MeshPtr mesh;
     Rgb radiance;
     uint32_t object, first;
-    PlacingPtr placing;
-    bool looks_by_place = false;
+    InstanceTransformPtr instance;
+    bool world_space_material = false;
     MaterialPtr material =
         nullptr;  ///< Null unless it is emissive; then the members below are set, too.
     std::shared_ptr<const field::SampledGrid> solid = nullptr;

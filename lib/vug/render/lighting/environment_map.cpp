@@ -8,7 +8,7 @@
 namespace vug::render {
 namespace {
 
-/// Cumulative sums of non-negative weights, from 0 to 1.
+/// Normalized cumulative sums of non-negative weights, from 0 to 1.
 std::vector<float> cumulative(const std::vector<double>& weights, double& total) {
   std::vector<float> table(weights.size() + 1, 0);
   total = 0;
@@ -23,7 +23,7 @@ std::vector<float> cumulative(const std::vector<double>& weights, double& total)
 
 }  // namespace
 
-/// The cell of a number, and how far in it lies; its probability.
+/// The interval of a table that contains a number, the position within it, and its probability.
 struct EnvironmentMap::Cell {
   size_t index;
   float offset, probability;
@@ -94,7 +94,7 @@ const Rgb& EnvironmentMap::texel(long x, long y) const {
   return texels_[static_cast<size_t>(std::clamp(y, 0l, h - 1) * w + ((x % w) + w) % w)];
 }
 
-/// Picture coordinates in [0, 1]^2, row 0 straight up.
+/// Image coordinates in [0, 1]^2, row 0 straight up.
 Vec3f EnvironmentMap::direction(float x, float v) const {
   const SinCos across = sincos_turns(x - 0.5f - turn_), down = sincos_turns(0.5f * v);
   return {down.sin * across.sin, down.cos, -down.sin * across.cos};
@@ -107,7 +107,7 @@ Vec2f EnvironmentMap::locate(const Vec3f& d) const {
   return {x, static_cast<float>(maths::acos(static_cast<double>(d.y)) / kPi)};
 }
 
-/// From the probability of a texel to a density over solid angle.
+/// Converts the probability of a texel to a density over solid angle.
 float EnvironmentMap::density(float probability, float v) const {
   const float sine = sincos_turns(0.5f * v).sin;
   const float texels = static_cast<float>(width_ * height_);
@@ -122,7 +122,7 @@ void EnvironmentMap::build_tables() {
         sincos_turns(0.5f * (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)).sin);
     std::vector<double> weights;
     for (size_t x = 0; x < width_; ++x) {
-      // The brightest neighbour too, since lookups between texels reach it.
+      // Includes the neighbours, since interpolated lookups reach them.
       double w = 0;
       for (long dy = -1; dy <= 1; ++dy)
         for (long dx = -1; dx <= 1; ++dx)

@@ -12,14 +12,14 @@
 namespace vug::render {
 namespace {
 
-/// The lines of a text, and the numbers of those that come next.
+/// Reads the lines of a text and then its numbers; counts lines for messages.
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   [[noreturn]] void refuse(const std::string& what) const {
     throw Error(ErrorCode::bad_input,
-                fmt::format("'{}' is no usable IES file: line {}: {}", name_, line_, what));
+                fmt::format("invalid IES file '{}': line {}: {}", name_, line_, what));
   }
   bool at_end() const { return at_ >= text_.size(); }
   std::string_view line() {
@@ -42,7 +42,7 @@ class Reader {
     double value = 0;
     const auto [past, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || past != word.data() + word.size() || !std::isfinite(value))
-      refuse(fmt::format("'{}' is no number for {}", word.substr(0, 30), what));
+      refuse(fmt::format("'{}' is not a number for {}", word.substr(0, 30), what));
     at_ = end;
     return value;
   }
@@ -51,7 +51,7 @@ class Reader {
     const double value = number(what);
     if (value != std::floor(value) || !(value >= static_cast<double>(least)) ||
         !(value <= static_cast<double>(most)))
-      refuse(fmt::format("{} is {}, and should be a whole number from {} to {}", what, value, least,
+      refuse(fmt::format("{} is {}, but must be a whole number from {} to {}", what, value, least,
                          most));
     return static_cast<size_t>(value);
   }
@@ -60,8 +60,8 @@ class Reader {
     for (size_t i = 0; i < count; ++i) {
       out.push_back(number(what));
       if (!(out.back() >= least && out.back() <= most) || (i > 0 && !(out[i] > out[i - 1])))
-        refuse(fmt::format("{} should rise from at least {} to at most {} degrees, and here is {}",
-                           what, least, most, out.back()));
+        refuse(fmt::format("{} must ascend from at least {} to at most {} degrees; found {}", what,
+                           least, most, out.back()));
     }
     return out;
   }
@@ -75,7 +75,7 @@ class Reader {
   int line_ = 0;
 };
 
-/// The interval of a rising table that holds x, and how far in it lies.
+/// The interval of an ascending table that contains x, and the position within it.
 struct Between {
   size_t index;
   double part;
@@ -93,44 +93,46 @@ Between find(const std::vector<double>& table, double x) {
 IesProfile::IesProfile(std::string_view text, const std::string& name) {
   Reader in(text, name);
   std::string_view line = in.line();
-  if (line.substr(0, 5) != "IESNA") in.refuse("it does not begin with IESNA");
+  if (line.substr(0, 5) != "IESNA") in.refuse("the file does not begin with IESNA");
   while (line.substr(0, 5) != "TILT=") {
-    if (in.at_end()) in.refuse("there is no line that begins with TILT=");
+    if (in.at_end()) in.refuse("no line begins with TILT=");
     line = in.line();
   }
   if (line == "TILT=INCLUDE") {
     in.numbers_follow();
-    in.number("the lamp's place");
+    in.number("the lamp position");
     const size_t pairs = in.count("the number of tilt angles", 1, 1000);
     for (size_t i = 0; i < 2 * pairs; ++i) in.number("a tilt angle or its factor");
   } else if (line == "TILT=NONE") {
     in.numbers_follow();
   } else {
-    in.refuse("only TILT=NONE and TILT=INCLUDE are known");
+    in.refuse("only TILT=NONE and TILT=INCLUDE are supported");
   }
   const auto light_count = static_cast<double>(in.count("the number of lamps", 1, 10000));
   const double each = in.number("the lumen of a lamp");
-  const double multiplier = in.number("the multiplier of candela");
+  const double multiplier = in.number("the candela multiplier");
   const size_t verticals = in.count("the number of vertical angles", 2, 10000);
   const size_t horizontals = in.count("the number of horizontal angles", 1, 10000);
-  if (verticals * horizontals > 4000000) in.refuse("it holds more than four million intensities");
+  if (verticals * horizontals > 4000000)
+    in.refuse("the file has more than four million intensities");
   if (in.count("the photometric type", 1, 3) != 1)
-    in.refuse("only type C photometry (1) is known, not types B (2) and A (3)");
-  in.count("the unit of lengths", 1, 2);
+    in.refuse("only type C photometry (1) is supported, not types B (2) and A (3)");
+  in.count("the unit of length", 1, 2);
   for (const char* side : {"the width", "the length", "the height"}) in.number(side);
   const double ballast = in.number("the ballast factor");
   in.number("the reserved value");
   in.number("the input in watts");
   const double factor = multiplier * ballast;
-  if (!(factor > 0)) in.refuse("the factor on its candela is not above 0");
+  if (!(factor > 0)) in.refuse("the product of multiplier and ballast factor must be above 0");
   rated_ = each > 0 ? light_count * each : -1;
   vertical_ = in.angles("vertical angles", verticals, 0, 180);
   horizontal_ = in.angles("horizontal angles", horizontals, 0, 360);
   if (horizontal_.front() != 0 && horizontals > 1)
-    in.refuse("the horizontal angles do not begin with 0");
+    in.refuse("the horizontal angles must begin with 0");
   const double last = horizontal_.back();
   if (horizontals > 1 && last != 90 && last != 180 && last != 360)
-    in.refuse(fmt::format("the horizontal angles end with {}, not with 90, 180 or 360", last));
+    in.refuse(
+        fmt::format("the horizontal angles end with {}, but must end with 90, 180 or 360", last));
   for (size_t i = 0; i < verticals * horizontals; ++i) {
     candela_.push_back(in.number("an intensity") * factor);
     if (!(candela_.back() >= 0)) in.refuse("an intensity is below 0");
@@ -138,7 +140,8 @@ IesProfile::IesProfile(std::string_view text, const std::string& name) {
   }
   if (!(peak_ > 0)) in.refuse("all intensities are 0");
 
-  // Rings of one degree and a half a ring; the integrand is linear in pieces.
+  // Rings of an eighth of a degree, one sample per degree around; the integrand is piecewise
+  // linear.
   constexpr int kRings = 1440, kTurns = 360;
   double lowest = 0;
   for (int i = 0; i < kRings; ++i) {
@@ -154,7 +157,7 @@ IesProfile::IesProfile(std::string_view text, const std::string& name) {
       static_cast<float>(maths::cos(std::min(180.0, lowest + 180.0 / kRings) * kPi / 180)) - 1e-5f;
 }
 
-/// Degrees; horizontal angles from 0 to 360.
+/// In degrees; horizontal angles from 0 to 360.
 double IesProfile::at(double vertical, double horizontal) const {
   if (vertical < vertical_.front() || vertical > vertical_.back()) return 0;
   const double last = horizontal_.back();

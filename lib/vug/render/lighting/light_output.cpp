@@ -12,17 +12,16 @@ Rgb finite_radiance(const Vec3d& radiance, const std::string& hint) {
   const double most = std::max({radiance.x, radiance.y, radiance.z});
   if (most <= kMaxRadiance) return Rgb(radiance);
   throw Error(ErrorCode::bad_input,
-              fmt::format("a radiance of {:.3g} W/sr/m^2 is more than can be computed with: {:.0e} "
-                          "at most",
-                          most, kMaxRadiance),
+              fmt::format("a radiance of {:.3g} W/sr/m^2 exceeds the maximum of {:.0e}", most,
+                          kMaxRadiance),
               {}, hint);
 }
 
 std::string LightOutputParams::fault() const {
-  if (power && lumen) return "a lamp's light is told in watts or in lumen, not in both";
+  if (power && lumen) return "give the power of a light in watts or in lumen, not in both";
   if ((power || lumen) && !(luminance(radiance) > 0))
-    return "a lamp of black radiance has no colour that could be brought to a power";
-  if (!only.empty() && !except.empty()) return "a light has 'only' or 'except', not both";
+    return "a light with a power needs a radiance above 0, which gives its colour";
+  if (!only.empty() && !except.empty()) return "a light takes 'only' or 'except', not both";
   return "";
 }
 
@@ -40,7 +39,7 @@ Rgb LightOutputParams::radiance_for(double watts_per_radiance) const {
   const auto all = watts();
   if (!all) return finite_radiance(colour);
   return finite_radiance(colour * (*all / (watts_per_radiance * luminance(colour))),
-                         "the lamp is too small for its power");
+                         "the light is too small for its power");
 }
 
 }  // namespace vug::render

@@ -10,17 +10,17 @@
 namespace vug::render {
 namespace {
 
-/// Parts of all choices that are even between branches: of single lights, of many lights, where
-/// there is less to be missed, and where it is known what is in sight.
+/// Fraction of the samples distributed uniformly over the branches: for branches of single lights,
+/// for branches of many lights, where less can be missed, and if visibility is known.
 constexpr double kEvenFew = 0.5, kEvenMany = 0.25, kEvenKnown = 0.05;
 
-/// Of a whole sky: it chooses no directions.
+/// A sky that samples no directions.
 bool is_plain(const Light& sky) { return !(sky.importance({Vec3f(0.0f)}) > 0); }
 
 }  // namespace
 
-/// Importances at a point: of skies, of lamps as they tell it themselves, of triangles and
-/// branches by their bounds.
+/// Importance at a point: skies and finite lights evaluate their own, triangles and branches use
+/// their bounds.
 struct LightSet::AtPoint {
   const LightSet& set;
   const LightSampleContext& point;
@@ -48,7 +48,7 @@ struct LightSet::AlongRay {
   const VisibilityCache& visibility;
 
   bool has_visibility() const { return !visibility.empty(); }
-  /// From where on the ray it is nearest: most of what arrives does so thereabouts.
+  /// Visibility at the nearest point on the ray, where most of the branch's light arrives.
   float branch_visibility(size_t branch) const {
     if (visibility.empty()) return 1;
     const float nearest = dot(set.branches_[branch].center - ray.origin, ray.direction);
@@ -81,7 +81,7 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
   }
   for (LightId id = 0; id < scene_light_count(); ++id) {
     const Light& light = *lights_[id];
-    // Where portals are, they find the sky better than the sky does.
+    // Portals find the sky better than the sky does.
     if (!light.is_infinite() ||
         (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.sampled_with_portals()))
       continue;
@@ -127,9 +127,10 @@ void LightSet::link(const std::vector<Object>& objects) {
         if (names[i] == name || names[i].compare(0, name.size() + 1, name + "/") == 0)
           lit[i] = only, found = true;
       if (!found)
-        throw Error(ErrorCode::bad_input,
-                    fmt::format("a light is linked to '{}', but no object has that name", name), {},
-                    suggestion(name, names));
+        throw Error(
+            ErrorCode::bad_input,
+            fmt::format("a light is linked to '{}', but there is no object of that name", name), {},
+            suggestion(name, names));
     }
     linked_ |= !lit.empty();
     lit_.push_back(std::move(lit));
@@ -159,7 +160,7 @@ float LightSet::weight_of(size_t branch, const Weight& weight) const {
 template <class Weight>
 void LightSet::weigh(const Weight& weight, float* weights) const {
   const LightTree::Node* known = nullptr;
-  LightTree::Weights importances;  // NOLINT: of the fork that is known
+  LightTree::Weights importances;  // NOLINT: of the known node
   for (size_t i = 0; i < branches_.size(); ++i) {
     const Branch& b = branches_[i];
     if (b.single != kNoLight) {
@@ -185,7 +186,7 @@ LightChoice LightSet::choose_in(const Branch& branch, double u, const Weight& we
 template <class Weight>
 LightChoices LightSet::choose_by(float u, const Weight& weight, LightSelection& selection) const {
   constexpr size_t kUsual = 2 * LightTree::kMaxBranches + 16;
-  std::array<float, kUsual> few;  // NOLINT: weigh fills what is read
+  std::array<float, kUsual> few;  // NOLINT: filled by weigh
   std::vector<float> many;
   if (branches_.size() > kUsual) many.resize(branches_.size());
   float* const weights = many.empty() ? few.data() : many.data();
@@ -205,7 +206,8 @@ LightChoices LightSet::choose_by(float u, const Weight& weight, LightSelection& 
   selection.proportional = static_cast<float>(samples * (1 - even) / total);
   selection.even = static_cast<float>(samples * even / count);
 
-  // Systematic sampling: a comb of teeth one apart over what is to be expected of each branch.
+  // Systematic sampling: equidistant positions over the cumulative expected samples of the
+  // branches.
   double passed = 0, tooth = static_cast<double>(u);
   for (size_t i = 0; i < branches_.size(); ++i) {
     const float expected = selection.expected_samples(weights[i]);
@@ -223,7 +225,7 @@ LightChoices LightSet::choose_by(float u, const Weight& weight, LightSelection& 
   return choices;
 }
 
-/// A comb, too, whose teeth meet parts of one width.
+/// Systematic sampling, too, over lights of equal weight.
 LightChoices LightSet::choose_evenly(float u, uint32_t object, LightSelection& selection) const {
   LightChoices choices;
   if (all_.empty()) return choices;

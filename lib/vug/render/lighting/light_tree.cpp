@@ -9,17 +9,18 @@ namespace vug::render {
 namespace {
 
 constexpr size_t kBins = 12;
-/// Larger branches are built in parallel, and judged by this many of their lights.
+/// Larger branches are built in parallel, and their splits are evaluated with about this many of
+/// their lights.
 constexpr size_t kLarge = 65536;
-/// Below this depth branches are halved, so that walks need no more than a small stack.
+/// Deeper branches are split in halves, so that traversals need only a small stack.
 constexpr int kMaxDepth = 44;
 
 float safe_root(float x) { return std::sqrt(std::max(0.0f, x)); }
 
 Vec3f any_perpendicular(const Vec3f& v) { return Frame(v).x; }
 
-/// The part of a branch's cost that its directions make: the integral of the cosine beyond the
-/// reach over the cone of normals (Conty Estevez and Kulla 2018, equation 1).
+/// Orientation measure of the surface area orientation heuristic: the integral of the cosine beyond
+/// the emission angle over the normal cone (Conty Estevez and Kulla 2018, equation 1).
 double direction_measure(const LightBounds& b) {
   const double cosine = std::clamp(static_cast<double>(b.cos_spread), -1.0, 1.0);
   const double spread = maths::acos(cosine), sine = std::sqrt(1 - cosine * cosine);
@@ -40,8 +41,8 @@ double cost(const LightBounds& b) {
 
 }  // namespace
 
-/// ConeMixture in cosines and sines only; where the union is wider than a half turn it becomes all
-/// directions, which is no loss: such a branch says nothing about directions.
+/// Computes the cones with cosines and sines only. A union wider than half a turn becomes all
+/// directions, which loses nothing: such a branch says nothing about directions.
 LightBounds union_of(const LightBounds& a, const LightBounds& b) {
   if (!(b.strength > 0)) return a;
   if (!(a.strength > 0)) return b;
@@ -54,13 +55,13 @@ LightBounds union_of(const LightBounds& a, const LightBounds& b) {
   const float cw = wide.cos_spread, sw = safe_root(1 - cw * cw);
   const float cn = narrow.cos_spread, sn = safe_root(1 - cn * cn);
   const float apart = std::clamp(dot(wide.axis, narrow.axis), -1.0f, 1.0f);
-  if (cw <= -1 || apart >= cw * cn + sw * sn) return out;  // the wide one holds the other
+  if (cw <= -1 || apart >= cw * cn + sw * sn) return out;  // the wide cone contains the other
   const float c1 = cw * cn - sw * sn, s1 = sw * cn + cw * sn;
   if (cw + cn <= 0 || c1 + apart <= 0) {
     out.cos_spread = -1;
     return out;
   }
-  // Half of the sum of both spreads and the angle between them.
+  // Half the sum of both spreads and the angle between them.
   const float sum = c1 * apart - s1 * safe_root(1 - apart * apart);
   const float half_cos = safe_root(0.5f * (1 + sum)), half_sin = safe_root(0.5f * (1 - sum));
   const float turn_cos = half_cos * cw + half_sin * sw, turn_sin = half_sin * cw - half_cos * sw;
@@ -68,7 +69,7 @@ LightBounds union_of(const LightBounds& a, const LightBounds& b) {
   const float size = length(aside);
   aside = size > 1e-6f ? aside * (1 / size) : any_perpendicular(wide.axis);
   out.axis = normalized(wide.axis * turn_cos + aside * turn_sin);
-  out.cos_spread = std::max(-1.0f, half_cos - 2e-6f);  // rounding must not cut a normal off
+  out.cos_spread = std::max(-1.0f, half_cos - 2e-6f);  // rounding must not exclude a normal
   return out;
 }
 
@@ -78,14 +79,14 @@ struct LightTree::Item {
   LightId light = 0;
 };
 
-/// Of the tree of pairs that is made first.
+/// Node of the binary tree that is built first.
 struct LightTree::BuildNode {
   LightBounds bounds;
-  uint32_t child = 0;  ///< The first of a pair of nodes; of a leaf: its light.
+  uint32_t child = 0;  ///< First of a pair of nodes; for a leaf its light.
   bool leaf = false;
 
   float radius() const { return 0.5f * length(bounds.box.size()); }
-  /// How much is to be had from weighing its two sides apart.
+  /// Estimated benefit of weighting its two children separately.
   float gain() const { return leaf ? -1 : bounds.strength * radius() * radius(); }
 };
 
@@ -95,7 +96,7 @@ class LightTree::Builder {
       : items_(std::move(items)), build_nodes_(2 * items_.size()) {
     build(0, items_.size(), 0, 2, 0);
   }
-  /// Pairs at 2i and 2i + 1; the root is 0, and 1 is not used.
+  /// Pairs at 2i and 2i + 1; the root is 0, and 1 is unused.
   const std::vector<BuildNode>& build_nodes() const { return build_nodes_; }
 
  private:
@@ -118,7 +119,7 @@ LightTree::LightTree(size_t count, LightId first,
   if (!items.empty()) flatten(Builder(std::move(items)).build_nodes());
 }
 
-/// Node `build_node` for the items [begin, end); the nodes below it begin at `below`.
+/// Builds `build_node` from the items [begin, end); its descendants start at `below`.
 void LightTree::Builder::build(size_t begin, size_t end, uint32_t build_node, uint32_t below,
                                int depth) {
   std::vector<Item>& items = items_;
@@ -154,7 +155,7 @@ void LightTree::Builder::build(size_t begin, size_t end, uint32_t build_node, ui
     for (size_t b = kBins - 1; b > 0; --b)
       above[b - 1] = b == kBins - 1 ? bins[b] : union_of(above[b], bins[b]);
     LightBounds under;
-    // Thin slices cost more: the longest side should be cut.
+    // Thin slices cost more, which favours splits of the longest side.
     const double regular =
         static_cast<double>(largest(extent)) / static_cast<double>(extent[along]);
     for (size_t b = 0; b + 1 < kBins; ++b) {
@@ -197,8 +198,8 @@ void LightTree::Builder::build(size_t begin, size_t end, uint32_t build_node, ui
   }
 }
 
-/// Forks of the tree of pairs: of each, the node that gains most by it is parted until there are
-/// enough.
+/// Collapses the binary tree to wide nodes: in each, the child with the largest gain is split until
+/// there are enough.
 void LightTree::flatten(const std::vector<BuildNode>& build_nodes) {
   const auto part = [&](std::vector<uint32_t>& among, size_t enough) {
     while (among.size() < enough) {
@@ -216,7 +217,7 @@ void LightTree::flatten(const std::vector<BuildNode>& build_nodes) {
   branches_ = among.size();
   nodes_.resize((branches_ + kWidth - 1) / kWidth);
   parents_.resize(nodes_.size());
-  std::vector<uint32_t> source;  // The node of each lane, fork by fork.
+  std::vector<uint32_t> source;  // binary node of each lane, node by node
   const auto fill = [&](size_t node) {
     Node& out = nodes_[node];
     for (size_t lane = 0; lane < std::min(among.size(), kWidth); ++lane) {
@@ -265,11 +266,11 @@ LightTree::Weights LightTree::importance(const Node& node, const LightSampleCont
     const float x = node.x[i] - p.x, y = node.y[i] - p.y, z = node.z[i] - p.z;
     const float squared = x * x + y * y + z * z, within = node.radius[i] * node.radius[i];
     const float inverse = 1 / std::sqrt(std::max(squared, 1e-30f));
-    // The ball around the box fills this angle; all that is sure is measured less it.
+    // The bounding sphere subtends this angle; the bounds of all angles are widened by it.
     const float sin_ball = node.radius[i] * inverse;
     const float cos_ball = std::sqrt(std::max(0.0f, 1 - sin_ball * sin_ball));
-    // The least angle off the axis, less the spread of normals, then less the ball; each stops at
-    // zero.
+    // Smallest angle off the axis, less the spread of normals, then less the bounding sphere; each
+    // is clamped to zero.
     const float turned = (node.axis_x[i] * x + node.axis_y[i] * y + node.axis_z[i] * z) * -inverse;
     const float cos_axis = std::min(std::max(turned, -1.0f), 1.0f);
     const float sin_axis = std::sqrt(std::max(0.0f, 1 - cos_axis * cos_axis));
@@ -278,7 +279,7 @@ LightTree::Weights LightTree::importance(const Node& node, const LightSampleCont
     const float cos_off = spread ? 1 : cos_axis * cos_spread + sin_axis * sin_spread;
     const float sin_off = spread ? 0 : sin_axis * cos_spread - cos_axis * sin_spread;
     const float cos_leave = cos_off > cos_ball ? 1 : cos_off * cos_ball + sin_off * sin_ball;
-    // The least angle off the normal, where there is one.
+    // Smallest angle off the surface normal, if there is one.
     const float raised = (n.x * x + n.y * y + n.z * z) * inverse;
     const float cos_normal = std::min(std::max(raised, -1.0f), 1.0f);
     const float sin_normal = std::sqrt(std::max(0.0f, 1 - cos_normal * cos_normal));

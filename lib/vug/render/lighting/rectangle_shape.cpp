@@ -8,16 +8,15 @@
 namespace vug::render {
 namespace {
 
-/// Directions whose cross product is shorter span no plane.
+/// Unit vectors with a shorter cross product count as parallel.
 constexpr double kParallel = 1e-6;
 
 }  // namespace
 
 std::string RectangleParams::fault() const {
-  if (!is_direction(normal))
-    return "the rectangle's normal is no direction: zero, or beyond all numbers";
+  if (!is_direction(normal)) return "the rectangle's normal must be finite and not zero";
   if (!up) return "";
-  if (!is_direction(*up)) return "the rectangle's up is no direction: zero, or beyond all numbers";
+  if (!is_direction(*up)) return "the rectangle's up must be finite and not zero";
   return up->normalized().cross(normal.normalized()).length() < kParallel
              ? "the rectangle's up is parallel to its normal"
              : "";
@@ -41,15 +40,16 @@ RectangleShape::RectangleShape(const RectangleParams& p)
   half_x_ = x_ * (0.5f * width_), half_y_ = y_ * (0.5f * height_);
 }
 
-/// Where 1 / distance^2 varies by at most a half over the rectangle: its middle is eight times as
-/// far as it is deep along the way there, and 1.5 diagonals.
+/// True where 1 / distance^2 varies by at most a half over the rectangle: its centre is at least
+/// eight times as far as the rectangle is deep along that direction, and at least 1.5 diagonals
+/// away.
 bool RectangleShape::is_far(const Vec3f& to_center) const {
   const float squared = dot(to_center, to_center);
   const float depth = std::fabs(dot(half_x_, to_center)) + std::fabs(dot(half_y_, to_center));
   return 8 * depth < squared && squared > 9 * radius_squared();
 }
 
-/// Corner (x0, y0, z), opposite corner (x1, y1, z) with z < 0, and the angles of the spherical
+/// Vertex (x0, y0, z), opposite vertex (x1, y1, z) with z < 0, and the angles of the spherical
 /// rectangle; names as in the paper.
 struct RectangleShape::View {
   double x0, x1, y0, y1, z, b0, b1, k, solid_angle;
@@ -71,7 +71,7 @@ struct RectangleShape::View {
     k = 2 * kPi - g2 - g3;
     solid_angle = g0 + g1 - k;
   }
-  /// Too thin a sliver for the difference of angles to mean anything.
+  /// False for a sliver too thin for the difference of angles to be meaningful.
   bool usable() const { return z < 0 && solid_angle > 1e-9; }
 };
 
@@ -152,14 +152,15 @@ float RectangleShape::importance(const LightSampleContext& point) const {
   if (!(front > 0)) return 0;
   float surface_cosine = 1;
   if (point.on_surface()) {
-    // The corner highest above the horizon decides.
+    // The vertex highest above the horizon decides.
     const float height = dot(point.normal, to) + std::fabs(dot(point.normal, half_x_)) +
                          std::fabs(dot(point.normal, half_y_));
     if (!(height > 0)) return 0;
     surface_cosine = std::min(1.0f, height / std::sqrt(squared + radius_squared()));
   }
   const float light_cosine = std::min(1.0f, front / std::sqrt(squared));
-  // Close by, the solid angle is at most a half space, whatever area over distance says.
+  // Near the rectangle the solid angle is at most a hemisphere, whatever area over squared distance
+  // gives.
   return surface_cosine * std::min(2 * kPif, area() * std::max(light_cosine, 0.05f) /
                                                  std::max(squared, 0.25f * radius_squared()));
 }

@@ -16,7 +16,7 @@ LightSample SphereShape::sample(const Vec3f& point, const Vec2f& u) const {
   if (!(part > 0)) return s;
   s.direction = Frame(normalized(to)).to_world(direction_off_axis(u.x * part, u.y));
   s.pdf = 1 / (2 * kPif * part);
-  // On the cone's edge rounding may miss the ball; the nearest point is as good.
+  // At the cone's rim rounding may miss the sphere; the nearest point is then used.
   const float along = dot(to, s.direction);
   const float rest = radius_ * radius_ - (dot(to, to) - along * along);
   s.distance = along - std::sqrt(std::max(0.0f, rest));
@@ -30,7 +30,7 @@ float SphereShape::pdf(const Vec3f& point, const Vec3f& direction) const {
 float SphereShape::hit(const Ray& ray) const {
   const Vec3f to = center_ - ray.origin;
   const float along = dot(to, ray.direction);
-  const Vec3f off = to - ray.direction * along;  // more exact than |to|^2 - along^2
+  const Vec3f off = to - ray.direction * along;  // more accurate than |to|^2 - along^2
   const float rest = radius_ * radius_ - dot(off, off);
   if (!(along > 0 && rest >= 0) || dot(to, to) <= radius_ * radius_) return 0;
   return std::max(0.0f, along - std::sqrt(rest));

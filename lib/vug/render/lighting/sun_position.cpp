@@ -8,16 +8,15 @@ namespace vug::render {
 
 std::string SunParams::fault() const {
   if (latitude && (elevation || azimuth))
-    return "the sun stands by its angles or by latitude, day and hour, not by both";
-  if (!latitude && (day || hour))
-    return "day and hour tell where the sun stands only with latitude";
+    return "give the sun's position by its angles or by latitude, day and hour, not by both";
+  if (!latitude && (day || hour)) return "'day' and 'hour' need 'latitude'";
   return "";
 }
 
 Vec3d SunParams::direction() const {
   const double up = elevation.value_or(45 * kPi / 180), round = azimuth.value_or(135 * kPi / 180);
   if (latitude) {
-    // Declination by the days since the winter solstice, and the angle the earth has turned.
+    // Declination from the days since the winter solstice, and the hour angle.
     const double tilt = -23.44 * kPi / 180 * maths::cos(2 * kPi / 365 * (day.value_or(172) + 10));
     const double turned = (hour.value_or(10) - 12) * kPi / 12;
     const double sine = maths::sin(*latitude) * maths::sin(tilt) +

@@ -7,8 +7,8 @@
 namespace vug::render {
 namespace {
 
-/// Asks the lamp in its own space. Angles are the same there, and so are shares of a sphere and
-/// what importance counts, power over squared distance; only lengths differ.
+/// Evaluates the light in its own space. Angles, solid angles and importance (power over squared
+/// distance) are the same there; only lengths differ.
 class TransformedLight final : public LightAdapter {
  public:
   TransformedLight(LightPtr light, const Transform& place, LightLinking linking)
@@ -58,7 +58,7 @@ class TransformedLight final : public LightAdapter {
   }
 
  private:
-  /// Unit vectors stay so, up to rounding that `normalized` takes away.
+  /// Unit vectors stay unit except for rounding, which `normalized` removes.
   Vec3f in(const Vec3f& v) const { return normalized(back_.vector(v)); }
   Vec3f out(const Vec3f& v) const { return normalized(to_.vector(v)); }
   LightSampleContext own(LightSampleContext point) const {
@@ -81,8 +81,8 @@ class TransformedLight final : public LightAdapter {
 
 LightPtr transformed_light(LightPtr light, const Transform& place, LightLinking linking) {
   if (place.max_stretch() > 1.0001 * place.min_stretch())
-    throw Error(ErrorCode::bad_input, "a lamp cannot be stretched unevenly", {},
-                "place its scene with one scale for all axes, or without the lamp");
+    throw Error(ErrorCode::bad_input, "a light cannot be scaled non-uniformly", {},
+                "place its scene with the same scale for all axes, or without the light");
   return std::make_shared<const TransformedLight>(std::move(light), place, std::move(linking));
 }
 

@@ -1,7 +1,7 @@
-// A clear sky: Preetham, Shirley, Smits 1999, "A practical analytic model for daylight", after the
-// luminance distribution of Perez and others. Good for a sun above the horizon and turbidities of
-// 2 to 8; towards sunset and for very clear air its horizon is too bright and too yellow, and it
-// knows no twilight: with the sun below the horizon the sky is black.
+// Clear sky: Preetham, Shirley, Smits 1999, "A practical analytic model for daylight", with the
+// luminance distribution of Perez et al. Valid for a sun above the horizon and turbidities of 2 to
+// 8. Towards sunset and for very clear air its horizon is too bright and too yellow. It has no
+// twilight: with the sun below the horizon the sky is black.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/environment_map.h>
@@ -19,19 +19,18 @@ struct Daylight : SunParams, LightLinking {
   double gain = 1;
 
   static void describe(Schema<Daylight>& s) {
-    s.doc("A clear sky with the sun somewhere; the sun itself is a light of its own.")
-        .cite("preetham1999");
+    s.doc("A clear sky without the sun's disk, which is a separate light.").cite("preetham1999");
     describe_sun(s);
     s.param("turbidity", &Daylight::turbidity,
-            {.doc = "Haziness of the air; 2 clear, 8 hazy.", .min = 1.7, .max = 10})
+            {.doc = "Turbidity of the air: 2 clear, 8 hazy.", .min = 1.7, .max = 10})
         .param("ground", &Daylight::ground,
-               {.doc = "Albedo of what lies below the horizon.", .min = 0, .max = 1})
+               {.doc = "Albedo of the ground below the horizon.", .min = 0, .max = 1})
         .param("gain", &Daylight::gain, {.doc = "Factor on the sky's radiance.", .min = 0});
     describe_linking(s);
   }
 };
 
-/// The five coefficients of one of luminance Y, chromaticities x and y: slope * turbidity + rest.
+/// Coefficients of one of luminance Y and chromaticities x, y: slope * turbidity + constant.
 struct Perez {
   double a, b, c, d, e;
 
@@ -62,10 +61,10 @@ class Preetham {
     for (int i = 0; i < 3; ++i) zenith_[i] /= forms_[i].at(1, z, std::clamp(sun.y, 0.0, 1.0));
   }
 
-  /// W/sr/m^2, for directions above the horizon; black with the sun below it.
+  /// In W/sr/m^2, for directions above the horizon; black with the sun below it.
   Vec3d radiance(const Vec3d& direction) const {
     if (!(sun_.y > 0)) return Vec3d(0.0);
-    // At the horizon the formula runs out of what it was fitted to.
+    // The formula was not fitted to directions at the horizon.
     const double cosine = std::max(direction.y, 0.01);
     const double cos_gamma = std::clamp(direction.dot(sun_), -1.0, 1.0);
     const double gamma = maths::acos(cos_gamma);

@@ -1,5 +1,5 @@
-// A round lamp that shines from one side. Points are chosen evenly over its area, so that the
-// density over solid angle is distance^2 / (area * cosine at the lamp).
+// One-sided disk light. Points are sampled uniformly by area, so the density over solid angle is
+// distance^2 / (area * cosine at the light).
 #include <vug/render/kind.h>
 #include <vug/render/lighting/shape_light.h>
 #include <vug/render/sampling.h>
@@ -13,16 +13,16 @@ struct Disk : LightOutputParams {
   double radius = 0.5;
 
   static void describe(Schema<Disk>& s) {
-    s.doc("A round lamp that shines from its front; it does not block light.")
+    s.doc("A disk light that emits from its front; it does not block light.")
         .cite("shirley1997disk")
-        .param("center", &Disk::center, any_length("Its middle."))
-        .param("normal", &Disk::normal, {.doc = "The side it shines to."})
-        .param("radius", &Disk::radius, positive_length("Its radius."));
+        .param("center", &Disk::center, any_length("Centre."))
+        .param("normal", &Disk::normal, {.doc = "Direction of the side that emits."})
+        .param("radius", &Disk::radius, positive_length("Radius."));
     describe_light_output(s);
   }
   std::string fault() const {
     return is_direction(normal) ? LightOutputParams::fault()
-                                : "the disk's normal is no direction: zero, or beyond all numbers";
+                                : "the disk's normal must be finite and not zero";
   }
 };
 
@@ -60,7 +60,7 @@ class DiskShape {
     if (!(front > 0)) return 0;
     float cosine = 1;
     if (point.on_surface()) {
-      // The highest point of its edge above the horizon decides.
+      // The highest point of the rim above the horizon decides.
       const float slope = dot(point.normal, axes_.z);
       const float height =
           dot(point.normal, to) + radius_ * std::sqrt(std::max(0.0f, 1 - slope * slope));

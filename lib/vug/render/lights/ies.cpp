@@ -1,4 +1,4 @@
-// A lamp that shines as it was measured: a small ball whose brightness in each direction is the
+// Light with a measured distribution: a small sphere whose radiance in each direction is the
 // measured intensity over its cross section.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
@@ -18,25 +18,26 @@ struct Ies : LightOutputParams {
   double radius = 0.03;
 
   static void describe(Schema<Ies>& s) {
-    s.doc("A lamp with a measured profile; radiance tells only the colour.")
+    s.doc("A small sphere light with a measured profile; radiance gives only the colour.")
         .cite("ies2002lm63")
         .param("file", &Ies::file, {.doc = "Profile, LM-63 type C.", .required = true})
-        .param("center", &Ies::center, any_length("Its middle."))
-        .param("direction", &Ies::direction, {.doc = "Where the file's straight down lies."})
+        .param("center", &Ies::center, any_length("Centre."))
+        .param("direction", &Ies::direction, {.doc = "Direction of the file's straight down."})
         .param("turn", &Ies::turn,
                {.doc = "Turns the profile about that direction.", .dimension = Dimension::angle})
-        .param("radius", &Ies::radius, positive_length("Its radius: how soft shadows are."));
+        .param("radius", &Ies::radius,
+               positive_length("Radius; a larger one makes softer shadows."));
     describe_light_output(s);
   }
   std::string fault() const {
-    if (!is_direction(direction))
-      return "the lamp's direction is no direction: zero, or beyond all numbers";
-    if (!(Vec3d(radiance).length() > 0)) return "a lamp of black radiance has no colour";
+    if (!is_direction(direction)) return "the light's direction must be finite and not zero";
+    if (!(Vec3d(radiance).length() > 0))
+      return "the light's radiance must be above 0, since it gives the colour";
     return LightOutputParams::fault();
   }
 };
 
-/// The profile over its peak.
+/// The profile divided by its peak.
 struct MeasuredProfile {
   std::shared_ptr<const IesProfile> profile;
   Frame axes;
@@ -51,7 +52,7 @@ struct MeasuredProfile {
   float upper_bound(const Vec3f& direction, float ball) const {
     const float cosine = std::min(1.0f, dot(direction, axes.z));
     const float root = std::sqrt(std::max(0.0f, 1 - ball * ball));
-    // The cosine of the angle to straight down, less that of the ball.
+    // Cosine of the angle to straight down, less the angle that the sphere subtends.
     const float nearest =
         cosine >= root ? 1 : cosine * root + std::sqrt(std::max(0.0f, 1 - cosine * cosine)) * ball;
     return nearest >= profile->lowest_cosine() ? std::max((*this)(direction), 0.05f) : 0;
@@ -61,7 +62,7 @@ struct MeasuredProfile {
     bounds.cos_spread = 1;
     bounds.cos_reach = profile->lowest_cosine();
   }
-  /// The radiance that gives as much light when it leaves evenly.
+  /// Sets the uniform radiance of the same total power.
   void export_to(exchange::Light& light) const {
     light.place = exchange::look_along(light.place.origin(), Vec3d(axes.z), Vec3d(axes.y));
     light.radiance *= profile->lumen() / (4 * kPi * static_cast<double>(profile->peak()));
@@ -90,7 +91,7 @@ class IesLight final : public ShapeLight<SphereShape, MeasuredProfile> {
     const double scale = p.watts() ? *p.watts() * kLumenPerWatt / profile.lumen() : 1;
     const double intensity = static_cast<double>(profile.peak()) * scale / kLumenPerWatt;
     return finite_radiance(colour * (intensity / (kPi * p.radius * p.radius * luminance(colour))),
-                           "the lamp is too small for its power");
+                           "the light is too small for its power");
   }
 
   std::filesystem::path file_;

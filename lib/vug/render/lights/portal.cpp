@@ -1,6 +1,6 @@
-// A rectangle through which the sky is seen: it adds no light, it only tells the renderer where
-// to look for the sky's. Bitterli, Novak, Jarosz 2015, "Portal-masked environment map sampling",
-// for the idea; we sample the rectangle's solid angle without regard to the sky behind it.
+// Portal: a rectangle that directs samples to the visible part of the sky and adds no light itself.
+// The idea is that of Bitterli, Novak, Jarosz 2015, "Portal-masked environment map sampling"; here
+// the rectangle's solid angle is sampled without regard to the sky behind it.
 #include <vug/render/kind.h>
 #include <vug/render/lighting/rectangle_shape.h>
 
@@ -9,9 +9,9 @@ namespace {
 
 struct Portal : RectangleParams {
   static void describe(Schema<Portal>& s) {
-    s.doc("An opening to the sky: adds no light, but lets the renderer find the sky's.")
+    s.doc("An opening to the sky: adds no light, but directs samples to the sky.")
         .cite("bitterli2015portal");
-    describe_rectangle(s, "The side the light of the sky comes in to.");
+    describe_rectangle(s, "Direction from the portal into the scene.");
   }
 };
 

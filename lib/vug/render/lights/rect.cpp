@@ -1,4 +1,4 @@
-// A rectangle lamp that shines from its front.
+// One-sided rectangle light.
 #include <vug/render/kind.h>
 #include <vug/render/lighting/rectangle_shape.h>
 #include <vug/render/lighting/shape_light.h>
@@ -8,9 +8,9 @@ namespace {
 
 struct Rect : RectangleParams, LightOutputParams {
   static void describe(Schema<Rect>& s) {
-    s.doc("A rectangle lamp that shines from its front; it does not block light.")
+    s.doc("A rectangle light that emits from its front; it does not block light.")
         .cite("urena2013rectangle");
-    describe_rectangle(s, "The side it shines to.");
+    describe_rectangle(s, "Direction of the side that emits.");
     describe_light_output(s);
   }
   std::string fault() const {

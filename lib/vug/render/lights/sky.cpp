@@ -1,5 +1,5 @@
-// A sky of one colour. No direction towards it is better than another, so it is found by the
-// material's own directions and through portals, and samples nothing itself.
+// Sky of constant radiance. No direction is better than another, so it samples none itself; BSDF
+// sampling and portals find it.
 #include <vug/exchange/light.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/light_output.h>
@@ -11,7 +11,7 @@ struct Sky : LightLinking {
   Vec3d radiance{1, 1, 1};
 
   static void describe(Schema<Sky>& s) {
-    s.doc("A sky of one colour all round.")
+    s.doc("A sky of one colour in all directions.")
         .param("radiance", &Sky::radiance,
                {.doc = "Radiance of red, green, blue in W/sr/m^2.", .min = 0});
     describe_linking(s);

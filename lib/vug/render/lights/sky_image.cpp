@@ -1,4 +1,4 @@
-// A sky from a lat-long picture.
+// Sky from a lat-long picture.
 #include <vug/base/error.h>
 #include <vug/image/io.h>
 #include <vug/render/kind.h>
@@ -18,13 +18,13 @@ struct SkyImage : LightLinking {
   double turn = 0;
 
   static void describe(Schema<SkyImage>& s) {
-    s.doc("A sky from a lat-long picture: up is y, the middle column lies towards -z.")
+    s.doc("A sky from a lat-long picture: up is y, the middle column points towards -z.")
         .cite("pharr2023pbr")
         .param("file", &SkyImage::file,
                {.doc = "Picture, linear (EXR, HDR) or sRGB (PNG).", .required = true})
         .param("gain", &SkyImage::gain, {.doc = "Factor on the picture's values.", .min = 0})
         .param("turn", &SkyImage::turn,
-               {.doc = "Turns the sky about the y axis, to the left seen from above.",
+               {.doc = "Rotates the sky about the y axis, to the left as seen from above.",
                 .dimension = Dimension::angle});
     describe_linking(s);
   }
@@ -40,7 +40,7 @@ std::vector<Rgb> texels(const SkyImage& p, const image::Image& picture) {
       if (!std::isfinite(c[k]))
         throw Error(
             ErrorCode::bad_input,
-            fmt::format("the sky picture '{}' holds values that are not finite", p.file.string()));
+            fmt::format("the sky picture '{}' has values that are not finite", p.file.string()));
       c[k] = std::max(0.0f, c[k]) * static_cast<float>(p.gain);
     }
     out.push_back(c);

@@ -1,4 +1,4 @@
-// A ball that shines outwards.
+// Sphere light.
 #include <vug/render/kind.h>
 #include <vug/render/lighting/shape_light.h>
 #include <vug/render/lighting/sphere_shape.h>
@@ -11,10 +11,10 @@ struct Sphere : LightOutputParams {
   double radius = 0.1;
 
   static void describe(Schema<Sphere>& s) {
-    s.doc("A ball that shines outwards; it does not block light.")
+    s.doc("A sphere light that emits outwards; it does not block light.")
         .cite("shirley1996direct")
-        .param("center", &Sphere::center, any_length("Its middle."))
-        .param("radius", &Sphere::radius, positive_length("Its radius."));
+        .param("center", &Sphere::center, any_length("Centre."))
+        .param("radius", &Sphere::radius, positive_length("Radius."));
     describe_light_output(s);
   }
 };

@@ -1,4 +1,4 @@
-// A small ball that shines into a cone with a smooth edge.
+// Spotlight: a small sphere that emits into a cone with a smooth edge.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
 #include <vug/render/lighting/shape_light.h>
@@ -15,33 +15,33 @@ struct Spot : LightOutputParams {
   double radius = 0.03;
 
   static void describe(Schema<Spot>& s) {
-    s.doc("A small ball that shines into a cone with a smooth edge.")
-        .param("center", &Spot::center, any_length("Its middle."))
-        .param("direction", &Spot::direction, {.doc = "The middle of the cone."})
+    s.doc("A small sphere that emits into a cone with a smooth edge.")
+        .param("center", &Spot::center, any_length("Centre."))
+        .param("direction", &Spot::direction, {.doc = "Axis of the cone."})
         .param("angle", &Spot::angle,
-               {.doc = "From one side of the cone to the other.",
+               {.doc = "Full angle of the cone.",
                 .dimension = Dimension::angle,
                 .min = 0,
                 .max = 2 * kPi,
                 .above_min = true})
         .param("edge", &Spot::edge,
-               {.doc = "Part of the cone, from its edge on, in which the light fades.",
+               {.doc = "Fraction of the cone, inwards from its edge, in which the light fades.",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1})
-        .param("radius", &Spot::radius, positive_length("Its radius: how soft shadows are."));
+        .param("radius", &Spot::radius,
+               positive_length("Radius; a larger one makes softer shadows."));
     describe_light_output(s);
   }
   std::string fault() const {
-    return is_direction(direction)
-               ? LightOutputParams::fault()
-               : "the spot's direction is no direction: zero, or beyond all numbers";
+    return is_direction(direction) ? LightOutputParams::fault()
+                                   : "the spot's direction must be finite and not zero";
   }
-  /// 1 - cosines of the cone, from its axis; light fades from the inner angle to the outer.
+  /// 1 - cosines of the cone, from its axis; the light fades from the inner to the outer angle.
   double outer() const { return off(0.5 * angle); }
   double inner() const { return off(0.5 * angle * (1 - edge)); }
-  /// Intensity is the radiance of the axis times the ball's cross section times the profile, whose
-  /// integral over the smooth edge is half of the edge's solid angle.
+  /// Intensity is the axial radiance times the sphere's cross section times the profile, whose
+  /// integral over the smooth edge is half the edge's solid angle.
   double watts_per_radiance() const { return kPi * radius * radius * kPi * (inner() + outer()); }
 
  private:
@@ -50,7 +50,7 @@ struct Spot : LightOutputParams {
 
 struct ConeProfile {
   Vec3f axis;
-  float inner, outer;  ///< 1 - cosines: of narrow cones these are numbers still.
+  float inner, outer;  ///< 1 - cosines, which stay accurate for narrow cones.
 
   float operator()(const Vec3f& direction) const {
     const Vec3f between = direction - axis;
@@ -62,7 +62,7 @@ struct ConeProfile {
   }
   float upper_bound(const Vec3f& direction, float ball) const {
     const float cosine = std::min(1.0f, dot(direction, axis));
-    // The cosine of the angle less that of the ball.
+    // Cosine of the angle to the axis, less the angle that the sphere subtends.
     const float root = std::sqrt(std::max(0.0f, 1 - ball * ball));
     const float nearest =
         cosine >= root ? 1 : cosine * root + std::sqrt(std::max(0.0f, 1 - cosine * cosine)) * ball;

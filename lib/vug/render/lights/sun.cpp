@@ -1,4 +1,4 @@
-// A disk in the sky, infinitely far: every place sees it in the same direction.
+// Sun: an infinitely distant disk, in the same direction from every point.
 #include <vug/base/maths.h>
 #include <vug/exchange/light.h>
 #include <vug/render/kind.h>
@@ -18,17 +18,18 @@ struct Sun : SunParams, LightLinking {
     s.doc("The sun, or any round light infinitely far away.").cite("preetham1999");
     describe_sun(s);
     s.param("angle", &Sun::angle,
-            {.doc = "How wide it looks: how soft its shadows are.",
+            {.doc = "Angular diameter; a larger one makes softer shadows.",
              .dimension = Dimension::angle,
              .min = 0.0005,
              .max = kPi})
         .param("turbidity", &Sun::turbidity,
-               {.doc = "Haziness of the air that its light comes through; 2 clear, 10 hazy.",
+               {.doc = "Turbidity of the air that its light passes: 2 clear, 10 hazy.",
                 .min = 1,
                 .max = 20})
-        .param(
-            "irradiance", &Sun::irradiance,
-            {.doc = "W/m^2 that reach a surface that faces it, instead of the air's.", .min = 0});
+        .param("irradiance", &Sun::irradiance,
+               {.doc = "Irradiance (W/m^2) of a surface that faces it; replaces the value from the "
+                       "turbidity.",
+                .min = 0});
     describe_linking(s);
   }
 };
@@ -78,7 +79,7 @@ class SunLight final : public Light {
   }
 
  private:
-  /// By the distance from the axis, which small angles do not cancel in.
+  /// Uses the distance from the axis, which avoids cancellation at small angles.
   bool inside(const Vec3f& direction) const {
     const float along = dot(direction, axes_.z);
     const Vec3f off = direction - axes_.z * along;
