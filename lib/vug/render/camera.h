@@ -38,11 +38,11 @@ class Camera {
   virtual Ray ray(const Vec2f& film, float aspect, const Vec2f& lens) const = 0;
   /// Where the picture shows a point, through the middle of the opening: the film's coordinates,
   /// beyond 0 and 1 where the picture ends before. Nothing for points that lie behind.
-  virtual std::optional<Vec2f> place(const Vec3f& point, float aspect) const = 0;
+  virtual std::optional<Vec2f> project(const Vec3f& point, float aspect) const = 0;
   /// Of a picture that may go all round: after so many of its widths it begins anew; else 0.
   virtual float period() const { return 0; }
   /// Where the middle of the opening stands.
-  virtual Vec3f eye() const = 0;
+  virtual Vec3f position() const = 0;
   /// Depth of a point in metres: along the axis of view; for views all round its distance.
   virtual float depth(const Vec3f& point) const = 0;
   /// Of the view through the middle of the opening.
@@ -58,7 +58,7 @@ class Camera {
   /// Empty: at one moment only.
   virtual Shutter shutter() const { return {}; }
   /// Of a camera for stereo: that of the left eye (-1) or of the right one (1); else null.
-  virtual CameraPtr eye_view(int side) const {
+  virtual CameraPtr stereo_view(int side) const {
     (void)side;
     return nullptr;
   }

@@ -13,8 +13,8 @@
 namespace vug::render {
 
 class Camera;
-class Tally;
-class World;
+class LightPathRecorder;
+class PreparedScene;
 
 /// What the first surface on a camera ray looks like.
 struct FirstHit {
@@ -34,7 +34,7 @@ struct PathResult {
 
 /// The picture that paths will be traced for, as far as they can learn from it beforehand.
 struct TrainingContext {
-  const World& world;
+  const PreparedScene& world;
   const Camera& camera;
   const Sampler& sampler;
   float aspect = 1;      ///< Width over height.
@@ -57,16 +57,17 @@ class Integrator {
   /// The integrator that knows this scene; null when there is nothing to learn. The same for any
   /// number of threads and for every part of the picture.
   virtual std::shared_ptr<const Integrator> trained(const TrainingContext& context,
-                                                      Progress& progress) const {
+                                                    Progress& progress) const {
     (void)context, (void)progress;
     return nullptr;
   }
   /// What makes pictures other than exact, on request: "clamp 3"; empty where nothing does.
   virtual std::string inexact() const { return {}; }
-  /// `tally`: null, or where to keep the parts of the radiance apart. `beside`: more camera rays of
-  /// the pixel; what the camera sees shine by itself becomes the mean over all of them.
-  virtual PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers,
-                           Tally* tally = nullptr, std::span<const Ray> beside = {}) const = 0;
+  /// `recorder`: null, or where to keep the parts of the radiance apart. `extra_rays`: more camera
+  /// rays of the pixel; what the camera sees shine by itself becomes the mean over all of them.
+  virtual PathResult trace(const PreparedScene& world, const Ray& ray, SampleCursor& numbers,
+                           LightPathRecorder* recorder = nullptr,
+                           std::span<const Ray> extra_rays = {}) const = 0;
 };
 using IntegratorPtr = std::shared_ptr<const Integrator>;
 

@@ -11,7 +11,7 @@ std::vector<LightPtr> joined(std::vector<LightPtr> lights, const std::vector<Lig
 
 }  // namespace
 
-World::World(const Scene& scene)
+PreparedScene::PreparedScene(const Scene& scene)
     : geometry_(std::make_shared<Geometry>(scene.objects)),
       lights_(std::make_shared<const LightSet>(scene.lights, scene.objects)) {
   medium_ = scene.medium;
@@ -19,25 +19,27 @@ World::World(const Scene& scene)
     if (MediumPtr fitted = medium_->with_bounds(geometry_->bounds)) medium_ = fitted;
 }
 
-World::World(const World& other, const Scene& scene, const std::vector<LightPtr>& more)
+PreparedScene::PreparedScene(const PreparedScene& other, const Scene& scene,
+                             const std::vector<LightPtr>& more)
     : geometry_(other.geometry_),
       lights_(std::make_shared<const LightSet>(joined(scene.lights, more), scene.objects)),
       medium_(other.medium_) {}
 
-World::World(const World& other, float time)
+PreparedScene::PreparedScene(const PreparedScene& other, float time)
     : geometry_(other.geometry_), lights_(other.lights_), medium_(other.medium_), time_(time) {}
 
-World::~World() = default;
+PreparedScene::~PreparedScene() = default;
 
-bool World::intersect(const Ray& ray, Hit& hit, void (*work)(const void*), const void* what) const {
+bool PreparedScene::intersect(const Ray& ray, Hit& hit, void (*work)(const void*),
+                              const void* what) const {
   const Geometry::Found found = geometry_->find(ray, time_);
   work(what);
   return geometry_->fill(found, ray, time_, hit);
 }
-bool World::occluded(const Ray& ray, float distance) const {
+bool PreparedScene::occluded(const Ray& ray, float distance) const {
   return geometry_->occluded(ray, distance, time_);
 }
-bool World::moves() const { return geometry_->moves; }
-const Box3f& World::bounds() const { return geometry_->bounds; }
+bool PreparedScene::moves() const { return geometry_->moves; }
+const Box3f& PreparedScene::bounds() const { return geometry_->bounds; }
 
 }  // namespace vug::render

@@ -25,18 +25,18 @@ struct Hit {
   Vec3f behind;  ///< Where rays leave from that the surface lets through.
 };
 
-class World {
+class PreparedScene {
  public:
   /// Keeps references into the scene's meshes. Throws as `render` does.
-  explicit World(const Scene& scene);
+  explicit PreparedScene(const Scene& scene);
   /// The same surfaces under more lights.
-  World(const World& other, const Scene& scene, const std::vector<LightPtr>& more);
-  ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
+  PreparedScene(const PreparedScene& other, const Scene& scene, const std::vector<LightPtr>& more);
+  ~PreparedScene();
+  PreparedScene(const PreparedScene&) = delete;
+  PreparedScene& operator=(const PreparedScene&) = delete;
   /// Where all is at a time from 0, as the shutter opens, to 1, as it closes; shares everything.
   /// Without this it is the middle of that time.
-  World at(float time) const { return World(*this, time); }
+  PreparedScene at(float time) const { return PreparedScene(*this, time); }
   /// Whether that makes a difference.
   bool moves() const;
 
@@ -60,7 +60,7 @@ class World {
 
  private:
   struct Geometry;
-  World(const World& other, float time);
+  PreparedScene(const PreparedScene& other, float time);
   bool intersect(const Ray& ray, Hit& hit, void (*work)(const void*), const void* what) const;
 
   std::shared_ptr<const Geometry> geometry_;

@@ -1,8 +1,8 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
-#include <vug/render/render.h>
-#include <vug/render/paths/tile_renderer.h>
 #include <vug/render/film/render_state.h>
+#include <vug/render/render.h>
+#include <vug/render/tile_renderer.h>
 
 #include <algorithm>
 #include <atomic>
@@ -25,56 +25,57 @@ constexpr double kInstanceBytes = 1500;
 }  // namespace
 
 image::Image render(const Scene& scene, const Options& options, Progress& progress,
-                    const Watch& watch, image::DeepImage* deep) {
+                    const RenderCallbacks& callbacks, image::DeepImage* deep) {
   std::optional<ThreadLimit> limit;
   if (options.threads > 0) limit.emplace(options.threads);
-  if (options.noise > 0 || watch.pass || watch.save) {
+  if (options.noise > 0 || callbacks.pass || callbacks.save) {
     if (deep)
       throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once", {},
                   "render it without noise, checkpoint and preview");
-    State state = start(options);
-    proceed(scene, options, state, watch, progress);
-    return develop(state, options.layers);
+    RenderState state = begin_render(options);
+    continue_render(scene, options, state, callbacks, progress);
+    return develop(state, options.aovs);
   }
   // Blocks are finished one by one, so that only the layers are held.
-  const Shooter shooter(scene, options, progress);
-  const Region& all = shooter.wanted();
-  if (watch.estimate)
-    watch.estimate(shooter.seconds(static_cast<double>(all.pixels()) * options.spp));
-  image::Image picture(all.width(), all.height(), options.layers.channels());
+  const TileRenderer renderer(scene, options, progress);
+  const Region& all = renderer.region();
+  if (callbacks.estimate)
+    callbacks.estimate(renderer.estimate_seconds(static_cast<double>(all.pixels()) * options.spp));
+  image::Image picture(all.width(), all.height(), options.aovs.channels());
   if (deep) *deep = image::DeepImage(all.width(), all.height());
-  const int tile = std::max(options.tile, 1);
-  std::atomic<uint64_t> refused{0}, cut{0};
-  progress.begin("rendering", all.blocks(tile));
-  parallel_for(all.blocks(tile), [&](size_t index) {
+  const int tile = std::max(options.tile_size, 1);
+  std::atomic<uint64_t> invalid{0}, clamped{0};
+  progress.begin("rendering", all.tiles(tile));
+  parallel_for(all.tiles(tile), [&](size_t index) {
     const Film film =
-        shooter.shoot(all.block(index, tile), 0, static_cast<uint32_t>(options.spp), deep);
-    develop(film, options.layers, all, picture);
-    const auto faults = film.faults();
-    refused += faults.first, cut += faults.second;
+        renderer.render_tile(all.tile(index, tile), 0, static_cast<uint32_t>(options.spp), deep);
+    develop(film, options.aovs, all, picture);
+    const auto invalid_samples = film.invalid_samples();
+    invalid += invalid_samples.first, clamped += invalid_samples.second;
     progress.advance();
   });
   progress.end();
-  if (watch.faults && refused + cut > 0) watch.faults(refused, cut);
+  if (callbacks.invalid_samples && invalid + clamped > 0)
+    callbacks.invalid_samples(invalid, clamped);
   return picture;
 }
 
 double memory_estimate(const Scene& scene, const Options& options, bool whole_film) {
-  const auto pixels = static_cast<double>(wanted_region(options).pixels());
-  double bytes = 4.0 * static_cast<double>(options.layers.channels().size()) * pixels;
-  if (whole_film || options.noise > 0) bytes += Film::pixel_bytes(options.layers.gather()) * pixels;
+  const auto pixels = static_cast<double>(render_region(options).pixels());
+  double bytes = 4.0 * static_cast<double>(options.aovs.channels().size()) * pixels;
+  if (whole_film || options.noise > 0) bytes += Film::pixel_bytes(options.aovs.layout()) * pixels;
   std::set<const void*> shared;
   if (options.deep)
     bytes += pixels * static_cast<double>(sizeof(std::vector<image::DeepSample>) +
-                                          sizeof(image::DeepSample) * options.deep->most);
+                                          sizeof(image::DeepSample) * options.deep->max_samples);
   for (const Object& object : scene.objects) {
-    if (object.placing) bytes += kInstanceBytes;
-    if (object.surface && (!object.placing || shared.insert(object.surface.get()).second))
+    if (object.instance) bytes += kInstanceBytes;
+    if (object.surface && (!object.instance || shared.insert(object.surface.get()).second))
       bytes += kBrickBytes * static_cast<double>(object.surface->bricks().size());
     if (!object.mesh) continue;
-    if (object.placing && !shared.insert(object.mesh.get()).second) continue;
+    if (object.instance && !shared.insert(object.mesh.get()).second) continue;
     bytes += static_cast<double>(sizeof(Vec3f) * object.mesh->positions.size());
-    const bool still = !object.placing && !(object.material && object.material->cut_out());
+    const bool still = !object.instance && !(object.material && object.material->cut_out());
     bytes +=
         (still ? kStillBytes : kTreeBytes) * static_cast<double>(object.mesh->triangles.size());
   }

@@ -4,10 +4,10 @@
 #include <vug/mesh/mesh.h>
 #include <vug/paint/paint.h>
 #include <vug/render/camera.h>
+#include <vug/render/geometry/instance_transform.h>
 #include <vug/render/light.h>
 #include <vug/render/material.h>
 #include <vug/render/media/medium.h>
-#include <vug/render/geometry/instance_transform.h>
 #include <vug/volume/surface_bricks.h>
 
 #include <memory>
@@ -32,9 +32,9 @@ struct Object {
   std::shared_ptr<const field::SampledGrid> solid = nullptr;
   /// Null: the mesh stands in the scene as it is. Else this is an instance: all that share a mesh
   /// share its tree, and cost next to no memory of their own.
-  PlacingPtr placing = nullptr;
+  InstanceTransformPtr instance = nullptr;
   /// Of an instance: its material sees the place it stands at, instead of the mesh's own space.
-  bool looks_by_place = false;
+  bool world_space_material = false;
   /// In place of a mesh: the surface of a level set, traced as it is (see first_crossing). It has
   /// no attributes and cannot shine.
   volume::SurfaceBricksPtr surface = nullptr;

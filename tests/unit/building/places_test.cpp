@@ -155,8 +155,8 @@ TEST_F(Places, AWholeSceneWithItsLampsAndInstances) {
   EXPECT_EQ(origin(made.objects[7]), Vec3d(14, 0, 0));
   EXPECT_EQ(made.objects[2].mesh, made.objects[7].mesh);
   ASSERT_EQ(made.lights.size(), 2u);  // the sky stays behind
-  EXPECT_LT((made.lights[1]->centre() - Vec3f(10, 2, 0)).length(), 1e-5f);
-  EXPECT_EQ(made.lights[1]->notes().only, std::vector<std::string>{"hall/soil"});
+  EXPECT_LT((made.lights[1]->center() - Vec3f(10, 2, 0)).length(), 1e-5f);
+  EXPECT_EQ(made.lights[1]->linking().only, std::vector<std::string>{"hall/soil"});
   const float strength = made.lights[0]->bounds().strength;
   EXPECT_NEAR(made.lights[1]->bounds().strength, 4 * strength, 1e-3 * strength);
 }

@@ -139,7 +139,7 @@ std::string told(const std::string& grove) {
   EXPECT_TRUE(scene.usable()) << scene.report();
   Diagnostics all;
   building::BuildOptions options;
-  options.tell = [&](const Diagnostics& more) { all.append(more); };
+  options.on_warning = [&](const Diagnostics& more) { all.append(more); };
   building::Builder builder(scene.shot, options);
   try {
     building::flatten_scene(builder);

@@ -12,7 +12,7 @@ std::string told(const std::string& text) {
   std::string out = loaded.report();
   if (!loaded.usable()) return out;
   building::BuildOptions options;
-  options.tell = [&](const Diagnostics& doubtful) { out += loaded.report(doubtful); };
+  options.on_warning = [&](const Diagnostics& doubtful) { out += loaded.report(doubtful); };
   building::Builder builder(loaded.shot, options);
   RenderOptions render;
   render.picture.size = Vec2i(4, 3);

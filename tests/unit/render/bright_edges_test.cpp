@@ -32,7 +32,7 @@ Noise noise(const Scene& scene, bool edges, const std::string& name) {
   double mean = 0, means = 0;
   for (int run = 0; run < kRuns; ++run) {
     Options o = options(kSide, kSide, 64, 0);
-    o.layers = scene_layers(scene, {"beauty", "emission"});
+    o.aovs = scene_aovs(scene, {"beauty", "emission"});
     o.bright_edges = edges;
     o.seed = static_cast<uint64_t>(run);
     const image::Image picture = render(scene, o);

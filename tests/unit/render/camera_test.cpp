@@ -86,7 +86,7 @@ void expect_places(const Camera& camera, float aspect) {
     const Ray ray = camera.ray(film, aspect, Vec2f(0.5f));
     EXPECT_NEAR(length(ray.direction), 1, 1e-6);
     const Vec3f point = ray.at(7);
-    const auto place = camera.place(point, aspect);
+    const auto place = camera.project(point, aspect);
     ASSERT_TRUE(place);
     EXPECT_NEAR(place->x, film.x, 1e-4);
     EXPECT_NEAR(place->y, film.y, 1e-5);
@@ -109,15 +109,15 @@ TEST(EveryCamera, ShowsPointsWhereTheirRaysAre) {
           {"eye", Vec3d(1, 2, 3)}, {"target", Vec3d(-2, 1, 0)}, {"up", Vec3d(0.1, 1, 0)}};
       expect_places(*make_camera(kind->info.name, parameters), aspect);
       if (!has_parameter(kind->info, "interaxial")) continue;
-      EXPECT_FALSE(make_camera(kind->info.name, parameters)->eye_view(-1));
+      EXPECT_FALSE(make_camera(kind->info.name, parameters)->stereo_view(-1));
       parameters.emplace_back("interaxial", 0.2);
       for (const double convergence : {0.0, 5.0}) {
         if (convergence > 0) parameters.emplace_back("convergence", convergence);
         const CameraPtr both = make_camera(kind->info.name, parameters);
-        for (const int side : {-1, 1}) expect_places(*both->eye_view(side), aspect);
+        for (const int side : {-1, 1}) expect_places(*both->stereo_view(side), aspect);
         const Vec2f middle(0.5f);
-        EXPECT_NEAR(length(both->eye_view(1)->ray(middle, aspect, middle).origin -
-                           both->eye_view(-1)->ray(middle, aspect, middle).origin),
+        EXPECT_NEAR(length(both->stereo_view(1)->ray(middle, aspect, middle).origin -
+                           both->stereo_view(-1)->ray(middle, aspect, middle).origin),
                     0.2, 1e-6);
       }
     }
@@ -128,7 +128,7 @@ TEST(Stereo, EyesMeetAtTheConvergenceAndPartAsTheInverseOfDepth) {
       "perspective", {{"fov", radians(kPi / 2)}, {"interaxial", 0.1}, {"convergence", 4.0}});
   const auto parallax = [&](float depth) {
     const Vec3f point(0.3f, -0.2f, 5 - depth);
-    return camera->eye_view(1)->place(point, 1.5f)->x - camera->eye_view(-1)->place(point, 1.5f)->x;
+    return camera->stereo_view(1)->project(point, 1.5f)->x - camera->stereo_view(-1)->project(point, 1.5f)->x;
   };
   EXPECT_NEAR(parallax(4), 0, 1e-6);
   for (const float depth : {1.0f, 2.0f, 9.0f})
@@ -138,13 +138,13 @@ TEST(Stereo, EyesMeetAtTheConvergenceAndPartAsTheInverseOfDepth) {
 TEST(Stereo, RoundPanoramasHaveTheirEyesBesideEachOther) {
   const CameraPtr camera = make_camera("panoramic", {{"interaxial", 0.1}});
   for (const float x : {0.0f, 0.2f, 0.5f, 0.9f}) {
-    const Ray left = camera->eye_view(-1)->ray({x, 0.5f}, 2, {});
-    const Ray right = camera->eye_view(1)->ray({x, 0.5f}, 2, {});
+    const Ray left = camera->stereo_view(-1)->ray({x, 0.5f}, 2, {});
+    const Ray right = camera->stereo_view(1)->ray({x, 0.5f}, 2, {});
     EXPECT_NEAR(length(right.origin - left.origin), 0.1, 1e-6);
     EXPECT_NEAR(dot(right.origin - left.origin, left.direction), 0, 1e-6);
     EXPECT_NEAR(dot(right.origin - left.origin, cross(left.direction, Vec3f(0, 1, 0))), 0.1, 1e-6);
-    const Ray up = camera->eye_view(1)->ray({x, 0.02f}, 2, {});
-    EXPECT_EQ(up.origin, camera->eye()) << "at the zenith there is no beside";
+    const Ray up = camera->stereo_view(1)->ray({x, 0.02f}, 2, {});
+    EXPECT_EQ(up.origin, camera->position()) << "at the zenith there is no beside";
   }
 }
 
@@ -175,13 +175,13 @@ TEST(EveryCamera, SamplesDirectionsEvenlyOnTheFilm) {
       Vec2f across[2];
       for (size_t i = 0; i < 2; ++i) {
         const Vec3f way = (i == 0 ? frame.x : frame.y) * (0.5f * step);
-        const auto a = camera->place((d - way) * kBall, kAspect);
-        const auto b = camera->place((d + way) * kBall, kAspect);
+        const auto a = camera->project((d - way) * kBall, kAspect);
+        const auto b = camera->project((d + way) * kBall, kAspect);
         if (!a || !b) return 0;
         across[i] = *b - *a;
         across[i].x -= std::round(across[i].x);  // over the seam of a picture all round
       }
-      const auto middle = camera->place(d * kBall, kAspect);
+      const auto middle = camera->project(d * kBall, kAspect);
       if (!middle || middle->x < 0 || middle->x >= 1 || middle->y < 0 || middle->y >= 1) return 0;
       return static_cast<double>(std::fabs(across[0].x * across[1].y - across[0].y * across[1].x) /
                                  (step * step));
@@ -262,7 +262,7 @@ TEST(Orthographic, RaysAreParallelAndSpanTheWidth) {
   EXPECT_NEAR(length(left.origin - Vec3f(-2, 2, 3)), 0, 1e-6);
   EXPECT_NEAR(length(top.origin - Vec3f(1, 3.5f, 3)), 0, 1e-6);
   EXPECT_NEAR(camera->depth({9, 9, -1}), 4, 1e-6);
-  EXPECT_FALSE(camera->place({0, 0, 4}, 2)) << "behind";
+  EXPECT_FALSE(camera->project({0, 0, 4}, 2)) << "behind";
 }
 
 TEST(Panoramic, HoldsLongitudeAndLatitude) {

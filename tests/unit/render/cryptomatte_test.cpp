@@ -48,7 +48,7 @@ TEST(Cryptomatte, MattesSplitTheAlpha) {
   scene.objects = {object(floor_mesh(2), 0.5), object(wall, 0.5)};
   scene.objects[0].name = "floor", scene.objects[1].name = "wall";
   Options o = options(40, 30, 16, 0);
-  o.layers = scene_layers(scene, {"beauty", "A", "cryptomatte"});
+  o.aovs = scene_aovs(scene, {"beauty", "A", "cryptomatte"});
   const image::Image picture = render(scene, o);
   const auto at = [&](int x, int y, const std::string& channel) {
     return picture.at(x, y, static_cast<size_t>(picture.find_channel(channel)));
@@ -79,16 +79,16 @@ TEST(Cryptomatte, ElementsOfAMesh) {
   };
   mask(left, "door", 1), mask(left, "window", 0), mask(right, "door", 0), mask(right, "window", 1);
   scene.objects = {object(left, 0.5), object(right, 0.5)};
-  EXPECT_THROW(scene_layers(scene, {"beauty", "CryptoElement"}), Error) << "it has no elements";
-  EXPECT_FALSE(scene_layers(scene, {"all"}).has("CryptoElement"));
+  EXPECT_THROW(scene_aovs(scene, {"beauty", "CryptoElement"}), Error) << "it has no elements";
+  EXPECT_FALSE(scene_aovs(scene, {"all"}).has("CryptoElement"));
   for (Object& object : scene.objects) object.elements = {"window", "door"};
-  EXPECT_TRUE(scene_layers(scene, {"all"}).has("CryptoElement"));
+  EXPECT_TRUE(scene_aovs(scene, {"all"}).has("CryptoElement"));
 
   Options o = options(41, 30, 16, 0);  // the seam goes through the pixels in the middle
   // Beside layers of the same attributes and what stands behind them in a film.
-  o.layers = scene_layers(
+  o.aovs = scene_aovs(
       scene, {"beauty", "A", "attribute_window", "motion", "wetness", "CryptoElement", "parts"});
-  EXPECT_EQ(o.layers.subjects("CryptoElement"), (std::vector<std::string>{"door", "window"}));
+  EXPECT_EQ(o.aovs.subjects("CryptoElement"), (std::vector<std::string>{"door", "window"}));
   const image::Image picture = render(scene, o);
   const auto at = [&](int x, int y, const std::string& channel) {
     return picture.at(x, y, static_cast<size_t>(picture.find_channel(channel)));
@@ -110,7 +110,7 @@ TEST(Cryptomatte, ElementsOfAMesh) {
       mixed |= second > 0;
     }
   EXPECT_TRUE(mixed);
-  const image::Metadata notes = crypto_metadata(o.layers);
+  const image::Metadata notes = crypto_metadata(o.aovs);
   ASSERT_EQ(notes.size(), 4u);
   EXPECT_NE(notes[3].second.find("\"door\":"), std::string::npos) << notes[3].second;
 }

@@ -30,7 +30,7 @@ TEST(Deep, CompositingGivesTheMeansOfAnySamples) {
   for (int trial = 0; trial < 300; ++trial) {
     DeepOptions options;
     options.tolerance = trial % 3 == 0 ? 0 : 0.02;
-    options.most = 1 + random.below(20);
+    options.max_samples = 1 + random.below(20);
     DeepPixel pixel(options);
     const size_t count = 1 + random.below(80);
     double mean[4] = {0, 0, 0, 0};
@@ -44,7 +44,7 @@ TEST(Deep, CompositingGivesTheMeansOfAnySamples) {
       pixel.add(sample(hit, alpha, light), 1 + std::floor(6 * any()) + 0.01 * any());
     }
     const std::vector<image::DeepSample> samples = pixel.finish();
-    ASSERT_LE(samples.size(), options.most);
+    ASSERT_LE(samples.size(), options.max_samples);
     for (size_t i = 0; i < samples.size(); ++i) {
       ASSERT_LE(samples[i].near, samples[i].far);
       ASSERT_GE(samples[i].alpha, 0);
@@ -110,10 +110,10 @@ TEST(Deep, ARendersDeepPictureIsItsBeauty) {
   }
   EXPECT_GT(edges, 60u);
   o.threads = 3;
-  o.tile = 7;
+  o.tile_size = 7;
   render(scene, o, Progress::none(), {}, &again);
   EXPECT_EQ(again.pixels, deep.pixels);
-  o.deep.reset(), o.threads = 0, o.tile = 16;
+  o.deep.reset(), o.threads = 0, o.tile_size = 16;
   EXPECT_EQ(render(scene, o), picture);
 }
 

@@ -57,9 +57,9 @@ TEST(Film, StepsAreAsFineAsPromised) {
   EXPECT_EQ(to_wide(0x1p-65, kLightBits), 0);
   EXPECT_EQ(from_wide(to_wide(0x1p56, kSquareBits), kSquareBits), 0x1p56);
   // 2^20 of the brightest samples, and their squares, are still positive.
-  EXPECT_GT(to_wide(kMostLight, kLightBits) << 20, 0);
-  EXPECT_GT(to_wide(kMostLight * kMostLight, kSquareBits) << 20, 0);
-  EXPECT_LT(kMostPlain * (1 << kPlainBits) * (1 << 20), 0x1p63);
+  EXPECT_GT(to_wide(kMaxLight, kLightBits) << 20, 0);
+  EXPECT_GT(to_wide(kMaxLight * kMaxLight, kSquareBits) << 20, 0);
+  EXPECT_LT(kMaxPlain * (1 << kPlainBits) * (1 << 20), 0x1p63);
 }
 
 TEST(Film, MeansAndVariancesAreThoseOfTheSamples) {
@@ -89,10 +89,10 @@ TEST(Film, WhatIsNoNumberIsCountedAndLeftOut) {
   PixelSum sum;
   sum.add(good, *camera), sum.add(bad, *camera), sum.add(good, *camera);
   EXPECT_EQ(sum.samples, 2u);
-  EXPECT_EQ(sum.refused, 1u);
+  EXPECT_EQ(sum.invalid, 1u);
   EXPECT_EQ(sum.mean(0), 2);
   sum.add(bright, *camera);
-  EXPECT_EQ(sum.cut, 1u);
+  EXPECT_EQ(sum.clamped, 1u);
   EXPECT_EQ(sum.samples, 3u);
 }
 

@@ -109,7 +109,7 @@ TEST(Furnace, SealedShellStaysDark) {
 TEST(Furnace, EdgesAreTight) {
   Scene scene;
   scene.objects = {object(dented_shell(), 0.8)};
-  const World world(scene);
+  const PreparedScene world(scene);
   const mesh::Mesh& shell = *scene.objects[0].mesh;
   RandomStream random(RandomKey(4));
   int through = 0;

@@ -24,7 +24,7 @@ Scene hidden_lamp() {
 image::Image picture(const char* guide, uint64_t seed, int spp, int threads = 0,
                      const char* roulette = "worth", int light_samples = 2) {
   Options o = options(16, 12, spp, 6);
-  o.layers = plan_layers({"beauty", "parts"}, {});
+  o.aovs = plan_aovs({"beauty", "parts"}, {});
   o.integrator = make_integrator("path", {{"max_bounces", 6},
                                           {"guide", Value::Name{guide}},
                                           {"roulette", Value::Name{roulette}},
@@ -75,7 +75,7 @@ TEST(GuidedPath, PartsSumToTheBeauty) {
   double whole = 0, sum = 0;
   for (const char* c : {"R", "G", "B"}) {
     whole += mean_of(taken, c).value;
-    for (const std::string& part : part_names()) sum += mean_of(taken, part + "." + c).value;
+    for (const std::string& part : component_names()) sum += mean_of(taken, part + "." + c).value;
   }
   EXPECT_GT(mean_of(taken, "diffuse_indirect.R").value, 0);
   EXPECT_NEAR(sum, whole, 1e-5 * whole);

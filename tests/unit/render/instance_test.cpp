@@ -52,7 +52,7 @@ Object placed(const mesh::MeshPtr& mesh, const Transform& place) {
   Object out;
   out.name = "instance";
   out.mesh = mesh;
-  out.placing = std::make_shared<const Placing>(place);
+  out.instance = std::make_shared<const InstanceTransform>(place);
   return out;
 }
 
@@ -91,7 +91,7 @@ std::vector<Ray> rays_at(const Box3f& box, size_t count) {
 TEST(Instance, IsHitAsTheMovedMeshIs) {
   const mesh::MeshPtr mesh = lump();
   for (const Transform& place : places()) {
-    const World own(only(baked(mesh, place))), world(only(placed(mesh, place)));
+    const PreparedScene own(only(baked(mesh, place))), world(only(placed(mesh, place)));
     const float scale = own.bounds().size().length();
     // Single precision at the distance the place is from the origin of the scene.
     const float close = 2e-6f * (scale + Vec3f(place.origin()).length());
@@ -122,7 +122,7 @@ TEST(Instance, IsHitAsTheMovedMeshIs) {
 TEST(Instance, IsTightWhereverItStands) {
   const mesh::MeshPtr mesh = lump();
   for (const Transform& place : places()) {
-    const World world(only(placed(mesh, place)));
+    const PreparedScene world(only(placed(mesh, place)));
     RandomStream random(RandomKey(3));
     size_t out = 0, bounces = 0;
     Ray ray{Vec3f(place.point({0.3, -0.1, 0.2})), {0, 0, 1}};
@@ -195,10 +195,10 @@ TEST(Instance, ThatShinesLightsAsTheMovedMeshDoes) {
 
 TEST(Instance, ThatShinesAndMovesIsRefused) {
   Object lamp = placed(std::make_shared<const mesh::Mesh>(floor_mesh(1)), Transform());
-  lamp.placing = std::make_shared<const Placing>(
+  lamp.instance = std::make_shared<const InstanceTransform>(
       std::vector<Transform>{Transform(), Transform::translation({1, 0, 0})});
   lamp.emission = Rgb(1);
-  EXPECT_THROW(World(only(lamp)), Error);
+  EXPECT_THROW(PreparedScene(only(lamp)), Error);
 }
 
 /// What masks are asked about: the mesh's own space, or where the instance stands.
@@ -206,8 +206,8 @@ TEST(Instance, IsPaintedInItsOwnSpaceOrByItsPlace) {
   Object piece = placed(std::make_shared<const mesh::Mesh>(floor_mesh(1)),
                         Transform::translation({0, 3, 0}) * Transform::scaling(Vec3d(2)));
   for (const bool by_place : {false, true}) {
-    piece.looks_by_place = by_place;
-    const World world(only(piece));
+    piece.world_space_material = by_place;
+    const PreparedScene world(only(piece));
     Hit hit;
     ASSERT_TRUE(world.intersect({{0.3f, 10, 0.2f}, {0, -1, 0}}, hit));
     hit.surface.footprint = 0.5f;
@@ -230,15 +230,15 @@ TEST(Instance, ManyOfOneMeshTakeLittleMemory) {
   EXPECT_LT(all - tree, 999 * 2000.0);
 }
 
-TEST(Placing, BlendsItsSteps) {
-  const Placing placing({Transform(), Transform::translation({2, 0, 0}),
+TEST(InstanceTransform, BlendsItsSteps) {
+  const InstanceTransform instance({Transform(), Transform::translation({2, 0, 0}),
                          Transform::translation({2, 4, 0}) * Transform::scaling(Vec3d(3))});
-  EXPECT_EQ(placing.at(0).origin, Vec3f(0.0f));
-  EXPECT_EQ(placing.at(0.25f).origin, Vec3f(1, 0, 0));
-  EXPECT_EQ(placing.at(0.75f).origin, Vec3f(2, 2, 0));
-  EXPECT_EQ(placing.at(0.75f).x, Vec3f(2, 0, 0));
-  EXPECT_EQ(placing.at(1).origin, Vec3f(2, 4, 0));
-  const Vec3d back = placing.to_own(0.75f).point({4, 4, 2});
+  EXPECT_EQ(instance.at(0).origin, Vec3f(0.0f));
+  EXPECT_EQ(instance.at(0.25f).origin, Vec3f(1, 0, 0));
+  EXPECT_EQ(instance.at(0.75f).origin, Vec3f(2, 2, 0));
+  EXPECT_EQ(instance.at(0.75f).x, Vec3f(2, 0, 0));
+  EXPECT_EQ(instance.at(1).origin, Vec3f(2, 4, 0));
+  const Vec3d back = instance.inverse(0.75f).point({4, 4, 2});
   EXPECT_NEAR((back - Vec3d(1, 1, 1)).length(), 0, 1e-6);
 }
 

@@ -34,7 +34,7 @@ float alpha_at(const image::Image& picture, int x, int y) {
 TEST(Motion, AMovingEdgeIsARamp) {
   constexpr double kWay = 0.8;
   Options o = options(80, 20, 1024, 0);
-  o.layers = plan_layers({"beauty", "A"}, {});
+  o.aovs = plan_aovs({"beauty", "A"}, {});
   const image::Image picture =
       render(square_under(moving_camera({from_above(-kWay / 2), from_above(kWay / 2)})), o);
   constexpr double kPixel = 4.0 / 80;
@@ -57,7 +57,7 @@ TEST(Motion, AMovingInstanceIsARamp) {
   constexpr double kWay = 0.8;
   const auto moved = [](double x) { return Transform::translation({x, 0, 0}); };
   Scene scene = square_under(from_above(0));
-  scene.objects[0].placing = std::make_shared<Placing>(
+  scene.objects[0].instance = std::make_shared<InstanceTransform>(
       std::vector<Transform>{moved(-kWay / 2), moved(0), moved(kWay / 2)});
   Options o = options(80, 20, 1024, 0);
   const image::Image picture = render(scene, o);
@@ -68,7 +68,7 @@ TEST(Motion, AMovingInstanceIsARamp) {
     EXPECT_NEAR(alpha_at(picture, x, 10), alpha_at(other, x, 10), 1e-3) << "pixel " << x;
     EXPECT_NEAR(picture.at(x, 10, red), other.at(x, 10, red), 0.01f * other.at(x, 10, red) + 1e-3f);
   }
-  scene.objects[0].placing = std::make_shared<Placing>(moved(0));
+  scene.objects[0].instance = std::make_shared<InstanceTransform>(moved(0));
   EXPECT_EQ(render(scene, options(80, 20, 4, 1)).select({"A"}),
             render(square_under(from_above(0)), options(80, 20, 4, 1)).select({"A"}));
 }
@@ -85,7 +85,7 @@ TEST(Motion, ShadowsHaveTheTimeOfTheirPath) {
   // 300 m in eight steps: gone after the first third of the time.
   std::vector<Transform> places;
   for (int i = 0; i <= 8; ++i) places.push_back(Transform::translation({300.0 * i / 8, 0, 0}));
-  scene.objects[1].placing = std::make_shared<Placing>(places);
+  scene.objects[1].instance = std::make_shared<InstanceTransform>(places);
   const auto light = [&] {
     const image::Image picture = render(scene, options(16, 8, 1024, 0));
     return static_cast<double>(picture.at(8, 4, static_cast<size_t>(picture.find_channel("G"))));
@@ -118,7 +118,7 @@ TEST(Motion, GoesThroughItsMoments) {
     EXPECT_NEAR(ray.origin.x, x, 1e-6);
     EXPECT_NEAR(length(ray.direction - at(0)->ray({0.2f, 0.7f}, 1.5f, {}).direction), 0, 1e-6);
   }
-  EXPECT_EQ(camera->eye(), at(1)->eye());
+  EXPECT_EQ(camera->position(), at(1)->position());
   EXPECT_NEAR(camera->depth_at(1, {0, 0, -3}), 8, 1e-6);
   EXPECT_THROW(moving_camera({}), Error);
 }
@@ -134,13 +134,13 @@ TEST(Motion, LayerTellsPixelsToTheNextFrame) {
   Scene scene = square_under(at(0));
   scene.objects = {object(floor_mesh(9), 0.5)};
   Options o = options(40, 20, 4, 0);
-  o.layers = plan_layers({"beauty", "parts", "motion"}, {});
+  o.aovs = plan_aovs({"beauty", "parts", "motion"}, {});
   const auto mean = [&](const std::string& channel) { return mean_of(render(scene, o), channel); };
   EXPECT_EQ(mean("motion.X").value, 0);
   const image::Image without = render(scene, o).select({"R", "G", "B"});
-  auto step = std::make_shared<FrameStep>();
+  auto step = std::make_shared<MotionStep>();
   step->now = at(0), step->next = at(0.3);
-  o.step = step;
+  o.motion_step = step;
   // The picture's 40 pixels span 4 m of the floor.
   EXPECT_NEAR(mean("motion.X").value, -3, 1e-4);
   EXPECT_NEAR(mean("motion.Y").value, 0, 1e-4);
@@ -151,11 +151,11 @@ TEST(Motion, LayerTellsPixelsToTheNextFrame) {
                                            {"fov", radians(kPi / 2)}});
   EXPECT_NEAR(mean("motion.Y").value, 2, 1e-4) << "what the camera leaves behind goes up";
   step->next = step->now;
-  scene.objects[0].placing = std::make_shared<Placing>(Transform::translation({1, 0, 0}));
-  step->places[0] = {Affine(Transform::translation({1, 0, 0})),
+  scene.objects[0].instance = std::make_shared<InstanceTransform>(Transform::translation({1, 0, 0}));
+  step->transforms[0] = {Affine(Transform::translation({1, 0, 0})),
                      Affine(Transform::translation({1.2, 0, 0}))};
   EXPECT_NEAR(mean("motion.X").value, 2, 1e-4);
-  scene.objects[0].placing = nullptr, step->places.clear();
+  scene.objects[0].instance = nullptr, step->transforms.clear();
   const auto round = [](double turn) {
     return make_camera("panoramic", {{"eye", Vec3d(0, 2, 0)},
                                      {"target", Vec3d(std::sin(turn), 2, -std::cos(turn))}});

@@ -78,11 +78,11 @@ TEST(Opacity, OfAnInstanceIsThatOfItsOwnSpace) {
   const auto right =
       as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
   Scene scene = over_a_light(black(right), 1);
-  scene.objects[1].placing = std::make_shared<const Placing>(
+  scene.objects[1].instance = std::make_shared<const InstanceTransform>(
       Transform::rotation({0, 1, 0}, kPi / 2) * Transform::scaling(Vec3d(0.9)));
   const Mean seen = mean_of(render(scene, options(32, 32, 16, 0)), "G");
   EXPECT_NEAR(seen.value, 0.5, 0.01);
-  scene.objects[1].placing = std::make_shared<const Placing>(Transform::translation({0.7, 0, 0}));
+  scene.objects[1].instance = std::make_shared<const InstanceTransform>(Transform::translation({0.7, 0, 0}));
   EXPECT_EQ(mean_of(render(scene, options(32, 32, 16, 0)), "G").value, 1);
 }
 

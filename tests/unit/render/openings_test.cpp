@@ -38,7 +38,7 @@ Scene room(float hole) {
 
 TEST(Openings, AreFoundWhereTheRoofIsOpen) {
   const Scene scene = room(0.7f);
-  const World world(scene);
+  const PreparedScene world(scene);
   const SamplerPtr sampler = make_sampler("sobol");
   const auto portals =
       find_automatic_portals({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none());
@@ -53,7 +53,7 @@ TEST(Openings, AreNotSoughtInTheOpen) {
   scene.objects.push_back(object(floor_mesh(3), 0.5));
   scene.lights.push_back(make_light("sky"));
   scene.camera = view({0, 2, 3}, {0, 0, 0}, 1);
-  const World world(scene);
+  const PreparedScene world(scene);
   const SamplerPtr sampler = make_sampler("sobol");
   EXPECT_TRUE(find_automatic_portals({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none())
                   .empty());

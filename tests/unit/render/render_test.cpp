@@ -60,7 +60,7 @@ TEST(Render, SameBytesForAnyThreadsAndTiles) {
   const Digest one = bytes(render(scene, o));
   for (const int threads : {2, 7})
     for (const int tile : {8, 16, 37}) {
-      o.threads = threads, o.tile = tile;
+      o.threads = threads, o.tile_size = tile;
       EXPECT_EQ(bytes(render(scene, o)), one) << threads << " threads, tiles of " << tile;
     }
   o.seed = 1;

@@ -26,7 +26,7 @@ double distance_bound(const volume::SurfaceBricks& surface) {
 
 TEST(SurfaceGrid, BallIsHitWhereItIs) {
   const Object object = traced(ball());
-  const World world(only(object));
+  const PreparedScene world(only(object));
   const double bound = distance_bound(*object.surface);
   EXPECT_LT(bound, 0.015 * kVoxel);
   RandomStream random(RandomKey(1));
@@ -67,7 +67,7 @@ TEST(SurfaceGrid, BallIsHitWhereItIs) {
 /// Places a tenth of a voxel apart have normals that differ by that, over cells' borders as well:
 /// no facets. The interpolant's own have: they show that this test can tell.
 TEST(SurfaceGrid, NormalsAreSmoothFromCellToCell) {
-  const World world(only(traced(ball())));
+  const PreparedScene world(only(traced(ball())));
   constexpr double kApart = 0.1 * kVoxel;
   double smooth_jump = 0, sharp_jump = 0, error = 0;
   Hit last;
@@ -100,7 +100,7 @@ TEST(SurfaceGrid, NormalsAreSmoothFromCellToCell) {
 struct Walk {
   size_t out = 0, behind = 0;
 };
-Walk walk(const World& world, const Vec3f& from, bool in_rock, size_t steps) {
+Walk walk(const PreparedScene& world, const Vec3f& from, bool in_rock, size_t steps) {
   Walk result;
   RandomStream random(RandomKey(2));
   const Ray start{from, {0, 0, 1}};
@@ -123,7 +123,7 @@ Walk walk(const World& world, const Vec3f& from, bool in_rock, size_t steps) {
 
 TEST(SurfaceGrid, SealedSolidsAreTightFromWithin) {
   for (const field::Field& solid : {ball(), rough()}) {
-    const Walk done = walk(World(only(traced(solid))), Vec3f(0.0f), true, 300000);
+    const Walk done = walk(PreparedScene(only(traced(solid))), Vec3f(0.0f), true, 300000);
     EXPECT_EQ(done.out, 0u);
     EXPECT_LT(done.behind, 600u);  // straight through there is nothing near, but in sharp valleys
   }
@@ -132,9 +132,9 @@ TEST(SurfaceGrid, SealedSolidsAreTightFromWithin) {
 /// A cave behind walls of a voxel and a half: what counts as a leak in a picture.
 TEST(SurfaceGrid, SealedCavesAreTight) {
   const double wall = 1.5 * kVoxel;
-  const World smooth_cave(only(traced(field::subtract(ball(1 + wall), {ball()}))));
+  const PreparedScene smooth_cave(only(traced(field::subtract(ball(1 + wall), {ball()}))));
   EXPECT_EQ(walk(smooth_cave, Vec3f(0.0f), false, 500000).out, 0u);
-  const World rough_cave(only(traced(field::subtract(ball(1.6), {rough()}))));
+  const PreparedScene rough_cave(only(traced(field::subtract(ball(1.6), {rough()}))));
   EXPECT_EQ(walk(rough_cave, Vec3f(0.0f), false, 500000).out, 0u);
 }
 
@@ -143,7 +143,7 @@ TEST(SurfaceGrid, SealedCavesAreTight) {
 TEST(SurfaceGrid, IsTightOnTheLattice) {
   const field::Field slab = field::make("box", {{"size", Vec3d(2, 1, 2)}});
   for (const field::Field& solid : {rough(), slab}) {
-    const World world(only(traced(solid)));
+    const PreparedScene world(only(traced(solid)));
     const auto step = static_cast<float>(kVoxel);
     for (int i = -8; i <= 8; ++i)
       for (int j = -8; j <= 8; ++j)
@@ -167,7 +167,7 @@ TEST(SurfaceGrid, IsTightOnTheLattice) {
 
 /// Where bricks meet, and everywhere else, a ray goes in and out by turns.
 TEST(SurfaceGrid, EveryWayThroughIsInAndOut) {
-  const World world(only(traced(rough())));
+  const PreparedScene world(only(traced(rough())));
   RandomStream random(RandomKey(5));
   for (int i = 0; i < 20000; ++i) {
     const Vec3f from = sample_sphere(pair(random)) * 5.0f;
@@ -186,7 +186,7 @@ TEST(SurfaceGrid, EveryWayThroughIsInAndOut) {
 
 /// Light that grazes a smooth ball meets nothing on the lit side: no shadows of cells.
 TEST(SurfaceGrid, CellsCastNoShadowsOnEachOther) {
-  const World world(only(traced(ball())));
+  const PreparedScene world(only(traced(ball())));
   RandomStream random(RandomKey(9));
   size_t shadows = 0, asked = 0;
   for (int i = 0; i < 100000; ++i) {
@@ -247,7 +247,7 @@ TEST(SurfaceGrid, IsPaintedWhereItIsMet) {
   object.color = paint::make_paint([](const paint::EvalPoint& spot) {
     return spot.position.y > 0 ? Vec3d(0.9, 2, -1) : spot.normal * -1.0;
   });
-  const World world(only(object));
+  const PreparedScene world(only(object));
   Hit hit;
   ASSERT_TRUE(world.intersect({{0, 3, 0}, {0, -1, 0}}, hit));
   EXPECT_EQ(hit.surface.color, Rgb(0.9f, 1, 0));
@@ -258,7 +258,7 @@ TEST(SurfaceGrid, IsPaintedWhereItIsMet) {
 TEST(SurfaceGrid, CannotShine) {
   Object object = traced(ball());
   object.emission = Rgb(1);
-  EXPECT_THROW(World(only(object)), Error);
+  EXPECT_THROW(PreparedScene(only(object)), Error);
 }
 
 /// A mesh takes some 550 bytes where the surface crosses a square of a voxel's edge.

@@ -19,7 +19,7 @@ std::vector<Transform> places() {
 }
 
 Object placed(Object object, std::vector<Transform> way) {
-  object.placing = std::make_shared<const Placing>(std::move(way));
+  object.instance = std::make_shared<const InstanceTransform>(std::move(way));
   return object;
 }
 
@@ -27,7 +27,7 @@ Object placed(Object object, std::vector<Transform> way) {
 TEST(SurfacePlace, InstancesAreHitWhereTheyStand) {
   const Object own = traced(ball());
   for (const Transform& place : places()) {
-    const World world(only(placed(own, {place})));
+    const PreparedScene world(only(placed(own, {place})));
     const Transform back = place.inverse();
     RandomStream random(RandomKey(7));
     const auto reach = static_cast<float>(3 * place.max_stretch());
@@ -54,7 +54,7 @@ TEST(SurfacePlace, InstancesAreHitWhereTheyStand) {
 }
 
 /// Steps of a random walk inside that end outside.
-size_t leaks(const World& world, const Vec3f& from, int steps) {
+size_t leaks(const PreparedScene& world, const Vec3f& from, int steps) {
   RandomStream random(RandomKey(3));
   const Ray start{from, {0, 0, 1}};
   Ray ray = start;
@@ -86,7 +86,7 @@ TEST(SurfacePlace, InstancesAreTight) {
   const render::Object smooth = traced(lump()), sharp = traced(rough()), mesh = meshed(rough());
   for (const Transform& place : places()) {
     const auto lost = [&](const render::Object& object, int steps) {
-      return leaks(World(only(placed(object, {place}))), Vec3f(place.origin()), steps);
+      return leaks(PreparedScene(only(placed(object, {place}))), Vec3f(place.origin()), steps);
     };
     EXPECT_EQ(lost(smooth, 100000), 0u) << place.origin().x;
     EXPECT_LT(4 * lost(sharp, 100000), lost(mesh, 100000)) << place.origin().x;
@@ -94,10 +94,10 @@ TEST(SurfacePlace, InstancesAreTight) {
 }
 
 TEST(SurfacePlace, GoesItsWayWhileTheShutterIsOpen) {
-  const World world(only(placed(traced(ball()), {Transform(), Transform::translation({4, 0, 0})})));
+  const PreparedScene world(only(placed(traced(ball()), {Transform(), Transform::translation({4, 0, 0})})));
   EXPECT_TRUE(world.moves());
   for (const float time : {0.0f, 0.25f, 1.0f}) {
-    const World now = world.at(time);
+    const PreparedScene now = world.at(time);
     Hit hit;
     ASSERT_TRUE(now.intersect({{4 * time, 0, 5}, {0, 0, -1}}, hit));
     EXPECT_NEAR(hit.distance, 4, 1e-3);

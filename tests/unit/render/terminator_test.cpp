@@ -26,7 +26,7 @@ void expect_smooth_terminator(Object ball, float tolerance) {
   const int size = 96;
   const image::Image picture = render(scene, options(size, size, 4, 1));
   const auto green = static_cast<size_t>(picture.find_channel("G"));
-  const World world(scene);
+  const PreparedScene world(scene);
   size_t grazed = 0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {

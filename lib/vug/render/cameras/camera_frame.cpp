@@ -2,7 +2,7 @@
 
 namespace vug::render {
 
-std::string ViewParams::view_fault() const {
+std::string CameraFrameParams::camera_frame_fault() const {
   const Vec3d forward = target - eye;
   if (!(forward.length() > 0)) return "the camera's eye and target are the same point";
   if (!(forward.cross(up).length() > 1e-9 * forward.length() * up.length()))
@@ -10,7 +10,7 @@ std::string ViewParams::view_fault() const {
   return {};
 }
 
-View::View(const ViewParams& p) {
+CameraFrame::CameraFrame(const CameraFrameParams& p) {
   const Vec3d ahead = (p.target - p.eye).normalized();
   const Vec3d aside = ahead.cross(p.up).normalized();
   eye = Vec3f(p.eye);
@@ -20,7 +20,7 @@ View::View(const ViewParams& p) {
   shutter = {p.shutter_open, p.shutter_open + p.shutter};
 }
 
-std::array<float, 16> View::world_to_camera() const {
+std::array<float, 16> CameraFrame::world_to_camera() const {
   std::array<float, 16> m{};
   const Vec3f axes[] = {right, up, forward};
   for (size_t column = 0; column < 3; ++column) {
@@ -34,7 +34,9 @@ std::array<float, 16> View::world_to_camera() const {
   return m;
 }
 
-Transform View::place() const { return {Vec3d(right), Vec3d(up), -Vec3d(forward), Vec3d(eye)}; }
+Transform CameraFrame::place() const {
+  return {Vec3d(right), Vec3d(up), -Vec3d(forward), Vec3d(eye)};
+}
 
 std::array<float, 16> product(const std::array<float, 16>& a, const std::array<float, 16>& b) {
   std::array<float, 16> out{};

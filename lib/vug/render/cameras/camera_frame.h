@@ -10,7 +10,7 @@
 
 namespace vug::render {
 
-struct ViewParams {
+struct CameraFrameParams {
   Vec3d eye{0, 0, 5};
   Vec3d target{0, 0, 0};
   Vec3d up{0, 1, 0};
@@ -18,11 +18,11 @@ struct ViewParams {
   double shutter_open = 0;
 
   /// A sentence when they are no view; for the `fault` of a kind.
-  std::string view_fault() const;
+  std::string camera_frame_fault() const;
 };
 
 template <class P>
-Schema<P>& describe_view(Schema<P>& s) {
+Schema<P>& describe_camera_frame(Schema<P>& s) {
   return s.param("eye", &P::eye, any_length("Where the camera stands."))
       .param("target", &P::target, any_length("What it looks at."))
       .param("up", &P::up, {.doc = "Which way is up in the picture."});
@@ -61,8 +61,8 @@ Schema<P>& describe_stereo(Schema<P>& s) {
 }
 
 /// The eye and three axes at right angles, each of unit length.
-struct View {
-  explicit View(const ViewParams& p);
+struct CameraFrame {
+  explicit CameraFrame(const CameraFrameParams& p);
 
   Vec3f to_world(const Vec3f& local) const {
     return right * local.x + up * local.y + forward * local.z;

@@ -40,9 +40,9 @@ Schema<P>& describe_lens(Schema<P>& s) {
 }
 
 /// Uniform points of an opening of radius 1, x to the right and y up.
-class Opening {
+class ApertureShape {
  public:
-  explicit Opening(const LensParams& p)
+  explicit ApertureShape(const LensParams& p)
       : blades_(p.blades), turn_(static_cast<float>(p.blade_turn / (2 * kPi))) {
     turn_ -= std::floor(turn_);
   }

@@ -14,20 +14,20 @@ class MovingCamera final : public Camera {
   Ray ray(const Vec2f& film, float aspect, const Vec2f& lens) const override {
     return ray_at(0.5f, film, aspect, lens);
   }
-  std::optional<Vec2f> place(const Vec3f& point, float aspect) const override {
-    return middle().place(point, aspect);
+  std::optional<Vec2f> project(const Vec3f& point, float aspect) const override {
+    return middle().project(point, aspect);
   }
   float period() const override { return middle().period(); }
-  Vec3f eye() const override { return middle().eye(); }
+  Vec3f position() const override { return middle().position(); }
   float depth(const Vec3f& point) const override { return depth_at(0.5f, point); }
   std::optional<CameraMatrices> matrices(float aspect) const override {
     return middle().matrices(aspect);
   }
   Shutter shutter() const override { return middle().shutter(); }
-  CameraPtr eye_view(int side) const override {
+  CameraPtr stereo_view(int side) const override {
     std::vector<CameraPtr> views;
     for (const CameraPtr& moment : moments_) {
-      views.push_back(moment->eye_view(side));
+      views.push_back(moment->stereo_view(side));
       if (!views.back()) return nullptr;
     }
     return moving_camera(std::move(views));

@@ -1,19 +1,20 @@
 // A camera that looks all round: longitude to the right, latitude upwards, both evenly spaced
 // (equirectangular). The middle of the picture looks at the target.
+#include <vug/render/cameras/camera_frame.h>
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
-#include <vug/render/cameras/camera_frame.h>
 
 namespace vug::render {
 namespace {
 
-struct Panoramic : ViewParams, StereoParams {
+struct Panoramic : CameraFrameParams, StereoParams {
   double horizontal = 2 * kPi;
   std::optional<double> vertical;
 
   static void describe(Schema<Panoramic>& s) {
-    describe_view(s.doc("A view all round, in longitude and latitude: a picture twice as wide as "
-                        "high holds all directions."))
+    describe_camera_frame(
+        s.doc("A view all round, in longitude and latitude: a picture twice as wide as "
+              "high holds all directions."))
         .param("horizontal", &Panoramic::horizontal,
                {.doc = "How far round the picture goes.",
                 .dimension = Dimension::angle,
@@ -27,13 +28,13 @@ struct Panoramic : ViewParams, StereoParams {
                 .max = kPi});
     describe_shutter(describe_stereo(s));
   }
-  std::string fault() const { return view_fault(); }
+  std::string fault() const { return camera_frame_fault(); }
 };
 
 class PanoramicCamera final : public Camera {
  public:
   explicit PanoramicCamera(const Panoramic& p)
-      : view_(p), turns_round_(static_cast<float>(p.horizontal / (2 * kPi))) {
+      : frame_(p), turns_round_(static_cast<float>(p.horizontal / (2 * kPi))) {
     if (p.vertical) turns_high_ = static_cast<float>(*p.vertical / (2 * kPi));
     half_distance_ = static_cast<float>(0.5 * p.interaxial);
     if (p.convergence) convergence_ = static_cast<float>(*p.convergence);
@@ -43,39 +44,39 @@ class PanoramicCamera final : public Camera {
     const SinCos longitude = sincos_turns((film.x - 0.5f) * turns_round_);
     const SinCos latitude = sincos_turns((0.5f - film.y) * turns_high(aspect));
     const Vec3f local(latitude.cos * longitude.sin, latitude.sin, latitude.cos * longitude.cos);
-    const Vec3f direction = normalized(view_.to_world(local));
-    if (!(std::fabs(aside_) > 0)) return {view_.eye, direction};
+    const Vec3f direction = normalized(frame_.to_world(local));
+    if (!(std::fabs(aside_) > 0)) return {frame_.eye, direction};
     const Vec3f shift = shift_of(longitude, (0.5f - film.y) * turns_high(aspect));
-    if (!(convergence_ > 0)) return {view_.eye + shift, direction};
-    return {view_.eye + shift, normalized(direction * convergence_ - shift)};
+    if (!(convergence_ > 0)) return {frame_.eye + shift, direction};
+    return {frame_.eye + shift, normalized(direction * convergence_ - shift)};
   }
-  std::optional<Vec2f> place(const Vec3f& point, float aspect) const override {
-    if (!(std::fabs(aside_) > 0)) return middle_place(point, aspect);
+  std::optional<Vec2f> project(const Vec3f& point, float aspect) const override {
+    if (!(std::fabs(aside_) > 0)) return project_from_center(point, aspect);
     // The eye stands aside of where it looks: looked up by a few steps from the middle.
-    std::optional<Vec2f> place = middle_place(point, aspect);
+    std::optional<Vec2f> place = project_from_center(point, aspect);
     for (int step = 0; place && step < 8; ++step) {
       const SinCos longitude = sincos_turns((place->x - 0.5f) * turns_round_);
       const Vec3f shift = shift_of(longitude, (0.5f - place->y) * turns_high(aspect));
-      Vec3f way = point - view_.eye - shift;
+      Vec3f way = point - frame_.eye - shift;
       if (convergence_ > 0) {  // from the middle to where the ray crosses the ball of convergence
         way = normalized(way);
         const float b = dot(shift, way), c = dot(shift, shift) - convergence_ * convergence_;
         way = shift + way * (-b + std::sqrt(std::max(0.0f, b * b - c)));
       }
-      place = middle_place(view_.eye + way, aspect);
+      place = project_from_center(frame_.eye + way, aspect);
     }
     return place;
   }
   float period() const override { return 1 / turns_round_; }
-  Vec3f eye() const override { return view_.eye; }
-  float depth(const Vec3f& point) const override { return length(point - view_.eye); }
+  Vec3f position() const override { return frame_.eye; }
+  float depth(const Vec3f& point) const override { return length(point - frame_.eye); }
   std::optional<CameraMatrices> matrices(float) const override {
-    return CameraMatrices{view_.world_to_camera(), std::nullopt};
+    return CameraMatrices{frame_.world_to_camera(), std::nullopt};
   }
-  Shutter shutter() const override { return view_.shutter; }
+  Shutter shutter() const override { return frame_.shutter; }
   /// Omni-directional stereo: wherever one looks, the eyes stand beside each other. Peleg et al.
   /// 2001, "Omnistereo" (peleg2001omnistereo).
-  CameraPtr eye_view(int side) const override {
+  CameraPtr stereo_view(int side) const override {
     if (!(half_distance_ > 0)) return nullptr;
     auto one = std::make_shared<PanoramicCamera>(*this);
     one->aside_ = half_distance_ * static_cast<float>(side);
@@ -84,8 +85,8 @@ class PanoramicCamera final : public Camera {
   }
 
  private:
-  std::optional<Vec2f> middle_place(const Vec3f& point, float aspect) const {
-    const Vec3f local = view_.to_local(point);
+  std::optional<Vec2f> project_from_center(const Vec3f& point, float aspect) const {
+    const Vec3f local = frame_.to_local(point);
     const float level = std::sqrt(local.x * local.x + local.z * local.z);
     if (!(level > 0 || std::fabs(local.y) > 0)) return std::nullopt;
     const auto signed_turns = [](float turns) { return turns < 0.5f ? turns : turns - 1; };
@@ -99,13 +100,13 @@ class PanoramicCamera final : public Camera {
     const float t =
         std::clamp((std::fabs(latitude_turns) - kApart) / (kTogether - kApart), 0.0f, 1.0f);
     const float part = 1 - t * t * (3 - 2 * t);
-    return (view_.right * longitude.cos - view_.forward * longitude.sin) * (aside_ * part);
+    return (frame_.right * longitude.cos - frame_.forward * longitude.sin) * (aside_ * part);
   }
   float turns_high(float aspect) const {
     return turns_high_ > 0 ? turns_high_ : std::min(turns_round_ / aspect, 0.5f);
   }
 
-  View view_;
+  CameraFrame frame_;
   float turns_round_;
   float turns_high_ = 0;  ///< 0: by the picture's shape.
   float aside_ = 0;       ///< Of one eye: how far it stands to the right of the middle.

@@ -1,17 +1,17 @@
 // A perspective camera, pinhole or thin lens.
 #include <vug/exchange/camera.h>
-#include <vug/render/kind.h>
-#include <vug/render/cameras/lens.h>
 #include <vug/render/cameras/camera_frame.h>
+#include <vug/render/cameras/lens.h>
+#include <vug/render/kind.h>
 
 namespace vug::render {
 namespace {
 
-struct Perspective : ViewParams, LensParams, StereoParams {
+struct Perspective : CameraFrameParams, LensParams, StereoParams {
   double fov = kPi / 3;
 
   static void describe(Schema<Perspective>& s) {
-    describe_view(s.doc("A perspective view with square pixels."))
+    describe_camera_frame(s.doc("A perspective view with square pixels."))
         .param("fov", &Perspective::fov,
                {.doc = "Full horizontal angle of view.",
                 .dimension = Dimension::angle,
@@ -21,14 +21,14 @@ struct Perspective : ViewParams, LensParams, StereoParams {
     describe_shutter(describe_stereo(s));
   }
   std::string fault() const {
-    const std::string fault = view_fault();
+    const std::string fault = camera_frame_fault();
     return fault.empty() ? lens_fault() : fault;
   }
 };
 
 class PerspectiveCamera final : public Camera {
  public:
-  explicit PerspectiveCamera(const Perspective& p) : view_(p), opening_(p) {
+  explicit PerspectiveCamera(const Perspective& p) : frame_(p), aperture_(p) {
     half_width_ = static_cast<float>(maths::tan(0.5 * p.fov));
     lens_radius_ = static_cast<float>(0.5 * p.aperture);
     focus_ = static_cast<float>(p.focus.value_or((p.target - p.eye).length()));
@@ -37,21 +37,21 @@ class PerspectiveCamera final : public Camera {
   }
 
   Ray ray(const Vec2f& film, float aspect, const Vec2f& lens) const override {
-    const Vec3f through = view_.forward + view_.right * ((2 * film.x - 1) * half_width_ + skew_) +
-                          view_.up * ((1 - 2 * film.y) * half_width_ / aspect);
-    if (!(lens_radius_ > 0)) return {view_.eye, normalized(through)};
-    const Vec2f d = opening_.sample(lens);
-    const Vec3f shift = view_.right * (d.x * lens_radius_) + view_.up * (d.y * lens_radius_);
-    return {view_.eye + shift, normalized(through * focus_ - shift)};
+    const Vec3f through = frame_.forward + frame_.right * ((2 * film.x - 1) * half_width_ + skew_) +
+                          frame_.up * ((1 - 2 * film.y) * half_width_ / aspect);
+    if (!(lens_radius_ > 0)) return {frame_.eye, normalized(through)};
+    const Vec2f d = aperture_.sample(lens);
+    const Vec3f shift = frame_.right * (d.x * lens_radius_) + frame_.up * (d.y * lens_radius_);
+    return {frame_.eye + shift, normalized(through * focus_ - shift)};
   }
-  std::optional<Vec2f> place(const Vec3f& point, float aspect) const override {
-    const Vec3f local = view_.to_local(point);
+  std::optional<Vec2f> project(const Vec3f& point, float aspect) const override {
+    const Vec3f local = frame_.to_local(point);
     if (!(local.z > 0)) return std::nullopt;
     const float scale = 0.5f / (local.z * half_width_);
     return Vec2f(0.5f + (local.x - skew_ * local.z) * scale, 0.5f - local.y * scale * aspect);
   }
-  Vec3f eye() const override { return view_.eye; }
-  float depth(const Vec3f& point) const override { return dot(point - view_.eye, view_.forward); }
+  Vec3f position() const override { return frame_.eye; }
+  float depth(const Vec3f& point) const override { return dot(point - frame_.eye, frame_.forward); }
   std::optional<CameraMatrices> matrices(float aspect) const override {
     // w is the depth z; x = z/2 + right / (2 tan(fov/2)), y likewise and downwards. The third
     // column, z - 1, is free: it keeps the matrix invertible.
@@ -62,30 +62,30 @@ class PerspectiveCamera final : public Camera {
     to_ndc[9] = 0.5f;
     to_ndc[10] = to_ndc[11] = 1;
     to_ndc[14] = -1;
-    const auto to_camera = view_.world_to_camera();
+    const auto to_camera = frame_.world_to_camera();
     return CameraMatrices{to_camera, product(to_camera, to_ndc)};
   }
   bool as_data(exchange::Camera& camera) const override {
-    camera.place = view_.place();
+    camera.place = frame_.place();
     camera.fov = 2 * maths::atan2(static_cast<double>(half_width_), 1);
     camera.aperture = 2 * static_cast<double>(lens_radius_);
     camera.focus = static_cast<double>(focus_);
     return true;
   }
-  Shutter shutter() const override { return view_.shutter; }
+  Shutter shutter() const override { return frame_.shutter; }
   /// Both eyes look the same way; each sees a part of the same window at the convergence.
-  CameraPtr eye_view(int side) const override {
+  CameraPtr stereo_view(int side) const override {
     if (!(aside_ > 0)) return nullptr;
     auto one = std::make_shared<PerspectiveCamera>(*this);
-    one->view_.eye += view_.right * (aside_ * static_cast<float>(side));
+    one->frame_.eye += frame_.right * (aside_ * static_cast<float>(side));
     one->skew_ = -inwards_ * static_cast<float>(side);
     one->aside_ = 0;
     return one;
   }
 
  private:
-  View view_;
-  Opening opening_;
+  CameraFrame frame_;
+  ApertureShape aperture_;
   float half_width_, lens_radius_, focus_;
   float skew_ = 0;                 ///< By which the window stands to the right, at distance 1.
   float aside_ = 0, inwards_ = 0;  ///< Of the eyes of stereo: half their distance, and their skew.

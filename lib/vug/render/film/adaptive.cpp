@@ -39,10 +39,10 @@ double squared_noise(const Film& film, const Region& region, double floor) {
 }
 
 /// The log-average luminance of the blocks that light reaches.
-double key_of(const State& state) {
+double key_of(const RenderState& state) {
   double sum = 0, lit = 0;
   for (size_t i = 0; i < state.done.size(); ++i) {
-    const double light = mean_light(state.film, state.region().block(i, State::kBlock));
+    const double light = mean_light(state.film, state.region().tile(i, RenderState::kTileSize));
     if (light > 0) sum += maths::log(light), lit += 1;
   }
   return lit > 0 ? maths::exp(sum / lit) : 0;
@@ -50,16 +50,16 @@ double key_of(const State& state) {
 
 }  // namespace
 
-void settle(State& state, double noise) {
+void mark_converged(RenderState& state, double noise) {
   const Region& region = state.region();
   const double floor = kFloorOfKey * key_of(state);
   std::vector<double> noises(state.done.size()), pixels(state.done.size());
   for (size_t i = 0; i < noises.size(); ++i) {
-    const Region block = region.block(i, State::kBlock);
+    const Region block = region.tile(i, RenderState::kTileSize);
     noises[i] = squared_noise(state.film, block, floor);
     pixels[i] = static_cast<double>(block.pixels());
   }
-  const int across = (region.width() + State::kBlock - 1) / State::kBlock;
+  const int across = (region.width() + RenderState::kTileSize - 1) / RenderState::kTileSize;
   const int down = static_cast<int>(noises.size()) / across;
   const auto number = [&](int x, int y) {
     return static_cast<size_t>(y) * static_cast<size_t>(across) + static_cast<size_t>(x);
@@ -67,14 +67,14 @@ void settle(State& state, double noise) {
   for (int y = 0; y < down; ++y)
     for (int x = 0; x < across; ++x) {
       const size_t block = number(x, y);
-      if (state.settled[block] || state.done[block] - state.begin < kFewestSamples) continue;
+      if (state.converged[block] || state.done[block] - state.begin < kMinAdaptiveSamples) continue;
       double near = 0, count = 0;
       for (int v = std::max(0, y - 1); v <= std::min(down - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(across - 1, x + 1); ++u) {
           const size_t neighbour = number(u, v);
           near += noises[neighbour], count += pixels[neighbour];
         }
-      if (near <= noise * noise * count) state.settled[block] = 1;
+      if (near <= noise * noise * count) state.converged[block] = 1;
     }
 }
 

@@ -1,6 +1,6 @@
 #include <vug/base/diagnostics.h>
-#include <vug/render/film/cryptomatte.h>
 #include <vug/render/film/aovs.h>
+#include <vug/render/film/cryptomatte.h>
 #include <vug/render/scene.h>
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ struct Out {
 };
 
 struct Kind {
-  LayerInfo info;
+  AovInfo info;
   void (*write)(Out&);
 };
 
@@ -72,7 +72,7 @@ std::vector<std::string> colour(const std::string& layer) {
 }
 
 bool is_part(const std::string& name) {
-  const auto& parts = part_names();
+  const auto& parts = component_names();
   return std::find(parts.begin(), parts.end(), name) != parts.end();
 }
 
@@ -85,19 +85,19 @@ struct Summed {
   bool surface = false;
 };
 
-/// In the order of TallyPlan.
-Summed summed(const LayerPlan& plan, const std::string& name) {
-  const auto& parts = part_names();
+/// In the order of LightPathPlan.
+Summed summed(const AovPlan& plan, const std::string& name) {
+  const auto& parts = component_names();
   const auto part = std::find(parts.begin(), parts.end(), name);
   if (part != parts.end()) return {static_cast<size_t>(part - parts.begin())};
-  size_t index = plan.parts() ? parts.size() : 0;
+  size_t index = plan.has_components() ? parts.size() : 0;
   for (const std::string& group : plan.groups) {
     if (kLight + group == name) return {index};
     ++index;
   }
   if (name == kWetness) return {index, 1, true};
   if (plan.has(kWetness)) ++index;
-  for (const LayerAttribute& attribute : plan.attributes) {
+  for (const AovAttribute& attribute : plan.attributes) {
     if (kAttribute + attribute.name == name) return {index, attribute.arity, true};
     ++index;
   }
@@ -106,13 +106,13 @@ Summed summed(const LayerPlan& plan, const std::string& name) {
 }
 
 /// The attributes of all meshes, each once, with the largest arity it has.
-std::vector<LayerAttribute> attributes_of(const Scene& scene) {
-  std::vector<LayerAttribute> out;
+std::vector<AovAttribute> attributes_of(const Scene& scene) {
+  std::vector<AovAttribute> out;
   for (const Object& object : scene.objects) {
     if (!object.mesh) continue;
     for (const mesh::Attribute& attribute : object.mesh->attributes) {
       const auto arity = static_cast<uint32_t>(std::clamp(attribute.arity, 1, 3));
-      auto found = std::find_if(out.begin(), out.end(), [&](const LayerAttribute& known) {
+      auto found = std::find_if(out.begin(), out.end(), [&](const AovAttribute& known) {
         return known.name == attribute.name;
       });
       if (found == out.end()) found = out.insert(found, {attribute.name, arity});
@@ -123,8 +123,8 @@ std::vector<LayerAttribute> attributes_of(const Scene& scene) {
 }
 
 /// Attributes that are asked for by name.
-std::vector<LayerAttribute> named_attributes(const std::vector<std::string>& names) {
-  std::vector<LayerAttribute> out;
+std::vector<AovAttribute> named_attributes(const std::vector<std::string>& names) {
+  std::vector<AovAttribute> out;
   for (const std::string& name : names)
     if (is_attribute(name)) out.push_back({name.substr(std::strlen(kAttribute)), 3});
   return out;
@@ -142,7 +142,7 @@ CryptoShares element_shares(const Film& film, int x, int y, size_t first, const 
   CryptoShares shares;
   const double samples = std::max(film.at(x, y).samples, 1u);
   for (size_t i = 0; i < ids.size(); ++i) {
-    const double share = from_wide(film.lights(x, y)[3 * (first + i)], kLightBits) / samples;
+    const double share = from_wide(film.colours(x, y)[3 * (first + i)], kLightBits) / samples;
     if (share > 0) shares.emplace_back(ids[i], static_cast<float>(share));
   }
   return shares;
@@ -150,12 +150,13 @@ CryptoShares element_shares(const Film& film, int x, int y, size_t first, const 
 
 }  // namespace
 
-const std::vector<LayerInfo>& layers() {
-  static const std::vector<LayerInfo> all = [] {
-    std::vector<LayerInfo> list;
+const std::vector<AovInfo>& aovs() {
+  static const std::vector<AovInfo> all = [] {
+    std::vector<AovInfo> list;
     for (const Kind& kind : kinds()) list.push_back(kind.info);
-    for (const std::string& part : part_names())
-      list.push_back({part, "A part of the beauty: see docs/reference/rendering.md.", colour(part), false});
+    for (const std::string& part : component_names())
+      list.push_back(
+          {part, "A part of the beauty: see docs/reference/rendering.md.", colour(part), false});
     list.push_back({kMotion,
                     "Pixels by which the first surface goes until the next frame, to the right and "
                     "upwards.",
@@ -171,16 +172,16 @@ const std::vector<LayerInfo>& layers() {
   return all;
 }
 
-std::vector<std::string> LayerPlan::channels() const {
+std::vector<std::string> AovPlan::channels() const {
   std::vector<std::string> out;
   for (const std::string& name : names) {
-    const auto& known = layers();
+    const auto& known = aovs();
     const auto layer = std::find_if(known.begin(), known.end(),
-                                    [&](const LayerInfo& info) { return info.name == name; });
+                                    [&](const AovInfo& info) { return info.name == name; });
     auto more = layer != known.end() ? layer->channels
                 : is_crypto(name)    ? crypto_channels(name)
                                      : colour(name);
-    for (const LayerAttribute& attribute : attributes)
+    for (const AovAttribute& attribute : attributes)
       if (kAttribute + attribute.name == name) {
         more.clear();
         for (uint32_t i = 0; i < attribute.arity; ++i) more.push_back(name + '.' + "XYZ"[i]);
@@ -190,19 +191,19 @@ std::vector<std::string> LayerPlan::channels() const {
   return out;
 }
 
-Gather LayerPlan::gather() const {
-  Gather gather;
-  gather.lights = (parts() ? part_names().size() : 0) + groups.size() + (has(kWetness) ? 1 : 0) +
-                  attributes.size() + (has(kMotion) ? 1 : 0);
-  gather.coverage = has(kCryptoObject) || has(kCryptoMaterial);
-  return gather;
+FilmLayout AovPlan::layout() const {
+  FilmLayout layout;
+  layout.colours = (has_components() ? component_names().size() : 0) + groups.size() +
+                   (has(kWetness) ? 1 : 0) + attributes.size() + (has(kMotion) ? 1 : 0);
+  layout.coverage = has(kCryptoObject) || has(kCryptoMaterial);
+  return layout;
 }
 
-size_t LayerPlan::first_element() const {
+size_t AovPlan::first_element() const {
   return static_cast<size_t>(std::count_if(names.begin(), names.end(), is_attribute));
 }
 
-std::vector<std::string> LayerPlan::subjects(const std::string& layer) const {
+std::vector<std::string> AovPlan::subjects(const std::string& layer) const {
   if (layer == kCryptoObject) return objects;
   if (layer == kCryptoMaterial) return materials;
   std::vector<std::string> elements;
@@ -211,29 +212,29 @@ std::vector<std::string> LayerPlan::subjects(const std::string& layer) const {
   return elements;
 }
 
-bool LayerPlan::has(const std::string& name) const {
+bool AovPlan::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool LayerPlan::parts() const { return std::any_of(names.begin(), names.end(), is_part); }
+bool AovPlan::has_components() const { return std::any_of(names.begin(), names.end(), is_part); }
 
-LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<std::string>& groups,
-                      const std::vector<LayerAttribute>& attributes,
-                      const std::vector<std::string>& elements) {
+AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::string>& groups,
+                  const std::vector<AovAttribute>& attributes,
+                  const std::vector<std::string>& elements) {
   std::vector<std::string> known;
-  for (const LayerInfo& layer : layers()) known.push_back(layer.name);
+  for (const AovInfo& layer : aovs()) known.push_back(layer.name);
   for (const std::string& group : groups) known.push_back(kLight + group);
   const size_t lights_end = known.size();
-  for (const LayerAttribute& attribute : attributes) known.push_back(kAttribute + attribute.name);
+  for (const AovAttribute& attribute : attributes) known.push_back(kAttribute + attribute.name);
   const size_t attributes_end = known.size();
   if (!elements.empty()) known.emplace_back(kCryptoElement);
   std::vector<bool> chosen(known.size());
-  for (size_t i = 0; i < layers().size(); ++i) chosen[i] = names.empty() && layers()[i].usual;
+  for (size_t i = 0; i < aovs().size(); ++i) chosen[i] = names.empty() && aovs()[i].is_default;
   for (const std::string& name : names) {
     bool found = name == "parts" || name == "lights" || name == "attributes" ||
                  name == "cryptomatte" || name == "all";
     for (size_t i = 0; i < known.size(); ++i) {
-      const bool light = i >= layers().size() && i < lights_end;
+      const bool light = i >= aovs().size() && i < lights_end;
       if (!(known[i] == name || name == "all" || (name == "parts" && is_part(known[i])) ||
             (name == "lights" && light) ||
             (name == "attributes" && i >= lights_end && i < attributes_end) ||
@@ -246,7 +247,7 @@ LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<s
     throw Error(ErrorCode::bad_input, fmt::format("there is no layer '{}'", name), {},
                 suggestion(name, known));
   }
-  LayerPlan plan;
+  AovPlan plan;
   for (size_t i = 0; i < known.size(); ++i) {
     if (!chosen[i]) continue;
     plan.names.push_back(known[i]);
@@ -254,8 +255,8 @@ LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<s
       for (const std::string& element : elements) plan.attributes.push_back({element, 1});
     else if (i >= lights_end)
       plan.attributes.push_back(attributes[i - lights_end]);
-    else if (i >= layers().size())
-      plan.groups.push_back(groups[i - layers().size()]);
+    else if (i >= aovs().size())
+      plan.groups.push_back(groups[i - aovs().size()]);
   }
   // `develop` writes them last.
   std::stable_partition(plan.names.begin(), plan.names.end(),
@@ -265,7 +266,7 @@ LayerPlan plan_layers(const std::vector<std::string>& names, const std::vector<s
   return plan;
 }
 
-LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names) {
+AovPlan scene_aovs(const Scene& scene, const std::vector<std::string>& names) {
   std::vector<std::string> groups;
   const auto add_group = [&](const std::string& group) {
     if (!group.empty() && std::find(groups.begin(), groups.end(), group) == groups.end())
@@ -277,12 +278,14 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
   std::set<std::string> elements;
   for (const Object& object : scene.objects)
     elements.insert(object.elements.begin(), object.elements.end());
-  const bool made = !scene.objects.empty() &&
-                    std::all_of(scene.objects.begin(), scene.objects.end(),
-                                [](const Object& object) { return object.mesh || object.surface; });
-  LayerPlan plan = plan_layers(names, groups, made ? attributes_of(scene) : named_attributes(names),
-                               {elements.begin(), elements.end()});
-  if (!plan.gather().coverage) return plan;
+  const bool has_geometry =
+      !scene.objects.empty() &&
+      std::all_of(scene.objects.begin(), scene.objects.end(),
+                  [](const Object& object) { return object.mesh || object.surface; });
+  AovPlan plan =
+      plan_aovs(names, groups, has_geometry ? attributes_of(scene) : named_attributes(names),
+                {elements.begin(), elements.end()});
+  if (!plan.layout().coverage) return plan;
   for (const Object& object : scene.objects) {
     plan.objects.push_back(object.name);
     plan.materials.push_back(object.material_name);
@@ -290,7 +293,7 @@ LayerPlan scene_layers(const Scene& scene, const std::vector<std::string>& names
   return plan;
 }
 
-void develop(const Film& film, const LayerPlan& plan, const Region& origin, image::Image& image) {
+void develop(const Film& film, const AovPlan& plan, const Region& origin, image::Image& image) {
   std::vector<void (*)(Out&)> writers;
   std::vector<Summed> colours;
   std::vector<Crypto> cryptos;
@@ -304,7 +307,7 @@ void develop(const Film& film, const LayerPlan& plan, const Region& origin, imag
     else
       colours.push_back(summed(plan, name));
   }
-  const size_t first_element = film.gather().lights - (plan.has(kMotion) ? 1 : 0) -
+  const size_t first_element = film.layout().colours - (plan.has(kMotion) ? 1 : 0) -
                                plan.attributes.size() + plan.first_element();
   const Region& region = film.region();
   for (int y = region.y0; y < region.y1; ++y)
@@ -315,7 +318,7 @@ void develop(const Film& film, const LayerPlan& plan, const Region& origin, imag
         const uint32_t over = colour.surface ? out.sum.hits : out.sum.samples;
         const double share = 1.0 / std::max(over, 1u);
         for (size_t i = 0; i < colour.count; ++i)
-          out.put(from_wide(film.lights(x, y)[3 * colour.index + i], kLightBits) * share);
+          out.put(from_wide(film.colours(x, y)[3 * colour.index + i], kLightBits) * share);
       }
       for (const Crypto& crypto : cryptos)
         out.to = crypto.elements

@@ -1,5 +1,5 @@
-#include <vug/render/film/cryptomatte.h>
 #include <vug/render/film/aovs.h>
+#include <vug/render/film/cryptomatte.h>
 
 #include <fmt/format.h>
 
@@ -98,7 +98,7 @@ float* write_crypto(const Coverage& coverage, uint32_t samples, const CryptoIds&
   return write_ranks(std::move(parts), to);
 }
 
-image::Metadata crypto_metadata(const LayerPlan& plan) {
+image::Metadata crypto_metadata(const AovPlan& plan) {
   image::Metadata all;
   for (const std::string& layer : plan.names) {
     if (!is_crypto(layer)) continue;

@@ -14,7 +14,7 @@
 
 namespace vug::render {
 
-struct LayerPlan;
+struct AovPlan;
 
 inline constexpr const char* kCryptoObject = "CryptoObject";
 inline constexpr const char* kCryptoMaterial = "CryptoMaterial";
@@ -41,6 +41,6 @@ float* write_ranks(CryptoShares shares, float* to);
 float* write_crypto(const Coverage& coverage, uint32_t samples, const CryptoIds& ids, float* to);
 
 /// What a picture's header must say of its Cryptomatte layers, with the list of names.
-image::Metadata crypto_metadata(const LayerPlan& plan);
+image::Metadata crypto_metadata(const AovPlan& plan);
 
 }  // namespace vug::render

@@ -16,14 +16,14 @@ void DeepPixel::add(const PathResult& sample, double depth) {
   if (!(std::isfinite(light.x) && std::isfinite(light.y) && std::isfinite(light.z))) return;
   ++samples_;
   const auto limited = [](float v) {
-    return std::clamp(static_cast<double>(v), -kMostLight, kMostLight);
+    return std::clamp(static_cast<double>(v), -kMaxLight, kMaxLight);
   };
   const double place = sample.first.hit ? depth : kDeepSky;
   fragments_.push_back({place, place, static_cast<double>(sample.alpha), limited(light.x),
                         limited(light.y), limited(light.z)});
 }
 
-void DeepPixel::put_together() {
+void DeepPixel::merge_nearby() {
   // Equal depths keep the order of the samples, so that sums round alike whoever renders.
   std::stable_sort(fragments_.begin(), fragments_.end(),
                    [](const Fragment& a, const Fragment& b) { return a.near < b.near; });
@@ -34,7 +34,7 @@ void DeepPixel::put_together() {
       kept.back().merge(next);
     else
       kept.push_back(next);
-  while (kept.size() > std::max<size_t>(options_.most, 1)) {
+  while (kept.size() > std::max<size_t>(options_.max_samples, 1)) {
     size_t nearest = 0;
     double least = kInfinity;
     for (size_t i = 0; i + 1 < kept.size(); ++i) {
@@ -49,7 +49,7 @@ void DeepPixel::put_together() {
 }
 
 std::vector<image::DeepSample> DeepPixel::finish() {
-  put_together();
+  merge_nearby();
   std::vector<image::DeepSample> out;
   double left = static_cast<double>(std::max<size_t>(samples_, 1));  // samples not yet hidden
   for (const Fragment& f : fragments_) {

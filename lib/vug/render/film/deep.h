@@ -10,7 +10,7 @@ namespace vug::render {
 
 struct DeepOptions {
   double tolerance = 0.01;  ///< Surfaces this far apart, as a part of their depth, are one.
-  size_t most = 16;         ///< Samples of a pixel; more are put together where they are nearest.
+  size_t max_samples = 16;  ///< Samples of a pixel; more are put together where they are nearest.
 };
 
 /// One pixel's light by depth. Only surfaces have a place: what the air before them scatters comes
@@ -32,7 +32,7 @@ class DeepPixel {
     double near = 0, far = 0, alpha = 0, r = 0, g = 0, b = 0;
     void merge(const Fragment& behind);
   };
-  void put_together();
+  void merge_nearby();
 
   const DeepOptions options_;
   std::vector<Fragment> fragments_;

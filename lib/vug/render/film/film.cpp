@@ -9,7 +9,7 @@ namespace {
 std::array<float, 3> parts(const Vec3f& v) { return {v.x, v.y, v.z}; }
 
 double limited(float light) {
-  return std::clamp(static_cast<double>(light), -kMostLight, kMostLight);
+  return std::clamp(static_cast<double>(light), -kMaxLight, kMaxLight);
 }
 
 void add_plain(std::array<int64_t, 3>& sums, const Vec3f& v) {
@@ -28,13 +28,13 @@ void add_coverage(Coverage& list, uint32_t object, uint32_t samples) {
 bool PixelSum::add(const PathResult& sample, const Camera& camera) {
   const auto radiance = parts(sample.radiance);
   if (!(std::isfinite(radiance[0]) && std::isfinite(radiance[1]) && std::isfinite(radiance[2]))) {
-    ++refused;
+    ++invalid;
     return false;
   }
   ++samples;
   if (std::max({std::fabs(radiance[0]), std::fabs(radiance[1]), std::fabs(radiance[2])}) >
-      static_cast<float>(kMostLight))
-    ++cut;
+      static_cast<float>(kMaxLight))
+    ++clamped;
   for (size_t i = 0; i < 3; ++i) {
     const double v = limited(radiance[i]);
     light[i] += to_wide(v, kLightBits);
@@ -57,7 +57,7 @@ void PixelSum::merge(const PixelSum& other) {
   }
   alpha += other.alpha, depth += other.depth;
   samples += other.samples, hits += other.hits;
-  refused += other.refused, cut += other.cut;
+  invalid += other.invalid, clamped += other.clamped;
 }
 
 double PixelSum::mean(size_t channel) const {
@@ -71,20 +71,20 @@ double PixelSum::variance(size_t channel) const {
   return std::max(0.0, spread) / (n - 1);
 }
 
-Film::Film(const Region& region, const Gather& gather)
+Film::Film(const Region& region, const FilmLayout& layout)
     : region_(region),
-      gather_(gather),
+      layout_(layout),
       sums_(region.pixels()),
-      lights_(region.pixels() * gather.lights * 3),
-      coverage_(gather.coverage ? region.pixels() : 0) {}
+      colours_(region.pixels() * layout.colours * 3),
+      coverage_(layout.coverage ? region.pixels() : 0) {}
 
-void Film::add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* colours) {
+void Film::add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* values) {
   if (!at(x, y).add(sample, camera)) return;
-  Wide* to = lights(x, y);
-  for (size_t i = 0; i < gather_.lights; ++i)
-    for (const float v : parts(colours[i]))
+  Wide* to = colours(x, y);
+  for (size_t i = 0; i < layout_.colours; ++i)
+    for (const float v : parts(values[i]))
       *to++ += std::isfinite(v) ? to_wide(limited(v), kLightBits) : 0;
-  if (gather_.coverage && sample.first.hit) add_coverage(coverage(x, y), sample.first.object, 1);
+  if (layout_.coverage && sample.first.hit) add_coverage(coverage(x, y), sample.first.object, 1);
 }
 
 void Film::merge(const Film& other) {
@@ -92,24 +92,24 @@ void Film::merge(const Film& other) {
   for (int y = both.y0; y < both.y1; ++y)
     for (int x = both.x0; x < both.x1; ++x) {
       at(x, y).merge(other.at(x, y));
-      const Wide* from = other.lights(x, y);
-      Wide* to = lights(x, y);
-      for (size_t i = 0; i < gather_.lights * 3; ++i) to[i] += from[i];
-      if (!gather_.coverage) continue;
+      const Wide* from = other.colours(x, y);
+      Wide* to = colours(x, y);
+      for (size_t i = 0; i < layout_.colours * 3; ++i) to[i] += from[i];
+      if (!layout_.coverage) continue;
       for (const auto& [object, samples] : other.coverage(x, y))
         add_coverage(coverage(x, y), object, samples);
     }
 }
 
-std::pair<uint64_t, uint64_t> Film::faults() const {
+std::pair<uint64_t, uint64_t> Film::invalid_samples() const {
   std::pair<uint64_t, uint64_t> all;
-  for (const PixelSum& sum : sums_) all.first += sum.refused, all.second += sum.cut;
+  for (const PixelSum& sum : sums_) all.first += sum.invalid, all.second += sum.clamped;
   return all;
 }
 
-double Film::pixel_bytes(const Gather& gather) {
-  return sizeof(PixelSum) + 3.0 * sizeof(Wide) * static_cast<double>(gather.lights) +
-         (gather.coverage ? sizeof(Coverage) : 0);
+double Film::pixel_bytes(const FilmLayout& layout) {
+  return sizeof(PixelSum) + 3.0 * sizeof(Wide) * static_cast<double>(layout.colours) +
+         (layout.coverage ? sizeof(Coverage) : 0);
 }
 
 }  // namespace vug::render

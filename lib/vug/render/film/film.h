@@ -4,8 +4,8 @@
 
 #include <vug/render/camera.h>
 #include <vug/render/film/fixed_point.h>
-#include <vug/render/integrator.h>
 #include <vug/render/film/region.h>
+#include <vug/render/integrator.h>
 
 #include <array>
 #include <string>
@@ -22,10 +22,10 @@ struct PixelSum {
   int64_t alpha = 0, depth = 0;                           ///< In 2^-24.
   uint32_t samples = 0;                                   ///< That the means are over.
   uint32_t hits = 0;     ///< Of these, those whose ray met a surface.
-  uint32_t refused = 0;  ///< Samples with a radiance that is no number: left out of everything.
-  uint32_t cut = 0;      ///< Samples brighter than kMostLight, cut to it.
+  uint32_t invalid = 0;  ///< Samples with a radiance that is no number: left out of everything.
+  uint32_t clamped = 0;  ///< Samples brighter than kMaxLight, clamped to it.
 
-  /// False when the sample was refused.
+  /// False when the sample was invalid.
   bool add(const PathResult& sample, const Camera& camera);
   void merge(const PixelSum& other);
   /// Mean radiance of a channel 0..2, and the variance of that mean (its squared standard error),
@@ -41,47 +41,49 @@ struct PixelSum {
 using Coverage = std::vector<std::pair<uint32_t, uint32_t>>;
 
 /// What is summed beyond a PixelSum.
-struct Gather {
-  size_t lights = 0;      ///< Further colours for each pixel: parts of the light.
+struct FilmLayout {
+  size_t colours = 0;     ///< Further colours for each pixel: parts of the light.
   bool coverage = false;  ///< Which objects the rays meet.
 
-  bool operator==(const Gather&) const = default;
+  bool operator==(const FilmLayout&) const = default;
 };
 
 /// The sums of a rectangle of pixels.
 class Film {
  public:
   Film() = default;
-  Film(const Region& region, const Gather& gather);
+  Film(const Region& region, const FilmLayout& layout);
 
   const Region& region() const { return region_; }
-  const Gather& gather() const { return gather_; }
+  const FilmLayout& layout() const { return layout_; }
   PixelSum& at(int x, int y) { return sums_[region_.index(x, y)]; }
   const PixelSum& at(int x, int y) const { return sums_[region_.index(x, y)]; }
-  /// Three sums, as PixelSum::light, for each of Gather::lights.
-  Wide* lights(int x, int y) { return lights_.data() + region_.index(x, y) * gather_.lights * 3; }
-  const Wide* lights(int x, int y) const {
-    return lights_.data() + region_.index(x, y) * gather_.lights * 3;
+  /// Three sums, as PixelSum::light, for each of FilmLayout::colours.
+  Wide* colours(int x, int y) {
+    return colours_.data() + region_.index(x, y) * layout_.colours * 3;
+  }
+  const Wide* colours(int x, int y) const {
+    return colours_.data() + region_.index(x, y) * layout_.colours * 3;
   }
   Coverage& coverage(int x, int y) { return coverage_[region_.index(x, y)]; }
   const Coverage& coverage(int x, int y) const { return coverage_[region_.index(x, y)]; }
 
-  /// `colours`: Gather::lights of them.
-  void add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* colours);
-  /// Adds what a film of the same Gather holds where both overlap.
+  /// `values`: FilmLayout::colours of them.
+  void add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* values);
+  /// Adds what a film of the same FilmLayout holds where both overlap.
   void merge(const Film& other);
 
-  /// PixelSum::refused and ::cut of all pixels.
-  std::pair<uint64_t, uint64_t> faults() const;
+  /// PixelSum::invalid and ::clamped of all pixels.
+  std::pair<uint64_t, uint64_t> invalid_samples() const;
 
   /// Bytes of a pixel, without coverage's lists.
-  static double pixel_bytes(const Gather& gather);
+  static double pixel_bytes(const FilmLayout& layout);
 
  private:
   Region region_;
-  Gather gather_;
+  FilmLayout layout_;
   std::vector<PixelSum> sums_;
-  std::vector<Wide> lights_;
+  std::vector<Wide> colours_;
   std::vector<Coverage> coverage_;
 };
 

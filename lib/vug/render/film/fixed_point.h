@@ -16,7 +16,7 @@ __extension__ typedef __int128 Wide;
 constexpr int kLightBits = 64, kSquareBits = 48, kPlainBits = 24;
 /// Largest radiance a sample may have (W/sr/m^2) and largest other number (metres): sums of 2^20
 /// of them and of their squares fit with room to spare.
-constexpr double kMostLight = 0x1p28, kMostPlain = 0x1p18;
+constexpr double kMaxLight = 0x1p28, kMaxPlain = 0x1p18;
 
 /// v rounded towards zero to a multiple of 2^-bits, in such steps. |v| must be less than
 /// 2^(126 - bits).
@@ -43,9 +43,9 @@ inline double from_wide(Wide sum, int bits) {
   return (negative ? -v : v) * step;
 }
 
-/// The same for numbers that are no light, in 64 bits; what is larger than kMostPlain is cut to it.
+/// The same for numbers that are no light, in 64 bits; what is larger than kMaxPlain is cut to it.
 inline int64_t to_plain(float v) {
-  const double most = kMostPlain, step = 1 << kPlainBits;
+  const double most = kMaxPlain, step = 1 << kPlainBits;
   return std::llrint(std::clamp(static_cast<double>(v), -most, most) * step);
 }
 inline double from_plain(int64_t sum) { return static_cast<double>(sum) / (1 << kPlainBits); }

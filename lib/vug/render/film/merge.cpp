@@ -11,7 +11,7 @@ namespace {
 
 struct Named {
   std::string path;
-  PartOutline outline;
+  PartialRenderInfo outline;
 };
 
 std::string place(const Region& r) {
@@ -20,7 +20,7 @@ std::string place(const Region& r) {
 
 /// Every rectangle between neighbouring edges of the parts is covered by the same of them all over.
 void require_cover(const std::vector<Named>& parts) {
-  const PartHeader& header = parts.front().outline.header;
+  const PartialRenderHeader& header = parts.front().outline.header;
   std::set<int> xs = {header.crop.x0, header.crop.x1}, ys = {header.crop.y0, header.crop.y1};
   for (const Named& part : parts) {
     xs.insert({part.outline.region.x0, part.outline.region.x1});
@@ -59,9 +59,9 @@ void require_cover(const std::vector<Named>& parts) {
 
 }  // namespace
 
-std::string difference(const PartHeader& a, const PartHeader& b) {
+std::string difference(const PartialRenderHeader& a, const PartialRenderHeader& b) {
   // Each frame has a seed of its own, which would say nothing to people.
-  const auto frame = [](const PartHeader& header) {
+  const auto frame = [](const PartialRenderHeader& header) {
     for (const auto& [name, value] : header.notes)
       if (name.ends_with("vug:frame")) return value;
     return std::string();
@@ -73,18 +73,18 @@ std::string difference(const PartHeader& a, const PartHeader& b) {
   if (a.seed != b.seed) return fmt::format("seeds, {} and {}", a.seed, b.seed);
   if (a.spp != b.spp) return fmt::format("samples per pixel, {} and {}", a.spp, b.spp);
   if (!(a.crop == b.crop)) return "crops";
-  if (!(a.layers == b.layers)) return "layers";
+  if (!(a.aovs == b.aovs)) return "layers";
   if (a.noise < b.noise || a.noise > b.noise) return "noise thresholds";
   if (a.identity != b.identity) return "scenes";
   return a.notes == b.notes ? "" : "settings";
 }
 
-Part merge(const std::vector<std::filesystem::path>& paths, Progress& progress) {
+PartialRender merge(const std::vector<std::filesystem::path>& paths, Progress& progress) {
   if (paths.empty()) throw Error(ErrorCode::bad_input, "there are no parts to merge");
   std::vector<Named> parts;
   for (const auto& path : paths) {
-    parts.push_back({path.string(), read_outline(path)});
-    const PartOutline &first = parts.front().outline, &part = parts.back().outline;
+    parts.push_back({path.string(), read_partial_render_info(path)});
+    const PartialRenderInfo &first = parts.front().outline, &part = parts.back().outline;
     if (part.fraction < 1)
       throw Error(ErrorCode::bad_input,
                   fmt::format("'{}' is done only to {:.0f} %", path.string(), 100 * part.fraction),
@@ -94,17 +94,17 @@ Part merge(const std::vector<std::filesystem::path>& paths, Progress& progress) 
                                                     parts.front().path, path.string(), what));
   }
   require_cover(parts);
-  Part whole;
+  PartialRender whole;
   whole.header = parts.front().outline.header;
-  State& state = whole.state;
+  RenderState& state = whole.state;
   state.end = static_cast<uint32_t>(whole.header.spp);
-  state.film = Film(whole.header.crop, whole.header.layers.gather());
-  state.done.assign(state.region().blocks(State::kBlock), state.end);
-  state.settled.assign(state.done.size(), 0);
+  state.film = Film(whole.header.crop, whole.header.aovs.layout());
+  state.done.assign(state.region().tiles(RenderState::kTileSize), state.end);
+  state.converged.assign(state.done.size(), 0);
   progress.begin("merging", paths.size());
   for (const auto& path : paths) {
     progress.check();
-    state.film.merge(read_part(path).state.film);
+    state.film.merge(read_partial_render(path).state.film);
     progress.advance();
   }
   progress.end();

@@ -153,12 +153,12 @@ void header_of(File& file, H& h) {
   file.number(h.width), file.number(h.height), file.number(h.spp), file.number(h.seed);
   region(file, h.crop);
   file.number(h.noise);
-  list(file, h.layers.names, 4, [&](auto& name) { text(file, name); });
-  list(file, h.layers.groups, 4, [&](auto& name) { text(file, name); });
-  list(file, h.layers.attributes, 8,
+  list(file, h.aovs.names, 4, [&](auto& name) { text(file, name); });
+  list(file, h.aovs.groups, 4, [&](auto& name) { text(file, name); });
+  list(file, h.aovs.attributes, 8,
        [&](auto& attribute) { text(file, attribute.name), file.number(attribute.arity); });
-  list(file, h.layers.objects, 4, [&](auto& name) { text(file, name); });
-  list(file, h.layers.materials, 4, [&](auto& name) { text(file, name); });
+  list(file, h.aovs.objects, 4, [&](auto& name) { text(file, name); });
+  list(file, h.aovs.materials, 4, [&](auto& name) { text(file, name); });
   list(file, h.notes, 8, [&](auto& note) { text(file, note.first), text(file, note.second); });
 }
 
@@ -168,7 +168,7 @@ void pixel(File& file, Sum& s) {
   for (size_t i = 0; i < 3; ++i)
     file.number(s.normal[i]), file.number(s.position[i]), file.number(s.albedo[i]);
   file.number(s.alpha), file.number(s.depth);
-  file.number(s.samples), file.number(s.hits), file.number(s.refused), file.number(s.cut);
+  file.number(s.samples), file.number(s.hits), file.number(s.invalid), file.number(s.clamped);
 }
 
 template <class File, class F>
@@ -177,28 +177,28 @@ void film_of(File& file, F& film) {
   for (int y = r.y0; y < r.y1; ++y)
     for (int x = r.x0; x < r.x1; ++x) {
       pixel(file, film.at(x, y));
-      if (film.gather().lights > 0)
-        file.bytes(film.lights(x, y), film.gather().lights * 3 * sizeof(Wide));
-      if (film.gather().coverage)
+      if (film.layout().colours > 0)
+        file.bytes(film.colours(x, y), film.layout().colours * 3 * sizeof(Wide));
+      if (film.layout().coverage)
         list(file, film.coverage(x, y), 8,
              [&](auto& entry) { file.number(entry.first), file.number(entry.second); });
     }
 }
 
-bool sane(const PartHeader& h, const State& s, const Region& r) {
+bool sane(const PartialRenderHeader& h, const RenderState& s, const Region& r) {
   const Region all{0, 0, h.width, h.height};
   const auto inside = [](const Region& in, const Region& out) {
     return !in.empty() && in.overlap(out) == in;
   };
-  const bool readable = std::all_of(h.layers.attributes.begin(), h.layers.attributes.end(),
-                                    [](const LayerAttribute& a) { return a.arity - 1 < 3; });
+  const bool readable = std::all_of(h.aovs.attributes.begin(), h.aovs.attributes.end(),
+                                    [](const AovAttribute& a) { return a.arity - 1 < 3; });
   return readable && h.width > 0 && h.height > 0 && h.width <= 65535 && h.height <= 65535 &&
          h.spp > 0 && inside(h.crop, all) && inside(r, h.crop) && s.begin < s.end &&
          s.end <= static_cast<uint32_t>(h.spp);
 }
 
 /// The file as far as its sums, which `into` takes.
-void read_front(Reader& file, PartHeader& header, State& state, Region& covered) {
+void read_front(Reader& file, PartialRenderHeader& header, RenderState& state, Region& covered) {
   char magic[sizeof kMagic];
   uint32_t version = 0;
   file.bytes(magic, sizeof magic);
@@ -211,9 +211,9 @@ void read_front(Reader& file, PartHeader& header, State& state, Region& covered)
   file.number(state.begin), file.number(state.end);
   if (!sane(header, state, covered)) file.refuse("its content was changed");
   list(file, state.done, 4, [&](auto& n) { file.number(n); });
-  list(file, state.settled, 1, [&](auto& n) { file.number(n); });
-  if (state.done.size() != covered.blocks(State::kBlock) ||
-      state.settled.size() != state.done.size() ||
+  list(file, state.converged, 1, [&](auto& n) { file.number(n); });
+  if (state.done.size() != covered.tiles(RenderState::kTileSize) ||
+      state.converged.size() != state.done.size() ||
       !std::all_of(state.done.begin(), state.done.end(),
                    [&](uint32_t n) { return n >= state.begin && n <= state.end; }))
     file.refuse("its content was changed");
@@ -228,17 +228,18 @@ Reader open(const std::filesystem::path& path, const std::string& what = "part")
 
 }  // namespace
 
-PartHeader part_header(const Options& options) {
-  PartHeader header;
+PartialRenderHeader partial_render_header(const Options& options) {
+  PartialRenderHeader header;
   header.width = options.width, header.height = options.height, header.spp = options.spp;
   header.seed = options.seed;
-  header.crop = wanted_region(options);
+  header.crop = render_region(options);
   header.noise = options.noise;
-  header.layers = options.layers;
+  header.aovs = options.aovs;
   return header;
 }
 
-void write_part(const std::filesystem::path& path, const PartHeader& header, const State& state) {
+void write_partial_render(const std::filesystem::path& path, const PartialRenderHeader& header,
+                          const RenderState& state) {
   AtomicFile target(path);
   Writer file(target.path());
   file.bytes(kMagic, sizeof kMagic);
@@ -247,7 +248,7 @@ void write_part(const std::filesystem::path& path, const PartHeader& header, con
   region(file, state.region());
   file.number(state.begin), file.number(state.end);
   list(file, state.done, 4, [&](const auto& n) { file.number(n); });
-  list(file, state.settled, 1, [&](const auto& n) { file.number(n); });
+  list(file, state.converged, 1, [&](const auto& n) { file.number(n); });
   film_of(file, state.film);
   if (!file.finish())
     throw Error(ErrorCode::io,
@@ -255,26 +256,26 @@ void write_part(const std::filesystem::path& path, const PartHeader& header, con
   target.commit();
 }
 
-Part read_part(const std::filesystem::path& path, const std::string& what) {
+PartialRender read_partial_render(const std::filesystem::path& path, const std::string& what) {
   Reader file = open(path, what);
-  Part part;
+  PartialRender part;
   Region covered;
   read_front(file, part.header, part.state, covered);
-  const Gather gather = part.header.layers.gather();
+  const FilmLayout layout = part.header.aovs.layout();
   file.need(covered.pixels() * 200);
-  require_memory(Film::pixel_bytes(gather) * static_cast<double>(covered.pixels()),
+  require_memory(Film::pixel_bytes(layout) * static_cast<double>(covered.pixels()),
                  available_memory(), fmt::format("the {} '{}'", what, path.string()),
                  "merge on a machine with more memory");
-  part.state.film = Film(covered, gather);
+  part.state.film = Film(covered, layout);
   film_of(file, part.state.film);
   file.finish();
   return part;
 }
 
-PartOutline read_outline(const std::filesystem::path& path) {
+PartialRenderInfo read_partial_render_info(const std::filesystem::path& path) {
   Reader file = open(path);
-  PartOutline outline;
-  State state;
+  PartialRenderInfo outline;
+  RenderState state;
   read_front(file, outline.header, state, outline.region);
   outline.begin = state.begin, outline.end = state.end;
   outline.fraction = fraction_done(state, outline.region);
@@ -282,14 +283,14 @@ PartOutline read_outline(const std::filesystem::path& path) {
   return outline;
 }
 
-bool is_part(const std::filesystem::path& path) {
+bool is_partial_render(const std::filesystem::path& path) {
   if (!unreadable_reason(path).empty()) return false;
   char magic[sizeof kMagic] = {};
   std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
   return std::memcmp(magic, kMagic, sizeof magic) == 0;
 }
 
-void require_whole(const std::filesystem::path& path) {
+void verify_partial_render(const std::filesystem::path& path) {
   Reader file = open(path);
   file.skip();
   file.finish();

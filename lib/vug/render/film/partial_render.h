@@ -12,31 +12,31 @@
 namespace vug::render {
 
 /// What all parts of one picture agree in.
-struct PartHeader {
+struct PartialRenderHeader {
   std::string identity;  ///< Of scene, program and settings: pictures of others have other pixels.
   int width = 0, height = 0, spp = 0;
   uint64_t seed = 0;
   Region crop;  ///< The pixels of the picture that are wanted.
   double noise = 0;
-  LayerPlan layers;
+  AovPlan aovs;
   /// For whoever writes the picture; parts agree in them, too.
   std::vector<std::pair<std::string, std::string>> notes;
 
-  bool operator==(const PartHeader&) const = default;
+  bool operator==(const PartialRenderHeader&) const = default;
 };
 
-PartHeader part_header(const Options& options);
+PartialRenderHeader partial_render_header(const Options& options);
 /// In what two headers differ, as people call it ("seeds, 1 and 2"); empty when they do not.
-std::string difference(const PartHeader& a, const PartHeader& b);
+std::string difference(const PartialRenderHeader& a, const PartialRenderHeader& b);
 
-struct Part {
-  PartHeader header;
-  State state;
+struct PartialRender {
+  PartialRenderHeader header;
+  RenderState state;
 };
 
 /// A part without its sums.
-struct PartOutline {
-  PartHeader header;
+struct PartialRenderInfo {
+  PartialRenderHeader header;
   Region region;
   uint32_t begin = 0, end = 0;  ///< Samples.
   double fraction = 0;          ///< Done, of these.
@@ -45,21 +45,24 @@ struct PartOutline {
 
 /// A file with a format of its own: version, header, sums, and a hash over all of it; whole or not
 /// there (AtomicFile). About 200 bytes for each pixel. Throws Error(io).
-void write_part(const std::filesystem::path& path, const PartHeader& header, const State& state);
+void write_partial_render(const std::filesystem::path& path, const PartialRenderHeader& header,
+                          const RenderState& state);
 
 /// Error(bad_input) names the file, `what` it should be, and what is wrong with it: missing, no
 /// part, of another version, cut short or changed.
-Part read_part(const std::filesystem::path& path, const std::string& what = "part");
-PartOutline read_outline(const std::filesystem::path& path);
+PartialRender read_partial_render(const std::filesystem::path& path,
+                                  const std::string& what = "part");
+PartialRenderInfo read_partial_render_info(const std::filesystem::path& path);
 
 /// Whether the file begins like a part; false where it cannot be read.
-bool is_part(const std::filesystem::path& path);
-/// Reads all of a part and keeps none of it. Errors as read_part.
-void require_whole(const std::filesystem::path& path);
+bool is_partial_render(const std::filesystem::path& path);
+/// Reads all of a part and keeps none of it. Errors as read_partial_render.
+void verify_partial_render(const std::filesystem::path& path);
 
 /// Puts the parts of one picture together. They may overlap nowhere and must leave nothing out.
 /// Error(bad_input) says which files do not belong together and in what they differ, what is
 /// missing and what is there twice. Holds the whole picture's sums and those of one part.
-Part merge(const std::vector<std::filesystem::path>& paths, Progress& progress = Progress::none());
+PartialRender merge(const std::vector<std::filesystem::path>& paths,
+                    Progress& progress = Progress::none());
 
 }  // namespace vug::render

@@ -24,13 +24,13 @@ struct Region {
             std::min(y1, other.y1)};
   }
   /// Block number `index` of a cover with square blocks, line by line from the top left.
-  Region block(size_t index, int side) const {
+  Region tile(size_t index, int side) const {
     const size_t across = static_cast<size_t>((width() + side - 1) / side);
     const int x = x0 + static_cast<int>(index % across) * side;
     const int y = y0 + static_cast<int>(index / across) * side;
     return {x, y, std::min(x + side, x1), std::min(y + side, y1)};
   }
-  size_t blocks(int side) const {
+  size_t tiles(int side) const {
     return empty() ? 0
                    : static_cast<size_t>((width() + side - 1) / side) *
                          static_cast<size_t>((height() + side - 1) / side);

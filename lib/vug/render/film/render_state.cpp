@@ -1,8 +1,8 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/render/film/adaptive.h>
-#include <vug/render/paths/tile_renderer.h>
 #include <vug/render/film/render_state.h>
+#include <vug/render/tile_renderer.h>
 
 #include <fmt/format.h>
 
@@ -31,12 +31,13 @@ struct Stop {
 
 /// It is looked at after 4, 8, 16, ... samples and the last; whether it is also saved now and then
 /// must not change when. Saving asks for stops of its own, as it waits for whole blocks.
-std::vector<Stop> stops(const State& state, const Options& options, const Watch& watch) {
+std::vector<Stop> stops(const RenderState& state, const Options& options,
+                        const RenderCallbacks& callbacks) {
   constexpr uint32_t kSaved = 256;
   std::map<uint32_t, bool> looks = {{state.end, true}};
-  if (watch.pass || options.noise > 0)
+  if (callbacks.pass || options.noise > 0)
     for (uint32_t n = 4; n < state.end - state.begin; n *= 2) looks[state.begin + n] = true;
-  if (watch.save)
+  if (callbacks.save)
     for (uint32_t n = kSaved; n < state.end - state.begin; n += kSaved)
       looks.try_emplace(state.begin + n, false);
   std::vector<Stop> list;
@@ -45,36 +46,37 @@ std::vector<Stop> stops(const State& state, const Options& options, const Watch&
 }
 
 /// Samples that the blocks still need at most.
-uint64_t missing(const State& state) { return samples_missing(state, state.region()); }
+uint64_t missing(const RenderState& state) { return samples_missing(state, state.region()); }
 
-uint64_t all_samples(const State& state) {
+uint64_t all_samples(const RenderState& state) {
   return state.region().pixels() * uint64_t{state.end - state.begin};
 }
 
 /// Threads write blocks of their own into one state, and wait while it is saved.
 class Work {
  public:
-  Work(const Shooter& shooter, State& state, const Watch& watch, Progress& progress)
-      : shooter_(shooter),
+  Work(const TileRenderer& renderer, RenderState& state, const RenderCallbacks& callbacks,
+       Progress& progress)
+      : renderer_(renderer),
         state_(state),
-        watch_(watch),
+        callbacks_(callbacks),
         progress_(progress),
-        every_(watch.save_every.value_or(kLeastPause)) {}
+        every_(callbacks.save_every.value_or(kLeastPause)) {}
 
   void up_to(uint32_t count) {
     std::vector<size_t> blocks;
     for (size_t i = 0; i < state_.done.size(); ++i)
-      if (!state_.settled[i] && state_.done[i] < count) blocks.push_back(i);
+      if (!state_.converged[i] && state_.done[i] < count) blocks.push_back(i);
     parallel_for(blocks.size(), [&](size_t i) { render_block(blocks[i], count); });
   }
   void save() {
-    if (!watch_.save) return;
+    if (!callbacks_.save) return;
     const Clock::time_point begun = Clock::now();
-    watch_.save(state_);
+    callbacks_.save(state_);
     const Clock::time_point ended = Clock::now();
     constexpr double kShare = 0.01;
     const double seconds = std::chrono::duration<double>(ended - begun).count();
-    every_ = watch_.save_every.value_or(std::clamp(seconds / kShare, kLeastPause, kMostPause));
+    every_ = callbacks_.save_every.value_or(std::clamp(seconds / kShare, kLeastPause, kMostPause));
     saved_ = ended.time_since_epoch();
   }
 
@@ -84,23 +86,23 @@ class Work {
     return since.count() >= every_;
   }
   void render_block(size_t block, uint32_t count) {
-    const Region region = state_.region().block(block, State::kBlock);
+    const Region region = state_.region().tile(block, RenderState::kTileSize);
     const uint32_t begin = state_.done[block];
-    const Film film = shooter_.shoot(region, begin, count);
+    const Film film = renderer_.render_tile(region, begin, count);
     {
       const std::shared_lock<std::shared_mutex> lock(saving_);
       state_.film.merge(film);
       state_.done[block] = count;
     }
     progress_.advance(region.pixels() * (count - begin));
-    if (!watch_.save || !due()) return;
+    if (!callbacks_.save || !due()) return;
     const std::unique_lock<std::shared_mutex> lock(saving_);
     if (due()) save();
   }
 
-  const Shooter& shooter_;
-  State& state_;
-  const Watch& watch_;
+  const TileRenderer& renderer_;
+  RenderState& state_;
+  const RenderCallbacks& callbacks_;
   Progress& progress_;
   std::shared_mutex saving_;
   std::atomic<Clock::duration> saved_ = Clock::now().time_since_epoch();
@@ -109,68 +111,69 @@ class Work {
 
 }  // namespace
 
-bool State::complete() const { return missing(*this) == 0; }
+bool RenderState::complete() const { return missing(*this) == 0; }
 
-double State::fraction() const { return fraction_done(*this, region()); }
+double RenderState::fraction() const { return fraction_done(*this, region()); }
 
-uint64_t samples_missing(const State& state, const Region& region) {
+uint64_t samples_missing(const RenderState& state, const Region& region) {
   uint64_t samples = 0;
   for (size_t i = 0; i < state.done.size(); ++i)
-    if (!state.settled[i])
-      samples += region.block(i, State::kBlock).pixels() * (state.end - state.done[i]);
+    if (!state.converged[i])
+      samples += region.tile(i, RenderState::kTileSize).pixels() * (state.end - state.done[i]);
   return samples;
 }
 
-double fraction_done(const State& state, const Region& region) {
+double fraction_done(const RenderState& state, const Region& region) {
   const auto all = static_cast<double>(region.pixels()) * (state.end - state.begin);
   return all > 0 ? 1 - static_cast<double>(samples_missing(state, region)) / all : 1;
 }
 
-State start(const Options& options, const Share& share) {
-  Region region = wanted_region(options);
+RenderState begin_render(const Options& options, const RenderSlice& slice) {
+  Region region = render_region(options);
   const int lines = region.height();
-  if (share.tiles < 1 || share.tile < 0 || share.tile >= share.tiles)
+  if (slice.bands < 1 || slice.band < 0 || slice.band >= slice.bands)
     throw Error(ErrorCode::bad_input,
-                fmt::format("there is no tile {} of {}", share.tile + 1, share.tiles));
-  if (share.tiles > lines)
+                fmt::format("there is no tile {} of {}", slice.band + 1, slice.bands));
+  if (slice.bands > lines)
     throw Error(ErrorCode::bad_input,
-                fmt::format("{} lines cannot be shared out to {} tiles", lines, share.tiles));
+                fmt::format("{} lines cannot be shared out to {} tiles", lines, slice.bands));
   const auto spp = static_cast<uint32_t>(options.spp);
-  const uint32_t end = share.end == 0 ? spp : share.end;
-  if (share.begin >= end || end > spp)
+  const uint32_t end = slice.end == 0 ? spp : slice.end;
+  if (slice.begin >= end || end > spp)
     throw Error(ErrorCode::bad_input, fmt::format("samples {}..{} are no part of a picture of {}",
-                                                  share.begin, end, spp));
-  if (options.noise > 0 && (share.tiles > 1 || end - share.begin < spp))
+                                                  slice.begin, end, spp));
+  if (options.noise > 0 && (slice.bands > 1 || end - slice.begin < spp))
     throw Error(ErrorCode::bad_input,
                 "a part of a picture cannot be rendered down to a noise: where enough is done "
                 "shows only in the whole",
                 {}, "leave 'noise' away, or render the whole picture");
   const auto line = [&](int band) {
-    return region.y0 + static_cast<int>(int64_t{lines} * band / share.tiles);
+    return region.y0 + static_cast<int>(int64_t{lines} * band / slice.bands);
   };
-  const int y0 = line(share.tile), y1 = line(share.tile + 1);
+  const int y0 = line(slice.band), y1 = line(slice.band + 1);
   region.y0 = y0, region.y1 = y1;
-  State state;
-  state.begin = share.begin;
+  RenderState state;
+  state.begin = slice.begin;
   state.end = end;
-  state.film = Film(region, options.layers.gather());
-  state.done.assign(region.blocks(State::kBlock), state.begin);
-  state.settled.assign(state.done.size(), 0);
+  state.film = Film(region, options.aovs.layout());
+  state.done.assign(region.tiles(RenderState::kTileSize), state.begin);
+  state.converged.assign(state.done.size(), 0);
   return state;
 }
 
-void proceed(const Scene& scene, const Options& options, State& state, const Watch& watch,
-             Progress& progress) {
+void continue_render(const Scene& scene, const Options& options, RenderState& state,
+                     const RenderCallbacks& callbacks, Progress& progress) {
   std::optional<ThreadLimit> limit;
   if (options.threads > 0) limit.emplace(options.threads);
-  const Shooter shooter(scene, options, progress);
-  if (watch.estimate) watch.estimate(shooter.seconds(static_cast<double>(missing(state))));
+  const TileRenderer renderer(scene, options, progress);
+  if (callbacks.estimate)
+    callbacks.estimate(renderer.estimate_seconds(static_cast<double>(missing(state))));
   const uint64_t all = all_samples(state);
   progress.begin("rendering", all);
   progress.advance(all - missing(state));
-  Work work(shooter, state, watch, progress);
+  Work work(renderer, state, callbacks, progress);
   try {
-    for (const Stop& stop : stops(state, options, watch)) {
+    for (const Stop& stop : stops(state, options, callbacks)) {
       // A state that was saved later than this has been looked at here already.
       if (std::any_of(state.done.begin(), state.done.end(),
                       [&](uint32_t done) { return done > stop.count; }))
@@ -179,10 +182,10 @@ void proceed(const Scene& scene, const Options& options, State& state, const Wat
       if (!stop.look) continue;
       if (options.noise > 0 && stop.count < state.end) {
         const uint64_t needed = missing(state);
-        settle(state, options.noise);
+        mark_converged(state, options.noise);
         progress.advance(needed - missing(state));
       }
-      if (watch.pass) watch.pass(state);
+      if (callbacks.pass) callbacks.pass(state);
     }
     progress.end();
   } catch (const Error& error) {
@@ -190,14 +193,15 @@ void proceed(const Scene& scene, const Options& options, State& state, const Wat
     throw;
   }
   work.save();
-  if (const auto [refused, cut] = state.film.faults(); watch.faults && refused + cut > 0)
-    watch.faults(refused, cut);
+  if (const auto [invalid, clamped] = state.film.invalid_samples();
+      callbacks.invalid_samples && invalid + clamped > 0)
+    callbacks.invalid_samples(invalid, clamped);
 }
 
-image::Image develop(const State& state, const LayerPlan& layers) {
-  image::Image image(state.region().width(), state.region().height(), layers.channels());
+image::Image develop(const RenderState& state, const AovPlan& aovs) {
+  image::Image image(state.region().width(), state.region().height(), aovs.channels());
   const Region& region = state.region();
-  develop(state.film, layers, region, image);
+  develop(state.film, aovs, region, image);
   return image;
 }
 

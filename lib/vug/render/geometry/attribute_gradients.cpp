@@ -14,7 +14,7 @@ double mean(const mesh::Attribute& attribute, uint32_t vertex) {
 /// On a triangle with corners a, b, c and the area vector n = (b - a) x (c - a) / 2, the slope of a
 /// number f is (f_a n x (c - b) + f_b n x (a - c) + f_c n x (b - a)) / (2 n.n). Weighted by the
 /// area |n|.
-std::vector<Vec3f> slopes(const mesh::Mesh& mesh, const mesh::Attribute& attribute) {
+std::vector<Vec3f> gradients(const mesh::Mesh& mesh, const mesh::Attribute& attribute) {
   std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0));
   std::vector<double> areas(mesh.positions.size(), 0);
   for (const mesh::Triangle& t : mesh.triangles) {
@@ -36,13 +36,13 @@ std::vector<Vec3f> slopes(const mesh::Mesh& mesh, const mesh::Attribute& attribu
 
 }  // namespace
 
-MeshSlopes::MeshSlopes(const mesh::Mesh& mesh) : mesh_(mesh), slopes_(mesh.attributes.size()) {}
+AttributeGradients::AttributeGradients(const mesh::Mesh& mesh) : mesh_(mesh), gradients_(mesh.attributes.size()) {}
 
-const std::vector<Vec3f>* MeshSlopes::of(std::string_view name) const {
+const std::vector<Vec3f>* AttributeGradients::of(std::string_view name) const {
   const mesh::Attribute* attribute = mesh::find_attribute(mesh_, name);
   if (!attribute || attribute->arity < 1) return nullptr;
-  Slope& slope = slopes_[static_cast<size_t>(attribute - mesh_.attributes.data())];
-  std::call_once(slope.once, [&] { slope.at_vertex = slopes(mesh_, *attribute); });
+  Slope& slope = gradients_[static_cast<size_t>(attribute - mesh_.attributes.data())];
+  std::call_once(slope.once, [&] { slope.at_vertex = gradients(mesh_, *attribute); });
   return &slope.at_vertex;
 }
 

@@ -12,10 +12,10 @@ namespace vug::render {
 
 /// Slopes of a mesh's attributes at its vertices, each computed when first asked for. For several
 /// threads.
-class MeshSlopes {
+class AttributeGradients {
  public:
   /// The mesh must outlive it.
-  explicit MeshSlopes(const mesh::Mesh& mesh);
+  explicit AttributeGradients(const mesh::Mesh& mesh);
 
   /// For each vertex the slope, a change for each metre, in the mesh's own space; of a vector that
   /// of the mean of its parts. The mean over the triangles around weighted by their areas, along
@@ -28,7 +28,7 @@ class MeshSlopes {
     std::vector<Vec3f> at_vertex;
   };
   const mesh::Mesh& mesh_;
-  mutable std::deque<Slope> slopes_;  ///< As many as the mesh has attributes.
+  mutable std::deque<Slope> gradients_;  ///< As many as the mesh has attributes.
 };
 
 }  // namespace vug::render

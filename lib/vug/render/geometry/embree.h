@@ -12,7 +12,7 @@ namespace vug::render {
 
 /// What callbacks know of the ray that is on its way: all of it as it started, since Embree turns
 /// those of instances into their own space.
-struct World::Geometry::Search : RTCIntersectContext {
+struct PreparedScene::Geometry::Search : RTCIntersectContext {
   Search(const Geometry& geometry, const Ray& world_ray, float when)
       : RTCIntersectContext{}, of(geometry), ray(world_ray), time(when) {
     rtcInitIntersectContext(this);
@@ -23,7 +23,7 @@ struct World::Geometry::Search : RTCIntersectContext {
   Crossing met;  ///< Of the last level set that was met.
 };
 
-struct World::Geometry::Embree {
+struct PreparedScene::Geometry::Embree {
   /// The tree of a mesh or a surface that instances share.
   struct Shape {
     RTCScene scene = nullptr;
@@ -42,7 +42,7 @@ struct World::Geometry::Embree {
   /// Embree's question whether a triangle of something cut out is there for the ray.
   static void pass_holes(const RTCFilterFunctionNArguments* args);
   void add_surface(RTCScene to, const volume::SurfaceBricks& surface, size_t number) const;
-  void add_instance(const Shape& shape, const Placing& placing, size_t number) const;
+  void add_instance(const Shape& shape, const InstanceTransform& instance, size_t number) const;
   void build(RTCScene what) const;
   const Shape& shape(const Object& object);
 };

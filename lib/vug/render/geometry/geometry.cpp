@@ -50,15 +50,15 @@ struct OwnSpace {
 
 /// The space of an instance, at the time of a ray.
 struct PlacedSpace {
-  const Placing& placing;
+  const InstanceTransform& instance;
   Affine to;
 
-  PlacedSpace(const Placing& p, float time) : placing(p), to(p.at(time)) {}
+  PlacedSpace(const InstanceTransform& p, float time) : instance(p), to(p.at(time)) {}
   Vec3f point(const Vec3f& p) const { return to.point(p); }
   Vec3f normal(const Vec3f& n) const { return normalized(to.normal(n)); }
   /// Mirrors turn the way round a triangle over.
   float turn() const { return to.determinant() < 0 ? -1.0f : 1.0f; }
-  float extent(float size) const { return (size + placing.reach()) * placing.wear(); }
+  float extent(float size) const { return (size + instance.origin_extent()) * instance.error_scale(); }
 };
 
 }  // namespace
@@ -68,32 +68,32 @@ Vec3f lifted(const Vec3f& point, const Vec3f& normal, float extent) {
   return point + normal * (extent * kUnits);
 }
 
-World::Geometry::Embree::~Embree() {
+PreparedScene::Geometry::Embree::~Embree() {
   if (scene) rtcReleaseScene(scene);
   for (const auto& each : shapes)
     if (each.second.scene) rtcReleaseScene(each.second.scene);
 }
 
-RTCScene World::Geometry::Embree::new_scene() const {
+RTCScene PreparedScene::Geometry::Embree::new_scene() const {
   RTCScene made = rtcNewScene(device.get());
   rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_MEDIUM);
   return made;
 }
 
-void World::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry, size_t number) const {
+void PreparedScene::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry, size_t number) const {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(to, geometry, static_cast<unsigned>(number));
   rtcReleaseGeometry(geometry);
 }
 
-void World::Geometry::Embree::build(RTCScene what) const {
+void PreparedScene::Geometry::Embree::build(RTCScene what) const {
   tbb::task_arena arena(kBuildSlots);
   arena.execute([&] { rtcJoinCommitScene(what); });
   device.check("building the tree of triangles");
 }
 
-void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const {
+void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   // Copies, because Embree reads 16 bytes at the last vertex.
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -111,23 +111,23 @@ void World::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size
   device.check("taking in a mesh");
 }
 
-void World::Geometry::Embree::add_instance(const Shape& shape, const Placing& placing,
+void PreparedScene::Geometry::Embree::add_instance(const Shape& shape, const InstanceTransform& instance,
                                            size_t number) const {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, shape.scene);
-  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(placing.steps().size()));
-  for (size_t step = 0; step < placing.steps().size(); ++step) {
-    const Affine& to = placing.steps()[step];
+  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(instance.keyframes().size()));
+  for (size_t step = 0; step < instance.keyframes().size(); ++step) {
+    const Affine& to = instance.keyframes()[step];
     const float columns[] = {to.x.x, to.x.y, to.x.z, to.y.x,      to.y.y,      to.y.z,
                              to.z.x, to.z.y, to.z.z, to.origin.x, to.origin.y, to.origin.z};
     rtcSetGeometryTransform(geometry, static_cast<unsigned>(step), RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                             columns);
   }
   attach(scene, geometry, number);
-  device.check("placing an instance");
+  device.check("instance an instance");
 }
 
-const World::Geometry::Embree::Shape& World::Geometry::Embree::shape(const Object& object) {
+const PreparedScene::Geometry::Embree::Shape& PreparedScene::Geometry::Embree::shape(const Object& object) {
   const void* key = object.mesh.get();
   if (object.surface) key = object.surface.get();
   const auto [at, is_new] = shapes.try_emplace(key);
@@ -147,7 +147,7 @@ const World::Geometry::Embree::Shape& World::Geometry::Embree::shape(const Objec
   return shape;
 }
 
-World::Geometry::Geometry(const std::vector<Object>& objects)
+PreparedScene::Geometry::Geometry(const std::vector<Object>& objects)
     : embree_(std::make_unique<Embree>()) {
   embree_->scene = embree_->new_scene();
   bounds.makeEmpty();
@@ -162,7 +162,7 @@ World::Geometry::Geometry(const std::vector<Object>& objects)
   rest_ = !all;
 }
 
-void World::Geometry::add(const Object& object, uint32_t number,
+void PreparedScene::Geometry::add(const Object& object, uint32_t number,
                           std::vector<raytree::WideBvh::Geometry>& static_meshes) {
   if (!object.mesh && !object.surface)
     throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
@@ -171,8 +171,8 @@ void World::Geometry::add(const Object& object, uint32_t number,
   part.object = number;
   part.emission = object.emission;
   part.solid = object.solid;
-  part.placing = object.placing;
-  part.looks_by_place = object.looks_by_place;
+  part.instance = object.instance;
+  part.world_space_material = object.world_space_material;
   part.cut = part.material->cut_out();
   if (part.cut && object.surface)
     throw Error(ErrorCode::bad_input,
@@ -194,16 +194,16 @@ void World::Geometry::add(const Object& object, uint32_t number,
     if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
     if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
       part.colours = colour->values.data();
-    auto& slopes = slopes_[&mesh];
-    if (!slopes) slopes = std::make_unique<const MeshSlopes>(mesh);
-    part.slopes = slopes.get();
+    auto& gradients = gradients_[&mesh];
+    if (!gradients) gradients = std::make_unique<const AttributeGradients>(mesh);
+    part.gradients = gradients.get();
   }
-  if (object.placing) {
+  if (object.instance) {
     const Embree::Shape& shape = embree_->shape(object);
     part.corners = shape.corners;
-    moves = moves || object.placing->moves();
-    embree_->add_instance(shape, *object.placing, parts_.size());
-    for (const Affine& to : object.placing->steps()) bounds.extendBy(to.box(shape.box));
+    moves = moves || object.instance->moves();
+    embree_->add_instance(shape, *object.instance, parts_.size());
+    for (const Affine& to : object.instance->keyframes()) bounds.extendBy(to.box(shape.box));
   } else if (object.surface) {
     embree_->add_surface(embree_->scene, *object.surface, parts_.size());
     bounds.extendBy(box_of(*object.surface));
@@ -219,9 +219,9 @@ void World::Geometry::add(const Object& object, uint32_t number,
   parts_.push_back(std::move(part));
 }
 
-World::Geometry::~Geometry() = default;
+PreparedScene::Geometry::~Geometry() = default;
 
-World::Geometry::Found World::Geometry::find(const Ray& ray, float time) const {
+PreparedScene::Geometry::Found PreparedScene::Geometry::find(const Ray& ray, float time) const {
   Found found;
   raytree::BvhTraversal traversal(triangles_, ray, kFar, raytree::BvhTraversal::Query::closest);
   finish(traversal);
@@ -235,7 +235,7 @@ World::Geometry::Found World::Geometry::find(const Ray& ray, float time) const {
   return found;
 }
 
-void World::Geometry::find_before(const Ray& ray, float time, float distance, Found& found) const {
+void PreparedScene::Geometry::find_before(const Ray& ray, float time, float distance, Found& found) const {
   RTCRayHit query{};
   query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
   query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y;
@@ -254,7 +254,7 @@ void World::Geometry::find_before(const Ray& ray, float time, float distance, Fo
   if (!parts_[number].surface) found.corners = (*parts_[number].corners)[query.hit.primID];
 }
 
-bool World::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& hit) const {
+bool PreparedScene::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& hit) const {
   if (!found.any) return false;
   const Part& part = parts_[found.part];
   if (part.surface)
@@ -265,7 +265,7 @@ bool World::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& 
   return true;
 }
 
-bool World::Geometry::occluded(const Ray& ray, float distance, float time) const {
+bool PreparedScene::Geometry::occluded(const Ray& ray, float distance, float time) const {
   raytree::BvhTraversal traversal(triangles_, ray, distance, raytree::BvhTraversal::Query::any);
   finish(traversal);
   if (traversal.hit() || !rest_) return traversal.hit();
@@ -279,26 +279,26 @@ bool World::Geometry::occluded(const Ray& ray, float distance, float time) const
   return query.tfar < 0;
 }
 
-void World::Geometry::fill_mesh(const Part& part, uint32_t triangle, const Corners& corners,
+void PreparedScene::Geometry::fill_mesh(const Part& part, uint32_t triangle, const Corners& corners,
                                 const Ray& ray, float time, Hit& hit) const {
-  if (part.placing)
-    fill(part, triangle, corners, PlacedSpace(*part.placing, time), ray, hit);
+  if (part.instance)
+    fill(part, triangle, corners, PlacedSpace(*part.instance, time), ray, hit);
   else
     fill(part, triangle, corners, OwnSpace(), ray, hit);
 }
 
-void World::Geometry::set_place(const Part& part, float time, Hit& hit) {
-  hit.surface.placing = part.placing.get();
-  hit.surface.looks_by_place = part.looks_by_place;
+void PreparedScene::Geometry::set_place(const Part& part, float time, Hit& hit) {
+  hit.surface.instance = part.instance.get();
+  hit.surface.world_space_material = part.world_space_material;
   hit.surface.time = time;
 }
 
-bool World::Geometry::passes(uint32_t number, uint32_t triangle, const Search& search) const {
+bool PreparedScene::Geometry::passes(uint32_t number, uint32_t triangle, const Search& search) const {
   const Part& part = parts_[number];
   if (!part.cut) return false;
   Hit hit;
   fill_mesh(part, triangle, (*part.corners)[triangle], search.ray, search.time, hit);
-  if (part.placing) set_place(part, search.time, hit);
+  if (part.instance) set_place(part, search.time, hit);
   const float opacity = part.material->opacity(hit.surface);
   if (opacity <= 0 || opacity >= 1) return opacity <= 0;
   const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x)}; };
@@ -310,7 +310,7 @@ bool World::Geometry::passes(uint32_t number, uint32_t triangle, const Search& s
   return static_cast<float>(RandomStream(key).bits() >> 8) * 0x1p-24f >= opacity;
 }
 
-void World::Geometry::Embree::pass_holes(const RTCFilterFunctionNArguments* args) {
+void PreparedScene::Geometry::Embree::pass_holes(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);  // rays come one at a time
   const bool own = hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
@@ -319,7 +319,7 @@ void World::Geometry::Embree::pass_holes(const RTCFilterFunctionNArguments* args
 }
 
 template <class Space>
-void World::Geometry::fill(const Part& part, uint32_t triangle, const Corners& own,
+void PreparedScene::Geometry::fill(const Part& part, uint32_t triangle, const Corners& own,
                            const Space& space, const Ray& ray, Hit& hit) const {
   const mesh::Triangle& corner = part.mesh->triangles[triangle];
   const Vec3f a = space.point(own[0]), b = space.point(own[1]), c = space.point(own[2]);
@@ -351,7 +351,7 @@ void World::Geometry::fill(const Part& part, uint32_t triangle, const Corners& o
   surface.shading_normal = surface.geometric_normal;
   surface.inside = side < 0;
   surface.mesh = part.mesh.get();
-  surface.slopes = part.slopes;
+  surface.gradients = part.gradients;
   surface.triangle = triangle;
   surface.u = u, surface.v = v;
   surface.solid = part.solid.get();

@@ -21,7 +21,7 @@ namespace vug::render {
 /// fixed plan, so that they are the same for any number of threads; they only tell which triangle
 /// is nearest, and distance and place on it are computed here, so that they have the same bits on
 /// every machine.
-struct World::Geometry {
+struct PreparedScene::Geometry {
   explicit Geometry(const std::vector<Object>& objects);
   ~Geometry();
 
@@ -35,7 +35,7 @@ struct World::Geometry {
     Corners corners;         ///< Of the triangle, in its mesh's space.
     Crossing met;            ///< Of a level set.
   };
-  /// `time`: see World::at. Calls for what `fill` will read.
+  /// `time`: see PreparedScene::at. Calls for what `fill` will read.
   Found find(const Ray& ray, float time) const;
   /// False when nothing was found.
   bool fill(const Found& found, const Ray& ray, float time, Hit& hit) const;
@@ -54,13 +54,13 @@ struct World::Geometry {
     std::shared_ptr<const std::vector<Corners>> corners;
     const Vec3f* normals = nullptr;
     const float* colours = nullptr;
-    const MeshSlopes* slopes = nullptr;
+    const AttributeGradients* gradients = nullptr;
     MaterialPtr material;
     uint32_t object = 0;
     Rgb emission{0, 0, 0};
     std::shared_ptr<const field::SampledGrid> solid;
-    PlacingPtr placing;
-    bool looks_by_place = false;
+    InstanceTransformPtr instance;
+    bool world_space_material = false;
     bool cut = false;                  ///< See Material::cut_out.
     volume::SurfaceBricksPtr surface;  ///< In place of the mesh; then also:
     paint::Paint color;
@@ -85,7 +85,7 @@ struct World::Geometry {
                            const Ray& ray, Hit& hit);
 
   std::vector<Part> parts_;  ///< By Embree's numbers of what stands in the scene.
-  std::map<const mesh::Mesh*, std::unique_ptr<const MeshSlopes>> slopes_;
+  std::map<const mesh::Mesh*, std::unique_ptr<const AttributeGradients>> gradients_;
   raytree::WideBvh triangles_;
   std::unique_ptr<Embree> embree_;
   bool rest_ = false;  ///< Embree holds something.

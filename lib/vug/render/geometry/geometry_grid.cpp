@@ -51,23 +51,23 @@ void occlude_brick(const RTCOccludedFunctionNArguments* args) {
 
 /// Scene to lattice and back, for an object that stands as it is or is an instance.
 struct Space {
-  const Placing* placing;
+  const InstanceTransform* instance;
   Transform to_own;
   Affine to;
 
-  Space(const Placing* p, float time) : placing(p) {
-    if (p) to_own = p->to_own(time), to = p->at(time);
+  Space(const InstanceTransform* p, float time) : instance(p) {
+    if (p) to_own = p->inverse(time), to = p->at(time);
   }
-  Vec3d point(const Vec3d& p) const { return placing ? to_own.point(p) : p; }
-  Vec3d vector(const Vec3d& v) const { return placing ? to_own.vector(v) : v; }
-  Vec3d back(const Vec3d& v) const { return placing ? Vec3d(to.vector(Vec3f(v))) : v; }
+  Vec3d point(const Vec3d& p) const { return instance ? to_own.point(p) : p; }
+  Vec3d vector(const Vec3d& v) const { return instance ? to_own.vector(v) : v; }
+  Vec3d back(const Vec3d& v) const { return instance ? Vec3d(to.vector(Vec3f(v))) : v; }
   /// Unit, in the scene.
   Vec3f normal(const Vec3d& n) const {
     const Vec3d unit = n.normalized();
-    return placing ? normalized(to.normal(Vec3f(unit))) : Vec3f(unit);
+    return instance ? normalized(to.normal(Vec3f(unit))) : Vec3f(unit);
   }
   float extent(float size) const {
-    return placing ? (size + placing->reach()) * placing->wear() : size;
+    return instance ? (size + instance->origin_extent()) * instance->error_scale() : size;
   }
 };
 
@@ -82,7 +82,7 @@ Crossing crossing_near(const volume::SurfaceBricks& surface, size_t number, cons
     out.cell[a] = std::clamp(static_cast<int>(std::floor(at[axis])), brick.first[a] + brick.low[a],
                              brick.first[a] + brick.high[a] - 1);
   }
-  out.outwards = trilinear(surface, number, out.cell, own).slope.dot(direction) > 0;
+  out.outwards = trilinear(surface, number, out.cell, own).gradient.dot(direction) > 0;
   return out;
 }
 
@@ -92,7 +92,7 @@ float largest_coordinate(const Vec3f& p) {
 
 }  // namespace
 
-void World::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBricks& surface,
+void PreparedScene::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBricks& surface,
                                           size_t number) const {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(surface.bricks().size()));
@@ -104,15 +104,15 @@ void World::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBric
   device.check("taking in a level set");
 }
 
-void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Crossing& seen,
+void PreparedScene::Geometry::fill_surface(const Part& part, uint32_t brick, const Crossing& seen,
                                    float time, const Ray& ray, Hit& hit) {
   const volume::SurfaceBricks& grid = *part.surface;
-  const Space space(part.placing.get(), time);
+  const Space space(part.instance.get(), time);
   const Vec3d from = space.point(Vec3d(ray.origin)), way = space.vector(Vec3d(ray.direction));
   Crossing met = seen;
   // An instance's ray is Embree's own, whose last bits are the machine's: again, so that they are
   // the same everywhere. It may just miss here what it has met there.
-  if (part.placing) {
+  if (part.instance) {
     const auto again = first_crossing(grid, brick, from, way, 0, kInfinity);
     met = again ? *again : crossing_near(grid, brick, from, way, seen.t);
   }
@@ -132,10 +132,10 @@ void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Cross
   surface.mesh = nullptr;
   surface.solid = part.solid.get();
   surface.geometric_normal = -ray.direction;
-  if (sharp.slope.length2() > 0) surface.geometric_normal = space.normal(sharp.slope) * side;
-  const bool is_smooth = !part.flat && soft.slope.length2() > 0;
+  if (sharp.gradient.length2() > 0) surface.geometric_normal = space.normal(sharp.gradient) * side;
+  const bool is_smooth = !part.flat && soft.gradient.length2() > 0;
   const Vec3f smooth_normal =
-      is_smooth ? space.normal(soft.slope) * side : surface.geometric_normal;
+      is_smooth ? space.normal(soft.gradient) * side : surface.geometric_normal;
   surface.shading_normal = smooth_normal;
   surface.face(ray.direction);
 
@@ -163,8 +163,8 @@ void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Cross
   Vec3f origin = surface.position;
   const double beneath = -soft.value * static_cast<double>(side);
   if (is_smooth && beneath > 0) {
-    const double height = std::min(beneath / soft.slope.length(), 0.5 * grid.voxel());
-    const Vec3d up = soft.slope.normalized() * (height * static_cast<double>(side));
+    const double height = std::min(beneath / soft.gradient.length(), 0.5 * grid.voxel());
+    const Vec3d up = soft.gradient.normalized() * (height * static_cast<double>(side));
     const auto is_clear = [&](double share) {
       return trilinear_value(grid, brick, own + up * share) * static_cast<double>(side) > 0;
     };
@@ -174,7 +174,7 @@ void World::Geometry::fill_surface(const Part& part, uint32_t brick, const Cross
   hit.behind = clear(surface.position, -1);
   surface.color = Rgb(1.0f);
   if (part.color) {
-    const Vec3d out = (soft.slope.length2() > 0 ? soft.slope : sharp.slope).normalized();
+    const Vec3d out = (soft.gradient.length2() > 0 ? soft.gradient : sharp.gradient).normalized();
     const Vec3d color = (*part.color)({own, out, part.solid.get()});
     for (int c = 0; c < 3; ++c)
       surface.color[c] = static_cast<float>(std::min(1.0, std::max(0.0, color[c])));

@@ -243,12 +243,12 @@ GridValue smooth(const SurfaceBricks& surface, size_t number, const Index& cell,
       for (int c = 1; c < 3; ++c) {
         const double x = a > 1 ? p[0] : 1 - p[0], y = b > 1 ? p[1] : 1 - p[1];
         const double z = c > 1 ? p[2] : 1 - p[2];
-        out.slope += Vec3d(v[a + 1][b][c] - v[a - 1][b][c], v[a][b + 1][c] - v[a][b - 1][c],
+        out.gradient += Vec3d(v[a + 1][b][c] - v[a - 1][b][c], v[a][b + 1][c] - v[a][b - 1][c],
                            v[a][b][c + 1] - v[a][b][c - 1]) *
                      (x * y * z);
       }
   out.value *= surface.step();
-  out.slope *= 0.5 * surface.step() / surface.voxel();
+  out.gradient *= 0.5 * surface.step() / surface.voxel();
   return out;
 }
 

@@ -28,7 +28,7 @@ std::optional<Crossing> first_crossing(const volume::SurfaceBricks& surface, siz
 /// A value in metres, below 0 inside, and its slope.
 struct GridValue {
   double value = 0;
-  Vec3d slope{0, 0, 0};
+  Vec3d gradient{0, 0, 0};
 };
 
 /// The interpolant in a cell that the surface crosses.

@@ -7,32 +7,32 @@
 
 namespace vug::render {
 
-Placing::Placing(const std::vector<Transform>& places) {
+InstanceTransform::InstanceTransform(const std::vector<Transform>& places) {
   if (places.empty()) throw Error(ErrorCode::bad_input, "an instance stands nowhere");
   for (const Transform& place : places) {
-    steps_.emplace_back(place);
-    wear_ = std::max(wear_, static_cast<float>(place.max_stretch() / place.min_stretch()));
+    keyframes_.emplace_back(place);
+    error_scale_ = std::max(error_scale_, static_cast<float>(place.max_stretch() / place.min_stretch()));
     const Vec3d& o = place.origin();
     const double far = std::max(std::fabs(o.x), std::max(std::fabs(o.y), std::fabs(o.z)));
-    reach_ = std::max(reach_, static_cast<float>(far));
+    origin_extent_ = std::max(origin_extent_, static_cast<float>(far));
   }
   const Transform& middle = places[places.size() / 2];
-  to_own_ = middle.inverse();
-  stretch_ = static_cast<float>(maths::pow(std::fabs(middle.determinant()), 1.0 / 3));
+  inverse_ = middle.inverse();
+  mean_scale_ = static_cast<float>(maths::pow(std::fabs(middle.determinant()), 1.0 / 3));
 }
 
-Transform Placing::to_own(float time) const {
-  if (!moves()) return to_own_;
-  const Affine now = between(time);
+Transform InstanceTransform::inverse(float time) const {
+  if (!moves()) return inverse_;
+  const Affine now = interpolate(time);
   return Transform(Vec3d(now.x), Vec3d(now.y), Vec3d(now.z), Vec3d(now.origin)).inverse();
 }
 
-Affine Placing::between(float time) const {
-  const float last = static_cast<float>(steps_.size() - 1);
+Affine InstanceTransform::interpolate(float time) const {
+  const float last = static_cast<float>(keyframes_.size() - 1);
   const float place = std::clamp(time, 0.0f, 1.0f) * last;
   const float first = std::min(std::floor(place), last - 1);
-  const Affine& a = steps_[static_cast<size_t>(first)];
-  const Affine& b = steps_[static_cast<size_t>(first) + 1];
+  const Affine& a = keyframes_[static_cast<size_t>(first)];
+  const Affine& b = keyframes_[static_cast<size_t>(first) + 1];
   const float share = place - first, rest = 1 - share;
   Affine mix;
   mix.x = a.x * rest + b.x * share, mix.y = a.y * rest + b.y * share;

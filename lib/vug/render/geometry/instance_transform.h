@@ -39,35 +39,36 @@ struct Affine {
 
 /// From a mesh's own space to that of the scene, as an affine map that may mirror and may stretch
 /// unevenly, and may change while the shutter is open.
-class Placing {
+class InstanceTransform {
  public:
-  explicit Placing(const Transform& place) : Placing(std::vector<Transform>{place}) {}
+  explicit InstanceTransform(const Transform& place)
+      : InstanceTransform(std::vector<Transform>{place}) {}
   /// At moments evenly spread from the opening of the shutter to its close; in between, numbers of
   /// the maps are blended in proportion. Error(bad_input): none.
-  explicit Placing(const std::vector<Transform>& places);
+  explicit InstanceTransform(const std::vector<Transform>& places);
 
-  const std::vector<Affine>& steps() const { return steps_; }
-  bool moves() const { return steps_.size() > 1; }
+  const std::vector<Affine>& keyframes() const { return keyframes_; }
+  bool moves() const { return keyframes_.size() > 1; }
   /// `time`: 0 as the shutter opens, 1 as it closes.
-  Affine at(float time) const { return moves() ? between(time) : steps_[0]; }
+  Affine at(float time) const { return moves() ? interpolate(time) : keyframes_[0]; }
 
   /// The way back, for what looks up places of the mesh's own space.
-  Transform to_own(float time) const;
+  Transform inverse(float time) const;
   /// Lengths here over lengths there, on average over the directions.
-  float stretch() const { return stretch_; }
+  float mean_scale() const { return mean_scale_; }
   /// Errors of rays that are met in the mesh's own space, in units in the last place of the
   /// coordinates of a place: that many times those of a mesh that stands in the scene itself.
-  float wear() const { return wear_; }
+  float error_scale() const { return error_scale_; }
   /// Added to these coordinates: where rays go through numbers that large on their way.
-  float reach() const { return reach_; }
+  float origin_extent() const { return origin_extent_; }
 
  private:
-  Affine between(float time) const;
+  Affine interpolate(float time) const;
 
-  std::vector<Affine> steps_;
-  Transform to_own_;
-  float stretch_ = 1, wear_ = 1, reach_ = 0;
+  std::vector<Affine> keyframes_;
+  Transform inverse_;
+  float mean_scale_ = 1, error_scale_ = 1, origin_extent_ = 0;
 };
-using PlacingPtr = std::shared_ptr<const Placing>;
+using InstanceTransformPtr = std::shared_ptr<const InstanceTransform>;
 
 }  // namespace vug::render

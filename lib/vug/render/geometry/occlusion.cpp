@@ -33,11 +33,11 @@ Vec2d shift(const Vec3f& place) {
 }  // namespace
 
 struct Openness::Around {
-  World world;
+  PreparedScene world;
 };
 
 Openness::Openness(const std::vector<mesh::MeshPtr>& meshes)
-    : around_(new Around{World(scene_of(meshes))}) {}
+    : around_(new Around{PreparedScene(scene_of(meshes))}) {}
 Openness::~Openness() = default;
 
 std::vector<float> Openness::of(const std::vector<Vec3f>& places, const std::vector<Vec3f>& normals,

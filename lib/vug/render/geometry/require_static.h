@@ -7,6 +7,6 @@ namespace vug::render {
 
 /// Triangles that shine are lamps, which have one place. Error(bad_input) where the object shines
 /// and moves.
-void require_still(const Object& object);
+void require_static(const Object& object);
 
 }  // namespace vug::render

@@ -103,9 +103,9 @@ class PathIntegrator final : public Integrator {
         train(context, std::clamp(share, kMinPaths, kMaxPaths), trace, progress);
     return with_guiding;
   }
-  PathResult trace(const World& world, const Ray& ray, SampleCursor& numbers, Tally* tally,
-                   std::span<const Ray> beside) const override {
-    return trace_path(world, ray, settings_, guiding_, numbers, tally, nullptr, beside);
+  PathResult trace(const PreparedScene& world, const Ray& ray, SampleCursor& numbers,
+                   LightPathRecorder* recorder, std::span<const Ray> extra_rays) const override {
+    return trace_path(world, ray, settings_, guiding_, numbers, recorder, nullptr, extra_rays);
   }
 
  private:

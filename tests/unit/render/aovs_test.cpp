@@ -32,13 +32,13 @@ TEST(Layers, PartsSumToTheBeauty) {
   for (const bool clamp : {false, true}) {
     Options o = options(40, 30, 16, 4);
     if (clamp) o.integrator = make_integrator("path", {{"max_bounces", 4.0}, {"clamp", 0.02}});
-    o.layers = plan_layers({"beauty", "parts"}, {});
+    o.aovs = plan_aovs({"beauty", "parts"}, {});
     const image::Image picture = render(corner(), o);
     for (const char* c : {"R", "G", "B"})
       for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
           double sum = 0;
-          for (const std::string& part : part_names())
+          for (const std::string& part : component_names())
             sum += static_cast<double>(
                 picture.at(x, y, static_cast<size_t>(picture.find_channel(part + "." + c))));
           const auto beauty =
@@ -58,7 +58,7 @@ TEST(Layers, DirectLightIsThatOfAShortPath) {
   Scene scene = corner();
   scene.medium = nullptr;
   Options o = options(40, 30, 64, 4);
-  o.layers = plan_layers({"beauty", "parts"}, {});
+  o.aovs = plan_aovs({"beauty", "parts"}, {});
   o.integrator = make_integrator("path", {{"max_bounces", 4.0}, {"roulette", Value::Name{"off"}}});
   const image::Image longer = render(scene, o);
   o.integrator = make_integrator("path", {{"max_bounces", 0.0}});
@@ -84,8 +84,8 @@ TEST(Layers, GroupsAreThePicturesOfTheirLights) {
     return scene;
   };
   Options o = options(40, 30, 256, 2);
-  o.layers = scene_layers(scene_with(true, true), {"beauty", "lights", "parts"});
-  EXPECT_EQ(o.layers.groups, (std::vector<std::string>{"key", "fill"}));
+  o.aovs = scene_aovs(scene_with(true, true), {"beauty", "lights", "parts"});
+  EXPECT_EQ(o.aovs.groups, (std::vector<std::string>{"key", "fill"}));
   const image::Image both = render(scene_with(true, true), o);
   const image::Image key = render(scene_with(true, false), options(40, 30, 256, 2));
   const image::Image fill = render(scene_with(false, true), options(40, 30, 256, 2));
@@ -114,9 +114,9 @@ TEST(Layers, AttributesAreThoseOfTheMeshWherePIs) {
                             {"b", ValueTraits<MaterialPtr>::write(make_material("coated"))},
                             {"mask", 0.25}});
   Options o = options(40, 30, 4, 1);
-  o.layers = scene_layers(scene, {"beauty", "A", "P", "N", "wetness", "attributes"});
+  o.aovs = scene_aovs(scene, {"beauty", "A", "P", "N", "wetness", "attributes"});
   const image::Image picture = render(scene, o);
-  EXPECT_EQ(o.layers.channels(),
+  EXPECT_EQ(o.aovs.channels(),
             (std::vector<std::string>{"R", "G", "B", "A", "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z",
                                       "wetness", "attribute_age.X", "attribute_flow.X",
                                       "attribute_flow.Y", "attribute_flow.Z"}));
@@ -143,7 +143,7 @@ TEST(Layers, AttributesAreThoseOfTheMeshWherePIs) {
     }
   EXPECT_GT(on_floor, 200);
   EXPECT_GT(on_wall, 100);
-  EXPECT_THROW(scene_layers(scene, {"beauty", "attribute_agee"}), Error);
+  EXPECT_THROW(scene_aovs(scene, {"beauty", "attribute_agee"}), Error);
 }
 
 // What water and glass let through is the transmission part, and the whole is still the beauty.
@@ -153,13 +153,13 @@ TEST(Layers, PartsOfClearBodiesSumToTheBeauty) {
   ball.material = make_material("surface", {{"transmission", 0.8}, {"roughness", 0.1}});
   scene.objects.push_back(ball);
   Options o = options(24, 18, 16, 6);
-  o.layers = plan_layers({"beauty", "parts"}, {});
+  o.aovs = plan_aovs({"beauty", "parts"}, {});
   const image::Image picture = render(scene, o);
   double through = 0;
   for (size_t p = 0; p < picture.pixel_count(); ++p) {
     const float* values = &picture.pixels[p * picture.channels.size()];
     double sum = 0;
-    for (const std::string& part : part_names())
+    for (const std::string& part : component_names())
       sum += static_cast<double>(values[picture.find_channel(part + ".G")]);
     const auto beauty = static_cast<double>(values[picture.find_channel("G")]);
     ASSERT_NEAR(sum, beauty, 1e-5 * beauty + 1e-9);
@@ -172,21 +172,21 @@ TEST(Layers, PartsOfClearBodiesSumToTheBeauty) {
 TEST(Layers, WhatIsAskedForDoesNotChangeTheRest) {
   Options o = options(20, 15, 4, 2);
   const image::Image usual = render(corner(), o);
-  o.layers = plan_layers({"all"}, {});
+  o.aovs = plan_aovs({"all"}, {});
   EXPECT_EQ(render(corner(), o).select(usual.channels), usual);
 }
 
 TEST(Layers, NamesAreChecked) {
-  EXPECT_EQ(plan_layers({"samples", "beauty"}, {}).channels(),
+  EXPECT_EQ(plan_aovs({"samples", "beauty"}, {}).channels(),
             (std::vector<std::string>{"R", "G", "B", "samples"}));
-  EXPECT_TRUE(plan_layers({"beauty", "lights"}, {"key", "sky"}).has("light_sky"));
+  EXPECT_TRUE(plan_aovs({"beauty", "lights"}, {"key", "sky"}).has("light_sky"));
   try {
-    plan_layers({"beauty", "difuse_direct"}, {});
+    plan_aovs({"beauty", "difuse_direct"}, {});
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(error.hint().find("diffuse_direct"), std::string::npos) << error.hint();
   }
-  EXPECT_THROW(plan_layers({"Z"}, {}), Error);
+  EXPECT_THROW(plan_aovs({"Z"}, {}), Error);
 }
 
 }  // namespace

@@ -18,67 +18,67 @@ Scene lit_floor() {
   return scene;
 }
 
-State rendered(const Options& o, const Share& share = {}, const Watch& watch = {}) {
-  State state = start(o, share);
+RenderState rendered(const Options& o, const RenderSlice& slice = {}, const RenderCallbacks& callbacks = {}) {
+  RenderState state = begin_render(o, slice);
   Progress progress;
-  proceed(lit_floor(), o, state, watch, progress);
+  continue_render(lit_floor(), o, state, callbacks, progress);
   return state;
 }
 
-TEST(State, PartsHaveTheBitsOfTheWhole) {
+TEST(RenderState, PartsHaveTheBitsOfTheWhole) {
   Options o = options(50, 37, 10, 2);
-  o.layers = plan_layers({"all"}, {});
+  o.aovs = plan_aovs({"all"}, {});
   const image::Image whole = render(lit_floor(), o);
   o.threads = 1;
-  State joint = start(o);
+  RenderState joint = begin_render(o);
   for (const int tile : {2, 0, 1})
     for (const auto& [begin, end] : {std::pair(7u, 10u), {0u, 3u}, {3u, 7u}}) {
       o.threads = 1 + (tile + static_cast<int>(begin)) % 3;
       joint.film.merge(rendered(o, {tile, 3, begin, end}).film);
     }
-  EXPECT_EQ(develop(joint, o.layers), whole);
+  EXPECT_EQ(develop(joint, o.aovs), whole);
 }
 
-TEST(State, PassesHaveTheBitsOfTheWhole) {
+TEST(RenderState, PassesHaveTheBitsOfTheWhole) {
   const Options o = options(50, 37, 21, 2);
   std::vector<uint32_t> seen;
-  Watch watch;
-  watch.pass = [&](const State& state) { seen.push_back(state.done[3]); };
-  EXPECT_EQ(develop(rendered(o, {}, watch), o.layers), render(lit_floor(), o));
+  RenderCallbacks callbacks;
+  callbacks.pass = [&](const RenderState& state) { seen.push_back(state.done[3]); };
+  EXPECT_EQ(develop(rendered(o, {}, callbacks), o.aovs), render(lit_floor(), o));
   EXPECT_EQ(seen, (std::vector<uint32_t>{4, 8, 16, 21}));
 }
 
-TEST(State, SavingChangesNoDecision) {
+TEST(RenderState, SavingChangesNoDecision) {
   Options o = options(40, 30, 700, 1);
   o.noise = 0.03;
-  Watch watch;
-  watch.save_every = 0;
+  RenderCallbacks callbacks;
+  callbacks.save_every = 0;
   int saves = 0;
-  watch.save = [&](const State&) { ++saves; };
-  EXPECT_EQ(develop(rendered(o, {}, watch), o.layers), render(lit_floor(), o));
+  callbacks.save = [&](const RenderState&) { ++saves; };
+  EXPECT_EQ(develop(rendered(o, {}, callbacks), o.aovs), render(lit_floor(), o));
   EXPECT_GT(saves, 0);
 }
 
-TEST(State, WorkThatWasStoppedGoesOn) {
+TEST(RenderState, WorkThatWasStoppedGoesOn) {
   for (const double noise : {0.0, 0.08}) {
     Options o = options(50, 37, 64, 2);
     o.noise = noise;
     const image::Image whole = render(lit_floor(), o);
-    State kept = start(o);
+    RenderState kept = begin_render(o);
     for (int stop = 0; stop < 12; ++stop) {
       // Saves after every block, and lets go of all after some.
-      State state = kept;
+      RenderState state = kept;
       Progress progress;
       int saves = 0;
-      Watch watch;
-      watch.save_every = 0;
-      watch.save = [&](const State& now) {
+      RenderCallbacks callbacks;
+      callbacks.save_every = 0;
+      callbacks.save = [&](const RenderState& now) {
         if (progress.cancelled()) return;
         kept = now;
         if (++saves == 1 + 2 * stop) progress.cancel();
       };
       try {
-        proceed(lit_floor(), o, state, watch, progress);
+        continue_render(lit_floor(), o, state, callbacks, progress);
         break;
       } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::cancelled);
@@ -86,13 +86,13 @@ TEST(State, WorkThatWasStoppedGoesOn) {
     }
     EXPECT_GT(kept.fraction(), 0);
     Progress progress;
-    proceed(lit_floor(), o, kept, {}, progress);
+    continue_render(lit_floor(), o, kept, {}, progress);
     EXPECT_TRUE(kept.complete());
-    EXPECT_EQ(develop(kept, o.layers), whole) << noise;
+    EXPECT_EQ(develop(kept, o.aovs), whole) << noise;
   }
 }
 
-TEST(State, ACropHasThePixelsOfTheWhole) {
+TEST(RenderState, ACropHasThePixelsOfTheWhole) {
   Options o = options(50, 37, 4, 2);
   const image::Image whole = render(lit_floor(), o);
   o.crop = {11, 5, 31, 30};
@@ -107,15 +107,15 @@ TEST(State, ACropHasThePixelsOfTheWhole) {
   EXPECT_THROW(render(lit_floor(), o), Error);
 }
 
-TEST(State, SharesThatAreNoneAreRefused) {
+TEST(RenderState, SharesThatAreNoneAreRefused) {
   Options o = options(50, 37, 4, 2);
-  EXPECT_THROW(start(o, {3, 3, 0, 0}), Error);
-  EXPECT_THROW(start(o, {0, 38, 0, 0}), Error);
-  EXPECT_THROW(start(o, {0, 1, 0, 5}), Error);
-  EXPECT_THROW(start(o, {0, 1, 3, 3}), Error);
+  EXPECT_THROW(begin_render(o, {3, 3, 0, 0}), Error);
+  EXPECT_THROW(begin_render(o, {0, 38, 0, 0}), Error);
+  EXPECT_THROW(begin_render(o, {0, 1, 0, 5}), Error);
+  EXPECT_THROW(begin_render(o, {0, 1, 3, 3}), Error);
   o.noise = 0.1;
-  EXPECT_THROW(start(o, {0, 2, 0, 0}), Error);
-  EXPECT_THROW(start(o, {0, 1, 0, 2}), Error);
+  EXPECT_THROW(begin_render(o, {0, 2, 0, 0}), Error);
+  EXPECT_THROW(begin_render(o, {0, 1, 0, 2}), Error);
 }
 
 }  // namespace

@@ -29,11 +29,11 @@ class Parts : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   fs::path file(const std::string& name) const { return folder_ / name; }
-  fs::path part(const std::string& name, const Options& o, const Share& share) const {
-    State state = start(o, share);
+  fs::path part(const std::string& name, const Options& o, const RenderSlice& slice) const {
+    RenderState state = begin_render(o, slice);
     Progress progress;
-    proceed(lit_floor(), o, state, {}, progress);
-    write_part(file(name), part_header(o), state);
+    continue_render(lit_floor(), o, state, {}, progress);
+    write_partial_render(file(name), partial_render_header(o), state);
     return file(name);
   }
   /// What merging them is refused with; empty when it is not.
@@ -53,7 +53,7 @@ class Parts : public ::testing::Test {
 
 Options small() {
   Options o = options(64, 48, 12, 2);
-  o.layers = plan_layers({"all"}, {});
+  o.aovs = plan_aovs({"all"}, {});
   return o;
 }
 
@@ -61,27 +61,27 @@ TEST_F(Parts, MergeToTheBitsOfTheWhole) {
   const Options o = small();
   const std::vector<fs::path> paths = {part("c", o, {1, 2, 0, 0}), part("a", o, {0, 2, 8, 12}),
                                        part("b", o, {0, 2, 0, 8})};
-  const Part whole = merge(paths);
-  EXPECT_EQ(develop(whole.state, whole.header.layers), render(lit_floor(), o));
+  const PartialRender whole = merge(paths);
+  EXPECT_EQ(develop(whole.state, whole.header.aovs), render(lit_floor(), o));
 }
 
 TEST_F(Parts, ComeBackAsTheyWere) {
   const Options o = small();
-  PartHeader header = part_header(o);
+  PartialRenderHeader header = partial_render_header(o);
   header.identity = "abc", header.notes = {{"half", "true"}, {"", "empty name"}};
-  State state = start(o, {1, 3, 2, 9});
-  write_part(file("early"), header, state);
-  state.settled[1] = 1, state.done[0] = 5;
+  RenderState state = begin_render(o, {1, 3, 2, 9});
+  write_partial_render(file("early"), header, state);
+  state.converged[1] = 1, state.done[0] = 5;
   state.film.at(0, 20).samples = 7;
-  write_part(file("p"), header, state);
-  const Part back = read_part(file("p"));
+  write_partial_render(file("p"), header, state);
+  const PartialRender back = read_partial_render(file("p"));
   EXPECT_EQ(back.header, header);
   EXPECT_EQ(back.state.done, state.done);
-  EXPECT_EQ(back.state.settled, state.settled);
+  EXPECT_EQ(back.state.converged, state.converged);
   EXPECT_EQ(back.state.film.at(0, 20), state.film.at(0, 20));
-  EXPECT_EQ(read_outline(file("p")).fraction, state.fraction());
-  EXPECT_EQ(read_outline(file("early")).fraction, 0);
-  EXPECT_EQ(read_outline(file("p")).region, state.region());
+  EXPECT_EQ(read_partial_render_info(file("p")).fraction, state.fraction());
+  EXPECT_EQ(read_partial_render_info(file("early")).fraction, 0);
+  EXPECT_EQ(read_partial_render_info(file("p")).region, state.region());
 }
 
 TEST_F(Parts, ThatDoNotBelongTogetherAreNamed) {
@@ -98,13 +98,13 @@ TEST_F(Parts, ThatDoNotBelongTogetherAreNamed) {
   EXPECT_NE(refusal({top}).find("samples 0..12 of the pixels x 0..63, y 24..47 are missing"),
             std::string::npos);
   EXPECT_NE(refusal({top, part("some", o, {1, 2, 0, 7})}).find("samples 7..12"), std::string::npos);
-  State state = start(o, {1, 2, 0, 0});
-  PartHeader header = part_header(o);
-  write_part(file("begun"), header, state);
+  RenderState state = begin_render(o, {1, 2, 0, 0});
+  PartialRenderHeader header = partial_render_header(o);
+  write_partial_render(file("begun"), header, state);
   EXPECT_NE(refusal({top, file("begun")}).find("done only to 0 %"), std::string::npos);
   header.identity = "another scene";
   std::fill(state.done.begin(), state.done.end(), state.end);
-  write_part(file("scene"), header, state);
+  write_partial_render(file("scene"), header, state);
   EXPECT_NE(refusal({top, file("scene")}).find("different scenes"), std::string::npos);
   EXPECT_EQ(refusal({low, top}), "");
 }
@@ -114,7 +114,7 @@ TEST_F(Parts, BrokenFilesAreRefused) {
   const auto refused = [&](const std::string& text) {
     write_text(file("broken"), text);
     try {
-      read_part(file("broken"));
+      read_partial_render(file("broken"));
     } catch (const Error& error) {
       return error.code() == ErrorCode::bad_input;
     }
@@ -128,7 +128,7 @@ TEST_F(Parts, BrokenFilesAreRefused) {
     changed[at] = static_cast<char>(changed[at] ^ 0x41);
     ASSERT_TRUE(refused(changed)) << at;
   }
-  EXPECT_THROW(read_part(file("none")), Error);
+  EXPECT_THROW(read_partial_render(file("none")), Error);
 }
 
 }  // namespace
