@@ -188,7 +188,7 @@ class Cells(VugTest):
         measured = json.loads(self.expect(1, "measure", "out/file.ply", "--json").out)
         self.assertEqual(measured["boundary_edges"], 3)
         self.write("worn.vug", (self.folder / "file.vug").read_text() + "volume solid on skin { voxel 10cm }\n")
-        self.assertIn("worn.vug:5:8: error: a mesh with 3 open edges bounds no solid", self.expect(2, "build", "worn.vug", "-o", "out").err)
+        self.assertIn("worn.vug:5:8: error: a mesh with 3 open edges does not bound a solid", self.expect(2, "build", "worn.vug", "-o", "out").err)
         self.write("inside.vug", "mesh shell { file \"turned.obj\" }\ncells skin on shell { spacing 20cm  run voronoi }\n")
         first = lines[faces[0]].split()
         turned = lines[:faces[0]] + [" ".join([first[0], first[2], first[1], first[3]])] + lines[faces[0] + 1:]

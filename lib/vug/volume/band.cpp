@@ -14,7 +14,7 @@ const openvdb::FloatGrid& floats(const LevelSet& level_set) {
   return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
 }
 
-/// The leaves of a tree and how many active voxels come before each.
+/// The leaves of a tree and the number of active voxels before each.
 template <class Node, class Tree>
 struct Leaves {
   explicit Leaves(Tree& tree) {
@@ -48,7 +48,8 @@ Grid filled(const LevelSet& level_set, const std::vector<T>& values) {
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);
   const Leaves<typename Tree::LeafNodeType, Tree> leaves(grid->tree());
   if (leaves.count != values.size())
-    throw Error(ErrorCode::internal, "there is not one value for each voxel of the band");
+    throw Error(ErrorCode::internal,
+                "the number of values differs from the number of voxels in the band");
   parallel_for(leaves.nodes.size(), [&](size_t n) {
     size_t at = leaves.begin[n];
     for (auto voxel = leaves.nodes[n]->beginValueOn(); voxel; ++voxel)
@@ -70,11 +71,11 @@ BandPoints band_points(const LevelSet& level_set) {
     size_t at = leaves.begin[n];
     for (auto on = leaves.nodes[n]->cbeginValueOn(); on; ++on, ++at) {
       const openvdb::Coord here = on.getCoord();
-      openvdb::Vec3d slope;  // per voxel
+      openvdb::Vec3d slope;  // Per voxel.
       for (int axis = 0; axis < 3; ++axis) {
         openvdb::Coord step(0);
         step.setX(axis == 0).setY(axis == 1).setZ(axis == 2);
-        // Beyond the band values stand still: differences end at its rim.
+        // Values are constant beyond the band, so differences are one-sided at its edge.
         float ahead = *on, behind = *on;
         const bool more = values.isValueOn(here + step), less = values.isValueOn(here - step);
         if (more) ahead = values.getValue(here + step);

@@ -1,5 +1,5 @@
-// Values that are no distances are repaired to first order, d = v / |grad v| (taubin1994,
-// section 3): the zero set stays, and near it d is the distance up to O(d^2 curvature).
+// Values that are not distances are repaired to first order, d = v / |grad v| (taubin1994, section
+// 3): the zero set is unchanged, and near it d is the distance up to O(d^2 curvature).
 #include <vug/volume/block.h>
 
 #include <algorithm>
@@ -14,9 +14,9 @@ using field::Point;
 
 namespace {
 
-constexpr int kPacks = Block::kSize / Pack::kLanes;  // one for each run along z
+constexpr int kPacks = Block::kSize / Pack::kLanes;  // One for each run along z.
 constexpr double kFar = 1e30;
-constexpr int kChunk = 16;  // packs whose points and derivatives stay in the nearest cache
+constexpr int kChunk = 16;  // Packs whose points and derivatives stay in the first-level cache.
 
 float coordinate(int64_t index, double voxel) {
   return static_cast<float>(static_cast<double>(index) * voxel);
@@ -32,10 +32,11 @@ void place_points(const Cell& cell, double voxel, Point<Pack>* points) {
                            Pack(coordinate(cell.origin[1] + y, voxel)), run};
 }
 
-/// A block's packs stand in rows of eight along x and along y. Of every row these three are looked
-/// at first: no other is further than one lattice step from one of them, along either axis.
+/// The packs of a block form rows of eight along x and along y. These three of every row are
+/// evaluated first: all others are at most one lattice step away from one of them, along either
+/// axis.
 constexpr int kLooked[] = {1, 4, 6};
-constexpr int kNearestLooked[8] = {0, 0, 0, 1, 1, 1, 2, 2};  // index into kLooked
+constexpr int kNearestLooked[8] = {0, 0, 0, 1, 1, 1, 2, 2};  // Index into kLooked.
 
 float least_magnitude(Pack value) {
   float lanes[Pack::kLanes];
@@ -43,8 +44,8 @@ float least_magnitude(Pack value) {
   return *std::min_element(lanes, lanes + Pack::kLanes);
 }
 
-/// Finds the packs that may reach into the band from nine of them and the field's steepest slope.
-/// The others get a value beyond the band, of their side.
+/// Finds the packs that may reach into the band, from nine of them and the field's maximum slope.
+/// The others get a value beyond the band with their sign.
 int find_in_reach(const field::Field& field, const NarrowBand& band, const Point<Pack>* points,
                   Pack* values, int* found, field::Scratch& scratch) {
   Point<Pack> looked[9];
@@ -68,14 +69,14 @@ int find_in_reach(const field::Field& field, const NarrowBand& band, const Point
   return count;
 }
 
-/// Voxels that may neighbour a change of sign (|v| <= lipschitz * voxel) keep a value inside the
-/// band, so that no surface passes between inactive voxels.
+/// Voxels that may be adjacent to a change of sign (|v| <= lipschitz * voxel) keep a value inside
+/// the band, so that no surface passes between inactive voxels.
 class Neighbours {
  public:
   Neighbours(const field::Field& field, const NarrowBand& band)
       : near_(1.0001 * field.lipschitz() * band.voxel),
         inside_band_(std::nextafter(band.background, 0.0f)) {}
-  /// `distance` as it is stored where the field's value is `value`.
+  /// The stored `distance` where the field's value is `value`.
   Pack held(Pack value, Pack distance) const {
     return select(abs(value) <= near_, min(max(distance, -inside_band_), inside_band_), distance);
   }
@@ -84,8 +85,8 @@ class Neighbours {
   Pack near_, inside_band_;
 };
 
-/// First-order distances where they reach into the band. Where the slope vanishes the quotient says
-/// nothing, and only `Neighbours` keeps it in the band.
+/// First-order distances where they reach into the band. Where the slope vanishes the quotient is
+/// meaningless, and only `Neighbours` keeps the voxel in the band.
 void distances(const field::Field& field, const NarrowBand& band, const Point<Pack>* points,
                Pack* values, field::Scratch& scratch) {
   int found[kPacks];
@@ -107,7 +108,7 @@ void distances(const field::Field& field, const NarrowBand& band, const Point<Pa
   }
 }
 
-/// Unrepaired steep values.
+/// For unrepaired steep values.
 void keep_neighbours(const field::Field& field, const NarrowBand& band, Pack* values) {
   const Neighbours neighbours(field, band);
   for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], values[i]);

@@ -1,4 +1,4 @@
-// The identity of a grid's content. Small-endian bytes of the tree in its own sorted order.
+// Digest of a grid's content: little-endian bytes of the tree in its own sorted order.
 #include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>
 #include <vug/volume/points.h>
@@ -34,7 +34,7 @@ bool hash_tree(const openvdb::GridBase& base, Hasher& hasher) {
   hasher.add(digests.data(), digests.size() * sizeof(Digest));
   hasher.add_value(tree.background());
   for (auto tile = tree.cbeginValueAll(); tile; ++tile) {
-    if (tile.isVoxelValue()) break;  // tiles come before voxels
+    if (tile.isVoxelValue()) break;  // Tiles precede voxels.
     openvdb::CoordBBox box;
     tile.getBoundingBox(box);
     const auto value = tile.getValue();
@@ -56,7 +56,7 @@ Digest Grid::content() const {
     hasher.add_value(digest(points(*this)));
   } else if (!hash_tree<openvdb::FloatGrid>(grid, hasher) &&
              !hash_tree<openvdb::Vec3SGrid>(grid, hasher)) {
-    // Any other type by its own serialised form.
+    // Other types by their serialised form.
     std::ostringstream bytes(std::ios::binary);
     grid.writeTopology(bytes);
     grid.writeBuffers(bytes);

@@ -12,7 +12,7 @@ openvdb::Mat4d matrix(const Transform& to_target) {
   openvdb::Mat4d m = openvdb::Mat4d::identity();
   for (int i = 0; i < 3; ++i) {
     const Vec3d& column = to_target.column(i);
-    m.setRow(i, openvdb::Vec4d(column.x, column.y, column.z, 0));  // points are rows
+    m.setRow(i, openvdb::Vec4d(column.x, column.y, column.z, 0));  // OpenVDB uses row vectors.
   }
   const Vec3d& o = to_target.origin();
   m.setRow(3, openvdb::Vec4d(o.x, o.y, o.z, 1));
@@ -22,7 +22,7 @@ openvdb::Mat4d matrix(const Transform& to_target) {
 void scale_distances(openvdb::FloatGrid& grid, float by) {
   grid.setTree(grid.tree().copy());
   openvdb::tools::foreach (grid.beginValueAll(), [by](const auto& it) { it.setValue(*it * by); });
-  // Inactive values have grown already: the background alone is left.
+  // Inactive values are already scaled; only the background remains.
   grid.tree().root().setBackground(grid.background() * by, false);
 }
 

@@ -11,8 +11,9 @@ namespace vug::volume {
 void copy_dense(const Grid& grid, const Vec3i& lower, const Vec3i& upper, float* out) {
   const openvdb::GridBase& base = *grid.data().grid;
   if (!base.isType<openvdb::FloatGrid>())
-    throw Error(ErrorCode::bad_input, fmt::format("grid '{}' holds no floats, its values are {}",
-                                                  grid.name(), grid.value_type()));
+    throw Error(ErrorCode::bad_input,
+                fmt::format("grid '{}' does not contain floats, its values are {}", grid.name(),
+                            grid.value_type()));
   const openvdb::CoordBBox box({lower.x, lower.y, lower.z}, {upper.x, upper.y, upper.z});
   if (box.empty()) return;
   openvdb::tools::Dense<float, openvdb::tools::LayoutZYX> dense(box, out);

@@ -15,9 +15,9 @@ namespace {
 using openvdb::Coord;
 
 constexpr float kSteps = 65535;
-constexpr int kLargest = 64;  // voxels along a brick
+constexpr int kLargest = 64;  // Voxels along a brick.
 
-/// Of the values in one brick of a block, with the first ones of the next.
+/// Range of the values in one brick of a block, including the first values of the next brick.
 MajorantGrid::Range range_of(const std::vector<float>& block, int stride, const Vec3i& first,
                              int size) {
   MajorantGrid::Range range{std::numeric_limits<float>::infinity(), 0, 0};
@@ -45,7 +45,7 @@ Density::Density(const Grid& source, int part) {
     fill(*vectors, source.name(), [part](const openvdb::Vec3s& value) { return value[part]; });
   else
     throw Error(ErrorCode::bad_input,
-                fmt::format("the grid '{}' holds {}, not floats or vectors of floats",
+                fmt::format("the grid '{}' contains {}, not floats or vectors of floats",
                             source.name(), source.value_type()));
 }
 
@@ -55,7 +55,7 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
   bounds_.makeEmpty();
   if (box.empty()) return;
-  // A voxel reaches half-way, by interpolation, to all of its neighbours.
+  // By interpolation, a voxel affects the space up to all of its neighbours.
   const Coord origin = box.min() - Coord(1);
   const Coord size = box.max() - origin + Coord(2);
   const Vec3i reach(size.x(), size.y(), size.z());
@@ -83,7 +83,7 @@ void Density::fill(const Source& grid, const std::string& name, const Value& val
               const float value = value_of(accessor.getValue(first + Coord(n, j, k)));
               if (!std::isfinite(value))
                 throw Error(ErrorCode::bad_input,
-                            fmt::format("the grid '{}' holds values that are not finite", name));
+                            fmt::format("the grid '{}' contains values that are not finite", name));
               own[i++] = std::max(value, 0.0f);
             }
         const auto [low, high] = std::minmax_element(own.begin(), own.end());

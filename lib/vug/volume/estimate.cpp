@@ -1,5 +1,5 @@
-// A surface of area A meets A * w / size^3 cubes of edge `size` on average, where w is the width
-// of the slab that a cube's centre must lie in: the band plus the cube's mean extent along the
+// On average, a surface of area A meets A * w / size^3 cubes of edge `size`, where w is the width
+// of the slab that must contain the cube's centre: the band plus the cube's mean extent along the
 // normal, 3/2 of its edge (Cauchy's mean projection of a cube).
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
@@ -18,14 +18,14 @@ struct Sample {
   Vec3d centre;
 };
 
-/// Cells of edge `size` that may come within `size` of the surface.
+/// Cells of edge `size` that may be within `size` of the surface.
 struct Shell {
   std::vector<Sample> cells;
   double size = 0;
 };
 
-// Refining ends when it no longer changes the area, which is how the features of a crowded
-// scene show; a shell of so many cells is fine enough for any.
+// Refinement ends when it no longer changes the area, that is when the features of a crowded scene
+// are resolved; a shell with this many cells is always fine enough.
 constexpr size_t kEnough = 2048, kTooMany = 60000;
 constexpr double kSettled = 0.05;
 
@@ -50,8 +50,8 @@ Shell refine(const Shell& outer) {
   return inner;
 }
 
-/// Points of a lattice of spacing a = size/2 that lie nearer than a to the surface each stand
-/// for a^3 / (2a) of its area.
+/// Each point of a lattice with spacing a = size/2 that is nearer than a to the surface represents
+/// a^3 / (2a) of its area.
 double area(const Shell& shell) {
   const double a = 0.5 * shell.size;
   const double near = ordered_sum(shell.cells.size(), 0.0, [&](size_t i) {
@@ -98,7 +98,7 @@ VoxelizeEstimate estimate(const field::Field& whole, const VoxelizeOptions& opti
   const double all = (extent.x / edge + 2) * (extent.y / edge + 2) * (extent.z / edge + 2);
   out.leaves = std::min(all, cubes(out.surface_area, edge, band));
   out.active_voxels = std::min(out.active_voxels, 512 * out.leaves);
-  // sizeof the nodes of a float tree, and the allocator's share.
+  // sizeof the nodes of a float tree, plus the overhead of the allocator.
   const double leaf = 2048 + 64 + 64 + 48, lower = 4096 * 8 + 1200, upper = 32768 * 8 + 8400;
   const double working_set = 1e6 + 4e5 * thread_count();
   out.bytes = 1.05 * (out.leaves * leaf + (8 + cubes(out.surface_area, 128 * voxel, band)) * lower +

@@ -20,7 +20,7 @@
 namespace vug::volume {
 namespace {
 
-/// The mesh as OpenVDB asks for it, in lattice units.
+/// The mesh adapter for OpenVDB, in lattice units.
 struct Triangles {
   const mesh::Mesh& mesh;
   double voxel;
@@ -47,8 +47,8 @@ void require_closed(const mesh::Mesh& mesh) {
   const size_t open = mesh::inspect(mesh::welded(mesh)).boundary_edges;
   if (open > 0)
     throw Error(ErrorCode::bad_input,
-                fmt::format("a mesh with {} open edges bounds no solid", open), {},
-                "a level set is made of a closed mesh");
+                fmt::format("a mesh with {} open edges does not bound a solid", open), {},
+                "a level set requires a closed mesh");
 }
 
 void require_on_lattice(const mesh::Mesh& mesh, const FromMeshOptions& options) {
@@ -58,14 +58,14 @@ void require_on_lattice(const mesh::Mesh& mesh, const FromMeshOptions& options) 
     for (int axis = 0; axis < 3; ++axis)
       farthest = std::max(farthest, std::fabs(static_cast<double>(p[axis])));
   if (!(farthest / options.voxel + options.half_width < kFarthest))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("with voxels of {} m the solid reaches beyond 2^31 voxels from the "
-                            "origin",
-                            options.voxel),
-                {}, "use a larger voxel or move the solid to the origin");
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("with voxels of {} m the solid extends beyond 2^31 voxels from the origin",
+                    options.voxel),
+        {}, "use a larger voxel or move the solid to the origin");
 }
 
-/// The least single-precision number that OpenVDB's check takes for `half_width` voxels.
+/// The smallest single-precision number that OpenVDB's check accepts for `half_width` voxels.
 float background_of(const FromMeshOptions& options) {
   auto background = static_cast<float>(options.half_width * options.voxel);
   while (static_cast<double>(background) / options.voxel < options.half_width)
@@ -82,7 +82,7 @@ double area_of(const mesh::Mesh& mesh) {
 
 using Tree = openvdb::FloatTree;
 
-/// Whether somebody beside the voxel is clearly outside.
+/// Whether a neighbour of the voxel is clearly outside.
 bool has_outside(const openvdb::tree::ValueAccessor<const Tree, false>& at, const openvdb::Coord& c,
                  float clear) {
   for (int side = 0; side < 6; ++side) {
@@ -93,9 +93,10 @@ bool has_outside(const openvdb::tree::ValueAccessor<const Tree, false>& at, cons
   return false;
 }
 
-/// What OpenVDB fills in is off by up to a voxel at the rim of the band, and takes the wrong side
-/// within a twentieth of a voxel. Distances become exact; sides stay as they were found from far
-/// away, but next to the surface, where the triangles tell. Voxels beyond the background sleep.
+/// OpenVDB's values deviate by up to a voxel at the edge of the band, and have the wrong sign
+/// within a twentieth of a voxel. Distances become exact. Signs remain as determined from far away,
+/// except next to the surface, where the triangles decide. Voxels beyond the background become
+/// inactive.
 void make_exact(Tree& tree, const mesh::Mesh& mesh, double voxel, float background) {
   const mesh::MeshDistance exact(mesh::welded(mesh));
   const Tree before(tree);
@@ -124,7 +125,7 @@ void make_exact(Tree& tree, const mesh::Mesh& mesh, double voxel, float backgrou
 }  // namespace
 
 double from_mesh_bytes(double area, const FromMeshOptions& options) {
-  constexpr double kActiveBytes = 40;  // a distance and a triangle's number, in leaves part empty
+  constexpr double kActiveBytes = 40;  // A distance and a triangle index, in partly filled leaves.
   return kActiveBytes * 2 * options.half_width * area / (options.voxel * options.voxel);
 }
 

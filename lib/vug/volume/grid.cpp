@@ -11,7 +11,7 @@ namespace vug::volume {
 namespace {
 
 openvdb::GridBase::Ptr shallow_copy(const openvdb::GridBase& grid) {
-  // A copy of the metadata over the same tree, which nobody changes any more.
+  // Copies the metadata and shares the tree, which is immutable from here on.
   return openvdb::ConstPtrCast<openvdb::GridBase>(grid.copyGrid());
 }
 
@@ -28,11 +28,11 @@ std::optional<MetaValue> read_meta(const openvdb::Metadata& meta) {
     return static_cast<double>(f->value());
   if (const auto* d = dynamic_cast<const openvdb::DoubleMetadata*>(&meta)) return d->value();
   if (const auto* s = dynamic_cast<const openvdb::StringMetadata*>(&meta)) return s->value();
-  return MetaValue(meta.str());  // vectors and the like, as text
+  return MetaValue(meta.str());  // Vectors and other types as text.
 }
 
 void insert_meta(openvdb::MetaMap& map, const std::string& name, const MetaValue& value) {
-  map.removeMeta(name);  // the type may change
+  map.removeMeta(name);  // The type may change.
   if (const bool* b = std::get_if<bool>(&value)) map.insertMeta(name, openvdb::BoolMetadata(*b));
   if (const int64_t* i = std::get_if<int64_t>(&value))
     map.insertMeta(name, openvdb::Int64Metadata(*i));
@@ -48,7 +48,7 @@ void initialise_openvdb() {
   static std::once_flag once;
   std::call_once(once, [] {
     openvdb::initialize();
-    // Its warnings would stand among the results on the standard output.
+    // Its warnings would appear among the results on standard output.
     log4cplus::Logger::getInstance(LOG4CPLUS_TEXT("openvdb")).setLogLevel(log4cplus::OFF_LOG_LEVEL);
   });
 }

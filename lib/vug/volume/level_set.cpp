@@ -23,12 +23,12 @@ LevelSet::LevelSet(const Grid& grid) : Grid(grid) {
   const openvdb::GridBase& base = *grid.data().grid;
   if (!base.isType<openvdb::FloatGrid>() || base.getGridClass() != openvdb::GRID_LEVEL_SET)
     throw Error(ErrorCode::bad_input,
-                fmt::format("grid '{}' is no level set: its class is {}, its values are {}",
+                fmt::format("grid '{}' is not a level set: its class is {}, its values are {}",
                             grid.name(), to_string(grid.grid_class()), grid.value_type()));
   if (!base.hasUniformVoxels() || !(background() > 0))
     throw Error(
         ErrorCode::bad_input,
-        fmt::format("level set '{}' has voxels that are no cubes, or no band", grid.name()));
+        fmt::format("the voxels of level set '{}' are not cubes, or it has no band", grid.name()));
 }
 
 double LevelSet::voxel() const { return data().grid->voxelSize().x(); }
@@ -50,7 +50,7 @@ double LevelSet::value(const Vec3d& p) const { return values({p})[0]; }
 std::vector<double> LevelSet::values(const std::vector<Vec3d>& points) const {
   const openvdb::FloatGrid& grid = floats(*this);
   std::vector<double> out(points.size());
-  constexpr size_t kChunk = 1024;  // for one accessor
+  constexpr size_t kChunk = 1024;  // For one accessor.
   parallel_for((points.size() + kChunk - 1) / kChunk, [&](size_t chunk) {
     const auto accessor = grid.getConstAccessor();
     const size_t end = std::min(points.size(), (chunk + 1) * kChunk);

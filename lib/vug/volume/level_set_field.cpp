@@ -19,7 +19,7 @@ const openvdb::FloatGrid& floats(const LevelSet& level_set) {
   return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
 }
 
-/// The interpolant's slope is at most the norm of its largest differences along the axes.
+/// The slope of the interpolant is at most the norm of its largest differences along the axes.
 double steepest(const openvdb::FloatGrid& grid, double voxel) {
   std::vector<const Tree::LeafNodeType*> leaves;
   grid.tree().getNodes(leaves);
@@ -61,7 +61,7 @@ class Samples final : public field::SampledGrid {
         for (int k = 0; k < 2; ++k)
           c[i][j][k] = static_cast<double>(at.getValue(base.offsetBy(i, j, k)));
     const auto mix = [](double a, double b, double t) { return a + (b - a) * t; };
-    // Along z first; what remains are the four edges' values and slopes.
+    // Interpolates along z first, which leaves the values and slopes of four edges.
     double edge[2][2], rise[2][2];
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {

@@ -7,7 +7,7 @@
 namespace vug::volume {
 namespace {
 
-int64_t aligned(int64_t index, int64_t to) { return index & ~(to - 1); }  // towards -infinity
+int64_t aligned(int64_t index, int64_t to) { return index & ~(to - 1); }  // Towards -infinity.
 
 class Walker {
  public:
@@ -24,7 +24,8 @@ class Walker {
 
  private:
   enum class Verdict { outside, inside, band };
-  static constexpr uint64_t kUnits = uint64_t{1} << 30;  // of progress, split evenly by space
+  static constexpr uint64_t kUnits = uint64_t{1}
+                                     << 30;  // Progress units, distributed in proportion to space.
 
   Verdict judge(const field::Field& field, Interval range) const {
     const double limit = reach(walk_.band, field);
@@ -41,7 +42,7 @@ class Walker {
     return false;
   }
 
-  /// `brick` is the 128^3 node that the cell lies in, or null above that size.
+  /// `brick` is the 128^3 node that contains the cell, or null above that size.
   void visit(const field::Field& outer, const Cell& cell, Brick* brick, uint64_t units) {
     if (cell.size > kBlock) progress_.check();
     if (beyond_bounds(cell)) return done(units);
@@ -96,7 +97,7 @@ class Walker {
     Block block;
   };
   static constexpr int64_t kBlock = 8;
-  static constexpr int64_t kSerial = 32;  // cells of at most this size are one task
+  static constexpr int64_t kSerial = 32;  // Cells of at most this size are one task.
 
   OctreeTask walk_;
   TreeBuilder tree_;

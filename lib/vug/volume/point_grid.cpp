@@ -22,9 +22,10 @@ using Tree = vp::PointDataTree;
 using Leaf = Tree::LeafNodeType;
 using Stored = vp::FixedPointCodec<false, vp::PositionRange>;
 
-constexpr int kMostVoxels = 1 << 30;  ///< From the origin, so that sums of indices fit 32 bits.
+constexpr int kMostVoxels =
+    1 << 30;  ///< From the origin, so that sums of indices fit into 32 bits.
 
-/// Where a point goes: leaves by their first voxel, then voxels, then the order it came in.
+/// Sort key of a point: leaf by first voxel, then voxel, then input order.
 struct Slot {
   uint64_t leaf_high = 0;  ///< x and y of the leaf.
   uint32_t leaf_low = 0;   ///< z of the leaf.
@@ -41,26 +42,28 @@ struct Slot {
 
 void check(const Points& points, double voxel) {
   if (!(voxel > 0) || !std::isfinite(voxel))
-    throw Error(ErrorCode::bad_input, "the voxel of points is a length above 0");
+    throw Error(ErrorCode::bad_input, "the voxel size of points must be above 0");
   if (points.size() > 0xffffffffu)
-    throw Error(ErrorCode::too_large, "so many points cannot be numbered");
+    throw Error(ErrorCode::too_large, "too many points for 32-bit indices");
   std::set<std::string> names{"P"}, groups;
   const auto check_one = [&](const std::string& name, size_t size, std::set<std::string>& known,
                              const char* what) {
     if (!vp::AttributeSet::Descriptor::validName(name))
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for {} of points", name, what),
-                  {}, "names have letters, digits and _");
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("'{}' is not a valid name for {} of points", name, what), {},
+                  "names have letters, digits and _");
     if (!known.insert(name).second)
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' is {} of points twice", name, what));
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("'{}' is the name of {} of points twice", name, what));
     if (size != points.size())
-      throw Error(ErrorCode::internal, fmt::format("'{}' has not one value for each point", name));
+      throw Error(ErrorCode::internal, fmt::format("'{}' does not have one value per point", name));
   };
   for (const PointAttribute& each : points.attributes)
     check_one(each.name, each.size(), names, "an attribute");
   for (const PointGroup& each : points.groups)
     check_one(each.name, each.member.size(), groups, "a group");
   const auto bound = static_cast<float>(kMostVoxels * voxel);
-  const auto near = [&](float x) { return std::fabs(x) < bound; };  // not so if it is no number
+  const auto near = [&](float x) { return std::fabs(x) < bound; };  // False for NaN.
   const auto bad = ordered_sum(points.size(), size_t{0}, [&](size_t i) -> size_t {
     const Vec3f& p = points.position[i];
     return near(p.x) && near(p.y) && near(p.z) ? 0 : 1;
@@ -82,7 +85,7 @@ std::vector<Slot> sorted_slots(const Points& points, double voxel) {
       points.size(),
       [&](size_t i) {
         const openvdb::Coord at = openvdb::Coord::round(index_of(points.position[i], voxel));
-        const auto part = [&](int axis) {  // rises with the coordinate
+        const auto part = [&](int axis) {  // Increases with the coordinate.
           return static_cast<uint32_t>((at[static_cast<size_t>(axis)] >> Leaf::LOG2DIM) +
                                        kMostVoxels);
         };
@@ -129,7 +132,7 @@ std::vector<Part> make_leaves(Tree& tree, const std::vector<Slot>& slots, const 
       vp::AttributeWriteHandle<openvdb::Vec3f, Stored> to(leaf->attributeArray(0));
       for (openvdb::Index k = 0; k < count; ++k) {
         const openvdb::Vec3d at = index_of(points.position[slots[part.begin + k].point], voxel);
-        // The codec cuts off; half a step more makes it round.
+        // The codec truncates; adding half a step makes it round.
         const openvdb::Vec3d half_step(0.5 / 65535);
         to.set(k, openvdb::Vec3f(at - openvdb::Coord::round(at).asVec3d() + half_step));
       }

@@ -1,4 +1,4 @@
-// Points out of grids of any origin.
+// Reads points from grids of any origin.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>
@@ -19,21 +19,22 @@ using Leaf = vp::PointDataTree::LeafNodeType;
 
 const vp::PointDataGrid& point_data(const Grid& grid) {
   if (!is_points(grid))
-    throw Error(ErrorCode::bad_input, fmt::format("the grid '{}' holds no points", grid.name()));
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the grid '{}' does not contain points", grid.name()));
   return static_cast<const vp::PointDataGrid&>(*grid.data().grid);
 }
 
-/// The leaves of a tree and how many points come before each.
+/// The leaves of a tree and the number of points before each.
 struct Leaves {
   explicit Leaves(const vp::PointDataGrid& grid) {
     grid.tree().getNodes(leaves);
     for (const Leaf* leaf : leaves) {
-      leaf->validateOffsets();  // throws where they point beyond the attributes
+      leaf->validateOffsets();  // Throws if they exceed the attributes.
       begin.push_back(count);
       count += leaf->pointCount();
     }
   }
-  /// work(leaf, its first point's number), in parallel.
+  /// Calls work(leaf, index of its first point) in parallel.
   template <class Work>
   void each(const Work& work) const {
     parallel_for(leaves.size(), [&](size_t n) { work(*leaves[n], begin[n]); });
@@ -87,7 +88,7 @@ PointAttribute::Values values(const Leaves& leaves, size_t at) {
   return out;
 }
 
-/// Of the names that OpenVDB has for types.
+/// By OpenVDB's type names.
 PointAttribute::Values values(const std::string& type, const Leaves& leaves, size_t at) {
   if (type == "float") return values<float>(leaves, at);
   if (type == "double") return values<double>(leaves, at);
@@ -100,7 +101,7 @@ PointAttribute::Values values(const std::string& type, const Leaves& leaves, siz
   return {};
 }
 
-/// Names and positions in the sets of a grid's leaves, in the order in which they were added.
+/// Names and positions in the attribute sets of a grid's leaves, in order of addition.
 std::vector<std::pair<std::string, size_t>> slots(const vp::AttributeSet::Descriptor& descriptor) {
   std::vector<std::pair<std::string, size_t>> out(descriptor.map().begin(), descriptor.map().end());
   std::sort(out.begin(), out.end(),
@@ -128,7 +129,7 @@ std::vector<std::string> group_names(const vp::AttributeSet::Descriptor& descrip
   return out;
 }
 
-/// What OpenVDB says of grids whose parts do not fit together becomes an error of ours.
+/// Converts OpenVDB's exceptions about inconsistent grids to our errors.
 template <class Work>
 auto with_points(const Grid& grid, const Work& work) {
   const vp::PointDataGrid& data = point_data(grid);
@@ -184,7 +185,7 @@ Points read_points(const std::filesystem::path& source, const std::string& name)
   if (!name.empty()) return points(read_grid(source, name));
   for (const Grid& grid : read(source))
     if (is_points(grid)) return points(grid);
-  throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", source.string()));
+  throw Error(ErrorCode::bad_input, fmt::format("'{}' does not contain points", source.string()));
 }
 
 PointsInfo points_info(const Grid& grid) { return with_points(grid, info_of); }

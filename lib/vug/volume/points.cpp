@@ -44,7 +44,7 @@ const std::vector<T>& Points::values(const std::string& name) const {
   const auto* same = std::get_if<std::vector<T>>(&found.values);
   if (!same)
     throw Error(ErrorCode::bad_input,
-                fmt::format("the attribute '{}' of the points has {}, no {}", name,
+                fmt::format("the attribute '{}' of the points has {}, not {}", name,
                             kTypes[found.values.index()],
                             kTypes[PointAttribute::Values(std::vector<T>()).index()]));
   return *same;
@@ -58,7 +58,7 @@ const std::vector<uint8_t>& Points::members(const std::string& name) const {
 }
 
 double voxel_for_points(double area_each) {
-  // A surface of area A in any direction crosses 1.5 A / v^2 voxels of edge v on average.
+  // On average, a surface of area A crosses 1.5 A / v^2 voxels of edge v, for any orientation.
   constexpr double kPointsAVoxel = 12;
   return std::sqrt(1.5 * kPointsAVoxel * area_each);
 }

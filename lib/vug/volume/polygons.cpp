@@ -9,19 +9,19 @@ namespace vug::volume {
 
 Polygons polygons_of(const LevelSet& level_set, const PolygonOptions& options) {
   if (!(options.adaptivity >= 0 && options.adaptivity <= 1))
-    throw Error(ErrorCode::bad_input, "adaptivity lies between 0 and 1");
+    throw Error(ErrorCode::bad_input, "adaptivity must be between 0 and 1");
   Polygons out;
   if (level_set.empty()) return out;
   std::vector<openvdb::Vec3s> points;
   std::vector<openvdb::Vec3I> triangles;
   std::vector<openvdb::Vec4I> quads;
-  // OpenVDB's library holds this one ready made.
+  // OpenVDB's library contains this instantiation.
   openvdb::tools::volumeToMesh(static_cast<const openvdb::FloatGrid&>(*level_set.data().grid),
                                points, triangles, quads, options.iso, options.adaptivity);
   out.points.reserve(points.size()), out.triangles.reserve(triangles.size());
   out.quads.reserve(quads.size());
   for (const openvdb::Vec3s& p : points) out.points.emplace_back(p.x(), p.y(), p.z());
-  // OpenVDB winds polygons clockwise as seen from outside.
+  // OpenVDB winds polygons clockwise seen from outside.
   for (const openvdb::Vec3I& t : triangles) out.triangles.push_back({t[2], t[1], t[0]});
   for (const openvdb::Vec4I& q : quads) out.quads.push_back({q[3], q[2], q[1], q[0]});
   return out;

@@ -14,9 +14,9 @@
 namespace vug::volume {
 namespace {
 
-constexpr int kLooks = 10;  // at a file that is replaced again and again
+constexpr int kLooks = 10;  // Attempts for a file that is replaced repeatedly.
 
-/// Tells a file from another that takes its name.
+/// Distinguishes a file from another one that replaces it.
 using Identity = std::tuple<dev_t, ino_t, off_t, time_t, long>;
 
 std::optional<Identity> identity(const std::filesystem::path& source) {
@@ -26,7 +26,7 @@ std::optional<Identity> identity(const std::filesystem::path& source) {
                   about.st_mtim.tv_nsec};
 }
 
-/// Opens a file whose header has been checked; OpenVDB's own exceptions become ours.
+/// Opens a file whose header has been checked; OpenVDB's exceptions become our errors.
 template <class Work>
 auto with_one_file(const std::filesystem::path& source, const ReadOptions& options,
                    const Work& work) {
@@ -39,18 +39,18 @@ auto with_one_file(const std::filesystem::path& source, const ReadOptions& optio
     throw fail("it is damaged: its bytes do not match its hash");
   try {
     openvdb::io::File file(source.string());
-    file.setCopyMaxBytes(0);  // files of ours are replaced, never rewritten in place
+    file.setCopyMaxBytes(0);  // Our files are replaced, never rewritten in place.
     file.open(options.delayed);
     return work(file, header);
   } catch (const Error&) {
     throw;
-  } catch (const std::exception& fault) {  // OpenVDB's, and what damaged lengths lead to
+  } catch (const std::exception& fault) {  // OpenVDB's, and consequences of damaged lengths.
     throw fail(fault.what());
   }
 }
 
-/// A file is opened several times on the way; where another takes its place meanwhile, as a
-/// checkpoint's next one does, all begins anew.
+/// A file is opened several times. If another one replaces it in between, such as the next
+/// checkpoint, the whole operation starts again.
 template <class Work>
 auto with_file(const std::filesystem::path& source, const ReadOptions& options, const Work& work) {
   initialise_openvdb();
@@ -66,7 +66,7 @@ auto with_file(const std::filesystem::path& source, const ReadOptions& options, 
   return with_one_file(source, options, work);
 }
 
-/// In the file's order; OpenVDB gives them by name.
+/// In file order; OpenVDB returns them by name.
 std::vector<Grid> all_grids(openvdb::io::File& file, const VdbHeader& header) {
   const openvdb::GridPtrVecPtr grids = file.getGrids();
   const auto place = [&](const openvdb::GridBase::Ptr& grid) {
@@ -98,8 +98,9 @@ Grid read_grid(const std::filesystem::path& source, const std::string& name,
     }
     if (name.empty() && !names.empty()) return all_grids(file, header).front();
     throw Error(ErrorCode::bad_input,
-                name.empty() ? fmt::format("'{}' holds no grid", source.string())
-                             : fmt::format("'{}' holds no grid named '{}'", source.string(), name),
+                name.empty()
+                    ? fmt::format("'{}' does not contain a grid", source.string())
+                    : fmt::format("'{}' does not contain a grid named '{}'", source.string(), name),
                 {}, name.empty() ? "" : suggestion(name, names));
   });
 }

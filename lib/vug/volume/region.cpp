@@ -15,33 +15,34 @@ bool holds(const Box3d& outer, const Box3d& inner) {
 
 void check_options(const VoxelizeOptions& options) {
   if (!(options.voxel > 0) || !std::isfinite(options.voxel))
-    throw Error(ErrorCode::bad_input, fmt::format("a voxel of {} m is no length", options.voxel));
-  constexpr double kLargest = 1e9;  // far from where single precision ends
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid voxel size {} m: it must be above 0", options.voxel));
+  constexpr double kLargest = 1e9;  // Far from the limits of single precision.
   if (options.voxel > kLargest)
     throw Error(ErrorCode::bad_input,
                 fmt::format("voxels of {} m are larger than {:.0e} m", options.voxel, kLargest));
   if (!(options.half_width >= 3 && options.half_width <= 1000))
     throw Error(ErrorCode::bad_input,
                 fmt::format("a band of {} voxels is out of range", options.half_width), {},
-                "the half-width of a level set lies between 3 and 1000 voxels");
+                "the half-width of a level set must be between 3 and 1000 voxels");
 }
 
-/// An expression that visits itself in too many places would never come to an end, nor hear of a
-/// request to stop, which is looked for between blocks of voxels.
+/// Rejects an expression that would visit its nodes too often: its evaluation would never end, nor
+/// could it be cancelled, because requests are checked between blocks of voxels.
 void check_size(const field::Field& field) {
   constexpr double kMost = 1e7;
-  constexpr size_t kDeepest = 10000;  // calls inside calls, each taking its part of the stack
+  constexpr size_t kDeepest = 10000;  // Nested calls, each of which needs stack space.
   const auto [visits, depth] = field::extent(field);
   if (depth > kDeepest)
-    throw Error(
-        ErrorCode::bad_input,
-        fmt::format("the solid is made by {} steps upon each other, more than {}", depth, kDeepest),
-        {}, "join solids side by side: union([a, b, c])");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the solid is nested {} levels deep, more than {}", depth, kDeepest),
+                {}, "combine solids in one list: union([a, b, c])");
   if (visits <= kMost) return;
-  throw Error(ErrorCode::bad_input,
-              fmt::format("the solid has {:.3g} parts, more than the {:.0e} that can be evaluated",
-                          visits, kMost),
-              {}, "a solid that is named in several places counts once for each of them");
+  throw Error(
+      ErrorCode::bad_input,
+      fmt::format("the solid has {:.3g} operands, more than the {:.0e} that can be evaluated",
+                  visits, kMost),
+      {}, "a solid that is used in several places counts once for each of them");
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ Region region_of(const field::Field& field, const VoxelizeOptions& options) {
     if (is_finite(*options.region)) out.field = field::enclosed(field, *options.region);
   }
   if (!is_finite(out.box))
-    throw Error(ErrorCode::bad_input, "a solid without an end cannot become a level set", {},
+    throw Error(ErrorCode::bad_input, "an infinite solid cannot become a level set", {},
                 "give a region, or intersect the solid with a box");
   return out;
 }

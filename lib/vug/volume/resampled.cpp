@@ -45,8 +45,8 @@ Grid made_on(const Grid& where, const Function& value) {
   if (const auto* vectors = dynamic_cast<const openvdb::Vec3SGrid*>(grid))
     return made_on<Made>(*vectors, value);
   throw Error(ErrorCode::bad_input,
-              fmt::format("the grid '{}' holds {}, not floats or vectors of floats", where.name(),
-                          where.value_type()));
+              fmt::format("the grid '{}' contains {}, not floats or vectors of floats",
+                          where.name(), where.value_type()));
 }
 
 }  // namespace

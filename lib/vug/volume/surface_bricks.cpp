@@ -18,12 +18,12 @@ using Leaf = openvdb::FloatTree::LeafNodeType;
 using Brick = SurfaceBricks::Brick;
 constexpr int kSize = SurfaceBricks::kSize;
 
-// Pictures are told apart by these bytes.
+// These bytes identify the content of an image.
 static_assert(std::has_unique_object_representations_v<Brick>);
 static_assert(Leaf::DIM == kSize);
 
-/// Around a crossed cell nothing that gradients need lies farther from the surface.
-constexpr double kReach = 4;  // voxels
+/// All samples that the gradients of a crossed cell need are within this distance of the surface.
+constexpr double kReach = 4;  // Voxels.
 
 const openvdb::FloatGrid& floats(const LevelSet& level_set) {
   return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
@@ -60,8 +60,8 @@ Brick brick_at(const openvdb::FloatGrid& grid, const Coord& origin, float units)
   return brick;
 }
 
-/// Blocks that can hold a crossed cell: some corner of it lies in a leaf, its first one there or in
-/// a block before.
+/// Blocks that can contain a crossed cell: one of its corners lies in a leaf, its first corner in
+/// the same or the previous block.
 std::vector<Coord> candidates(const openvdb::FloatGrid& grid) {
   std::vector<Coord> all;
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
@@ -88,7 +88,7 @@ SurfaceBricks::SurfaceBricks(const LevelSet& level_set, double smallest_piece)
     unit[axis] = 1;
     if (!((world(unit) - origin_ - unit * voxel_).length() < 1e-9 * voxel_))
       throw Error(ErrorCode::bad_input,
-                  fmt::format("the axes of level set '{}' are turned", level_set.name()));
+                  fmt::format("the axes of level set '{}' are rotated", level_set.name()));
   }
   const auto units = static_cast<float>(1 / step_);
   const std::vector<Coord> blocks = candidates(grid);
@@ -102,7 +102,7 @@ SurfaceBricks::SurfaceBricks(const LevelSet& level_set, double smallest_piece)
   bricks_.resize(kept.size());
   parallel_for(
       kept.size(), [&](size_t i) { bricks_[i] = brick_at(grid, kept[i], units); }, 16);
-  // What was in a crumb is a crumb when that has gone.
+  // Removing a crumb may turn its inside into a crumb.
   for (size_t gone = 1; smallest_piece > 0 && gone > 0; components_removed_ += gone)
     gone = flip_small_sets(smallest_piece);
   bricks_.shrink_to_fit();
@@ -145,7 +145,7 @@ Box3d SurfaceBricks::bounds() const {
   return all;
 }
 
-/// A surface of area A meets 1.5 A / edge^2 cubes on average: see estimate.cpp.
+/// On average, a surface of area A meets 1.5 A / edge^2 cubes: see estimate.cpp.
 double brick_estimate(double area, double voxel) {
   const double edge = SurfaceBricks::kSize * voxel;
   return 1.5 * area / (edge * edge);

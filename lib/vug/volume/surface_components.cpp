@@ -1,6 +1,6 @@
-// Crumbs and closed bubbles taken out of a surface that has no mesh. Lattice points on one side of
-// the surface that are neighbours along an axis belong together; small sets of them are put on the
-// other side, so that what stays is as watertight as it was.
+// Removes small components from a surface without a mesh. Lattice points on one side of the surface
+// that are neighbours along an axis are connected; small sets change sides, so that the remaining
+// surface is still watertight.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/mesh/disjoint_sets.h>
@@ -29,7 +29,7 @@ void each_point(int from, int to, const Visit& visit) {
       for (int k = from; k < to; ++k) visit(Point{i, j, k});
 }
 
-/// The bricks, which are in order of their places.
+/// Finds bricks by position; they are sorted by it.
 class Finder {
  public:
   explicit Finder(const std::vector<Brick>& bricks) : bricks_(bricks) {}
@@ -40,7 +40,7 @@ class Finder {
     if (found == bricks_.end() || found->first != first) return kNone;
     return static_cast<uint32_t>(found - bricks_.begin());
   }
-  /// All around a brick, itself in the middle; by x, y, z.
+  /// The bricks around a brick, with itself in the middle; by x, y, z.
   std::array<uint32_t, 27> around(const Brick& brick) const {
     std::array<uint32_t, 27> out;
     for (int n = 0; n < 27; ++n)
@@ -54,7 +54,7 @@ class Finder {
   const std::vector<Brick>& bricks_;
 };
 
-/// Which of the bricks around holds a point, and what it is called there.
+/// The surrounding brick that contains a point, and its index there.
 struct Owner {
   size_t which;
   Point point;
@@ -73,16 +73,18 @@ struct Owner {
 struct Set {
   Box3d box;
   bool inside = false;
-  bool open = false;  ///< It goes on where no bricks are: no crumb.
+  bool open = false;  ///< It extends to where no bricks are, so it is not small.
 };
 
 }  // namespace
 
-/// Sets that hold all points of a block where no brick is are never small enough.
+/// Sets that contain all points of a block without a brick are never small enough.
 size_t SurfaceBricks::flip_small_sets(double smallest) {
   if (bricks_.size() >= kNone / kPoints)
-    throw Error(ErrorCode::too_large, "a surface of that many voxels cannot be cleaned of crumbs",
-                {}, "leave out 'smallest_piece', or use a larger voxel");
+    throw Error(
+        ErrorCode::too_large,
+        "a surface with this number of voxels is too large for the removal of small components", {},
+        "omit 'smallest_piece', or use a larger voxel");
   const Finder finder(bricks_);
   mesh::DisjointSets sets(bricks_.size() * kPoints);
   std::vector<uint32_t> open;
@@ -115,7 +117,7 @@ size_t SurfaceBricks::flip_small_sets(double smallest) {
     });
   for (const uint32_t point : open) all[sets.root(point)].open = true;
 
-  // The surface runs half a voxel beyond the points, on average.
+  // On average, the surface is half a voxel beyond the points.
   const auto size = [&](const Set& set) {
     return set.open ? kInfinity : (set.box.size() + Vec3d(1)).length() * voxel_;
   };

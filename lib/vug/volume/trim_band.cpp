@@ -13,7 +13,7 @@ namespace {
 using Tree = openvdb::FloatTree;
 using openvdb::Coord;
 
-/// Marks voxels beside a change of sign; `mask` has the leaves of the tree, in its order.
+/// Marks voxels next to a change of sign; `mask` has the leaves of the tree, in its order.
 void mark_surface(const Tree& tree, openvdb::MaskTree& mask) {
   std::vector<const Tree::LeafNodeType*> leaves;
   std::vector<openvdb::MaskTree::LeafNodeType*> marks;

@@ -1,6 +1,6 @@
-// Layout as OpenVDB writes it since format 222: magic (8 bytes), format version (4), library
-// major and minor (4 + 4), offsets flag (1), identifier (36), metadata, number of grids (4), and
-// for each grid its name, type, parent name and three offsets: start, voxel data, end.
+// Layout as written by OpenVDB since format 222: magic (8 bytes), format version (4), library major
+// and minor (4 + 4), offsets flag (1), identifier (36), metadata, number of grids (4), and for each
+// grid its name, type, parent name and three offsets: start, voxel data, end.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/hash.h>
@@ -17,7 +17,7 @@ namespace vug::volume {
 namespace {
 
 constexpr uint64_t kMagic = 0x56444220;
-constexpr char kNumberMark = '\x1e';  // OpenVDB numbers grids of one name behind it
+constexpr char kNumberMark = '\x1e';  // OpenVDB appends it and a number to duplicate grid names.
 constexpr uint32_t kOldestChecked = 222, kNewest = 224;
 
 class Reader {
@@ -36,7 +36,7 @@ class Reader {
     return value;
   }
   std::string text(uint64_t length) {
-    if (length > size_ - at_) fail("it is cut off or damaged");
+    if (length > size_ - at_) fail("it is truncated or damaged");
     std::string out(length, '\0');
     bytes(out.data(), length);
     return out;
@@ -56,7 +56,7 @@ class Reader {
  private:
   void bytes(void* to, uint64_t count) {
     if (count > size_ - at_ || !in_.read(static_cast<char*>(to), static_cast<int64_t>(count)))
-      fail("it is cut off or damaged");
+      fail("it is truncated or damaged");
     at_ += count;
   }
 
@@ -68,7 +68,7 @@ class Reader {
 void skip_metadata(Reader& in) {
   const auto count = in.number<uint32_t>();
   for (uint32_t i = 0; i < count; ++i)
-    for (int part = 0; part < 3; ++part) in.text();  // name, type, value
+    for (int part = 0; part < 3; ++part) in.text();  // Name, type, value.
 }
 
 std::vector<std::string> read_grid_places(Reader& in) {
@@ -78,13 +78,13 @@ std::vector<std::string> read_grid_places(Reader& in) {
   for (int32_t i = 0; i < count; ++i) {
     const std::string name = in.text();
     names.push_back(name.substr(0, name.find(kNumberMark)));
-    in.text();  // type
+    in.text();  // Type.
     const bool instance = !in.text().empty();
     const auto start = in.number<uint64_t>(), voxels = in.number<uint64_t>();
     const auto end = in.number<uint64_t>();
     const bool ordered =
         start >= in.at() && end >= start && (instance || (voxels >= start && voxels <= end));
-    if (!ordered || end > in.size()) in.fail("it is cut off or damaged");
+    if (!ordered || end > in.size()) in.fail("it is truncated or damaged");
     in.seek(end);
   }
   return names;
@@ -99,13 +99,13 @@ bool VdbHeader::has_content_hash() const {
 
 VdbHeader read_vdb_header(const std::filesystem::path& source) {
   Reader in(source);
-  if (in.size() < 57 || in.number<uint64_t>() != kMagic) in.fail("it is no .vdb file");
+  if (in.size() < 57 || in.number<uint64_t>() != kMagic) in.fail("it is not a .vdb file");
   VdbHeader out;
   out.format_version = in.number<uint32_t>();
   if (out.format_version > kNewest)
     in.fail(fmt::format("its format {} is newer than {}", out.format_version, kNewest));
   if (out.format_version < kOldestChecked) return out;
-  in.number<uint64_t>();  // library version
+  in.number<uint64_t>();  // Library version.
   const bool offsets = in.number<char>() != 0;
   out.identifier = in.text(VdbHeader::kIdentifierSize);
   skip_metadata(in);
@@ -127,8 +127,8 @@ std::string content_identifier(const std::filesystem::path& source) {
     hasher.add(buffer.data(), count);
   }
   std::string hex = hasher.finish().hex();
-  hex[12] = '8';  // version: custom
-  hex[16] = '8';  // variant
+  hex[12] = '8';  // Version: custom.
+  hex[16] = '8';  // Variant.
   return hex.substr(0, 8) + "-" + hex.substr(8, 4) + "-" + hex.substr(12, 4) + "-" +
          hex.substr(16, 4) + "-" + hex.substr(20);
 }

@@ -12,7 +12,7 @@
 namespace vug::volume {
 namespace {
 
-/// The least single-precision number that OpenVDB's check takes for `half_width` voxels.
+/// The smallest single-precision number that OpenVDB's check accepts for `half_width` voxels.
 float background_of(const VoxelizeOptions& options) {
   auto background = static_cast<float>(options.half_width * options.voxel);
   while (static_cast<double>(background) / options.voxel < options.half_width)
@@ -20,7 +20,7 @@ float background_of(const VoxelizeOptions& options) {
   return background;
 }
 
-/// Bytes if every block in the box were there: a bound that needs no samples.
+/// Memory if the box were filled with blocks: a bound that needs no samples.
 double dense_bytes(const Box3d& box, const VoxelizeOptions& options) {
   double bytes = 2300;
   for (int axis = 0; axis < 3; ++axis)
@@ -35,14 +35,14 @@ void require_room(const field::Field& field, const Box3d& box, const VoxelizeOpt
                  fmt::format("a level set with voxels of {} m", options.voxel));
 }
 
-/// OpenVDB takes a map whose determinant is below 3e-15 for singular.
+/// OpenVDB considers a map singular if its determinant is below 3e-15.
 void check_voxel(double voxel) {
   constexpr double kSmallest = 1.5e-5;
   if (voxel >= kSmallest) return;
-  throw Error(
-      ErrorCode::bad_input,
-      fmt::format("voxels of {} m are smaller than a .vdb file can hold ({} m)", voxel, kSmallest),
-      {}, "make the scene larger, or the voxels");
+  throw Error(ErrorCode::bad_input,
+              fmt::format("voxels of {} m are smaller than a .vdb file can represent ({} m)", voxel,
+                          kSmallest),
+              {}, "make the scene larger, or the voxels");
 }
 
 void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, OctreeTask& walk) {
@@ -52,11 +52,11 @@ void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, Octre
     const double low = std::floor(box.min[axis] / options.voxel - margin);
     const double high = std::ceil(box.max[axis] / options.voxel + margin);
     if (!(low >= -kFarthest && high <= kFarthest))
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("with voxels of {} m the solid reaches beyond 2^31 voxels from the "
-                              "origin",
-                              options.voxel),
-                  {}, "use a larger voxel or move the solid to the origin");
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format("with voxels of {} m the solid extends beyond 2^31 voxels from the origin",
+                      options.voxel),
+          {}, "use a larger voxel or move the solid to the origin");
     walk.low[axis] = static_cast<int64_t>(low);
     walk.high[axis] = static_cast<int64_t>(high);
   }
@@ -73,7 +73,7 @@ LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Pro
   check_voxel(options.voxel);
   find_lattice_bounds(region.box, options, walk);
   const auto grid = build(region.field, walk, progress);
-  // One step more, for what first-order distances are short by near the surface, too.
+  // One more step, because first-order distances are also slightly too short near the surface.
   if (region.field.exactness() > field::Exactness::eikonal)
     trim_band(*grid, static_cast<int>(std::ceil(options.half_width)) + 1);
   return LevelSet(wrap(grid));

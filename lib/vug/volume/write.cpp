@@ -25,8 +25,8 @@ Metadata standard_metadata() {
           {"vug:upAxis", std::string("y")}};
 }
 
-/// A copy whose background 16 bits can hold, rounded up: inactive values then read back equal
-/// to it, as a level set's must.
+/// A copy whose background is representable in 16 bits, rounded up: inactive values then read back
+/// equal to it, as required for a level set.
 void widen_band_to_half(openvdb::FloatGrid& grid) {
   using openvdb::math::half;
   const float background = grid.background();
@@ -35,8 +35,8 @@ void widen_band_to_half(openvdb::FloatGrid& grid) {
     rounded.setBits(static_cast<uint16_t>(rounded.bits() + 1));
   if (!rounded.isFinite() || !rounded.isNormalized())
     throw Error(ErrorCode::bad_input,
-                fmt::format("16 bits cannot hold the distances of grid '{}'", grid.getName()), {},
-                "write it without the half option");
+                fmt::format("16 bits cannot represent the distances of grid '{}'", grid.getName()),
+                {}, "write it without the half option");
   if (static_cast<float>(rounded) == background) return;
   grid.setTree(grid.tree().copy());
   openvdb::tools::changeLevelSetBackground(grid.tree(), static_cast<float>(rounded));
@@ -50,7 +50,7 @@ void load_attributes(const openvdb::points::PointDataGrid& points) {
 
 openvdb::GridBase::Ptr prepared(const Grid& grid, const WriteOptions& options) {
   const auto copy = openvdb::ConstPtrCast<openvdb::GridBase>(grid.data().grid->copyGrid());
-  // Statistics that OpenVDB writes depend on what is in memory.
+  // The statistics written by OpenVDB depend on the voxels in memory.
   copy->baseTree().readNonresidentBuffers();
   if (copy->isType<openvdb::points::PointDataGrid>())
     load_attributes(static_cast<openvdb::points::PointDataGrid&>(*copy));
@@ -63,8 +63,8 @@ openvdb::GridBase::Ptr prepared(const Grid& grid, const WriteOptions& options) {
   return copy;
 }
 
-/// openvdb::io::File keeps its stream to itself and never looks whether it failed, so that a
-/// full disk would leave half a file without a word.
+/// openvdb::io::File hides its stream and never checks it for failure, so a full disk would leave
+/// an incomplete file without an error.
 struct Archive : openvdb::io::Archive {
   using openvdb::io::Archive::write;
 };
@@ -75,10 +75,11 @@ void check_grids(const std::vector<Grid>& grids) {
     if (grid.name().empty()) throw Error(ErrorCode::bad_input, "a grid needs a name to be written");
     if (!names.insert(grid.name()).second)
       throw Error(ErrorCode::bad_input,
-                  fmt::format("two grids of one file are named '{}'", grid.name()));
+                  fmt::format("two grids of one file have the name '{}'", grid.name()));
     if (is_points(grid) != is_points(grids.front()))
-      throw Error(ErrorCode::bad_input, "points and other grids are in one file", {},
-                  "many programs can read nothing of a file that holds points: write them apart");
+      throw Error(
+          ErrorCode::bad_input, "points and other grids are in one file", {},
+          "many programs cannot read a file that contains points: write them to a separate file");
   }
 }
 

@@ -154,7 +154,7 @@ TEST(Diff, RefusalsAreSentencesWithHints) {
   EXPECT_NE(refusal([&] { diff(bare, a); }).find("no channel Z"), std::string::npos);
   ImageUnderTest moved = a;
   moved.left = 3;
-  EXPECT_NE(refusal([&] { diff(a, moved); }).find("from 3, 0 on"), std::string::npos);
+  EXPECT_NE(refusal([&] { diff(a, moved); }).find("crop from 3, 0"), std::string::npos);
   DiffOptions options;
   options.layers = {"albeda"};
   EXPECT_NE(refusal([&] { diff(a, a, options); }).find("albeda"), std::string::npos);

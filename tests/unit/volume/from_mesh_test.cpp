@@ -67,7 +67,7 @@ TEST(FromMesh, WhatIsRefused) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::bad_input);
-    EXPECT_EQ(std::string(error.what()), "a mesh with 3 open edges bounds no solid");
+    EXPECT_EQ(std::string(error.what()), "a mesh with 3 open edges does not bound a solid");
   }
   FromMeshOptions small = options(1e-4);
   small.max_memory = 1 << 20;

@@ -180,28 +180,28 @@ TEST_F(PointFiles, FaultsAreToldInASentence) {
   points.position[4].x = 1e12f;
   EXPECT_EQ(fault([&] { point_grid(points, 0.1); }),
             "2 points are not finite, or too far away for voxels of 0.1 m");
-  EXPECT_EQ(fault([&] { point_grid(good, 0); }), "the voxel of points is a length above 0");
+  EXPECT_EQ(fault([&] { point_grid(good, 0); }), "the voxel size of points must be above 0");
   points = good;
   points.groups[0].name = "upper";
-  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'upper' is a group of points twice");
+  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'upper' is the name of a group of points twice");
   points = good;
   points.attributes[0].name = "P";
-  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'P' is an attribute of points twice");
+  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'P' is the name of an attribute of points twice");
   points.attributes[0].name = "my heat";
   EXPECT_EQ(fault([&] { point_grid(points, 1); }),
-            "'my heat' is no name for an attribute of points; names have letters, digits and _");
+            "'my heat' is not a valid name for an attribute of points; names have letters, digits and _");
   EXPECT_EQ(fault([&] { good.values<float>("heet"); }),
             "the points have no attribute 'heet'; did you mean 'heat'?");
   EXPECT_EQ(fault([&] { good.values<float>("N"); }),
-            "the attribute 'N' of the points has vectors, no numbers");
+            "the attribute 'N' of the points has vectors, not numbers");
   EXPECT_EQ(fault([&] { good.members("od"); }),
             "the points have no group 'od'; did you mean 'odd'?");
   VoxelizeOptions coarse;
   const Grid rock = voxelize(field::empty(), coarse).named("rock");
-  EXPECT_EQ(fault([&] { vug::volume::points(rock); }), "the grid 'rock' holds no points");
+  EXPECT_EQ(fault([&] { vug::volume::points(rock); }), "the grid 'rock' does not contain points");
   write(path("rock.vdb"), {rock});
   EXPECT_EQ(fault([&] { read_points(path("rock.vdb")); }),
-            "'" + path("rock.vdb").string() + "' holds no points");
+            "'" + path("rock.vdb").string() + "' does not contain points");
   EXPECT_NE(fault([&] {
               write(path("b.vdb"), {rock, point_grid(good, 1).named("cells")});
             }).find("points and other grids are in one file"),
