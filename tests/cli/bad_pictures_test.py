@@ -52,7 +52,7 @@ class BadPictures(VugTest):
 
     def test_a_texture_that_is_missing_is_named_or_shown(self):
         self.textured("gone.png")
-        self.refused("room.vug:6:47: error: the picture 'gone.png' is not there", "missing: show")
+        self.refused("room.vug:6:47: error: the picture 'gone.png' does not exist", "missing: show")
         self.textured("gone.png", ", missing: show")
         self.write("room.vug", (self.folder / "room.vug").read_text() + "light even = sky()\n")
         self.expect(0, "render", "room.vug", "-o", "shown.exr", "--float")

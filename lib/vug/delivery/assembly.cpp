@@ -164,15 +164,15 @@ void add_lights(const shot::Shot& shot, const std::vector<render::LightPtr>& lig
   for (const render::LightPtr& light : lights) {
     const auto own = std::find_if(shot.lights.begin(), shot.lights.end(),
                                   [&](const auto& each) { return each.second == light; });
-    exchange::Light lamp;
-    lamp.name = own != shot.lights.end() ? own->first
+    exchange::Light out_light;
+    out_light.name = own != shot.lights.end() ? own->first
                 : light->is_infinite()
                     ? "sky"
                     : fmt::format("placed_light_{}", out.assembly.lights.size() + 1);
-    if (light->as_data(lamp)) out.assembly.lights.push_back(lamp);
+    if (light->as_data(out_light)) out.assembly.lights.push_back(out_light);
     if (!light->linking().only.empty() || !light->linking().except.empty())
       out.unsupported.push_back(
-          fmt::format("for which objects the light '{}' is: it shines on all", lamp.name));
+          fmt::format("for which objects the light '{}' is: it shines on all", out_light.name));
   }
 }
 

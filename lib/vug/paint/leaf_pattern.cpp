@@ -9,7 +9,7 @@
 namespace vug::paint {
 namespace {
 
-/// 1 at whole numbers, 0 half a `width` beside them and beyond.
+/// 1 at integers, falling to 0 at half a `width` from them.
 double ridge(double x, double width) { return ramp(std::fabs(x - std::round(x)), width / 2, 0); }
 
 }  // namespace
@@ -30,10 +30,10 @@ double vein_at(const LeafPoint& at, const LeafOutline& outline, const LeafVeins&
   // The midrib tapers with the leaf, but less.
   const double rib = veins.midrib * (1 - 0.7 * at.along);
   const double middle = ramp(side, rib, 0.4 * rib);
-  // Veins share out the local width, so they run together where it narrows.
+  // Veins divide the local width, so they converge where it narrows.
   const double lane = side / half * (veins.count + 0.5);
   const double lengthwise = lane > 0.5 ? 0.5 * ridge(lane, 0.45) : 0;
-  // Cross veins of neighbouring lanes do not meet.
+  // Cross veins of neighbouring lanes are offset.
   const double lag = 0.38 * std::floor(lane + 0.5) * (at.across < 0 ? 1 : -1);
   const double crosswise =
       veins.cross_veins > 0 ? 0.2 * ridge(at.along * veins.cross_veins + lag, 0.3) : 0;

@@ -7,7 +7,7 @@
 namespace vug::paint {
 namespace {
 
-/// A place on a leaf as its mesh would tell it.
+/// Leaf coordinates of a point, as the attributes of a leaf mesh.
 class LeafAttributes : public Attributes {
  public:
   explicit LeafAttributes(const LeafPoint& place) : place_(place) {}
@@ -27,7 +27,7 @@ image::Image leaf_picture(const Paint& color, const Mask& opacity,
                           const LeafPictureOptions& options) {
   const int n = options.samples;
   if (!color || n < 1)
-    throw Error(ErrorCode::bad_input, "a leaf's picture has a paint and 1 sample at least");
+    throw Error(ErrorCode::bad_input, "a leaf picture needs a paint and at least 1 sample");
   image::Image picture(options.width, options.height, {"R", "G", "B", "A"});
   parallel_for(static_cast<size_t>(options.height), [&](size_t row) {
     for (int column = 0; column < options.width; ++column) {
@@ -37,7 +37,7 @@ image::Image leaf_picture(const Paint& color, const Mask& opacity,
         const double x = (column + (k % n + 0.5) / n) / options.width;
         const double y = (static_cast<double>(row) + (k / n + 0.5) / n) / options.height;
         const LeafAttributes place({2 * x - 1, 1 - y});
-        // Flat on the ground, a unit long: what asks for more than the leaf sees that.
+        // Other inputs than leaf coordinates see a flat leaf of unit length on the ground.
         EvalPoint point{Vec3d(2 * x - 1, 1 - y, 0), Vec3d(0, 0, 1)};
         point.attributes = &place;
         sum += (*color)(point);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kPairs = 48;
 
-/// Half of a set of points spread over the unit ball; the other half are their opposites. Opposite
-/// points cancel on any plane through the centre, so flat rock gives exactly 1/2.
+/// Half of a point set in the unit ball; the other half are the opposite points. Opposite points
+/// cancel on any plane through the centre, so flat rock gives exactly 1/2.
 std::array<Vec3d, kPairs> half_ball() {
-  constexpr double kGolden = 0.6180339887498949;   // turns from one direction to the next
+  constexpr double kGolden = 0.6180339887498949;   // turns between consecutive directions
   constexpr double kPlastic = 0.7548776662466927;  // radii, independent of the directions
   std::array<Vec3d, kPairs> points;
   for (int i = 0; i < kPairs; ++i) {
@@ -39,7 +39,7 @@ double solid_fraction(const EvalPoint& point, double radius) {
     const double shrink = maths::pow(std::fabs(point.to_solid->determinant()), 1.0 / 3);
     return solid_fraction(there, radius * shrink);
   }
-  // A point counts in part while the surface is near, or few points would give coarse steps.
+  // Points near the surface count fractionally; a few points would give coarse steps otherwise.
   const double soft = std::min(radius / 6, point.solid->band());
   const auto solid = [&](const Vec3d& p) {
     return 0.5 - 0.5 * std::clamp(point.solid->sample(p).value / soft, -1.0, 1.0);

@@ -7,7 +7,7 @@ struct Add {
   std::vector<Mask> of;
 
   static void describe(Schema<Add>& s) {
-    s.doc("The sum of masks; more than 1 where they overlap.")
+    s.doc("Sum of masks; above 1 where they overlap.")
         .param("of", &Add::of, {.doc = "the masks, as a list", .required = true});
   }
 };

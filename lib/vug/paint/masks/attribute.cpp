@@ -11,13 +11,13 @@ struct AttributeMask {
 
   static void describe(Schema<AttributeMask>& s) {
     s.doc(
-         "By a number that the mesh carries at its vertices, or in a rule of cells the cells; of a "
-         "colour, the mean.")
+         "By a vertex attribute of the mesh, or in a cell rule by a cell attribute; colours are "
+         "averaged.")
         .param("name", &AttributeMask::name, {.doc = "the attribute's name", .required = true})
         .param("from", &AttributeMask::from, {.doc = "value where the mask is 0"})
         .param("to", &AttributeMask::to, {.doc = "value where the mask is 1"})
         .param("otherwise", &AttributeMask::otherwise,
-               {.doc = "the mask of a mesh without it", .min = 0, .max = 1});
+               {.doc = "value on a mesh without the attribute", .min = 0, .max = 1});
   }
 };
 

@@ -1,4 +1,4 @@
-// Hollows of the painted solid: where more than half of what is near is rock.
+// Concave regions of the painted solid, where more than half of the surrounding ball is solid.
 #include <vug/paint/kind.h>
 #include <vug/paint/solid_fraction.h>
 
@@ -14,7 +14,7 @@ struct Cavity {
     s.doc("0 on flat and convex rock, 1 in right-angled hollows, inner corners and cracks.")
         .cite("pottmann2007")
         .param("radius", &Cavity::radius,
-               positive_length("size of the hollows that count: two voxels or more"));
+               positive_length("size of the hollows; at least two voxels"));
   }
 };
 

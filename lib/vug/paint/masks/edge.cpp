@@ -1,4 +1,5 @@
-// Edges of the painted solid, which weather first: where less than half of what is near is rock.
+// Convex edges of the painted solid, which weather first: less than half of the surrounding ball is
+// solid.
 #include <vug/paint/kind.h>
 #include <vug/paint/solid_fraction.h>
 
@@ -11,10 +12,9 @@ struct Edge {
   double radius = 0.1;
 
   static void describe(Schema<Edge>& s) {
-    s.doc("0 on flat and hollow rock, 1 on right-angled edges, corners and spikes.")
+    s.doc("0 on flat and concave rock, 1 on right-angled edges, corners and spikes.")
         .cite("pottmann2007")
-        .param("radius", &Edge::radius,
-               positive_length("size of the edges that count: two voxels or more"));
+        .param("radius", &Edge::radius, positive_length("size of the edges; at least two voxels"));
   }
 };
 

@@ -10,15 +10,18 @@ struct Facing {
   Vec3d toward{0, 0, 1};
   double from = kPi / 2;
   double to = 0;
-  std::string fault() const { return toward.length2() > 0 ? "" : "a direction is longer than 0"; }
+  std::string fault() const {
+    return toward.length2() > 0 ? "" : "a direction must be longer than 0";
+  }
 
   static void describe(Schema<Facing>& s) {
-    s.doc("By which way the surface faces: its weather side, what lies in the lee.")
+    s.doc("By the direction that the surface faces: its weather side, its lee side.")
         .param("toward", &Facing::toward, {.doc = "a direction, of any length"})
         .param("from", &Facing::from,
-               {.doc = "angle between it and the normal where the mask is 0",
+               {.doc = "angle between the direction and the normal where the mask is 0",
                 .dimension = Dimension::angle})
-        .param("to", &Facing::to, {.doc = "angle where it is 1", .dimension = Dimension::angle});
+        .param("to", &Facing::to,
+               {.doc = "angle where the mask is 1", .dimension = Dimension::angle});
   }
 };
 

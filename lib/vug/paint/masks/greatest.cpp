@@ -7,10 +7,10 @@ namespace {
 
 struct Greatest {
   std::vector<Mask> of;
-  std::string fault() const { return of.empty() ? "there is no mask in the list" : ""; }
+  std::string fault() const { return of.empty() ? "the list of masks is empty" : ""; }
 
   static void describe(Schema<Greatest>& s) {
-    s.doc("Any of the masks: their greatest.")
+    s.doc("Union of masks: their maximum.")
         .param("of", &Greatest::of, {.doc = "the masks, as a list", .required = true});
   }
 };

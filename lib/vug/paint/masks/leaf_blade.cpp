@@ -6,8 +6,8 @@ namespace {
 struct LeafBlade : LeafParams {
   static void describe(Schema<LeafBlade>& s) {
     s.doc(
-        "1 within the outline of a leaf, 0 outside: the opacity of leaves on cards. Looks at the "
-        "numbers that meshes of leaf(...) carry; 1 on other meshes.");
+        "1 inside the outline of a leaf, 0 outside: the opacity of leaves on cards. Reads the leaf "
+        "coordinates of leaf(...) meshes; 1 on other meshes.");
     describe_outline(s);
   }
 };

@@ -10,14 +10,14 @@ struct LeafVeinsMask : LeafParams {
 
   static void describe(Schema<LeafVeinsMask>& s) {
     s.doc(
-         "1 on the midrib of a leaf, up to 0.5 on its veins, 0 between and on other meshes than "
-         "those of leaf(...).")
+         "1 on the midrib of a leaf, up to 0.5 on its veins, 0 between them and on meshes that "
+         "leaf(...) did not make.")
         .param("count", &LeafVeinsMask::count,
-               {.doc = "veins of each half, which run along it", .min = 0, .max = 100})
+               {.doc = "veins of each half, which run lengthwise", .min = 0, .max = 100})
         .param("midrib", &LeafVeinsMask::midrib,
-               {.doc = "share of the width that the midrib takes", .min = 0, .max = 1})
+               {.doc = "fraction of the width that the midrib takes", .min = 0, .max = 1})
         .param("cross_veins", &LeafVeinsMask::cross_veins,
-               {.doc = "fine ones across, over its length: the chequers of bamboo",
+               {.doc = "fine cross veins along its length: the chequers of bamboo",
                 .min = 0,
                 .max = 1000});
     describe_outline(s);

@@ -7,10 +7,10 @@ namespace {
 
 struct Least {
   std::vector<Mask> of;
-  std::string fault() const { return of.empty() ? "there is no mask in the list" : ""; }
+  std::string fault() const { return of.empty() ? "the list of masks is empty" : ""; }
 
   static void describe(Schema<Least>& s) {
-    s.doc("What the masks have in common: their least.")
+    s.doc("Intersection of masks: their minimum.")
         .param("of", &Least::of, {.doc = "the masks, as a list", .required = true});
   }
 };

@@ -7,7 +7,7 @@ struct Multiply {
   std::vector<Mask> of;
 
   static void describe(Schema<Multiply>& s) {
-    s.doc("All of the masks at once: their product.")
+    s.doc("Product of masks.")
         .param("of", &Multiply::of, {.doc = "the masks, as a list", .required = true});
   }
 };

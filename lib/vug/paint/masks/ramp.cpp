@@ -10,13 +10,12 @@ struct Ramp {
 
   static void describe(Schema<Ramp>& s) {
     s.doc(
-         "Draws a mask out: 0 up to one value of it, 1 from another on, smooth between; a step "
-         "where "
+         "Stretches a mask: 0 up to one value of it, 1 from another on, smooth between; a step if "
          "both are the same.")
         .param("mask", &Ramp::mask, {.doc = "the mask", .required = true})
-        .param("from", &Ramp::from, {.doc = "its value where this is 0"})
+        .param("from", &Ramp::from, {.doc = "its value where the result is 0"})
         .param("to", &Ramp::to,
-               {.doc = "its value where this is 1; less than from turns it round"});
+               {.doc = "its value where the result is 1; if less than from, the ramp descends"});
   }
 };
 

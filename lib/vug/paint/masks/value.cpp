@@ -9,10 +9,11 @@ struct AttributeValue {
   double otherwise = 0;
 
   static void describe(Schema<AttributeValue>& s) {
-    s.doc("A number that the cells or the mesh carry, as it is; of a colour, the mean.")
+    s.doc("The value of a mesh or cell attribute; colours are averaged.")
         .param("name", &AttributeValue::name, {.doc = "the attribute's name", .required = true})
         .param("scale", &AttributeValue::scale, {.doc = "factor of the number"})
-        .param("otherwise", &AttributeValue::otherwise, {.doc = "the value of a mesh without it"});
+        .param("otherwise", &AttributeValue::otherwise,
+               {.doc = "value on a mesh without the attribute"});
   }
 };
 

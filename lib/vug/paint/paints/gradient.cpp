@@ -10,9 +10,9 @@ struct Gradient {
   std::vector<Vec3d> colors;
 
   static void describe(Schema<Gradient>& s) {
-    s.doc("Colours in even steps along a mask, from 0 to 1.")
+    s.doc("Evenly spaced colours along a mask, from 0 to 1.")
         .param("mask", &Gradient::mask,
-               {.doc = "where on the gradient a spot lies", .required = true})
+               {.doc = "position on the gradient, 0 to 1", .required = true})
         .param("colors", &Gradient::colors,
                {.doc = "linear Rec.709 albedos, as a list", .min = 0, .max = 1, .required = true});
   }

@@ -9,12 +9,11 @@ struct Layer {
   Mask mask;
 
   static void describe(Schema<Layer>& s) {
-    s.doc("One paint over another where a mask lets it through.")
+    s.doc("One paint over another, blended by a mask.")
         .param("under", &Layer::under,
-               {.doc = "what lies below: a paint or a colour", .required = true})
-        .param("over", &Layer::over, {.doc = "what covers it", .required = true})
-        .param("mask", &Layer::mask,
-               {.doc = "0 shows what is under, 1 what is over", .required = true});
+               {.doc = "the lower paint: a paint or a colour", .required = true})
+        .param("over", &Layer::over, {.doc = "the upper paint", .required = true})
+        .param("mask", &Layer::mask, {.doc = "0 shows under, 1 shows over", .required = true});
   }
 };
 

@@ -1,5 +1,5 @@
-// Pictures without UVs: projected along the axes and blended by the normal (triplanar mapping), or
-// along one axis through the solid.
+// Pictures without UVs: triplanar mapping (projection along the axes, blended by the normal), or
+// projection along one axis.
 #include <vug/base/error.h>
 #include <vug/image/texture.h>
 #include <vug/paint/kind.h>
@@ -27,13 +27,14 @@ struct Picture {
                  {"along_x", Mapping::x},
                  {"along_y", Mapping::y},
                  {"along_z", Mapping::z}},
-                "from three sides, blended by the normal, or through the solid along an axis")
+                "projected along all axes and blended by the normal, or along one axis through the "
+                "solid")
         .choice("missing", &Picture::missing, {{"stop", Missing::stop}, {"show", Missing::show}},
-                "a file that is not there: an error, or magenta in its place");
+                "a missing file is an error, or painted magenta");
   }
 };
 
-/// Seen from the front of each axis, upright where there is an up.
+/// Upright on vertical faces, as seen from the positive side of the axis.
 Vec3d project(const image::Texture& texture, const Vec3d& p, int axis, double width) {
   if (axis == 0) return texture.at(-p.z, -p.y, width);
   if (axis == 1) return texture.at(p.x, p.z, width);
@@ -49,7 +50,7 @@ Vec3d color_at(const Picture& picture, const image::Texture& texture, const Eval
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double n = point.normal[axis] * point.normal[axis];
-    weight[axis] = n * n;  // narrow seams
+    weight[axis] = n * n;  // narrow blends
     sum += weight[axis];
   }
   Vec3d color(0.0);
@@ -70,8 +71,8 @@ VUG_PAINT_KIND(picture) {
       if (p.missing == Missing::show)
         return make_paint([](const EvalPoint&) { return Vec3d(1, 0, 1); });
       throw Error(ErrorCode::bad_input,
-                  fmt::format("the picture '{}' is not there", p.file.string()), {},
-                  "missing: show paints magenta in its place");
+                  fmt::format("the picture '{}' does not exist", p.file.string()), {},
+                  "missing: show paints it magenta");
     }
     return make_paint([p, texture = image::Texture(p.file)](const EvalPoint& point) {
       return color_at(p, texture, point);

@@ -8,10 +8,10 @@ struct VertexColor {
   Paint otherwise;
 
   static void describe(Schema<VertexColor>& s) {
-    s.doc("The colour that the mesh carries at its vertices.")
+    s.doc("The vertex colour of the mesh.")
         .param("name", &VertexColor::name, {.doc = "the attribute's name"})
         .param("otherwise", &VertexColor::otherwise,
-               {.doc = "the paint of a mesh without it; grey when not given"});
+               {.doc = "the paint of a mesh without the attribute; grey when not given"});
   }
 };
 

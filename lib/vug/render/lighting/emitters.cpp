@@ -87,7 +87,7 @@ Emitters::Emitters(const std::vector<Object>& objects) : first_(objects.size(), 
           ErrorCode::bad_input,
           fmt::format("object '{}' is emissive, but has no mesh whose triangles could be lights",
                       object.name),
-          {}, "remove 'direct'");
+          {}, "leave out 'direct'");
     if (!object.mesh || object.mesh->triangles.empty() || (is_black(object.emission) && !varies))
       continue;
     if (count_ + object.mesh->triangles.size() > (1u << 28))

@@ -24,9 +24,9 @@ struct RectangleParams {
 
 /// Adds the parameters of a kind P that derives from RectangleParams.
 template <class P>
-void describe_rectangle(Schema<P>& s, const std::string& shines) {
+void describe_rectangle(Schema<P>& s, const std::string& normal_doc) {
   s.param("center", &RectangleParams::center, any_length("Centre."))
-      .param("normal", &RectangleParams::normal, {.doc = shines})
+      .param("normal", &RectangleParams::normal, {.doc = normal_doc})
       .param("up", &RectangleParams::up, {.doc = "Direction of the height; z when not given."})
       .param("width", &RectangleParams::width,
              positive_length("Length perpendicular to the up direction."))

@@ -11,7 +11,7 @@ namespace {
 constexpr int kCosines = static_cast<int>(AlbedoTable::kCosines);
 constexpr int kRoughnesses = static_cast<int>(AlbedoTable::kRoughnesses);
 
-/// Nodes lie dense at grazing angles.
+/// Nodes are denser at grazing angles.
 float node_cosine(size_t i) {
   const float x = static_cast<float>(i) / (kCosines - 1);
   return std::max(x * x, 1e-4f);
@@ -20,7 +20,7 @@ float node_roughness(size_t j) {
   return kMinRoughness + (1 - kMinRoughness) * static_cast<float>(j) / (kRoughnesses - 1);
 }
 
-/// Where a value lies between nodes.
+/// Position of a value between two nodes.
 struct NodePosition {
   size_t at;
   float share;
@@ -35,7 +35,7 @@ struct NodePosition {
     return row[at] + (row[at + 1] - row[at]) * share;
   }
 };
-/// Between nodes the losses grow with the width of the slopes, the square of the roughness.
+/// Between nodes the losses are linear in the slope width, the square of the roughness.
 NodePosition roughness_position(float roughness) {
   NodePosition place((roughness - kMinRoughness) / (1 - kMinRoughness), kRoughnesses);
   const float low = node_roughness(place.at), high = node_roughness(place.at + 1);
@@ -55,17 +55,17 @@ float mean_over_cosines(const Value& value) {
   return static_cast<float>(sum);
 }
 
-/// Means of what `value` tells at the nodes of roughness.
+/// Sets the means of value(cosine, roughness) at the nodes of roughness.
 template <class Value>
 void find_means(AlbedoTable& table, const Value& value) {
   for (size_t j = 0; j < table.means.size(); ++j)
     table.means[j] = mean_over_cosines([&](float c) { return value(c, node_roughness(j)); });
 }
 
-/// Mean of term(out, h, ggx) over the facets that are seen, for each node.
+/// Mean of term(out, h, ggx) over the visible normals, for each node.
 template <class Term>
 AlbedoTable make_table(const Term& term) {
-  // A lattice of Fibonacci numbers over half of the way round, the other half being its mirror.
+  // A Fibonacci lattice over half of the azimuths; the other half is symmetric.
   constexpr int kPoints = 1597, kStep = 987;
   AlbedoTable table;
   for (size_t j = 0; j < table.values.size(); ++j) {
@@ -104,7 +104,7 @@ AlbedoTable make_losses(float ior) {
   });
 }
 
-/// Tables by index; they stay.
+/// Tables by index; they are never released.
 template <class Table, class Make>
 const Table& cached(float ior, const Make& make) {
   static std::mutex mutex;

@@ -23,7 +23,8 @@ ClearCoatLobe::ClearCoatLobe(const Rgb& color, Base below, float roughness,
     : face_(roughness, table, out), ggx_(roughness), below_(color), out_(out) {
   if (below == Base::open) below_ = Rgb(0.0f);
   if (below == Base::wet) {
-    // What of the light from below the face sends back; from the reciprocity of its two sides.
+    // Fraction of the light from below that the interface reflects back; follows from the
+    // reciprocity of its two sides.
     const float back = 1 - (1 - face_.mean) / (table.ior() * table.ior());
     const auto seen = [&](float rho) { return rho * (1 - back) / (1 - rho * back); };
     below_ = {seen(color.x), seen(color.y), seen(color.z)};

@@ -14,9 +14,9 @@ DielectricLobe::DielectricLobe(float roughness, const InterfaceTable& face,
   loss_out_ = near_->at(out.z, roughness);
   missing_near_ = std::max(near_->mean(roughness), 1e-6f);
   missing_far_ = std::max(far_->mean(roughness), 1e-6f);
-  // Light between facets leaves to the far side about as a smooth face lets it through; the larger
-  // of both losses makes both sides' shares one and the same relation, as reciprocity asks. The
-  // two sides of a smooth face are tied by 1 - F(1/n) = (1 - F(n)) / n^2.
+  // Light between facets leaves to the far side about as a smooth interface transmits it.
+  // Reciprocity requires one relation between both sides' shares, which the larger of both losses
+  // ensures. The two sides of a smooth interface are related by 1 - F(1/n) = (1 - F(n)) / n^2.
   float through = 1 - face.mean_fresnel();
   if (inside) through /= face.ior() * face.ior();
   back_ = 1 - through * missing_far_ / std::max(missing_near_, missing_far_);
@@ -27,7 +27,7 @@ Scattering DielectricLobe::evaluate(const Vec3f& in) const {
   if (in.z == 0) return s;
   const bool through = in.z < 0;
   const float even = std::fabs(in.z) / kPif;
-  // Between facets.
+  // Multiple scattering.
   const float lost = (through ? far_ : near_)->at(std::fabs(in.z), roughness_);
   const float part = through ? 1 - back_ : back_;
   const float again = loss_out_ * part * lost / (through ? missing_far_ : missing_near_) * even;
@@ -43,8 +43,8 @@ Scattering DielectricLobe::evaluate(const Vec3f& in) const {
     if (c > 0 && (d < 0) == through) {
       const float f = fresnel(c, ior_);
       const float sum = c + ior_ * d;
-      const float stretch =
-          through ? ior_ * ior_ * -d / (sum * sum) : 1 / (4 * c);  // normals to directions
+      const float stretch = through ? ior_ * ior_ * -d / (sum * sum)
+                                    : 1 / (4 * c);  // Jacobian from normals to directions
       once = (through ? 1 - f : f) * ggx_.visible_density(out_, h) * stretch;
     }
   }

@@ -7,7 +7,7 @@ namespace {
 constexpr float kScale = 0.5f - 2 / (3 * kPif);
 constexpr float kMean = 2.0f / 3 - 28 / (15 * kPif);
 
-/// Directional albedo of single scattering from white rock, exact.
+/// Exact directional albedo of single scattering from white rock.
 float single_albedo(float cosine, float roughness, float scale) {
   const auto c = static_cast<double>(std::clamp(cosine, 1e-4f, 1.0f));
   const double s = std::sqrt(1 - c * c), angle = maths::acos(c);

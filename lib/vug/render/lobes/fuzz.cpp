@@ -9,7 +9,7 @@ namespace {
 constexpr int kCosines = 32, kRoughnesses = 16;
 constexpr float kMinFuzzRoughness = 0.1f;
 
-/// Slopes over masking (Neubelt and Pettineo's smooth form), in 1/sr.
+/// Slope distribution over visibility (smooth form of Neubelt and Pettineo), in 1/sr.
 float fibres(const Vec3f& out, const Vec3f& in, float roughness) {
   const Vec3f h = normalized(out + in);
   const auto sine = static_cast<double>(std::sqrt(std::max(0.0f, 1 - h.z * h.z)));
@@ -48,7 +48,7 @@ const FuzzTable& fuzz_table() {
         const Vec3f out = direction_at(node_cosine(static_cast<int>(i)), 0);
         double sum = 0;
         for (int a = 0; a < kSteps; ++a)
-          for (int b = 0; b < kTurns; ++b) {  // half of the way round
+          for (int b = 0; b < kTurns; ++b) {  // half of the azimuths
             const float c = (static_cast<float>(a) + 0.5f) / kSteps;
             const Vec3f in = direction_at(c, (static_cast<float>(b) + 0.5f) / (2 * kTurns));
             sum += static_cast<double>(c * fibres(out, in, node_roughness(static_cast<int>(j))));

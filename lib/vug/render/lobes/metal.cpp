@@ -8,7 +8,7 @@ MetalLobe::MetalLobe(const Rgb& color, float roughness, const Vec3f& out)
   const float facets = facet_albedo().mean(roughness);
   missing_ = std::max(1 - facets, 1e-6f);
   missing_out_ = 1 - facet_albedo().at(out.z, roughness);
-  // Schlick's curve has the mean (20 F0 + 1) / 21 over even light.
+  // Cosine-weighted mean of Schlick's approximation: (20 F0 + 1) / 21.
   const auto again = [&](float f) { return rescattered((20 * f + 1) / 21, facets); };
   again_ = {again(color.x), again(color.y), again(color.z)};
 }

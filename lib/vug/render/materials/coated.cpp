@@ -1,5 +1,5 @@
-// Diffuse rock under a clear film: wet stone, varnish, or with a rough face plain dry rock. See
-// ClearCoatLobe: light that enters is reflected by the rock again and again below the face, which
+// Diffuse rock under a clear film: wet stone, varnish, or with a rough interface plain dry rock.
+// See ClearCoatLobe: the rock reflects entering light several times below the interface, which
 // darkens it as water does.
 #include <vug/exchange/look.h>
 #include <vug/render/kind.h>
@@ -17,12 +17,11 @@ struct Coated {
     s.doc("Diffuse rock under a clear film, such as water.")
         .cite("jensen1999wet")
         .param("albedo", &Coated::albedo,
-               {.doc = "Share of the light that the dry rock reflects; the vertex colour "
-                       "multiplies it.",
+               {.doc = "Reflected fraction of the dry rock; the vertex colour multiplies it.",
                 .min = 0,
                 .max = 1})
         .param("roughness", &Coated::roughness,
-               {.doc = "Of the film's face: 0.05 to 0.2 wet, 0.7 to 0.95 dry; its square is the "
+               {.doc = "Roughness of the film: 0.05 to 0.2 wet, 0.7 to 0.95 dry; its square is the "
                        "width of the microfacet slopes.",
                 .min = 0.03,
                 .max = 1})

@@ -1,4 +1,4 @@
-// Ideal diffuse reflection, the same on both sides.
+// Lambertian reflection, the same on both sides.
 #include <vug/exchange/look.h>
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
@@ -10,9 +10,9 @@ struct Lambert {
   Vec3d albedo{0.5, 0.5, 0.5};
 
   static void describe(Schema<Lambert>& s) {
-    s.doc("Ideal diffuse reflection, the same on both sides of the surface.")
+    s.doc("Lambertian reflection, the same on both sides of the surface.")
         .param("albedo", &Lambert::albedo,
-               {.doc = "Share of the light that is reflected, linear Rec.709; the vertex colour "
+               {.doc = "Reflected fraction of the light, linear Rec.709; the vertex colour "
                        "multiplies it.",
                 .min = 0,
                 .max = 1});

@@ -9,7 +9,7 @@ namespace vug::render {
 
 SurfacePoint::SurfacePoint(const Surface& surface) : surface_(surface) {
   point_.position = Vec3d(surface.position);
-  // Masks ask where the solid's surface faces, from whichever side it is seen.
+  // Masks use the normal out of the solid, regardless of the viewer's side.
   point_.normal = Vec3d(surface.shading_normal) * (surface.inside ? -1 : 1);
   point_.solid = surface.solid;
   point_.attributes = this;
@@ -46,7 +46,8 @@ std::optional<Vec3d> SurfacePoint::read(std::string_view name) const {
       value[part] +=
           static_cast<double>(shares[corner] * attribute->values[corners[corner] * arity + own]);
     }
-  if (const auto* gradients = moved_ && surface_.gradients ? surface_.gradients->of(name) : nullptr) {
+  if (const auto* gradients =
+          moved_ && surface_.gradients ? surface_.gradients->of(name) : nullptr) {
     Vec3f slope(0);
     for (size_t corner = 0; corner < 3; ++corner)
       slope += (*gradients)[corners[corner]] * shares[corner];
@@ -57,7 +58,7 @@ std::optional<Vec3d> SurfacePoint::read(std::string_view name) const {
 
 float NumberInput::at(const paint::EvalPoint& point, float low, float high) const {
   const auto number = static_cast<float>(varying ? (*varying)(point) : constant);
-  return std::min(high, std::max(low, number));  // not a number: low
+  return std::min(high, std::max(low, number));  // NaN becomes low
 }
 
 Rgb ColorInput::at(const paint::EvalPoint& point, const Rgb& times) const {

@@ -1,4 +1,4 @@
-// Two materials side by side, by a mask: some of each where it is between 0 and 1.
+// Two materials mixed by a mask.
 #include <vug/base/error.h>
 #include <vug/exchange/look.h>
 #include <vug/render/kind.h>
@@ -14,16 +14,16 @@ struct Mix {
 
   std::string fault() const {
     if (!a || !b) return {};
-    if (a->thin() != b->thin()) return "a thin sheet is mixed with a body";
+    if (a->thin() != b->thin()) return "a thin sheet cannot be mixed with a body";
     return a->memory_bytes() + b->memory_bytes() + 512 > BsdfMemory::kBytes
-               ? "this mixes more materials than one place can hold"
+               ? "the mixture has too many materials for one surface point"
                : "";
   }
   static void describe(Schema<Mix>& s) {
     s.doc("Two materials: the first where the mask is 0, the second where it is 1.")
         .param("a", &Mix::a, {.doc = "the first", .required = true})
         .param("b", &Mix::b, {.doc = "the second", .required = true})
-        .param("mask", &Mix::mask, {.doc = "the second's share", .min = 0, .max = 1});
+        .param("mask", &Mix::mask, {.doc = "fraction of the second", .min = 0, .max = 1});
   }
 };
 
@@ -44,7 +44,8 @@ class MixBsdf final : public Bsdf {
     if (!(s.pdf > 0)) return {};
     if (!s.body) s.body = one;
     if (s.subsurface) {
-      // Shares and odds are the same, so the weight stays.
+      // The lobe's weight and its sampling probability have the same factor, so the sample's weight
+      // is unchanged.
       s.pdf *= second ? share_ : 1 - share_;
       return s;
     }

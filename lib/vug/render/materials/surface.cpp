@@ -1,7 +1,7 @@
-// The surface for everything: a mix of lobes by weights that may vary, in the spirit of OpenPBR
-// (Andersson et al. 2024, openpbr2024). It differs in that lobes lie beside each other in shares
-// rather than above each other wherever that keeps the whole reciprocal and without loss; only
-// what matters for rock is layered: a face over a coloured body, and water over it.
+// General surface material: a mixture of lobes with weights that may vary, in the spirit of OpenPBR
+// (Andersson et al. 2024, openpbr2024). Unlike there, lobes are mixed in fractions rather than
+// layered wherever that keeps the material reciprocal and energy conserving. Only the layers that
+// matter for rock are modelled: an interface over a coloured body, and water over it.
 #include <vug/base/maths.h>
 #include <vug/exchange/look.h>
 #include <vug/render/geometry/instance_transform.h>
@@ -53,62 +53,67 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
   const auto roughness = [&](std::string doc) {
     return ParamSpec{.doc = std::move(doc), .min = 0, .max = 1};
   };
-  s.doc("Rock, water, ice, crystal, metal, moss: a mix of lobes by shares that may vary.")
+  s.doc("Rock, water, ice, crystal, metal, moss: a mixture of lobes in fractions that may vary.")
       .cite("openpbr2024")
-      .param("color", &P::color,
-             share("What the body reflects, linear Rec.709; the vertex colour multiplies it."))
+      .param(
+          "color", &P::color,
+          share("Reflected fraction of the body, linear Rec.709; the vertex colour multiplies it."))
       .param("matte", &P::matte,
-             share("Roughness of the diffuse reflection: 0 Lambert's, 1 dust and sandstone."))
+             share("Roughness of the diffuse reflection: 0 Lambertian, 1 dust and sandstone."))
       .param("specular", &P::specular,
-             share("Share of the rock that has a clear face; the rest is matte."))
-      .param("roughness", &P::roughness,
-             roughness("Of faces, of metal and of what is seen through: 0 a mirror, 0.7 to 0.95 "
-                       "dry rock."))
+             share("Fraction of the rock with a clear interface; the rest is matte."))
+      .param(
+          "roughness", &P::roughness,
+          roughness(
+              "Roughness of interfaces, metal and transmission: 0 a mirror, 0.7 to 0.95 dry rock."))
       .param("ior", &P::ior,
              {.doc = "Index of refraction: quartz 1.55, calcite 1.6, ice 1.31.",
               .min = 1.01,
               .max = 3})
-      .param("metal", &P::metal, share("Share that is metal of that colour."))
-      .param("coat", &P::coat, share("Share that a film of water covers: wetness."))
-      .param("coat_roughness", &P::coat_roughness, roughness("Of the film's face."))
-      .param("coat_ior", &P::coat_ior, {.doc = "Index of the film.", .min = 1.01, .max = 3})
-      .param("fuzz", &P::fuzz, share("Share of the rock that fibres cover: moss, dust."))
+      .param("metal", &P::metal, share("Fraction that is metal of that colour."))
+      .param("coat", &P::coat, share("Fraction covered by a film of water: wetness."))
+      .param("coat_roughness", &P::coat_roughness, roughness("Roughness of the film."))
+      .param("coat_ior", &P::coat_ior,
+             {.doc = "Index of refraction of the film.", .min = 1.01, .max = 3})
+      .param("fuzz", &P::fuzz, share("Fraction of the rock covered by fibres: moss, dust."))
       .param("fuzz_color", &P::fuzz_color, share("Colour of the fibres."))
-      .param("fuzz_roughness", &P::fuzz_roughness, roughness("Low: a narrow rim of light."))
+      .param("fuzz_roughness", &P::fuzz_roughness,
+             roughness("Roughness of the fibres; low: a narrow rim of light."))
       .param("subsurface", &P::subsurface,
-             share("Share in whose body light wanders before it comes out: calcite, ice."))
+             share("Fraction with subsurface scattering: calcite, ice."))
       .param("mean_free_path", &P::mean_free_path,
-             positive_length("How far light flies in that body between two collisions."))
-      .param("transmission", &P::transmission, share("Share that is clear: water, crystal."))
+             positive_length("Mean distance between two collisions in that body."))
+      .param("transmission", &P::transmission, share("Fraction that is clear: water, crystal."))
       .param("tint", &P::tint,
-             {.doc = "Colour that white light has after `tint_depth` in the clear body.",
+             {.doc = "Colour of white light after `tint_depth` in the clear body.",
               .min = 0,
               .max = 1,
               .above_min = true})
-      .param("tint_depth", &P::tint_depth, positive_length("See tint."))
+      .param("tint_depth", &P::tint_depth,
+             positive_length("Distance at which light has the colour `tint`."))
       .param("thin", &P::thin,
              {.doc = "A sheet without a body, the same from both sides: leaves, curtains, panes. "
-                     "Light that goes in comes out at once, in front or behind."})
+                     "Light that enters leaves at once, in front or behind."})
       .param("through", &P::through,
-             share("Of a thin sheet's subsurface share: the part that comes out behind."))
+             share("Of a thin sheet's subsurface fraction: the part that leaves behind."))
       .param("through_color", &P::through_color,
-             share("What a thin sheet takes from light that goes through it."))
-      .param("opacity", &P::opacity,
-             share("Part that is there at all: 0 where the mesh has holes, which let light and "
-                   "shadow rays through."))
+             share("Colour of light transmitted by a thin sheet."))
+      .param(
+          "opacity", &P::opacity,
+          share("Coverage: 0 where the mesh has holes, which let light and shadow rays through."))
       .param("emission_radiance", &P::emission_radiance,
-             {.doc = "Radiance (W/sr/m^2) that the outside sends out where its colour and mask are "
-                     "1: such objects are lamps.",
+             {.doc = "Radiance (W/sr/m^2) emitted by the outside where emission and emission_mask "
+                     "are 1: such objects are lights.",
               .min = 0,
               .max = kMaxRadiance})
-      .param("emission", &P::emission, share("Colour of that light."))
-      .param("emission_mask", &P::emission_mask, share("Part of that light: cracks of lava."))
-      .param("bump", &P::bump, share("Height of small forms, as a part of bump_height."))
+      .param("emission", &P::emission, share("Colour of the emission."))
+      .param("emission_mask", &P::emission_mask, share("Factor of the emission: cracks of lava."))
+      .param("bump", &P::bump, share("Height of small detail, as a fraction of bump_height."))
       .param("bump_height", &P::bump_height, any_length("Height of the bump where it is 1."));
 }
 
-/// The albedo of single collisions for which a deep body of that colour reflects it: the inverse
-/// of van de Hulst's fit 1980 (cite vandehulst1980), exact for white and black.
+/// Albedo of single collisions for which a deep body reflects `color`: the inverse of van de
+/// Hulst's fit 1980 (cite vandehulst1980), exact for white and black.
 float single_albedo(float color) {
   const float b = 1.139f + 1.17f * color;
   const float s = 2 * (1 - color) / (b + std::sqrt(b * b - 0.556f * (1 - color)));
@@ -157,7 +162,8 @@ class SurfaceMaterial final : public Material {
   exchange::Look look(const Surface& surface) const override;
   MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     SurfaceParams p = p_;
-    p.color.from_rec709 = p.fuzz_color.from_rec709 = p.emission.from_rec709 = p.through_color.from_rec709 = from_rec709;
+    p.color.from_rec709 = p.fuzz_color.from_rec709 = p.emission.from_rec709 =
+        p.through_color.from_rec709 = from_rec709;
     p.tint = from_rec709(p.tint);
     return std::make_shared<SurfaceMaterial>(p);
   }
@@ -174,7 +180,7 @@ class SurfaceMaterial final : public Material {
   Rgb absorption_;
 };
 
-/// Fibres, which such programs have other words for, each its own, only lend their colour.
+/// Other programs describe fibres in different ways, so fibres contribute only their colour.
 exchange::Look SurfaceMaterial::look(const Surface& surface) const {
   const SurfacePoint place(surface);
   const paint::EvalPoint& point = place.eval_point();
@@ -194,7 +200,7 @@ exchange::Look SurfaceMaterial::look(const Surface& surface) const {
   look.wetness = number(p_.coat);
   look.coat_roughness = number(p_.coat_roughness);
   look.thin = p_.thin;
-  if (p_.thin) {  // what comes out behind is not reflected
+  if (p_.thin) {  // light that leaves behind is not reflected
     const double behind = number(p_.subsurface) * number(p_.through);
     look.through = look.base_color * Vec3d(p_.through_color.at(point)) * behind;
     look.base_color *= 1 - behind;
@@ -243,8 +249,8 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
   if (clear > 0) {
     bsdf.add(clear, DielectricLobe(roughness, *face_, *glass_, surface.inside, out));
     bsdf.set_absorption(absorption_);
-    // Lobes of smooth faces are narrower than most lamps; and from outside the way to a lamp in the
-    // body would swallow light.
+    // Lobes of smooth interfaces are narrower than most lights. From outside, light from a light
+    // inside the body would have to be absorbed along the way, so it is not sampled.
     if (surface.inside && roughness > 0.1f) bsdf.set_lit_from_behind();
   }
   if (dry * cloudy > 0) {
@@ -260,7 +266,7 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
 /// Central differences of the height along the surface.
 bool SurfaceMaterial::bump(Surface& surface) const {
   if (!p_.bump.varying) return false;
-  // An instance is larger or smaller with all of its forms.
+  // An instance scales the bumps with the mesh.
   const bool scaled = surface.instance && !surface.world_space_material;
   const float height =
       static_cast<float>(p_.bump_height) * (scaled ? surface.instance->mean_scale() : 1);

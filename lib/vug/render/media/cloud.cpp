@@ -1,9 +1,9 @@
-// Fog whose density is a grid: delta tracking finds collisions, residual ratio tracking what comes
-// through (Novak, Georgiev, Hanika, Jarosz 2018, "Monte Carlo methods for volumetric light
-// transport simulation", novak2018volumes), brick by brick with bounds and a mean of its own for
-// each (Novak, Selle, Jarosz 2014, "Residual ratio tracking for estimating attenuation in
-// participating media", novak2014residual). All colours share one extinction, so that coloured
-// albedo is a weight and needs no tracking of its own.
+// Medium with a density grid: delta tracking samples collisions, residual ratio tracking estimates
+// transmittance (Novak, Georgiev, Hanika, Jarosz 2018, "Monte Carlo methods for volumetric light
+// transport simulation", novak2018volumes), with majorants and means per brick (Novak, Selle,
+// Jarosz 2014, "Residual ratio tracking for estimating attenuation in participating media",
+// novak2014residual). All colours share one extinction, so a coloured albedo is only a weight and
+// needs no spectral tracking.
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
@@ -21,7 +21,7 @@ namespace vug::render {
 namespace {
 
 using Range = volume::MajorantGrid::Range;
-/// To pass a brick takes this part of the time of a look at the density.
+/// Cost of passing a brick, relative to one density lookup.
 constexpr double kPassing = 0.2;
 
 using DensityPtr = std::shared_ptr<const volume::Density>;
@@ -42,9 +42,9 @@ struct DenseCloud {
 
   std::string fault() const {
     if (file.empty() && !(color_grid.empty() && emission_grid.empty() && temperature_grid.empty()))
-      return "grids that are named need a 'file' that they are in";
+      return "named grids need a 'file' that contains them";
     if (!temperature_grid.empty() && !(temperature > 0))
-      return "a grid of temperatures needs a 'temperature': the kelvin where it is 1";
+      return "a temperature grid needs a 'temperature': the kelvin where the grid is 1";
     return "";
   }
   static void describe(Schema<DenseCloud>& s);
@@ -53,43 +53,46 @@ struct DenseCloud {
 void DenseCloud::describe(Schema<DenseCloud>& s) {
   using P = DenseCloud;
   s.doc(
-       "Fog with the density of a grid: of a .vdb file, or of the volume that it stands on: "
+       "Fog with the density of a grid: of a .vdb file, or of the volume that it is declared on: "
        "medium NAME on VOLUME { kind cloud }.")
       .cite("novak2018volumes")
       .param("file", &P::file, {.doc = "A .vdb file with a grid of floats."})
-      .param("grid", &P::grid,
-             {.doc = "The density's name; else that named density, else the first."})
+      .param(
+          "grid", &P::grid,
+          {.doc = "Name of the density grid; without it, the grid named density, else the first."})
       .param("extinction", &P::extinction,
-             {.doc = "Collisions per metre where the density is 1.",
+             {.doc = "Extinction coefficient (1/m) where the density is 1.",
               .dimension = Dimension::per_length,
               .min = 0})
       .param("albedo", &P::albedo,
-             {.doc = "Share of the collisions that scatter, by colour.", .min = 0, .max = 1})
+             {.doc = "Fraction of the collisions that scatter, by colour.", .min = 0, .max = 1})
       .param("color_grid", &P::color_grid,
              {.doc = "A grid of the file whose vectors multiply the albedo: Cd, color."})
-      .param("emission", &P::emission,
-             {.doc = "Radiance (W/sr/m^2) of a cloud that nothing shines through; it glows where "
-                     "it is dense. With an emission_grid: what is added per metre where that is 1.",
-              .min = 0})
+      .param(
+          "emission", &P::emission,
+          {.doc = "Radiance (W/sr/m^2) of an opaque cloud; emission is proportional to the "
+                  "density. With an emission_grid: radiance added per metre where the grid is 1.",
+           .min = 0})
       .param("emission_mask", &P::emission_mask,
-             {.doc = "Part of all that it sends out.", .min = 0, .max = 1})
-      .param("emission_grid", &P::emission_grid,
-             {.doc = "A grid of the file that tells where it burns, dense or not: flame, heat."})
+             {.doc = "Factor of all emission.", .min = 0, .max = 1})
+      .param(
+          "emission_grid", &P::emission_grid,
+          {.doc = "A grid of the file with the emission, independent of the density: flame, heat."})
       .param("temperature_grid", &P::temperature_grid,
-             {.doc = "A grid of the file: temperature. It sends out what a black body does."})
+             {.doc = "A temperature grid of the file. The medium emits as a black body."})
       .param("temperature_mask", &P::temperature_mask,
-             {.doc = "Part of the temperature.", .min = 0, .max = 1})
+             {.doc = "Factor of the temperature.", .min = 0, .max = 1})
       .param("temperature", &P::temperature,
-             {.doc = "Kelvin where the grid (or without one the mask) is 1; 1 for grids in kelvin, "
-                     "0: it sends out nothing by heat.",
+             {.doc = "Kelvin where the grid (or without a grid the mask) is 1; use 1 for grids in "
+                     "kelvin. 0: no thermal emission.",
               .min = 0})
       .param("g", &P::g,
-             {.doc = "Mean cosine of scattering; above 0 light keeps its direction.",
+             {.doc = "Mean cosine of scattering; above 0 is forward scattering.",
               .min = -0.99,
               .max = 0.99});
 }
 
-/// A place in the air as masks and paints see it.
+/// A point in the medium in the form that masks and paints evaluate.
 paint::EvalPoint eval_point_at(const Vec3f& point) {
   paint::EvalPoint out;
   out.position = Vec3d(point);
@@ -113,13 +116,13 @@ class GridFile {
       names.push_back(grid.name());
     }
     throw Error(ErrorCode::bad_input,
-                fmt::format("'{}' holds no grid named '{}'", file_.string(), name), {},
+                fmt::format("'{}' has no grid named '{}'", file_.string(), name), {},
                 suggestion(name, names));
   }
   const volume::Grid& density(const std::string& name) const {
     if (!name.empty()) return find(name);
     if (grids_.empty())
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no grid", file_.string()));
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' has no grid", file_.string()));
     for (const volume::Grid& grid : grids_)
       if (grid.name() == "density") return grid;
     return grids_.front();
@@ -158,7 +161,7 @@ class CloudMedium final : public Medium {
     if (!p_.file.empty()) file.emplace(p_);
     const volume::Grid body = file ? file->density(p_.grid) : *density;
     MediumData data{{p_.extinction, p_.albedo.constant, p_.g, p_.emission, hot() ? 1.0 : 0.0},
-                   {body.named("density")}};
+                    {body.named("density")}};
     if (p_.albedo.varying || colour_[0]) {
       data.medium.albedo = Vec3d(1.0);
       data.grids.push_back(volume::resampled_vectors(body, [&](const Vec3f& p) {
@@ -190,7 +193,7 @@ class CloudMedium final : public Medium {
   float transmittance(const Ray& ray, const Segment& whole, TrackingRng& numbers) const override {
     const Segment segment = within(*density_, ray, whole);
     if (segment.empty()) return 1;
-    // As if bricks were even; what differs from that is left to chance.
+    // The mean density of each brick is integrated exactly, the residual is tracked.
     float through = 1, known = 0;
     BrickTraversal walk(*density_, *bricks_, ray, segment);
     float left = free_path(numbers.next());
@@ -205,7 +208,7 @@ class CloudMedium final : public Medium {
         through *=
             1 - (density_->stochastic_at(walk.index(t), numbers.triple()) - range.mean) / most;
         if (through < 0.1f) {
-          // Dim light goes on by lot: the mean stays.
+          // Russian roulette for low transmittance; the estimate stays unbiased.
           if (numbers.next() >= 2 * through) return 0;
           through = 0.5f;
         }
@@ -280,7 +283,8 @@ class CloudMedium final : public Medium {
     return flames_ ? Rgb(0.0f) : emitted_radiance(point);
   }
   bool is_emissive() const override { return flames_ != nullptr; }
-  /// One place by the bounds of the bricks, weighed by the clear part of the way to it.
+  /// Samples one point in proportion to the bricks' majorants, and weights it by the transmittance
+  /// up to it.
   Rgb sample_emission(const Ray& ray, const Segment& whole, TrackingRng& numbers) const override {
     const Segment segment = within(*flames_, ray, whole);
     if (segment.empty()) return Rgb(0.0f);
@@ -311,19 +315,19 @@ class CloudMedium final : public Medium {
   }
 
  private:
-  /// Part of the light that comes through a way, as the integral of density along it.
+  /// Transmittance from the integral of density along the ray.
   float attenuation(float way) const {
     return static_cast<float>(maths::exp(-static_cast<double>(way * extinction_)));
   }
   /// The part of a segment in which a grid has values.
   Segment within(const volume::Density& grid, const Ray& ray, const Segment& whole) const {
     if (grid.majorants().empty()) return {0, 0};
-    if (!flames_) return whole;  // then the medium is where its density is
+    if (!flames_) return whole;  // then the medium is bounded by its density
     if (grid.bounds().isEmpty()) return {0, 0};
     const Segment part = clip_to_box(grid.bounds(), ray, whole.end);
     return {std::max(part.begin, whole.begin), part.end};
   }
-  /// What is sent out, before extinction or flame.
+  /// Emission before multiplication by extinction or flame.
   Rgb emitted_radiance(const Vec3f& point) const {
     if (!has_emission()) return Rgb(0.0f);
     const float part = emission_factor(point);
@@ -334,7 +338,7 @@ class CloudMedium final : public Medium {
   }
   bool hot() const { return p_.temperature > 0; }
   bool has_emission() const { return hot() || p_.emission != Vec3d(0); }
-  /// Part of all that a place sends out.
+  /// Factor of the emission at a point.
   float emission_factor(const Vec3f& point) const { return value_at(p_.emission_mask, point); }
   float kelvin(const Vec3f& point) const {
     const float own = static_cast<float>(p_.temperature) * value_at(p_.temperature_mask, point);
@@ -351,7 +355,8 @@ class CloudMedium final : public Medium {
                           static_cast<double>(density_->size().y) *
                           static_cast<double>(density_->size().z);
     typical_ = extinction_ * static_cast<float>(0.5 * bricks.front().bound() / voxels);
-    // Large bricks are few to pass, small ones have tighter bounds: fewer looks at densities.
+    // Large bricks are fewer to traverse, small bricks have tighter majorants and so need fewer
+    // density lookups.
     const double voxel = 1 / static_cast<double>(length(density_->direction_to_index({1, 0, 0})));
     double least = 0;
     for (const volume::MajorantGrid& each : bricks) {
@@ -365,7 +370,7 @@ class CloudMedium final : public Medium {
   float extinction_, typical_ = 0;
   DensityPtr density_, heat_, flames_;
   const volume::MajorantGrid* bricks_ =
-      nullptr;  ///< Of the density, that walks take least time through.
+      nullptr;  ///< Bricks of the size that is cheapest to traverse.
   std::array<DensityPtr, 3> colour_;
   Box3f bounds_;
 };

@@ -1,4 +1,4 @@
-// Even haze in a box, with the phase function of Henyey and Greenstein 1941.
+// Homogeneous haze in a box, with the Henyey-Greenstein phase function.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>
 #include <vug/render/media/phase.h>
@@ -14,21 +14,21 @@ struct Haze {
   std::optional<Vec3d> size;
 
   static void describe(Schema<Haze>& s) {
-    s.doc("Even haze, in a box or in the bounds of the scene's meshes.")
+    s.doc("Homogeneous haze, in a box or in the bounds of the scene's meshes.")
         .cite("henyey1941")
         .param("extinction", &Haze::extinction,
-               {.doc = "Collisions per metre; 0.005 to 0.05 in a cave.",
+               {.doc = "Extinction coefficient (1/m); 0.005 to 0.05 in a cave.",
                 .dimension = Dimension::per_length,
                 .min = 0})
         .param("albedo", &Haze::albedo,
-               {.doc = "Share of the collisions that scatter.", .min = 0, .max = 1})
+               {.doc = "Fraction of the collisions that scatter.", .min = 0, .max = 1})
         .param("g", &Haze::g,
-               {.doc = "Mean cosine of scattering; above 0 light keeps its direction.",
+               {.doc = "Mean cosine of scattering; above 0 is forward scattering.",
                 .min = -0.99,
                 .max = 0.99})
-        .param("center", &Haze::center, any_length("Middle of the box."))
+        .param("center", &Haze::center, any_length("Centre of the box."))
         .param("size", &Haze::size,
-               positive_length("Lengths of the box; the scene's own box when not given."));
+               positive_length("Size of the box; the scene's own box when not given."));
   }
 };
 

@@ -14,13 +14,13 @@ namespace {
 constexpr uint64_t kSalt = 0x6f70656e73ull;
 
 constexpr size_t kPaths = 1u << 13;
-constexpr size_t kPathPoints = 4;  ///< On one path.
-constexpr size_t kRays = 4;        ///< From one place.
-/// More rays than this part of all get out: the scene lies open.
+constexpr size_t kPathPoints = 4;  ///< Points on one path.
+constexpr size_t kRays = 4;        ///< Rays from one point.
+/// If more than this fraction of the rays escapes, the scene is open.
 constexpr double kOpen = 0.1;
 constexpr size_t kMostPortals = 8;
 
-/// A surface point that a camera path came to; no normal: the path had ended.
+/// A surface point on a camera path; without a normal the path had ended.
 struct PathPoint {
   Vec3f origin;
   Vec3f normal{0, 0, 0};
@@ -43,7 +43,7 @@ std::vector<PathPoint> path_points(const TrainingContext& context, Progress& pro
   return all;
 }
 
-/// Lets rays out over the hemispheres of all places. The part of them that got out.
+/// Traces rays over the hemispheres of all points. Returns the fraction that escapes.
 double sample_hemispheres(const TrainingContext& context, const std::vector<PathPoint>& from,
                           BoundaryHits& hits, Progress& progress) {
   std::atomic<uint64_t> sent{0}, out{0};
@@ -64,7 +64,7 @@ double sample_hemispheres(const TrainingContext& context, const std::vector<Path
   return sent > 0 ? static_cast<double>(out) / static_cast<double>(sent) : 0;
 }
 
-/// Lets rays out through the neighbourhood of known exits, to see how far these reach.
+/// Traces rays towards the neighbourhood of the known rectangles to find their full extent.
 void refine_hits(const TrainingContext& context, const std::vector<PathPoint>& from,
                  const std::vector<RectangleParams>& known, BoundaryHits& hits,
                  Progress& progress) {
@@ -88,7 +88,7 @@ void refine_hits(const TrainingContext& context, const std::vector<PathPoint>& f
 std::vector<LightPtr> find_automatic_portals(const TrainingContext& context, Progress& progress) {
   const LightSet& lights = context.world.lights();
   if (!lights.has_sky() || !lights.sky_is_plain()) return {};
-  progress.begin("finding the openings to the sky", 4);
+  progress.begin("finding openings to the sky", 4);
   const std::vector<PathPoint> from = path_points(context, progress);
   progress.advance();
   BoundaryHits hits(context.world.bounds());

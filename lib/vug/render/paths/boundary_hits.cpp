@@ -5,7 +5,7 @@
 namespace vug::render {
 namespace {
 
-/// Face 2a + s is the low (s = 0) or high side of axis a; its grid runs along the two next axes.
+/// Face 2a + s is the low (s = 0) or high side of axis a; its grid spans the two following axes.
 int axis_of(int face) { return face / 2; }
 int across(int face) { return (axis_of(face) + 1) % 3; }
 int along(int face) { return (axis_of(face) + 2) % 3; }
@@ -54,7 +54,7 @@ std::vector<BoundaryHits::CellGroup> BoundaryHits::groups() const {
       group.u0 = std::min(group.u0, u), group.u1 = std::max(group.u1, u);
       group.v0 = std::min(group.v0, v), group.v1 = std::max(group.v1, v);
       group.rays += rays(group.face, u, v);
-      // Cells two apart touch, too: between a few rays there are gaps.
+      // Cells two apart count as connected, since a few rays leave gaps.
       for (int dv = -2; dv <= 2; ++dv)
         for (int du = -2; du <= 2; ++du)
           if (u + du >= 0 && u + du < kCells && v + dv >= 0 && v + dv < kCells)

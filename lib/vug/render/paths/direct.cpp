@@ -6,22 +6,23 @@
 namespace vug::render {
 namespace {
 
-/// Lights that are weighed for each shadow ray where a tree chooses them: that costs a part of the
-/// ray, and knows the surface, the lamp's shape and its direction as no tree does. Few lamps are
-/// chosen well enough by what they tell themselves.
+/// Candidates for each shadow ray if a tree chooses the lights: weighting them costs a fraction of
+/// a ray and considers the BSDF, the light's shape and its direction, which the tree cannot. A few
+/// lights are chosen well enough by their own importance.
 constexpr float kCandidates = 3;
-/// Part of the shadow rays that go to candidates evenly: what is thought to be hidden may be seen.
+/// Fraction of the shadow rays distributed uniformly over the candidates, since the visibility
+/// cache may be wrong.
 constexpr float kEven = 0.05f;
 
-/// Light that arrives unless a wall or the medium keeps it back.
+/// Light that arrives unless it is occluded or attenuated.
 struct Candidate {
   LightId from = kNoLight;
   Ray ray;
   float distance = 0;
-  /// Scattered towards the viewer for each unit of light, over the density; and its diffuse part.
+  /// Scattered towards the viewer per unit of light, over the density; and its diffuse part.
   Rgb scattering{0, 0, 0}, diffuse{0, 0, 0};
   Rgb light{0, 0, 0};
-  float weight = 0;  ///< What is expected of its shadow ray.
+  float weight = 0;  ///< Expected contribution of its shadow ray.
 };
 
 Candidate candidate(const PreparedScene& world, const LightChoice& chosen, const Hit& hit,
@@ -29,8 +30,8 @@ Candidate candidate(const PreparedScene& world, const LightChoice& chosen, const
                     const Vec2f& u) {
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
   if (!(s.pdf > 0)) return {};
-  // The side is that of the smooth surface, from which rays leave; the facet's own would cut light
-  // off that grazes it.
+  // The side is that of the smooth surface, from which rays leave; the side of the triangle would
+  // cut off grazing light.
   const Vec3f in = frame.to_local(s.direction);
   const bool behind = !(in.z > 0);
   if (behind && (vertex.point.on_surface() || dot(s.direction, hit.surface.geometric_normal) > 0))
@@ -54,18 +55,19 @@ Rgb arriving(const PreparedScene& world, const Candidate& c, const Hit& hit, flo
   if (occluded(world, c.ray, c.distance)) return Rgb(0.0f);
   const float part = transmittance(world, c.ray, c.distance, numbers) / probability;
   if (recorder && c.distance == kFar)
-    recorder->record_environment(world, hit.object, c.ray.direction, c.scattering * part, c.diffuse * part);
+    recorder->record_environment(world, hit.object, c.ray.direction, c.scattering * part,
+                                 c.diffuse * part);
   else if (recorder)
     recorder->record(world.lights().group(c.from), c.scattering * c.light * part,
-                c.diffuse * c.light * part);
+                     c.diffuse * c.light * part);
   return c.scattering * c.light * part;
 }
 
 }  // namespace
 
-Rgb direct_light(const PreparedScene& world, const Hit& hit, const GuidedBsdf& bsdf, const Frame& frame,
-                 PathVertex& vertex, const Vec2f& choice, const Vec2f& u, TrackingRng& numbers,
-                 LightPathRecorder* recorder) {
+Rgb direct_light(const PreparedScene& world, const Hit& hit, const GuidedBsdf& bsdf,
+                 const Frame& frame, PathVertex& vertex, const Vec2f& choice, const Vec2f& u,
+                 TrackingRng& numbers, LightPathRecorder* recorder) {
   const float rays = vertex.selection.samples;
   if (world.lights().branches() < world.lights().size())
     vertex.selection.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMax));
@@ -77,7 +79,7 @@ Rgb direct_light(const PreparedScene& world, const Hit& hit, const GuidedBsdf& b
     candidates[size] = candidate(world, chosen, hit, bsdf, frame, vertex, u);
     if (candidates[size].weight > 0) all += candidates[size++].weight;
   }
-  // Systematic sampling, as where lights are chosen.
+  // Systematic sampling, as in the choice of lights.
   const auto count = static_cast<float>(size);
   const float proportional = rays * (1 - kEven) / all, even = rays * kEven / count;
   Rgb sum(0.0f);

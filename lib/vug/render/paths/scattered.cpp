@@ -18,7 +18,7 @@ ScatteredLight::ScatteredLight(const PreparedScene& world, const Ray& ray, const
 void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segment& segment,
                          float where, const Vec2f& u, TrackingRng& numbers) {
   const Medium& medium = *world_.medium();
-  // Distances from the foot of the perpendicular, which equiangular sampling is about.
+  // Distances are relative to the foot of the perpendicular, the origin of equiangular sampling.
   const Vec3f to = world_.lights().center(chosen.light) - ray.origin;
   const float foot = dot(to, ray.direction);
   const auto height = static_cast<double>(
@@ -52,7 +52,7 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
   if (!(extinction > 0)) return;
   const Ray shadow{point.position, s.direction};
   if (is_black(light) || occluded(world_, shadow, s.distance)) return;
-  // Suns and portals that share a direction share its light, by the balance heuristic.
+  // Suns and portals in the same direction share its light by the balance heuristic.
   float directions = s.pdf;
   if (s.distance == kFar)
     for (const LightId sky : world_.lights().sampled_skies())

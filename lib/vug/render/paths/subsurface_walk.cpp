@@ -5,11 +5,11 @@
 namespace vug::render {
 namespace {
 
-/// Long walks go on by chance; none is cut, so that the mean stays.
+/// Long walks are subject to Russian roulette; none is cut off, so the estimate is unbiased.
 constexpr int kSureSteps = 32;
-constexpr int kMostSteps = 100000;  // against bodies that swallow nothing
+constexpr int kMostSteps = 100000;  // limit for bodies that absorb nothing
 
-/// The same place from the other side.
+/// The same point from the other side.
 void flip(Hit& hit) {
   Surface& surface = hit.surface;
   surface.geometric_normal = -surface.geometric_normal;

@@ -8,19 +8,21 @@
 namespace vug::render {
 namespace {
 
-/// Numbers that one bounce may spend, so that branches do not shift those of later bounces.
+/// Sample dimensions reserved for each bounce, so that branches do not shift those of later
+/// bounces.
 constexpr uint32_t kCameraDimensions = 2;
 constexpr uint32_t kBounceDimensions = 8;
-constexpr uint32_t kTrackingDimension = 7;  // of a bounce's
+constexpr uint32_t kTrackingDimension = 7;  // within a bounce
 
-/// A cone that a diffuse surface has turned is so wide at least, in radians: what is seen by way
-/// of it needs no fine detail.
+/// Smallest spread in radians of a ray cone after a diffuse bounce: what it sees needs no fine
+/// detail.
 constexpr float kBlur = 0.05f;
 
-/// Paths end by chance where what they may still add is less than so many times what single paths
-/// are off by (RadianceCache::noise) where the camera looks; but none with more than the other part
-/// of all chances, for what is known of the light may err. Both, and the root of the two, were
-/// chosen by variance times time (docs/explanation/decisions/0030-worth-of-paths.md).
+/// Russian roulette applies where the expected contribution of a path is below kNegligible times
+/// the deviation of single paths (RadianceCache::noise) where the camera looks. The survival
+/// probability is at least kMinSurvival, since the cached radiance may be wrong. Both constants,
+/// and the square root of the ratio, were chosen by variance times time
+/// (docs/explanation/decisions/0030-worth-of-paths.md).
 constexpr float kNegligible = 20, kMinSurvival = 0.5f;
 
 Rgb albedo_of(const Hit& hit, const Ray& ray) {
@@ -62,10 +64,12 @@ class PathTracer {
     TrackingRng tracking;
     Hit hit;
     bool found = false;
-    Vec2f choice{0, 0};  ///< Which light, which lobe.
+    Vec2f choice{0, 0};  ///< Random numbers for the light and the lobe.
     Vec2f light{0, 0}, scatter{0, 0};
-    Vec2f last{0, 0};      ///< Whether the path goes on, which light it looks at.
-    bool weighed = false;  ///< Whether the path goes on has been decided.
+    Vec2f last{
+        0,
+        0};  ///< Random numbers for the survival of the path and for the light with a shadow ray.
+    bool weighed = false;  ///< Whether the survival of the path has been decided.
   };
 
   Bounce begin_bounce() {
@@ -85,7 +89,7 @@ class PathTracer {
     bounce.last = four[3];
   }
 
-  /// The next surface on the ray.
+  /// Finds the next surface on the ray.
   void intersect(Bounce& bounce) {
     Hit& hit = bounce.hit;
     bounce.found = world_.intersect(ray_, hit, [&] { draw(bounce); });
@@ -102,7 +106,7 @@ class PathTracer {
     result_.alpha = bounce.found ? 1 : 1 - transmittance(world_, ray_, kFar, bounce.tracking);
   }
 
-  /// What the ray runs into belongs to the place it comes from, as direct light there.
+  /// Emission that the ray hits counts as direct light of the vertex that it comes from.
   void add_emission(Bounce& bounce) {
     const float end = bounce.found ? bounce.hit.distance : kFar;
     Rgb seen = light_emission(world_, ray_, end, from_, result_.alpha, bounce.tracking, recorder_);
@@ -111,14 +115,15 @@ class PathTracer {
                 : environment_emission(world_, ray_, from_, bounce.tracking, recorder_);
     float share = 1;
     if (depth_ == 0 && !beside_.empty()) {
-      for (const Ray& ray : beside_) seen += camera_emission(world_, ray, bounce.tracking, recorder_);
+      for (const Ray& ray : beside_)
+        seen += camera_emission(world_, ray, bounce.tracking, recorder_);
       share /= static_cast<float>(beside_.size() + 1);
     }
     const Rgb scale = add(throughput_ * seen * share, depth_ - 1);
     if (recorder_) recorder_->flush_emission(depth_, scale * share);
   }
 
-  /// True when the path turns in the medium before it comes to the surface.
+  /// Returns true if the path scatters in the medium before it reaches the surface.
   bool sample_medium(Bounce& bounce) {
     if (!medium_ || inside_body_) return false;
     const Segment segment = medium_->clip(ray_, bounce.found ? bounce.hit.distance : kFar);
@@ -150,7 +155,7 @@ class PathTracer {
     recorder_->flush_medium(depth_, scale);
   }
 
-  /// Turns at the surface; false when the path ends there.
+  /// Scatters at the surface; false if the path ends there.
   bool scatter(Bounce& bounce) {
     Hit& hit = bounce.hit;
     if (hit.material->bump(hit.surface)) hit.surface.face(ray_.direction);
@@ -171,7 +176,7 @@ class PathTracer {
     const Rgb scale = add(light, depth_);
     if (path_recorder_) path_recorder_->add_direct(result_.radiance);
     if (recorder_) recorder_->flush_surface(depth_, scale);
-    // Of faces that mirror or let through, what is known of a region tells nothing.
+    // The cache says nothing about specular and transmissive surfaces.
     bounce.weighed = settings_.roulette == Roulette::adjoint && !guiding_.radiance.empty() &&
                      own.guided_fraction() > 0;
     if (bounce.weighed && !survives_adjoint(hit, bounce.last.x)) return false;
@@ -181,12 +186,12 @@ class PathTracer {
     if (through && dot(s.direction, hit.surface.geometric_normal) > 0) return false;
     if (recorder_ && depth_ == 0)
       recorder_->scattered_at_surface(through && !s.scattered.subsurface, s.scattered.weight,
-                                s.scattered.diffuse);
+                                      s.scattered.diffuse);
     scale_throughput(s);
     width_ = hit.surface.footprint;
     if (!is_black(s.scattered.diffuse)) spread_ = std::max(spread_, kBlur);
     // Kaplanyan and Dachsbacher 2013, "Path space regularization for holistic and robust light
-    // transport" (cite kaplanyan2013regularization), with a width that stays.
+    // transport" (cite kaplanyan2013regularization), with constant width.
     if (2 * largest(s.scattered.diffuse) > largest(s.scattered.weight))
       blur_ = settings_.regularize;
     const Bsdf& body = s.scattered.body ? *s.scattered.body : own;
@@ -200,7 +205,7 @@ class PathTracer {
     return true;
   }
 
-  /// Wanders beneath a surface until it leaves the body elsewhere; false when it does not.
+  /// Random walk inside a body until the path leaves it elsewhere; false if it does not.
   bool exit_subsurface(Bounce& bounce, const Bsdf& body, const Vec3f& direction) {
     Hit& hit = bounce.hit;
     RandomStream random = subsurface_random(bounce.scatter, bounce.choice.y);
@@ -230,15 +235,15 @@ class PathTracer {
 
   bool survives(float u) {
     if (settings_.roulette == Roulette::off) return true;
-    // What the first surface sends on is seen as it is: an even sky would be grain there.
+    // Light after the first surface is directly visible: a uniform sky would show as grain.
     if (settings_.roulette == Roulette::adjoint && depth_ == 0) return true;
-    // The square root keeps dim paths longer than their share of light: fewer, fainter fireflies.
+    // The square root keeps dim paths alive longer than in proportion: fewer and fainter fireflies.
     return survives_by(std::sqrt(largest(unguided_throughput_)), u);
   }
-  /// By what the path may still add beside the lights it has chosen here (Vorba and Krivanek 2016,
-  /// "Adjoint-driven Russian roulette and splitting in light transport simulation", cite
-  /// vorba2016adjoint), against what the camera sees and how noisy that is anyway (Rath et al.
-  /// 2022, "EARS: Efficiency-aware Russian roulette and splitting", cite rath2022ears).
+  /// Compares the expected contribution of the path beyond the lights sampled here (Vorba and
+  /// Krivanek 2016, "Adjoint-driven Russian roulette and splitting in light transport simulation",
+  /// cite vorba2016adjoint) with what the camera sees and its noise level (Rath et al. 2022, "EARS:
+  /// Efficiency-aware Russian roulette and splitting", cite rath2022ears).
   bool survives_adjoint(const Hit& hit, float u) {
     const RadianceStats& light = guiding_.radiance.at(hit.origin, hit.surface.geometric_normal);
     if (!(negligible_ > 0)) negligible_ = kNegligible * guiding_.radiance.noise() * light.mean;
@@ -269,8 +274,8 @@ class PathTracer {
     unguided_throughput_ *= s.unguided;
     from_.pdf = s.scattered.pdf;
   }
-  /// Adds what one vertex gives; all of it while the camera sees the vertex itself. The scale at
-  /// which the recorder settles it.
+  /// Adds the light of one vertex, clamped unless the camera sees the vertex itself. Returns the
+  /// scale for the recorder.
   Rgb add(const Rgb& light, int depth) {
     const float most = depth <= 0 ? kFar : settings_.max_radiance, brightest = largest(light);
     const float part = brightest > most ? most / brightest : 1;
@@ -291,19 +296,20 @@ class PathTracer {
   int depth_ = 0;
   Ray ray_;
   Rgb throughput_{1, 1, 1};
-  Rgb unguided_throughput_{1, 1, 1};  ///< The throughput that would be left without a guide.
+  Rgb unguided_throughput_{1, 1, 1};  ///< The throughput without guiding.
   PathVertex from_;
-  float negligible_ = 0;      ///< See kNegligible; 0: not known.
-  float width_ = 0, spread_;  ///< Of the cone that the path looks along.
-  float blur_ = 0;            ///< Least roughness of what it sees.
-  bool inside_body_ = false;  ///< A clear body, which swallows this:
+  float negligible_ = 0;      ///< See kNegligible; 0: unknown.
+  float width_ = 0, spread_;  ///< Of the path's ray cone.
+  float blur_ = 0;            ///< Smallest roughness of the surfaces it sees.
+  bool inside_body_ = false;  ///< In a clear body with this absorption:
   Rgb absorption_{0, 0, 0};
 };
 
 }  // namespace
 
-PathResult trace_path(const PreparedScene& world, const Ray& camera_ray, const PathSettings& settings,
-                      const GuidingData& guiding, SampleCursor& numbers, LightPathRecorder* recorder,
+PathResult trace_path(const PreparedScene& world, const Ray& camera_ray,
+                      const PathSettings& settings, const GuidingData& guiding,
+                      SampleCursor& numbers, LightPathRecorder* recorder,
                       PathRecorder* path_recorder, std::span<const Ray> beside) {
   return PathTracer(world, camera_ray, settings, guiding, numbers, recorder, path_recorder, beside)
       .trace();

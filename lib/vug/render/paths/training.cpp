@@ -14,21 +14,21 @@ namespace {
 
 constexpr uint64_t kSalt = 0x6775696465ull;
 
-/// Rounds of gathering, each with twice the paths of the one before and led by it: what few paths
-/// come to by chance, many come to in the next.
+/// Training rounds; each has twice the paths of the previous one and is guided by it, so that paths
+/// found by chance become frequent in the next round.
 constexpr int kRounds = 3;
 constexpr size_t kChunk = 256;
-/// Glances are taken from so many places for each path of a round, evenly over all
-/// radiance_samples.
+/// Number of points for visibility samples, relative to the paths of a round; they are spread
+/// evenly over all radiance samples.
 constexpr double kPlaces = 0.5;
-/// From each at so many lights.
+/// Number of lights tested from each point.
 constexpr size_t kLightsAtOnce = 4;
-/// Edge of the regions that share what they see of lights, and how bright they are: see Regions.
+/// Edge of the regions that share visibility and radiance: see Regions.
 constexpr float kRegion = 1.0f / 32;
 
 constexpr uint32_t kNothing = ~0u;
 
-/// Without those that looked at nothing.
+/// Removes samples without a target.
 std::vector<VisibilitySample> without_empty(std::vector<VisibilitySample> visibility_samples) {
   visibility_samples.erase(
       std::remove_if(visibility_samples.begin(), visibility_samples.end(),
@@ -37,7 +37,7 @@ std::vector<VisibilitySample> without_empty(std::vector<VisibilitySample> visibi
   return visibility_samples;
 }
 
-/// What `paths` camera rays all over the picture see, in their order.
+/// Traces `paths` training paths over the whole picture and appends their samples in order.
 void trace_training_paths(const TrainingContext& context, size_t paths, uint64_t salt,
                           const GuidingData& guiding, const TrainingPath& trace, Progress& progress,
                           std::vector<RadianceSample>& radiance_samples) {
@@ -64,8 +64,8 @@ void trace_training_paths(const TrainingContext& context, size_t paths, uint64_t
     radiance_samples.insert(radiance_samples.end(), chunk.begin(), chunk.end());
 }
 
-/// Looks from places that paths came to at patches: half of the time at one that would light the
-/// place, half at any, since what is thought to be hidden may be seen from here.
+/// Tests the visibility of clusters from points on paths: half of the time of a cluster that would
+/// light the point, half of any cluster, since the estimated visibility may be wrong here.
 std::vector<VisibilitySample> sample_cluster_visibility(
     const TrainingContext& context, size_t most, uint64_t salt, const Guide& guide,
     const std::vector<RadianceSample>& radiance_samples, Progress& progress) {
@@ -102,7 +102,7 @@ std::vector<VisibilitySample> sample_cluster_visibility(
   return without_empty(std::move(visibility_samples));
 }
 
-/// Somewhere on the way that light may take to a surface.
+/// A random point on a ray along which light may reach a surface.
 LightSampleContext point_in_medium(const PreparedScene& world, const RadianceSample& at,
                                    SampleCursor& numbers) {
   const Ray ray{at.point, Frame(at.normal).to_world(sample_cosine_hemisphere(numbers.pair()))};
@@ -111,7 +111,7 @@ LightSampleContext point_in_medium(const PreparedScene& world, const RadianceSam
   return {ray.at(end * numbers.single())};
 }
 
-/// Looks from places that paths came to at lights of a few branches, of each in turn.
+/// Tests the visibility of lights from points on paths, for a few branches each in turn.
 std::vector<VisibilitySample> sample_light_visibility(
     const TrainingContext& context, size_t most, uint64_t salt,
     const std::vector<RadianceSample>& radiance_samples, Progress& progress) {
@@ -168,7 +168,7 @@ GuidingData train(const TrainingContext& context, uint64_t paths, const Training
           context, places, salt + 2, guiding.guide, radiance_samples, progress));
     progress.advance();
   }
-  // Not before: paths that ended by it would tell less of what they end by.
+  // Not earlier: paths that ended by it would underestimate the radiance that they end by.
   guiding.radiance = RadianceCache(radiance_samples, bounds, kRegion);
   progress.end();
   return guiding;

@@ -4,7 +4,7 @@
 namespace vug::render {
 namespace {
 
-/// Shadow rays stop this part of the way to the lamp, before any wall it may lie against.
+/// Shadow rays end at this fraction of the distance to the light, before any wall that it touches.
 constexpr float kAlmost = 0.9999f;
 
 }  // namespace
@@ -25,7 +25,7 @@ bool occluded(const PreparedScene& world, const Ray& ray, float distance) {
 Rgb light_emission(const PreparedScene& world, const Ray& ray, float end, const PathVertex& from,
                    float& alpha, TrackingRng& numbers, LightPathRecorder* recorder) {
   Rgb light(0.0f);
-  // From a medium, direct sampling finds all of a lamp's light.
+  // In media, light sampling finds all light of finite lights.
   if (from.kind == PathVertex::medium) return light;
   world.lights().for_each_light_on(
       ray, end, from.point.object, [&](LightId id, const Light& source) {
@@ -48,12 +48,12 @@ Rgb light_emission(const PreparedScene& world, const Ray& ray, float end, const 
   return light;
 }
 
-Rgb surface_emission(const PreparedScene& world, const Ray& ray, const Hit& hit, const PathVertex& from,
-                     TrackingRng& numbers, LightPathRecorder* recorder) {
+Rgb surface_emission(const PreparedScene& world, const Ray& ray, const Hit& hit,
+                     const PathVertex& from, TrackingRng& numbers, LightPathRecorder* recorder) {
   const LightSet& lights = world.lights();
   Rgb emission = hit.emission;
   if (lights.emission_varies() && !hit.surface.inside) {
-    // Both ways to find light ask for all detail, or they would not weigh the same function.
+    // Both sampling strategies must evaluate the same function, so both use full detail.
     const float footprint = from.kind == PathVertex::camera ? hit.surface.footprint : 0;
     emission = lights.emission(hit.object, hit.triangle, hit.surface.u, hit.surface.v, footprint);
   }
@@ -71,7 +71,8 @@ Rgb surface_emission(const PreparedScene& world, const Ray& ray, const Hit& hit,
   return arriving;
 }
 
-Rgb camera_emission(const PreparedScene& world, const Ray& ray, TrackingRng& numbers, LightPathRecorder* recorder) {
+Rgb camera_emission(const PreparedScene& world, const Ray& ray, TrackingRng& numbers,
+                    LightPathRecorder* recorder) {
   const PathVertex camera;
   Hit hit;
   float alpha = 0;
@@ -92,7 +93,7 @@ Rgb environment_emission(const PreparedScene& world, const Ray& ray, const PathV
     const float direct = lights.sky_pdf(from.point, from.selection, ray.direction);
     weight = from.pdf / (from.pdf + direct);
   } else if (from.kind == PathVertex::medium) {
-    // Direct sampling finds the sky only where it may turn to.
+    // Light sampling finds the sky only where its density is not zero.
     for (const LightId id : lights.sampled_skies())
       if (lights.pdf(id, from.point, ray.direction) > 0) return Rgb(0.0f);
   }
