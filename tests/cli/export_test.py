@@ -94,7 +94,7 @@ class Export(VugTest):
         self.write("sky.vug", BALL + "light heaven = daylight(elevation: 30deg)\ncamera round { kind panoramic }\n")
         said = self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "--lod", "2")
         round_ = "left out: the camera 'round', which looks all round: no program is told how\n"
-        self.assertIn("note: the sky 'heaven': glTF has no words for it, only Vug's add-on for Blender reads it "
+        self.assertIn("note: the sky 'heaven': glTF cannot express it, only Vug's add-on for Blender reads it "
                       "(sky.glb)\n", said.err)
         self.assertIn(round_, said.err)
         self.assertNotIn("volume", said.err)  # it lies beside

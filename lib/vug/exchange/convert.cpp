@@ -8,14 +8,14 @@
 namespace vug::exchange {
 namespace {
 
-/// Turns what points y up, and back.
+/// The rotation between the up axes.
 Transform turn(UpAxis from, UpAxis to) {
   if (from == to) return {};
   if (to == UpAxis::z) return {Vec3d(1, 0, 0), Vec3d(0, 0, 1), Vec3d(0, -1, 0), Vec3d(0.0)};
   return {Vec3d(1, 0, 0), Vec3d(0, 0, -1), Vec3d(0, 1, 0), Vec3d(0.0)};
 }
 
-/// All meshes that are the same stay the same.
+/// Converts meshes; shared meshes remain shared.
 class Meshes {
  public:
   Meshes(const Transform& way, const Transform& turn) : way_(way), turn_(turn) {}
@@ -88,12 +88,12 @@ Assembly converted(const Assembly& assembly, const Space& to) {
     volume.bounds = there.box(volume.bounds);
     if (!volume.medium) continue;
     volume.medium->extinction /= scale;
-    // A flame counts for each unit of length; without one the extinction does.
+    // A flame emits per unit length; without a flame the extinction scales instead.
     if (std::any_of(volume.grids.begin(), volume.grids.end(),
                     [](const VolumeGrid& grid) { return grid.name == "flame"; }))
       volume.medium->emission /= scale, volume.medium->heat /= scale;
   }
-  // Their own axes keep their lengths: what they measure is told in numbers.
+  // Object spaces preserve lengths: measures are converted as numbers.
   const auto moved = [&](const Transform& place) {
     const Vec3d origin = there.point(place.origin());
     const Transform axes = turned * place;

@@ -78,7 +78,7 @@ WriteReport write_flat_mesh(const Assembly& assembly, const std::filesystem::pat
   const auto leave_out = [&](const auto& things, const char* what) {
     for (const auto& each : things)
       written.unsupported.push_back(
-          fmt::format("the {} '{}': the file holds a mesh alone", what, each.name));
+          fmt::format("the {} '{}': the file contains only a mesh", what, each.name));
   };
   leave_out(assembly.cameras, "camera");
   leave_out(assembly.lights, "light");

@@ -20,7 +20,7 @@ const std::vector<const Format*>& formats() {
 }
 
 const Format& format(const std::string& name) {
-  return require_kind(formats(), name, fmt::format("there is no exchange format '{}'", name));
+  return require_kind(formats(), name, fmt::format("unknown exchange format '{}'", name));
 }
 
 WriteReport write(const Format& format, const Assembly& assembly, const Space& space,

@@ -12,7 +12,7 @@
 namespace vug::exchange {
 namespace {
 
-constexpr size_t kMostBytes = 0xffffffffu - (1u << 24);  // the rest is for the text
+constexpr size_t kMostBytes = 0xffffffffu - (1u << 24);  // The rest is reserved for the text.
 
 Vec3f unit(const Vec3f& normal) {
   const float length = normal.length();
@@ -33,7 +33,7 @@ void GltfBuffer::require_size(size_t bytes) const {
   const size_t all = model_.buffers[0].data.size() + bytes;
   if (all <= kMostBytes) return;
   throw Error(ErrorCode::too_large,
-              fmt::format("a .glb file holds at most 4 GiB, and this takes {}",
+              fmt::format("a .glb file is limited to 4 GiB, and this scene takes {}",
                           bytes_text(static_cast<double>(all))),
               {}, "use larger voxels, or another format such as usda");
 }
@@ -65,7 +65,7 @@ int GltfBuffer::accessor(int view, int component, int type, size_t count) {
 
 int GltfBuffer::floats(const float* values, size_t count, int arity, bool bounds, int target) {
   const auto width = static_cast<size_t>(arity);
-  const int type = arity == 1 ? TINYGLTF_TYPE_SCALAR : arity;  // VEC2 is 2, and so on
+  const int type = arity == 1 ? TINYGLTF_TYPE_SCALAR : arity;  // VEC2 is 2, and so on.
   const int made = accessor(view(values, count * width * sizeof(float), target),
                             TINYGLTF_COMPONENT_TYPE_FLOAT, type, count);
   if (!bounds) return made;
@@ -83,7 +83,7 @@ int GltfBuffer::floats(const float* values, size_t count, int arity, bool bounds
 int GltfBuffer::indices(const std::vector<mesh::Triangle>& triangles, size_t vertices) {
   constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
   const size_t count = 3 * triangles.size();
-  if (vertices > 0xffff)  // the highest index of 16 bits means something else
+  if (vertices > 0xffff)  // The highest 16-bit index is reserved.
     return accessor(view(triangles.data(), count * sizeof(uint32_t), kTarget),
                     TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count);
   std::vector<uint16_t> narrow;
@@ -151,8 +151,9 @@ tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& b
       primitive.attributes[fmt::format("_{}", names.unique(upper(each.name)))] =
           buffer.floats(each.values.data(), vertices, each.arity, false, kTarget);
     else
-      unsupported.push_back(fmt::format("the attribute '{}' of '{}', which has {} numbers a vertex",
-                                        each.name, prototype.name, each.arity));
+      unsupported.push_back(
+          fmt::format("the attribute '{}' of '{}', which has {} numbers per vertex", each.name,
+                      prototype.name, each.arity));
   }
   primitive.indices = buffer.indices(mesh.triangles, vertices);
   tinygltf::Mesh out;

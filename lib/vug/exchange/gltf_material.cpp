@@ -24,7 +24,7 @@ tinygltf::Material gltf_material(const Prototype& prototype, double emission_sca
   tinygltf::Material out;
   out.name = prototype.material;
   out.doubleSided = look.thin;
-  // What varies in opacity has it beside its colour in COLOR_0.
+  // Varying opacity is the alpha of COLOR_0.
   const bool veiled = mesh::find_attribute(*prototype.mesh, "opacity", 1) != nullptr;
   const bool colored = veiled || mesh::find_attribute(*prototype.mesh, mesh::kColour, 3) != nullptr;
   out.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, 1};

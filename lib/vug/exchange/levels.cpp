@@ -10,12 +10,12 @@
 namespace vug::exchange {
 namespace {
 
-/// A level is of use while it still is a solid's surface, and clearly fewer triangles than the one
-/// before: of these at most so many.
+/// A level is useful only if it is still a closed surface and has clearly fewer triangles than the
+/// previous one: at most this fraction.
 constexpr size_t kFewest = 4;
 constexpr double kAtMost = 0.75;
 
-/// The farthest of a mesh's points from the other.
+/// The maximum distance of a mesh's points from the other mesh.
 double farthest(const mesh::Mesh& from, const mesh::MeshDistance& to) {
   const auto most = [](double a, double b) { return std::max(a, b); };
   const auto distance = [&](const Vec3d& p) { return to.closest(p).distance; };
@@ -41,7 +41,8 @@ mesh::Mesh coarser(const mesh::Mesh& mesh, double share) {
   const size_t indices = 3 * mesh.triangles.size();
   const size_t wanted = static_cast<size_t>(static_cast<double>(indices) * share) / 3 * 3;
   std::vector<mesh::Triangle> triangles(mesh.triangles.size());
-  constexpr float kAnyError = 1;  // of the mesh's extent: the number of triangles decides
+  constexpr float kAnyError =
+      1;  // Relative to the extent of the mesh: the number of triangles decides.
   const size_t left =
       meshopt_simplify(triangles[0].data(), mesh.triangles[0].data(), indices, &mesh.positions[0].x,
                        mesh.positions.size(), sizeof(Vec3f), wanted, kAnyError, 0, nullptr);

@@ -38,7 +38,7 @@ Vec3d power(const Light& light) {
     case Light::Shape::sphere:
       return peak_intensity(light) * (4 * kPi);
     case Light::Shape::spot: {
-      // Light fades smoothly between the two cones: half of what lies between counts.
+      // Light fades smoothly between the two cones: half of the region in between counts.
       const double outer = maths::cos(0.5 * light.angle);
       const double inner = maths::cos(0.5 * light.angle * (1 - light.edge));
       return peak_intensity(light) * (kPi * (2 - inner - outer));

@@ -19,7 +19,7 @@ const std::vector<const Program*>& programs() {
 }
 
 const Program& program(const std::string& name) {
-  return require_kind(programs(), name, fmt::format("nothing is known of a program '{}'", name));
+  return require_kind(programs(), name, fmt::format("unknown program '{}'", name));
 }
 
 }  // namespace vug::exchange

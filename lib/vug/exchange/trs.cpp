@@ -6,8 +6,8 @@
 namespace vug::exchange {
 namespace {
 
-/// Of a rotation's columns: the largest of the four components first, which divides the others
-/// (Shepperd 1978, "Quaternion from rotation matrix", cite shepperd1978).
+/// The quaternion of a rotation's columns: the largest of the four components is computed first and
+/// divides the others (Shepperd 1978, "Quaternion from rotation matrix", cite shepperd1978).
 std::array<double, 4> quaternion(const Vec3d& x, const Vec3d& y, const Vec3d& z) {
   const double squares[4] = {1 + x.x - y.y - z.z, 1 - x.x + y.y - z.z, 1 - x.x - y.y + z.z,
                              1 + x.x + y.y + z.z};

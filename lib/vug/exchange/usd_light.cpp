@@ -26,7 +26,7 @@ const char* type_of(Light::Shape shape) {
 
 void write_usd_camera(UsdText& out, const Camera& camera, const std::string& name,
                       double metres_per_unit) {
-  // Lenses and film are told in tenths of the unit.
+  // USD measures lenses and film in tenths of the unit.
   const double millimetre = 0.01 / metres_per_unit;
   const double width = camera.orthographic ? 10 * camera.span : kFilmWidth * millimetre;
   const double focal = focal_length(camera) * millimetre;
@@ -73,7 +73,7 @@ void write_usd_light(UsdText& out, const Light& light, const std::string& name,
     out.line("asset inputs:texture:file = @{}@", picture);
     out.line("token inputs:texture:format = \"latlong\"");
   }
-  // The middle column of such a picture lies towards +z there.
+  // USD's environment maps have their middle column at +z.
   out.place(light.shape == Shape::dome ? light.place * Transform::rotation({0, 1, 0}, kPi)
                                        : light.place);
   out.end();

@@ -51,7 +51,8 @@ void write_shape(UsdText& out, const mesh::Mesh& mesh) {
   for (const mesh::Attribute& attribute : mesh.attributes) write_attribute(out, attribute);
 }
 
-/// The index for which all of a body has as much of a face as the share of it has.
+/// The index of refraction whose reflectance on the whole surface equals that of `ior` on the
+/// fraction `share`.
 double weakened(double ior, double share) {
   const double f = std::sqrt(share) * std::fabs((ior - 1) / (ior + 1));
   return (1 + f) / (1 - f);
@@ -122,7 +123,7 @@ void write_usd_material(UsdText& out, const Prototype& prototype, const std::str
   out.line("token outputs:surface.connect = <{}/surface.outputs:surface>", path);
   out.def("Shader", "surface");
   out.line("uniform token info:id = \"UsdPreviewSurface\"");
-  bool veiled = false;  // what varies in opacity is not clear besides
+  bool veiled = false;  // Whether opacity varies; it is then not combined with transmission.
   for (const Channel& channel : channels()) {
     if (channel.color == &Look::base_color)
       write_input(out, prototype, path, channel, "diffuseColor");

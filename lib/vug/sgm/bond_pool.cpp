@@ -9,7 +9,7 @@
 namespace vug::sgm {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // of the base's size, as in makes_label
+constexpr double kTolerance = 1e-6;  // Relative to the size of the base, as in makes_label.
 
 bool same(const Bond& a, const Bond& b, double size) {
   return (a.point - b.point).length() <= kTolerance * size &&
@@ -23,8 +23,8 @@ std::optional<Bond> recast(const Bond& bond, const field::Field& base, double de
   const double size = size_of(base);
   const Box3d& box = base.bounds();
   const bool kept = std::fabs(base.value(bond.point)) <= kTolerance * size * base.lipschitz();
-  // As far out as the farthest corner of the bounds: from there nothing lies in between.
-  constexpr double kHorizon = 100;  // metres, where the bounds are infinite
+  // As far out as the farthest corner of the bounds, beyond which there is nothing.
+  constexpr double kHorizon = 100;  // Metres, where the bounds are infinite.
   double out = 0;
   for (int i = 0; i < 3; ++i) {
     const double face = bond.direction[i] > 0 ? box.max[i] : box.min[i];
@@ -32,10 +32,10 @@ std::optional<Bond> recast(const Bond& bond, const field::Field& base, double de
   }
   out = std::min(out + kTolerance * size, kHorizon + size);
   const Vec3d start = bond.point + bond.direction * out, inwards = -bond.direction;
-  if (bond.free_direction() || base.value(start) <= 0)  // no outside to come from
+  if (bond.free_direction() || base.value(start) <= 0)  // The line cannot start outside.
     return kept ? std::optional(bond) : std::nullopt;
   const field::Field air = field::complement(base);
-  const double nudge = 1e-9 * size;  // past the surface just found, whatever its rounding
+  const double nudge = 1e-9 * size;  // Beyond the surface just found, whatever its rounding.
   for (double t = 0; t < out + depth;) {
     const auto enters = first_hit(base, start + inwards * t, inwards, out + depth - t);
     if (!enters) break;

@@ -14,7 +14,7 @@ DerivationResult interpret(grammar::Tree tree, const Options& options, Progress&
     const grammar::Node& node = tree.nodes[static_cast<size_t>(leaf)];
     const ProductionStep* step = std::any_cast<ProductionStep>(&node.symbol.content.payload);
     if (!step) {
-      out.diagnostics.warning({}, fmt::format("'{}' at {} was never rewritten to a production",
+      out.diagnostics.warning({}, fmt::format("'{}' at {} was never expanded to a production",
                                               grammar::to_string(node.symbol), tree.path(leaf)));
       continue;
     }

@@ -19,7 +19,7 @@ void Geology::require_valid() const {
   for (const Component& c : components)
     if (!(0 <= c.lowest && c.lowest <= c.highest && c.highest <= 1))
       throw Error(ErrorCode::bad_input,
-                  "the morph range of '" + c.name + "' does not lie in 0..1 in rising order");
+                  "the morph range of '" + c.name + "' must be increasing and within 0..1");
 }
 
 }  // namespace vug::sgm

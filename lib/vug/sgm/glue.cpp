@@ -39,7 +39,7 @@ Shape compound(const std::vector<Shape>& pieces, Label label, double overlap, Ra
   if (pieces.size() == 1) return pieces[0];
   std::string name;
   std::vector<field::Field> parts;
-  std::vector<Bond> free;  // of what is glued so far
+  std::vector<Bond> free;  // Bonds of the pieces glued so far.
   for (size_t i = 0; i < pieces.size(); ++i) {
     name += (i > 0 ? " + " : "") + pieces[i].name;
     Shape piece = pieces[i];

@@ -22,7 +22,7 @@ double reach_of(const field::Blend& blend) {
   return blend.profile == field::Profile::sharp ? 0 : blend.radius;
 }
 
-/// The half ball of a local intersection: it holds the shape's outer half and a margin.
+/// The half ball of a local intersection: it contains the shape's outer half and a margin.
 struct End {
   Vec3d centre;
   double radius;
@@ -31,12 +31,12 @@ End end_of(const Field& shape) {
   return {shape.bounds().center(), 0.625 * shape.bounds().size().length()};
 }
 
-/// Whether a production acts on all of the base: asked for, or the shape itself is endless.
+/// Whether a production acts on all of the base: on request, or because the shape is infinite.
 bool acts_everywhere(const ProductionStep& step, const Options& options, const Field& shape) {
   return step.reach.value_or(options.reach) == Reach::whole || !is_finite(shape.bounds());
 }
 
-/// The direction that the base grows in at this placement.
+/// The direction in which the base grows at this placement.
 Vec3d heading(const Placement& placement) {
   return placement.glued && !placement.base_bond.free_direction() ? placement.base_bond.direction
                                                                   : direction(placement.side);
@@ -118,7 +118,7 @@ void Growth::glue(const ProductionStep& step, Shape shape, RandomKey key, Placem
     placement.map = Transform::translation(-heading(placement) * placement.press) * glued;
     shape = transformed(shape, placement.map);
   } else {
-    placement.note = "the shape has no bond and stays where it is";
+    placement.note = "the shape has no bond and keeps its position";
   }
   placement.field = shape.field;
   if (step.operation == Operation::morph) {
@@ -130,7 +130,7 @@ void Growth::glue(const ProductionStep& step, Shape shape, RandomKey key, Placem
     placement.effective = false;
     placement.glued = false;
     placement.base_bond_id = -1;
-    placement.note = "nothing would be left";
+    placement.note = "nothing would remain";
     if (own) bonds_.release(*own);
     return;
   }
@@ -165,7 +165,7 @@ std::optional<Field> Growth::combined(const ProductionStep& step, const Placemen
       break;
   }
   const double size = size_of(field_);
-  // Something just below a bond is left more often than not, and is quick to find.
+  // Solid just below a bond usually remains and is quick to find.
   for (const Bond& bond : bonds_.free())
     if (out.value(bond.point - bond.direction * (1e-3 * size)) < -1e-9 * size) return out;
   return inner_point(out) ? std::optional(out) : std::nullopt;
@@ -184,7 +184,7 @@ void Growth::grow(const ProductionStep& step, const Shape& shape, Field base,
   field_ = std::move(base);
 
   const bool whole = acts_everywhere(step, options_, shape.field);
-  // Cuts join nothing: their bond is used up as well, but the wall they leave gets a new one.
+  // Cuts also consume their bond, but they join nothing, so the new wall gets a new bond.
   const double depth = whole ? size_of(field_) : std::min(size_of(field_), size_of(shape.field));
   const double reach = reach_of(step.blend) + 1e-6 * size_of(field_);
   const End end = whole ? End{} : end_of(shape.field);
@@ -192,7 +192,7 @@ void Growth::grow(const ProductionStep& step, const Shape& shape, Field base,
     if (whole) return true;
     if (step.operation == Operation::intersect)
       return (bond.point - end.centre).length() < end.radius + reach;
-    return shape.field.value(bond.point) < reach;  // else the base's value there is as before
+    return shape.field.value(bond.point) < reach;  // Otherwise the base's value there is unchanged.
   });
   std::vector<Bond> fresh;
   if (adds) {

@@ -34,7 +34,7 @@ std::optional<double> first_hit(const Field& field, const Vec3d& origin, const V
 
 namespace {
 
-/// Rays along one axis, from the bounds' face inwards.
+/// Rays along one axis, from the face of the bounds inwards.
 struct Beam {
   const Field& field;
   int axis, u, v, sign;
@@ -42,7 +42,7 @@ struct Beam {
   double size, length;
   Vec3d centre;
 
-  /// Where the ray at (cu, cv) of the cross section hits; `limit` is as far as it matters.
+  /// The hit of the ray at (cu, cv) of the cross section, up to `limit`.
   std::optional<double> hit(double cu, double cv, double limit) const {
     return first_hit(field, start(cu, cv), heading(), limit);
   }
@@ -65,8 +65,8 @@ struct Best {
   double t = kInfinity, off = kInfinity, cu = 0, cv = 0;
 };
 
-/// Tries count x count rays in the window of half widths (hu, hv) about (cu, cv), turned by
-/// `angle` before it is stretched; true when the lowest hit moved.
+/// Traces count x count rays in the window with half widths (hu, hv) about (cu, cv), rotated by
+/// `angle` before scaling; returns true if the lowest hit changed.
 bool scan(const Beam& beam, double cu, double cv, double hu, double hv, int count, double angle,
           Best& best) {
   const double cos = maths::cos(angle), sin = maths::sin(angle);
@@ -83,7 +83,7 @@ bool scan(const Beam& beam, double cu, double cv, double hu, double hv, int coun
       const double du = pu - beam.centre[beam.u], dv = pv - beam.centre[beam.v];
       const double off = du * du + dv * dv;
       best.lowest = std::min(best.lowest, *t);
-      // Ties go to the centre line, unless the best so far is none any more.
+      // Ties go to the centre line, unless the best hit so far is no longer extreme.
       if (best.t > best.lowest + slack || off < best.off - slack * beam.size)
         best = {best.lowest, *t, off, pu, pv};
     }
@@ -103,7 +103,7 @@ std::optional<Vec3d> support_point(const Field& field, int axis, int sign) {
   Best best;
   double hu = 0.5 * extent[beam.u], hv = 0.5 * extent[beam.v];
   scan(beam, beam.centre[beam.u], beam.centre[beam.v], hu, hv, 17, 0, best);
-  if (best.t == kInfinity) {  // the solid slipped between the rays
+  if (best.t == kInfinity) {  // The solid slipped between the rays.
     const auto inside = inner_point(field);
     if (!inside) return std::nullopt;
     const auto t = beam.hit((*inside)[beam.u], (*inside)[beam.v], beam.length);
@@ -112,8 +112,8 @@ std::optional<Vec3d> support_point(const Field& field, int axis, int sign) {
   }
   hu /= 8;
   hv /= 8;
-  // A compass search. The pattern turns by the golden angle, for on a ridge (the edge of a tilted
-  // box) only few directions lead up, and the window shrinks after three turns in vain.
+  // A compass search. The pattern rotates by the golden angle, because on a ridge (the edge of a
+  // tilted box) few directions ascend, and the window shrinks after three unsuccessful rotations.
   for (int step = 0, vain = 0, level = 0; step < 128 && level < 16; ++step) {
     vain = scan(beam, best.cu, best.cv, hu, hv, 5, 2.399963 * step, best) ? 0 : vain + 1;
     if (vain < 3) continue;
@@ -143,13 +143,13 @@ std::optional<Vec3d> inner_point(const Field& field) {
   std::optional<Vec3d> found;
   const auto consider = [&](const Vec3d& centre, const Vec3d& half) {
     const double value = field.value(centre);
-    if (value < -1e-9 * size) found = centre;  // and not rounding, where walls only touch
+    if (value < -1e-9 * size) found = centre;  // Not merely rounding, where walls touch.
     const double radius = half.length();
     if (value <= field.lipschitz() * radius && radius > smallest)
       queue.push({value, made++, centre, half});
   };
   consider(box.center(), box.size() * 0.5);
-  constexpr int64_t kMost = 200'000;  // boxes; a surface of 1/1024 resolution may have more
+  constexpr int64_t kMost = 200'000;  // Boxes; a surface with 1/1024 resolution may have more.
   while (!found && !queue.empty() && made < kMost) {
     const Candidate c = queue.top();
     queue.pop();

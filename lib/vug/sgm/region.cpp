@@ -22,7 +22,7 @@ using field::Restriction;
 using field::Scratch;
 using field::Traits;
 
-/// Far away both terms grow, so their mean does; a blend lowers it by its depth at most.
+/// Far away both terms grow, so their mean does; a blend reduces it by at most its depth.
 Traits morph_traits(const Traits& base, const Traits& shape, double amount, double depth) {
   return {std::max(base.lipschitz, (1 - amount) * base.lipschitz + amount * shape.lipschitz),
           std::max({base.exactness, shape.exactness, Exactness::bound}),
@@ -30,8 +30,8 @@ Traits morph_traits(const Traits& base, const Traits& shape, double amount, doub
           std::min(base.growth_rate(), shape.growth_rate())};
 }
 
-/// One node and not a morph of the base with a union, because that would evaluate the base twice,
-/// and after n morphs 2^n times.
+/// A single node instead of a morph of the base with a union, because that would evaluate the base
+/// twice, and after n morphs 2^n times.
 class LocalMorph final : public field::EvaluationModes<LocalMorph> {
  public:
   LocalMorph(Traits traits, NodePtr base, NodePtr shape, double amount, field::Blend blend)
@@ -55,7 +55,7 @@ class LocalMorph final : public field::EvaluationModes<LocalMorph> {
   }
   Restriction restrict_to(const field::Ball& ball) const override {
     const Restriction base = base_->restrict_to(ball), shape = shape_->restrict_to(ball);
-    if (shape.range.lo >= base.range.hi + blend_.radius)  // the shape cannot matter here
+    if (shape.range.lo >= base.range.hi + blend_.radius)  // The shape cannot matter here.
       return {base.range, base.node ? base.node : base_};
     Restriction out;
     out.range =
@@ -69,8 +69,8 @@ class LocalMorph final : public field::EvaluationModes<LocalMorph> {
   std::vector<NodePtr> children() const override { return {base_, shape_}; }
 
  private:
-  /// base + a (min(base, shape) - base): the base's own bits where it is the smaller one. Both
-  /// factors are monotone in base and shape, so intervals stay tight by the second form.
+  /// base + a (min(base, shape) - base): bit-identical to the base where it is smaller. In the
+  /// second form both factors are monotone in base and shape, so intervals stay tight.
   template <class T>
   T mixed(const T& base, const T& shape) const {
     const T nearer = blend_.smin(base, shape);
@@ -103,7 +103,7 @@ struct HalfBall {
 
 Field local_morph(const Field& base, const Field& shape, double amount, const field::Blend& blend) {
   if (!(amount >= 0 && amount <= 1))
-    throw Error(ErrorCode::bad_input, "a morph's amount lies between 0 and 1");
+    throw Error(ErrorCode::bad_input, "a morph's amount must be between 0 and 1");
   if (amount == 0) return base;
   if (amount == 1) return field::unite({base, shape}, blend);
   Traits traits =

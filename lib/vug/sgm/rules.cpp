@@ -18,9 +18,9 @@ void require(bool holds, const std::string& message) {
 
 void require_valid(const Rules& rules) {
   require(rules.classic >= 0 && rules.morphic >= 0 && rules.classic + rules.morphic > 0,
-          "PC and PM count productions: 0 or more, and one at least");
-  require(rules.pieces >= 0, "PS counts primitives: 0 or more");
-  require(rules.amount >= 0 && rules.amount <= 1, "MP lies between 0 % and 100 %");
+          "PC and PM are numbers of productions: both must be 0 or more, and one at least 1");
+  require(rules.pieces >= 0, "PS is a number of primitives: it must be 0 or more");
+  require(rules.amount >= 0 && rules.amount <= 1, "MP must be between 0 % and 100 %");
   double total = 0;
   for (const ShapeChoice& shape : rules.shapes) {
     require(shape.weight >= 0 && std::isfinite(shape.weight) && shape.make,
@@ -86,7 +86,7 @@ grammar::Grammar grammar_of(const Rules& rules) {
   require_valid(rules);
   grammar::Grammar out;
   out.name = "cave";
-  // Before the j-th of the morphic productions stand j / (P_M + 1) of the classic ones.
+  // j / (P_M + 1) of the classic productions precede the j-th morphic one.
   int64_t done = 0;
   for (int j = 1; j <= rules.morphic; ++j) {
     const int64_t upto = int64_t{rules.classic} * j / (rules.morphic + 1);

@@ -11,7 +11,7 @@ using field::Field;
 
 namespace {
 
-/// The middle of the bounds; on an axis with one finite end that end, with none 0.
+/// The centre of the bounds; on an axis with one finite end that end, with none 0.
 Vec3d middle(const Box3d& box) {
   Vec3d out(0);
   for (int i = 0; i < 3; ++i) {
@@ -24,14 +24,14 @@ Vec3d middle(const Box3d& box) {
   return out;
 }
 
-/// A surface point near the origin, by Newton's method along the gradient.
+/// Finds a surface point near the origin by Newton's method along the gradient.
 std::optional<Vec3d> surface_near_origin(const Field& field) {
   Vec3d p(0);
   for (int i = 0; i < 64; ++i) {
     const field::Gradient g = field.gradient(p);
     if (std::fabs(g.value) < 1e-12) return p;
     const double slope = g.gradient.length2();
-    // Where the gradient vanishes (a symmetric point), leave it by a fixed small step.
+    // Leaves points with a vanishing gradient (symmetric points) by a fixed small step.
     p = slope > 1e-12 ? p - g.gradient * (g.value / slope) : p + Vec3d(0.03, 0.02, 0.01);
     if (!(p.length2() < 1e12)) return std::nullopt;
   }
@@ -63,7 +63,7 @@ std::optional<Bond> bond_on(const Field& field, Label side) {
   const double size = size_of(field);
   Vec3d start = centre;
   start[axis] = face + outwards[axis] * 1e-6 * size;
-  // Up to the centre, and a little past it, so that a wall in the very middle counts.
+  // Up to the centre and slightly past it, so that a wall exactly at the centre counts.
   const double half = std::fabs(start[axis] - centre[axis]) + 2e-6 * size;
   if (const auto t = first_hit(field, start, -outwards, half))
     return Bond{start - outwards * *t, outwards};

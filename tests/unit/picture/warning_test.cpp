@@ -81,7 +81,7 @@ TEST(Warning, AGrammarThatGrowsNothing) {
   EXPECT_EQ(lines(told(grammar("Room*N")), "t.vug:"),
             "t.vug:2:9: warning: the grammar 'cave' grows nothing\n");
   EXPECT_EQ(lines(told(grammar("Room")), "t.vug:"),
-            "t.vug:2:9: warning: 'Room' at cave/Room[0] was never rewritten to a production\n"
+            "t.vug:2:9: warning: 'Room' at cave/Room[0] was never expanded to a production\n"
             "t.vug:2:9: warning: the grammar 'cave' grows nothing\n");
   EXPECT_EQ(told(grammar("+ sphere(1m) Room*N")), "");
 }

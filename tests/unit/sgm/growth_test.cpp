@@ -112,13 +112,13 @@ TEST(Growth, NothingIsAnnihilatedSilently) {
   for (int twice = 0; twice < 2; ++twice) {
     const Placement& done = growth.apply(cut, RandomKey(1));
     EXPECT_FALSE(done.effective);
-    EXPECT_EQ(done.note, "nothing would be left");
+    EXPECT_EQ(done.note, "nothing would remain");
     EXPECT_EQ(growth.field().value(Vec3d(0)), -1);
     EXPECT_EQ(growth.free_bonds().size(), 6u);
   }
   ASSERT_EQ(growth.diagnostics().all().size(), 2u);
   EXPECT_EQ(growth.diagnostics().all()[0].message,
-            "intersection with 'shape' has no effect: nothing would be left");
+            "intersection with 'shape' has no effect: nothing would remain");
   EXPECT_EQ(growth.diagnostics().all()[0].where.line, 7);
 
   // A cut around the whole base.

@@ -142,7 +142,7 @@ TEST(Interpret, WarnsAboutSymbolsLeftOver) {
   const DerivationResult cave = sgm::derive(g, RandomKey(1));
   ASSERT_EQ(cave.diagnostics.all().size(), 1u);
   EXPECT_EQ(cave.diagnostics.all()[0].message,
-            "'Room' at grammar/Room[0] was never rewritten to a production");
+            "'Room' at grammar/Room[0] was never expanded to a production");
   EXPECT_EQ(cave.counts.total(), 0);
 }
 

@@ -82,9 +82,9 @@ class Writer {
     auto& used = model_.extensionsUsed;
     if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
   }
-  /// What glTF has no words for and this add-on of ours reads.
+  /// Reports data that glTF cannot express and that only Vug's add-on reads.
   void note_as_extras(const std::string& what) {
-    notes_.push_back(what + ": glTF has no words for it, only Vug's add-on for Blender reads it");
+    notes_.push_back(what + ": glTF cannot express it, only Vug's add-on for Blender reads it");
   }
   void add_root_node(tinygltf::Node node) {
     model_.nodes.push_back(std::move(node));
@@ -106,7 +106,7 @@ class Writer {
         gltf_material(prototype, options_.emission_scale.value_or(kLumenPerWatt));
     for (const auto& [name, value] : made.extensions) use(name);
     if (prototype.look.through != Vec3d(0.0))
-      note_as_extras(fmt::format("the light that comes through '{}'", prototype.name));
+      note_as_extras(fmt::format("the light transmitted by '{}'", prototype.name));
     const auto same = std::find(model_.materials.begin(), model_.materials.end(), made);
     if (same != model_.materials.end()) return static_cast<int>(same - model_.materials.begin());
     model_.materials.push_back(std::move(made));
@@ -121,7 +121,7 @@ class Writer {
     if (known != meshes_.end()) return known->second;
     return meshes_[part] = add_mesh(assembly_.prototypes.at(part));
   }
-  /// The part where a map that shears takes it, which no node can say.
+  /// The prototype with a shearing transform applied, which glTF nodes cannot represent.
   int sheared_mesh(const Prototype& prototype, const Transform& place) {
     Prototype moved = prototype;
     moved.mesh = std::make_shared<const mesh::Mesh>(transformed(*prototype.mesh, place));
@@ -200,7 +200,7 @@ class Writer {
     add_root_node(std::move(at));
   }
 
-  /// Skies share a file's stem, so a scene's second has another name.
+  /// Environment maps are named after the file, so a second dome of a scene needs another name.
   void add_sky(const Light& dome) {
     const std::string name = names_.unique(dome.name);
     const bool there = !options_.pictures_of.empty();
@@ -231,13 +231,13 @@ class Writer {
       made.spot.innerConeAngle = std::min(outer * (1 - light.edge), outer * (1 - 1e-6));
       if (light.angle > kPi)
         unsupported_.push_back(fmt::format(
-            "what the light '{}' sends out behind it: a cone ends at 180 degrees", light.name));
+            "the light of '{}' behind it: glTF limits a cone to 180 degrees", light.name));
     }
     if (light.shape == Shape::rectangle || light.shape == Shape::disk) {
       made.spot.outerConeAngle = 0.5 * kPi;
       made.spot.innerConeAngle = 0;
       note_as_extras(
-          fmt::format("the size of the light '{}', which is a spot to others", light.name));
+          fmt::format("the size of the light '{}', which is a spot light in glTF", light.name));
     }
     if (light.shape == Shape::rectangle) {
       shape.emplace("vug:width", Value(light.width));
@@ -249,7 +249,7 @@ class Writer {
     }
     if (!light.profile.empty())
       unsupported_.push_back(
-          fmt::format("the measured profile of the light '{}', which shines evenly", light.name));
+          fmt::format("the measured profile of the light '{}', which becomes uniform", light.name));
     made.extras = Value(shape);
     model_.lights.push_back(std::move(made));
     use("KHR_lights_punctual");
@@ -265,9 +265,9 @@ class Writer {
   tinygltf::Model model_;
   GltfBuffer buffer_;
   std::map<size_t, int> meshes_;
-  UniqueNames names_;  ///< Of pictures of skies.
+  UniqueNames names_;  ///< Of environment maps.
   Value::Array skies_, volumes_;
-  std::vector<std::filesystem::path> files_;  ///< Beside the scene's.
+  std::vector<std::filesystem::path> files_;  ///< Additional files next to the scene's.
   std::vector<std::string> unsupported_, notes_;
 };
 
@@ -281,12 +281,12 @@ WriteReport write_glb(const Assembly& assembly, const std::filesystem::path& fil
   return writer.save();
 }
 
-/// The text stands in the first chunk, behind five numbers of 32 bits.
+/// The JSON text is in the first chunk, after five 32-bit numbers.
 std::vector<std::pair<std::string, std::string>> read_glb(std::string_view bytes,
                                                           const std::string& file) {
   constexpr size_t kHeader = 20;
   const auto refuse = [&] {
-    return Error(ErrorCode::bad_input, "the file is no binary glTF, or it is cut off",
+    return Error(ErrorCode::bad_input, "the file is not a binary glTF, or it is truncated",
                  {file, 0, 0});
   };
   uint32_t words[5] = {};

@@ -1,4 +1,4 @@
-// USD as text: a layer that needs no library to write.
+// USD as text: a layer that can be written without a library.
 #include <vug/base/atomic_file.h>
 #include <vug/exchange/format.h>
 #include <vug/exchange/names.h>
@@ -67,7 +67,7 @@ class Writer {
       const Prototype& prototype = assembly_.prototypes[i];
       if (prototype.look.through != Vec3d(0.0))
         written_.unsupported.push_back(
-            fmt::format("the light that comes through '{}'", prototype.name));
+            fmt::format("the light transmitted by '{}'", prototype.name));
       std::string& path = material_[i];
       for (size_t j = 0; j < i && path.empty(); ++j)
         if (same_usd_material(assembly_.prototypes[j], prototype)) path = material_[j];
@@ -79,7 +79,7 @@ class Writer {
     out_.end();
   }
 
-  /// A mesh that stands at that path, or one that refers to where it stands already.
+  /// Writes a mesh at that path, or a reference to its first occurrence.
   void mesh(size_t part, const std::string& parent, const std::string& name) {
     const auto [known, fresh] = meshes_.try_emplace(part, parent + "/" + name);
     if (fresh) return write_usd_mesh(out_, assembly_.prototypes[part], name, material_.at(part));
@@ -197,11 +197,11 @@ WriteReport write_usda(const Assembly& assembly, const std::filesystem::path& fi
   return written;
 }
 
-/// Of the lines `string "vug:NAME" = "..."` before the first prim.
+/// Reads the lines `string "vug:NAME" = "..."` before the first prim.
 std::vector<std::pair<std::string, std::string>> read_usda(std::string_view bytes,
                                                            const std::string& file) {
   if (bytes.substr(0, 5) != "#usda")
-    throw Error(ErrorCode::bad_input, "the file is no USD text", {file, 1, 1});
+    throw Error(ErrorCode::bad_input, "the file is not a USD text", {file, 1, 1});
   const bool whole = bytes.size() >= 3 && bytes.substr(bytes.size() - 3) == "\n}\n";
   bytes = bytes.substr(0, bytes.find("\ndef "));
   constexpr std::string_view kBegin = "string \"vug:", kEquals = "\" = \"";
@@ -220,7 +220,7 @@ std::vector<std::pair<std::string, std::string>> read_usda(std::string_view byte
     texts.emplace_back(name, std::move(text));
   }
   if (!texts.empty() && !whole)
-    throw Error(ErrorCode::bad_input, "the file is cut off: its last prim has no end",
+    throw Error(ErrorCode::bad_input, "the file is truncated: its last prim is not closed",
                 {file, 0, 0});
   return texts;
 }
@@ -231,8 +231,8 @@ std::vector<std::pair<std::string, std::string>> read_usda(std::string_view byte
 VUG_EXCHANGE_FORMAT(usda) {
   return {{"usda",
            "exchange format",
-           "USD as text: meshes with primvars and previews of their looks, instances, volumes, "
-           "cameras and lights of any shape",
+           "USD as text: meshes with primvars and preview surfaces, instances, volumes, cameras "
+           "and lights of any shape",
            "usd",
            {}},
           std::nullopt,

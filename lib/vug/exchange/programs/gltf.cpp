@@ -1,7 +1,7 @@
 #include <vug/exchange/program.h>
 
 VUG_EXCHANGE_PROGRAM(gltf) {
-  Program made = make_program("gltf", "Any reader of glTF, such as web pages: metres, y up");
+  Program made = make_program("gltf", "Any glTF reader, such as web pages: metres, y up");
   made.formats = {"glb"};
   return made;
 }

@@ -1,7 +1,7 @@
 #include <vug/exchange/program.h>
 
 VUG_EXCHANGE_PROGRAM(meshes) {
-  Program made = make_program("meshes", "Programs that read meshes alone: .obj and .ply");
+  Program made = make_program("meshes", "Programs that read only meshes: .obj and .ply");
   made.formats = {"obj", "ply"};
   made.points_format = "ply";
   return made;
