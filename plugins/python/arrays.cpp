@@ -53,14 +53,14 @@ py::array view(const std::vector<Vec3f>& values, const py::handle& owner) {
               {sizeof(Vec3f), sizeof(float)}, values.data(), owner);
 }
 
-py::array_t<double> numbers(const py::handle& given, const std::string& what, py::ssize_t columns,
-                            py::ssize_t rows) {
+py::array_t<double> number_array(const py::handle& given, const std::string& what,
+                                 py::ssize_t columns, py::ssize_t rows) {
   const py::array array = as_array(given, what, "fiu", "real numbers");
   if (!is_nothing(array) || rows > 0) require_shape(array, what, columns, rows);
   return array.cast<py::array_t<double, py::array::c_style | py::array::forcecast>>();
 }
 
-py::array_t<int64_t> whole_numbers(const py::handle& given, const std::string& what,
+py::array_t<int64_t> integer_array(const py::handle& given, const std::string& what,
                                    py::ssize_t columns) {
   const py::array array = as_array(given, what, "iu", "whole numbers");
   if (!is_nothing(array)) require_shape(array, what, columns, -1);

@@ -13,7 +13,7 @@ namespace vug::python {
 
 /// Who owns what a view shows: `shared` lives as long as an array that has this base.
 template <class T>
-py::capsule owner_of(std::shared_ptr<const T> shared) {
+py::capsule capsule_of(std::shared_ptr<const T> shared) {
   return py::capsule(new std::shared_ptr<const T>(std::move(shared)),
                      [](void* held) { delete static_cast<std::shared_ptr<const T>*>(held); });
 }
@@ -36,10 +36,10 @@ py::array view(const std::vector<Vec3f>& values, const py::handle& owner);
 /// What was given as an array of real numbers with that many columns (0: any, then one dimension
 /// is a column, too) and rows (-1: any); `what` is its name in messages. TypeError for what holds
 /// no such numbers, ValueError for another shape.
-py::array_t<double> numbers(const py::handle& given, const std::string& what, py::ssize_t columns,
-                            py::ssize_t rows = -1);
+py::array_t<double> number_array(const py::handle& given, const std::string& what,
+                                 py::ssize_t columns, py::ssize_t rows = -1);
 /// The same of whole numbers.
-py::array_t<int64_t> whole_numbers(const py::handle& given, const std::string& what,
+py::array_t<int64_t> integer_array(const py::handle& given, const std::string& what,
                                    py::ssize_t columns);
 
 /// ((x, y, z), (x, y, z)) as an array of 2 x 3; nothing for an empty box.

@@ -23,7 +23,7 @@ Build make_build(const std::shared_ptr<Scene>& scene, const Memory& max_memory, 
                  const Callback& progress, const std::optional<std::filesystem::path>& checkpoint) {
   if (checkpoint && extension_of(*checkpoint) != ".vdb")
     throw py::value_error("a checkpoint holds points: its name must end in .vdb");
-  return Build(scene, {memory_of(max_memory), threads_of(threads), progress,
+  return Build(scene, {memory_limit_of(max_memory), checked_threads(threads), progress,
                        checkpoint.value_or(std::filesystem::path())});
 }
 
@@ -112,9 +112,9 @@ constexpr const char* kRender =
 
 /// The same with a callback of its own, by name.
 template <class Result, class What>
-auto heard(Result (*call)(Build&, const What&)) {
+auto with_progress(Result (*call)(Build&, const What&)) {
   return [call](Build& build, const What& what, const Callback& progress) {
-    const Build::Heard listening(build, progress);
+    const Build::ProgressOverride listening(build, progress);
     return call(build, what);
   };
 }
@@ -122,19 +122,19 @@ auto heard(Result (*call)(Build&, const What&)) {
 void bind_products(py::class_<Build>& type) {
   const auto progress = "progress"_a = py::none();
   const py::kw_only by_name;
-  type.def("level_set", heard(&level_set), "name"_a = "", by_name, progress,
+  type.def("level_set", with_progress(&level_set), "name"_a = "", by_name, progress,
            "The level set of a volume, also of a fog; without a name the first.")
-      .def("volume", heard(&volume_of), "name"_a = "", by_name, progress,
+      .def("volume", with_progress(&volume_of), "name"_a = "", by_name, progress,
            "What the .vdb holds of a volume: a level set, or the density of a fog.")
-      .def("mesh", heard(&mesh), "name"_a = "", by_name, progress,
+      .def("mesh", with_progress(&mesh), "name"_a = "", by_name, progress,
            "A mesh, also that which cells have weathered, by their name; without a name the first.")
-      .def("cells", heard(&cells_of), "name"_a = "", by_name, progress,
+      .def("cells", with_progress(&cells_of), "name"_a = "", by_name, progress,
            "Cells on a mesh, after their rules have run.")
-      .def("measure", heard(&measure), "mesh"_a = "", by_name, progress,
+      .def("measure", with_progress(&measure), "mesh"_a = "", by_name, progress,
            "Area, volume, genus and all that `vug measure --json` tells, as a dict.")
-      .def("measure_cells", heard(&measure_cells), "name"_a = "", by_name, progress,
+      .def("measure_cells", with_progress(&measure_cells), "name"_a = "", by_name, progress,
            "How even cells are and how they are linked, as `vug measure --cells` tells it.")
-      .def("save", heard(&save), "to"_a, by_name, progress,
+      .def("save", with_progress(&save), "to"_a, by_name, progress,
            "Writes what `vug build` writes into a folder, or all grids to a file that ends in "
            ".vdb;\n"
            "gives the paths.");
@@ -155,7 +155,7 @@ void bind_build(py::module_& module) {
           "render",
           [](Build& build, const std::string& name, const Callback& progress,
              const py::kwargs& given) {
-            const Build::Heard listening(build, progress);
+            const Build::ProgressOverride listening(build, progress);
             picture::RenderOptions options = render_options(*build.scene(), given);
             options.picture.render = name;
             return render(build, options);

@@ -4,7 +4,7 @@
 #include "image.h"
 #include "scene.h"
 
-#include "follow.h"
+#include "background_work.h"
 
 #include <vug/building/builder.h>
 #include <vug/picture/render_job.h>
@@ -37,14 +37,15 @@ class Build {
   void work(const std::function<void(building::Builder&)>& work);
 
   /// While it lives another callback is told how the build gets on; none leaves it as it is.
-  class Heard {
+  class ProgressOverride {
    public:
-    Heard(Build& build, const Callback& progress) : build_(build), own_(build.settings_.progress) {
+    ProgressOverride(Build& build, const Callback& progress)
+        : build_(build), own_(build.settings_.progress) {
       if (progress && !build.busy_) build.settings_.progress = progress;
     }
-    ~Heard() { build_.settings_.progress = own_; }
-    Heard(const Heard&) = delete;
-    Heard& operator=(const Heard&) = delete;
+    ~ProgressOverride() { build_.settings_.progress = own_; }
+    ProgressOverride(const ProgressOverride&) = delete;
+    ProgressOverride& operator=(const ProgressOverride&) = delete;
 
    private:
     Build& build_;
@@ -56,18 +57,18 @@ class Build {
 
  private:
   /// A builder with its own progress, which stays cancelled once it was.
-  struct Shop;
-  std::unique_ptr<Shop> open();
+  struct Context;
+  std::unique_ptr<Context> open();
 
   ScenePtr scene_;
   std::shared_ptr<const shot::Shot> shot_;
   BuildSettings settings_;
-  std::shared_ptr<Shop> shop_;
+  std::shared_ptr<Context> context_;
   bool busy_ = false;  ///< Guarded by the interpreter's lock.
 };
 
-uint64_t memory_of(const Memory& given);
-int threads_of(int given);
+uint64_t memory_limit_of(const Memory& given);
+int checked_threads(int given);
 
 /// The options of `render` by their names in Python.
 picture::RenderOptions render_options(const Scene& scene, const py::kwargs& given);

@@ -13,15 +13,15 @@ namespace {
 
 /// An array of the network's.
 template <class Member>
-auto shown(Member cells::Network::*member) {
+auto network_array(Member cells::Network::*member) {
   return [member](const Cells& self) {
-    return view(self.layer->network().*member, owner_of(self.layer));
+    return view(self.layer->network().*member, capsule_of(self.layer));
   };
 }
 
 py::dict attributes(const Cells& self) {
   py::dict out;
-  const py::capsule owner = owner_of(self.layer);
+  const py::capsule owner = capsule_of(self.layer);
   for (const cells::Attribute& each : self.layer->simulation.attributes().all())
     std::visit([&](const auto& column) { out[py::str(each.name)] = view(column.now, owner); },
                each.column);
@@ -32,7 +32,7 @@ py::array states(const Cells& self) {
   const std::vector<cells::CellState>& all = self.layer->simulation.states();
   static_assert(sizeof(cells::CellState) == 1);
   return view(py::dtype::of<uint8_t>(), {static_cast<py::ssize_t>(all.size())}, {1}, all.data(),
-              owner_of(self.layer));
+              capsule_of(self.layer));
 }
 
 std::vector<std::string> state_names() {
@@ -44,7 +44,7 @@ std::vector<std::string> state_names() {
 
 py::tuple links(const Cells& self) {
   const cells::Links& links = self.layer->network().links;
-  const py::capsule owner = owner_of(self.layer);
+  const py::capsule owner = capsule_of(self.layer);
   return py::make_tuple(view(links.begin, owner), view(links.to, owner));
 }
 
@@ -74,14 +74,15 @@ void bind_cells(py::module_& module) {
           "step", [](const Cells& c) { return c.layer->simulation.step(); },
           "Steps that the rules have done.")
       .def("__len__", [](const Cells& c) { return c.layer->network().size(); })
-      .def_property_readonly("positions", shown(&Network::position), "(n, 3) float32, metres.")
-      .def_property_readonly("normals", shown(&Network::normal),
+      .def_property_readonly("positions", network_array(&Network::position),
+                             "(n, 3) float32, metres.")
+      .def_property_readonly("normals", network_array(&Network::normal),
                              "(n, 3) float32 of unit length, out of the solid.")
-      .def_property_readonly("tangents", shown(&Network::right),
+      .def_property_readonly("tangents", network_array(&Network::right),
                              "(n, 3) float32 of unit length, to the right along the surface.")
-      .def_property_readonly("areas", shown(&Network::area),
+      .def_property_readonly("areas", network_array(&Network::area),
                              "(n,) float32, square metres that each stands for.")
-      .def_property_readonly("objects", shown(&Network::object),
+      .def_property_readonly("objects", network_array(&Network::object),
                              "(n,) uint32, which of the meshes each is on.")
       .def_property_readonly("states", &states, "(n,) uint8, indices into state_names.")
       .def_property_readonly_static("state_names", [](const py::object&) { return state_names(); })

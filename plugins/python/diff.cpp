@@ -12,7 +12,7 @@
 namespace vug::python {
 namespace {
 
-struct Verdict {
+struct DiffResult {
   image::Diff diff;
   std::string reference, test;
 };
@@ -20,7 +20,7 @@ struct Verdict {
 /// A picture in memory, or a file.
 using Picture = std::variant<Image, std::filesystem::path>;
 
-image::ImageUnderTest subject(const Picture& given, const std::string& name) {
+image::ImageUnderTest image_under_test(const Picture& given, const std::string& name) {
   if (const auto* file = std::get_if<std::filesystem::path>(&given))
     return image::read_image_under_test(*file);
   const Image& rendered = std::get<Image>(given);
@@ -38,11 +38,12 @@ image::ImageUnderTest subject(const Picture& given, const std::string& name) {
   return out;
 }
 
-Verdict compare(const Picture& reference, const Picture& test,
-                const std::map<std::string, double>& limits, const std::vector<std::string>& layers,
-                const std::vector<std::string>& measures, const std::optional<double>& alarm) {
-  const image::ImageUnderTest right = subject(reference, "reference"),
-                              judged = subject(test, "test");
+DiffResult compare(const Picture& reference, const Picture& test,
+                   const std::map<std::string, double>& limits,
+                   const std::vector<std::string>& layers, const std::vector<std::string>& measures,
+                   const std::optional<double>& alarm) {
+  const image::ImageUnderTest right = image_under_test(reference, "reference"),
+                              judged = image_under_test(test, "test");
   image::DiffOptions options;
   options.layers = layers;
   options.measures = measures;
@@ -55,21 +56,23 @@ Verdict compare(const Picture& reference, const Picture& test,
 }  // namespace
 
 void bind_diff(py::module_& module) {
-  py::class_<Verdict>(module, "Diff", "A verdict on two pictures. Printed, it is a table.")
+  py::class_<DiffResult>(module, "Diff", "A verdict on two pictures. Printed, it is a table.")
       .def_property_readonly(
-          "same", [](const Verdict& v) { return v.diff.same; },
+          "same", [](const DiffResult& v) { return v.diff.same; },
           "Whether they differ by no more than limits or noise allow.")
       .def_property_readonly("verdict",
-                             [](const Verdict& v) { return image::verdict_text(v.diff); })
+                             [](const DiffResult& v) { return image::verdict_text(v.diff); })
       .def_property_readonly(
-          "reasons", [](const Verdict& v) { return v.diff.reasons; },
+          "reasons", [](const DiffResult& v) { return v.diff.reasons; },
           "Why they are different, in sentences.")
       .def(
           "data",
-          [](const Verdict& v) { return from_json(image::to_json(v.diff, v.reference, v.test)); },
+          [](const DiffResult& v) {
+            return from_json(image::to_json(v.diff, v.reference, v.test));
+          },
           "What `vug diff --json` writes, in dicts and lists.")
-      .def("__str__", [](const Verdict& v) { return image::to_table(v.diff); })
-      .def("__repr__", [](const Verdict& v) {
+      .def("__str__", [](const DiffResult& v) { return image::to_table(v.diff); })
+      .def("__repr__", [](const DiffResult& v) {
         return fmt::format("<vug.Diff: {}>", v.diff.same ? "the same" : "different");
       });
   module.def(

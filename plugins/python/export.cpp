@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> export_scene(const std::shared_ptr<Scene>& sc
   const auto shot = std::make_shared<const shot::Shot>(delivery::with_meshes(scene->shot()));
   require_outputs(delivery::export_paths(*shot, folder, options),
                   loading::file_dependencies(scene->loaded()));
-  Build build(scene, shot, {memory_of(memory), threads_of(threads), progress});
+  Build build(scene, shot, {memory_limit_of(memory), checked_threads(threads), progress});
   delivery::ExportResult written;
   build.work([&](building::Builder& builder) {
     written = delivery::export_set(builder, folder, options);

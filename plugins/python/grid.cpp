@@ -14,7 +14,7 @@ namespace vug::python {
 namespace {
 
 Vec3i index(const py::handle& given, const std::string& what) {
-  const auto numbers = whole_numbers(given, what, 0);
+  const auto numbers = integer_array(given, what, 0);
   if (numbers.size() != 3) throw py::value_error(what + " must be three whole numbers");
   Vec3i out;
   for (int i = 0; i < 3; ++i) {
@@ -46,7 +46,7 @@ py::tuple dense(const Grid& grid, const py::object& lower, const py::object& upp
 }
 
 py::array_t<double> values(const LevelSet& set, const py::handle& given) {
-  const auto points = numbers(given, "points", 3);
+  const auto points = number_array(given, "points", 3);
   const auto count = static_cast<size_t>(points.size() / 3);
   std::vector<Vec3d> at(count);
   for (size_t i = 0; i < count; ++i) {

@@ -27,7 +27,7 @@ py::array layer_view(const Image& self, const image::Layer& layer) {
     strides.push_back(kFloat);
   }
   return view(py::dtype::of<float>(), shape, strides, picture.pixels.data() + first,
-              owner_of(self.rendered));
+              capsule_of(self.rendered));
 }
 
 py::dict layers(const Image& self) {
@@ -53,7 +53,7 @@ py::array pixels(const Image& self) {
   constexpr auto kFloat = static_cast<py::ssize_t>(sizeof(float));
   return view(py::dtype::of<float>(), {picture.height, picture.width, channels},
               {kFloat * channels * picture.width, kFloat * channels, kFloat}, picture.pixels.data(),
-              owner_of(self.rendered));
+              capsule_of(self.rendered));
 }
 
 py::dict metadata(const Image& self) {

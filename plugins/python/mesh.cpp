@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Vec3f> vectors(const py::handle& given, const std::string& what,
                            py::ssize_t rows = -1) {
-  const auto array = numbers(given, what, 3, rows);
+  const auto array = number_array(given, what, 3, rows);
   std::vector<Vec3f> out(static_cast<size_t>(array.size() / 3));
   for (size_t i = 0; i < out.size(); ++i)
     for (int axis = 0; axis < 3; ++axis)
@@ -22,7 +22,7 @@ std::vector<Vec3f> vectors(const py::handle& given, const std::string& what,
 }
 
 std::vector<mesh::Triangle> triangles(const py::handle& given, size_t vertices) {
-  const auto array = whole_numbers(given, "triangles", 3);
+  const auto array = integer_array(given, "triangles", 3);
   std::vector<mesh::Triangle> out(static_cast<size_t>(array.size() / 3));
   for (size_t i = 0; i < out.size(); ++i)
     for (size_t c = 0; c < 3; ++c) {
@@ -39,8 +39,8 @@ mesh::Attribute attribute(const py::handle& name, const py::handle& given, size_
   if (!py::isinstance<py::str>(name)) throw py::type_error("names of attributes must be texts");
   mesh::Attribute out;
   out.name = name.cast<std::string>();
-  const auto array = numbers(given, fmt::format("attribute '{}'", out.name), 0,
-                             static_cast<py::ssize_t>(vertices));
+  const auto array = number_array(given, fmt::format("attribute '{}'", out.name), 0,
+                                  static_cast<py::ssize_t>(vertices));
   out.arity = array.ndim() == 2 ? static_cast<int>(array.shape(1)) : 1;
   out.values.assign(array.data(), array.data() + array.size());
   return out;
@@ -65,7 +65,7 @@ Mesh from_arrays(const py::object& positions, const py::object& corners, const p
 
 py::dict attributes(const Mesh& self) {
   py::dict out;
-  const py::capsule owner = owner_of(self.mesh);
+  const py::capsule owner = capsule_of(self.mesh);
   for (const mesh::Attribute& each : self.mesh->attributes)
     out[py::str(each.name)] = view(each.values, each.arity, owner);
   return out;
@@ -74,7 +74,7 @@ py::dict attributes(const Mesh& self) {
 py::array triangle_view(const Mesh& self) {
   return view(py::dtype::of<uint32_t>(), {static_cast<py::ssize_t>(self.mesh->triangles.size()), 3},
               {sizeof(mesh::Triangle), sizeof(uint32_t)}, self.mesh->triangles.data(),
-              owner_of(self.mesh));
+              capsule_of(self.mesh));
 }
 
 py::dict measure(const Mesh& self) {
@@ -99,13 +99,13 @@ void bind_mesh(py::module_& module) {
            "normals (n, 3) of unit length, attributes {name: (n,) or (n, k)}; 'Cd' with three\n"
            "columns is linear colour. ValueError and TypeError say what does not fit.")
       .def_property_readonly(
-          "positions", [](const Mesh& m) { return view(m.mesh->positions, owner_of(m.mesh)); },
+          "positions", [](const Mesh& m) { return view(m.mesh->positions, capsule_of(m.mesh)); },
           "(n, 3) float32, metres.")
       .def_property_readonly(
           "normals",
           [](const Mesh& m) -> std::optional<py::array> {
             if (m.mesh->normals.empty()) return std::nullopt;
-            return view(m.mesh->normals, owner_of(m.mesh));
+            return view(m.mesh->normals, capsule_of(m.mesh));
           },
           "(n, 3) float32 of unit length, out of the solid; None without.")
       .def_property_readonly("triangles", &triangle_view, "(m, 3) uint32, indices of vertices.")

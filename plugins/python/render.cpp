@@ -139,7 +139,7 @@ picture::RenderOptions render_options(const Scene& scene, const py::kwargs& give
     }
     if (!value.is_none()) setter->second(options.picture, name, value);
   }
-  options.picture.shot_at_frame = scene.moments();
+  options.picture.shot_at_frame = scene.shot_at_frame();
   return options;
 }
 

@@ -19,7 +19,7 @@ namespace {
 using SharedScene = std::shared_ptr<Scene>;
 
 /// Also sets these parameters.
-void set_parameters(Settings& settings, const py::dict& changes) {
+void set_parameters(LoadSettings& settings, const py::dict& changes) {
   std::vector<scene::Override>& all = settings.load.overrides;
   for (const auto& [key, value] : changes) {
     if (!py::isinstance<py::str>(key)) throw py::type_error("names of parameters must be texts");
@@ -36,8 +36,9 @@ void set_parameters(Settings& settings, const py::dict& changes) {
   }
 }
 
-Settings changed(Settings settings, const py::dict& params, const std::optional<uint64_t>& seed,
-                 const std::optional<double>& frame, const py::kwargs& more) {
+LoadSettings with_changes(LoadSettings settings, const py::dict& params,
+                          const std::optional<uint64_t>& seed, const std::optional<double>& frame,
+                          const py::kwargs& more) {
   if (seed) settings.load.seed = seed;
   if (frame) settings.load.frame = *frame;
   if (!(std::fabs(settings.load.frame) <= 1e6)) throw py::value_error("frame must be within 1e6");
@@ -46,14 +47,14 @@ Settings changed(Settings settings, const py::dict& params, const std::optional<
   return settings;
 }
 
-Settings fresh() {
-  Settings settings;
+LoadSettings default_settings() {
+  LoadSettings settings;
   settings.load.include_folders = loading::data_folders();
   return settings;
 }
 
 /// Angles need a unit in a scene's text; Python's are radians. False where there are none.
-bool give_units(Settings& settings, const loading::Loaded& loaded) {
+bool add_angle_units(LoadSettings& settings, const loading::Loaded& loaded) {
   bool given = false;
   for (scene::Override& each : settings.load.overrides)
     for (const loading::Parameter& param : loaded.parameters) {
@@ -70,7 +71,7 @@ SharedScene load(const std::filesystem::path& file, const py::dict& params,
                  const std::optional<uint64_t>& seed, const std::optional<double>& frame,
                  const py::kwargs& more) {
   return std::make_shared<Scene>(read_text(file), file.string(),
-                                 changed(fresh(), params, seed, frame, more));
+                                 with_changes(default_settings(), params, seed, frame, more));
 }
 
 SharedScene loads(const std::string& text, const std::filesystem::path& base,
@@ -78,7 +79,8 @@ SharedScene loads(const std::string& text, const std::filesystem::path& base,
                   const std::optional<uint64_t>& seed, const std::optional<double>& frame,
                   const py::kwargs& more) {
   const std::filesystem::path file = base == "." ? std::filesystem::path(name) : base / name;
-  return std::make_shared<Scene>(text, file.string(), changed(fresh(), params, seed, frame, more));
+  return std::make_shared<Scene>(text, file.string(),
+                                 with_changes(default_settings(), params, seed, frame, more));
 }
 
 /// Files keep no frame in the text: it is the one argument that they may name.
@@ -95,7 +97,7 @@ SharedScene scene_of(const std::filesystem::path& file, const std::filesystem::p
 SharedScene change(const Scene& scene, const py::dict& params, const std::optional<uint64_t>& seed,
                    const std::optional<double>& frame, const py::kwargs& more) {
   return std::make_shared<Scene>(scene.text(), scene.file(),
-                                 changed(scene.settings(), params, seed, frame, more));
+                                 with_changes(scene.settings(), params, seed, frame, more));
 }
 
 py::dict params(const Scene& scene) {
@@ -167,7 +169,7 @@ void bind_names(py::class_<Scene, SharedScene>& type) {
       .def_property_readonly(
           "cells", [](const Scene& s) { return names_of(shot::declared_cells(s.shot())); })
       .def_property_readonly("objects", names(&Shot::objects))
-      .def_property_readonly("places", names(&Shot::places))
+      .def_property_readonly("places", names(&Shot::instancers))
       .def_property_readonly("lights", names(&Shot::lights))
       .def_property_readonly("materials", names(&Shot::materials))
       .def_property_readonly("cameras", names(&Shot::cameras))
@@ -176,13 +178,13 @@ void bind_names(py::class_<Scene, SharedScene>& type) {
 
 }  // namespace
 
-Scene::Scene(std::string text, std::string file, Settings settings)
+Scene::Scene(std::string text, std::string file, LoadSettings settings)
     : text_(std::move(text)), file_(std::move(file)), settings_(std::move(settings)) {
   {
     const py::gil_scoped_release others;
     loaded_ = at(settings_.load.frame);
-    if (!loaded_.usable() && give_units(settings_, loaded_)) {
-      still_ = {};
+    if (!loaded_.usable() && add_angle_units(settings_, loaded_)) {
+      static_cache_ = {};
       loaded_ = at(settings_.load.frame);
     }
   }
@@ -191,14 +193,14 @@ Scene::Scene(std::string text, std::string file, Settings settings)
 }
 
 loading::Loaded Scene::at(double frame) const {
-  const std::lock_guard lock(loading_);
+  const std::lock_guard lock(load_mutex_);
   loading::LoadOptions options = settings_.load;
   options.frame = frame;
-  options.static_cache = &still_;
+  options.static_cache = &static_cache_;
   return loading::load_text(text_, file_, options);
 }
 
-std::function<std::shared_ptr<const shot::Shot>(double)> Scene::moments() const {
+std::function<std::shared_ptr<const shot::Shot>(double)> Scene::shot_at_frame() const {
   return [this](double frame) {
     loading::Loaded loaded = at(frame);
     for (const Diagnostic& each : loaded.diagnostics.all())

@@ -14,7 +14,7 @@
 namespace vug::python {
 
 /// What a scene is loaded with.
-struct Settings {
+struct LoadSettings {
   loading::LoadOptions load;
   std::set<std::string> numbers;  ///< Overrides that are Python's numbers: angles are radians.
 };
@@ -24,25 +24,25 @@ struct Settings {
 class Scene {
  public:
   /// Throws vug.Error with all faults of the text; warns of what is doubtful.
-  Scene(std::string text, std::string file, Settings settings);
+  Scene(std::string text, std::string file, LoadSettings settings);
 
   const loading::Loaded& loaded() const { return loaded_; }
   const shot::Shot& shot() const { return loaded_.shot; }
   const std::string& text() const { return text_; }
   const std::string& file() const { return file_; }
-  const Settings& settings() const { return settings_; }
+  const LoadSettings& settings() const { return settings_; }
 
   /// With all that stands still taken from other moments. Faults are in its diagnostics.
   loading::Loaded at(double frame) const;
   /// For PictureOptions::moment; any thread may call it while the scene lives.
-  std::function<std::shared_ptr<const shot::Shot>(double)> moments() const;
+  std::function<std::shared_ptr<const shot::Shot>(double)> shot_at_frame() const;
 
  private:
   std::string text_;
   std::string file_;
-  Settings settings_;
-  mutable loading::StaticCache still_;  ///< Of all its moments.
-  mutable std::mutex loading_;          ///< Guards that.
+  LoadSettings settings_;
+  mutable loading::StaticCache static_cache_;  ///< Of all its moments.
+  mutable std::mutex load_mutex_;              ///< Guards that.
   loading::Loaded loaded_;
 };
 using ScenePtr = std::shared_ptr<const Scene>;

@@ -57,7 +57,7 @@ shot::MeshPtr bare(const shot::MeshPtr& plan) {
 /// Holes are cut by cells or come with a file.
 bool may_be_open(const shot::MeshPtr& plan) {
   const shot::MeshPtr under = shot::mesh_without_cells(*plan);
-  return under ? plan->cells->holes || may_be_open(under) : plan->given != nullptr;
+  return under ? plan->cells->holes || may_be_open(under) : plan->file_mesh != nullptr;
 }
 
 void expect_sound(building::Builder& builder, const shot::MeshPtr& plan, double residual) {
@@ -67,7 +67,7 @@ void expect_sound(building::Builder& builder, const shot::MeshPtr& plan, double 
   EXPECT_EQ(topology.misoriented_edges, 0U);
   EXPECT_EQ(topology.unused_vertices, 0U);
   const shot::MeshPtr under = bare(plan);
-  if (!under->volume || under->volume->of) return;
+  if (!under->volume || under->volume->source_mesh) return;
   EXPECT_LT(rms_distance(*builder.mesh(under), *under->volume), residual);
 }
 

@@ -1,5 +1,5 @@
 #include <vug/building/merge_copies.h>
-#include <vug/flora/merged.h>
+#include <vug/flora/merge_instances.h>
 
 #include <map>
 #include <tuple>
@@ -24,7 +24,7 @@ std::vector<render::Object> merge_copies(const std::vector<render::Object>& obje
   using Alike = std::tuple<const mesh::Mesh*, const render::Material*, std::string, bool>;
   struct Group {
     size_t at = 0;  ///< Of what is returned.
-    std::vector<flora::Copy> copies;
+    std::vector<flora::MeshInstance> copies;
   };
   std::vector<render::Object> out;
   std::map<Alike, Group> groups;  // asked for by what is alike, gone through by `at`
@@ -43,7 +43,7 @@ std::vector<render::Object> merge_copies(const std::vector<render::Object>& obje
   }
   for (size_t i = 0; i < out.size(); ++i) {
     if (!of[i] || of[i]->copies.size() < 2) continue;
-    out[i].mesh = std::make_shared<const mesh::Mesh>(flora::merged({*out[i].mesh}, of[i]->copies));
+    out[i].mesh = std::make_shared<const mesh::Mesh>(flora::merge_instances({*out[i].mesh}, of[i]->copies));
     out[i].instance = nullptr;
   }
   return out;

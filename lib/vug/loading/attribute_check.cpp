@@ -1,6 +1,6 @@
 #include <vug/cells/transfer_to_mesh.h>
 #include <vug/facade/semantics.h>
-#include <vug/flora/merged.h>
+#include <vug/flora/merge_instances.h>
 #include <vug/loading/attribute_check.h>
 #include <vug/shot/cells_plan.h>
 #include <vug/shot/queries.h>
@@ -26,7 +26,7 @@ std::set<std::string> available_attributes(const shot::Shot& shot) {
     names.insert(semantic.begin(), semantic.end());
   }
   for (const shot::PointInstancer& place : shot.instancers) {
-    names.insert(flora::kCopy);
+    names.insert(flora::kCopyAttribute);
     for (const shot::Model& model : place.of)
       if (model.scene) names.merge(available_attributes(*model.scene));
   }

@@ -31,7 +31,7 @@ render::CameraPtr animated_camera(const building::TimeSamples& time_samples,
   return still ? plan.camera : render::moving_camera(std::move(cameras));
 }
 
-render::MotionStepPtr frame_step(building::Builder& builder, const PictureOptions& options,
+render::MotionStepPtr motion_step(building::Builder& builder, const PictureOptions& options,
                                 const shot::RenderPlan& plan) {
   const shot::Shot& shot = builder.shot();
   if (!plan.camera || !shot.animated || !options.shot_at_frame) return nullptr;

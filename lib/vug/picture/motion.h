@@ -16,7 +16,7 @@ render::CameraPtr animated_camera(const building::TimeSamples& time_samples,
 
 /// The scene from its frame to the next, for the layer `motion`; null where nothing moves. The
 /// plan's camera is that of the frame, before `animated_camera`.
-render::MotionStepPtr frame_step(building::Builder& builder, const PictureOptions& options,
+render::MotionStepPtr motion_step(building::Builder& builder, const PictureOptions& options,
                                 const shot::RenderPlan& plan);
 
 }  // namespace vug::picture

@@ -295,7 +295,7 @@ PictureJob prepare_picture(building::Builder& builder, const PictureOptions& opt
   job.output.view = view_selection(plan, options);
   require_memory(render::memory_estimate({}, render, whole_film), builder.memory_budget(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
-  if (render.aovs.has(render::kMotion)) render.motion_step = frame_step(builder, options, static_plan);
+  if (render.aovs.has(render::kMotion)) render.motion_step = motion_step(builder, options, static_plan);
   job.scene = build_scene(builder, plan, time_samples);
   try {
     render.aovs = render::scene_aovs(job.scene, plan.layers);

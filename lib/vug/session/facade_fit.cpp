@@ -25,21 +25,21 @@ fit::Planes maps_of(const FacadePicture& picture, const FacadeFitOptions& option
 
 fit::Evidence evidence_of(const FacadePicture& picture, const fit::Planes& maps,
                           const FacadeFitOptions& options, RandomKey key) {
-  if (options.looks) return fit::look_evidence(maps, options.looks->classes());
+  if (options.looks) return fit::classifier_evidence(maps, options.looks->classes());
   fit::ClusterImage clusters =
       fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
                          picture.depth ? &*picture.depth : nullptr, options.clusters, key);
   for (size_t i = 0; i < picture.outside.size(); ++i)
-    if (picture.outside[i]) clusters.of[i] = fit::kNoEvidence;
+    if (picture.outside[i]) clusters.labels[i] = fit::kNoEvidence;
   return clusters.evidence();
 }
 
 /// Middle of how far the windows' pixels lie behind the wall; 0 without depth.
-double reveal_of(const FacadePicture& picture, const fit::Reading& reading) {
+double reveal_of(const FacadePicture& picture, const fit::FitResult& reading) {
   if (!picture.depth) return 0;
   std::vector<float> depths;
-  for (const fit::Seen& seen : reading.seen) {
-    if (seen.look != fit::Look::window) continue;
+  for (const fit::DetectedElement& seen : reading.elements) {
+    if (seen.type != fit::RegionType::window) continue;
     for (int y = seen.rect.y0; y < seen.rect.y1; ++y)
       for (int x = seen.rect.x0; x < seen.rect.x1; ++x) {
         const float depth = picture.depth->at(x, y);
@@ -93,20 +93,20 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   const fit::Planes maps = maps_of(picture, options);
   const fit::Evidence evidence = evidence_of(picture, maps, options, key.at("clusters"));
   FacadeFit out;
-  fit::ReadOptions how;
+  fit::FitOptions how;
   how.likelihood = options.looks ? "supervised" : options.likelihood;
   // Depths err along edges, all of them together.
-  if (picture.depth && !options.looks) how.trust = 0.03;
-  if (options.trust > 0) how.trust = options.trust;
+  if (picture.depth && !options.looks) how.pixel_weight = 0.03;
+  if (options.trust > 0) how.pixel_weight = options.trust;
   how.sampler = options.sampler;
-  out.reading = fit::read(evidence, rules, how, key.at("chains"), progress);
+  out.reading = fit::fit_facade(evidence, rules, how, key.at("chains"), progress);
   const fit::Model model(rules, how.limits, picture.width, picture.height);
-  fit::State state = model.state_of(out.reading.tree);
-  model.place(state);
-  out.tree = fit::as_facade(text, model, state, {size.x / picture.width, size.y / picture.height});
+  fit::TreeState state = model.make_state(out.reading.tree);
+  model.compute_areas(state);
+  out.tree = fit::to_facade_tree(text, model, state, {size.x / picture.width, size.y / picture.height});
   out.reveal = reveal_of(picture, out.reading);
   set_reveal(out);
-  if (options.looks) out.labels = fit::labels(maps, options.looks->classes(), out.reading.seen);
+  if (options.looks) out.labels = fit::label_pixels(maps, options.looks->classes(), out.reading.elements);
   return out;
 }
 

@@ -20,7 +20,7 @@ struct FacadeFitOptions {
   std::string likelihood = "kt";  ///< Of fit::likelihood_kinds.
   fit::ClusterImageOptions clusters = {.depth_clusters = 5};
   /// Trained looks: pictures of their limits are read by them, with the likelihood `supervised`.
-  std::shared_ptr<const fit::LookModel> looks;
+  std::shared_ptr<const fit::PixelClassifier> looks;
   double trust = 0;  ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
   /// Of the facade, metres. Of one that is 0 the picture's shape tells; of both the picture, else
   /// kDefaultWidth.
@@ -31,7 +31,7 @@ struct FacadeFitOptions {
 
 struct FacadeFit {
   facade::Tree tree;     ///< Metres. Windows are as deep as they were seen.
-  fit::Reading reading;  ///< Pixels, and what the chains tell.
+  fit::FitResult reading;  ///< Pixels, and what the chains tell.
   double reveal = 0;     ///< How deep windows lie behind the wall, metres; 0: no depth tells.
   /// The class of each of the picture's pixels by looks and tree; none without looks.
   std::vector<uint8_t> labels;

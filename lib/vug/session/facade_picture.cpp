@@ -53,12 +53,12 @@ std::optional<image::Image> depth_of(const std::filesystem::path& file, const im
 
 /// R, G, B with numbers in all pixels; nothing where the picture is of something else, as of
 /// depths.
-std::optional<image::Image> colours_of(const std::filesystem::path& file,
+std::optional<image::Image> to_rgb(const std::filesystem::path& file,
                                        const image::FileInfo& info, const image::Image& whole) {
   const bool grey = whole.channels.size() <= 2 && whole.find_channel("depth") != 0 &&
                     whole.find_channel("Z") != 0;
   if (whole.find_channel("R") < 0 && !grey) return std::nullopt;
-  image::Image out = fit::colours_of(whole, info);
+  image::Image out = fit::to_rgb(whole, info);
   const auto finite = [](float v) { return std::isfinite(v); };
   if (std::none_of(out.pixels.begin(), out.pixels.end(), finite))
     refuse(file, "has no pixel with a number in it");
@@ -110,7 +110,7 @@ image::Image smoothed(const image::Image& depth) {
 }
 
 void set_depth(FacadePicture& picture, const image::Image& depth) {
-  picture.depth = smoothed(stepped(fit::reduced(depth, {picture.width, picture.height})));
+  picture.depth = smoothed(stepped(fit::downsampled(depth, {picture.width, picture.height})));
   scan::Mask solid(picture.width, picture.height);
   for (size_t i = 0; i < solid.on.size(); ++i)
     solid.on[i] = std::isfinite(picture.depth->pixels[i]);
@@ -132,7 +132,7 @@ bool of_one_colour(const image::Image& picture) {
 
 /// Metres by the file's header; 0 where it tells nothing.
 double told_width(const image::FileInfo& info) {
-  return scan::told_pixel(info.metadata) * info.width;
+  return scan::pixel_from_metadata(info.metadata) * info.width;
 }
 
 }  // namespace
@@ -141,13 +141,13 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
                                   const FacadePictureOptions& options) {
   const image::FileInfo info = image::read_info(photo);
   require_pixels(info.width, info.height, fmt::format("'{}'", photo.string()));
-  const image::Image whole = fit::read_within(photo, info, options.max_memory);
+  const image::Image whole = fit::read_with_limit(photo, info, options.max_memory);
   const fit::WorkingSize size = fit::working_size(whole.width, whole.height, options.limits);
   FacadePicture out;
   out.width = size.width, out.height = size.height;
   out.shape = static_cast<double>(whole.width) / whole.height;
-  if (const auto colours = colours_of(photo, info, whole))
-    out.colours = fit::reduced(*colours, size);
+  if (const auto colours = to_rgb(photo, info, whole))
+    out.colours = fit::downsampled(*colours, size);
   std::optional<image::Image> depth;
   if (options.depth.empty()) {
     depth = depth_of(photo, whole);
@@ -156,7 +156,7 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
              "its layers are R, G, B, and depth or Z in metres");
   } else {
     const image::FileInfo beside = image::read_info(options.depth);
-    const image::Image other = fit::read_within(options.depth, beside, options.max_memory);
+    const image::Image other = fit::read_with_limit(options.depth, beside, options.max_memory);
     out.metres_wide = told_width(beside);
     const double shape =
         static_cast<double>(other.width) / other.height * whole.height / whole.width;

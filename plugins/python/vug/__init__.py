@@ -11,7 +11,7 @@ Lengths are metres, angles radians; space is right-handed, y up. See docs/guides
 """
 import warnings as _warnings
 
-from . import _needs  # noqa: F401  says what is missing, before what needs it fails
+from . import _requirements  # noqa: F401  says what is missing, before what needs it fails
 from . import _vug
 from ._catalogue import Catalogue, Kind, KindParam
 from ._errors import Cancelled, Diagnostic, Error, SceneWarning

@@ -50,7 +50,7 @@ struct Made {
 TEST(Assemble, WhatAShotShows) {
   const Made made;
   const exchange::Assembly& all = made.out.assembly;
-  ASSERT_EQ(all.parts.size(), 2u);
+  ASSERT_EQ(all.prototypes.size(), 2u);
   ASSERT_EQ(all.groups.size(), 2u);
   EXPECT_EQ(all.groups[0].name, "wall");
   EXPECT_EQ(all.groups[1].name, "heap");
@@ -58,9 +58,9 @@ TEST(Assemble, WhatAShotShows) {
   EXPECT_EQ(all.groups[1].places[1].origin(), Vec3d(4, 0, 0));
   ASSERT_EQ(all.cameras.size(), 1u);
   EXPECT_EQ(all.cameras[0].aspect, 3);
-  ASSERT_EQ(all.lamps.size(), 1u);
-  EXPECT_EQ(all.lamps[0].name, "ball");
-  EXPECT_NEAR(exchange::luminance(exchange::power(all.lamps[0])), 100, 1e-3);
+  ASSERT_EQ(all.lights.size(), 1u);
+  EXPECT_EQ(all.lights[0].name, "ball");
+  EXPECT_NEAR(exchange::luminance(exchange::power(all.lights[0])), 100, 1e-3);
   EXPECT_EQ(all.provenance.recipe, kScene);
   EXPECT_EQ(all.provenance.seed, 5u);
   ASSERT_EQ(made.out.unsupported.size(), 1u);
@@ -69,7 +69,7 @@ TEST(Assemble, WhatAShotShows) {
 
 TEST(Assemble, LooksAreBakedAtTheVertices) {
   const Made made;
-  const exchange::Prototype& wall = made.out.assembly.parts[0];
+  const exchange::Prototype& wall = made.out.assembly.prototypes[0];
   const mesh::Attribute* color = mesh::find_attribute(*wall.mesh, "Cd", 3);
   const mesh::Attribute* wet = mesh::find_attribute(*wall.mesh, "wetness", 1);
   ASSERT_TRUE(color && wet);
@@ -94,7 +94,7 @@ object even on skin {}
 object edged on skin { flat true }
 camera main { eye (0, 2, 6) fov 60deg }
 )");
-  const std::vector<exchange::Prototype>& parts = made.out.assembly.parts;
+  const std::vector<exchange::Prototype>& parts = made.out.assembly.prototypes;
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].mesh->normals.size(), parts[0].mesh->positions.size());
   EXPECT_TRUE(parts[1].mesh->normals.empty());
@@ -103,7 +103,7 @@ camera main { eye (0, 2, 6) fov 60deg }
 
 TEST(Assemble, WhatShinesSaysSo) {
   const Made made;
-  const exchange::Prototype& glow = made.out.assembly.parts[1];
+  const exchange::Prototype& glow = made.out.assembly.prototypes[1];
   EXPECT_LT((glow.look.emission - Vec3d(2, 1, 0.5)).length(), 1e-6);
   EXPECT_TRUE(glow.mesh->attributes.empty());
   EXPECT_EQ(glow.look.base_color, Vec3d(0.5));
@@ -138,14 +138,14 @@ place row { of pebble at [(0, 0, 3), (1, 0, 3)] material plain }
   const exchange::Assembly& all = made.out.assembly;
   EXPECT_TRUE(made.out.unsupported.empty());
   // Two stand on the same ground, and what looks the same everywhere is one part.
-  ASSERT_EQ(all.parts.size(), 4u);
+  ASSERT_EQ(all.prototypes.size(), 4u);
   std::vector<std::string> names;
   for (const exchange::InstanceGroup& group : all.groups) names.push_back(group.name);
   EXPECT_EQ(names, (std::vector<std::string>{"tower", "tower_2", "tower_3", "row"}));
   EXPECT_EQ(all.groups[0].places.size(), 2u);
   EXPECT_EQ(all.groups[3].places.size(), 2u);
   const auto red = [&](size_t group, float height) {
-    const exchange::Prototype& part = all.parts[all.groups[group].part];
+    const exchange::Prototype& part = all.prototypes[all.groups[group].prototype];
     const mesh::Attribute* color = mesh::find_attribute(*part.mesh, "Cd", 3);
     if (!color) return part.look.base_color.x;
     for (size_t v = 0; v < part.mesh->positions.size(); ++v)
@@ -180,8 +180,8 @@ place heap { of [pebble, slab] at [pose(position: (0, 0, 0), model: 0), pose(pos
 
 TEST(Assemble, WithoutLightsThereIsTheSkyOfThePicture) {
   const Made made("volume rock = level_set(sphere(1m), voxel: 20cm)\n");
-  ASSERT_EQ(made.out.assembly.lamps.size(), 1u);
-  const exchange::Light& sky = made.out.assembly.lamps[0];
+  ASSERT_EQ(made.out.assembly.lights.size(), 1u);
+  const exchange::Light& sky = made.out.assembly.lights[0];
   EXPECT_EQ(sky.name, "sky");
   EXPECT_EQ(sky.shape, exchange::Light::Shape::dome);
   EXPECT_LT((sky.radiance - Vec3d(0.9, 0.95, 1)).length(), 1e-6);
@@ -212,8 +212,8 @@ medium mist on banks { kind cloud extinction 2/m g 0.5 temperature 1800 temperat
   for (const double y : {-0.4, 0.0, 0.4}) {
     const Vec3f centimetres(0, static_cast<float>(100 * y), 0);
     const double t = (y + 1) / 2, smooth = t * t * (3 - 2 * t);
-    EXPECT_NEAR(red.anywhere(centimetres), 0.9 + smooth * (0.1 - 0.9), 1e-2);
-    EXPECT_NEAR(kelvin.anywhere(centimetres), 1800 * smooth, 20);
+    EXPECT_NEAR(red.at_world(centimetres), 0.9 + smooth * (0.1 - 0.9), 1e-2);
+    EXPECT_NEAR(kelvin.at_world(centimetres), 1800 * smooth, 20);
   }
   std::string text = read_text(folder / "t.usda");
   EXPECT_NE(text.find("custom double vug:extinction = 0.02"), std::string::npos);
@@ -276,7 +276,7 @@ double area_of(const mesh::Mesh& mesh) {
 
 TEST(Assemble, OpacityIsCutOutOrKept) {
   const Made made(kCard);
-  const std::vector<exchange::Prototype>& parts = made.out.assembly.parts;
+  const std::vector<exchange::Prototype>& parts = made.out.assembly.prototypes;
   ASSERT_EQ(parts.size(), 4u);
   const auto opacity = [](const exchange::Prototype& part) {
     return mesh::find_attribute(*part.mesh, "opacity", 1);

@@ -153,7 +153,7 @@ TEST_F(CellFiles, FromFrameToFrameARunGoesOn) {
   again.reuse_from(std::move(after));
   EXPECT_EQ(again.cell_layer(shot::declared_cells(back.shot)[0])->simulation.step(), 20);
   const std::string moving = "cells crust on wall { spacing 15cm + 1mm * frame  run gray_scott }\n";
-  EXPECT_FALSE(shot::declared_cells(loaded(moving, 3).shot)[0]->still);
+  EXPECT_FALSE(shot::declared_cells(loaded(moving, 3).shot)[0]->resumable);
 }
 
 TEST_F(CellFiles, PointsOfAFileGoOn) {

@@ -169,7 +169,7 @@ TEST(Ci, WallsAreEightToTwelveMillimetresThick) {
     const Loaded loaded = load_text("include \"bamboo/ci.vug\"\n", "test.vug", options);
     ASSERT_TRUE(loaded.usable()) << loaded.report();
     const lsystem::Axis& culm = loaded.shot.lsystems.at(0)->drawing()->axes.at(0);
-    const mesh::MeshPtr& plan = loaded.shot.meshes.back()->given;
+    const mesh::MeshPtr& plan = loaded.shot.meshes.back()->file_mesh;
     int met = 0;
     for (size_t i = 0; i < plan->positions.size(); ++i) {
       const auto number = [&](const char* name) {
@@ -227,9 +227,9 @@ TEST(Bamboo, NoneOfAThousandCulmsExceedsItsBox) {
     const double angle = random.uniform(0, kPi);
     for (lsystem::Axis& axis : plant.axes) axis = tilted(axis, about, angle, off);
     flora::SweepOptions options;
-    options.relief.groove = 0.1 * random.uniform();
-    options.relief.scar = 0.3 * random.uniform();
-    options.relief.ridge = 0.3 * random.uniform();
+    options.displacement.groove = 0.1 * random.uniform();
+    options.displacement.scar = 0.3 * random.uniform();
+    options.displacement.ridge = 0.3 * random.uniform();
     options.wall = 0.3;
     options.open = seed % 2 == 0;
     const std::vector<flora::Tube> tubes = flora::tubes(plant, options);

@@ -200,7 +200,7 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
   EXPECT_NE(faults(square + ", count: 5, steepest: 20deg").find("stand 'on'"), std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, margin: 3m").find("'avoid'"), std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, on: thick")
-                .find("hint: 'thick' is declared by 'object'; it stands on 'large_mesh'"),
+                .find("hint: 'thick' is declared by 'object' on 'large_mesh'"),
             std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, diameter_spread: 1cm").find("not said"),
             std::string::npos);

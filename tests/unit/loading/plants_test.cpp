@@ -221,7 +221,7 @@ TEST(Plants, ALittleOfAllCanBeListed) {
   }
   EXPECT_NE(loaded("grammar g: lsystem {\n instances a b" + rest)
                 .report()
-                .find("hint: commas part the values of 'instances'"),
+                .find("hint: separate the values of 'instances' by commas"),
             std::string::npos);
 }
 

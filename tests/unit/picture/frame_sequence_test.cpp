@@ -35,7 +35,7 @@ loading::Loaded at(double frame, loading::StaticCache* still, const std::string&
 TEST(Sequence, WhatStandsStillIsTheSameObject) {
   loading::StaticCache still;
   const shot::Shot one = at(1, &still).shot, two = at(2, &still).shot, alone = at(2, nullptr).shot;
-  EXPECT_TRUE(one.moves);
+  EXPECT_TRUE(one.animated);
   ASSERT_EQ(two.volumes.size(), 2u);
   EXPECT_EQ(one.volumes[0], two.volumes[0]);
   EXPECT_NE(one.volumes[1], two.volumes[1]);
@@ -129,10 +129,10 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
   // Beside one that rolls, in a declaration of its own, and of a thing whose light alone changes.
   for (const size_t at_rest : {0u, 2u, 3u})
     EXPECT_FALSE(job.scene.objects[at_rest].instance->moves()) << at_rest;
-  ASSERT_TRUE(job.options.step);
-  ASSERT_TRUE(job.options.step->places.count(1));
-  EXPECT_FLOAT_EQ(job.options.step->places.at(1).first.origin.x, 6);
-  EXPECT_FLOAT_EQ(job.options.step->places.at(1).second.origin.x, 8);
+  ASSERT_TRUE(job.options.motion_step);
+  ASSERT_TRUE(job.options.motion_step->transforms.count(1));
+  EXPECT_FLOAT_EQ(job.options.motion_step->transforms.at(1).first.origin.x, 6);
+  EXPECT_FLOAT_EQ(job.options.motion_step->transforms.at(1).second.origin.x, 8);
 }
 
 TEST(Sequence, MeshesThatNobodyDeclaresAreKeptToo) {

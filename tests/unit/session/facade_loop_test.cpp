@@ -69,7 +69,7 @@ std::string plain_grammar() {
   return out;
 }
 
-constexpr auto number = fit::AsPixels::number;
+constexpr auto number = fit::PixelTree::number;
 
 /// What a grid's numbers make it, whatever it is called: of two lines there is one distance, and
 /// windows of one size are alike.
@@ -133,7 +133,7 @@ void add_distances(const Openings& from, const Openings& to, std::vector<double>
 
 bool can_be_seen(const facade::Tree& tree) {
   for (const facade::Node& node : tree.nodes)
-    if (std::max(number(node.numbers, "columns"), number(node.numbers, "rows")) > fit::kMostLines)
+    if (std::max(number(node.numbers, "columns"), number(node.numbers, "rows")) > fit::kMaxLines)
       return false;
   for (const facade::ElementInstance& one : facade::element_instances(tree))
     if (std::min(one.rect.width, one.rect.height) < kLeast * kPixel) return false;
@@ -146,34 +146,34 @@ std::vector<facade::Tree> right_answers(const facade::Tree& derived) {
   std::vector<facade::Tree> out = {derived};
   const facade::Rules text = facade::load_rules(VUG_DATA "/facades/ripperda.vug");
   const fit::Rules& rules = fit::ripperda();
-  fit::AsPixels pixels(derived, rules, 1 / kPixel);
+  fit::PixelTree pixels(derived, rules, 1 / kPixel);
   std::vector<uint8_t> looks(static_cast<size_t>(kAcross * kDown), 0);
   const std::map<std::string, int> values = {{"window", 1}, {"door", 2}, {"shop", 3}};
-  for (const fit::AsPixels::Painted& one : pixels.painted()) {
+  for (const fit::PixelTree::Painted& one : pixels.painted()) {
     const auto value = values.find(one.kind);
     fit::paint(looks, kAcross, one.rect, value == values.end() ? 4 : value->second);
   }
-  const fit::Evidence clean = fit::Evidence::of_clusters(kAcross, kDown, 5, looks);
-  fit::ReadOptions how;
-  how.trust = kTrust;
+  const fit::Evidence clean = fit::Evidence::from_clusters(kAcross, kDown, 5, looks);
+  fit::FitOptions how;
+  how.pixel_weight = kTrust;
   how.sampler.steps = 5000;
   const fit::Model model(rules, how.limits, kAcross, kDown, &clean,
-                         fit::make_likelihood("kt", clean), how.trust);
-  const auto add = [&](fit::State state) {
-    model.place(state);
-    out.push_back(fit::as_facade(text, model, state, {kPixel, kPixel}));
+                         fit::make_likelihood("kt", clean), how.pixel_weight);
+  const auto add = [&](fit::TreeState state) {
+    model.compute_areas(state);
+    out.push_back(fit::to_facade_tree(text, model, state, {kPixel, kPixel}));
   };
-  const fit::Reading read = fit::read(clean, rules, how, RandomKey(2));
+  const fit::FitResult read = fit::fit_facade(clean, rules, how, RandomKey(2));
   const std::optional<fit::Tree> tree = pixels.tree(model);
   if (!tree) {
-    add(model.state_of(read.tree));
+    add(model.make_state(read.tree));
     return out;
   }
-  fit::State best = model.state_of(*tree);
-  const fit::Hints hints = fit::Hints::of_clusters(clean);
+  fit::TreeState best = model.make_state(*tree);
+  const fit::EdgeHints hints = fit::EdgeHints::from_clusters(clean);
   const double bits = fit::polish({model, hints}, clean, best).after;
   add(best);
-  if (read.report.bits < bits - 1e-6) add(model.state_of(read.tree));
+  if (read.report.bits < bits - 1e-6) add(model.make_state(read.tree));
   return out;
 }
 

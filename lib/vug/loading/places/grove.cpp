@@ -200,7 +200,7 @@ building::Instance place_of(const Grove& g, const flora::Stem& stem) {
   const Vec3d axis(maths::sin(side), 0, -maths::cos(side));
   const Transform turned = Transform::rotation(axis, tilt) * Transform::rotation({0, 1, 0}, yaw) *
                            Transform::scaling({width, height, width});
-  return {Transform::translation(stem.foot.position - Vec3d(0, g.sink, 0)) * turned, stem.key,
+  return {Transform::translation(stem.base.position - Vec3d(0, g.sink, 0)) * turned, stem.key,
           model};
 }
 
@@ -221,7 +221,7 @@ flora::GroveOptions options_for(const Grove& g, const flora::Plot& plot, buildin
   options.key = key.at(static_cast<uint64_t>(g.seed));
   const auto solid = g.on.mesh ? builder.solid(g.on.mesh) : nullptr;
   if (g.where)
-    options.share = [&g, solid](const flora::Foot& foot) {
+    options.retention = [&g, solid](const flora::GroundPoint& foot) {
       return (*g.where)({foot.position, foot.normal, solid.get()});
     };
   return options;
@@ -238,18 +238,18 @@ std::vector<building::Instance> plant(const Grove& g, const flora::Plot& plot,
 
 std::string empty_reason(const Grove& g, const flora::Plot& plot, building::Builder& builder,
                          RandomKey key) {
-  const flora::Fates fates =
-      flora::fates(plot, options_for(g, plot, builder, key), builder.progress());
+  const flora::PlacementStats stats =
+      flora::placement_stats(plot, options_for(g, plot, builder, key), builder.progress());
   std::vector<std::string> reasons;
   const auto add = [&](size_t count, const char* reason) {
     if (count > 0) reasons.push_back(fmt::format("{} {}", count, reason));
   };
-  add(fates.too_near, "nearer than 'spacing' to another");
-  add(fates.no_ground, "without ground below");
-  add(fates.too_steep, "on ground steeper than 'steepest'");
-  add(fates.no_room, "without 'headroom'");
-  add(fates.avoided, "in or too near to what they 'avoid'");
-  add(fates.not_shared, "left out by 'where'");
+  add(stats.too_near, "nearer than 'spacing' to another");
+  add(stats.no_ground, "without ground below");
+  add(stats.too_steep, "on ground steeper than 'steepest'");
+  add(stats.no_room, "without 'headroom'");
+  add(stats.avoided, "in or too near to what they 'avoid'");
+  add(stats.thinned, "left out by 'where'");
   return reasons.empty() ? "the density makes not one point in so small a polygon"
                          : fmt::format("of its points, {}", fmt::join(reasons, ", "));
 }

@@ -12,7 +12,7 @@ ParamSpec share(std::string doc, double most = 1) {
   return {.doc = std::move(doc), .min = 0, .max = most};
 }
 
-struct Stems : flora::SweepOptions, flora::Relief {
+struct Stems : flora::SweepOptions, flora::NodeDisplacementOptions {
   shot::LSystemPtr of;
   double thickness = 2e-4;
   std::optional<double> from, to;
@@ -31,7 +31,7 @@ struct Stems : flora::SweepOptions, flora::Relief {
         .param("thickness", &Stems::thickness,
                positive_length("least diameter, also of stems that are only lines"))
         .param("wall", &Stems::wall, share("of a hollow culm, of its radius; 0: massive", 0.99))
-        .param("wall_least", &Stems::wall_least,
+        .param("wall_least", &Stems::min_wall,
                {.doc = "and at least so thick, while a tenth of the radius is hollow",
                 .dimension = Dimension::length,
                 .min = 0})
@@ -44,7 +44,7 @@ struct Stems : flora::SweepOptions, flora::Relief {
                 .max = 1})
         .param("fold_order", &Stems::fold_order,
                {.doc = "stems of this order and above keep their bends as folds", .min = 0})
-        .param("relief_orders", &Stems::relief_orders,
+        .param("relief_orders", &Stems::displaced_orders,
                {.doc = "stems of this order and above have no relief", .min = 0});
     s.param("scar", &Stems::scar, share("height of the sheath scar at a node", 0.5))
         .param("scar_width", &Stems::scar_width, share("from its crest to its foot"))
@@ -62,13 +62,13 @@ struct Stems : flora::SweepOptions, flora::Relief {
   }
   flora::SweepOptions options() const {
     flora::SweepOptions all = *this;
-    all.relief = *this;
-    all.least_radius = 0.5 * thickness;
+    all.displacement = *this;
+    all.min_radius = 0.5 * thickness;
     return all;
   }
   std::string fault() const {
     if (from && to && *from >= *to) return "'to' lies above 'from'";
-    if (open && wall == 0 && wall_least == 0)
+    if (open && wall == 0 && min_wall == 0)
       return "'open' shows the hollow of stems with a 'wall'; without one they are massive";
     return options().fault();
   }

@@ -1,4 +1,4 @@
-#include "follow.h"
+#include "background_work.h"
 
 #include "errors.h"
 
@@ -12,57 +12,57 @@
 namespace vug::python {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{100};
+constexpr std::chrono::milliseconds kPollInterval{100};
 
-/// Tells a letter; false where the answer is to stop.
-bool tell(const Post::Letter& letter, const Callback& callback) {
-  warn(letter.warnings);
+/// Tells a events; false where the answer is to stop.
+bool deliver(const EventQueue::Events& events, const Callback& callback) {
+  warn(events.warnings);
   if (!callback) return true;
-  for (const auto& [stage, share] : letter.reports)
+  for (const auto& [stage, share] : events.reports)
     if ((*callback)(share, stage).is(py::bool_(false))) return false;
   return true;
 }
 
 }  // namespace
 
-void Post::report(const std::string& stage, double share) {
+void EventQueue::report(const std::string& stage, double share) {
   {
     const std::lock_guard lock(mutex_);
-    auto& reports = letter_.reports;
+    auto& reports = events_.reports;
     if (reports.empty() || reports.back().first != stage)
       reports.emplace_back(stage, share);
     else
       reports.back().second = share;
   }
-  news_.notify_one();
+  changed_.notify_one();
 }
 
-void Post::warn(std::vector<std::string> texts) {
+void EventQueue::warn(std::vector<std::string> texts) {
   {
     const std::lock_guard lock(mutex_);
-    for (std::string& text : texts) letter_.warnings.push_back(std::move(text));
+    for (std::string& text : texts) events_.warnings.push_back(std::move(text));
   }
-  news_.notify_one();
+  changed_.notify_one();
 }
 
-void Post::finish() {
+void EventQueue::finish() {
   {
     const std::lock_guard lock(mutex_);
-    letter_.done = true;
+    events_.done = true;
   }
-  news_.notify_one();
+  changed_.notify_one();
 }
 
-Post::Letter Post::wait() {
+EventQueue::Events EventQueue::wait() {
   std::unique_lock lock(mutex_);
-  news_.wait_for(lock, kPatience, [this] {
-    return letter_.done || !letter_.reports.empty() || !letter_.warnings.empty();
+  changed_.wait_for(lock, kPollInterval, [this] {
+    return events_.done || !events_.reports.empty() || !events_.warnings.empty();
   });
-  return std::exchange(letter_, {});
+  return std::exchange(events_, {});
 }
 
-void follow(Post& post, Progress& progress, const Callback& callback, int threads,
-            const std::function<void()>& work) {
+void run_in_background(EventQueue& queue, Progress& progress, const Callback& callback, int threads,
+                       const std::function<void()>& work) {
   std::exception_ptr fault, raised;
   bool stopped = false;
   std::thread worker([&] {
@@ -72,19 +72,19 @@ void follow(Post& post, Progress& progress, const Callback& callback, int thread
     } catch (...) {
       fault = std::current_exception();
     }
-    post.finish();
+    queue.finish();
   });
   for (bool done = false; !done;) {
-    Post::Letter letter;
+    EventQueue::Events events;
     {
       const py::gil_scoped_release others;
-      letter = post.wait();
+      events = queue.wait();
     }
-    done = letter.done;
+    done = events.done;
     if (stopped) continue;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      stopped = !tell(letter, callback);
+      stopped = !deliver(events, callback);
     } catch (...) {
       raised = std::current_exception();
       stopped = true;

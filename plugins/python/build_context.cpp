@@ -6,9 +6,9 @@
 
 namespace vug::python {
 
-struct Build::Shop {
-  Shop(const Scene& scene, const shot::Shot& shot, const BuildSettings& settings)
-      : progress([this](const std::string& stage, double share) { post.report(stage, share); }),
+struct Build::Context {
+  Context(const Scene& scene, const shot::Shot& shot, const BuildSettings& settings)
+      : progress([this](const std::string& stage, double share) { queue.report(stage, share); }),
         builder(shot, options(scene, shot, settings), progress) {}
 
   building::BuildOptions options(const Scene& scene, const shot::Shot& shot,
@@ -19,12 +19,12 @@ struct Build::Shop {
       out.checkpoint = std::make_shared<building::CellsCheckpoint>(
           building::CheckpointOptions{settings.checkpoint, std::nullopt, true}, shot);
     out.on_warning = [this, &scene](const Diagnostics& doubtful) {
-      post.warn(warnings_of(scene.loaded(), doubtful));
+      queue.warn(warnings_of(scene.loaded(), doubtful));
     };
     return out;
   }
 
-  Post post;
+  EventQueue queue;
   Progress progress;
   building::Builder builder;
 };
@@ -34,11 +34,11 @@ Build::Build(ScenePtr scene, BuildSettings settings)
 
 Build::Build(ScenePtr scene, std::shared_ptr<const shot::Shot> shot, BuildSettings settings)
     : scene_(std::move(scene)), shot_(std::move(shot)), settings_(std::move(settings)) {
-  shop_ = open();
+  context_ = open();
 }
 
-std::unique_ptr<Build::Shop> Build::open() {
-  return std::make_unique<Shop>(*scene_, *shot_, settings_);
+std::unique_ptr<Build::Context> Build::open() {
+  return std::make_unique<Context>(*scene_, *shot_, settings_);
 }
 
 void Build::work(const std::function<void(building::Builder&)>& work) {
@@ -46,21 +46,21 @@ void Build::work(const std::function<void(building::Builder&)>& work) {
     PyErr_SetString(PyExc_RuntimeError, "this build is at work already");
     throw py::error_already_set();
   }
-  if (shop_->progress.cancelled()) {
-    std::unique_ptr<Shop> next = open();
-    next->builder.reuse_from(std::move(shop_->builder));
-    shop_ = std::move(next);
+  if (context_->progress.cancelled()) {
+    std::unique_ptr<Context> next = open();
+    next->builder.reuse_from(std::move(context_->builder));
+    context_ = std::move(next);
   }
   struct Busy {
     explicit Busy(bool& flag) : flag_(flag) { flag_ = true; }
     ~Busy() { flag_ = false; }
     bool& flag_;
   } const busy(busy_);
-  follow(shop_->post, shop_->progress, settings_.progress, settings_.threads,
-         [&] { work(shop_->builder); });
+  run_in_background(context_->queue, context_->progress, settings_.progress, settings_.threads,
+                    [&] { work(context_->builder); });
 }
 
-uint64_t memory_of(const Memory& given) {
+uint64_t memory_limit_of(const Memory& given) {
   if (!given) return available_memory() / 10 * 9;
   if (const auto* text = std::get_if<std::string>(&*given)) return parse_bytes(*text);
   const int64_t bytes = std::get<int64_t>(*given);
@@ -68,7 +68,7 @@ uint64_t memory_of(const Memory& given) {
   return static_cast<uint64_t>(bytes);
 }
 
-int threads_of(int given) {
+int checked_threads(int given) {
   if (given < 0 || given > 1024) throw py::value_error("threads must be 0 (all cores) to 1024");
   return given;
 }

@@ -18,24 +18,24 @@
 namespace vug::python {
 
 /// What work has to tell, from any of its threads.
-class Post {
+class EventQueue {
  public:
   void report(const std::string& stage, double share);
   void warn(std::vector<std::string> texts);
 
-  struct Letter {
+  struct Events {
     std::vector<std::pair<std::string, double>> reports;  ///< Of each stage the last.
     std::vector<std::string> warnings;
     bool done = false;
   };
   void finish();
   /// Waits until there is something, at most a tenth of a second; takes it out.
-  Letter wait();
+  Events wait();
 
  private:
   std::mutex mutex_;
-  std::condition_variable news_;
-  Letter letter_;
+  std::condition_variable changed_;
+  Events events_;
 };
 
 /// Whom to tell; nobody where there is none.
@@ -44,7 +44,7 @@ using Callback = std::optional<py::function>;
 /// Does `work` and calls `callback(share, what)` as it goes; `threads` bounds its
 /// threads, 0: all cores. What the callback or Ctrl-C raises, or a callback that returns False,
 /// cancels `progress`, and is raised when the work has stopped; else what the work throws.
-void follow(Post& post, Progress& progress, const Callback& callback, int threads,
-            const std::function<void()>& work);
+void run_in_background(EventQueue& queue, Progress& progress, const Callback& callback, int threads,
+                       const std::function<void()>& work);
 
 }  // namespace vug::python
