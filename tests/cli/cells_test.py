@@ -32,7 +32,7 @@ class Cells(VugTest):
                      "did you mean 'triangle'?")
         self.refused("spacing 20cm  run maze", 15, "'cells' stands on a mesh or level set, not the name 'wal'", "did you mean 'wall'?", "wal")
         for spacing in ("0", "0cm", "-2cm"):
-            self.refused(f"spacing {spacing}  run maze", at, "the spacing of cells is a length above 0", "for instance: spacing 2cm")
+            self.refused(f"spacing {spacing}  run maze", at, "the spacing of cells must be above 0", "for instance: spacing 2cm")
         self.refused("spacing 20cm", 7, "'cells' needs 'run'", "run: rules")
         self.refused("run maze", 7, "'cells' needs 'spacing'", "spacing: ")
 
@@ -117,7 +117,7 @@ class Cells(VugTest):
     def test_what_shows_on_the_mesh(self):
         at = len("cells skin on wall { ") + 1
         self.refused("spacing 10m  run maze", at, "cells 10 m apart are larger than the object", "use a smaller spacing")
-        self.refused("spacing 1e-6m  run maze", at, "1.34e+13 cells are more than can be numbered", "use a larger spacing")
+        self.refused("spacing 1e-6m  run maze", at, "1.34e+13 cells are more than can be indexed", "use a larger spacing")
         self.refused("spacing 0.5mm  run maze", at, "5.37e+07 cells would take about 18 GiB", "use a larger spacing", "wall",
                      "--max-memory", "300M")
 

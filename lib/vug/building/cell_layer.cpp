@@ -69,7 +69,7 @@ CellLayer new_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSupp
                          uint64_t memory, Progress& progress) {
   cells::BuildResult built = network(plan, supports, memory, progress);
   const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
-  return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxing)};
+  return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxation)};
 }
 
 void restore_points(const volume::Grid& points, const shot::CellsPlan& plan,

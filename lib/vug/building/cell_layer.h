@@ -22,7 +22,7 @@ struct CellSupport {
 
 struct CellLayer {
   cells::Simulation simulation;            ///< After its run; it holds the network.
-  std::vector<cells::RelaxStep> relaxing;  ///< How harmonising went.
+  std::vector<cells::RelaxStep> relaxation;  ///< How harmonising went.
 
   const cells::Network& network() const { return simulation.network(); }
 };

@@ -28,7 +28,7 @@ const Attribute& Attributes::need(const std::string& name) const {
   if (const Attribute* known = find(name)) return *known;
   std::vector<std::string> known;
   for (const Attribute& each : all_) known.push_back(each.name);
-  throw Error(ErrorCode::bad_input, fmt::format("cells carry no attribute '{}'", name), {},
+  throw Error(ErrorCode::bad_input, fmt::format("cells have no attribute '{}'", name), {},
               suggestion(name, known));
 }
 

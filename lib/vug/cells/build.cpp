@@ -12,12 +12,12 @@
 namespace vug::cells {
 namespace {
 
-/// What strewing, sorting and linking hold at their peak for each cell.
+/// Peak memory of scattering, sorting and linking per cell.
 constexpr double kBytes = 360;
 
 void require_fit(const Surface& surface, const BuildOptions& options) {
   if (!(options.spacing > 0) || !std::isfinite(options.spacing))
-    throw Error(ErrorCode::bad_input, "the spacing of cells is a length above 0");
+    throw Error(ErrorCode::bad_input, "the spacing of cells must be above 0");
   if (options.spacing > surface.least_size())
     throw Error(ErrorCode::bad_input,
                 fmt::format("cells {:.4g} m apart are larger than the object, which is {:.4g} m",
@@ -39,7 +39,7 @@ double estimate(double area, const Grid& grid, double spacing) {
 void require_memory(double cells, const BuildOptions& options) {
   const std::string what = fmt::format("{:.3g} cells", cells);
   if (!(cells * options.grid.full < 4e9))
-    throw Error(ErrorCode::too_large, what + " are more than can be numbered", {},
+    throw Error(ErrorCode::too_large, what + " are more than can be indexed", {},
                 "use a larger spacing");
   require_memory(cells * kBytes, options.memory > 0 ? options.memory : available_memory(), what,
                  "use a larger spacing");
@@ -51,11 +51,11 @@ BuildResult build(const Surface& surface, const BuildOptions& options, Progress&
   BuildResult out;
   std::vector<SurfacePoint> places =
       scatter_cells(surface, options.grid, options.spacing, options.key.at("cells"), progress);
-  RelaxOptions relaxing;
-  relaxing.force = options.force;
-  relaxing.steps = options.relax.value_or(options.grid.relax);
-  if (relaxing.steps > 0)
-    out.relaxing = relax(places, surface, options.spacing, reach, relaxing, progress);
+  RelaxOptions relaxation;
+  relaxation.force = options.force;
+  relaxation.steps = options.relax.value_or(options.grid.relax);
+  if (relaxation.steps > 0)
+    out.relaxation = relax(places, surface, options.spacing, reach, relaxation, progress);
   out.network = link(places, surface, options.spacing, reach, options.grid.full, progress);
   orient(out.network);
   return out;

@@ -21,7 +21,7 @@ struct BuildOptions {
 
 struct BuildResult {
   Network network;
-  std::vector<RelaxStep> relaxing;
+  std::vector<RelaxStep> relaxation;
 };
 
 /// The result has the same bytes for any number of threads and any order of polygons. Throws

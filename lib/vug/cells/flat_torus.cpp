@@ -13,8 +13,8 @@ struct Step {
   int x, z;
 };
 
-/// Rows of the triangle grid stand half a cell off, every other one; the honeycomb is drawn as a
-/// wall of bricks, whose cells are linked to both sides and, in turn, to one row or the other.
+/// Alternate rows of the triangle grid are offset by half a cell. The honeycomb is represented as a
+/// brick wall, whose cells are linked to both sides and alternately to the row above or below.
 std::span<const Step> steps(uint32_t full, uint32_t x, uint32_t z) {
   static constexpr Step kSides[] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
   static constexpr Step kRing[] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0},
@@ -47,12 +47,13 @@ Vec3d place(uint32_t full, uint32_t x, uint32_t z) {
 
 Network flat_torus(uint32_t across, uint32_t along, uint32_t full, double spacing) {
   if (full != 3 && full != 4 && full != 6 && full != 8)
-    throw Error(ErrorCode::bad_input, fmt::format("no grid has {} links a cell", full), {},
+    throw Error(ErrorCode::bad_input, fmt::format("no grid has {} links per cell", full), {},
                 "3, 4, 6 or 8");
   if (across < 4 || along < 4 || (full == 3 && across % 2 == 1) ||
       (full % 3 == 0 && along % 2 == 1) || uint64_t{across} * along * full > UINT32_MAX)
-    throw Error(ErrorCode::bad_input,
-                fmt::format("{} by {} cells of {} links make no torus", across, along, full));
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("{} by {} cells with {} links do not form a torus", across, along, full));
   const double root3 = std::sqrt(3.0);
   const double reach = full == 4 ? std::sqrt(2.0) : full == 8 ? 2 : root3;
   const double cell = full == 3 ? 0.75 * root3 : full == 6 ? root3 / 2 : 1;

@@ -49,14 +49,14 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
     const float drop = level_[from] - level_[to];
     if (!(drop > 0) || !distributes(state[from]) || !receives(state[to])) return 0.0f;
     const float far = (position[to] - position[from]).length();
-    // What is level but for rounding is level.
+    // Drops within rounding count as level.
     return drop > kLevel * far ? std::min(1.0f, drop / far) : 0.0f;
   };
   const auto cling = static_cast<float>(options.cling);
   const auto weight = [&](float steep, uint32_t from, uint32_t to) {
     const float straight = power(steep, options.gather);
     if (!(cling > 0)) return straight;
-    // 1/2 where both carry the same.
+    // 1/2 if both carry the same amount.
     const float wet = water[to] / (water[to] + water[from] + kDrop);
     return straight * (1 - cling + cling * 4 * wet * wet + kDrop);
   };

@@ -6,7 +6,7 @@ namespace vug::cells {
 namespace {
 
 constexpr Vec3f kUp(0, 1, 0);
-/// Squared sine of the slope from which on a cell's own level counts.
+/// Squared sine of the slope above which a cell's own level direction counts.
 constexpr float kSlope = 0.1f;
 constexpr int kEvening = 24;
 constexpr size_t kGrain = 4096;
@@ -15,7 +15,7 @@ Vec3f tangent(const Vec3f& v, const Vec3f& normal) { return v - normal * normal.
 
 bool is_slope(const Vec3f& normal) { return kUp.cross(normal).length2() > kSlope; }
 
-/// The x axis, or z where that stands on the plane.
+/// The x axis, or z if that is perpendicular to the plane.
 Vec3f first_right(const Vec3f& normal) {
   const Vec3f x = tangent({1, 0, 0}, normal);
   return (x.length2() > 0.1f ? x : tangent({0, 0, 1}, normal)).normalized();

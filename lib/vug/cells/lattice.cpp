@@ -16,10 +16,10 @@ Vec3i bin(const Vec3d& normal, double bins) {
   return {part(normal.x), part(normal.y), part(normal.z)};
 }
 
-/// Plane coordinates counted in periods of the pattern.
+/// Plane coordinates in periods of the pattern.
 struct Frame {
   Vec3d right, ahead;
-  Vec2d across, along, phase;  ///< Rows of the inverse of the periods; a shift.
+  Vec2d across, along, phase;  ///< Rows of the inverse period matrix, and an offset.
 
   Frame(const Vec3d& n, const Grid& grid, double spacing, RandomKey key) {
     const Vec3d level = std::fabs(n.y) < 0.9 ? Vec3d(0, 1, 0).cross(n) : Vec3d(1, 0, 0);
@@ -39,7 +39,7 @@ struct Frame {
   }
 };
 
-/// Where the side from a to b crosses a row; the same number whichever way round it is asked.
+/// The intersection of the side from a to b with a row; identical for both directions of the side.
 double crossing(const Vec2d& a, const Vec2d& b, double row) {
   if (b.y < a.y || (b.y == a.y && b.x < a.x)) return crossing(b, a, row);
   return a.x + (b.x - a.x) * ((row - a.y) / (b.y - a.y));

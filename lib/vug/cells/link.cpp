@@ -12,14 +12,14 @@ constexpr size_t kGrain = 4096;
 constexpr uint32_t kNone = ~0u;
 constexpr uint32_t kMost = 8;
 
-/// The nearest few, nearest first.
+/// The nearest few candidates, sorted by distance.
 class Nearest {
  public:
   explicit Nearest(uint32_t full) : full_(full) {}
 
   float limit(float reach2) const { return count_ < full_ ? reach2 : distance_[count_ - 1]; }
   void offer(float distance, uint32_t cell) {
-    // Cells come by runs, not by number: of equally near ones the first number goes first.
+    // Candidates arrive by runs, not by index: among equally near ones the lower index wins.
     const auto nearer_than = [&](uint32_t k) {
       return distance < distance_[k] || (distance == distance_[k] && cell < cell_[k]);
     };
@@ -29,7 +29,7 @@ class Nearest {
       distance_[at] = distance_[at - 1], cell_[at] = cell_[at - 1];
     distance_[at] = distance, cell_[at] = cell;
   }
-  /// By number; kNone behind the last.
+  /// Sorted by index, with kNone after the last.
   void write(uint32_t* out) {
     for (uint32_t i = 1; i < count_; ++i)
       for (uint32_t k = i; k > 0 && cell_[k - 1] > cell_[k]; --k) std::swap(cell_[k - 1], cell_[k]);
@@ -43,7 +43,7 @@ class Nearest {
   std::array<uint32_t, kMost> cell_;
 };
 
-/// For each cell the `full` that it holds on to.
+/// For each cell, the `full` cells that it selects.
 std::vector<uint32_t> holds(const mesh::PointGrid& grid, const std::vector<Vec3f>& normal,
                             double reach, uint32_t full) {
   const std::vector<Vec3f>& position = grid.points();
@@ -65,7 +65,7 @@ std::vector<uint32_t> holds(const mesh::PointGrid& grid, const std::vector<Vec3f
   return held;
 }
 
-/// Each cell's share, by the squared lengths of its links.
+/// Distributes the area among cells by the squared lengths of their links.
 std::vector<float> areas(const Network& n, double total) {
   std::vector<float> area(n.size());
   const auto one = static_cast<float>(n.spacing * n.spacing);
@@ -91,7 +91,7 @@ std::vector<float> areas(const Network& n, double total) {
 Network link(const std::vector<SurfacePoint>& places, const Surface& surface, double spacing,
              double reach, uint32_t full, Progress& progress) {
   progress.begin("linking cells", 3);
-  // A little wider, for what is lost by rounding when points are put into cubes.
+  // Slightly wider, to allow for rounding when points are sorted into cubes.
   const mesh::PointGrid grid(positions(places), reach * 1.001);
   progress.advance();
   progress.check();

@@ -20,7 +20,7 @@ void add_array(Hasher& hasher, const std::vector<T>& values) {
   hasher.add_value(values.size()).add(values.data(), values.size() * sizeof(T));
 }
 
-/// What is wrong with a cell; empty for nothing.
+/// The fault of a cell, or empty.
 std::string fault(const Network& n, uint32_t i) {
   for (const Vec3f& v : {n.position[i], n.normal[i], n.right[i]})
     if (!(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z))) return "is not finite";
@@ -31,11 +31,11 @@ std::string fault(const Network& n, uint32_t i) {
   if (n.links.degree(i) > n.full) return "has too many links";
   uint32_t last = kNone;
   for (const uint32_t to : n.links.of(i)) {
-    if (to >= n.size() || to == i) return "is linked to no other cell";
+    if (to >= n.size() || to == i) return "is linked to a cell that does not exist or to itself";
     if (last != kNone && to <= last) return "has links out of order";
     last = to;
     const auto back = n.links.of(to);
-    if (!std::binary_search(back.begin(), back.end(), i)) return "has a link of one way";
+    if (!std::binary_search(back.begin(), back.end(), i)) return "has a link that is not mutual";
   }
   return {};
 }
@@ -48,7 +48,7 @@ uint64_t Network::bytes() const {
 }
 
 uint64_t position_key(const Vec3f& p) {
-  // Sums with 0 make -0 and 0 the same. Multipliers: the golden ratio's, and those of splitmix64.
+  // Adding 0 makes -0 and 0 equal. Multipliers: the golden ratio's, and those of splitmix64.
   const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x + 0.0f)}; };
   uint64_t h = (bits(p.x) << 32 | bits(p.y)) * 0x9E3779B97F4A7C15u;
   h = (h ^ (h >> 29) ^ bits(p.z) << 16) * 0xBF58476D1CE4E5B9u;
@@ -63,7 +63,7 @@ std::vector<uint32_t> components(const Links& links) {
   std::vector<uint32_t> piece(links.size(), kNone);
   uint32_t count = 0;
   for (uint32_t i = 0; i < links.size(); ++i) {
-    const uint32_t root = sets.root(i);  // the smallest of its piece
+    const uint32_t root = sets.root(i);  // The smallest cell of its component.
     piece[i] = root == i ? count++ : piece[root];
   }
   return piece;

@@ -7,7 +7,7 @@
 namespace vug::cells {
 namespace {
 
-/// The cells around each, by rising index.
+/// The cells around each cell, in ascending order.
 Links links_within(const Network& n, double radius) {
   const mesh::PointGrid grid(n.position, radius * 1.001);
   const auto limit = static_cast<float>(radius * radius);
@@ -122,7 +122,7 @@ void Pass::finish(const std::vector<uint32_t>& blocks, bool everywhere) {
   const bool states_changed = std::exchange(writes_states_, false);
   if (states_changed) std::swap(states.now, states.next);
   if (!states_changed && !everywhere) return;
-  // A cell that no longer receives is not written any more: both its buffers must agree.
+  // A cell that no longer receives is not written any more, so both of its buffers must agree.
   const auto rest = [&](uint32_t i) {
     for (Attribute& attribute : simulation_->attributes_.all())
       std::visit(

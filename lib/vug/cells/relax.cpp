@@ -18,10 +18,10 @@ struct Law {
   }
 };
 
-/// What the cells around do to one.
+/// The effect of the surrounding cells on one cell.
 struct Push {
-  Vec3f way{0, 0, 0};  ///< In spacings times the greatest push.
-  float nearest2;      ///< Squared distance to the nearest; the reach's where nobody is near.
+  Vec3f way{0, 0, 0};  ///< In spacings times the maximum push.
+  float nearest2;  ///< Squared distance to the nearest cell; that of the reach if there is none.
 };
 
 Push push_on(uint32_t i, const std::vector<SurfacePoint>& places,
@@ -54,7 +54,7 @@ std::vector<RelaxStep> relax(std::vector<SurfacePoint>& places, const Surface& s
   const Law law{options.force, static_cast<float>(reach), static_cast<float>(spacing)};
   const auto strength = static_cast<float>(options.strength * spacing);
   const auto most = static_cast<float>(0.3 * spacing);
-  progress.begin("harmonising cells", static_cast<uint64_t>(std::max(0, options.steps)));
+  progress.begin("relaxing cells", static_cast<uint64_t>(std::max(0, options.steps)));
   std::vector<RelaxStep> steps;
   std::vector<SurfacePoint> sorted(places.size());
   std::vector<float> nearest(places.size()), moved(places.size());

@@ -11,11 +11,11 @@ namespace vug::cells {
 namespace {
 
 constexpr size_t kChunk = 256, kGrain = 4096;
-/// Rounds of darts, one for each square of the gap's side in each: more find little room. A pattern
-/// leaves gaps along its seams only.
+/// Rounds of dart throwing, each with one dart per squared gap: further rounds find little room. A
+/// pattern leaves gaps only along its seams.
 constexpr uint64_t kRounds = 6, kSeamRounds = 3;
 
-/// What add(triangle, list) adds for every triangle, in their order.
+/// Collects the results of add(triangle, list) for all triangles, in order.
 template <class Add>
 std::vector<SurfacePoint> collect(size_t triangles, const Add& add) {
   std::vector<std::vector<SurfacePoint>> parts((triangles + kChunk - 1) / kChunk);
@@ -33,7 +33,7 @@ RandomKey key_of(const Surface::Triangle& t, RandomKey key) {
   return key;
 }
 
-/// Darts at one triangle, `density` for each square metre on average.
+/// Throws darts at one triangle, with a mean of `density` per square metre.
 void throw_darts(const Surface& surface, uint32_t triangle, double density, RandomKey key,
                  std::vector<SurfacePoint>& out) {
   RandomStream random(key_of(surface.triangles()[triangle], key));
@@ -45,7 +45,7 @@ void throw_darts(const Surface& surface, uint32_t triangle, double density, Rand
   }
 }
 
-/// The first `kept` stay, and of the others those that find room. Brings all into an order that
+/// Keeps the first `kept` points, and of the others those that fit. Sorts all into an order that
 /// follows space.
 void thin(std::vector<SurfacePoint>& places, size_t kept, double radius, RandomKey key) {
   const mesh::PointGrid grid(positions(places), radius);
@@ -76,7 +76,7 @@ std::vector<SurfacePoint> scatter_cells(const Surface& surface, const Grid& grid
                                         RandomKey key, Progress& progress) {
   const size_t triangles = surface.triangles().size();
   const uint64_t rounds = grid.motif.empty() ? kRounds : kSeamRounds;
-  progress.begin("strewing cells", rounds);
+  progress.begin("scattering cells", rounds);
   std::vector<SurfacePoint> places;
   if (!grid.motif.empty()) {
     const std::vector<Vec3d> planes = pattern_planes(surface, spacing);

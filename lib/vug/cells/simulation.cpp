@@ -17,8 +17,8 @@ Simulation::Simulation(NetworkPtr network, RandomKey key)
 
 void Simulation::set_states(std::vector<CellState> states) {
   if (states.size() != network_->size())
-    throw Error(ErrorCode::internal, "there is not one state for each cell");
-  // Cells that may have been written a moment ago come to rest.
+    throw Error(ErrorCode::internal, "the number of states differs from the number of cells");
+  // Copies the values of cells that may have been written just before.
   for (Attribute& attribute : attributes_.all())
     std::visit(
         [](auto& column) {
@@ -50,7 +50,7 @@ uint64_t Simulation::bytes() const {
 
 namespace {
 
-/// A cell's attributes, as masks ask for them.
+/// A cell's attributes, for the evaluation of masks.
 struct OfCell : paint::Attributes {
   const Simulation* simulation;
   uint32_t cell;
@@ -60,7 +60,7 @@ struct OfCell : paint::Attributes {
     if (const Attribute* known = simulation->attributes().find(name))
       return std::visit([this](const auto& column) { return Vec3d(column.now[cell]); },
                         known->column);
-    // What nobody has brought yet is 0.
+    // Attributes that do not exist are 0.
     const bool gone = simulation->states()[cell] == CellState::transparent;
     return Vec3d(name == kTransparent && gone ? 1 : 0);
   }
@@ -94,8 +94,8 @@ void Simulation::run(const std::vector<Stage>& stages, int steps, Progress& prog
   for (const Stage& stage : stages)
     if (!stage.where.empty() && stage.where.size() != network_->size())
       throw Error(ErrorCode::bad_input,
-                  fmt::format("the mask of stage '{}' is not of these cells", stage.name));
-  std::map<const Stage*, std::vector<uint8_t>> fixed;  // where masks do not change
+                  fmt::format("the mask of stage '{}' does not match these cells", stage.name));
+  std::map<const Stage*, std::vector<uint8_t>> fixed;  // Where masks do not change.
   progress.begin(fmt::format("rewriting cells, {} steps", std::max(0, steps)),
                  static_cast<uint64_t>(std::max(0, steps)));
   for (int done = 0; done < steps; ++done) {

@@ -27,12 +27,12 @@ void require_sound(const mesh::Mesh& mesh, const std::string& what) {
   const mesh::Topology topology = mesh::inspect(whole);
   if (topology.misoriented_edges > 0)
     throw Error(ErrorCode::bad_input,
-                fmt::format("the sides of {} do not agree about the outside: {} edges", what,
+                fmt::format("the polygons of {} disagree about the outside: {} edges", what,
                             topology.misoriented_edges),
-                {}, "turn its polygons the same way round");
+                {}, "orient its polygons consistently");
 }
 
-/// The mesh's triangles with an area, each with its smallest corner first.
+/// The mesh's triangles that have an area, each with its smallest corner first.
 std::vector<Surface::Triangle> triangles_of(const mesh::Mesh& mesh, uint32_t object) {
   std::vector<Surface::Triangle> out;
   out.reserve(mesh.triangles.size());
@@ -71,11 +71,11 @@ Surface::Surface(const std::vector<mesh::MeshPtr>& objects) {
     require_sound(mesh, what);
     std::vector<Triangle> own = triangles_of(mesh, object);
     if (own.empty())
-      throw Error(ErrorCode::bad_input, fmt::format("{} has no surface to put cells on", what));
+      throw Error(ErrorCode::bad_input, fmt::format("{} has no surface for cells", what));
     least_size_ = std::min(least_size_, mesh::bounds(mesh).size().length());
     triangles_.insert(triangles_.end(), own.begin(), own.end());
   }
-  if (triangles_.empty()) throw Error(ErrorCode::bad_input, "there is no object to put cells on");
+  if (triangles_.empty()) throw Error(ErrorCode::bad_input, "there is no object for cells");
   parallel_sort(triangles_.begin(), triangles_.end());
   area_ = ordered_sum(triangles_.size(), 0.0,
                       [&](size_t i) { return 0.5 * doubled_area(triangles_[i].corners).length(); });
@@ -97,7 +97,7 @@ SurfacePoint Surface::at(uint32_t triangle, double u, double v) const {
     return Vec3d(c[0]) * (1 - u - v) + Vec3d(c[1]) * u + Vec3d(c[2]) * v;
   };
   const Vec3d face = face_normal(triangle);
-  const Vec3d smooth = mixed(t.normals).normalized();  // 0 stays 0
+  const Vec3d smooth = mixed(t.normals).normalized();  // 0 remains 0.
   return {Vec3f(mixed(t.corners)), Vec3f(smooth.dot(face) > 0.5 ? smooth : face), triangle};
 }
 
@@ -136,7 +136,7 @@ SurfacePoint SurfaceSearch::nearest(const Vec3f& p, const SurfacePoint& from, fl
     const Vec3d q =
         mesh::nearest_on_triangle(target, {Vec3d(c[0]), Vec3d(c[1]), Vec3d(c[2])}).point;
     const double d = (q - target).length2();
-    // On an edge that several share, the one that faces the same way most; then the first.
+    // On a shared edge, the triangle with the most similar normal wins, then the first.
     if (d > best) return best;
     if (d == best && found != ~0u && (agrees < facing || (agrees == facing && i > found)))
       return best;

@@ -32,7 +32,7 @@ std::vector<float> radii(const Network& network) {
   return out;
 }
 
-/// 16 bits keep 11 of them down to 6e-5 only.
+/// 16 bits keep full precision (11 bits) only down to 6e-5.
 bool fine_as_half(const std::vector<float>& lengths) {
   return std::all_of(lengths.begin(), lengths.end(), [](float x) { return x > 1e-4f; });
 }
@@ -53,7 +53,7 @@ void add_of_network(const Simulation& simulation, Points& out) {
         {"object", std::vector<int32_t>(network.object.begin(), network.object.end())});
 }
 
-/// What the points say about cell number i, by cell.
+/// Values of the points, sorted by cell index.
 template <class T>
 std::vector<T> by_cell(const std::vector<T>& values, const std::vector<int32_t>& id) {
   std::vector<T> out(values.size());
@@ -63,14 +63,15 @@ std::vector<T> by_cell(const std::vector<T>& values, const std::vector<int32_t>&
 
 void require_ids(const std::vector<int32_t>& id, size_t cells) {
   if (id.size() != cells)
-    throw Error(
-        ErrorCode::bad_input, fmt::format("there are {} points, but {} cells", id.size(), cells),
-        {}, "points go on as the cells that they were made of: the same mesh, spacing and seed");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("there are {} points, but {} cells", id.size(), cells), {},
+                "points can be continued only with the cells they were made from: the same mesh, "
+                "spacing and seed");
   std::vector<bool> seen(cells);
   for (const int32_t i : id) {
     const auto at = static_cast<size_t>(i);
     if (i < 0 || at >= cells || seen[at])
-      throw Error(ErrorCode::bad_input, "the ids of the points do not count them from 0");
+      throw Error(ErrorCode::bad_input, "the ids of the points are not consecutive from 0");
     seen[at] = true;
   }
 }
@@ -88,7 +89,7 @@ bool differ(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b, double lim
          }) > 0;
 }
 
-/// What is not where the network has it, by more than 16 bits explain.
+/// Restores positions and normals that differ from the network by more than 16-bit rounding.
 void restore_places(Simulation& simulation, const Points& points, const std::vector<int32_t>& id,
                     double apart) {
   const Network& network = simulation.network();
@@ -122,7 +123,8 @@ volume::Points to_points(const Simulation& simulation, PointFormat keep) {
   if (keep == PointFormat::interchange) add_of_network(simulation, out);
   for (const Attribute& each : simulation.attributes().all()) {
     if (each.name == "id")
-      throw Error(ErrorCode::bad_input, "cells carry an attribute 'id', which numbers points", {},
+      throw Error(ErrorCode::bad_input,
+                  "cells have an attribute 'id', which is reserved for the numbers of points", {},
                   "give it another name");
     const bool exact = keep == PointFormat::exact;
     if (!exact && (each.name == "P" || each.name == "N")) continue;

@@ -15,7 +15,7 @@ struct Share {
   double weight;
 };
 
-/// An attribute on its way: read of cells, written to vertices.
+/// An attribute in transfer: read from cells, written to vertices.
 struct Way {
   std::variant<const std::vector<float>*, const std::vector<Vec3f>*, const std::vector<int32_t>*,
                const std::vector<CellState>*>
@@ -29,7 +29,7 @@ double component(const Vec3f& value, int c) { return static_cast<double>(value[c
 double component(int32_t value, int) { return value; }
 double component(CellState value, int) { return value == CellState::transparent ? 1 : 0; }
 
-/// Mean as the first one's value and what the others differ from it: exact where they are alike.
+/// The mean as the first value plus the mean difference of the others: exact if all are equal.
 template <class T, class Value>
 double mean(const std::vector<Share>& shares, const Value& value) {
   const double first = value(shares[0].cell);
@@ -65,7 +65,7 @@ class Carrier {
   Carrier(const Network& network, const mesh::Mesh& mesh, std::vector<Way>& ways)
       : network_(network), mesh_(mesh), ways_(ways) {}
 
-  /// Fills these vertices from cells within the radius; gives those that found none.
+  /// Fills these vertices from cells within the radius; returns those without any.
   std::vector<uint32_t> carry(const std::vector<uint32_t>& vertices, double radius,
                               bool any_side) const {
     const auto cells = static_cast<uint32_t>(network_.size());
@@ -121,7 +121,7 @@ class Carrier {
   std::vector<Way>& ways_;
 };
 
-/// Takes the attribute of that name from the mesh; where there is none all 0, colours white.
+/// Takes the attribute of this name from the mesh; a new one is 0, colours are white.
 mesh::Attribute taken(mesh::Mesh& mesh, const std::string& name, int arity) {
   mesh::Attribute out{name, arity, {}};
   auto& all = mesh.attributes;
@@ -151,7 +151,7 @@ std::vector<Way> ways_of(const Simulation& simulation, mesh::Mesh& mesh) {
   return ways;
 }
 
-/// How far each cell has gone; none where no rule moves them.
+/// Displacement of each cell; empty if no rule moves cells.
 std::vector<Vec3f> ways_gone(const Simulation& simulation) {
   const Attribute* place = simulation.attributes().find(kPlace);
   const auto* column = place ? std::get_if<Column<Vec3f>>(&place->column) : nullptr;
@@ -172,7 +172,7 @@ void move_vertices(mesh::Mesh& mesh, const std::vector<float>* ways,
     if (ways) p += Vec3f((*ways)[3 * v], (*ways)[3 * v + 1], (*ways)[3 * v + 2]);
     if (height) p += mesh.normals[v] * (*height)[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      throw Error(ErrorCode::bad_input, "cells move the surface to places that are not finite");
+      throw Error(ErrorCode::bad_input, "cells move the surface to positions that are not finite");
   }
   const std::vector<Vec3f> after = mesh::vertex_normals(mesh);
   for (size_t v = 0; v < mesh.normals.size(); ++v) {

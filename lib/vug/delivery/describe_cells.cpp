@@ -60,7 +60,7 @@ Json describe_cells(building::Builder& builder, const std::string& name) {
           {"five_to_seven", quality.share(5, 7)},
           {"states", states(layer->simulation.states())},
           {"steps", layer->simulation.step()},
-          {"harmonising", harmonising(layer->relaxing)}};
+          {"harmonising", harmonising(layer->relaxation)}};
 }
 
 }  // namespace vug::delivery

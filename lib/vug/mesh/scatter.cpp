@@ -94,7 +94,7 @@ std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& optio
         {}, "use a larger spacing");
 
   const auto count = static_cast<uint64_t>(std::max(tries, kTries));
-  progress.begin("strewing", count);
+  progress.begin("scattering", count);
   Cubes cubes(options.spacing);
   for (uint64_t i = 0; i < count; ++i) {
     if (i % 65536 == 0) progress.check();

@@ -25,7 +25,7 @@ TEST(Attributes, UnknownNamesAndWrongTypesAreRefused) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::bad_input);
-    EXPECT_STREQ(error.what(), "cells carry no attribute 'Cb'");
+    EXPECT_STREQ(error.what(), "cells have no attribute 'Cb'");
     EXPECT_EQ(error.hint(), "did you mean 'Cd'?");
   }
   EXPECT_THROW(a.values<float>("Cd"), Error);

@@ -62,8 +62,8 @@ TEST(Build, RandomCellsHaveFiveToSevenNeighbours) {
     const Surface surface({shared(mesh)});
     BuildOptions o = options("random", 0.05);
     const BuildResult built = build(surface, o);
-    EXPECT_EQ(built.relaxing.size(), 30u);
-    EXPECT_LT(built.relaxing.back().variation, 0.6 * built.relaxing.front().variation);
+    EXPECT_EQ(built.relaxation.size(), 30u);
+    EXPECT_LT(built.relaxation.back().variation, 0.6 * built.relaxation.front().variation);
     const Quality even = quality(built.network);
     EXPECT_GE(even.share(5, 7), 0.97);
     EXPECT_LT(even.variation, 0.06);

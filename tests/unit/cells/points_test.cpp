@@ -122,7 +122,7 @@ TEST(CellPoints, OfOtherCellsAreRefused) {
   volume::Points points = to_points(s, PointFormat::exact);
   std::get<std::vector<int32_t>>(points.attributes[0].values)[7] = 6;
   EXPECT_EQ(fault([&] { restore(s, points, 0, PointFormat::exact); }),
-            "the ids of the points do not count them from 0");
+            "the ids of the points are not consecutive from 0");
   Simulation other(uneven(0.07), RandomKey(1));
   EXPECT_NE(fault([&] { restore(other, points, 0, PointFormat::exact); }).find(" points, but "),
             std::string::npos);
@@ -131,7 +131,7 @@ TEST(CellPoints, OfOtherCellsAreRefused) {
   EXPECT_EQ(fault([&] { restore(s, points, 0, PointFormat::exact); }),
             "the points have no group 'sleeping'");
   s.attributes().column<float>("id");
-  EXPECT_EQ(fault([&] { to_points(s); }), "cells carry an attribute 'id', which numbers points");
+  EXPECT_EQ(fault([&] { to_points(s); }), "cells have an attribute 'id', which is reserved for the numbers of points");
 }
 
 }  // namespace

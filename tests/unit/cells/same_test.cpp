@@ -94,11 +94,11 @@ TEST(BadInput, IsRefusedInASentence) {
   mesh = good;
   std::swap(mesh.triangles[4][1], mesh.triangles[4][2]);
   EXPECT_EQ(refusal({shared(good), shared(mesh)}).message,
-            "the sides of object 2 do not agree about the outside: 3 edges");
+            "the polygons of object 2 disagree about the outside: 3 edges");
   mesh = good;
   for (Vec3f& p : mesh.positions) p.x = 0, p.y = 0;
-  EXPECT_EQ(refusal({shared(mesh)}).message, "the object has no surface to put cells on");
-  EXPECT_EQ(refusal({}).message, "there is no object to put cells on");
+  EXPECT_EQ(refusal({shared(mesh)}).message, "the object has no surface for cells");
+  EXPECT_EQ(refusal({}).message, "there is no object for cells");
   EXPECT_EQ(refusal({shared(good)}, 1.9).message,
             "cells 1.9 m apart are larger than the object, which is 1.732 m");
   EXPECT_EQ(refusal({shared(good)}, 1e-4).code, ErrorCode::too_large);

@@ -7,7 +7,7 @@ namespace {
 
 struct Hexagon {
   static void describe(Schema<Hexagon>& s) {
-    s.doc("Corners of honeycombs: three neighbours, all one spacing away.").cite("gobron2006");
+    s.doc("Vertices of a honeycomb: three neighbours, all one spacing away.").cite("gobron2006");
   }
   Grid grid() const {
     const double root3 = std::sqrt(3.0);
@@ -17,7 +17,7 @@ struct Hexagon {
     grid.along = {root3 / 2, 1.5};
     grid.reach = root3 - 0.05;
     grid.full = 3;
-    grid.gap = 1.1;  // the middle of a comb stays free
+    grid.gap = 1.1;  // The centre of a honeycomb stays empty.
     return grid;
   }
 };

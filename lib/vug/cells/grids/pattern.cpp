@@ -5,7 +5,7 @@
 namespace vug::cells {
 namespace {
 
-/// Only x and y of the vectors count: a pattern is flat.
+/// Only x and y of the vectors are used: a pattern is planar.
 struct Pattern {
   std::vector<Vec3d> points = {Vec3d(0)};
   Vec3d across{1, 0, 0};
@@ -14,21 +14,24 @@ struct Pattern {
   double reach = 1.5;
 
   static void describe(Schema<Pattern>& s) {
-    s.doc("A pattern of your own that repeats in two directions; all in spacings.")
+    s.doc("A custom pattern that repeats in two directions; all lengths in spacings.")
         .param("points", &Pattern::points, {.doc = "cells of one period: x and y of each"})
-        .param("across", &Pattern::across, {.doc = "from a period to the next: x and y"})
-        .param("along", &Pattern::along, {.doc = "from a row of periods to the next: x and y"})
+        .param("across", &Pattern::across, {.doc = "vector from a period to the next: x and y"})
+        .param("along", &Pattern::along,
+               {.doc = "vector from a row of periods to the next: x and y"})
         .param("neighbors", &Pattern::neighbors,
-               {.doc = "links of a cell at most: those to the nearest", .min = 1, .max = 8})
+               {.doc = "maximum number of links per cell, to the nearest neighbours",
+                .min = 1,
+                .max = 8})
         .param(
             "reach", &Pattern::reach,
             {.doc = "cells further apart are not linked", .min = 0, .max = 4, .above_min = true});
   }
   std::string fault() const {
-    if (points.empty()) return "a pattern has at least one point";
+    if (points.empty()) return "a pattern needs at least one point";
     if (points.size() > 4096) return "a pattern has at most 4096 points";
     if (!(std::fabs(across.x * along.y - across.y * along.x) > 1e-3))
-      return "the directions of a pattern lie in one line";
+      return "the directions of a pattern must not be parallel";
     return "";
   }
   Grid grid() const {

@@ -8,9 +8,8 @@ namespace {
 struct Random {
   static void describe(Schema<Random>& s) {
     s.doc(
-         "Strewn with no two cells too near, about one for each squared spacing, and harmonised: "
-         "five to "
-         "seven neighbours on any surface.")
+         "Random points with a minimum distance, about one per squared spacing, followed by "
+         "relaxation: five to seven neighbours on any surface.")
         .cite("gobron2006");
   }
   Grid grid() const {

@@ -9,15 +9,15 @@ struct Square {
   int neighbors = 4;
 
   static void describe(Schema<Square>& s) {
-    s.doc("Corners of squares.")
+    s.doc("Vertices of a square grid.")
         .cite("gobron2006")
         .param("neighbors", &Square::neighbors,
-               {.doc = "4, those across the sides, or 8, with those across the corners",
+               {.doc = "4 for neighbours across the sides, or 8 including the diagonals",
                 .min = 4,
                 .max = 8});
   }
   std::string fault() const {
-    return neighbors == 4 || neighbors == 8 ? "" : "a cell of squares has 4 or 8 neighbours";
+    return neighbors == 4 || neighbors == 8 ? "" : "a cell of a square grid has 4 or 8 neighbours";
   }
   Grid grid() const {
     Grid grid;

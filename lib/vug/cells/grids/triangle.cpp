@@ -7,7 +7,8 @@ namespace {
 
 struct Triangle {
   static void describe(Schema<Triangle>& s) {
-    s.doc("Corners of equal triangles: six neighbours, all one spacing away.").cite("gobron2006");
+    s.doc("Vertices of equilateral triangles: six neighbours, all one spacing away.")
+        .cite("gobron2006");
   }
   Grid grid() const {
     const double root3 = std::sqrt(3.0);

@@ -3,7 +3,8 @@
 namespace vug::cells {
 namespace {
 
-/// 0 is untouched; a cell whose potential is used up is gone, so that nobody sees it any more.
+/// Potential 0 is untouched. A cell whose potential is used up is removed, so its neighbours no
+/// longer see it.
 struct Corrosion {
   double share = 0.1;
   double potential = 1;
@@ -11,18 +12,18 @@ struct Corrosion {
 
   static void describe(Schema<Corrosion>& s) {
     s.doc(
-         "Eats cells: potential falls step by step, and where none is left the cell becomes "
+         "Corrodes cells: potential falls step by step, and at the end the cell becomes "
          "transparent. An untouched cell is attacked when more than half of its neighbours are.")
         .cite("gobron2006")
         .param("share", &Corrosion::share,
-               {.doc = "of the patches that have grown around seeds (of the cells, where there are "
-                       "none) that are attacked at first",
+               {.doc = "fraction of the patches grown around seeds (of the cells, if there are no "
+                       "patches) that are attacked initially",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1})
         .param("potential", &Corrosion::potential,
-               {.doc = "of a cell when it is attacked", .min = 0, .above_min = true})
-        .param("loss", &Corrosion::loss, {.doc = "of potential in a step", .min = 0});
+               {.doc = "potential of a cell when it is attacked", .min = 0, .above_min = true})
+        .param("loss", &Corrosion::loss, {.doc = "loss of potential per step", .min = 0});
   }
 
   void step(Pass& pass) const {

@@ -3,7 +3,8 @@
 namespace vug::cells {
 namespace {
 
-/// A cell that cracks sleeps, so its neighbours do not see the new colour and do not crack of it.
+/// A cracked cell sleeps, so its neighbours do not see the new colour and do not crack because of
+/// it.
 struct Crack {
   Vec3d color{0.03, 0.025, 0.02};
 
@@ -12,7 +13,7 @@ struct Crack {
          "Cells with a neighbour of another colour (Cd) take the colour of cracks, get crack = 1 "
          "and sleep.")
         .cite("gobron2006")
-        .param("color", &Crack::color, {.doc = "of cracks, linear", .min = 0, .max = 1});
+        .param("color", &Crack::color, {.doc = "colour of cracks, linear", .min = 0, .max = 1});
   }
 
   void step(Pass& pass) const {

@@ -5,8 +5,8 @@
 namespace vug::cells {
 namespace {
 
-/// Calcite leaves a thin film of water at a pace that depends on the film, not on what lies under
-/// it; knobs stand further into the air and grow faster.
+/// Calcite precipitates from a thin film of water at a rate that depends on the film, not on the
+/// surface below. Knobs extend further into the air and grow faster.
 struct Crust {
   double growth = 1e-4;
   double limit = 0.03;
@@ -20,18 +20,18 @@ struct Crust {
       return ParamSpec{.doc = std::move(doc), .dimension = Dimension::ratio, .min = 0, .max = 1};
     };
     s.doc(
-         "Mineral crust that thickens under running water (everywhere, where nobody brings any). "
-         "Brings crust (its thickness) and height, which grows by it.")
+         "Mineral crust that thickens under running water (everywhere, if there is no such "
+         "attribute). Provides crust (thickness) and height, which grows by it.")
         .cite("dreybrodt1980")
         .param("growth", &Crust::growth,
-               {.doc = "thickness that a step adds", .dimension = Dimension::length, .min = 0})
-        .param("limit", &Crust::limit, positive_length("thickness at which it stops"))
-        .param("lumps", &Crust::lumps, share("how unevenly it grows: 0 smooth, 100% in knobs"))
+               {.doc = "thickness added per step", .dimension = Dimension::length, .min = 0})
+        .param("limit", &Crust::limit, positive_length("maximum thickness"))
+        .param("lumps", &Crust::lumps, share("irregularity of the growth: 0 smooth, 100% in knobs"))
         .param("smooth", &Crust::smooth,
-               share("share of the differences between neighbours that a step evens out"))
+               share("fraction of the differences between neighbours that a step smooths"))
         .param("from", &Crust::from, {.doc = "the attribute under which it grows"})
         .param("full", &Crust::full,
-               {.doc = "value of that attribute with which it grows fastest",
+               {.doc = "value of that attribute with the fastest growth",
                 .min = 0,
                 .above_min = true});
   }

@@ -9,8 +9,8 @@
 namespace vug::cells {
 namespace {
 
-/// A heap of sand: of two neighbours the higher gives dust to the lower while the slope between
-/// their surfaces, dust and all, is greater than that of repose.
+/// A sandpile model: of two neighbours the higher gives dust to the lower while the slope between
+/// their surfaces, including dust, exceeds the slope of repose.
 struct Dust {
   double fall = 5e-5;
   double repose = 35 * kPi / 180;
@@ -19,25 +19,24 @@ struct Dust {
 
   static void describe(Schema<Dust>& s) {
     s.doc(
-         "Dust settles on what faces up, slides off what is steep and falls from overhangs. Brings "
-         "dust (its thickness), height (which grows by it) and fallen.")
+         "Dust settles on upward surfaces, slides off steep ones and falls from overhangs. "
+         "Provides dust (thickness), height (which grows by it) and fallen.")
         .cite("hsu1995dust")
         .param("fall", &Dust::fall,
-               {.doc = "thickness that settles on level rock in a step",
+               {.doc = "thickness that settles on level rock per step",
                 .dimension = Dimension::length,
                 .min = 0})
         .param("repose", &Dust::repose,
-               {.doc = "steepest slope on which dust lies",
+               {.doc = "steepest slope on which dust rests",
                 .dimension = Dimension::angle,
                 .min = 0,
                 .max = 80 * kPi / 180})
         .param("shelter", &Dust::shelter,
-               {.doc = "how much less settles where a place is open (exposure): 0 the same, 100% "
-                       "nothing",
+               {.doc = "reduction of the deposit in open places (exposure): 0 none, 100% complete",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1})
-        .param("speed", &Dust::speed, positive_length("way that it slides in a step"));
+        .param("speed", &Dust::speed, positive_length("distance that dust slides per step"));
   }
 
   void step(Pass& pass) const {
@@ -49,11 +48,11 @@ struct Dust {
   }
 
  private:
-  /// How far a surface at `from` stands above what would rest against one at `to`, metres; 0 where
-  /// it does not.
+  /// Metres by which a surface at `from` is above the resting height next to one at `to`; 0 if it
+  /// is not.
   struct Excess {
     AttributeReader<Vec3f> position;
-    std::vector<float> top;  ///< Heights of the surface, dust and all.
+    std::vector<float> top;  ///< Heights of the surface including dust.
     float slope;
     float operator()(uint32_t from, uint32_t to) const {
       const float drop = top[from] - top[to];
@@ -90,7 +89,7 @@ struct Dust {
     each_cell([&](uint32_t i) {
       excess.top[i] = excess.position[i].y + height[i] * std::max(0.0f, network.normal[i].y);
     });
-    // Of each cell, what goes for each metre of excess.
+    // For each cell, the amount that leaves per metre of excess.
     std::vector<float> gives(network.size());
     each_cell([&](uint32_t i) {
       if (!(dust[i] > 0) || state[i] != CellState::active) return;

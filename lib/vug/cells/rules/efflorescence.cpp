@@ -4,8 +4,8 @@
 namespace vug::cells {
 namespace {
 
-/// Moisture that flows carries brine of the strength that it has where it comes from; what is more
-/// than moisture can hold becomes crystals. So salt lines the wet at some distance, as on walls.
+/// Flowing moisture carries brine with the concentration of its origin; the excess over saturation
+/// crystallises. So salt forms a line at some distance from the wet area, as on walls.
 struct Efflorescence {
   double solubility = 2;
   double dissolve = 0.1;
@@ -15,17 +15,17 @@ struct Efflorescence {
 
   static void describe(Schema<Efflorescence>& s) {
     s.doc(
-         "Salt that moisture carries (brine) crystallises where it dries (salt) and dissolves "
-         "where it is wet again. Water brings brine of strength 1; where there is none, all "
-         "moisture has it at the start. Let it follow `moisture`, with the same creep.")
+         "Salt carried by moisture (brine) crystallises where it dries (salt) and dissolves where "
+         "it becomes wet again. Water supplies brine of strength 1; without water, all moisture "
+         "has that strength initially. Place it after `moisture`, with the same creep.")
         .cite("hall2002")
         .param("solubility", &Efflorescence::solubility,
-               {.doc = "strength that brine cannot exceed: the greater, the further from the wet "
-                       "salt begins",
+               {.doc = "maximum strength of brine: the greater, the further from the wet area salt "
+                       "begins",
                 .min = 0,
                 .above_min = true})
         .param("dissolve", &Efflorescence::dissolve,
-               {.doc = "of the salt that could dissolve, the share that does in a step",
+               {.doc = "fraction of the soluble salt that dissolves per step",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1});
@@ -59,7 +59,7 @@ struct Efflorescence {
           const float flow = moist[n] - here;
           came += flow > 0 ? flow * strength(n) : flow * own;
         });
-        const float fed = std::min(1.0f, wets * water[i]);  // where water runs, its brine
+        const float fed = std::min(1.0f, wets * water[i]);  // The brine of running water.
         const float has = std::max(brine[i] + given * came, fed), holds = most * here;
         const float freed = has < holds ? std::min(salt[i], thaw * (holds - has)) : holds - has;
         brine.set(i, has + freed);

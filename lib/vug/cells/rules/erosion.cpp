@@ -1,5 +1,5 @@
-// Water wears rock with its power (discharge times slope) until it carries what it can, and drops
-// what it cannot carry any further. All cells count as equally large.
+// Water erodes rock in proportion to its power (discharge times slope) up to its transport
+// capacity, and deposits what exceeds the capacity. All cells count as equally large.
 #include <vug/cells/flow.h>
 #include <vug/cells/rule.h>
 
@@ -20,28 +20,28 @@ struct Erosion {
 
   static void describe(Schema<Erosion>& s) {
     s.doc(
-         "Running water carves rock, the more the steeper it runs and the weaker the rock is "
-         "(hardness, 0 where nobody says, keeps up to all of it), and leaves what it cannot carry. "
-         "Brings height (below 0 where carved), carved (metres), sediment (on its way) and washed "
-         "(gone). Water is what `run_off` brings; without it all is equally wet.")
+         "Running water carves rock, more on steeper slopes and in weaker rock (hardness 0 to 1 "
+         "reduces erosion; 0 if there is no such attribute), and deposits what it cannot carry. "
+         "Provides height (negative where carved), carved (metres), sediment (in transport) and "
+         "washed (removed). The water is that of `run_off`; without it all cells are equally wet.")
         .cite("whipple1999")
         .param("wear", &Erosion::wear,
-               {.doc = "that a step takes where water is full and runs straight down",
+               {.doc = "depth carved per step where water is full and runs vertically",
                 .dimension = Dimension::length,
                 .min = 0})
-        .param("depth", &Erosion::depth, positive_length("that is carved, or left, at most"))
+        .param("depth", &Erosion::depth, positive_length("maximum depth carved or deposited"))
         .param("carry", &Erosion::carry,
-               positive_length("layer of sediment that such water carries at most"))
+               positive_length("maximum layer of sediment that such water carries"))
         .param("settle", &Erosion::settle,
-               {.doc = "of the sediment that water cannot carry, the share that a move leaves",
+               {.doc = "fraction of the excess sediment deposited per move",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1})
         .param("full", &Erosion::full,
-               {.doc = "value of water that has full power", .min = 0, .above_min = true})
-        .param("speed", &Erosion::speed, positive_length("way of the sediment in a step"))
+               {.doc = "value of water with full power", .min = 0, .above_min = true})
+        .param("speed", &Erosion::speed, positive_length("distance that sediment moves per step"))
         .param("gather", &Erosion::gather,
-               {.doc = "power of steepness, as in run_off", .min = 1, .max = 8})
+               {.doc = "exponent of steepness, as in run_off", .min = 1, .max = 8})
         .param("wander", &Erosion::wander,
                {.doc = "roughness of walls in spacings, as in run_off", .min = 0, .max = 4});
   }
@@ -70,7 +70,7 @@ struct Erosion {
         const float carries = holds * power;
         float taken = 0;
         if (arrives > carries) {
-          // Pits fill to their rim; on overhangs nothing lies.
+          // Pits fill up to their rim; nothing rests on overhangs.
           float room = std::max(0.0f, most + carved[i]);
           if (flow.is_sink(i))
             room = std::min(room, flow.sink_depth(i) / static_cast<float>(turns));

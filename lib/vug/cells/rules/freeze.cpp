@@ -3,8 +3,8 @@
 namespace vug::cells {
 namespace {
 
-/// The cascades of the paper: what one rule has brought far enough stays as it is, and those that
-/// follow work with it or on the rest.
+/// The cascades of the paper: cells whose attribute has reached a threshold keep their state, and
+/// later rules work with them or on the rest.
 struct Freeze {
   std::string attribute;
   double above = 0.5;
@@ -13,21 +13,23 @@ struct Freeze {
 
   static void describe(Schema<Freeze>& s) {
     s.doc(
-         "Cells in which an attribute has come far enough stay as they are: they sleep, or still "
-         "show their neighbours what they have. `wake` frees them.")
+         "Cells in which an attribute has reached a threshold are frozen: they sleep, or remain "
+         "visible to their neighbours. `wake` releases them.")
         .cite("gobron2006")
-        .param("attribute", &Freeze::attribute, {.doc = "its name", .required = true})
-        .param("above", &Freeze::above, {.doc = "the least value of a cell that freezes"})
-        .param("below", &Freeze::below, {.doc = "the greatest, if there is one"})
+        .param("attribute", &Freeze::attribute, {.doc = "name of the attribute", .required = true})
+        .param("above", &Freeze::above, {.doc = "minimum value of a cell to freeze"})
+        .param("below", &Freeze::below, {.doc = "maximum value, if any"})
         .choice("as", &Freeze::as,
                 {{"sleeping", CellState::sleeping},
                  {"distributing", CellState::distributing},
                  {"receiving", CellState::receiving},
                  {"transparent", CellState::transparent}},
-                "what they become: distributing ones are seen, receiving ones rewritten, sleeping "
-                "ones neither, transparent ones are gone");
+                "state of frozen cells: distributing ones are visible, receiving ones updated, "
+                "sleeping ones neither, transparent ones removed");
   }
-  std::string fault() const { return below && *below < above ? "below is less than above" : ""; }
+  std::string fault() const {
+    return below && *below < above ? "'below' must not be less than 'above'" : "";
+  }
 
   void step(Pass& pass) const {
     const auto state = pass.writes_states();

@@ -7,8 +7,8 @@
 namespace vug::cells {
 namespace {
 
-/// Crustose lichens grow outwards at an even pace and stop where they meet. Each colony knows its
-/// middle, so that rosettes are round whatever the grid.
+/// Crustose lichens grow outwards at a constant rate and stop where they meet. Each colony knows
+/// its centre, so that rosettes are round on any grid.
 struct Lichen {
   double seeds = 25;
   double size = 0.08;
@@ -25,27 +25,29 @@ struct Lichen {
   static void describe(Schema<Lichen>& s) {
     s.doc(
          "Rosettes of several colours that grow from seeds, with pale rims and dark lines where "
-         "two meet. Brings lichen (1 in rosettes, 0.5 on lines), colony (numbers of their seeds), "
-         "Cd and height.")
+         "two meet. Provides lichen (1 in rosettes, 0.5 on lines), colony (numbers of their "
+         "seeds), Cd and height.")
         .cite("desbenoit2004lichen");
     describe_growth(s);
     s.param("size", &Lichen::size, positive_length("radius of the largest rosettes"))
-        .param("speed", &Lichen::speed, positive_length("way that young rims grow in a step"))
+        .param("speed", &Lichen::speed, positive_length("growth of young rims per step"))
         .param("rim", &Lichen::rim,
                {.doc = "width of the pale rim", .dimension = Dimension::length, .min = 0})
         .param("lobes", &Lichen::lobes,
-               {.doc = "depth of lobes, as a share of the radius",
+               {.doc = "depth of lobes as a fraction of the radius",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 0.5})
         .param("thickness", &Lichen::thickness,
-               {.doc = "of rosettes", .dimension = Dimension::length, .min = 0})
+               {.doc = "height of rosettes", .dimension = Dimension::length, .min = 0})
         .param("colors", &Lichen::colors,
-               {.doc = "of which each rosette draws one, linear", .min = 0, .max = 1})
+               {.doc = "colours of rosettes, one of which is chosen for each, linear",
+                .min = 0,
+                .max = 1})
         .param("line", &Lichen::line,
                {.doc = "colour of the lines where two meet, linear", .min = 0, .max = 1});
   }
-  std::string fault() const { return colors.empty() ? "lichens have a colour at least" : ""; }
+  std::string fault() const { return colors.empty() ? "lichens need at least one colour" : ""; }
 
   void step(Pass& pass) const {
     const Network& network = pass.network();
@@ -62,7 +64,7 @@ struct Lichen {
       const float thrive = growth_response(moist[i], moisture) * growth_response(lit[i], light);
       int32_t own = colony[i];
       bool meets = false;
-      float left = 0;  // metres to the rim
+      float left = 0;  // Metres to the rim.
       if (own == 0 && age == 0 && thrive > 0 && is_seed(network, i, seeds, key.at("seeds")))
         own = static_cast<int32_t>(i) + 1;
       if (own == 0 && thrive > 0) {
@@ -89,7 +91,7 @@ struct Lichen {
   }
 
  private:
-  /// How far the rim of a colony has grown past a cell; 0 or below: not yet.
+  /// Distance by which the rim of a colony has passed a cell; 0 or negative: not reached.
   float depth(const Network& n, int32_t colony, uint32_t cell, float thrive, int age,
               RandomKey key) const {
     const auto seed = static_cast<uint32_t>(colony - 1);
@@ -101,7 +103,7 @@ struct Lichen {
     const auto far = static_cast<double>(way.length());
     const double turn = maths::atan2(static_cast<double>(way.dot(ahead(n, seed))),
                                      static_cast<double>(way.dot(n.right[seed])));
-    // Lobes bulge between sharp notches; and each cell of a rim comes a little early or late.
+    // Lobes bulge between sharp notches, and each cell of a rim is reached slightly early or late.
     const double wave = maths::sin(count * turn / 2 + phase);
     const double bulge = 1 - lobes * (1 - 2 * wave * wave + wave * wave * wave * wave);
     const double ragged =

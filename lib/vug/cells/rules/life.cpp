@@ -7,7 +7,8 @@ struct Life : LifeLike {
   Life() { birth = {3}, survive = {2, 3}; }
 
   static void describe(Schema<Life>& s) {
-    s.doc("The game of life (alive: 1 or 0), or another one of its kind.").cite("gardner1970");
+    s.doc("The game of life (alive: 1 or 0), or another automaton of this type.")
+        .cite("gardner1970");
     describe_life(s);
   }
 };

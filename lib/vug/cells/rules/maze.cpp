@@ -7,7 +7,7 @@ struct Maze : LifeLike {
   Maze() { birth = {3}, survive = {2, 3, 4}; }
 
   static void describe(Schema<Maze>& s) {
-    s.doc("Walls of a maze (alive: 1 or 0), from any beginning.").cite("gobron2006");
+    s.doc("Walls of a maze (alive: 1 or 0), from any initial state.").cite("gobron2006");
     describe_life(s);
   }
 };

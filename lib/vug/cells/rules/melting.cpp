@@ -8,11 +8,11 @@ struct Melting {
 
   static void describe(Schema<Melting>& s) {
     s.doc(
-         "Moves each cell (P) to the mean of its own place and its neighbours', and turns its "
-         "normal (N) alike: small things melt first.")
+         "Moves each cell (P) to the mean of its own position and its neighbours', and its normal "
+         "(N) likewise: small features melt first.")
         .cite("gobron2006")
         .param("rate", &Melting::rate,
-               {.doc = "share of the way that is gone in a step; 100% is the paper's",
+               {.doc = "fraction of that displacement per step; 100% is the paper's",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1});

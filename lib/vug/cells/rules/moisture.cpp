@@ -4,8 +4,8 @@
 namespace vug::cells {
 namespace {
 
-/// What moves between two cells is the same for both, so that without drying nothing is lost. Where
-/// diffusion D and evaporation k balance, moisture falls to 37% on sqrt(D / k), `reach`.
+/// The flow between two cells is equal for both, so moisture is conserved without drying. Where
+/// diffusion D and evaporation k balance, moisture falls to 37% over sqrt(D / k), `reach`.
 struct Moisture {
   double creep = 0.03;
   double reach = 0.15;
@@ -14,12 +14,11 @@ struct Moisture {
 
   static void describe(Schema<Moisture>& s) {
     s.doc(
-         "Rock is wet through (moisture: 1) where water runs; from there moisture creeps into the "
-         "rock around and dries, the faster the more open a place is (exposure, where a recipe "
-         "names it).")
+         "Rock is saturated (moisture: 1) where water runs; from there moisture creeps into the "
+         "surrounding rock and dries, faster in open places (exposure, if a recipe provides it).")
         .cite("hall2002")
         .param("reach", &Moisture::reach,
-               positive_length("way from the wet on which moisture falls to 37%"));
+               positive_length("distance from the wet area over which moisture falls to 37%"));
     describe_diffusion(s);
   }
 

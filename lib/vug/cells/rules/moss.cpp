@@ -7,9 +7,9 @@
 namespace vug::cells {
 namespace {
 
-/// A cell is overgrown by chance, the likelier the more of its neighbours are (Eden's growth),
-/// which gives clumps a ragged edge; what grows there closes and swells with time, so that clumps
-/// are cushions. Overgrown cells take the colour of the neighbour that came first.
+/// A cell is overgrown with a probability that increases with its overgrown neighbours (Eden
+/// growth), which gives clumps a ragged edge. The cover closes and swells with time, so clumps form
+/// cushions. Overgrown cells take the colour of the neighbour that was first.
 struct Moss {
   double seeds = 40;
   double speed = 0.005;
@@ -22,20 +22,19 @@ struct Moss {
 
   static void describe(Schema<Moss>& s) {
     s.doc(
-         "Clumps that grow from seeds over the cells around, where moisture and light allow. "
-         "Brings "
-         "moss (0 bare, 1 closed), Cd and height.")
+         "Clumps that grow from seeds over the surrounding cells, where moisture and light allow. "
+         "Provides moss (0 bare, 1 closed), Cd and height.")
         .cite("eden1961");
     describe_growth(s);
     s.param("speed", &Moss::speed,
-            positive_length("way that the edge of a clump grows in a step, a spacing at most"))
+            positive_length("growth of the edge of a clump per step, at most one spacing"))
         .param("thickness", &Moss::thickness,
-               {.doc = "of old moss", .dimension = Dimension::length, .min = 0})
-        .param("ripe", &Moss::ripe, {.doc = "steps in which 63% of the thickness grow", .min = 1})
+               {.doc = "height of old moss", .dimension = Dimension::length, .min = 0})
+        .param("ripe", &Moss::ripe, {.doc = "steps in which 63% of the thickness grows", .min = 1})
         .param(
             "from", &Moss::from,
-            {.doc = "least of each channel of the colours of clumps, linear", .min = 0, .max = 1})
-        .param("to", &Moss::to, {.doc = "the most of each channel", .min = 0, .max = 1});
+            {.doc = "minimum of each channel of the colours of clumps, linear", .min = 0, .max = 1})
+        .param("to", &Moss::to, {.doc = "maximum of each channel", .min = 0, .max = 1});
   }
 
   void step(Pass& pass) const {
@@ -65,7 +64,7 @@ struct Moss {
           if (moss[n] > oldest) oldest = moss[n], first = n;
         });
         RandomStream random = pass.random(i);
-        // Half of the neighbours around make a straight edge.
+        // At a straight edge half of the neighbours are overgrown.
         const double odds = chance * static_cast<double>(thrive) * 2 * around / network.full;
         if (begins(i)) {
           grown = closes;
@@ -82,7 +81,8 @@ struct Moss {
   }
 
  private:
-  /// Of one clump: all channels lighter or darker together, and somewhat apart.
+  /// The colour of a clump: all channels lighter or darker together, with some variation between
+  /// them.
   Vec3f drawn(RandomKey key) const {
     RandomStream random(key);
     const double both = random.uniform();

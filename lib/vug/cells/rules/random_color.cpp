@@ -12,14 +12,14 @@ struct RandomColor : CellSelection {
 
   static void describe(Schema<RandomColor>& s) {
     s.doc(
-         "Gives cells a random colour each (Cd) and makes them seeds, for rules that spread from "
+         "Gives each cell a random colour (Cd) and makes it a seed, for rules that spread from "
          "there; for a single step.")
         .cite("gobron2006")
         .param("from", &RandomColor::from,
-               {.doc = "the least of each channel, excluded, linear", .min = 0, .max = 1})
-        .param("to", &RandomColor::to, {.doc = "the most of each channel", .min = 0, .max = 1})
+               {.doc = "minimum of each channel, exclusive, linear", .min = 0, .max = 1})
+        .param("to", &RandomColor::to, {.doc = "maximum of each channel", .min = 0, .max = 1})
         .param("gradient", &RandomColor::gradient,
-               {.doc = "one draw for all channels: colours on the line between both"});
+               {.doc = "one random number for all channels: colours on the line between both"});
     describe_selection(s);
   }
 

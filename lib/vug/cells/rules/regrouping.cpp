@@ -13,18 +13,21 @@ struct Regrouping {
 
   static void describe(Schema<Regrouping>& s) {
     s.doc(
-         "Each cell joins one of two groups (group: 1 or -1), by the votes of those around it: "
-         "spots, stripes or islands. At the start cells of no group draw one by chance.")
+         "Each cell joins one of two groups (group: 1 or -1) by the votes of the surrounding "
+         "cells: spots, stripes or islands. Initially cells without a group choose one at random.")
         .cite("gobron2006")
-        .param("near", &Regrouping::near,
-               {.doc = "up to so many spacings a vote counts `attract`", .min = 0, .max = 16})
+        .param(
+            "near", &Regrouping::near,
+            {.doc = "radius in spacings within which a vote counts `attract`", .min = 0, .max = 16})
         .param("far", &Regrouping::far,
-               {.doc = "and beyond, up to so many, `repel`", .min = 0, .max = 16})
-        .param("attract", &Regrouping::attract, {.doc = "weight of a vote from near"})
-        .param("repel", &Regrouping::repel, {.doc = "weight of a vote from far"})
-        .param("bias", &Regrouping::bias, {.doc = "added to the votes"});
+               {.doc = "radius in spacings up to which farther votes count `repel`",
+                .min = 0,
+                .max = 16})
+        .param("attract", &Regrouping::attract, {.doc = "weight of a near vote"})
+        .param("repel", &Regrouping::repel, {.doc = "weight of a far vote"})
+        .param("bias", &Regrouping::bias, {.doc = "bias added to the votes"});
   }
-  std::string fault() const { return far < near ? "far is nearer than near" : ""; }
+  std::string fault() const { return far < near ? "'far' must not be less than 'near'" : ""; }
 
   void step(Pass& pass) const {
     const Network& network = pass.network();

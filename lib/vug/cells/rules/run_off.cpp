@@ -1,5 +1,5 @@
-// Water in a steady flow is the rain of all the rock above, per metre across: what hydrology calls
-// the specific catchment area.
+// In a steady flow, water equals the rain on all the rock above, per metre of width: the specific
+// catchment area of hydrology.
 #include <vug/base/maths.h>
 #include <vug/cells/flow.h>
 #include <vug/cells/rule.h>
@@ -18,28 +18,27 @@ struct RunOff {
 
   static void describe(Schema<RunOff>& s) {
     s.doc(
-         "Water enters where `source` says (everywhere where nobody does), runs down from cell to "
-         "cell, gathers in streaks and leaves a stain of what it carries. Brings water (metres of "
-         "rock whose rain runs here), load, stain (about 1 where rain has fallen everywhere for "
-         "1 / strength steps) and lost (water that dried or fell off).")
+         "Water enters at `source` (everywhere, if there is no such attribute), runs down from "
+         "cell to cell, gathers in streaks and leaves stains of what it carries. Provides water "
+         "(metres of rock that drain here), load, stain (about 1 where rain has fallen everywhere "
+         "for 1 / strength steps) and lost (water that dried or fell off).")
         .cite("freeman1991")
-        .param("speed", &RunOff::speed, positive_length("way of the water in a step"))
-        .param("dry", &RunOff::dry, positive_length("way on which all but 37% of the water dries"))
+        .param("speed", &RunOff::speed, positive_length("distance that water runs per step"))
+        .param("dry", &RunOff::dry, positive_length("distance over which water dries to 37%"))
         .param("settle", &RunOff::settle,
-               positive_length("way on which all but 37% of what it carries settles"))
-        .param("strength", &RunOff::strength, {.doc = "stain that a step leaves", .min = 0})
-        .param(
-            "gather", &RunOff::gather,
-            {.doc =
-                 "power of steepness: 1 spreads over all that is lower, 8 takes the steepest way",
-             .min = 1,
-             .max = 8})
+               positive_length("distance over which its load settles to 37%"))
+        .param("strength", &RunOff::strength, {.doc = "stain left per step", .min = 0})
+        .param("gather", &RunOff::gather,
+               {.doc = "exponent of steepness: 1 spreads over all lower neighbours, 8 takes the "
+                       "steepest path",
+                .min = 1,
+                .max = 8})
         .param("wander", &RunOff::wander,
-               {.doc = "roughness of walls in spacings, by which streaks leave the straight way",
+               {.doc = "roughness of walls in spacings, which diverts streaks from straight lines",
                 .min = 0,
                 .max = 4})
         .param("cling", &RunOff::cling,
-               {.doc = "how much water follows water, so that streaks join and stay narrow",
+               {.doc = "cohesion of water, so that streaks join and stay narrow",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1});

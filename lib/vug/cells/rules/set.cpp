@@ -13,10 +13,10 @@ struct Set {
 
   static void describe(Schema<Set>& s) {
     s.doc(
-         "Brings an attribute and fills it from a mask, or with a number; for a single step, but "
-         "with `steps` it follows what the mask looks at.")
-        .param("attribute", &Set::attribute, {.doc = "its name", .required = true})
-        .param("to", &Set::to, {.doc = "what it becomes", .required = true});
+         "Creates an attribute and sets it to a mask or a number; for a single step, but with "
+         "`steps` it follows the attributes of the mask.")
+        .param("attribute", &Set::attribute, {.doc = "name of the attribute", .required = true})
+        .param("to", &Set::to, {.doc = "its value", .required = true});
   }
   paint::AttributeUses mask_attributes() const { return to->uses(); }
 

@@ -6,7 +6,7 @@ namespace {
 struct Sleep {
   static constexpr bool kSingleStep = true;
   static void describe(Schema<Sleep>& s) {
-    s.doc("Cells fall asleep: they keep what they have, are not seen by others and cost nothing.")
+    s.doc("Cells fall asleep: they keep their values, are invisible to others and cost nothing.")
         .cite("gobron2006");
   }
 

@@ -3,10 +3,12 @@
 namespace vug::cells {
 namespace {
 
-/// Cells without colour have none in all three channels.
+/// Cells without colour are 0 in all three channels.
 struct SpreadingColor {
   static void describe(Schema<SpreadingColor>& s) {
-    s.doc("Colour (Cd) becomes the mean of a cell's own and its coloured neighbours': it spreads.")
+    s.doc(
+         "Colour (Cd) becomes the mean of a cell's own colour and its coloured neighbours': it "
+         "spreads.")
         .cite("gobron2006");
   }
 

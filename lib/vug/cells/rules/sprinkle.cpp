@@ -16,14 +16,17 @@ struct Sprinkle : CellSelection {
   bool whole = false;
 
   static void describe(Schema<Sprinkle>& s) {
-    s.doc("Sets an attribute in cells chosen by chance: how most stories begin; for a single step.")
-        .param("attribute", &Sprinkle::attribute, {.doc = "its name", .required = true})
-        .param("value", &Sprinkle::value, {.doc = "that it gets"})
+    s.doc(
+         "Sets an attribute in randomly chosen cells, as a typical initial state; for a single "
+         "step.")
+        .param("attribute", &Sprinkle::attribute,
+               {.doc = "name of the attribute", .required = true})
+        .param("value", &Sprinkle::value, {.doc = "value that it gets"})
         .param("radius", &Sprinkle::radius,
-               {.doc = "cells so near to a chosen one get the value too",
+               {.doc = "cells within this distance of a chosen one also get the value",
                 .dimension = Dimension::length,
                 .min = 0})
-        .param("whole", &Sprinkle::whole, {.doc = "the attribute holds whole numbers"});
+        .param("whole", &Sprinkle::whole, {.doc = "the attribute contains whole numbers"});
     describe_selection(s);
   }
 

@@ -5,12 +5,12 @@
 namespace vug::cells {
 namespace {
 
-/// Seeds count from 1; 0 is none. Of several that arrive in one step the smallest wins, so that
-/// each cell belongs to the smallest of the seeds that are the fewest links away.
+/// Seeds count from 1; 0 is none. If several arrive in one step the smallest wins, so each cell
+/// belongs to the smallest of the seeds with the fewest links in between.
 struct Voronoi {
   static void describe(Schema<Voronoi>& s) {
     s.doc(
-         "Cells without colour (Cd) take that of a neighbour that has one, with its seed: patches "
+         "Cells without colour (Cd) take the colour and seed of a neighbour that has one: patches "
          "grow around seeds until they meet.")
         .cite("gobron2006");
   }

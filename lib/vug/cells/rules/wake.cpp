@@ -6,7 +6,7 @@ namespace {
 struct Wake {
   static constexpr bool kSingleStep = true;
   static void describe(Schema<Wake>& s) {
-    s.doc("All cells become active, whatever they were.").cite("gobron2006");
+    s.doc("All cells become active, whatever their state.").cite("gobron2006");
   }
 
   void step(Pass& pass) const {

@@ -11,9 +11,9 @@ struct Watercolor {
   static void describe(Schema<Watercolor>& s) {
     s.doc(
          "Water (wetness) spreads and dries; while a cell is wet its pigment (Cd) mixes with its "
-         "neighbours', the more the wetter it is.")
+         "neighbours', in proportion to the wetness.")
         .cite("gobron2006")
-        .param("loss", &Watercolor::loss, {.doc = "of wetness that dries in a step", .min = 0});
+        .param("loss", &Watercolor::loss, {.doc = "loss of wetness per step", .min = 0});
   }
 
   void step(Pass& pass) const {
