@@ -12,7 +12,7 @@ namespace vug::cli {
 namespace {
 
 template <class T>
-bool read_whole(const std::string& text, T& number) {
+bool parse_integer(const std::string& text, T& number) {
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, number);
   return read.ec == std::errc() && read.ptr == end;
@@ -40,10 +40,10 @@ CLI::Validator number_in(Dimension dimension, double low, double high) {
   return CLI::Validator(read, "");
 }
 
-CLI::Validator whole_number_in(int low, int high) {
+CLI::Validator integer_in(int low, int high) {
   const auto check = [=](std::string& text) -> std::string {
     int number = 0;
-    if (read_whole(text, number) && number >= low && number <= high) return {};
+    if (parse_integer(text, number) && number >= low && number <= high) return {};
     return fmt::format("'{}' is no whole number from {} to {}", text, low, high);
   };
   return CLI::Validator(check, "");
@@ -52,13 +52,14 @@ CLI::Validator whole_number_in(int low, int high) {
 CLI::Validator seed_number() {
   const auto check = [](std::string& text) -> std::string {
     uint64_t number = 0;
-    return read_whole(text, number) ? "" : fmt::format("'{}' is no whole number from 0 on", text);
+    return parse_integer(text, number) ? ""
+                                       : fmt::format("'{}' is no whole number from 0 on", text);
   };
   return CLI::Validator(check, "");
 }
 
-Error no_such_verb(const std::string& word, const std::vector<std::string>& verbs,
-                   const std::string& before) {
+Error unknown_verb_error(const std::string& word, const std::vector<std::string>& verbs,
+                         const std::string& before) {
   const std::string after = before.empty() ? "" : before + " ";
   if (word.empty())
     return Error(ErrorCode::bad_input, "there is no verb", {},
@@ -68,7 +69,8 @@ Error no_such_verb(const std::string& word, const std::vector<std::string>& verb
                suggestion(word, verbs));
 }
 
-void require_ending(const std::string& file, const std::string& ending, const std::string& hint) {
+void require_extension(const std::string& file, const std::string& ending,
+                       const std::string& hint) {
   const std::string name = std::filesystem::path(file).filename().string();
   if (extension_of(file) == ending) return;
   // A name that begins with its only dot has no ending for the system.

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What another program said last, for a message of one line.
-std::string last_words(const fs::path& log) {
+std::string last_message(const fs::path& log) {
   std::string said, line;
   for (const char c : read_text(log) + "\n") {
     if (c != '\n') {
@@ -39,8 +39,9 @@ fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, c
   const fs::path picture = room / (stem + image_case.reference.extension().string());
   const fs::path log = room / (seed ? stem + ".txt" : "log.txt");
   fs::remove(picture);
-  const Ended ended = run_program(image_case.making(picture, options.threads, seed),
-                                  image_case.folder, log, image_case.timeout, *options.progress);
+  const ProcessResult ended =
+      run_program(image_case.render_command(picture, options.threads, seed), image_case.folder, log,
+                  image_case.timeout, *options.progress);
   if (ended.timed_out)
     throw Error(ErrorCode::bad_input,
                 fmt::format("it was not done after {} seconds", image_case.timeout), {},
@@ -48,7 +49,8 @@ fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, c
   if (ended.exit != 0)
     throw Error(
         ErrorCode::bad_input,
-        fmt::format("making its picture failed with exit {}: {}", ended.exit, last_words(log)), {},
+        fmt::format("making its picture failed with exit {}: {}", ended.exit, last_message(log)),
+        {},
         fmt::format("all it said goes to {}/log.txt in the folder of --output", image_case.name));
   if (!fs::exists(picture))
     throw Error(ErrorCode::bad_input, "its command wrote no picture", {},
@@ -100,9 +102,9 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
 }
 
 /// There is nothing to compare with yet; what a reference could be is made where it is kept.
-[[noreturn]] void refuse_without_reference(const ImageCase& image_case, const CaseOptions& options,
-                                           const fs::path& room, const std::string& name,
-                                           Outcome& out) {
+[[noreturn]] void throw_missing_reference(const ImageCase& image_case, const CaseOptions& options,
+                                          const fs::path& room, const std::string& name,
+                                          Outcome& out) {
   if (!image_case.scene.empty())
     if (const std::string why = unreadable_reason(image_case.scene); !why.empty())
       throw Error(ErrorCode::bad_input,
@@ -123,12 +125,12 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
       look + ", then: vug test --update --reason \"...\"");
 }
 
-void run_in(const fs::path& room, const CaseFolder& folder, const CaseOptions& options,
-            Outcome& out) {
+void run_case_in(const fs::path& room, const CaseFolder& folder, const CaseOptions& options,
+                 Outcome& out) {
   const ImageCase image_case = read_case(folder.folder, folder.name);
   const bool missing = !fs::exists(image_case.reference);
   if (missing && !options.update)
-    refuse_without_reference(image_case, options, room, folder.name, out);
+    throw_missing_reference(image_case, options, room, folder.name, out);
   if (!missing && !options.update) require_recorded(image_case.reference);
   const fs::path picture = make_picture(image_case, options, room, {});
   if (missing) return update(image_case, options, picture, out);
@@ -175,7 +177,7 @@ Outcome run_case(const CaseFolder& folder, const CaseOptions& options) {
     const fs::path room = fs::absolute(options.output) / folder.name;
     fs::create_directories(room);
     for (const char* old : {"report.html", "report.json"}) fs::remove(room / old);
-    run_in(room, folder, options, out);
+    run_case_in(room, folder, options, out);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::cancelled) throw;
     out.verdict = Verdict::unusable;
@@ -194,11 +196,11 @@ std::vector<Outcome> run_cases(const std::vector<CaseFolder>& folders, const Cas
                                const std::function<void(const Outcome&)>& done) {
   std::vector<Outcome> out(folders.size());
   std::atomic<size_t> next{0};
-  std::mutex telling;
+  std::mutex done_mutex;
   const auto work = [&] {
     for (size_t i = next++; i < folders.size(); i = next++) try {
         out[i] = run_case(folders[i], options);
-        const std::lock_guard lock(telling);
+        const std::lock_guard lock(done_mutex);
         done(out[i]);
       } catch (const Error&) {  // told to stop, as all are
         return;

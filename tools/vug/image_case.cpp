@@ -91,9 +91,9 @@ std::string replaced(std::string word, const std::string& mark, const std::strin
 
 }  // namespace
 
-std::vector<std::string> ImageCase::making(const std::filesystem::path& output, int threads,
-                                           std::optional<uint64_t> seed) const {
-  const std::string program = own_program().string();
+std::vector<std::string> ImageCase::render_command(const std::filesystem::path& output, int threads,
+                                                   std::optional<uint64_t> seed) const {
+  const std::string program = current_executable().string();
   std::vector<std::string> out;
   if (!scene.empty()) {
     out = {program, "render", scene.lexically_normal().string(), "-o", output.string(), "--quiet"};

@@ -23,8 +23,8 @@ struct ImageCase {
   double timeout = 600;  ///< Seconds.
 
   /// What makes the picture `output`, drawing other samples where a seed is given.
-  std::vector<std::string> making(const std::filesystem::path& output, int threads,
-                                  std::optional<uint64_t> seed) const;
+  std::vector<std::string> render_command(const std::filesystem::path& output, int threads,
+                                          std::optional<uint64_t> seed) const;
   bool can_be_reseeded() const;
 };
 

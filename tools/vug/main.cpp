@@ -1,7 +1,7 @@
 // vug: caves and terrain out of grammars. Parses arguments and hands over to a verb.
 #include "arguments.h"
-#include "bar.h"
-#include "report.h"
+#include "error_report.h"
+#include "progress_bar.h"
 #include "verb.h"
 
 #include <fmt/format.h>
@@ -36,18 +36,18 @@ std::vector<Verb> verbs() {
 
 /// No option takes an empty text, which is what a script's unset variable leaves behind, nor one
 /// that begins with the = of "-o=file", which is no way to write a short option.
-std::string refuse_slip(std::string& text) {
+std::string value_fault(std::string& text) {
   if (text.empty()) return "the value is empty";
   return text.starts_with('=') ? fmt::format("'{}' begins with '=', leave that out", text) : "";
 }
 
 /// Of the command and those below it; first of all, before ranges are checked.
-void refuse_slips(CLI::App& command) {
+void validate_values(CLI::App& command) {
   for (CLI::Option* option : command.get_options())
-    option->transform(CLI::Validator(refuse_slip, ""));
+    option->transform(CLI::Validator(value_fault, ""));
   for (CLI::App* below : command.get_subcommands(nullptr)) {
     below->fallthrough();
-    refuse_slips(*below);
+    validate_values(*below);
   }
 }
 
@@ -62,7 +62,7 @@ void require_verb(const std::optional<std::string>& first) {
   const std::vector<std::string> names = verb_names();
   const std::string word = first.value_or("");
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw no_such_verb(word, names);
+  throw unknown_verb_error(word, names);
 }
 
 /// Options that the command takes, with those of its groups and of the commands above it.
@@ -81,7 +81,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 }
 
 /// What is said of words that the command has no use for.
-Error unexpected(const CLI::App& app) {
+Error unexpected_argument_error(const CLI::App& app) {
   const CLI::App* command = &app;
   std::string called = app.get_name();
   while (!command->get_subcommands().empty()) {
@@ -105,11 +105,11 @@ Error unexpected(const CLI::App& app) {
 }
 
 /// What is said where options alone stand before the verb that is missing or unknown.
-Error without_verb(const CLI::App& app) {
+Error missing_verb_error(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining();
-  if (words.empty()) return no_such_verb("", verb_names());
-  return words.front().starts_with('-') ? unexpected(app)
-                                        : no_such_verb(words.front(), verb_names());
+  if (words.empty()) return unknown_verb_error("", verb_names());
+  return words.front().starts_with('-') ? unexpected_argument_error(app)
+                                        : unknown_verb_error(words.front(), verb_names());
 }
 
 /// One that does not fit says so and is done without: a scene that needs its words fails by itself.
@@ -117,7 +117,7 @@ void load_plugins_in_path() {
   for (const auto& plugin : loading::plugins_in_path()) try {
       loading::load_plugin(plugin);
     } catch (const Error& error) {
-      warn(error, "it is done without, as it was only found in $VUG_PLUGIN_PATH");
+      print_warning(error, "it is done without, as it was only found in $VUG_PLUGIN_PATH");
     }
 }
 
@@ -141,15 +141,15 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs()) {
     CLI::App* command = app.add_subcommand(verb.name, verb.doc)->fallthrough();
     runs[command] = verb.setup(*command);
-    refuse_slips(*command);
+    validate_values(*command);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
-    throw unexpected(app);
+    throw unexpected_argument_error(app);
   } catch (const CLI::ParseError& error) {
     const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-    if (lacks && app.get_subcommands().empty()) throw without_verb(app);
+    if (lacks && app.get_subcommands().empty()) throw missing_verb_error(app);
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
   load_plugins_in_path();
@@ -158,7 +158,7 @@ int run(int argc, char** argv) {
 }
 
 /// Results may wait in a buffer until now, so a full disk may show only here.
-int with_results_out(int exit) {
+int flush_results(int exit) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit;
   fmt::print(stderr, "error: cannot write to the standard output: {}\n", std::strerror(errno));
   return kFailed;
@@ -169,17 +169,17 @@ int with_results_out(int exit) {
 
 int main(int argc, char** argv) {
   using namespace vug;
-  cli::heed_signals();
+  cli::install_signal_handlers();
   if (!__builtin_cpu_supports("avx2")) {
     std::fputs("error: this build of vug needs a processor with AVX2 (2013 or later)\n", stderr);
     return cli::kFailed;
   }
   try {
-    return cli::with_results_out(cli::run(argc, argv));
-  } catch (const cli::Stop& stop) {
-    return cli::with_results_out(stop.exit);
+    return cli::flush_results(cli::run(argc, argv));
+  } catch (const cli::ExitRequest& stop) {
+    return cli::flush_results(stop.exit);
   } catch (const Error& error) {
-    return cli::report(error);
+    return cli::print_error(error);
   } catch (const std::bad_alloc&) {
     std::fputs("error: out of memory\nhint: use a larger voxel or fewer pixels\n", stderr);
     return cli::kFailed;

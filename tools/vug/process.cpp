@@ -17,18 +17,18 @@ namespace vug::cli {
 namespace {
 
 /// What the new process does before it becomes the program.
-class Actions {
+class SpawnActions {
  public:
-  Actions(const std::filesystem::path& folder, const std::filesystem::path& log) {
+  SpawnActions(const std::filesystem::path& folder, const std::filesystem::path& log) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     posix_spawn_file_actions_adddup2(&actions_, 1, 2);
     posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
   }
-  ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
-  Actions(const Actions&) = delete;
-  Actions& operator=(const Actions&) = delete;
+  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
+  SpawnActions(const SpawnActions&) = delete;
+  SpawnActions& operator=(const SpawnActions&) = delete;
   const posix_spawn_file_actions_t* get() const { return &actions_; }
 
  private:
@@ -36,18 +36,19 @@ class Actions {
 };
 
 /// How long a program may take to end when asked.
-constexpr std::chrono::seconds kPatience{5};
+constexpr std::chrono::seconds kTerminationTimeout{5};
 
 int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 }  // namespace
 
-Ended run_program(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                  const std::filesystem::path& log, double seconds, const Progress& progress) {
+ProcessResult run_program(const std::vector<std::string>& command,
+                          const std::filesystem::path& folder, const std::filesystem::path& log,
+                          double seconds, const Progress& progress) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  const Actions actions(std::filesystem::absolute(folder), std::filesystem::absolute(log));
+  const SpawnActions actions(std::filesystem::absolute(folder), std::filesystem::absolute(log));
   pid_t child = 0;
   const int fault = posix_spawnp(&child, words[0], actions.get(), nullptr, words.data(), environ);
   if (fault != 0)
@@ -56,7 +57,7 @@ Ended run_program(const std::vector<std::string>& command, const std::filesystem
                 "name a program in PATH, or {vug} for this one");
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-  Ended out;
+  ProcessResult out;
   int status = 0;
   std::optional<Clock::time_point> asked;  // to stop
   while (waitpid(child, &status, WNOHANG) == 0) {
@@ -64,7 +65,7 @@ Ended run_program(const std::vector<std::string>& command, const std::filesystem
       asked = Clock::now();
       kill(child, SIGTERM);
     }
-    if (asked && Clock::now() > *asked + kPatience) kill(child, SIGKILL);
+    if (asked && Clock::now() > *asked + kTerminationTimeout) kill(child, SIGKILL);
     if (Clock::now() > end && !out.timed_out) {
       kill(child, SIGKILL);
       out.timed_out = true;
@@ -76,6 +77,8 @@ Ended run_program(const std::vector<std::string>& command, const std::filesystem
   return out;
 }
 
-std::filesystem::path own_program() { return std::filesystem::read_symlink("/proc/self/exe"); }
+std::filesystem::path current_executable() {
+  return std::filesystem::read_symlink("/proc/self/exe");
+}
 
 }  // namespace vug::cli

@@ -26,7 +26,7 @@ struct Verb {
 };
 
 /// Thrown by a verb that has said what is wrong already.
-struct Stop {
+struct ExitRequest {
   int exit;
 };
 

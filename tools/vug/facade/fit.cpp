@@ -1,8 +1,8 @@
 #include "arguments.h"
-#include "bar.h"
-#include "files.h"
-#include "load.h"
-#include "together.h"
+#include "file_transaction.h"
+#include "output_files.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -44,16 +44,16 @@ struct Input {
 Input read_input(const Options& options) {
   Input in;
   if (!options.clouds.empty()) {
-    const scan::Cloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
+    const scan::PointCloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
                                                 {.memory = options.work.memory_limit()});
     const RandomKey key = RandomKey(options.fit.seed).at("facade fit");
     const scan::PlaneFit plane = scan::fit_plane(cloud, options.plane, key.at("plane"));
     scan::RangeOptions range;
     range.memory = options.work.memory_limit();
     in.range = scan::range_image(cloud, plane, range);
-    warn_of_doubts(cloud, plane, *in.range);
+    print_quality_warnings(cloud, plane, *in.range);
     if (!options.work.quiet) {
-      clear_bar();
+      clear_progress_bar();
       fmt::print(stderr, "the wall is a plane within {:.1f} cm of {} of {} points\n",
                  100 * plane.rms, plane.inliers, cloud.size());
     }
@@ -65,18 +65,18 @@ Input read_input(const Options& options) {
 }
 
 /// Of --grammar, as a session's is found; else the paper's.
-fs::path grammar_of(const Options& options) {
+fs::path grammar_file(const Options& options) {
   if (fs::exists(options.grammar)) return options.grammar;
   return session::find_grammar_file({}, options.grammar.empty() ? "ripperda.vug" : options.grammar);
 }
 
 /// Where nobody has told how large the facade is, what it is taken for.
-void tell_size(const Options& options, const session::FacadePicture& picture) {
+void print_assumed_size(const Options& options, const session::FacadePicture& picture) {
   const Vec2d size = session::facade_size(picture, options.fit);
   if (options.work.quiet || options.fit.width > 0 || options.fit.height > 0 ||
       picture.metres_wide > 0)
     return;
-  clear_bar();
+  clear_progress_bar();
   fmt::print(stderr, "taken for {:.4g} x {:.4g} m; --width or --height tell otherwise\n", size.x,
              size.y);
 }
@@ -95,8 +95,8 @@ struct Outputs {
 };
 
 /// All but what is carved. Pictures are named as seen from `folder`.
-void write_found(const Options& options, const Input& in, const session::FacadeFit& fit,
-                 const Outputs& to, const fs::path& folder) {
+void write_results(const Options& options, const Input& in, const session::FacadeFit& fit,
+                   const Outputs& to, const fs::path& folder) {
   if (in.range) {
     scan::write_range(to.range, *in.range);
     image::write_png(to.seen, scan::picture_of(*in.range, scan::surface_map(*in.range)),
@@ -114,16 +114,16 @@ void write_found(const Options& options, const Input& in, const session::FacadeF
                          session::facade_grammar(fit, options.name)));
   write_text(to.scene, session::facade_scene(fit, options.name, to.grammar.filename().string()));
   write_text(to.tree, facade::tree_json(fit.tree));
-  const std::string picture =
-      options.photo.empty() ? to.seen.filename().string() : seen_from(folder, options.photo);
+  const std::string picture = options.photo.empty() ? to.seen.filename().string()
+                                                    : relative_path_from(folder, options.photo);
   write_text(to.drawing, facade::elevation_svg(fit.tree, {.picture = picture}));
   write_text(to.report, fit::report_json(fit.reading.report));
   write_text(to.charts, fit::report_svg(fit.reading.report));
 }
 
-void warn_of_earlier(const fs::path& carved) {
+void warn_of_stale_carving(const fs::path& carved) {
   if (!fs::exists(carved)) return;
-  clear_bar();
+  clear_progress_bar();
   fmt::print(stderr, "warning: '{}' is of an earlier fit\n", carved.string());
 }
 
@@ -131,24 +131,24 @@ void warn_of_earlier(const fs::path& carved) {
 /// or that is too large, is left out.
 void write(const Options& options, const Input& in, const session::FacadeFit& fit,
            const Outputs& files, bool carve) {
-  Together together(options.folder, options.name);
-  const Outputs hidden(together.path(), options.name);
+  FileTransaction transaction(options.folder, options.name);
+  const Outputs staged(transaction.path(), options.name);
   try {
-    write_found(options, in, fit, hidden, options.folder);
+    write_results(options, in, fit, staged, options.folder);
     if (carve)
       write_carving(
           loading::load_text(session::facade_scene(fit, options.name, {}), files.scene.string()),
-          options.work, hidden.carved);
+          options.work, staged.carved);
   } catch (Error& error) {
-    if (error.code() != ErrorCode::io && fs::exists(hidden.charts)) {
-      together.commit();
-      warn_of_earlier(files.carved);
+    if (error.code() != ErrorCode::io && fs::exists(staged.charts)) {
+      transaction.commit();
+      warn_of_stale_carving(files.carved);
       throw;
     }
     error.within("writing what was found, of which nothing is kept");
     throw;
   }
-  together.commit();
+  transaction.commit();
 }
 
 int run(Options options) {
@@ -162,12 +162,12 @@ int run(Options options) {
     throw Error(ErrorCode::bad_input, "a scan tells by itself how large the facade is", {},
                 "leave --width and --height out");
   const ThreadLimit threads(options.work.threads);
-  Progress& progress = terminal_progress(options.work.bar());
+  Progress& progress = terminal_progress(options.work.bar_mode());
   const fs::path folder = options.folder;
-  options.fit.grammar = grammar_of(options);
+  options.fit.grammar = grammar_file(options);
   const bool named = !options.name.empty();
   const std::string wanted = named ? options.name : fs::path(options.first_input()).stem().string();
-  options.name = scene_name(wanted);
+  options.name = valid_grammar_name(wanted);
   if (options.name != wanted && !options.work.quiet)
     fmt::print(stderr, "what is written is named '{}', as scenes can use no '{}'\n", options.name,
                wanted);
@@ -189,18 +189,19 @@ int run(Options options) {
 
   options.picture.max_memory = options.work.memory_limit();
   if (!options.looks.empty()) {
-    options.fit.looks = std::make_shared<const fit::LookModel>(fit::LookModel::read(options.looks));
+    options.fit.looks =
+        std::make_shared<const fit::PixelClassifier>(fit::PixelClassifier::read(options.looks));
     options.picture.limits = options.fit.looks->limits();
   }
   const Input in = read_input(options);
-  tell_size(options, in.picture);
+  print_assumed_size(options, in.picture);
   const session::FacadeFit fit = session::fit_facade(in.picture, options.fit, progress);
   const bool stopped = fit.reading.report.stopped;
   write(options, in, fit, files, !options.no_carving && !stopped);
-  clear_bar();
+  clear_progress_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
-  if (stopped || options.no_carving) warn_of_earlier(files.carved);
-  if (fit.reading.seen.empty())
+  if (stopped || options.no_carving) warn_of_stale_carving(files.carved);
+  if (fit.reading.elements.empty())
     fmt::print(stderr, "nothing was found: the facade is a bare wall\n");
   fmt::print("{}\n", facade::theta(fit.tree));
   return stopped ? kFailed : kDone;
@@ -230,7 +231,7 @@ Verb facade_fit_verb() {
             ->transform(number_in(Dimension::length, 0.1, 1e4));
         app.add_option("--rows", options->picture.limits.height,
                        "of pixels that the picture is shrunk to")
-            ->transform(whole_number_in(session::kMinPixels, 4096));
+            ->transform(integer_in(session::kMinPixels, 4096));
         app.add_option("--grammar", options->grammar,
                        "a file with a grammar whose sizes are free, in place of ripperda.vug");
         app.add_option("--likelihood", options->fit.likelihood, "kt or paper")
@@ -243,11 +244,11 @@ Verb facade_fit_verb() {
             ->transform(number_in(Dimension::none, 1e-4, 10));
         app.add_option("--depths", options->fit.clusters.depth_clusters,
                        "how many depths are told apart")
-            ->transform(whole_number_in(2, 7));
+            ->transform(integer_in(2, 7));
         app.add_option("--steps", options->fit.sampler.steps, "of each chain")
-            ->transform(whole_number_in(1, 1000000000));
+            ->transform(integer_in(1, 1000000000));
         app.add_option("--chains", options->fit.sampler.chains, "at different temperatures")
-            ->transform(whole_number_in(1, 64));
+            ->transform(integer_in(1, 64));
         app.add_option("--seed", options->fit.seed, "of the chains")->transform(seed_number());
         app.add_flag("--no-carving", options->no_carving, "no .vdb");
         options->work.add_to(app);

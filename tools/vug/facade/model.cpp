@@ -1,10 +1,10 @@
 // vug facade model: sessions of modelling by hand, from the command line. A window would do the
 // same with the module modeller.
 #include "arguments.h"
-#include "bar.h"
-#include "files.h"
-#include "load.h"
 #include "model_list.h"
+#include "output_files.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -14,7 +14,7 @@
 #include <vug/facade/tree_output.h>
 #include <vug/image/io.h>
 #include <vug/loading/load.h>
-#include <vug/modeller/retrace.h>
+#include <vug/modeller/tree_to_edits.h>
 #include <vug/session/facade_model.h>
 
 namespace vug::cli {
@@ -40,7 +40,7 @@ struct Options {
     return undo || redo || !to.empty() || !checkpoint.empty() || !in_order.empty();
   }
   /// The first option that only a session takes that begins; empty: none is told.
-  std::string told_to_begin() const {
+  std::string first_creation_option() const {
     if (!grammar.empty()) return "--grammar";
     if (!from.empty()) return "--from";
     if (!facade.empty()) return "--facade";
@@ -55,16 +55,16 @@ struct Options {
 fs::path folder_of(const std::string& file) { return fs::absolute(file).parent_path(); }
 
 /// A session of nothing yet. A photo tells the height, or the width, that is not given.
-modeller::Session begun(const Options& options) {
+modeller::Session create_session(const Options& options) {
   const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
-  modeller::Header header{.grammar = options.grammar, .facade = options.facade};
+  modeller::SessionHeader header{.grammar = options.grammar, .facade = options.facade};
   // A file that is named from here is named from the session's folder.
-  if (fs::exists(options.grammar)) header.grammar = seen_from(folder, options.grammar);
+  if (fs::exists(options.grammar)) header.grammar = relative_path_from(folder, options.grammar);
   if (options.width > 0) header.width = options.width;
   if (options.height > 0) header.height = options.height;
   if (!options.photo.empty()) {
     const image::FileInfo info = image::read_info(options.photo);
-    modeller::Photo photo{seen_from(folder, options.photo), info.width, info.height};
+    modeller::Photo photo{relative_path_from(folder, options.photo), info.width, info.height};
     if (header.width && !header.height) header.height = *header.width * info.height / info.width;
     if (header.height && !header.width) header.width = *header.height * info.width / info.height;
     header.photo = photo;
@@ -73,17 +73,17 @@ modeller::Session begun(const Options& options) {
 }
 
 /// What the session cannot say as the tree did.
-void tell_moved(const modeller::Retraced& way) {
-  if (way.missing + way.moved == 0) return;
-  clear_bar();
+void print_deviation(const modeller::TreeEdits& way) {
+  if (way.missing + way.displaced == 0) return;
+  clear_progress_bar();
   fmt::print(stderr,
              "the rules come near to the tree, as they leave less free: of {} {} up to {:.2f} m "
              "off and {} left out\n",
-             pluralize(way.elements, "element"), way.moved, way.farthest, way.missing);
+             pluralize(way.elements, "element"), way.displaced, way.max_distance, way.missing);
 }
 
 /// The file of the tree's name, which a session finds without being told.
-std::string grammar_named(const facade::Tree& tree, const Options& options) {
+std::string grammar_file_of(const facade::Tree& tree, const Options& options) {
   std::string file = tree.name + ".vug";
   const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
   try {
@@ -99,17 +99,17 @@ std::string grammar_named(const facade::Tree& tree, const Options& options) {
 }
 
 /// A session that has come to what a file's tree is.
-modeller::Session from_tree(Options options) {
+modeller::Session session_from_tree(Options options) {
   if (options.width > 0 || options.height > 0)
     throw Error(ErrorCode::bad_input, "a tree tells by itself how large the facade is", {},
                 "leave --width and --height out");
   const facade::Tree tree = modeller::read_tree(read_text(options.from), options.from);
-  if (options.grammar.empty()) options.grammar = grammar_named(tree, options);
+  if (options.grammar.empty()) options.grammar = grammar_file_of(tree, options);
   options.width = tree.width, options.height = tree.height;
-  modeller::Session out = begun(options);
-  const modeller::Retraced way = modeller::retraced(out.now(), tree);
+  modeller::Session out = create_session(options);
+  const modeller::TreeEdits way = modeller::tree_to_edits(out.now(), tree);
   for (const modeller::Edit& edit : way.edits) out.history.apply(edit);
-  if (!options.work.quiet) tell_moved(way);
+  if (!options.work.quiet) print_deviation(way);
   return out;
 }
 
@@ -117,12 +117,13 @@ modeller::Session read(const Options& options) {
   if (options.session.empty() && options.grammar.empty() && options.from.empty())
     throw Error(ErrorCode::bad_input, "there is no session", {},
                 "name a session, or begin one with --grammar or --from");
-  if (options.session.empty()) return options.from.empty() ? begun(options) : from_tree(options);
-  if (const std::string told = options.told_to_begin(); !told.empty())
-    throw Error(
-        ErrorCode::bad_input,
-        fmt::format("{} is for a session that begins, and '{}' has begun", told, options.session),
-        {}, "leave it out, or begin another session with --grammar");
+  if (options.session.empty())
+    return options.from.empty() ? create_session(options) : session_from_tree(options);
+  if (const std::string told = options.first_creation_option(); !told.empty())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("{} is for a session that begins, and '{}' has create_session", told,
+                            options.session),
+                {}, "leave it out, or begin another session with --grammar");
   return modeller::read_session(read_text(options.session), options.session,
                                 session::facade_style_loader(folder_of(options.session)));
 }
@@ -143,7 +144,7 @@ void edit(const Options& options, modeller::Session& session) {
       throw Error(ErrorCode::bad_input, fmt::format("the session has {} to {}, not {}",
                                                     pluralize(had, "edit"), what, steps));
   };
-  if (!options.to.empty()) history.go(options.to);
+  if (!options.to.empty()) history.restore(options.to);
   if (options.undo) want(options.undo, history.undo(static_cast<size_t>(options.undo)), "undo");
   if (options.redo) want(options.redo, history.redo(static_cast<size_t>(options.redo)), "do again");
   for (const auto& [kind, text] : options.in_order) {
@@ -163,9 +164,9 @@ void save(const Options& options, modeller::Session session) {
   if (!options.session.empty() && to != folder_of(options.session)) {
     const fs::path from = folder_of(options.session);
     if (fs::exists(from / session.header.grammar))
-      session.header.grammar = seen_from(to, from / session.header.grammar);
+      session.header.grammar = relative_path_from(to, from / session.header.grammar);
     if (session.header.photo)
-      session.header.photo->file = seen_from(to, from / session.header.photo->file);
+      session.header.photo->file = relative_path_from(to, from / session.header.photo->file);
   }
   write_text(options.output, modeller::session_text(session));
 }
@@ -174,16 +175,17 @@ void draw(const Options& options, const modeller::Session& session) {
   const fs::path to = folder_of(options.svg);
   facade::SvgOptions drawing;
   if (!options.overlay.empty())
-    drawing.picture = seen_from(to, options.overlay);
+    drawing.picture = relative_path_from(to, options.overlay);
   else if (session.header.photo && !options.session.empty())
-    drawing.picture = seen_from(to, folder_of(options.session) / session.header.photo->file);
+    drawing.picture =
+        relative_path_from(to, folder_of(options.session) / session.header.photo->file);
   else if (!options.photo.empty())
-    drawing.picture = seen_from(to, options.photo);
+    drawing.picture = relative_path_from(to, options.photo);
   write_text(options.svg, facade::elevation_svg(session.now().tree(), drawing));
 }
 
 /// Files that the session stands on.
-std::vector<fs::path> files_of(const Options& options, const modeller::Session& session) {
+std::vector<fs::path> dependencies_of(const Options& options, const modeller::Session& session) {
   const fs::path folder =
       options.session.empty() && options.output.empty()
           ? fs::current_path()
@@ -196,7 +198,7 @@ std::vector<fs::path> files_of(const Options& options, const modeller::Session& 
 }
 
 /// Of a wall too thin for its voxels, which hold it here and there.
-void warn_of_shreds(const session::CarvingOptions& carving) {
+void warn_of_thin_wall(const session::CarvingOptions& carving) {
   if (carving.thickness >= 2 * carving.voxel) return;
   const auto length = [](double metres) { return quantity_text(metres, Dimension::length); };
   fmt::print(stderr,
@@ -222,25 +224,25 @@ int run(Options options) {
     if (!file.empty()) inputs.emplace_back(file);
   require_outputs(outputs, inputs);
   modeller::Session session = read(options);
-  require_outputs(outputs, files_of(options, session));
+  require_outputs(outputs, dependencies_of(options, session));
   edit(options, session);
   // After what is wrong with the edits themselves.
   if (options.edited() && options.output.empty() && !options.prints() && !options.writes())
     throw Error(ErrorCode::bad_input, "what is done would be lost", {}, "-o SESSION.json keeps it");
-  const modeller::State& state = session.now();
+  const modeller::FacadeState& state = session.now();
   if (!options.svg.empty()) draw(options, session);
   if (!options.scene.empty())
-    write_text(
-        options.scene,
-        facade::grammar_text(state.tree(), {.name = scene_name(fs::path(options.scene).stem())}));
+    write_text(options.scene,
+               facade::grammar_text(state.tree(),
+                                    {.name = valid_grammar_name(fs::path(options.scene).stem())}));
   if (!options.carve.empty()) {
-    warn_of_shreds(options.carving);
+    warn_of_thin_wall(options.carving);
     const fs::path scene = fs::path(options.carve).replace_extension(".vug");
-    options.carving.name = scene_name(state.tree().name);
+    options.carving.name = valid_grammar_name(state.tree().name);
     write_carving(
         loading::load_text(session::carving_scene(state.tree(), options.carving), scene.string()),
         options.work, options.carve);
-    clear_bar();
+    clear_progress_bar();
   }
   if (!options.output.empty()) save(options, session);
   if (options.list) fmt::print("{}", list_text(state, *options.list));
@@ -265,15 +267,15 @@ void add_edits(CLI::App& app, Options& options) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--undo", options.undo, "edits, before others are done")
-      ->transform(whole_number_in(1, 1000000000));
+      ->transform(integer_in(1, 1000000000));
   app.add_option("--redo", options.redo, "of those that were undone")
-      ->transform(whole_number_in(1, 1000000000));
+      ->transform(integer_in(1, 1000000000));
   app.add_option("--to", options.to, "a checkpoint to go to, before all others");
   app.add_option("--checkpoint", options.checkpoint, "a name for what it is like at the end");
 }
 
 /// Edits of all options as they stand on the command line.
-void put_in_order(const CLI::App& app, Options& options) {
+void order_edits(const CLI::App& app, Options& options) {
   size_t edit = 0, apply = 0, act = 0;
   for (const CLI::Option* each : app.parse_order()) {
     const std::string name = each->get_name();
@@ -326,7 +328,7 @@ Verb facade_model_verb() {
             ->transform(number_in(Dimension::length, 1e-3, 100));
         options->work.add_to(app);
         return [options, &app] {
-          put_in_order(app, *options);
+          order_edits(app, *options);
           return run(*options);
         };
       }};

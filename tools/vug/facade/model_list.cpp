@@ -12,13 +12,13 @@ namespace {
 
 using facade::FreeNumber;
 using facade::Reason;
-using modeller::Choice;
-using modeller::State;
+using modeller::RuleChoice;
+using modeller::FacadeState;
 
 std::string length(double metres) { return fmt::format("{:.4g}", metres); }
 
 /// "0.1 PartFacade 12 x 6 m at (0, 3), 2 times"
-std::string head(const State& state, int index) {
+std::string head(const FacadeState& state, int index) {
   const facade::Node& node = state.node(index);
   std::string out = fmt::format("{} {} {} x {} m at ({}, {})", state.path(index), node.text,
                                 length(node.rect.width), length(node.rect.height),
@@ -38,14 +38,14 @@ std::string numbers(const std::vector<FreeNumber>& free) {
   return out;
 }
 
-std::string choice_text(const modeller::Style& style, const Choice& choice) {
+std::string choice_text(const modeller::Style& style, const RuleChoice& choice) {
   const std::string name = style.rule_name(choice.rule);
   if (choice.applied) return fmt::format("  * {}{}\n", name, numbers(choice.free));
   if (choice.reason == Reason::none) return fmt::format("  + {}{}\n", name, numbers(choice.free));
   return fmt::format("  - {} [{}: {}]\n", name, facade::to_string(choice.reason), choice.why);
 }
 
-std::string lines_text(const State& state, int node) {
+std::string lines_text(const FacadeState& state, int node) {
   std::string out;
   const std::vector<modeller::Line> all = modeller::lines(state, node);
   for (size_t i = 0; i < all.size(); ++i)
@@ -55,14 +55,14 @@ std::string lines_text(const State& state, int node) {
 }
 
 /// `whole`: other rules of a divided node one by one.
-std::string node_text(const State& state, int node, bool whole) {
+std::string node_text(const FacadeState& state, int node, bool whole) {
   std::string out = head(state, node) + "\n";
   if (state.node(node).element) return out + "  an element\n";
-  const std::vector<Choice> all = modeller::choices(state, node);
+  const std::vector<RuleChoice> all = modeller::choices(state, node);
   if (all.empty() && !state.planned(node).free.empty())
     out += fmt::format("  * within its rule{}\n", numbers(state.planned(node).free));
   const bool divided = state.rule(node) >= 0;
-  for (const Choice& choice : all)
+  for (const RuleChoice& choice : all)
     if (!divided || choice.applied || whole) out += choice_text(state.style(), choice);
   if (divided && all.size() > 1 && !whole)
     out += fmt::format("  - {} more of '{}' [{}]\n", all.size() - 1, state.node(node).symbol,
@@ -74,7 +74,7 @@ std::string node_text(const State& state, int node, bool whole) {
   return out + lines_text(state, node);
 }
 
-std::string actions_text(const State& state, int node) {
+std::string actions_text(const FacadeState& state, int node) {
   std::string out = "actions:\n";
   for (const modeller::ActionChoice& each : modeller::actions(state, node)) {
     const bool enabled = each.choice.reason == Reason::none;
@@ -86,7 +86,7 @@ std::string actions_text(const State& state, int node) {
 
 }  // namespace
 
-std::string tree_text(const State& state) {
+std::string tree_text(const FacadeState& state) {
   std::string out;
   for (size_t i = 0; i < state.tree().nodes.size(); ++i) {
     const int index = static_cast<int>(i);
@@ -100,7 +100,7 @@ std::string tree_text(const State& state) {
   return out;
 }
 
-std::string list_text(const State& state, const std::string& path) {
+std::string list_text(const FacadeState& state, const std::string& path) {
   if (path != ".") {
     const int node = state.find(path);
     return node_text(state, node, true) +

@@ -1,8 +1,8 @@
 // vug facade rectify: a photo taken at a slant becomes a view without perspective.
 #include "arguments.h"
-#include "bar.h"
-#include "files.h"
-#include "load.h"
+#include "output_files.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,7 +26,7 @@ struct Options {
 constexpr const char* kInPhoto = "place in the photo, X,Y in pixels without a unit";
 
 /// What two numbers may be told in.
-enum class In { pixels, lengths };
+enum class Unit { pixels, lengths };
 
 /// A number without blanks around it.
 std::optional<Number> number_of(std::string_view text) {
@@ -36,21 +36,22 @@ std::optional<Number> number_of(std::string_view text) {
 }
 
 /// Two numbers around `between`: plain ones, or lengths where these are taken.
-std::pair<Number, Number> pair_of(const std::string& text, char between, In in, const char* what) {
+std::pair<Number, Number> parse_pair(const std::string& text, char between, Unit in,
+                                     const char* what) {
   const size_t cut = text.find(between);
   if (cut != std::string::npos) {
     const auto a = number_of(std::string_view(text).substr(0, cut));
     const auto b = number_of(std::string_view(text).substr(cut + 1));
-    const auto sound = [in](const std::optional<Number>& n) {
+    const auto is_valid = [in](const std::optional<Number>& n) {
       return n && (n->dimension == Dimension::none ||
-                   (in == In::lengths && n->dimension == Dimension::length));
+                   (in == Unit::lengths && n->dimension == Dimension::length));
     };
-    if (sound(a) && sound(b)) return {*a, *b};
+    if (is_valid(a) && is_valid(b)) return {*a, *b};
   }
   throw Error(ErrorCode::bad_input, fmt::format("'{}' is no {}", text, what));
 }
 
-scan::FourPoints points_of(const std::vector<std::string>& texts, In in, const char* what) {
+scan::FourPoints parse_points(const std::vector<std::string>& texts, Unit in, const char* what) {
   scan::FourPoints out;
   if (texts.size() != out.size())
     throw Error(ErrorCode::bad_input,
@@ -59,30 +60,30 @@ scan::FourPoints points_of(const std::vector<std::string>& texts, In in, const c
                             fmt::join(texts, " ")),
                 {}, "four of X,Y with blanks between them, as 0,0 90,0 90,120 0,120");
   for (size_t i = 0; i < 4; ++i) {
-    const auto [x, y] = pair_of(texts[i], ',', in, what);
+    const auto [x, y] = parse_pair(texts[i], ',', in, what);
     out[i] = {x.value, y.value};
   }
   return out;
 }
 
 /// An EXR tells how large the facade is, if that is known.
-void write(const std::string& file, const scan::Rectified& out, bool metres) {
+void write(const std::string& file, const scan::RectifiedPhoto& out, bool metres) {
   if (extension_of(file) != ".exr") return image::write_png(file, out.picture, image::plain_view());
   image::ExrOptions options;
-  if (metres) options.metadata = scan::metadata_of_pixel(out.width / out.picture.width);
+  if (metres) options.metadata = scan::pixel_metadata(out.width / out.picture.width);
   image::write_exr(file, out.picture, options);
 }
 
 image::Image laid_over(const scan::RangeImage& range, const Options& options,
                        const image::Image& photo) {
-  if (options.corners.empty()) return scan::laid_over(range, photo, options.rectify.memory);
-  const scan::FourPoints corners = points_of(options.corners, In::pixels, kInPhoto);
+  if (options.corners.empty()) return scan::overlay_photo(range, photo, options.rectify.memory);
+  const scan::FourPoints corners = parse_points(options.corners, Unit::pixels, kInPhoto);
   if (!options.at.empty())
-    return scan::laid_over(range, photo, corners,
-                           points_of(options.at, In::lengths, "place in metres, X,Y"),
+    return scan::overlay_photo(range, photo, corners,
+                           parse_points(options.at, Unit::lengths, "place in metres, X,Y"),
                            options.rectify.memory);
   const double wide = range.metres_wide(), high = range.metres_high();
-  return scan::laid_over(range, photo, corners,
+  return scan::overlay_photo(range, photo, corners,
                          {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)},
                          options.rectify.memory);
 }
@@ -90,7 +91,7 @@ image::Image laid_over(const scan::RangeImage& range, const Options& options,
 /// True where the size is in metres, not only a ratio, or nothing.
 bool set_size(const std::string& text, scan::RectifyOptions& to) {
   if (text.empty()) return false;
-  const auto [wide, high] = pair_of(text, 'x', In::lengths, "size, as 12mx9m or 4x3");
+  const auto [wide, high] = parse_pair(text, 'x', Unit::lengths, "size, as 12mx9m or 4x3");
   if (!(wide.value > 0 && high.value > 0))
     throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", text), {},
                 "width and height are above 0, as in 12mx9m or 4x3");
@@ -102,7 +103,7 @@ bool set_size(const std::string& text, scan::RectifyOptions& to) {
 }
 
 /// A range image has a size, and where the photo lies on it is told by places.
-void require_use(const Options& options) {
+void require_consistent(const Options& options) {
   if (options.onto.empty()) return;
   for (const auto& [name, told] :
        {std::pair("--size", !options.size.empty()), {"--pixel", options.rectify.pixel > 0}})
@@ -120,14 +121,14 @@ void require_use(const Options& options) {
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   const bool exr = extension_of(options.output) == ".exr";
-  if (!exr) require_ending(options.output, ".png", "the output is a .exr or a .png");
+  if (!exr) require_extension(options.output, ".png", "the output is a .exr or a .png");
   if (!options.onto.empty() && !exr)
     throw Error(ErrorCode::bad_input, "what is laid over a range image has depths", {},
                 "write an .exr");
   if (options.onto.empty() && options.corners.empty())
     throw Error(ErrorCode::bad_input, "the corners of the facade are missing", {},
                 "name them with --corners: upper left, upper right, lower right, lower left");
-  require_use(options);
+  require_consistent(options);
   std::vector<std::filesystem::path> inputs = {options.photo};
   if (!options.onto.empty()) inputs.emplace_back(options.onto);
   require_outputs({options.output}, inputs);
@@ -137,17 +138,17 @@ int run(Options options) {
     throw Error(ErrorCode::bad_input,
                 "--pixel is a length, and nothing tells how large the facade is", {},
                 "--size does, in metres: 12mx9m");
-  const image::Image photo =
-      fit::read_within(options.photo, image::read_info(options.photo), options.work.memory_limit());
+  const image::Image photo = fit::read_with_limit(options.photo, image::read_info(options.photo),
+                                                  options.work.memory_limit());
   if (!options.onto.empty()) {
     const scan::RangeImage range = scan::read_range(options.onto, 0, options.rectify.memory);
     image::ExrOptions exr_options;
-    exr_options.metadata = scan::metadata_of(range);
+    exr_options.metadata = scan::range_metadata(range);
     image::write_exr(options.output, laid_over(range, options, photo), exr_options);
     return kDone;
   }
-  const scan::Rectified out =
-      scan::rectified(photo, points_of(options.corners, In::pixels, kInPhoto), options.rectify);
+  const scan::RectifiedPhoto out = scan::rectify(
+      photo, parse_points(options.corners, Unit::pixels, kInPhoto), options.rectify);
   write(options.output, out, metres);
   fmt::print("{} x {} pixels, {:.4g} x {:.4g}{}\n", out.picture.width, out.picture.height,
              out.width, out.height,

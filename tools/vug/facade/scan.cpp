@@ -1,10 +1,10 @@
 // vug facade scan: from a laser scan to a plane, a range image, and windows and doors.
 #include "arguments.h"
-#include "bar.h"
-#include "files.h"
-#include "load.h"
+#include "file_transaction.h"
+#include "output_files.h"
 #include "print.h"
-#include "together.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
@@ -47,21 +47,21 @@ struct Outputs {
 /// All of them, or none.
 void write(const fs::path& exr, const scan::RangeImage& range, const scan::SurfaceMap& map,
            const std::vector<scan::Opening>& openings, const std::string& report) {
-  Together together(exr.parent_path(), exr.stem().string());
-  const Outputs outputs(together.path() / exr.filename());
+  FileTransaction transaction(exr.parent_path(), exr.stem().string());
+  const Outputs outputs(transaction.path() / exr.filename());
   scan::write_range(outputs.range, range);
   image::write_png(outputs.picture, scan::picture_of(range, map), image::plain_view());
   write_text(outputs.drawing,
              scan::openings_svg(range, openings, outputs.picture.filename().string()));
   write_text(outputs.report, report);
-  together.commit();
+  transaction.commit();
 }
 
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
-  Progress& progress = terminal_progress(options.work.bar());
+  Progress& progress = terminal_progress(options.work.bar_mode());
   if (!options.output.empty()) {
-    require_ending(options.output, ".exr", "the range image is an EXR");
+    require_extension(options.output, ".exr", "the range image is an EXR");
     const Outputs outputs(options.output);
     require_outputs({outputs.range, outputs.picture, outputs.drawing, outputs.report},
                     {options.clouds.begin(), options.clouds.end()});
@@ -70,15 +70,15 @@ int run(Options options) {
   for (const double c : options.scanner)
     if (!std::isfinite(c))
       throw Error(ErrorCode::bad_input, "the scanner stood nowhere", {}, "--scanner is X,Y,Z");
-  if (options.openings.least > options.openings.most)
+  if (options.openings.min_size > options.openings.max_size)
     throw Error(ErrorCode::bad_input, "--least is more than --most: no opening would be found");
   if (!options.scanner.empty())
     options.plane.scanner = Vec3d(options.scanner[0], options.scanner[1], options.scanner[2]);
-  if (options.nearest) options.range.depth = scan::DepthOf::nearest;
+  if (options.nearest) options.range.depth = scan::DepthStatistic::nearest;
   if (options.plain) options.surfaces.bent = options.openings.tidy = false;
   options.range.memory = options.openings.memory = options.work.memory_limit();
 
-  const scan::Cloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
+  const scan::PointCloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
                                               {.memory = options.range.memory});
   progress.check();
   const scan::PlaneFit plane =
@@ -93,10 +93,10 @@ int run(Options options) {
   if (options.windows == "delaunay")
     openings = scan::openings_by_triangles(cloud, range, map, options.openings);
   progress.check();
-  warn_of_doubts(cloud, plane, range);
+  print_quality_warnings(cloud, plane, range);
   const std::string report = scan::report_json(cloud, plane, range, map, openings);
   if (!options.output.empty()) write(options.output, range, map, openings, report);
-  clear_bar();
+  clear_progress_bar();
   print_report(nlohmann::ordered_json::parse(report), options.json);
   return kDone;
 }
@@ -106,7 +106,7 @@ void add_plane_options(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"y", "z"}));
   app.add_option("--tolerance", o.plane.tolerance, "largest distance of a plane's points, 10cm")
       ->transform(number_in(Dimension::length, 1e-6, 1e3));
-  app.add_option("--lean", o.plane.most_lean, "how far the plane may lean from the plumb, 20deg")
+  app.add_option("--lean", o.plane.max_lean, "how far the plane may lean from the plumb, 20deg")
       ->transform(number_in(Dimension::angle, 0, kPi / 2));
   app.add_option("--scanner", o.scanner, "X,Y,Z: where it stood; tells which side is the front")
       ->delimiter(',')
@@ -122,7 +122,7 @@ void add_range_options(CLI::App& app, Options& o) {
       ->transform(number_in(Dimension::length, 0, 1e3));
   app.add_option("--behind", o.range.behind, "points farther behind the plane are left out, 1m")
       ->transform(number_in(Dimension::length, 0, 1e3));
-  app.add_option("--fill", o.range.fill,
+  app.add_option("--fill", o.range.inpaint_radius,
                  "how far from points pixels take their depth; without it about the distance "
                  "between points")
       ->transform(number_in(Dimension::length, 0, 1e3));
@@ -134,9 +134,9 @@ void add_opening_options(CLI::App& app, Options& o) {
   app.add_option("--set-back", o.surfaces.set_back,
                  "how far behind the wall openings begin; without it from the wall's roughness")
       ->transform(number_in(Dimension::length, 0, 1e3));
-  app.add_option("--least", o.openings.least, "width and height of an opening at least, 50cm")
+  app.add_option("--least", o.openings.min_size, "width and height of an opening at least, 50cm")
       ->transform(number_in(Dimension::length, 0, 1e3));
-  app.add_option("--most", o.openings.most, "width and height of an opening at most, 6m")
+  app.add_option("--most", o.openings.max_size, "width and height of an opening at most, 6m")
       ->transform(number_in(Dimension::length, 0, 1e3));
   app.add_flag("--plain", o.plain,
                "the methods of the paper alone: the wall is a plane, and no opening is tidied up");

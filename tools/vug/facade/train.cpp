@@ -1,6 +1,6 @@
 #include "arguments.h"
-#include "bar.h"
-#include "load.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -18,49 +18,49 @@ namespace {
 struct Options {
   std::string folder, classes, output;
   fit::WorkingLimits limits;
-  fit::LookOptions looks;
+  fit::PixelClassifierOptions looks;
   int folds = 0;
   uint64_t seed = 0;
   WorkOptions work;
 };
 
-void report(const fit::Confusion& table, const fit::Classes& classes) {
-  clear_bar();
+void report(const fit::ConfusionMatrix& table, const fit::Classes& classes) {
+  clear_progress_bar();
   fmt::print("pixel accuracy  {:.3f}\nclass average   {:.3f}\nwindow overlap  {:.3f}\n\n{}",
-             table.accuracy(), table.class_average(), table.overlap(classes.of(fit::Look::window)),
-             table.table(classes));
+             table.accuracy(), table.class_average(),
+             table.iou(classes.find(fit::RegionType::window)), table.table(classes));
 }
 
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
-  Progress& progress = terminal_progress(options.work.bar());
+  Progress& progress = terminal_progress(options.work.bar_mode());
   if (options.output.empty() && options.folds == 0)
     throw Error(ErrorCode::bad_input, "there is nothing to do", {},
                 "name a file for the looks with -o, or try them with --folds 5");
   if (!options.output.empty()) {
-    require_ending(options.output, ".json", "looks are a .json");
+    require_extension(options.output, ".json", "looks are a .json");
     require_outputs({options.output}, {options.classes});
   }
   options.looks.max_memory = options.work.memory_limit();
   const fit::Classes classes = fit::read_classes(options.classes);
-  const std::vector<fit::Labelled> pictures = fit::read_labelled_folder(
+  const std::vector<fit::LabelledImage> pictures = fit::read_labelled_folder(
       options.folder, classes, options.limits, options.looks.max_memory, progress);
   const RandomKey key = RandomKey(options.seed).at("facade train");
   if (options.folds > 0) {
-    fit::Confusion table(classes.count());
+    fit::ConfusionMatrix table(classes.count());
     fit::cross_validate(
         pictures, classes, options.limits, options.looks, options.folds, key.at("folds"),
         [&](size_t picture, const fit::Planes& maps) {
-          table.add(pictures[picture].labels, fit::most_likely(maps));
+          table.add(pictures[picture].labels, fit::most_likely_classes(maps));
         },
         progress);
     report(table, classes);
   }
   if (options.output.empty()) return kDone;
-  std::vector<const fit::Labelled*> all;
-  for (const fit::Labelled& picture : pictures) all.push_back(&picture);
-  const fit::LookModel model =
-      fit::LookModel::train(all, classes, options.limits, options.looks, key.at("all"), progress);
+  std::vector<const fit::LabelledImage*> all;
+  for (const fit::LabelledImage& picture : pictures) all.push_back(&picture);
+  const fit::PixelClassifier model = fit::PixelClassifier::train(
+      all, classes, options.limits, options.looks, key.at("all"), progress);
   write_text(options.output, model.to_json().dump() + "\n");
   return kDone;
 }
@@ -84,12 +84,12 @@ Verb facade_train_verb() {
                    "--folds", options->folds,
                    "tells how right looks are that are trained without a part of the "
                    "pictures, on that part, for each of so many parts; this or -o is needed")
-                ->transform(whole_number_in(2, 1000));
+                ->transform(integer_in(2, 1000));
             app.add_option("--rows", options->limits.height,
                            "of pixels that pictures are shrunk to, 360 without it")
-                ->transform(whole_number_in(1, 4096));
+                ->transform(integer_in(1, 4096));
             app.add_option("--trees", options->looks.first.trees, "in each forest")
-                ->transform(whole_number_in(1, 1000));
+                ->transform(integer_in(1, 1000));
             app.add_option("--seed", options->seed, "of what is drawn")->transform(seed_number());
             options->work.add_to(app);
             return [options] {

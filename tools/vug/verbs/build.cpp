@@ -1,7 +1,7 @@
 #include "arguments.h"
-#include "bar.h"
-#include "load.h"
-#include "moment.h"
+#include "progress_bar.h"
+#include "scene_at_frame.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -43,15 +43,15 @@ void build_one(const Options& options, building::Builder& builder, const loading
 
 int run_frames(const Options& options, Progress& progress) {
   const std::vector<int> frames = picture::parse_frames(options.frames);
-  loading::StaticCache still;
-  std::unique_ptr<Moment> now;
+  loading::StaticCache static_cache;
+  std::unique_ptr<SceneAtFrame> now;
   for (size_t i = 0; i < frames.size(); ++i) {
-    auto next =
-        std::make_unique<Moment>(options.scene.load(frames[i], still), options.work, progress);
+    auto next = std::make_unique<SceneAtFrame>(options.scene.load(frames[i], static_cache),
+                                               options.work, progress);
     if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
     if (!options.work.quiet) {
-      clear_bar();
+      clear_progress_bar();
       fmt::print(stderr, "frame {}, {} of {}\n", frames[i], i + 1, frames.size());
     }
     try {
@@ -69,9 +69,9 @@ int run(Options options) {
     throw Error(ErrorCode::bad_input, "there is nothing to resume from", {},
                 "name the file with --checkpoint");
   if (!options.checkpoint.empty())
-    require_ending(options.checkpoint, ".vdb", "a checkpoint of cells holds their points");
+    require_extension(options.checkpoint, ".vdb", "a checkpoint of cells holds their points");
   const ThreadLimit threads(options.work.threads);
-  Progress& progress = terminal_progress(options.work.bar());
+  Progress& progress = terminal_progress(options.work.bar_mode());
   if (!options.frames.empty()) return run_frames(options, progress);
   const loading::Loaded loaded = options.scene.load();
   building::BuildOptions build = options.work.build_options(loaded);

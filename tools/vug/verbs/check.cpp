@@ -1,4 +1,4 @@
-#include "load.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/building/cell_points.h>

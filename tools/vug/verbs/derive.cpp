@@ -1,4 +1,4 @@
-#include "load.h"
+#include "scene_options.h"
 #include "sha256.h"
 
 #include <vug/base/parallel.h>
@@ -28,7 +28,7 @@ struct Options {
 };
 
 /// The one that is asked for; of several one has to be named.
-shot::LSystemPtr chosen(const shot::Shot& shot, const std::string& wanted) {
+shot::LSystemPtr select_lsystem(const shot::Shot& shot, const std::string& wanted) {
   std::vector<std::string> names;
   for (const shot::LSystemPtr& each : shot.lsystems) {
     if (each->name == wanted) return each;
@@ -59,15 +59,16 @@ std::map<std::string, size_t> counts(const lsystem::Word& word, const lsystem::A
 
 /// The word as text, a part at a time.
 template <class Take>
-void in_parts(const lsystem::Word& word, const lsystem::Alphabet& alphabet, const Take& take) {
-  constexpr size_t kPart = 1 << 16;
-  for (size_t begin = 0; begin < word.size(); begin += kPart)
-    take(lsystem::to_string(word, alphabet, begin, std::min(word.size(), begin + kPart)));
+void for_each_chunk(const lsystem::Word& word, const lsystem::Alphabet& alphabet,
+                    const Take& take) {
+  constexpr size_t kChunk = 1 << 16;
+  for (size_t begin = 0; begin < word.size(); begin += kChunk)
+    take(lsystem::to_string(word, alphabet, begin, std::min(word.size(), begin + kChunk)));
 }
 
 std::string hash_of(const lsystem::Word& word, const lsystem::Alphabet& alphabet) {
   Sha256 hash;
-  in_parts(word, alphabet, [&](const std::string& part) { hash.add(part); });
+  for_each_chunk(word, alphabet, [&](const std::string& part) { hash.add(part); });
   return hash.hex();
 }
 
@@ -86,7 +87,7 @@ void print_json(const Options& options, const lsystem::System& system, const lsy
 
 int run(const Options& options) {
   const loading::Loaded loaded = options.scene.load();
-  const shot::LSystemPtr plan = chosen(loaded.shot, options.grammar);
+  const shot::LSystemPtr plan = select_lsystem(loaded.shot, options.grammar);
   const lsystem::System& system = *plan->system;
   if (system.timed ? options.steps.has_value() : options.time.has_value())
     throw Error(ErrorCode::bad_input,
@@ -106,7 +107,7 @@ int run(const Options& options) {
   } else if (options.hash) {
     fmt::print("{}\n", hash_of(word, alphabet));
   } else {
-    in_parts(word, alphabet, [](const std::string& part) { fmt::print("{}", part); });
+    for_each_chunk(word, alphabet, [](const std::string& part) { fmt::print("{}", part); });
     fmt::print("\n");
   }
   return kDone;

@@ -14,7 +14,7 @@ namespace {
 struct Options {
   std::string reference, test;
   image::DiffOptions diff;
-  std::vector<std::string> most, least;
+  std::vector<std::string> maxima, minima;
   std::string thresholds, mask, json, html, heat;
   int threads = 0;
   bool quiet = false;
@@ -28,7 +28,7 @@ std::string measure_names() {
 }
 
 void require_files(const Options& options) {
-  if (!options.heat.empty()) require_ending(options.heat, ".png", "the heat map is a PNG");
+  if (!options.heat.empty()) require_extension(options.heat, ".png", "the heat map is a PNG");
   std::vector<std::filesystem::path> outputs, inputs;
   for (const std::string& path : {options.json, options.html, options.heat})
     if (!path.empty()) outputs.emplace_back(path);
@@ -38,8 +38,8 @@ void require_files(const Options& options) {
   require_outputs(outputs, inputs);
 }
 
-/// What is told twice, one of them in vain.
-void require_once(const std::vector<image::Limit>& limits) {
+/// What is limits twice, one of them in vain.
+void require_distinct(const std::vector<image::Limit>& limits) {
   for (auto a = limits.begin(); a != limits.end(); ++a)
     for (auto b = limits.begin(); b != a; ++b)
       if (a->layer == b->layer && a->measure == b->measure)
@@ -53,11 +53,11 @@ int run(Options options) {
   const ThreadLimit threads(options.threads);
   using Better = image::Measure::Better;
   if (!options.thresholds.empty()) options.diff.limits = read_limits(options.thresholds);
-  std::vector<image::Limit> told;
-  for (const std::string& text : options.most) told.push_back(parse_limit(text, Better::low));
-  for (const std::string& text : options.least) told.push_back(parse_limit(text, Better::high));
-  require_once(told);
-  options.diff.limits.insert(options.diff.limits.end(), told.begin(), told.end());
+  std::vector<image::Limit> limits;
+  for (const std::string& text : options.maxima) limits.push_back(parse_limit(text, Better::low));
+  for (const std::string& text : options.minima) limits.push_back(parse_limit(text, Better::high));
+  require_distinct(limits);
+  options.diff.limits.insert(options.diff.limits.end(), limits.begin(), limits.end());
   for (const std::string& name : options.diff.measures) image::measure_of(name);
   require_files(options);
   const image::ImageUnderTest reference = image::read_image_under_test(options.reference);
@@ -85,10 +85,10 @@ Verb diff_verb() {
         auto o = std::make_shared<Options>();
         app.add_option("reference", o->reference, "the picture that is right")->required();
         app.add_option("test", o->test, "the picture to be judged")->required();
-        app.add_option("--max", o->most, "[LAYER.]MEASURE=VALUE that is allowed at most")
+        app.add_option("--max", o->maxima, "[LAYER.]MEASURE=VALUE that is allowed at most")
             ->take_all()
             ->type_name("LIMIT");
-        app.add_option("--min", o->least, "the same for psnr and ssim, where more is better")
+        app.add_option("--min", o->minima, "the same for psnr and ssim, where more is better")
             ->take_all()
             ->type_name("LIMIT");
         app.add_option("--thresholds", o->thresholds,
@@ -110,7 +110,7 @@ Verb diff_verb() {
         app.add_option("--html", o->html, "writes a page with both pictures and the heat map");
         app.add_option("--heat", o->heat, "writes the heat map, a PNG");
         app.add_option("--threads", o->threads, "threads to use; 0: all cores")
-            ->check(whole_number_in(0, 1024));
+            ->check(integer_in(0, 1024));
         app.add_flag("--quiet,-q", o->quiet, "no table: the exit code is the answer");
         return [o] { return run(*o); };
       }};

@@ -1,6 +1,6 @@
 #include "arguments.h"
-#include "bar.h"
-#include "load.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,10 +34,10 @@ int run(const Options& options) {
   require_outputs(delivery::export_paths(shot, options.folder, what),
                   loading::file_dependencies(loaded));
   building::Builder builder(shot, options.work.build_options(loaded),
-                            terminal_progress(options.work.bar()));
+                            terminal_progress(options.work.bar_mode()));
   const delivery::ExportResult written = delivery::export_set(builder, options.folder, what);
   for (const auto& path : written.files) fmt::print("{}\n", path.string());
-  clear_bar();
+  clear_progress_bar();
   for (const std::string& each : written.unsupported) fmt::print(stderr, "left out: {}\n", each);
   if (options.work.quiet) return kDone;
   for (const std::string& each : written.notes) fmt::print(stderr, "note: {}\n", each);
@@ -66,7 +66,7 @@ Verb export_verb() {
             ->check(CLI::IsMember({"m", "cm"}));
         app.add_option("--lod", options->levels,
                        "levels of detail beside the whole, each with a quarter of the triangles")
-            ->check(whole_number_in(0, 8));
+            ->check(integer_in(0, 8));
         options->work.add_to(app);
         return [options] { return run(*options); };
       }};

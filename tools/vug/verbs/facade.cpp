@@ -18,7 +18,7 @@ namespace {
 [[noreturn]] void refuse(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
-  throw no_such_verb(word, names, app.get_name());
+  throw unknown_verb_error(word, names, app.get_name());
 }
 
 }  // namespace

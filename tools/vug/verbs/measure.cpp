@@ -1,6 +1,6 @@
-#include "bar.h"
-#include "load.h"
 #include "print.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -36,7 +36,7 @@ void refuse_scene_options(const Options& options) {
 
 metrics::Report report_of(const Options& options) {
   const ThreadLimit threads(options.work.threads);
-  Progress& progress = terminal_progress(options.work.bar());
+  Progress& progress = terminal_progress(options.work.bar_mode());
   if (extension_of(options.scene.scene) != ".vug") {
     refuse_scene_options(options);
     return delivery::measure_file(options.scene.scene, progress);
@@ -51,7 +51,7 @@ int run_cells(const Options& options) {
   const loading::Loaded loaded = options.scene.load();
   const ThreadLimit threads(options.work.threads);
   building::Builder builder(loaded.shot, options.work.build_options(loaded),
-                            terminal_progress(options.work.bar()));
+                            terminal_progress(options.work.bar_mode()));
   print_report(delivery::describe_cells(builder, options.cells), options.json);
   return kDone;
 }

@@ -1,6 +1,6 @@
 #include "arguments.h"
-#include "bar.h"
-#include "load.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -16,10 +16,11 @@ struct Options {
 };
 
 int run(const Options& options) {
-  require_ending(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
+  require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
   const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
   require_outputs({options.output, picture::png_path(options.output)}, paths);
-  const render::PartialRender whole = render::merge(paths, terminal_progress(options.work.bar()));
+  const render::PartialRender whole =
+      render::merge(paths, terminal_progress(options.work.bar_mode()));
   const image::Image image = render::develop(whole.state, whole.header.layers);
   for (const auto& path : picture::write_picture(options.output, {{image, whole.header}}))
     fmt::print("{}\n", path.string());

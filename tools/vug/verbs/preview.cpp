@@ -1,6 +1,6 @@
 #include "arguments.h"
-#include "bar.h"
-#include "load.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -37,7 +37,7 @@ int run(Options options) {
   const std::filesystem::path page = page_file();
   if (options.output.empty())
     options.output = std::filesystem::path(options.scene.scene).stem().string() + ".html";
-  require_ending(options.output, ".html", "the page is one .html file");
+  require_extension(options.output, ".html", "the page is one .html file");
   const ThreadLimit threads(options.work.threads);
   const loading::Loaded loaded = options.scene.load();
   const shot::Shot shot = delivery::with_meshes(loaded.shot);
@@ -51,11 +51,11 @@ int run(Options options) {
   what.picture = options.picture, what.render = options.render, what.mesh = options.mesh;
   what.max_triangles = static_cast<size_t>(options.max_triangles);
   building::Builder builder(shot, options.work.build_options(loaded),
-                            terminal_progress(options.work.bar()));
+                            terminal_progress(options.work.bar_mode()));
   const session::Preview made = session::make_preview(builder, loaded, what);
   write_text(options.output, made.page);
   fmt::print("{}\n", options.output);
-  clear_bar();
+  clear_progress_bar();
   for (const std::string& each : made.unsupported) fmt::print(stderr, "left out: {}\n", each);
   if (options.work.quiet) return kDone;
   if (made.triangles < made.whole)
@@ -80,7 +80,7 @@ Verb preview_verb() {
             ->excludes(picture);
         app.add_option("--max-triangles", options->max_triangles,
                        "thin the model out to about so many; else 300000")
-            ->check(whole_number_in(100, 100000000));
+            ->check(integer_in(100, 100000000));
         app.add_option("--mesh", options->mesh, "whose metrics it tells; else the largest mesh's");
         options->work.add_to(app);
         return [options] { return run(*options); };

@@ -1,7 +1,7 @@
 #include "arguments.h"
-#include "bar.h"
-#include "load.h"
-#include "moment.h"
+#include "progress_bar.h"
+#include "scene_at_frame.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -102,8 +102,8 @@ void parse(Options& options) {
                                      : "a part is no picture: it cannot be both",
                 {}, "give -o and an .exr for the picture, or --part and a file for a part of it");
   if (!options.output.empty())
-    require_ending(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
-  if (!options.preview.empty()) require_ending(options.preview, ".png", "");
+    require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
+  if (!options.preview.empty()) require_extension(options.preview, ".png", "");
 }
 
 std::string time_text(double seconds) {
@@ -149,7 +149,7 @@ void require_outputs(const Options& options, const loading::Loaded& loaded) {
 }
 
 /// Puts the frame's number where names have a place for it.
-Options with_number(const Options& options, int frame) {
+Options with_frame_number(const Options& options, int frame) {
   Options out = options;
   for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview})
     if (picture::has_frame_number(*path)) *path = picture::frame_path(*path, frame).string();
@@ -159,26 +159,26 @@ Options with_number(const Options& options, int frame) {
 }
 
 /// The options for one picture of a sequence.
-Options at_frame(const Options& options, int frame) {
+Options options_at_frame(const Options& options, int frame) {
   for (const std::string* path :
        {&options.output, &options.part, &options.checkpoint, &options.products})
     if (!path->empty()) picture::frame_path(*path, frame);  // refuses a name that all would share
-  Options out = with_number(options, frame);
+  Options out = with_frame_number(options, frame);
   if (out.checkpoint.empty()) out.render.resume = false;  // nothing but whole frames is kept
   return out;
 }
 
-int run_frames(const Options& options, loading::StaticCache& still, Progress& progress) {
+int run_frames(const Options& options, loading::StaticCache& static_cache, Progress& progress) {
   using Clock = std::chrono::steady_clock;
   const std::vector<int> frames = picture::parse_frames(options.frames);
-  for (const int frame : frames) at_frame(options, frame);  // before any work
-  std::unique_ptr<Moment> now;
+  for (const int frame : frames) options_at_frame(options, frame);  // before any work
+  std::unique_ptr<SceneAtFrame> now;
   double seconds = 0;
   size_t rendered = 0, skipped = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
-    const Options one = at_frame(options, frames[i]);
-    auto next =
-        std::make_unique<Moment>(options.scene.load(frames[i], still), options.work, progress);
+    const Options one = options_at_frame(options, frames[i]);
+    auto next = std::make_unique<SceneAtFrame>(options.scene.load(frames[i], static_cache),
+                                               options.work, progress);
     if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
     if (options.render.resume && one.part.empty() &&
@@ -189,7 +189,7 @@ int run_frames(const Options& options, loading::StaticCache& still, Progress& pr
     }
     require_outputs(one, now->loaded);
     if (!options.work.quiet) {
-      clear_bar();
+      clear_progress_bar();
       fmt::print(stderr, "frame {}, {} of {}", frames[i], i + 1, frames.size());
       if (rendered > 0)
         fmt::print(stderr, ", {} left",
@@ -218,21 +218,22 @@ int run(Options options) {
   if (!options.work.quiet)
     options.render.estimate = [](double seconds, double bytes) {
       if (seconds < 5 && bytes < 0x1p30) return;  // not worth a line
-      clear_bar();
+      clear_progress_bar();
       fmt::print(stderr, "rendering takes {} and {}\n", time_text(seconds), bytes_text(bytes));
     };
   const ThreadLimit threads(options.work.threads);
-  Progress& progress = terminal_progress(options.work.bar());
-  loading::StaticCache still;
-  options.render.picture.shot_at_frame = options.scene.moments(still);
-  if (!options.frames.empty()) return run_frames(options, still, progress);
+  Progress& progress = terminal_progress(options.work.bar_mode());
+  loading::StaticCache static_cache;
+  options.render.picture.shot_at_frame = options.scene.shot_at_frame(static_cache);
+  if (!options.frames.empty()) return run_frames(options, static_cache, progress);
   if (const auto& frame = options.scene.frame;
       frame && *frame == std::floor(*frame) && std::fabs(*frame) < 1e9)
-    options = with_number(options, static_cast<int>(*frame));
-  Moment moment(options.scene.load(options.scene.frame.value_or(1), still), options.work, progress);
-  require_outputs(options, moment.loaded);
-  render_one(options, moment.builder);
-  options.work.summarise(moment.builder);
+    options = with_frame_number(options, static_cast<int>(*frame));
+  SceneAtFrame scene(options.scene.load(options.scene.frame.value_or(1), static_cache),
+                     options.work, progress);
+  require_outputs(options, scene.loaded);
+  render_one(options, scene.builder);
+  options.work.summarise(scene.builder);
   return kDone;
 }
 
@@ -251,8 +252,7 @@ Verb render_verb() {
         app.add_option("--sample-seed", options->render.picture.seed,
                        "draws other samples of the same scene, which --seed may change")
             ->check(seed_number());
-        app.add_option("--spp", picture.spp, "samples per pixel")
-            ->check(whole_number_in(1, 1 << 20));
+        app.add_option("--spp", picture.spp, "samples per pixel")->check(integer_in(1, 1 << 20));
         app.add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
         app.add_option("--crop", options->crop, "LEFT,TOP,RIGHT,BOTTOM: only these pixels");
         app.add_option("--camera", picture.camera, "which camera");

@@ -1,7 +1,7 @@
-#include "bar.h"
-#include "load.h"
+#include "error_report.h"
 #include "plot.h"
-#include "report.h"
+#include "progress_bar.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -25,12 +25,12 @@ struct Options {
   std::string output;
 };
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr size_t kMostValues = 10'000;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr size_t kMaxValues = 10'000;
 
 template <class T>
-double known(const std::optional<T>& value) {
-  return value ? static_cast<double>(*value) : kUnknown;
+double value_or_nan(const std::optional<T>& value) {
+  return value ? static_cast<double>(*value) : kNaN;
 }
 
 /// A column of the table: its name there, its label in a plot, its value.
@@ -44,18 +44,18 @@ struct Column {
 const std::vector<Column>& columns() {
   using R = metrics::Report;
   static const std::vector<Column> all = {
-      {"seconds", "build time, s", 4, [](const R& r) { return known(r.build_seconds); }},
+      {"seconds", "build time, s", 4, [](const R& r) { return value_or_nan(r.build_seconds); }},
       {"vertices", "vertices", 17, [](const R& r) { return static_cast<double>(r.vertices); }},
       {"triangles", "triangles", 17, [](const R& r) { return static_cast<double>(r.triangles); }},
       {"area", "surface, m²", 9, [](const R& r) { return r.area; }},
       {"volume", "volume, m³", 9, [](const R& r) { return r.volume; }},
       {"volume_cells", "volume of the cells inside, m³", 9,
-       [](const R& r) { return known(r.volume_cells); }},
-      {"cf", "convex edges, %", 6, [](const R& r) { return known(r.cf); }},
-      {"cf_area", "convex edges by area, %", 6, [](const R& r) { return known(r.cf_area); }},
+       [](const R& r) { return value_or_nan(r.volume_cells); }},
+      {"cf", "convex edges, %", 6, [](const R& r) { return value_or_nan(r.cf); }},
+      {"cf_area", "convex edges by area, %", 6, [](const R& r) { return value_or_nan(r.cf_area); }},
       {"components", "pieces", 17, [](const R& r) { return static_cast<double>(r.components); }},
-      {"genus", "handles", 17, [](const R& r) { return known(r.genus); }},
-      {"productions", "productions", 17, [](const R& r) { return known(r.productions); }},
+      {"genus", "handles", 17, [](const R& r) { return value_or_nan(r.genus); }},
+      {"productions", "productions", 17, [](const R& r) { return value_or_nan(r.productions); }},
       {"length_x", "length along x, m", 6, [](const R& r) { return r.bounds.size().x; }},
       {"length_y", "length along y, m", 6, [](const R& r) { return r.bounds.size().y; }},
       {"length_z", "length along z, m", 6, [](const R& r) { return r.bounds.size().z; }},
@@ -80,7 +80,7 @@ bool parses(const std::string& text, T& out) {
 }
 
 /// "1..100" is every whole number from 1 to 100; any other text stands for itself.
-std::vector<std::string> expanded(const std::vector<std::string>& values) {
+std::vector<std::string> expand_ranges(const std::vector<std::string>& values) {
   std::vector<std::string> out;
   for (const std::string& value : values) {
     const size_t dots = value.find("..");
@@ -90,20 +90,20 @@ std::vector<std::string> expanded(const std::vector<std::string>& values) {
       out.push_back(value);
       continue;
     }
-    if (low > high || high - low >= static_cast<int64_t>(kMostValues))
+    if (low > high || high - low >= static_cast<int64_t>(kMaxValues))
       throw Error(ErrorCode::bad_input, fmt::format("'{}' is no range to sweep", value), {},
-                  fmt::format("write the smaller number first, {} values at most", kMostValues));
+                  fmt::format("write the smaller number first, {} values at most", kMaxValues));
     for (int64_t v = low; v <= high; ++v) out.push_back(std::to_string(v));
   }
   return out;
 }
 
-struct Row {
+struct SweepRow {
   std::string value;
   metrics::Report report;
 };
 
-Row measured(const Options& options, const std::string& value) {
+SweepRow measure_value(const Options& options, const std::string& value) {
   SceneOptions scene = options.scene;
   if (options.param == "seed") {
     uint64_t seed = 0;
@@ -116,15 +116,15 @@ Row measured(const Options& options, const std::string& value) {
   }
   const loading::Loaded loaded = scene.load();
   building::Builder builder(loaded.shot, options.work.build_options(loaded),
-                            terminal_progress(options.work.bar()));
+                            terminal_progress(options.work.bar_mode()));
   return {value, delivery::measure(builder)};
 }
 
-std::string table(const std::string& param, const std::vector<Row>& rows) {
+std::string table(const std::string& param, const std::vector<SweepRow>& rows) {
   std::string out = param;
   for (const Column& c : columns()) out += fmt::format(",{}", c.name);
   out += '\n';
-  for (const Row& row : rows) {
+  for (const SweepRow& row : rows) {
     out += row.value;
     for (const Column& c : columns()) {
       const double value = c.value(row.report);
@@ -136,12 +136,12 @@ std::string table(const std::string& param, const std::vector<Row>& rows) {
 }
 
 /// Where the values of each column lie.
-std::string summary(const std::vector<Row>& rows) {
+std::string summary(const std::vector<SweepRow>& rows) {
   std::string out = fmt::format("{:<13} {:>11} {:>11} {:>11}\n", "", "least", "mean", "most");
   for (const Column& c : columns()) {
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0;
     int count = 0;
-    for (const Row& row : rows) {
+    for (const SweepRow& row : rows) {
       const double value = c.value(row.report);
       if (std::isnan(value)) continue;
       least = std::min(least, value);
@@ -156,7 +156,7 @@ std::string summary(const std::vector<Row>& rows) {
   return out;
 }
 
-std::string plot(const Options& options, const std::vector<Row>& rows) {
+std::string plot(const Options& options, const std::vector<SweepRow>& rows) {
   const std::string scene = std::filesystem::path(options.scene.scene).stem().string();
   Plot plot{scene + " against " + options.param, options.param, {}, {}, options.param != "seed"};
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -166,7 +166,7 @@ std::string plot(const Options& options, const std::vector<Row>& rows) {
   for (const std::string& name : options.plot) {
     const Column& c = column(name);
     Curve curve{c.label, {}};
-    for (const Row& row : rows) curve.y.push_back(c.value(row.report));
+    for (const SweepRow& row : rows) curve.y.push_back(c.value(row.report));
     plot.curves.push_back(std::move(curve));
   }
   return plot_svg(plot);
@@ -174,14 +174,14 @@ std::string plot(const Options& options, const std::vector<Row>& rows) {
 
 /// Rows until a value fails; the exit code that goes with its fault, which has been told.
 int measure_all(const Options& options, const std::vector<std::string>& values,
-                std::vector<Row>& rows) {
+                std::vector<SweepRow>& rows) {
   for (const std::string& value : values) {
     const std::string doing = fmt::format("measuring {} = {}", options.param, value);
     try {
-      rows.push_back(measured(options, value));
+      rows.push_back(measure_value(options, value));
     } catch (Error& error) {
-      return report(error.within(doing));
-    } catch (const Stop& stop) {
+      return print_error(error.within(doing));
+    } catch (const ExitRequest& stop) {
       fmt::print(stderr, "  while {}\n", doing);
       return stop.exit;
     }
@@ -197,8 +197,8 @@ int run(const Options& options) {
                 "leave out --seed");
   const std::string csv = options.output + ".csv", svg = options.output + ".svg";
   if (!options.output.empty()) require_outputs({csv, svg}, {options.scene.scene});
-  const std::vector<std::string> values = expanded(options.values);
-  std::vector<Row> rows;
+  const std::vector<std::string> values = expand_ranges(options.values);
+  std::vector<SweepRow> rows;
   const int exit = measure_all(options, values, rows);
   if (rows.empty()) return exit;
   if (exit != kDone)

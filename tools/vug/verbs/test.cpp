@@ -1,6 +1,6 @@
 #include "arguments.h"
-#include "bar.h"
 #include "case_run.h"
+#include "progress_bar.h"
 #include "verb.h"
 
 #include <fmt/format.h>
@@ -109,7 +109,7 @@ int run(Options options) {
   options.cases.kept = !scratch;
   if (!scratch) require_writable(options.cases.output / "index.html");
   if (!options.junit.empty()) require_writable(options.junit);
-  options.cases.progress = &terminal_progress(BarShown::never);
+  options.cases.progress = &terminal_progress(ProgressBarMode::never);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   size_t ended = 0;
@@ -148,10 +148,10 @@ Verb test_verb() {
                            "a folder for pictures, reports and index.html; else none are kept");
             app.add_option("--junit", o->junit, "writes the outcome for build servers");
             app.add_option("-j,--jobs", o->jobs, "cases at the same time; 0: as many as cores")
-                ->check(whole_number_in(0, 1024));
+                ->check(integer_in(0, 1024));
             app.add_option("--flaky", o->cases.reseed,
                            "reseeds each case N times and tells whose verdict changes")
-                ->check(whole_number_in(1, 1000));
+                ->check(integer_in(1, 1000));
             app.add_flag("--update", o->cases.update,
                          "makes what differs or is missing the new reference; needs --reason");
             app.add_option("--reason", o->cases.reason,

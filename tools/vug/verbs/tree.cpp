@@ -1,4 +1,4 @@
-#include "load.h"
+#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,7 +31,8 @@ std::string hint_for(const shot::Shot& shot, const Options& options,
 }
 
 /// The derivations that are asked for: at least one, and only one where one document is printed.
-std::vector<const shot::Derivation*> chosen(const shot::Shot& shot, const Options& options) {
+std::vector<const shot::Derivation*> select_derivations(const shot::Shot& shot,
+                                                        const Options& options) {
   std::vector<const shot::Derivation*> found;
   std::vector<std::string> names;
   for (const shot::Derivation& derivation : shot.derivations) {
@@ -66,7 +67,7 @@ std::string text_of(const shot::Derivation& derivation, const Options& options) 
 
 int run(const Options& options) {
   const loading::Loaded loaded = options.scene.load();
-  for (const shot::Derivation* derivation : chosen(loaded.shot, options))
+  for (const shot::Derivation* derivation : select_derivations(loaded.shot, options))
     fmt::print("{}", text_of(*derivation, options));
   return kDone;
 }

@@ -6,9 +6,9 @@
 namespace vug::cli {
 
 /// "error: message", its context and its hint on stderr; the exit code that goes with it.
-int report(const Error& error);
+int print_error(const Error& error);
 
 /// Tells an error on stderr that stops nothing, and what that means.
-void warn(const Error& error, const std::string& what);
+void print_warning(const Error& error, const std::string& what);
 
 }  // namespace vug::cli

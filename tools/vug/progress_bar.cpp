@@ -1,4 +1,4 @@
-#include "bar.h"
+#include "progress_bar.h"
 
 #include "verb.h"
 
@@ -71,22 +71,22 @@ Bar& bar() {
 
 }  // namespace
 
-Progress& terminal_progress(BarShown shown) {
+Progress& terminal_progress(ProgressBarMode shown) {
   static Progress silent;
   static Progress drawn(
       [](const std::string& stage, double fraction) { bar().draw(stage, fraction); });
-  const bool draw =
-      shown == BarShown::always || (shown == BarShown::on_terminals && isatty(STDERR_FILENO));
+  const bool draw = shown == ProgressBarMode::always ||
+                    (shown == ProgressBarMode::on_terminals && isatty(STDERR_FILENO));
   Progress& progress = draw ? drawn : silent;
   interrupted = &progress;
   return progress;
 }
 
-void heed_signals() {
+void install_signal_handlers() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
 }
 
-void clear_bar() { bar().clear(); }
+void clear_progress_bar() { bar().clear(); }
 
 }  // namespace vug::cli

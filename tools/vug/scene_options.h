@@ -1,7 +1,7 @@
 // Options that every verb with a scene shares.
 #pragma once
 
-#include "bar.h"
+#include "progress_bar.h"
 #include "verb.h"
 
 #include <vug/building/builder.h>
@@ -25,13 +25,14 @@ struct SceneOptions {
 
   /// `work`: of the same verb, may be null; its limits hold while the scene is loaded, too.
   void add_to(CLI::App& app, const WorkOptions* work = nullptr);
-  /// Loads the scene; prints its diagnostics on stderr. Throws Stop{kUnusable} when it has errors.
+  /// Loads the scene; prints its diagnostics on stderr. Throws ExitRequest{kUnusable} when it has
+  /// errors.
   loading::Loaded load() const;
   /// The same at a frame of a sequence; see loading::Still.
-  loading::Loaded load(double at, loading::StaticCache& still) const;
+  loading::Loaded load(double at, loading::StaticCache& static_cache) const;
   /// For PictureOptions::moment; the options and `still` must outlive it.
-  std::function<std::shared_ptr<const shot::Shot>(double)> moments(
-      loading::StaticCache& still) const;
+  std::function<std::shared_ptr<const shot::Shot>(double)> shot_at_frame(
+      loading::StaticCache& static_cache) const;
   loading::LoadOptions load_options() const;
 
  private:
@@ -47,7 +48,7 @@ struct WorkOptions {
   bool progress = false;
 
   void add_to(CLI::App& app);
-  BarShown bar() const;
+  ProgressBarMode bar_mode() const;
   /// In bytes; without --max-memory nine tenths of what the machine has free.
   uint64_t memory_limit() const;
   /// Within that limit; warnings go to stderr as they come. `loaded` must outlive what is built.

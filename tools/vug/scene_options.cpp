@@ -1,4 +1,4 @@
-#include "load.h"
+#include "scene_options.h"
 
 #include "arguments.h"
 
@@ -47,23 +47,23 @@ loading::LoadOptions SceneOptions::load_options() const {
 
 loading::Loaded SceneOptions::load() const { return load(load_options()); }
 
-loading::Loaded SceneOptions::load(double at, loading::StaticCache& still) const {
+loading::Loaded SceneOptions::load(double at, loading::StaticCache& static_cache) const {
   loading::LoadOptions options = load_options();
   options.frame = at;
-  options.static_cache = &still;
+  options.static_cache = &static_cache;
   return load(options);
 }
 
-std::function<std::shared_ptr<const shot::Shot>(double)> SceneOptions::moments(
-    loading::StaticCache& still) const {
-  return [this, &still](double at) {
+std::function<std::shared_ptr<const shot::Shot>(double)> SceneOptions::shot_at_frame(
+    loading::StaticCache& static_cache) const {
+  return [this, &static_cache](double at) {
     loading::LoadOptions options = load_options();
     options.frame = at;
-    options.static_cache = &still;
+    options.static_cache = &static_cache;
     const loading::Loaded loaded = loading::load(scene, options);
     if (!loaded.usable()) {
       fmt::print(stderr, "{}", loaded.report());
-      throw Stop{kUnusable};
+      throw ExitRequest{kUnusable};
     }
     return std::make_shared<const shot::Shot>(loaded.shot);
   };
@@ -72,21 +72,22 @@ std::function<std::shared_ptr<const shot::Shot>(double)> SceneOptions::moments(
 loading::Loaded SceneOptions::load(const loading::LoadOptions& options) const {
   loading::Loaded loaded = loading::load(scene, options);
   fmt::print(stderr, "{}", loaded.report());
-  if (!loaded.usable()) throw Stop{kUnusable};
+  if (!loaded.usable()) throw ExitRequest{kUnusable};
   return loaded;
 }
 
 void WorkOptions::add_to(CLI::App& app) {
-  app.add_option("--threads", threads, "threads to use; 0: all cores")
-      ->check(whole_number_in(0, 1024));
+  app.add_option("--threads", threads, "threads to use; 0: all cores")->check(integer_in(0, 1024));
   app.add_option("--max-memory", max_memory, "refuse work that needs more, e.g. 8G");
   auto* silent = app.add_flag("--quiet,-q", quiet, "no progress bar and no summary; warnings stay");
   app.add_flag("--progress", progress, "a progress bar even where stderr is no terminal")
       ->excludes(silent);
 }
 
-BarShown WorkOptions::bar() const {
-  return quiet ? BarShown::never : progress ? BarShown::always : BarShown::on_terminals;
+ProgressBarMode WorkOptions::bar_mode() const {
+  return quiet      ? ProgressBarMode::never
+         : progress ? ProgressBarMode::always
+                    : ProgressBarMode::on_terminals;
 }
 
 uint64_t WorkOptions::memory_limit() const {
@@ -97,7 +98,7 @@ building::BuildOptions WorkOptions::build_options(const loading::Loaded& loaded)
   building::BuildOptions options;
   options.max_memory = memory_limit();
   options.on_warning = [&loaded](const Diagnostics& doubtful) {
-    clear_bar();
+    clear_progress_bar();
     fmt::print(stderr, "{}", loaded.report(doubtful));
   };
   return options;

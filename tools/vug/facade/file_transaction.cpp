@@ -1,4 +1,4 @@
-#include "together.h"
+#include "file_transaction.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -12,25 +12,25 @@ namespace vug::cli {
 
 namespace fs = std::filesystem;
 
-Together::Together(fs::path folder, const std::string& name)
+FileTransaction::FileTransaction(fs::path folder, const std::string& name)
     : folder_(folder.empty() ? "." : std::move(folder)) {
   std::error_code ignored;
   for (const fs::path& each : stale_partial_files(folder_, name))
     if (fs::is_directory(each, ignored)) fs::remove_all(each, ignored);
-  hidden_ = folder_ / partial_file_name(name);
-  fs::remove_all(hidden_, ignored);  // of a process that had the same number
-  made_ = make_folders(hidden_);
+  staging_ = folder_ / partial_file_name(name);
+  fs::remove_all(staging_, ignored);  // of a process that had the same number
+  created_folders_ = make_folders(staging_);
 }
 
-Together::~Together() {
+FileTransaction::~FileTransaction() {
   std::error_code ignored;
-  fs::remove_all(hidden_, ignored);
-  remove_empty_folders(made_);
+  fs::remove_all(staging_, ignored);
+  remove_empty_folders(created_folders_);
 }
 
-void Together::commit() {
+void FileTransaction::commit() {
   std::vector<std::unique_ptr<AtomicFile>> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(hidden_)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
     files.push_back(std::make_unique<AtomicFile>(folder_ / entry.path().filename()));
     const fs::path& beside = files.back()->path();
     std::error_code code;

@@ -1,6 +1,6 @@
-#include "report.h"
+#include "error_report.h"
 
-#include "bar.h"
+#include "progress_bar.h"
 #include "verb.h"
 
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 
 namespace vug::cli {
 
-int report(const Error& error) {
-  clear_bar();
+int print_error(const Error& error) {
+  clear_progress_bar();
   using scene::printable;  // messages quote names and files, which may hold any bytes
   const std::string where = printable(to_string(error.where()));
   fmt::print(stderr, "{}{}error: {}\n", where, where.empty() ? "" : ": ", printable(error.what()));
@@ -30,7 +30,7 @@ int report(const Error& error) {
   return kFailed;
 }
 
-void warn(const Error& error, const std::string& what) {
+void print_warning(const Error& error, const std::string& what) {
   fmt::print(stderr, "warning: {}; {}\n", scene::printable(error.what()), what);
   if (!error.hint().empty()) fmt::print(stderr, "hint: {}\n", scene::printable(error.hint()));
 }
