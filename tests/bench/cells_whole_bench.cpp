@@ -1,7 +1,7 @@
 // Cells from end to end: strewn, harmonised, linked, rewritten and written as points, with the
 // memory that it takes; then read back and compared. Prints a table.
 //   bench_cells_whole [millions]      default: 10
-#include "peak.h"
+#include "peak_memory.h"
 
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>

@@ -9,9 +9,9 @@
 #include <vug/base/parallel.h>
 #include <vug/fit/evidence/cluster_image.h>
 #include <vug/fit/evidence/working_size.h>
+#include <vug/fit/fit_facade.h>
 #include <vug/fit/model/compile.h>
 #include <vug/fit/move.h>
-#include <vug/fit/fit_facade.h>
 #include <vug/fit/search/sampler.h>
 #include <vug/fit/search/seeds.h>
 
@@ -42,13 +42,15 @@ Evidence evidence(bool supervised) {
   std::vector<uint32_t> values;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      const Look look = is_window(x, y) ? Look::window : y > 590 ? Look::shop : Look::wall;
-      uint32_t seen = static_cast<uint32_t>(look);
-      if (stream.mesh_without_cells(10) == 0) seen = stream.mesh_without_cells(kLooks);
-      for (uint32_t lane = 0; lane < kLooks; ++lane)
+      const RegionType type = is_window(x, y) ? RegionType::window
+                              : y > 590       ? RegionType::shop
+                                              : RegionType::wall;
+      uint32_t seen = static_cast<uint32_t>(type);
+      if (stream.below(10) == 0) seen = stream.below(kRegionTypes);
+      for (uint32_t lane = 0; lane < kRegionTypes; ++lane)
         values.push_back(supervised ? (lane == seen ? 8 : 320) : (lane == seen ? 1 : 0));
     }
-  return Evidence(kWidth, kHeight, kLooks, values);
+  return Evidence(kWidth, kHeight, kRegionTypes, values);
 }
 
 /// Millions of proposals a second.
@@ -56,15 +58,16 @@ double measure(const Rules& rules, const std::string& likelihood, int64_t steps)
   const bool supervised = likelihood == "supervised";
   const Evidence pixels = evidence(supervised);
   const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood(likelihood, pixels));
-  const Hints hints = supervised ? Hints::of_looks(pixels) : Hints::of_clusters(pixels);
-  const Workshop shop{model, hints};
+  const EdgeHints hints =
+      supervised ? EdgeHints::from_supervised(pixels) : EdgeHints::from_clusters(pixels);
+  const MoveContext context{model, hints};
   const auto begin = std::chrono::steady_clock::now();
-  const std::vector<State> found = seeds(shop, pixels, supervised);
+  const std::vector<TreeState> found = seeds(context, pixels, supervised);
   const std::chrono::duration<double> seeding = std::chrono::steady_clock::now() - begin;
   if (found.empty()) return 0;
-  const inference::Moves<State> all = moves(shop);
-  inference::Chain<State> chain(
-      all, [&](State& state) { return model.energy(state); }, found.front(), RandomKey(1));
+  const inference::Moves<TreeState> all = moves(context);
+  inference::Chain<TreeState> chain(
+      all, [&](TreeState& state) { return model.energy(state); }, found.front(), RandomKey(1));
   const std::clock_t used = std::clock();
   for (int64_t i = 0; i < steps; ++i) chain.step();
   const double seconds = static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC;
@@ -95,13 +98,13 @@ void measure_chains(const Rules& rules, double millions) {
   const ThreadLimit both(kCores);
   const Evidence pixels = evidence(false);
   const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood("kt", pixels));
-  const Hints hints = Hints::of_clusters(pixels);
-  const Workshop shop{model, hints};
-  const std::vector<State> found = seeds(shop, pixels, false);
+  const EdgeHints hints = EdgeHints::from_clusters(pixels);
+  const MoveContext context{model, hints};
+  const std::vector<TreeState> found = seeds(context, pixels, false);
   SamplerOptions options;
   options.steps = static_cast<int64_t>(1e6 * millions);
   const double begin = processor_seconds();
-  sample(shop, options, RandomKey(1), Progress::none(), &found.front());
+  sample(context, options, RandomKey(1), Progress::none(), &found.front());
   const double used = (processor_seconds() - begin) / millions;
   fmt::print(
       "8 chains of 1 M proposals: {:.1f} s of the processor, {:.1f} s on {} cores ({} s: {})\n",

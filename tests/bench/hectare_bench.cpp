@@ -1,7 +1,7 @@
 // A hectare of bamboo, its culms placed from a few plants: built and rendered with one sample a
 // pixel, and the most memory that the process held on the way. The limit is 500 MB.
 //   bench_hectare [WIDTHxHEIGHT]      default: the scene's size
-#include "peak.h"
+#include "peak_memory.h"
 
 #include <vug/base/error.h>
 #include <vug/building/instance_source.h>

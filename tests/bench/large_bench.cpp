@@ -1,7 +1,7 @@
 // Ten thousand solids of every kind that has an end, rotated and displaced by noise, at about
 // 10 and 100 million active voxels: how throughput and memory grow with the grid. Each size runs
 // in a process of its own, so that its peak memory (VmHWM) is its own.
-#include "peak.h"
+#include "peak_memory.h"
 
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>

@@ -1,6 +1,6 @@
-// What many lamps cost: samples per second of the same room with 10, 100, ... 10,000 lamps of
-// together the same power, and the price of one choice against an even one; and what the tree is
-// worth, as the mean squared error of the light at points of the room for equal time.
+// Cost of many lights: samples per second of the same room with 10, 100, ... 10,000 lights of the
+// same total power, and the cost of one choice by the tree and of a uniform one. The benefit of the
+// tree is measured as the mean squared error of the light at points of the room for equal time.
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
 #include <vug/render/kinds.h>
@@ -21,7 +21,7 @@ double seconds() {
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-std::vector<LightPtr> lamps(int count) {
+std::vector<LightPtr> many_lights(int count) {
   RandomStream random{RandomKey(1)};
   std::vector<LightPtr> out;
   for (int i = 0; i < count; ++i) {
@@ -42,7 +42,7 @@ Scene room(int count) {
   scene.objects = {walls};
   scene.camera =
       make_camera("perspective", {{"eye", Vec3d(-9, 0, 4)}, {"target", Vec3d(5, 0, -2)}});
-  scene.lights = lamps(count);
+  scene.lights = many_lights(count);
   return scene;
 }
 
@@ -62,7 +62,7 @@ struct Choice {
   double nanoseconds = 0, variance = 0;
 };
 
-/// One choice and its share of the light at points of the room, by the tree or evenly.
+/// One choice and its estimate of the light at points of the room, by the tree or uniformly.
 Choice choose(const LightSet& set, LightId count, bool tree) {
   constexpr int kPoints = 50, kDraws = 2000;
   RandomStream random{RandomKey(2)};
@@ -103,7 +103,7 @@ int main() {
     double best = 0;
     for (int run = 0; run < 3; ++run) best = std::max(best, samples_per_second(count));
     if (count == 10) ten = best;
-    const LightSet set(lamps(count), {});
+    const LightSet set(many_lights(count), {});
     const Choice tree = choose(set, static_cast<LightId>(count), true);
     const Choice even = choose(set, static_cast<LightId>(count), false);
     fmt::print("{} | {:.3f} | {:.2f} | {:.0f} | {:.0f} | {:.3g} | {:.3g} | {:.1f}\n", count,

@@ -27,7 +27,7 @@ const loading::Loaded& moso() {
 
 flora::SweepOptions prototype() {
   flora::SweepOptions options;
-  options.relief_orders = 1;
+  options.displaced_orders = 1;
   return options;
 }
 
@@ -36,7 +36,7 @@ void prototype_of_a_grove(benchmark::State& state) {
   const ThreadLimit threads(1);
   flora::MeshOptions mesh;
   mesh.tolerance = 1e-3;
-  mesh.least_sides = 3;
+  mesh.min_sides = 3;
   size_t leaves = 0, triangles = 0;
   for (auto _ : state) {
     const lsystem::Drawing drawing = plan.draw();

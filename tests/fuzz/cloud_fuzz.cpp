@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using vug::require;
   try {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const vug::scan::Cloud cloud = vug::scan::parse_cloud(bytes, "fuzz", {.memory = 1 << 28});
+    const vug::scan::PointCloud cloud = vug::scan::parse_cloud(bytes, "fuzz", {.memory = 1 << 28});
     require(cloud.size() > 0, "a cloud has points");
     for (const vug::Vec3d& p : cloud.positions)
       require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "they are finite");

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto text = nlohmann::json::parse(data, data + size, nullptr, false);
   if (text.is_discarded()) return 0;
   try {
-    const fit::LookModel model = fit::LookModel::from_json(text);
+    const fit::PixelClassifier model = fit::PixelClassifier::from_json(text);
     const fit::Planes maps = model.classify(image::Image(3, 2, {"R", "G", "B"}));
     require(static_cast<int>(maps.count()) == model.classes().count(), "a map for each class");
     for (size_t i = 0; i < maps.pixels(); ++i) {
@@ -25,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       require(std::fabs(sum - 1) < 1e-3, "something is there");
     }
     const nlohmann::json written = model.to_json();
-    require(fit::LookModel::from_json(written).to_json() == written, "what is written is read");
+    require(fit::PixelClassifier::from_json(written).to_json() == written,
+            "what is written is read");
   } catch (const Error& error) {
     require(error.code() == ErrorCode::bad_input, "looks are bad");
   }

@@ -43,7 +43,8 @@ std::vector<render::Object> merge_copies(const std::vector<render::Object>& obje
   }
   for (size_t i = 0; i < out.size(); ++i) {
     if (!of[i] || of[i]->copies.size() < 2) continue;
-    out[i].mesh = std::make_shared<const mesh::Mesh>(flora::merge_instances({*out[i].mesh}, of[i]->copies));
+    out[i].mesh =
+        std::make_shared<const mesh::Mesh>(flora::merge_instances({*out[i].mesh}, of[i]->copies));
     out[i].instance = nullptr;
   }
   return out;

@@ -14,9 +14,9 @@ class Likelihood {
  public:
   virtual ~Likelihood() = default;
   /// Bits, from the sums over the region; 0 for no pixel.
-  virtual double bits(Look look, const Sums& sums) const = 0;
+  virtual double bits(RegionType type, const Sums& sums) const = 0;
   /// Whether lanes are code lengths under each Look, and not clusters.
-  virtual bool of_looks() const { return false; }
+  virtual bool is_supervised() const { return false; }
 };
 using LikelihoodPtr = std::shared_ptr<const Likelihood>;
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/base/kind.h>
-#include <vug/fit/model/split_parameters.h>
+#include <vug/fit/model/successors.h>
 #include <vug/inference/chain.h>
 
 namespace vug::fit {
@@ -13,18 +13,19 @@ using inference::Choices;
 struct MoveKind {
   KindInfo info;
   double weight = 1;  ///< How often it is tried, beside the others.
-  bool (*propose)(const Workshop&, State&, Choices& forward, Choices& back) = nullptr;
+  bool (*propose)(const MoveContext&, TreeState&, Choices& forward, Choices& back) = nullptr;
 };
 
 /// One file a kind in moves/.
 const std::vector<const MoveKind*>& move_kinds();
 
 /// All moves, or those of the names, for chains; the workshop must outlive them.
-inference::Moves<State> moves(const Workshop& shop, const std::vector<std::string>& names = {});
+inference::Moves<TreeState> moves(const MoveContext& context,
+                                  const std::vector<std::string>& names = {});
 
 /// One of the nodes for which `fits(node index)` holds, all alike; -1 where there is none.
 template <class Fits>
-int pick(const State& state, Choices& forward, const Fits& fits) {
+int pick(const TreeState& state, Choices& forward, const Fits& fits) {
   int count = 0;
   for (int i = 0; i < state.tree.size(); ++i) count += fits(i) ? 1 : 0;
   if (count == 0) return -1;
@@ -36,7 +37,7 @@ int pick(const State& state, Choices& forward, const Fits& fits) {
 
 /// Tells that node `which` would be picked.
 template <class Fits>
-void tell_pick(const State& state, Choices& back, int which, const Fits& fits) {
+void score_pick(const TreeState& state, Choices& back, int which, const Fits& fits) {
   int count = 0, place = -1;
   for (int i = 0; i < state.tree.size(); ++i) {
     if (!fits(i)) continue;
@@ -48,9 +49,9 @@ void tell_pick(const State& state, Choices& back, int which, const Fits& fits) {
 
 /// Picks one of the nodes that a move leaves as they are, so that the way back picks it again.
 template <class Fits>
-int pick_same(const State& state, Choices& forward, Choices& back, const Fits& fits) {
+int pick_same(const TreeState& state, Choices& forward, Choices& back, const Fits& fits) {
   const int i = pick(state, forward, fits);
-  if (i >= 0) tell_pick(state, back, i, fits);
+  if (i >= 0) score_pick(state, back, i, fits);
   return i;
 }
 
@@ -77,13 +78,13 @@ inline void shift_lines(Node& grid, bool along_x, int by) {
 
 /// Moves the lower or upper edge, along x or y, of a terminal; of a grid's window that of all of
 /// its kind, with the grid where it is the lower one. False where it does not fit.
-bool move_edge(const Workshop& shop, State& state, int i, bool along_x, bool low, int by);
+bool move_edge(const MoveContext& context, TreeState& state, int i, bool along_x, bool low, int by);
 
-inline bool is_terminal(const Workshop& shop, const State& state, int i) {
-  return shop.model.rules().symbol(state.tree[i].symbol).terminal;
+inline bool is_terminal(const MoveContext& context, const TreeState& state, int i) {
+  return context.model.rules().symbol(state.tree[i].symbol).terminal;
 }
-inline bool is_grid(const Workshop& shop, const State& state, int i) {
-  return shop.model.rules().symbol(state.tree[i].symbol).grid;
+inline bool is_grid(const MoveContext& context, const TreeState& state, int i) {
+  return context.model.rules().symbol(state.tree[i].symbol).grid;
 }
 
 }  // namespace vug::fit

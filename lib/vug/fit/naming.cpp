@@ -8,21 +8,21 @@ namespace vug::fit {
 namespace {
 
 /// The production of an element to the first thing that looks so; -1.
-int way_to(const Rules& rules, int element, Look look) {
+int way_to(const Rules& rules, int element, RegionType type) {
   for (const int way : rules.productions_of(element))
     if (rules.production(way).op == Op::terminal &&
-        rules.symbol(rules.production(way).parts[0]).look == look)
+        rules.symbol(rules.production(way).parts[0]).type == type)
       return way;
   return -1;
 }
 
 /// Makes terminal i, an element, the first thing that looks so.
-void rename(const Rules& rules, State& state, int i, Look look) {
-  const int above = i - 1, way = way_to(rules, state.tree[above].symbol, look);
+void rename(const Rules& rules, TreeState& state, int i, RegionType type) {
+  const int above = i - 1, way = way_to(rules, state.tree[above].symbol, type);
   if (way < 0) return;
   state.tree[above].production = static_cast<int16_t>(way);
   state.tree[i].symbol = static_cast<int16_t>(rules.production(way).parts[0]);
-  state.changed(above), state.changed(i);
+  state.invalidate_bits(above), state.invalidate_bits(i);
 }
 
 /// The most frequent cluster.
@@ -32,15 +32,16 @@ std::ptrdiff_t main_of(const Sums& sums) {
 
 /// An element in which nothing stands, but which does not look like the wall, is something itself;
 /// that costs no bits (see Model::complexity).
-void fill_elements(const Model& model, const Evidence& evidence, State& state) {
+void fill_elements(const Model& model, const Evidence& evidence, TreeState& state) {
   const Rules& rules = model.rules();
   const Likelihood& code = *model.likelihood();
   const auto plain = [&](int i) {
-    return static_cast<Op>(state.tree[i].made_by) == Op::elements && state.tree[i].production < 0;
+    return static_cast<Op>(state.tree[i].parent_op) == Op::elements && state.tree[i].production < 0;
   };
   Sums wall = evidence.sums(0, 0, evidence.width(), evidence.height());
-  model.each_terminal(
-      state, [&](Look, int, const Rect& r) { wall -= evidence.sums(r.x0, r.y0, r.x1, r.y1); });
+  model.each_terminal(state, [&](RegionType, int, const Rect& r) {
+    wall -= evidence.sums(r.x0, r.y0, r.x1, r.y1);
+  });
   for (int i = 0; i < state.tree.size(); ++i)
     if (plain(i)) wall -= sum_of(evidence, state, state.area(i));
   for (int i = state.tree.size() - 1; i >= 0; --i) {
@@ -48,30 +49,30 @@ void fill_elements(const Model& model, const Evidence& evidence, State& state) {
     const Sums own = sum_of(evidence, state, state.area(i));
     Sums together = wall;
     together += own;
-    const auto bits = [&](const Sums& sums) { return code.bits(Look::wall, sums); };
-    const int way = way_to(rules, state.tree[i].symbol, Look::window);
-    if (way < 0 || state.tree.size() >= model.limits().most_nodes) continue;
+    const auto bits = [&](const Sums& sums) { return code.bits(RegionType::wall, sums); };
+    const int way = way_to(rules, state.tree[i].symbol, RegionType::window);
+    if (way < 0 || state.tree.size() >= model.limits().max_nodes) continue;
     if (bits(together) <= bits(wall) + bits(own)) continue;
     Node node;
     node.symbol = static_cast<int16_t>(rules.production(way).parts[0]);
-    node.made_by = static_cast<int8_t>(Op::terminal);
+    node.parent_op = static_cast<int8_t>(Op::terminal);
     node.width = state.area(i).width, node.height = state.area(i).height;
     state.grow(i, way, {node});
-    model.place(state);
+    model.compute_areas(state);
   }
 }
 
 }  // namespace
 
-void name_elements(const Model& model, const Evidence& evidence, State& state) {
+void name_elements(const Model& model, const Evidence& evidence, TreeState& state) {
   const Likelihood* likelihood = model.likelihood();
   if (!likelihood) return;
-  const bool of_looks = likelihood->of_looks();
-  if (!of_looks) fill_elements(model, evidence, state);
+  const bool supervised = likelihood->is_supervised();
+  if (!supervised) fill_elements(model, evidence, state);
   const Rules& rules = model.rules();
   std::vector<Sums> of(state.tree.nodes.size());
   Sums windows;
-  model.each_terminal(state, [&](Look, int node, const Rect& r) {
+  model.each_terminal(state, [&](RegionType, int node, const Rect& r) {
     const Sums sums = evidence.sums(r.x0, r.y0, r.x1, r.y1);
     of[static_cast<size_t>(node)] += sums;
     if (model.in_grid(state.tree[node])) windows += sums;
@@ -79,15 +80,15 @@ void name_elements(const Model& model, const Evidence& evidence, State& state) {
   const bool any_windows = !(windows == Sums{});
   for (int i = 0; i < state.tree.size(); ++i) {
     const Node& node = state.tree[i];
-    if (static_cast<Op>(node.made_by) != Op::terminal) continue;
-    if (of_looks) {
-      rename(rules, state, i, rules.symbol(node.symbol).look);
+    if (static_cast<Op>(node.parent_op) != Op::terminal) continue;
+    if (supervised) {
+      rename(rules, state, i, rules.symbol(node.symbol).type);
       continue;
     }
     const bool alike = any_windows && main_of(of[static_cast<size_t>(i)]) == main_of(windows);
     const bool grounded = node.y + node.height >= state.area(i).height - 1;
-    const Look other = node.width > node.height ? Look::shop : Look::door;
-    rename(rules, state, i, alike || !grounded ? Look::window : other);
+    const RegionType other = node.width > node.height ? RegionType::shop : RegionType::door;
+    rename(rules, state, i, alike || !grounded ? RegionType::window : other);
   }
 }
 

@@ -11,6 +11,6 @@ namespace vug::fit {
 /// look like the wall is something too. Where the evidence is of looks, an element keeps its look.
 /// Of names for one look, as `door` and `doorway`, the first in the rules is taken. The tree costs
 /// as much as before.
-void name_elements(const Model& model, const Evidence& evidence, State& state);
+void name_elements(const Model& model, const Evidence& evidence, TreeState& state);
 
 }  // namespace vug::fit

@@ -8,7 +8,7 @@ namespace vug::fit {
 namespace {
 
 /// Which rounds of a run had that structure, as a trace of 0 and 1.
-inference::Trace indicator(const Sampled& run, const std::string& structure) {
+inference::Trace indicator(const SamplerResult& run, const std::string& structure) {
   inference::Trace out;
   out.reserve(run.visited.size());
   for (const int at : run.visited)
@@ -16,45 +16,47 @@ inference::Trace indicator(const Sampled& run, const std::string& structure) {
   return out;
 }
 
-Share share_of(const std::vector<Sampled>& runs, const std::string& structure) {
-  Share out{structure};
+StructureProbability probability_of(const std::vector<SamplerResult>& runs,
+                                    const std::string& structure) {
+  StructureProbability out{structure};
   double rounds = 0, effective = 0;
-  for (const Sampled& run : runs) {
+  for (const SamplerResult& run : runs) {
     const inference::Trace trace = indicator(run, structure);
     if (trace.empty()) continue;
-    for (const double there : trace) out.share += there;
+    for (const double there : trace) out.probability += there;
     rounds += static_cast<double>(trace.size());
     effective += inference::effective_size(trace);
   }
-  if (rounds > 0) out.share /= rounds;
-  if (effective > 0) out.error = std::sqrt(out.share * (1 - out.share) / effective);
+  if (rounds > 0) out.probability /= rounds;
+  if (effective > 0)
+    out.standard_error = std::sqrt(out.probability * (1 - out.probability) / effective);
   return out;
 }
 
-void add_posterior(Report& out, const std::vector<Sampled>& runs) {
-  constexpr size_t kMost = 20;
+void add_posterior(Report& out, const std::vector<SamplerResult>& runs) {
+  constexpr size_t kMax = 20;
   std::map<std::string, int64_t> counts;
-  for (const Sampled& run : runs)
-    for (const Structure& one : run.structures) counts[one.text] += one.rounds;
+  for (const SamplerResult& run : runs)
+    for (const StructureCount& one : run.structures) counts[one.text] += one.rounds;
   std::vector<std::pair<int64_t, std::string>> order;
   for (const auto& [text, count] : counts) order.emplace_back(-count, text);
   std::sort(order.begin(), order.end());
   for (const auto& [count, text] : order)
-    if (out.posterior.size() < kMost) out.posterior.push_back(share_of(runs, text));
+    if (out.posterior.size() < kMax) out.posterior.push_back(probability_of(runs, text));
 }
 
 /// The costliest subtree below a symbol.
-class Costliest {
+class MaxComplexitySearch {
  public:
-  explicit Costliest(const Model& model) : model_(model), rules_(model.rules()) {}
+  explicit MaxComplexitySearch(const Model& model) : model_(model), rules_(model.rules()) {}
 
   double bits(const Node& node, int depth) const { return tree(node, depth).second; }
 
  private:
-  using Made = std::pair<std::vector<Node>, double>;
+  using Subtree = std::pair<std::vector<Node>, double>;
 
-  Made tree(const Node& node, int depth) const {
-    Made best = {{node}, 0};
+  Subtree tree(const Node& node, int depth) const {
+    Subtree best = {{node}, 0};
     best.second = bits_of(best.first);
     for (const int way : rules_.productions_of(node.symbol)) {
       const Production& production = rules_.production(way);
@@ -65,10 +67,10 @@ class Costliest {
       made.nodes = {node};
       if (production.op == Op::windows) made[0].cells = {};
       std::vector<Node> parts;
-      for (const Node& part : parts_of(production, node)) parts.push_back(part);
+      for (const Node& part : successors_of(production, node)) parts.push_back(part);
       made.grow(0, way, parts);
-      for (int number = made.part_count(0) - 1; number >= 0; --number) {
-        const int at = made.part(0, number);
+      for (int number = made.child_count(0) - 1; number >= 0; --number) {
+        const int at = made.child(0, number);
         made.replace(at, tree(made[at], depth - (splits ? 1 : 0)).first);
       }
       const double bits = bits_of(made.nodes);
@@ -79,23 +81,23 @@ class Costliest {
 
   double bits_of(const std::vector<Node>& nodes) const { return model_.complexity(Tree{nodes}); }
 
-  std::vector<Node> parts_of(const Production& production, const Node& above) const {
+  std::vector<Node> successors_of(const Production& production, const Node& above) const {
     const Limits& limits = model_.limits();
     std::vector<Node> out;
     const auto put = [&](size_t number, int extent) {
       Node node;
       node.symbol = static_cast<int16_t>(production.parts[number]);
-      node.made_by = static_cast<int8_t>(production.op);
+      node.parent_op = static_cast<int8_t>(production.op);
       node.extent = static_cast<int16_t>(extent);
       if (rules_.symbol(node.symbol).grid)
-        node.columns = node.rows = static_cast<int16_t>(limits.most_lines);
+        node.columns = node.rows = static_cast<int16_t>(limits.max_lines);
       out.push_back(node);
     };
     if (production.op == Op::elements) {
-      for (int i = 0; i < limits.most_elements; ++i) put(0, i + 1 < limits.most_elements ? 1 : 0);
+      for (int i = 0; i < limits.max_elements; ++i) put(0, i + 1 < limits.max_elements ? 1 : 0);
     } else if (production.op == Op::windows) {
       const bool identical = rules_.symbol(above.symbol).identical;
-      for (int i = 0; i < (identical ? 1 : limits.most_kinds); ++i) put(0, 0);
+      for (int i = 0; i < (identical ? 1 : limits.max_kinds); ++i) put(0, 0);
       if (production.parts.size() > 1) put(1, 0);
     } else {
       const bool first_has_extent = production.op == Op::rows || production.op == Op::repeat;
@@ -111,13 +113,13 @@ class Costliest {
 
 }  // namespace
 
-double most_complex(const Model& model, int depth) {
-  return Costliest(model).bits(model.start().tree[0], depth);
+double max_complexity(const Model& model, int depth) {
+  return MaxComplexitySearch(model).bits(model.axiom_state().tree[0], depth);
 }
 
-Report report_of(const std::vector<Sampled>& runs) {
+Report make_report(const std::vector<SamplerResult>& runs) {
   Report out;
-  for (const Sampled& run : runs) {
+  for (const SamplerResult& run : runs) {
     out.traces.push_back(run.trace);
     out.stopped = out.stopped || run.stopped;
     if (!run.trace.empty()) out.effective_size += inference::effective_size(run.trace);
@@ -135,7 +137,7 @@ Report report_of(const std::vector<Sampled>& runs) {
   if (!runs.empty()) out.temperatures = runs.front().temperatures;
   for (size_t pair = 0; !runs.empty() && pair < runs.front().swaps.size(); ++pair) {
     inference::TemperatureLadder::Swaps sum;
-    for (const Sampled& run : runs) {
+    for (const SamplerResult& run : runs) {
       sum.tried += run.swaps[pair].tried;
       sum.taken += run.swaps[pair].taken;
     }
@@ -148,15 +150,15 @@ Report report_of(const std::vector<Sampled>& runs) {
 void add_score(Report& report, const Model& model, const Evidence& evidence, const Tree& tree) {
   report.structure = structure_of(model.rules(), tree);
   report.complexity = model.complexity(tree);
-  report.most_complexity = most_complex(model);
+  report.max_complexity = max_complexity(model);
   const double most = static_cast<double>(evidence.width()) * evidence.height() *
                       std::max(1.0, inference::log2(evidence.lanes()));
-  const bool of_looks = model.likelihood() && model.likelihood()->of_looks();
+  const bool supervised = model.likelihood() && model.likelihood()->is_supervised();
   const Model paper(model.rules(), model.limits(), model.width(), model.height(), &evidence,
-                    make_likelihood(of_looks ? "supervised" : "paper", evidence));
-  State state = paper.state_of(tree);
+                    make_likelihood(supervised ? "supervised" : "paper", evidence));
+  TreeState state = paper.make_state(tree);
   report.misfit = std::min(most, paper.energy(state) - report.complexity);
-  report.score = 1 - (report.complexity + report.misfit) / (report.most_complexity + most);
+  report.score = 1 - (report.complexity + report.misfit) / (report.max_complexity + most);
 }
 
 }  // namespace vug::fit

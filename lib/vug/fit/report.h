@@ -8,10 +8,10 @@
 namespace vug::fit {
 
 /// How much of the posterior has one structure.
-struct Share {
-  std::string structure;  ///< As structure_of.
-  double share = 0;       ///< Of all rounds of the coldest chains.
-  double error = 0;       ///< Its standard error, rounds being as independent as they are.
+struct StructureProbability {
+  std::string structure;      ///< As structure_of.
+  double probability = 0;     ///< Of all rounds of the coldest chains.
+  double standard_error = 0;  ///< Its standard error, rounds being as independent as they are.
 };
 
 struct MoveRate {
@@ -21,17 +21,17 @@ struct MoveRate {
 
 struct Report {
   std::string structure;
-  double bits = 0;        ///< Of the tree and the pixels under it, these as much as is trusted.
-  double complexity = 0;  ///< c(T): bits of the tree alone.
-  double wall_bits = 0;   ///< Of the picture as nothing but wall,
-  double seed_bits = 0;   ///< of the best seed,
-  double chain_bits = 0;  ///< and of the best tree of the chains, before it was polished.
-  double score = 0;       ///< s(T) in 0..1 (cite ripperda2009),
-  double most_complexity = 0;  ///< with maxComp, of the most complex tree that it compares to,
-  double misfit = 0;           ///< and diffPixel(T) log2(numCluster), of that likelihood.
+  double bits = 0;            ///< Of the tree and the pixels under it, these as much as is trusted.
+  double complexity = 0;      ///< c(T): bits of the tree alone.
+  double wall_bits = 0;       ///< Of the picture as nothing but wall,
+  double seed_bits = 0;       ///< of the best seed,
+  double chain_bits = 0;      ///< and of the best tree of the chains, before it was polished.
+  double score = 0;           ///< s(T) in 0..1 (cite ripperda2009),
+  double max_complexity = 0;  ///< with maxComp, of the most complex tree that it compares to,
+  double misfit = 0;          ///< and diffPixel(T) log2(numCluster), of that likelihood.
 
-  std::vector<Share> posterior;      ///< The most frequent structures first.
-  double effective_size = 0;         ///< Of the traces of energies together.
+  std::vector<StructureProbability> posterior;  ///< The most frequent structures first.
+  double effective_size = 0;                    ///< Of the traces of energies together.
   double scale_reduction = 1;        ///< Split R-hat of energies between and within the runs.
   double geweke = 0;                 ///< The z-score furthest from 0 of the runs.
   std::vector<double> temperatures;  ///< Of the first run.
@@ -42,14 +42,14 @@ struct Report {
 };
 
 /// From runs that are independent of one another; the scores stay 0.
-Report report_of(const std::vector<Sampled>& runs);
+Report make_report(const std::vector<SamplerResult>& runs);
 
 /// 1 - (c(T) + misfit) / (most complexity + pixels log2(lanes)): the published score. The misfit is
 /// that of the likelihood `paper`; of maps of looks their bits, as far as they are below the most.
 void add_score(Report& report, const Model& model, const Evidence& evidence, const Tree& tree);
 
 /// maxComp: bits of the most complex tree whose splits lie at most that deep in each other.
-double most_complex(const Model& model, int depth = 6);
+double max_complexity(const Model& model, int depth = 6);
 
 /// All of it as JSON, traces thinned to at most 1,000 values each.
 std::string report_json(const Report& report);

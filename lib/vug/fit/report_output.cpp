@@ -106,15 +106,16 @@ std::string swaps_panel(const Report& report) {
 
 std::string posterior_panel(const Report& report) {
   Panel panel(490, 320, 380, 150, "structures, by how often the coldest chains were in them");
-  constexpr size_t kMost = 7;
-  for (size_t i = 0; i < std::min(kMost, report.posterior.size()); ++i) {
-    const Share& one = report.posterior[i];
+  constexpr size_t kMax = 7;
+  for (size_t i = 0; i < std::min(kMax, report.posterior.size()); ++i) {
+    const StructureProbability& one = report.posterior[i];
     const double y = 6 + 20 * static_cast<double>(i);
-    panel.bar(0, y, panel.width() * one.share, 14, "#cfe0ef", one.structure);
+    panel.bar(0, y, panel.width() * one.probability, 14, "#cfe0ef", one.structure);
     std::string name = one.structure.substr(0, 44);
     if (name.size() < one.structure.size()) name += "...";
     panel.text(4, y + 11,
-               fmt::format("{:.1f} ± {:.1f} %  {}", 100 * one.share, 100 * one.error, name));
+               fmt::format("{:.1f} ± {:.1f} %  {}", 100 * one.probability, 100 * one.standard_error,
+                           name));
   }
   return panel.done();
 }
@@ -149,12 +150,13 @@ std::string report_json(const Report& report) {
                  {"chains", report.chain_bits}};
   out["score"] = {{"s", report.score},
                   {"complexity", report.complexity},
-                  {"most_complexity", report.most_complexity},
+                  {"most_complexity", report.max_complexity},
                   {"misfit", report.misfit}};
   out["posterior"] = Json::array();
-  for (const Share& one : report.posterior)
-    out["posterior"].push_back(
-        {{"structure", one.structure}, {"share", one.share}, {"error", number(one.error)}});
+  for (const StructureProbability& one : report.posterior)
+    out["posterior"].push_back({{"structure", one.structure},
+                                {"share", one.probability},
+                                {"error", number(one.standard_error)}});
   out["convergence"] = {{"effective_size", number(report.effective_size)},
                         {"scale_reduction", number(report.scale_reduction)},
                         {"geweke", number(report.geweke)},

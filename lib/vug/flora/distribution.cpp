@@ -30,10 +30,10 @@ uint64_t poisson(double mean, RandomStream& random) {
 void require_density(double density, double area) {
   if (!(density > 0))
     throw Error(ErrorCode::bad_input, fmt::format("a density of {}: it must be above 0", density));
-  if (!(density * area <= kMostPoints))
+  if (!(density * area <= kMaxPoints))
     throw Error(ErrorCode::too_large,
                 fmt::format("{:.4g} m^2 with {:.4g} points each hold more than {:.4g} points", area,
-                            density, kMostPoints));
+                            density, kMaxPoints));
 }
 
 }  // namespace vug::flora

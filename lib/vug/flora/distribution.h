@@ -14,7 +14,7 @@ namespace vug::flora {
 inline constexpr double kHectare = 10000;
 
 /// Points that any process makes at most; Error(too_large) beyond.
-inline constexpr double kMostPoints = 1 << 24;
+inline constexpr double kMaxPoints = 1 << 24;
 
 /// A random set of points in a plot. Shared and immutable; the same key gives the same points on
 /// any machine.

@@ -9,7 +9,7 @@
 namespace vug::flora {
 namespace {
 
-constexpr double kLeastStep = 1e-3;     // metres
+constexpr double kMinStep = 1e-3;       // metres
 constexpr double kDeepest = 1e4;        // below the top of ground that has no bottom
 constexpr double kOffTheGround = 0.02;  // metres above a foot where the way up begins
 
@@ -19,31 +19,31 @@ double free_way(const field::Field& solid, const Vec3d& from, const Vec3d& way, 
   for (double t = 0; t <= far;) {
     const double value = solid.value(from + way * t);
     if (!(value > 0)) return t;
-    t += std::max(value / steepest, kLeastStep);
+    t += std::max(value / steepest, kMinStep);
   }
   return kInfinity;
 }
 
-std::optional<Foot> foot_on(const field::Field& solid, const Vec2d& at, double top, double bottom,
-                            double headroom) {
+std::optional<GroundPoint> ground_point_on(const field::Field& solid, const Vec2d& at, double top,
+                                           double bottom, double headroom) {
   const Vec3d down(0, -1, 0), start(at.x, top, at.y);
   double in = free_way(solid, start, down, top - bottom);
   if (in == kInfinity || in == 0) return std::nullopt;
-  double out = std::max(0.0, in - 2 * kLeastStep);
+  double out = std::max(0.0, in - 2 * kMinStep);
   if (!(solid.value(start + down * out) > 0)) out = 0;
   for (int halving = 0; halving < 60 && in - out > 1e-9; ++halving) {
     const double middle = (in + out) / 2;
     (solid.value(start + down * middle) > 0 ? out : in) = middle;
   }
-  Foot foot;
-  foot.position = start + down * in;
-  const Vec3d slope = solid.gradient(foot.position).gradient;
-  foot.normal = slope.length() > 1e-9 ? slope.normalized() : -down;
+  GroundPoint point;
+  point.position = start + down * in;
+  const Vec3d slope = solid.gradient(point.position).gradient;
+  point.normal = slope.length() > 1e-9 ? slope.normalized() : -down;
   if (headroom > kOffTheGround) {
-    const Vec3d above = foot.position - down * kOffTheGround;
-    foot.room = kOffTheGround + free_way(solid, above, -down, headroom - kOffTheGround);
+    const Vec3d above = point.position - down * kOffTheGround;
+    point.clearance = kOffTheGround + free_way(solid, above, -down, headroom - kOffTheGround);
   }
-  return foot;
+  return point;
 }
 
 /// Triangles in a tree over their shadows on the plan.
@@ -69,33 +69,33 @@ struct Columns {
     return std::array<double, 3>{1 - v - w, v, w};
   }
 
-  std::optional<Foot> foot(const Vec2d& at, const GroundOptions& options) const {
+  std::optional<GroundPoint> ground_point(const Vec2d& at, const GroundOptions& options) const {
     if (tree.empty()) return std::nullopt;
     Box3d column(Vec3d(at.x, tree.bounds().min.y, at.y), Vec3d(at.x, tree.bounds().max.y, at.y));
-    std::optional<Foot> best;
+    std::optional<GroundPoint> best;
     std::vector<double> heights;
     tree.visit_overlapping(column, [&](uint32_t triangle) {
       const auto share = shares(triangle, at);
       if (!share) return;
       const auto corners = mesh::corners(*mesh, triangle);
-      Foot foot;
+      GroundPoint point;
       Vec3d smooth(0);
       for (size_t i = 0; i < 3; ++i) {
-        foot.position += corners[i] * (*share)[i];
+        point.position += corners[i] * (*share)[i];
         if (!mesh->normals.empty())
           smooth += Vec3d(mesh->normals[mesh->triangles[triangle][i]]) * (*share)[i];
       }
-      heights.push_back(foot.position.y);
-      const bool higher = !best || foot.position.y > best->position.y;
-      if (foot.position.y > options.from || !higher) return;
+      heights.push_back(point.position.y);
+      const bool higher = !best || point.position.y > best->position.y;
+      if (point.position.y > options.from || !higher) return;
       if (smooth.length() < 1e-6) smooth = mesh::double_area_vector(*mesh, triangle);
-      foot.normal = smooth.normalized();
-      best = foot;
+      point.normal = smooth.normalized();
+      best = point;
     });
     if (!best) return std::nullopt;
     for (const double height : heights)
       if (height > best->position.y + kOffTheGround)
-        best->room = std::min(best->room, height - best->position.y);
+        best->clearance = std::min(best->clearance, height - best->position.y);
     return best;
   }
 };
@@ -109,21 +109,21 @@ Ground ground_of(const field::Field& solid, const GroundOptions& options) {
   if (!std::isfinite(top))
     throw Error(ErrorCode::bad_input, "the ground has no end above", {},
                 "say the height that it is looked for from");
-  const double bottom = std::max(box.min.y - kLeastStep, top - kDeepest);
+  const double bottom = std::max(box.min.y - kMinStep, top - kDeepest);
   return [solid, top, bottom, headroom = options.headroom](const Vec2d& at) {
-    return foot_on(solid, at, top, bottom, headroom);
+    return ground_point_on(solid, at, top, bottom, headroom);
   };
 }
 
 Ground ground_of(const mesh::MeshPtr& mesh, const GroundOptions& options) {
   return [columns = std::make_shared<const Columns>(mesh), options](const Vec2d& at) {
-    return columns->foot(at, options);
+    return columns->ground_point(at, options);
   };
 }
 
 Ground level_ground(double height) {
-  return [height](const Vec2d& at) -> std::optional<Foot> {
-    return Foot{{at.x, height, at.y}, {0, 1, 0}, kInfinity};
+  return [height](const Vec2d& at) -> std::optional<GroundPoint> {
+    return GroundPoint{{at.x, height, at.y}, {0, 1, 0}, kInfinity};
   };
 }
 

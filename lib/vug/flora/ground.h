@@ -11,14 +11,15 @@
 namespace vug::flora {
 
 /// Where a stem meets the ground.
-struct Foot {
+struct GroundPoint {
   Vec3d position{0, 0, 0};
-  Vec3d normal;             ///< Unit, out of the ground.
-  double room = kInfinity;  ///< Metres straight up to the next surface, as far as was asked for.
+  Vec3d normal;  ///< Unit, out of the ground.
+  double clearance =
+      kInfinity;  ///< Metres straight up to the next surface, as far as was asked for.
 };
 
 /// Looks straight down at (x, z); nothing where no ground is met. For several threads.
-using Ground = std::function<std::optional<Foot>(const Vec2d& at)>;
+using Ground = std::function<std::optional<GroundPoint>(const Vec2d& at)>;
 
 struct GroundOptions {
   double from = kInfinity;  ///< Height that is looked down from; infinite: above all of it.

@@ -9,10 +9,10 @@
 namespace vug::flora {
 namespace {
 
-constexpr double kMostDeviations = 2.5;
+constexpr double kMaxDeviations = 2.5;
 
 /// Points that keep their distance from all that come before them, with their numbers.
-std::vector<uint64_t> apart(const std::vector<Vec2d>& points, double spacing) {
+std::vector<uint64_t> with_spacing(const std::vector<Vec2d>& points, double spacing) {
   std::map<std::pair<int64_t, int64_t>, std::vector<uint64_t>> squares;
   std::vector<uint64_t> kept;
   for (uint64_t i = 0; i < points.size(); ++i) {
@@ -39,10 +39,11 @@ std::vector<uint64_t> apart(const std::vector<Vec2d>& points, double spacing) {
 }
 
 /// Whether the solid stays `margin` away from the line up from the foot.
-bool keeps_off(const field::Field& solid, const Foot& foot, double margin, double headroom) {
+bool is_clear_of(const field::Field& solid, const GroundPoint& point, double margin,
+                 double headroom) {
   const double steepest = std::max(solid.lipschitz(), 1e-6);
   for (double up = 0;;) {
-    const double rest = solid.value(foot.position + Vec3d(0, up, 0)) - margin;
+    const double rest = solid.value(point.position + Vec3d(0, up, 0)) - margin;
     if (rest < 0) return false;
     up += std::max(rest / steepest, 0.01);
     if (up > headroom) return true;
@@ -50,45 +51,45 @@ bool keeps_off(const field::Field& solid, const Foot& foot, double margin, doubl
 }
 
 /// A member of Fates.
-using Fate = size_t Fates::*;
+using Outcome = size_t PlacementStats::*;
 
-Fate fate_on(const GroveOptions& o, const Foot& foot, RandomKey key) {
-  if (foot.normal.y < maths::cos(o.steepest)) return &Fates::too_steep;
-  if (foot.room < o.headroom) return &Fates::no_room;
+Outcome outcome_on(const GroveOptions& o, const GroundPoint& point, RandomKey key) {
+  if (point.normal.y < maths::cos(o.steepest)) return &PlacementStats::too_steep;
+  if (point.clearance < o.headroom) return &PlacementStats::no_room;
   for (const field::Field& solid : o.avoid)
-    if (!keeps_off(solid, foot, o.margin, o.headroom)) return &Fates::avoided;
-  const bool stays = !o.share || RandomStream(key.at("share")).uniform() < o.share(foot);
-  return stays ? &Fates::stand : &Fates::not_shared;
+    if (!is_clear_of(solid, point, o.margin, o.headroom)) return &PlacementStats::avoided;
+  const bool stays = !o.retention || RandomStream(key.at("share")).uniform() < o.retention(point);
+  return stays ? &PlacementStats::placed : &PlacementStats::thinned;
 }
 
 /// A point that is far enough from those before it.
-struct Seedling {
+struct Candidate {
   uint64_t number = 0;
-  Foot foot;
-  Fate fate = &Fates::no_ground;
+  GroundPoint base;
+  Outcome outcome = &PlacementStats::no_ground;
 };
 
-struct Seedlings {
-  std::vector<Seedling> all;
+struct Candidates {
+  std::vector<Candidate> all;
   size_t too_near = 0;
 };
 
-Seedlings seedlings(const Plot& plot, const GroveOptions& options, Progress& progress) {
+Candidates candidates(const Plot& plot, const GroveOptions& options, Progress& progress) {
   const DistributionPtr distribution =
       options.distribution ? options.distribution : make_product(distributions(), "uniform");
   const std::vector<Vec2d> points =
       distribution->points(plot, options.density, options.key.at("points"), progress);
-  const std::vector<uint64_t> kept = apart(points, options.spacing);
-  Seedlings out{std::vector<Seedling>(kept.size()), points.size() - kept.size()};
+  const std::vector<uint64_t> kept = with_spacing(points, options.spacing);
+  Candidates out{std::vector<Candidate>(kept.size()), points.size() - kept.size()};
   parallel_for(
       kept.size(),
       [&](size_t i) {
-        Seedling& one = out.all[i];
+        Candidate& one = out.all[i];
         one.number = kept[i];
-        const std::optional<Foot> foot = options.ground(points[kept[i]]);
-        if (!foot) return;
-        one.foot = *foot;
-        one.fate = fate_on(options, *foot, options.key.at(kept[i]));
+        const std::optional<GroundPoint> point = options.ground(points[kept[i]]);
+        if (!point) return;
+        one.base = *point;
+        one.outcome = outcome_on(options, *point, options.key.at(kept[i]));
       },
       64);
   return out;
@@ -98,28 +99,28 @@ double drawn_diameter(const GroveOptions& o, RandomKey key) {
   RandomStream random(key.at("diameter"));
   for (int tries = 0; tries < 100; ++tries) {
     const double deviation = random.normal(), drawn = o.diameter + deviation * o.diameter_spread;
-    if (std::fabs(deviation) <= kMostDeviations && drawn > 0) return drawn;
+    if (std::fabs(deviation) <= kMaxDeviations && drawn > 0) return drawn;
   }
   return o.diameter;
 }
 
 }  // namespace
 
-Fates fates(const Plot& plot, const GroveOptions& options, Progress& progress) {
-  const Seedlings made = seedlings(plot, options, progress);
-  Fates out;
+PlacementStats placement_stats(const Plot& plot, const GroveOptions& options, Progress& progress) {
+  const Candidates made = candidates(plot, options, progress);
+  PlacementStats out;
   out.too_near = made.too_near;
-  for (const Seedling& one : made.all) ++(out.*one.fate);
+  for (const Candidate& one : made.all) ++(out.*one.outcome);
   return out;
 }
 
 std::vector<Stem> grove(const Plot& plot, const GroveOptions& options, Progress& progress) {
   std::vector<Stem> stems;
-  for (const Seedling& one : seedlings(plot, options, progress).all) {
-    if (one.fate != &Fates::stand) continue;
+  for (const Candidate& one : candidates(plot, options, progress).all) {
+    if (one.outcome != &PlacementStats::placed) continue;
     const RandomKey key = options.key.at(one.number);
     const double diameter = options.diameter > 0 ? drawn_diameter(options, key) : 0;
-    stems.push_back({one.foot, diameter, key});
+    stems.push_back({one.base, diameter, key});
   }
   return stems;
 }

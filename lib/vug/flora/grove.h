@@ -11,7 +11,7 @@
 namespace vug::flora {
 
 struct Stem {
-  Foot foot;
+  GroundPoint base;
   double diameter = 0;  ///< Metres; 0 where the grove has no diameters.
   RandomKey key{0};     ///< Its own, whatever becomes of others.
 };
@@ -28,7 +28,7 @@ struct GroveOptions {
   std::vector<field::Field> avoid;
   double margin = 0;
   /// Share of the stems that stay at a place, 0 to 1; empty: all. Called by several threads.
-  std::function<double(const Foot&)> share = nullptr;
+  std::function<double(const GroundPoint&)> retention = nullptr;
   /// Diameters are normally distributed; those further than two and a half deviations from the mean
   /// or not above 0 are drawn again. Metres; 0: none.
   double diameter = 0, diameter_spread = 0;
@@ -37,16 +37,17 @@ struct GroveOptions {
 
 /// What becomes of the points of the process; each that does not stand is counted once, under the
 /// first reason in this order.
-struct Fates {
+struct PlacementStats {
   size_t too_near = 0;   ///< To an earlier one: GroveOptions::spacing.
   size_t no_ground = 0;  ///< Below them.
   size_t too_steep = 0;
   size_t no_room = 0;  ///< Ground hangs over them: GroveOptions::headroom.
   size_t avoided = 0;
-  size_t not_shared = 0;  ///< GroveOptions::share.
-  size_t stand = 0;
+  size_t thinned = 0;  ///< GroveOptions::share.
+  size_t placed = 0;
 };
-Fates fates(const Plot& plot, const GroveOptions& options, Progress& progress = Progress::none());
+PlacementStats placement_stats(const Plot& plot, const GroveOptions& options,
+                               Progress& progress = Progress::none());
 
 /// The same for any number of threads. A stem keeps its key, diameter and place when others go.
 /// Errors as Distribution::points.

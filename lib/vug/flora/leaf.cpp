@@ -2,7 +2,7 @@
 #include <vug/base/maths.h>
 #include <vug/base/transform.h>
 #include <vug/flora/leaf.h>
-#include <vug/flora/merged.h>
+#include <vug/flora/merge_instances.h>
 #include <vug/mesh/normals.h>
 
 #include <cmath>
@@ -12,15 +12,15 @@ namespace {
 
 constexpr double kPetiole = 0.07;  // of the width, where the blade begins
 
-struct Row {
+struct BladeRow {
   Vec3d middle, right, up;
   double half = 0;  ///< Metres.
   double along = 0;
 };
 
 /// Rows from base to tip. Leaves turn down the more the nearer to the tip, where they are thinner.
-std::vector<Row> rows_of(const LeafOptions& o) {
-  std::vector<Row> rows;
+std::vector<BladeRow> rows_of(const LeafOptions& o) {
+  std::vector<BladeRow> rows;
   Vec3d at(0, 0, 0);
   const double step = o.length / o.rows;
   for (int i = 0; i <= o.rows; ++i) {
@@ -61,7 +61,7 @@ mesh::Mesh leaf(const LeafOptions& options) {
     along.values.push_back(static_cast<float>(t));
   };
   const double c = maths::cos(options.fold), s = maths::sin(options.fold);
-  for (const Row& row : rows_of(options)) {
+  for (const BladeRow& row : rows_of(options)) {
     const auto first = static_cast<uint32_t>(blade.positions.size());
     const bool is_tip = row.half == 0;
     const double side = row.half / (options.width / 2);
@@ -88,7 +88,7 @@ mesh::Mesh leaf(const LeafOptions& options) {
 mesh::Mesh spray(const SprayOptions& options) {
   if (options.leaves < 1) throw Error(ErrorCode::bad_input, "a spray has 1 leaf at least");
   std::vector<mesh::Mesh> blades;
-  std::vector<Copy> copies;
+  std::vector<MeshInstance> copies;
   for (int i = 0; i < options.leaves; ++i) {
     const RandomKey key = options.key.at(static_cast<uint64_t>(i));
     RandomStream random(key);
@@ -105,7 +105,7 @@ mesh::Mesh spray(const SprayOptions& options) {
     copies.push_back({blades.size(), to, key});
     blades.push_back(leaf(one));
   }
-  return merged(blades, copies);
+  return merge_instances(blades, copies);
 }
 
 }  // namespace vug::flora

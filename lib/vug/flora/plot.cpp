@@ -1,7 +1,7 @@
 #include <vug/base/error.h>
-#include <vug/flora/crossing.h>
+#include <vug/flora/orientation.h>
 #include <vug/flora/plot.h>
-#include <vug/flora/turn.h>
+#include <vug/flora/self_intersection.h>
 #include <vug/mesh/polygon.h>
 
 #include <fmt/format.h>
@@ -13,16 +13,16 @@ namespace vug::flora {
 namespace {
 
 constexpr double kFarthest = 1e6;
-constexpr double kInLine = 1e-9;        // radians that a side may turn inwards by rounding
-constexpr size_t kMostCorners = 20000;  // every side may be held against every other
+constexpr double kInLine = 1e-9;       // radians that a side may turn inwards by rounding
+constexpr size_t kMaxCorners = 20000;  // every side may be held against every other
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::bad_input, what); }
 
 void require_numbers(const Corners& corners) {
   if (corners.size() < 3)
     refuse(fmt::format("a polygon has 3 corners at least, not {}", corners.size()));
-  if (corners.size() > kMostCorners)
-    refuse(fmt::format("a polygon of {} corners; {} are the most", corners.size(), kMostCorners));
+  if (corners.size() > kMaxCorners)
+    refuse(fmt::format("a polygon of {} corners; {} are the most", corners.size(), kMaxCorners));
   for (size_t i = 0; i < corners.size(); ++i)
     if (!(std::fabs(corners[i].x) <= kFarthest && std::fabs(corners[i].y) <= kFarthest))
       refuse(fmt::format("corner {} of the polygon is at {}; numbers are 1e6 m at most", i + 1,
@@ -37,13 +37,13 @@ void require_simple(const Corners& corners) {
     if (a == b)
       refuse(fmt::format("corners {} and {} of the polygon are both at {}", i + 1, (i + 1) % n + 1,
                          to_string(a)));
-    if (turn(a, b, c) == 0 && (b - a).dot(c - b) < 0)
+    if (orientation(a, b, c) == 0 && (b - a).dot(c - b) < 0)
       refuse(fmt::format("side {} of the polygon runs back along side {}, from {}", (i + 1) % n + 1,
                          i + 1, to_string(b)));
   }
   std::vector<Vec3d> level;
   for (const Vec2d& p : corners) level.emplace_back(p.x, p.y, 0);
-  if (const auto fault = self_crossing(level, Touching::refused))
+  if (const auto fault = find_self_intersection(level, Touching::refused))
     refuse(fmt::format("sides {} and {} of the polygon cross or touch at {}", fault->first,
                        fault->second, to_string(Vec2d(fault->at.x, fault->at.y))));
 }
@@ -76,13 +76,13 @@ bool Plot::contains(const Vec2d& p) const {
   for (size_t i = 0, before = corners_.size() - 1; i < corners_.size(); before = i++) {
     const Vec2d &a = corners_[before], &b = corners_[i];
     if ((a.y > p.y) == (b.y > p.y)) continue;
-    const int side = a.y < b.y ? turn(a, b, p) : turn(b, a, p);
+    const int side = a.y < b.y ? orientation(a, b, p) : orientation(b, a, p);
     if (side > 0) inside = !inside;
   }
   return inside;
 }
 
-double Plot::to_border(const Vec2d& p) const {
+double Plot::border_distance(const Vec2d& p) const {
   double nearest = kInfinity;
   for (size_t i = 0, before = corners_.size() - 1; i < corners_.size(); before = i++) {
     const Vec2d a = corners_[before], ab = corners_[i] - a;
@@ -102,7 +102,7 @@ Vec2d Plot::point(RandomStream& random) const {
   return corners_[a] + (corners_[b] - corners_[a]) * u + (corners_[c] - corners_[a]) * v;
 }
 
-int Plot::dent() const {
+int Plot::first_reflex_corner() const {
   double turned = 0;  // twice the signed area
   const size_t n = corners_.size();
   for (size_t i = 0; i < n; ++i)

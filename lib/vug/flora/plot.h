@@ -28,12 +28,12 @@ class Plot {
   /// Whether the point lies inside; of its border about half.
   bool contains(const Vec2d& p) const;
   /// Metres to the nearest side, from within or without.
-  double to_border(const Vec2d& p) const;
+  double border_distance(const Vec2d& p) const;
   /// A point spread evenly over the plot; takes three numbers of the stream.
   Vec2d point(RandomStream& random) const;
   /// The first corner that turns the other way than the polygon does, by more than rounding; -1
   /// where it is convex.
-  int dent() const;
+  int first_reflex_corner() const;
 
  private:
   Corners corners_;

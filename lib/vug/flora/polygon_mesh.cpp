@@ -1,6 +1,6 @@
 #include <vug/base/error.h>
-#include <vug/flora/crossing.h>
 #include <vug/flora/polygon_mesh.h>
+#include <vug/flora/self_intersection.h>
 #include <vug/mesh/normals.h>
 #include <vug/mesh/polygon.h>
 #include <vug/mesh/weld.h>
@@ -11,7 +11,8 @@ namespace vug::flora {
 namespace {
 
 void require_simple(const lsystem::Polygon& polygon, size_t number) {
-  const std::optional<Crossing> fault = self_crossing(polygon.corners, Touching::allowed);
+  const std::optional<SelfIntersection> fault =
+      find_self_intersection(polygon.corners, Touching::allowed);
   if (!fault) return;
   throw Error(
       ErrorCode::bad_input,

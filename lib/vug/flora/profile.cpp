@@ -10,11 +10,11 @@ constexpr double kEdge = 0.97;
 
 /// Where along rings lie between two places: at the tube's own, at those the relief asks for, and
 /// at the places themselves.
-std::vector<double> places(const Tube& tube, double from, double to, bool relief) {
+std::vector<double> places(const Tube& tube, double from, double to, bool displacement) {
   std::vector<double> all = {from, to};
   for (const Ring& ring : tube.rings()) all.push_back(ring.along);
-  if (relief) {
-    const std::vector<double> more = tube.relief().rows();
+  if (displacement) {
+    const std::vector<double> more = tube.displacement().rows();
     all.insert(all.end(), more.begin(), more.end());
   }
   std::sort(all.begin(), all.end());
@@ -27,7 +27,8 @@ std::vector<double> places(const Tube& tube, double from, double to, bool relief
   return kept;
 }
 
-void add_inner(std::vector<Row>& rows, const Tube& tube, double from, double to, bool backwards) {
+void add_inner(std::vector<ProfileRow>& rows, const Tube& tube, double from, double to,
+               bool backwards) {
   std::vector<double> all = places(tube, from, to, false);
   if (backwards) std::reverse(all.begin(), all.end());
   for (const double s : all) rows.push_back({s, 1, true, false});

@@ -6,7 +6,7 @@
 namespace vug::flora {
 
 /// A ring of vertices: where along, and how far out.
-struct Row {
+struct ProfileRow {
   double along = 0;
   double share = 1;    ///< Of the displaced radius, or of the inner one.
   bool inner = false;  ///< On the wall of a chamber.
@@ -15,7 +15,7 @@ struct Row {
 
 /// An outline that turns about the middle line; on the left of its way lies the solid's outside.
 struct Profile {
-  std::vector<Row> rows;
+  std::vector<ProfileRow> rows;
   bool ring = false;  ///< Closed in itself, else closed by a vertex on the middle line at each end.
 };
 

@@ -60,7 +60,7 @@ class Stem {
     constexpr double kSlack = 1 + 1e-6;  // cross-sections lean a little against the capsules
     std::vector<Box3d> boxes;
     for (size_t i = 0; i + 1 < rings.size(); ++i) {
-      capsules_.emplace_back(rings[i].centre, rings[i + 1].centre, tube_.reach(i) * kSlack,
+      capsules_.emplace_back(rings[i].center, rings[i + 1].center, tube_.reach(i) * kSlack,
                              tube_.reach(i + 1) * kSlack);
       boxes.push_back(capsules_.back().bounds());
       bounds_ = united(bounds_, boxes.back());
@@ -71,17 +71,17 @@ class Stem {
   const Tube& tube() const { return tube_; }
 
   /// What the value at a point comes from.
-  struct Found {
+  struct StemHit {
     double value = kInfinity;
     size_t capsule = 0;
-    std::optional<Tube::Place> place;  ///< Nothing: the capsules are higher.
+    std::optional<Tube::Coordinates> place;  ///< Nothing: the capsules are higher.
   };
 
   /// The value at p, or any number above `limit` where it is no lower than that.
-  Found find(const Vec3d& p, double limit) const {
+  StemHit find(const Vec3d& p, double limit) const {
     double outer = std::max(limit, 0.0);
     if (outer == 0) outer = 1e-300;  // boxes that hold p still count
-    Found found{kInfinity, capsules_.size(), {}};
+    StemHit found{kInfinity, capsules_.size(), {}};
     tree_.visit_nearest(p, square(outer), [&](uint32_t i) {
       const double d = capsules_[i].distance(p);
       if (d < found.value) found.value = d, found.capsule = i;
@@ -92,14 +92,15 @@ class Stem {
     // may meet.
     const double slope = tube_.slope(), a = tube_.reach(found.capsule),
                  b = tube_.reach(found.capsule + 1);
-    const double most = std::fabs(a - b) + tube_.relief().highest() + tube_.relief().deepest();
+    const double most =
+        std::fabs(a - b) + tube_.displacement().highest() + tube_.displacement().deepest();
     if (found.value * (slope - 1) > most + 0.25 * std::max(a, b)) return found;
-    const Tube::Place place = tube_.place(p, found.capsule);
+    const Tube::Coordinates place = tube_.coordinates(p, found.capsule);
     const double near = tube_.value(place) / slope;
     if (near >= found.value) found.value = near, found.place = place;
     return found;
   }
-  Vec3d gradient(const Vec3d& p, const Found& found) const {
+  Vec3d gradient(const Vec3d& p, const StemHit& found) const {
     if (!found.place) return capsules_[found.capsule].gradient(p);
     return tube_.gradient(p, *found.place).gradient / tube_.slope();
   }
@@ -137,10 +138,10 @@ class Stems {
   }
 
  private:
-  std::pair<const Stem*, Stem::Found> find(const Vec3d& p) const {
-    std::pair<const Stem*, Stem::Found> least{nullptr, {}};
+  std::pair<const Stem*, Stem::StemHit> find(const Vec3d& p) const {
+    std::pair<const Stem*, Stem::StemHit> least{nullptr, {}};
     tree_.visit_nearest(p, kInfinity, [&](uint32_t i) {
-      const Stem::Found found = stems_[i].find(p, least.second.value);
+      const Stem::StemHit found = stems_[i].find(p, least.second.value);
       if (found.value < least.second.value) least = {&stems_[i], found};
       const double reach = std::max(0.0, least.second.value);
       return reach * reach;

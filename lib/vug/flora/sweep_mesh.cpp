@@ -14,10 +14,10 @@ namespace {
 /// differs from vertex to vertex.
 using RowValues = std::array<double, 9>;
 
-RowValues values_of(const Tube& tube, const Row& row, double age) {
-  const std::vector<ReliefNode>& nodes = tube.relief().nodes();
+RowValues values_of(const Tube& tube, const ProfileRow& row, double age) {
+  const std::vector<DisplacedNode>& nodes = tube.displacement().nodes();
   const auto next = std::upper_bound(nodes.begin(), nodes.end(), row.along,
-                                     [](double s, const ReliefNode& n) { return s < n.along; });
+                                     [](double s, const DisplacedNode& n) { return s < n.along; });
   const auto number = static_cast<double>(next - nodes.begin());
   const double below = next == nodes.begin() ? tube.start() : (next - 1)->along;
   const double above = next == nodes.end() ? tube.end() : next->along;
@@ -40,15 +40,15 @@ int sides_of(const Tube& tube, const MeshOptions& options) {
   const double part = std::min(1.0, options.tolerance / most);
   const double half = maths::acos(1 - part);
   // A groove's bed, rims and flanks want places of their own.
-  const int grooved = tube.relief().deepest() > 0 ? 48 : 0;
-  return std::clamp(std::max(static_cast<int>(std::ceil(kPi / half)), grooved), options.least_sides,
-                    options.most_sides);
+  const int grooved = tube.displacement().deepest() > 0 ? 48 : 0;
+  return std::clamp(std::max(static_cast<int>(std::ceil(kPi / half)), grooved), options.min_sides,
+                    options.max_sides);
 }
 
 /// The surface of one tube, profile by profile.
-class Weaver {
+class SweepMesher {
  public:
-  Weaver(const Tube& tube, const MeshOptions& options)
+  SweepMesher(const Tube& tube, const MeshOptions& options)
       : tube_(tube), sides_(sides_of(tube, options)) {
     for (int j = 0; j < sides_; ++j) {
       const double angle = 2 * kPi * j / sides_;
@@ -58,36 +58,36 @@ class Weaver {
       mesh_.attributes.push_back({info.name, 1, {}});
   }
 
-  mesh::Mesh weave() {
-    for (const Profile& profile : profiles(tube_)) weave(profile);
+  mesh::Mesh build() {
+    for (const Profile& profile : profiles(tube_)) build(profile);
     mesh_.normals = normals();
     return std::move(mesh_);
   }
 
  private:
-  void weave(const Profile& profile) {
+  void build(const Profile& profile) {
     std::vector<uint32_t> firsts;
-    for (const Row& row : profile.rows) firsts.push_back(add(row));
+    for (const ProfileRow& row : profile.rows) firsts.push_back(add(row));
     for (size_t i = 0; i + 1 < firsts.size(); ++i) join(firsts[i], firsts[i + 1]);
     if (profile.ring) return join(firsts.back(), firsts.front());
     fan(profile.rows.front(), firsts.front(), true);
     fan(profile.rows.back(), firsts.back(), false);
   }
-  uint32_t add(const Row& row) {
+  uint32_t add(const ProfileRow& row) {
     const auto first = static_cast<uint32_t>(mesh_.positions.size());
     const Ring ring = tube_.at(row.along);
-    for (const Around& a : around_) {
+    for (const Direction& a : around_) {
       const double out = row.share * (row.inner ? tube_.inner_radius(row.along)
                                                 : tube_.displaced(row.along, a.angle));
       const Vec3d way = ring.frame.normal * a.cosine + ring.frame.binormal * a.sine;
-      mesh_.positions.emplace_back(ring.centre + way * out);
-      const double bed = row.inner ? 0 : tube_.relief().beds(row.along, a.angle).height;
+      mesh_.positions.emplace_back(ring.center + way * out);
+      const double bed = row.inner ? 0 : tube_.displacement().beds(row.along, a.angle).height;
       mesh_.attributes.back().values.push_back(static_cast<float>(bed));
     }
     describe(row, ring.age, around_.size());
     return first;
   }
-  void describe(const Row& row, double age, size_t count) {
+  void describe(const ProfileRow& row, double age, size_t count) {
     const RowValues values = values_of(tube_, row, age);
     for (size_t k = 0; k < values.size(); ++k)
       mesh_.attributes[k].values.insert(mesh_.attributes[k].values.end(), count,
@@ -114,10 +114,10 @@ class Weaver {
     }
   }
   /// Closes the hole at an end of a profile with a vertex on the middle line.
-  void fan(Row row, uint32_t ring, bool at_front) {
+  void fan(ProfileRow row, uint32_t ring, bool at_front) {
     const auto pole = static_cast<uint32_t>(mesh_.positions.size());
     const Ring middle = tube_.at(row.along);
-    mesh_.positions.emplace_back(middle.centre);
+    mesh_.positions.emplace_back(middle.center);
     mesh_.attributes.back().values.push_back(0);
     describe(row, middle.age, 1);
     const auto n = static_cast<uint32_t>(sides_);
@@ -128,12 +128,12 @@ class Weaver {
     }
   }
 
-  struct Around {
+  struct Direction {
     double cosine, sine, angle;
   };
   const Tube& tube_;
   int sides_;
-  std::vector<Around> around_;
+  std::vector<Direction> around_;
   mesh::Mesh mesh_;
 };
 
@@ -158,7 +158,7 @@ const std::vector<AttributeInfo>& stem_attributes() {
 mesh::Mesh swept_mesh(const std::vector<Tube>& tubes, const MeshOptions& options) {
   std::vector<mesh::Mesh> parts(tubes.size());
   parallel_for(
-      parts.size(), [&](size_t i) { parts[i] = Weaver(tubes[i], options).weave(); }, 8);
+      parts.size(), [&](size_t i) { parts[i] = SweepMesher(tubes[i], options).build(); }, 8);
   mesh::Mesh all;
   for (const AttributeInfo& info : stem_attributes()) all.attributes.push_back({info.name, 1, {}});
   size_t vertices = 0, triangles = 0;

@@ -11,8 +11,8 @@ namespace vug::flora {
 
 struct MeshOptions {
   double tolerance = 0.2e-3;  ///< Metres that a straight edge around a stem may cut into it.
-  int least_sides = 5;
-  int most_sides = 128;
+  int min_sides = 5;
+  int max_sides = 128;
 };
 
 struct AttributeInfo {

@@ -12,14 +12,14 @@ namespace {
 /// Of the parent's radius that a branch hides in its wood.
 constexpr double kHidden = 0.85;
 /// A chamber is at least so long, of the radius.
-constexpr double kLeastChamber = 0.01;
+constexpr double kMinChamber = 0.01;
 
 }  // namespace
 
 std::string SweepOptions::fault() const {
-  if (const char* told = relief.fault(); *told) return told;
+  if (const char* fault = displacement.fault(); *fault) return fault;
   if (!(wall >= 0 && wall < 1)) return "a wall is 0 to 100% of the radius";
-  if (!(wall_least >= 0)) return "a wall's least thickness is not below 0";
+  if (!(min_wall >= 0)) return "a wall's least thickness is not below 0";
   if (!(diaphragm > 0)) return "a diaphragm has a thickness above 0";
   if (!(smooth > 0)) return "the bend between two cross-sections is above 0";
   return "";
@@ -27,28 +27,29 @@ std::string SweepOptions::fault() const {
 
 std::optional<Tube> Tube::make(const lsystem::Axis& axis, double parent_radius,
                                const SweepOptions& options) {
-  if (const std::string told = options.fault(); !told.empty())
-    throw Error(ErrorCode::bad_input, told);
+  if (const std::string fault = options.fault(); !fault.empty())
+    throw Error(ErrorCode::bad_input, fault);
   Tube tube;
   tube.order_ = axis.order;
   tube.rings_ = make_rings(axis, kHidden * parent_radius, options);
   if (tube.rings_.size() < 2) return std::nullopt;
-  std::vector<ReliefNode> nodes;
+  std::vector<DisplacedNode> nodes;
   for (const lsystem::Node& node : axis.nodes) {
     if (node.along < tube.start() || node.along > tube.end()) continue;
     const Frame frame = tube.at(node.along).frame;
-    ReliefNode out{node.along, tube.radius(node.along) * node.size, tube.end(), {}};
+    DisplacedNode out{node.along, tube.radius(node.along) * node.size, tube.end(), {}};
     for (const Vec3d& way : node.branches)
       out.angles.push_back(maths::atan2(way.dot(frame.binormal), way.dot(frame.normal)));
     if (!nodes.empty()) nodes.back().next = out.along;
     nodes.push_back(std::move(out));
   }
-  Relief relief = options.relief;
-  if (axis.order >= options.relief_orders) relief.scar = relief.ridge = relief.groove = 0;
-  tube.relief_ = NodeRelief(relief, std::move(nodes));
+  NodeDisplacementOptions displacement = options.displacement;
+  if (axis.order >= options.displaced_orders)
+    displacement.scar = displacement.ridge = displacement.groove = 0;
+  tube.displacement_ = NodeDisplacement(displacement, std::move(nodes));
   tube.wall_ = axis.order == 0 ? options.wall : 0;
-  tube.wall_least_ = axis.order == 0 ? options.wall_least : 0;
-  if (tube.wall_ > 0 || tube.wall_least_ > 0) tube.set_chambers(options.diaphragm, options.open);
+  tube.min_wall_ = axis.order == 0 ? options.min_wall : 0;
+  if (tube.wall_ > 0 || tube.min_wall_ > 0) tube.set_chambers(options.diaphragm, options.open);
   tube.set_slope();
   return tube;
 }
@@ -60,9 +61,9 @@ void Tube::set_chambers(double diaphragm, bool open) {
     chamber.to = to;
     // What a cut next to a node would open is no chamber.
     const double within = std::min(chamber.to, end()) - std::max(chamber.from, start());
-    if (within > kLeastChamber * radius(chamber.from)) chambers_.push_back(chamber);
+    if (within > kMinChamber * radius(chamber.from)) chambers_.push_back(chamber);
   };
-  for (const ReliefNode& node : relief_.nodes()) {
+  for (const DisplacedNode& node : displacement_.nodes()) {
     const double half = 0.5 * diaphragm * radius(node.along);
     add(node.along - half);
     chamber.from = node.along + half;
@@ -74,7 +75,7 @@ void Tube::set_slope() {
   double taper = 0, tilt = 0, squeeze = 1;
   for (size_t i = 0; i + 1 < rings_.size(); ++i) {
     const Ring &a = rings_[i], &b = rings_[i + 1];
-    const double length = (b.centre - a.centre).length();
+    const double length = (b.center - a.center).length();
     const double half_bend = 0.5 * (b.frame.tangent - a.frame.tangent).length();
     taper = std::max(taper, std::fabs(b.radius - a.radius) / length);
     tilt = std::max(tilt, half_bend);
@@ -83,13 +84,13 @@ void Tube::set_slope() {
     squeeze = std::min(squeeze, 1 - 2 * half_bend * reach / length);
   }
   squeeze = std::max(squeeze, 0.3);
-  const double rim = rings_.front().radius > 0 ? relief_.deepest() : 0;
+  const double rim = rings_.front().radius > 0 ? displacement_.deepest() : 0;
   double thinnest = rings_.front().radius;
-  for (const ReliefNode& node : relief_.nodes())
+  for (const DisplacedNode& node : displacement_.nodes())
     if (!node.angles.empty()) thinnest = std::min(thinnest, radius(node.next));
   const double out = rim > 0 ? 1 + rim / ((kGroovesTo - kGroovesFrom) * thinnest) : 1;
-  const double along = (taper + tilt + relief_.slope()) / squeeze;
-  const double around = rim > 0 ? relief_.turn() / (kGroovesTo * thinnest) : 0;
+  const double along = (taper + tilt + displacement_.slope()) / squeeze;
+  const double around = rim > 0 ? displacement_.turn() / (kGroovesTo * thinnest) : 0;
   slope_ = 1.02 * std::sqrt(out * out + along * along + around * around);
 }
 
@@ -103,12 +104,12 @@ Ring Tube::at(double along) const {
   const size_t i = segment_at(along);
   const Ring &a = rings_[i], &b = rings_[i + 1];
   const double u = std::clamp((along - a.along) / (b.along - a.along), 0.0, 1.0);
-  const Vec3d way = (b.centre - a.centre).normalized();
+  const Vec3d way = (b.center - a.center).normalized();
   // Planes between two that meet in a line all pass through it: see place().
   const double before = way.dot(a.frame.tangent), after = way.dot(b.frame.tangent);
   const double v = u * after / ((1 - u) * before + u * after);
   Ring out;
-  out.centre = a.centre * (1 - v) + b.centre * v;
+  out.center = a.center * (1 - v) + b.center * v;
   out.frame = Frame{a.frame.tangent * (1 - u) + b.frame.tangent * u,
                     a.frame.normal * (1 - u) + b.frame.normal * u, Vec3d(0)}
                   .orthonormalized();
@@ -118,12 +119,12 @@ Ring Tube::at(double along) const {
   return out;
 }
 
-Tube::Place Tube::place(const Vec3d& p, size_t segment) const {
+Tube::Coordinates Tube::coordinates(const Vec3d& p, size_t segment) const {
   size_t i = std::min(segment, rings_.size() - 2);
   double before = 0, after = 0;
   for (size_t moves = 0; moves < rings_.size(); ++moves) {
-    before = (p - rings_[i].centre).dot(rings_[i].frame.tangent);
-    after = (rings_[i + 1].centre - p).dot(rings_[i + 1].frame.tangent);
+    before = (p - rings_[i].center).dot(rings_[i].frame.tangent);
+    after = (rings_[i + 1].center - p).dot(rings_[i + 1].frame.tangent);
     if (before < 0 && after >= 0 && i > 0)
       --i;
     else if (after < 0 && before >= 0 && i + 2 < rings_.size())
@@ -131,23 +132,23 @@ Tube::Place Tube::place(const Vec3d& p, size_t segment) const {
     else
       break;
   }
-  Place out;
+  Coordinates out;
   out.segment = i;
   Ring ring;
   if (i == 0 && before < 0) {
     ring = rings_[0];
-    ring.centre += ring.frame.tangent * before;
+    ring.center += ring.frame.tangent * before;
     ring.along += before;
   } else if (i + 2 == rings_.size() && after < 0) {
     ring = rings_.back();
-    ring.centre -= ring.frame.tangent * after;
+    ring.center -= ring.frame.tangent * after;
     ring.along -= after;
   } else {
     // The share of the way between both planes, by the distances to them.
     const double u = before + after > 0 ? std::clamp(before / (before + after), 0.0, 1.0) : 0.5;
     ring = at(rings_[i].along * (1 - u) + rings_[i + 1].along * u);
   }
-  const Vec3d off = p - ring.centre;
+  const Vec3d off = p - ring.center;
   const double x = off.dot(ring.frame.normal), y = off.dot(ring.frame.binormal);
   out.along = ring.along;
   out.out = std::sqrt(x * x + y * y);
@@ -157,7 +158,7 @@ Tube::Place Tube::place(const Vec3d& p, size_t segment) const {
 
 Vec3d Tube::point(double along, double angle, double out) const {
   const Ring ring = at(along);
-  return ring.centre + ring.frame.around(angle) * out;
+  return ring.center + ring.frame.around(angle) * out;
 }
 
 double Tube::radius(double along) const {
@@ -173,15 +174,16 @@ double Tube::taper(double along) const {
   return (rings_[i + 1].radius - rings_[i].radius) / (rings_[i + 1].along - rings_[i].along);
 }
 
-Rise Tube::hollow_of(double radius) const {
+DisplacementSample Tube::hollow_of(double radius) const {
   const double share = 1 - wall_, least = std::min(0.1, share);
-  if (radius - wall_least_ >= share * radius) return {share * radius, share};
-  if (radius - wall_least_ >= least * radius) return {radius - wall_least_, 1};
+  if (radius - min_wall_ >= share * radius) return {share * radius, share};
+  if (radius - min_wall_ >= least * radius) return {radius - min_wall_, 1};
   return {least * radius, least};
 }
 
 double Tube::displaced(double along, double angle) const {
-  return radius(along) + relief_.rings(along).height - relief_.grooves(along, angle).height;
+  return radius(along) + displacement_.rings(along).height -
+         displacement_.grooves(along, angle).height;
 }
 
 Box3d Tube::bounds() const {
@@ -194,8 +196,8 @@ Box3d Tube::bounds() const {
       Vec3d half;
       for (int axis = 0; axis < 3; ++axis)
         half[axis] = out * std::min(1.0, std::sqrt(std::max(0.0, 1 - t[axis] * t[axis])) + tilt);
-      box.extendBy(rings_[end].centre - half);
-      box.extendBy(rings_[end].centre + half);
+      box.extendBy(rings_[end].center - half);
+      box.extendBy(rings_[end].center + half);
     }
   }
   return box;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <vug/field/field.h>
-#include <vug/flora/relief.h>
+#include <vug/flora/node_displacement.h>
 #include <vug/lsystem/drawing.h>
 
 #include <optional>
@@ -12,22 +12,22 @@
 namespace vug::flora {
 
 struct SweepOptions {
-  Relief relief;
-  int relief_orders = 2;  ///< Stems of this order and above have no relief.
-  int fold_order = 1;     ///< Stems below this order are smooth where they bend, others folded.
-  double smooth = 0.05;   ///< Radians that a smooth stem may bend between two cross-sections.
-  double wall = 0;        ///< Of a hollow stem of order 0, a share of its radius; 0: massive.
-  double wall_least = 0;  ///< Metres; and at least so thick, while a tenth of the radius is hollow.
-  double diaphragm = 0.2;      ///< Thickness of the walls across at nodes, a share of the radius.
-  bool open = false;           ///< The ends of a hollow stem are cuts, where its chambers show.
-  double least_radius = 1e-4;  ///< Metres; stems thinner than that are this thick.
+  NodeDisplacementOptions displacement;
+  int displaced_orders = 2;  ///< Stems of this order and above have no relief.
+  int fold_order = 1;        ///< Stems below this order are smooth where they bend, others folded.
+  double smooth = 0.05;      ///< Radians that a smooth stem may bend between two cross-sections.
+  double wall = 0;           ///< Of a hollow stem of order 0, a share of its radius; 0: massive.
+  double min_wall = 0;  ///< Metres; and at least so thick, while a tenth of the radius is hollow.
+  double diaphragm = 0.2;    ///< Thickness of the walls across at nodes, a share of the radius.
+  bool open = false;         ///< The ends of a hollow stem are cuts, where its chambers show.
+  double min_radius = 1e-4;  ///< Metres; stems thinner than that are this thick.
 
   std::string fault() const;  ///< A sentence on what does not fit; else empty.
 };
 
 /// A cross-section of the tube's middle line, which runs straight between two of them.
 struct Ring {
-  Vec3d centre;
+  Vec3d center;
   Frame frame;  ///< Its plane is square to the tangent, which halves the bend.
   double along = 0;
   double radius = 0;  ///< Without relief.
@@ -51,16 +51,16 @@ class Tube {
                                   const SweepOptions& options);
 
   /// A place in the tube's own coordinates.
-  struct Place {
+  struct Coordinates {
     double along = 0;    ///< Metres along the axis; below start() or above end() beyond the ends.
     double out = 0;      ///< Metres from the middle line, within the cross-section's plane.
     double angle = 0;    ///< From the frame's normal, radians.
     size_t segment = 0;  ///< Between rings() of this index and the next.
   };
   /// Valid near the middle line; `segment` is one near the place, the search goes on from there.
-  Place place(const Vec3d& p, size_t segment) const;
+  Coordinates coordinates(const Vec3d& p, size_t segment) const;
 
-  Vec3d centre(double along) const { return at(along).centre; }
+  Vec3d center(double along) const { return at(along).center; }
   Ring at(double along) const;  ///< Between rings; kept within the ends.
   /// A point of the cross-section there.
   Vec3d point(double along, double angle, double out) const;
@@ -74,41 +74,42 @@ class Tube {
 
   /// Metres, negative inside the solid; true near the surface up to the factor slope() and
   /// Lipschitz with that, where the place is valid. The solid ends flat at both ends.
-  double value(const Place& place) const;
+  double value(const Coordinates& place) const;
   /// The same with its gradient in space, at the point p whose place it is; where the value has a
   /// crease, that of one side.
-  field::Gradient gradient(const Vec3d& p, const Place& place) const;
+  field::Gradient gradient(const Vec3d& p, const Coordinates& place) const;
   double slope() const { return slope_; }
 
   double start() const { return rings_.front().along; }  ///< Metres along the axis.
   double end() const { return rings_.back().along; }
   int order() const { return order_; }
   const std::vector<Ring>& rings() const { return rings_; }
-  const NodeRelief& relief() const { return relief_; }
+  const NodeDisplacement& displacement() const { return displacement_; }
   const std::vector<Chamber>& chambers() const { return chambers_; }
   bool hollow() const { return !chambers_.empty(); }
   /// Around the displaced surface: made from the relief's bound, not from its samples.
   Box3d bounds() const;
   /// No point of the surface is further from the middle line at a ring.
-  double reach(size_t ring) const { return rings_[ring].radius + relief_.highest(); }
+  double reach(size_t ring) const { return rings_[ring].radius + displacement_.highest(); }
 
  private:
   /// How a place changes with the point: metres and radians for a metre.
-  struct Slopes {
+  struct CoordinateGradients {
     Vec3d along, out, angle;
   };
   /// Radius of the hollow in a stem of that radius, and its change (along) for a metre of that.
-  Rise hollow_of(double radius) const;
-  Slopes slopes(const Vec3d& p, const Place& place) const;
-  field::Gradient skin(const Place& place, const Slopes& slopes) const;
+  DisplacementSample hollow_of(double radius) const;
+  CoordinateGradients coordinate_gradients(const Vec3d& p, const Coordinates& place) const;
+  field::Gradient skin(const Coordinates& place,
+                       const CoordinateGradients& coordinate_gradients) const;
   void set_chambers(double diaphragm, bool open);
   void set_slope();
   size_t segment_at(double along) const;
 
   std::vector<Ring> rings_;
-  NodeRelief relief_;
+  NodeDisplacement displacement_;
   std::vector<Chamber> chambers_;
-  double wall_ = 0, wall_least_ = 0;
+  double wall_ = 0, min_wall_ = 0;
   double slope_ = 1;
   int order_ = 0;
 };

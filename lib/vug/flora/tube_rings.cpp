@@ -11,11 +11,11 @@ double angle_between(const Vec3d& a, const Vec3d& b) {
   return maths::atan2(a.cross(b).length(), a.dot(b));
 }
 
-std::vector<Ring> rings_of(const lsystem::Axis& axis, double begin, double least_radius) {
+std::vector<Ring> rings_of(const lsystem::Axis& axis, double begin, double min_radius) {
   std::vector<Ring> rings;
   const auto add = [&](const lsystem::Station& s) {
-    if (rings.empty() || (s.position - rings.back().centre).length() > 1e-9)
-      rings.push_back({s.position, s.frame, s.along, std::max(s.radius, least_radius), s.age});
+    if (rings.empty() || (s.position - rings.back().center).length() > 1e-9)
+      rings.push_back({s.position, s.frame, s.along, std::max(s.radius, min_radius), s.age});
   };
   if (axis.stations.size() < 2 || begin >= axis.length()) return rings;
   add(lsystem::station_at(axis, begin));
@@ -27,7 +27,7 @@ std::vector<Ring> rings_of(const lsystem::Axis& axis, double begin, double least
 /// Square to the plane that halves each bend; at the ends along the line.
 std::vector<Vec3d> mitre_tangents(const std::vector<Ring>& rings) {
   std::vector<Vec3d> tangents(rings.size());
-  const auto way = [&](size_t i) { return (rings[i + 1].centre - rings[i].centre).normalized(); };
+  const auto way = [&](size_t i) { return (rings[i + 1].center - rings[i].center).normalized(); };
   tangents.front() = way(0);
   tangents.back() = way(rings.size() - 2);
   for (size_t i = 1; i + 1 < rings.size(); ++i) {
@@ -43,16 +43,16 @@ std::vector<Ring> smoothed(const std::vector<Ring>& rings, double most) {
   std::vector<Ring> out = {rings.front()};
   for (size_t i = 1; i < rings.size(); ++i) {
     const Ring &a = rings[i - 1], &b = rings[i];
-    const Vec3d chord = b.centre - a.centre;
+    const Vec3d chord = b.center - a.center;
     const double bend = angle_between(tangents[i - 1], chord) + angle_between(chord, tangents[i]);
     const int steps = std::clamp(static_cast<int>(std::ceil(bend / most)), 1, 200);
     const double reach = chord.length() / 3;
     for (int k = 1; k < steps; ++k) {
       const double t = static_cast<double>(k) / steps, u = 1 - t;
       Ring ring = b;
-      ring.centre = a.centre * (u * u * u) +
-                    (a.centre + tangents[i - 1] * reach) * (3 * u * u * t) +
-                    (b.centre - tangents[i] * reach) * (3 * u * t * t) + b.centre * (t * t * t);
+      ring.center = a.center * (u * u * u) +
+                    (a.center + tangents[i - 1] * reach) * (3 * u * u * t) +
+                    (b.center - tangents[i] * reach) * (3 * u * t * t) + b.center * (t * t * t);
       ring.along = a.along * u + b.along * t;
       ring.radius = a.radius * u + b.radius * t;
       ring.age = a.age * u + b.age * t;
@@ -66,16 +66,16 @@ std::vector<Ring> smoothed(const std::vector<Ring>& rings, double most) {
 }  // namespace
 
 std::vector<Ring> make_rings(const lsystem::Axis& axis, double begin, const SweepOptions& options) {
-  std::vector<Ring> rings = rings_of(axis, begin, options.least_radius);
+  std::vector<Ring> rings = rings_of(axis, begin, options.min_radius);
   if (rings.size() < 2) return {};
   if (axis.order < options.fold_order) rings = smoothed(rings, options.smooth);
   const std::vector<Vec3d> tangents = mitre_tangents(rings);
-  std::vector<Vec3d> centres;
-  for (const Ring& ring : rings) centres.push_back(ring.centre);
+  std::vector<Vec3d> centers;
+  for (const Ring& ring : rings) centers.push_back(ring.center);
   Frame first = rings.front().frame;
   // The first normal as the turtle held it, carried to where the line really goes.
   first = transported(first, Vec3d(0), first.tangent + tangents.front(), tangents.front());
-  const std::vector<Frame> frames = rotation_minimising(centres, tangents, first);
+  const std::vector<Frame> frames = rotation_minimising(centers, tangents, first);
   for (size_t i = 0; i < rings.size(); ++i) rings[i].frame = frames[i];
   return rings;
 }

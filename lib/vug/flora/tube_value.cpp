@@ -26,11 +26,12 @@ FrameSlope frame_slope(const Frame& a, const Frame& b, double u, const Frame& at
 
 }  // namespace
 
-double Tube::value(const Place& place) const {
-  const double smooth = radius(place.along), full = smooth + relief_.rings(place.along).height;
+double Tube::value(const Coordinates& place) const {
+  const double smooth = radius(place.along),
+               full = smooth + displacement_.rings(place.along).height;
   const double in =
       std::clamp((place.out / smooth - kGroovesFrom) / (kGroovesTo - kGroovesFrom), 0.0, 1.0);
-  const double groove = in > 0 ? in * relief_.grooves(place.along, place.angle).height : 0;
+  const double groove = in > 0 ? in * displacement_.grooves(place.along, place.angle).height : 0;
   double value = std::max({place.out - full + groove, start() - place.along, place.along - end()});
   if (chambers_.empty()) return value;
   const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
@@ -44,32 +45,33 @@ double Tube::value(const Place& place) const {
   return value;
 }
 
-Tube::Slopes Tube::slopes(const Vec3d& p, const Place& place) const {
+Tube::CoordinateGradients Tube::coordinate_gradients(const Vec3d& p,
+                                                     const Coordinates& place) const {
   const Ring &a = rings_[place.segment], &b = rings_[place.segment + 1];
-  const double before = (p - a.centre).dot(a.frame.tangent);
-  const double after = (b.centre - p).dot(b.frame.tangent);
+  const double before = (p - a.center).dot(a.frame.tangent);
+  const double after = (b.center - p).dot(b.frame.tangent);
   const Ring ring = at(place.along);
   const Frame& f = ring.frame;
-  Slopes out;
-  Vec3d x = f.normal, y = f.binormal, off = p - ring.centre;
+  CoordinateGradients out;
+  Vec3d x = f.normal, y = f.binormal, off = p - ring.center;
   if (place.along < start() || place.along > end() || !(before + after > 0)) {
     off -= f.tangent * off.dot(f.tangent);
     out.along = f.tangent;
   } else {
     // u, the share of the way between both planes; the middle line moves with it.
     const double u = before / (before + after), whole = b.along - a.along;
-    const Vec3d way = b.centre - a.centre, ahead = way.normalized();
+    const Vec3d way = b.center - a.center, ahead = way.normalized();
     const double from = ahead.dot(a.frame.tangent), to = ahead.dot(b.frame.tangent);
     const double mixed = (1 - u) * from + u * to;
-    const Vec3d centre = way * (from * to / (mixed * mixed));
+    const Vec3d center = way * (from * to / (mixed * mixed));
     const FrameSlope turn = frame_slope(a.frame, b.frame, u, f);
     const Vec3d du = before < 0 || after < 0  // kept between the planes: it does not move along
                          ? Vec3d(0)
                          : (a.frame.tangent * after + b.frame.tangent * before) /
                                ((before + after) * (before + after));
     out.along = du * whole;
-    x += du * (off.dot(turn.normal) - centre.dot(f.normal));
-    y += du * (off.dot(turn.binormal) - centre.dot(f.binormal));
+    x += du * (off.dot(turn.normal) - center.dot(f.normal));
+    y += du * (off.dot(turn.binormal) - center.dot(f.binormal));
   }
   const double cosine = off.dot(f.normal), sine = off.dot(f.binormal);
   if (!(place.out > 0)) {
@@ -81,14 +83,14 @@ Tube::Slopes Tube::slopes(const Vec3d& p, const Place& place) const {
   return out;
 }
 
-field::Gradient Tube::skin(const Place& place, const Slopes& d) const {
+field::Gradient Tube::skin(const Coordinates& place, const CoordinateGradients& d) const {
   const double smooth = radius(place.along), slim = taper(place.along);
-  const Rise rings = relief_.rings(place.along);
+  const DisplacementSample rings = displacement_.rings(place.along);
   field::Gradient out{place.out - (smooth + rings.height), d.out - d.along * (slim + rings.along)};
   const double share = place.out / smooth, span = kGroovesTo - kGroovesFrom;
   const double in = std::clamp((share - kGroovesFrom) / span, 0.0, 1.0);
   if (!(in > 0)) return out;
-  const Rise groove = relief_.grooves(place.along, place.angle);
+  const DisplacementSample groove = displacement_.grooves(place.along, place.angle);
   out.value += in * groove.height;
   out.gradient += (d.along * groove.along + d.angle * groove.around) * in;
   if (in < 1)
@@ -96,8 +98,8 @@ field::Gradient Tube::skin(const Place& place, const Slopes& d) const {
   return out;
 }
 
-field::Gradient Tube::gradient(const Vec3d& p, const Place& place) const {
-  const Slopes d = slopes(p, place);
+field::Gradient Tube::gradient(const Vec3d& p, const Coordinates& place) const {
+  const CoordinateGradients d = coordinate_gradients(p, place);
   const auto higher = [](const field::Gradient& a, double value, const Vec3d& gradient) {
     return value > a.value ? field::Gradient{value, gradient} : a;
   };
@@ -108,7 +110,7 @@ field::Gradient Tube::gradient(const Vec3d& p, const Place& place) const {
   const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
                                      [](double s, const Chamber& c) { return s < c.from; });
   const auto carve = [&](const Chamber& c) {
-    const Rise inner = hollow_of(radius(place.along));
+    const DisplacementSample inner = hollow_of(radius(place.along));
     field::Gradient hollow{place.out - inner.height,
                            d.out - d.along * (taper(place.along) * inner.along)};
     hollow = higher(hollow, c.from - place.along, -d.along);

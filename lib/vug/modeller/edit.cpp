@@ -14,42 +14,43 @@ namespace vug::modeller {
 
 namespace {
 
-Refused refused(const std::string& key, const std::string& message, const std::string& hint = {}) {
+RejectedEdit rejected(const std::string& key, const std::string& message,
+                      const std::string& hint = {}) {
   return {key, Error(ErrorCode::bad_input, message, {}, hint)};
 }
 
 /// Runs the work; what is wrong with it is wrong with that key of the edit.
 template <class Work>
-auto blaming(const std::string& key, const Work& work) {
+auto with_key(const std::string& key, const Work& work) {
   try {
     return work();
-  } catch (const Refused&) {
+  } catch (const RejectedEdit&) {
     throw;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
-    throw Refused(key, error);
+    throw RejectedEdit(key, error);
   }
 }
 
 void check(const EditKind& kind, const Edit& edit) {
   if (kind.rule && edit.rule.empty())
-    throw refused("rule", fmt::format("'{}' needs a rule", kind.name));
+    throw rejected("rule", fmt::format("'{}' needs a rule", kind.name));
   if (!kind.rule && !edit.rule.empty())
-    throw refused("rule", fmt::format("'{}' takes no rule", kind.name));
+    throw rejected("rule", fmt::format("'{}' takes no rule", kind.name));
   for (const std::string& name : kind.numbers)
     if (!edit.numbers.count(name))
-      throw refused("numbers", fmt::format("'{}' needs '{}'", kind.name, name));
+      throw rejected("numbers", fmt::format("'{}' needs '{}'", kind.name, name));
   for (const auto& [name, values] : edit.numbers) {
     const bool own =
         std::find(kind.numbers.begin(), kind.numbers.end(), name) != kind.numbers.end();
     if (own && values.size() != 1)
-      throw refused("numbers/" + name, fmt::format("'{}' is one number", name));
+      throw rejected("numbers/" + name, fmt::format("'{}' is one number", name));
     if (!own && !kind.free_numbers)
-      throw refused("numbers/" + name, fmt::format("'{}' takes no '{}'", kind.name, name),
-                    suggestion(name, kind.numbers));
+      throw rejected("numbers/" + name, fmt::format("'{}' takes no '{}'", kind.name, name),
+                     suggestion(name, kind.numbers));
     for (const double value : values)
       if (!std::isfinite(value))
-        throw refused("numbers/" + name, fmt::format("'{}' is not finite", name));
+        throw rejected("numbers/" + name, fmt::format("'{}' is not finite", name));
   }
 }
 
@@ -70,20 +71,20 @@ const EditKind& edit_kind(const std::string& name) {
     if (kind->name == name) return *kind;
     known.push_back(kind->name);
   }
-  throw refused("edit", fmt::format("there is no edit '{}'", name), suggestion(name, known));
+  throw rejected("edit", fmt::format("there is no edit '{}'", name), suggestion(name, known));
 }
 
-State edited(const State& state, const Edit& edit) {
+FacadeState perform_edit(const FacadeState& state, const Edit& edit) {
   const EditKind& kind = edit_kind(edit.kind);
   check(kind, edit);
-  const int node = blaming("node", [&] { return state.find(edit.node); });
+  const int node = with_key("node", [&] { return state.find(edit.node); });
   const std::string whole = kind.rule ? "rule" : "";
-  return blaming(whole, [&] {
+  return with_key(whole, [&] {
     try {
       return kind.run(state, node, edit);
     } catch (const facade::InfeasiblePlan& error) {
       const bool number = edit.numbers.count(error.number()) > 0;
-      throw Refused(number ? "numbers/" + error.number() : whole, error);
+      throw RejectedEdit(number ? "numbers/" + error.number() : whole, error);
     }
   });
 }

@@ -1,7 +1,7 @@
 // Edits as data: what a session stores, a window sends and a command line says.
 #pragma once
 
-#include <vug/modeller/state.h>
+#include <vug/modeller/facade_state.h>
 
 #include <string>
 #include <vector>
@@ -19,10 +19,10 @@ struct Edit {
 };
 
 /// An edit that cannot be done.
-class Refused : public Error {
+class RejectedEdit : public Error {
  public:
   /// `key` is what of the edit is wrong: "node", "rule", "numbers/rows", or empty: all of it.
-  Refused(std::string key, const Error& error)
+  RejectedEdit(std::string key, const Error& error)
       : Error(error.code(), error.what(), error.where(), error.hint()), key_(std::move(key)) {}
   const std::string& key() const { return key_; }
 
@@ -38,7 +38,7 @@ struct EditKind {
   bool free_numbers = false;         ///< Those of the node's split.
   std::vector<std::string> numbers;  ///< Its own; each is needed and is one number.
   /// InfeasiblePlan and Error(bad_input) where it cannot be done.
-  State (*run)(const State& state, int node, const Edit& edit);
+  FacadeState (*run)(const FacadeState& state, int node, const Edit& edit);
 };
 /// Made from the list in CMakeLists.txt.
 const std::vector<const EditKind*>& edit_kinds();
@@ -46,7 +46,7 @@ const std::vector<const EditKind*>& edit_kinds();
 const EditKind& edit_kind(const std::string& name);
 
 /// The state after the edit. Refused where it cannot be done; `state` is what it was in any case.
-State edited(const State& state, const Edit& edit);
+FacadeState perform_edit(const FacadeState& state, const Edit& edit);
 
 /// "apply 0.1 RegularGrid columns=4 dx=2.1,2.4": the kind where `kind` is empty, the node, the rule
 /// where the kind takes one, numbers. Lengths are metres or have a unit: 90cm, and 120px where a

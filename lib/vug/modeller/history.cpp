@@ -7,7 +7,7 @@
 namespace vug::modeller {
 
 void History::apply(const Edit& edit) {
-  State next = edited(now(), edit);
+  FacadeState next = perform_edit(now(), edit);
   const auto keep = static_cast<std::ptrdiff_t>(done_);
   states_.erase(states_.begin() + keep + 1, states_.end());
   edits_.erase(edits_.begin() + keep, edits_.end());
@@ -34,7 +34,7 @@ void History::set_checkpoint(const std::string& name) {
   checkpoints_[name] = done_;
 }
 
-void History::go(const std::string& checkpoint) {
+void History::restore(const std::string& checkpoint) {
   const auto found = checkpoints_.find(checkpoint);
   std::vector<std::string> names;
   for (const auto& [name, at] : checkpoints_) names.push_back(name);

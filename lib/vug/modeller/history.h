@@ -12,9 +12,9 @@ namespace vug::modeller {
 
 class History {
  public:
-  explicit History(State start) : states_{std::move(start)} {}
+  explicit History(FacadeState start) : states_{std::move(start)} {}
 
-  const State& now() const { return states_[done_]; }
+  const FacadeState& now() const { return states_[done_]; }
   /// Edits that are done, then those that have been undone and can be done again.
   const std::vector<Edit>& edits() const { return edits_; }
   size_t done() const { return done_; }
@@ -31,10 +31,10 @@ class History {
   /// without a name.
   void set_checkpoint(const std::string& name);
   /// Undoes or does again until there. Error(bad_input) with the nearest where there is none.
-  void go(const std::string& checkpoint);
+  void restore(const std::string& checkpoint);
 
  private:
-  std::vector<State> states_;  ///< One more than edits.
+  std::vector<FacadeState> states_;  ///< One more than edits.
   std::vector<Edit> edits_;
   size_t done_ = 0;
   std::map<std::string, size_t> checkpoints_;

@@ -80,10 +80,10 @@ class Scanner {
 }  // namespace
 
 SourceLocation locate(const std::string& text, const std::string& file,
-                      const std::vector<std::string>& way) {
+                      const std::vector<std::string>& path) {
   Scanner scanner(text);
   size_t at = scanner.at();
-  for (const std::string& key : way) {
+  for (const std::string& key : path) {
     if (!scanner.enter(key)) break;
     at = scanner.at();
   }
@@ -117,8 +117,8 @@ Json JsonValue::parse(const std::string& text, const std::string& file) {
 }
 
 JsonValue::JsonValue(const JsonValue& above, const Json& value, const std::string& key)
-    : value_(&value), text_(above.text_), file_(above.file_), way_(above.way_) {
-  way_.push_back(key);
+    : value_(&value), text_(above.text_), file_(above.file_), path_(above.path_) {
+  path_.push_back(key);
 }
 
 JsonValue JsonValue::at(const std::string& key) const {
@@ -170,20 +170,20 @@ void JsonValue::check_object(const std::vector<std::string>& known) const {
 
 Error JsonValue::fault(const std::string& message, const std::string& hint,
                        const std::string& below) const {
-  std::vector<std::string> way = way_;
+  std::vector<std::string> path = path_;
   const Json* value = value_;
   for (size_t at = 0; at < below.size();) {
     const size_t end = std::min(below.find('/', at), below.size());
     const std::string key = below.substr(at, end - at);
     if (!value->is_object() || !value->contains(key)) break;
     value = &(*value)[key];
-    way.push_back(key);
+    path.push_back(key);
     at = end + 1;
   }
   std::string pointer;
-  for (const std::string& key : way) pointer += '/' + key;
+  for (const std::string& key : path) pointer += '/' + key;
   return Error(ErrorCode::bad_input, (pointer.empty() ? "" : pointer + ": ") + message,
-               locate(*text_, *file_, way), hint);
+               locate(*text_, *file_, path), hint);
 }
 
 }  // namespace vug::modeller

@@ -48,12 +48,12 @@ class JsonValue {
   const Json* value_;
   const std::string* text_;
   const std::string* file_;
-  std::vector<std::string> way_;
+  std::vector<std::string> path_;
 };
 
 /// Where the value at the end of the way begins in a text that is JSON; keys, and numbers of
 /// elements.
 SourceLocation locate(const std::string& text, const std::string& file,
-                      const std::vector<std::string>& way);
+                      const std::vector<std::string>& path);
 
 }  // namespace vug::modeller

@@ -14,20 +14,20 @@ struct Axis {
 };
 constexpr Axis kAxes[] = {{"x", "dx", "columns"}, {"y", "dy", "rows"}};
 
-const FreeNumber* number(const State& state, int node, const std::string& name) {
+const FreeNumber* number(const FacadeState& state, int node, const std::string& name) {
   for (const FreeNumber& each : state.planned(node).free)
     if (each.name == name) return &each;
   return nullptr;
 }
 
-double extent(const State& state, int node, bool upright) {
-  if (node == State::kWhole) return upright ? state.sheet().width : state.sheet().height;
+double extent(const FacadeState& state, int node, bool upright) {
+  if (node == FacadeState::kWhole) return upright ? state.canvas().width : state.canvas().height;
   return upright ? state.node(node).rect.width : state.node(node).rect.height;
 }
 
 /// Lines between parts of these sizes. What the parts leave between them is on both sides alike.
-void split_edge(const State& state, int node, const FreeNumber& sizes, bool upright,
-                std::vector<Line>& out) {
+void add_split_lines(const FacadeState& state, int node, const FreeNumber& sizes, bool upright,
+                     std::vector<Line>& out) {
   double total = 0, at = 0;
   for (const double size : sizes.values) total += size;
   const size_t gaps = sizes.values.size() - 1;
@@ -42,7 +42,7 @@ void split_edge(const State& state, int node, const FreeNumber& sizes, bool upri
 }
 
 /// Where columns begin, or rows; nothing where the text says so itself.
-std::vector<double> starts(const State& state, int node, const Axis& axis) {
+std::vector<double> starts(const FacadeState& state, int node, const Axis& axis) {
   const FreeNumber* first = number(state, node, axis.start);
   const FreeNumber* count = number(state, node, axis.count);
   if (!first || !count) return {};
@@ -55,15 +55,15 @@ std::vector<double> starts(const State& state, int node, const Axis& axis) {
 
 }  // namespace
 
-std::vector<Line> lines(const State& state, int node) {
+std::vector<Line> lines(const FacadeState& state, int node) {
   std::vector<Line> out;
   for (const FreeNumber& each : state.planned(node).free) {
     const std::string plain = each.name.substr(each.name.find('.') + 1);
     if (plain == "widths" || plain == "heights")
-      split_edge(state, node, each, plain == "widths", out);
+      add_split_lines(state, node, each, plain == "widths", out);
   }
   const FreeNumber* middle = number(state, node, "width");
-  if (node != State::kWhole && state.node(node).split == "mirror" && middle) {
+  if (node != FacadeState::kWhole && state.node(node).split == "mirror" && middle) {
     const double side = (extent(state, node, true) - middle->values[0]) / 2;
     out.push_back({true, side, "width", 0});
     out.push_back({true, side + middle->values[0], "width", 1});
@@ -76,7 +76,7 @@ std::vector<Line> lines(const State& state, int node) {
   return out;
 }
 
-facade::NumberValues moved(const State& state, int node, const Line& line, double to) {
+facade::NumberValues move_line(const FacadeState& state, int node, const Line& line, double to) {
   const double by = to - line.at;
   if (line.number == "width") {
     const double whole = extent(state, node, true);

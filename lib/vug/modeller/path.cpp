@@ -1,6 +1,6 @@
 // Paths of nodes, in numbers or names.
 #include <vug/base/diagnostics.h>
-#include <vug/modeller/state.h>
+#include <vug/modeller/facade_state.h>
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace vug::modeller {
 namespace {
 
 /// One step: a number, or a name with what stands in brackets behind it.
-struct Step {
+struct PathStep {
   std::string name;  ///< Empty: the number counts among all parts.
   std::vector<int> numbers;
 };
@@ -32,8 +32,8 @@ std::vector<int> numbers_of(std::string_view text) {
   }
 }
 
-Step read_step(const std::string& text) {
-  Step out;
+PathStep read_step(const std::string& text) {
+  PathStep out;
   out.numbers = numbers_of(text);
   if (out.numbers.size() == 1) return out;
   const size_t open = text.find('[');
@@ -64,11 +64,11 @@ std::vector<std::string> steps_of(const std::string& path) {
 
 }  // namespace
 
-int State::find(const std::string& path) const {
+int FacadeState::find(const std::string& path) const {
   if (path == ".") return kWhole;
   int at = kWhole;
   for (const std::string& text : steps_of(path)) {
-    const Step step = read_step(text);
+    const PathStep step = read_step(text);
     std::vector<int> named;
     std::vector<std::string> names;
     const std::vector<int> parts = this->parts(at);
@@ -99,7 +99,7 @@ int State::find(const std::string& path) const {
   return at;
 }
 
-std::string State::path(int index) const {
+std::string FacadeState::path(int index) const {
   std::string out;
   for (int at = index; at >= 0; at = node(at).parent) {
     const std::vector<int> all = parts(node(at).parent);

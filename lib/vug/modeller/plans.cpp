@@ -18,8 +18,8 @@ Error bad(const std::string& message, const std::string& hint = {}) {
   return Error(ErrorCode::bad_input, message, {}, hint);
 }
 
-std::string called(const State& state, int node) {
-  return node == State::kWhole
+std::string called(const FacadeState& state, int node) {
+  return node == FacadeState::kWhole
              ? "the facade"
              : fmt::format("'{}' at {}", state.node(node).symbol, state.path(node));
 }
@@ -46,8 +46,9 @@ Plan with_part(const Plan& plan, const Plan& part) {
 
 }  // namespace
 
-void require_open(const State& state, int node) {
-  if (node == State::kWhole) throw bad("the facade itself has no rules", "its axiom is node 0");
+void require_open(const FacadeState& state, int node) {
+  if (node == FacadeState::kWhole)
+    throw bad("the facade itself has no rules", "its axiom is node 0");
   if (state.rule(node) >= 0)
     throw InfeasiblePlan(facade::Reason::divided, "",
                          fmt::format("{} is divided already, by {}", called(state, node),
@@ -59,8 +60,8 @@ void require_open(const State& state, int node) {
     throw bad(fmt::format("{} stands within a rule, which divides it", called(state, node)));
 }
 
-void require_divided(const State& state, int node) {
-  if (node == State::kWhole) return;
+void require_divided(const FacadeState& state, int node) {
+  if (node == FacadeState::kWhole) return;
   const facade::Node& it = state.node(node);
   if (it.stuck || it.element)
     throw bad(fmt::format("{} is not divided", called(state, node)),
@@ -75,7 +76,7 @@ PlanPtr plan_of(int rule, const facade::NumberValues& numbers) {
   return std::make_shared<const Plan>(std::move(out));
 }
 
-State first_fitting(const State& state, int node, const std::vector<PlanPtr>& plans) {
+FacadeState first_feasible(const FacadeState& state, int node, const std::vector<PlanPtr>& plans) {
   std::exception_ptr first;
   for (const PlanPtr& plan : plans) {
     try {
@@ -101,7 +102,8 @@ PlanPtr translated(const Style& style, const PlanPtr& plan, const std::string& s
   return nullptr;
 }
 
-State with_what_fits(const State& state, int node, Plan plan, const facade::NumberValues& needed) {
+FacadeState with_feasible_numbers(const FacadeState& state, int node, Plan plan,
+                                  const facade::NumberValues& needed) {
   // A rule that hands its rectangle on has its numbers in the part's plan.
   const bool handed = plan.rule >= 0 && state.style().passes_to(plan.rule) && !plan.parts.empty();
   Plan inner = handed && plan.parts.begin()->second ? *plan.parts.begin()->second : Plan();
@@ -125,7 +127,7 @@ facade::NumberValues merged(facade::NumberValues numbers, const facade::NumberVa
   return numbers;
 }
 
-bool has_cells(const State& state, int node) {
+bool has_cells(const FacadeState& state, int node) {
   std::set<std::pair<int, int>> places;
   const std::vector<int> parts = state.parts(node);
   for (const int part : parts) {
@@ -133,7 +135,7 @@ bool has_cells(const State& state, int node) {
     const facade::PartKey& place = state.planned(part).place;
     if (place.row >= 0) places.insert({place.column, place.row});
   }
-  const auto& off = state.decided(node).off;
+  const auto& off = state.plan_of_node(node).off;
   return places.size() + off.size() > 1 || !off.empty();
 }
 

@@ -6,15 +6,16 @@
 namespace vug::modeller {
 
 /// Error(bad_input) unless a rule of the grammar may divide the node and none does yet.
-void require_open(const State& state, int node);
+void require_open(const FacadeState& state, int node);
 /// Error(bad_input) unless a split divides the node, or a rule.
-void require_divided(const State& state, int node);
+void require_divided(const FacadeState& state, int node);
 
 /// A plan with that rule and no parts; names without a number are left out.
 facade::PlanPtr plan_of(int rule, const facade::NumberValues& numbers);
 
 /// The state with the first of these that can be followed; InfeasiblePlan as for the first.
-State first_fitting(const State& state, int node, const std::vector<facade::PlanPtr>& plans);
+FacadeState first_feasible(const FacadeState& state, int node,
+                           const std::vector<facade::PlanPtr>& plans);
 
 /// The plan for another symbol: by the rule of that symbol with the same right side; null where
 /// there is none. Arguments and numbers are as they were.
@@ -25,13 +26,13 @@ facade::PlanPtr translated(const Style& style, const facade::PlanPtr& plan,
 /// that are refused a list becomes its mean, one number is left out. Where the rule hands its
 /// rectangle on, the numbers are those of its part. InfeasiblePlan where one of `needed` does not
 /// fit.
-State with_what_fits(const State& state, int node, facade::Plan plan,
-                     const facade::NumberValues& needed);
+FacadeState with_feasible_numbers(const FacadeState& state, int node, facade::Plan plan,
+                                  const facade::NumberValues& needed);
 
 /// Both; in `changes` a name without numbers is one to forget.
 facade::NumberValues merged(facade::NumberValues numbers, const facade::NumberValues& changes);
 
 /// Whether each cell of the node's split is a node of its own.
-bool has_cells(const State& state, int node);
+bool has_cells(const FacadeState& state, int node);
 
 }  // namespace vug::modeller

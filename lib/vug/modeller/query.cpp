@@ -11,23 +11,25 @@ using facade::Rect;
 
 namespace {
 
-Choice barred(int rule, Reason reason, std::string why, std::string hint = {}) {
+RuleChoice inapplicable(int rule, Reason reason, std::string why, std::string hint = {}) {
   return {.rule = rule, .reason = reason, .why = std::move(why), .hint = std::move(hint)};
 }
 
 }  // namespace
 
-Choice considered(const State& state, int node, int rule, const facade::NumberValues& numbers) {
-  const std::string symbol = node == State::kWhole ? "" : state.node(node).symbol;
+RuleChoice evaluate_rule(const FacadeState& state, int node, int rule,
+                         const facade::NumberValues& numbers) {
+  const std::string symbol = node == FacadeState::kWhole ? "" : state.node(node).symbol;
   const Style& style = state.style();
   if (symbol != style.rule(rule).head)
-    return barred(rule, Reason::wrong_symbol,
-                  fmt::format("it divides '{}'", style.rule(rule).head));
+    return inapplicable(rule, Reason::wrong_symbol,
+                        fmt::format("it divides '{}'", style.rule(rule).head));
   if (state.rule(node) >= 0) {
-    Choice out = barred(rule, Reason::divided,
-                        state.rule(node) == rule ? "it divides the node"
-                                                 : fmt::format("{} divides the node",
-                                                               style.rule_name(state.rule(node))));
+    RuleChoice out =
+        inapplicable(rule, Reason::divided,
+                     state.rule(node) == rule
+                         ? "it divides the node"
+                         : fmt::format("{} divides the node", style.rule_name(state.rule(node))));
     out.applied = state.rule(node) == rule;
     if (out.applied) out.free = state.planned(node).free;
     return out;
@@ -36,37 +38,38 @@ Choice considered(const State& state, int node, int rule, const facade::NumberVa
   plan.rule = rule;
   plan.numbers = numbers;
   try {
-    const State tried = state.with(state.alone(node, std::make_shared<const Plan>(plan)));
-    return {.rule = rule, .free = tried.planned(tried.at(state.way(node))).free};
+    const FacadeState tried =
+        state.with(state.isolated_plan(node, std::make_shared<const Plan>(plan)));
+    return {.rule = rule, .free = tried.planned(tried.at(state.path_keys(node))).free};
   } catch (const facade::InfeasiblePlan& error) {
-    return barred(rule, error.reason(), error.what(), error.hint());
+    return inapplicable(rule, error.reason(), error.what(), error.hint());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) throw;
-    return barred(rule, Reason::does_not_fit, error.what(), error.hint());
+    return inapplicable(rule, Reason::does_not_fit, error.what(), error.hint());
   }
 }
 
-std::vector<Choice> choices(const State& state, int node) {
-  std::vector<Choice> out;
-  if (node == State::kWhole) return out;
+std::vector<RuleChoice> choices(const FacadeState& state, int node) {
+  std::vector<RuleChoice> out;
+  if (node == FacadeState::kWhole) return out;
   for (const int rule : state.style().rules_of(state.node(node).symbol))
-    out.push_back(considered(state, node, rule));
+    out.push_back(evaluate_rule(state, node, rule));
   return out;
 }
 
-std::vector<Choice> all_choices(const State& state, int node) {
-  std::vector<Choice> out;
+std::vector<RuleChoice> all_choices(const FacadeState& state, int node) {
+  std::vector<RuleChoice> out;
   for (size_t i = 0; i < state.style().rules().rules.size(); ++i)
-    out.push_back(considered(state, node, static_cast<int>(i)));
+    out.push_back(evaluate_rule(state, node, static_cast<int>(i)));
   return out;
 }
 
-std::vector<ActionChoice> actions(const State& state, int node) {
+std::vector<ActionChoice> actions(const FacadeState& state, int node) {
   std::vector<ActionChoice> out;
   for (const Action& action : state.style().actions()) {
-    ActionChoice best{&action, considered(state, node, action.rules.front())};
+    ActionChoice best{&action, evaluate_rule(state, node, action.rules.front())};
     for (const int rule : action.rules) {
-      const Choice choice = considered(state, node, rule);
+      const RuleChoice choice = evaluate_rule(state, node, rule);
       const bool nearer = best.choice.reason == Reason::wrong_symbol;
       if (choice.reason == Reason::none || (nearer && choice.reason != Reason::wrong_symbol))
         best.choice = choice;
@@ -77,14 +80,14 @@ std::vector<ActionChoice> actions(const State& state, int node) {
   return out;
 }
 
-std::optional<Hit> hit(const State& state, double x, double y) {
+std::optional<Hit> hit(const FacadeState& state, double x, double y) {
   const auto inside = [&](const Rect& r) {
     return x >= r.x && x <= r.right() && y >= r.y && y <= r.top();
   };
-  int at = State::kWhole;
+  int at = FacadeState::kWhole;
   Placement placement;
   while (true) {
-    int next = State::kWhole;
+    int next = FacadeState::kWhole;
     Placement its;
     for (const int part : state.parts(at)) {
       const facade::Node& node = state.node(part);
@@ -96,11 +99,11 @@ std::optional<Hit> hit(const State& state, double x, double y) {
           its = placement.after(place);
         }
     }
-    if (next == State::kWhole) break;
+    if (next == FacadeState::kWhole) break;
     at = next;
     placement = its;
   }
-  if (at == State::kWhole) return std::nullopt;
+  if (at == FacadeState::kWhole) return std::nullopt;
   const Rect& own = state.node(at).rect;
   const Rect seen = placement(own);
   const bool turned = placement.mirrored != state.planned(at).mirrored;

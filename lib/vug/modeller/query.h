@@ -1,14 +1,14 @@
 // What a window asks to draw its buttons and to tell what lies under the mouse.
 #pragma once
 
-#include <vug/modeller/state.h>
+#include <vug/modeller/facade_state.h>
 
 #include <optional>
 
 namespace vug::modeller {
 
 /// A rule of the grammar as seen from a node.
-struct Choice {
+struct RuleChoice {
   int rule = -1;  ///< Index in Rules::rules.
   facade::Reason reason = facade::Reason::none;
   std::string why = {}, hint = {};  ///< A sentence; empty where it can be applied.
@@ -18,18 +18,19 @@ struct Choice {
 };
 
 /// The rule with these numbers at a node, which stays as it is.
-Choice considered(const State& state, int node, int rule, const facade::NumberValues& numbers = {});
+RuleChoice evaluate_rule(const FacadeState& state, int node, int rule,
+                         const facade::NumberValues& numbers = {});
 /// All rules of the node's symbol.
-std::vector<Choice> choices(const State& state, int node);
+std::vector<RuleChoice> choices(const FacadeState& state, int node);
 /// All rules of the grammar: those of other symbols too, marked as such.
-std::vector<Choice> all_choices(const State& state, int node);
+std::vector<RuleChoice> all_choices(const FacadeState& state, int node);
 
 /// An action with the first of its rules that can be applied; else with why its first cannot.
 struct ActionChoice {
   const Action* action = nullptr;
-  Choice choice;
+  RuleChoice choice;
 };
-std::vector<ActionChoice> actions(const State& state, int node);
+std::vector<ActionChoice> actions(const FacadeState& state, int node);
 
 /// What lies at a point of the facade's plane.
 struct Hit {
@@ -38,6 +39,6 @@ struct Hit {
   double x = 0, y = 0;          ///< The point in the node's own frame, as lines and edits have it.
 };
 /// Nothing outside of the facade.
-std::optional<Hit> hit(const State& state, double x, double y);
+std::optional<Hit> hit(const FacadeState& state, double x, double y);
 
 }  // namespace vug::modeller

@@ -48,8 +48,8 @@ void check_format(const JsonValue& root) {
                      "seed", "edits", "done", "checkpoints"});
 }
 
-Header read_header(const JsonValue& root) {
-  Header out;
+SessionHeader read_header(const JsonValue& root) {
+  SessionHeader out;
   out.grammar = root.at("grammar").text();
   if (root.has("facade")) out.facade = root.at("facade").text();
   const auto length = [&](const char* name) -> std::optional<double> {
@@ -61,7 +61,7 @@ Header read_header(const JsonValue& root) {
   };
   out.width = length("width");
   out.height = length("height");
-  out.least = length("least").value_or(out.least);
+  out.min_size = length("least").value_or(out.min_size);
   if (root.has("photo")) out.photo = read_photo(root.at("photo"));
   if (root.has("seed")) out.seed = root.at("seed").whole();
   return out;
@@ -113,15 +113,15 @@ void read_edits(const JsonValue& root, History& history) {
     const Edit edit = read_edit(edits[i]);
     try {
       history.apply(edit);
-    } catch (const Refused& refused) {
-      throw edits[i].fault(refused.what(), refused.hint(), refused.key());
+    } catch (const RejectedEdit& rejected) {
+      throw edits[i].fault(rejected.what(), rejected.hint(), rejected.key());
     }
   }
   history.undo(edits.size() - done);
 }
 
-Sheet sheet_of(const Header& header, const Style& style) {
-  Sheet out;
+Canvas canvas_of(const SessionHeader& header, const Style& style) {
+  Canvas out;
   const std::optional<Photo>& photo = header.photo;
   const bool scaled = photo && photo->scale > 0 && photo->width > 0;
   const auto size = [&](const char* name, const std::optional<double>& given, int pixels,
@@ -135,7 +135,7 @@ Sheet sheet_of(const Header& header, const Style& style) {
   };
   out.width = size("width", header.width, scaled ? photo->width : 0, style.usual_width());
   out.height = size("height", header.height, scaled ? photo->height : 0, style.usual_height());
-  out.least = header.least;
+  out.min_size = header.min_size;
   out.seed = header.seed;
   return out;
 }
@@ -163,20 +163,20 @@ Json json_of(const Edit& edit) {
 double Session::metres_per_pixel() const {
   if (!header.photo) return 0;
   if (header.photo->scale > 0) return header.photo->scale;
-  return header.photo->width > 0 ? now().sheet().width / header.photo->width : 0;
+  return header.photo->width > 0 ? now().canvas().width / header.photo->width : 0;
 }
 
-Session new_session(Header header, const StyleLoader& load) {
+Session new_session(SessionHeader header, const StyleLoader& load) {
   const StylePtr style = load(header.grammar, header.facade);
-  const Sheet sheet = sheet_of(header, *style);
-  return {std::move(header), History(State(style, sheet))};
+  const Canvas canvas = canvas_of(header, *style);
+  return {std::move(header), History(FacadeState(style, canvas))};
 }
 
 Session read_session(const std::string& text, const std::string& file, const StyleLoader& load) {
   const Json json = JsonValue::parse(text, file);
   const JsonValue root(json, text, file);
   check_format(root);
-  const Header header = read_header(root);
+  const SessionHeader header = read_header(root);
   const StylePtr style = [&] {
     try {
       return load(header.grammar, header.facade);
@@ -186,7 +186,7 @@ Session read_session(const std::string& text, const std::string& file, const Sty
     }
   }();
   try {
-    Session out{header, History(State(style, sheet_of(header, *style)))};
+    Session out{header, History(FacadeState(style, canvas_of(header, *style)))};
     read_edits(root, out.history);
     return out;
   } catch (const Error& error) {
@@ -196,7 +196,7 @@ Session read_session(const std::string& text, const std::string& file, const Sty
 }
 
 std::string session_text(const Session& session) {
-  const Header& header = session.header;
+  const SessionHeader& header = session.header;
   Json head = {{"format", kFormat}, {"version", kVersion}, {"grammar", header.grammar}};
   if (!header.facade.empty()) head["facade"] = header.facade;
   if (header.width) head["width"] = json_of(*header.width);
@@ -207,7 +207,7 @@ std::string session_text(const Session& session) {
     if (header.photo->scale > 0) photo["scale"] = header.photo->scale;
     head["photo"] = photo;
   }
-  if (header.least != Header().least) head["least"] = header.least;
+  if (header.min_size != SessionHeader().min_size) head["least"] = header.min_size;
   if (header.seed != 0) head["seed"] = header.seed;
   // A line for each member and each edit, so that texts can be compared.
   const auto dump = [](const Json& json) {

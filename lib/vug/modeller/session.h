@@ -16,21 +16,21 @@ struct Photo {
   double scale = 0;           ///< Metres that a pixel is wide and high; 0: not known.
 };
 
-struct Header {
+struct SessionHeader {
   std::string grammar;      ///< A file, as the session names it.
   std::string facade = {};  ///< Which grammar of it; empty: it has only one of kind facade.
   /// Metres; without them those of the photo, else those that the grammar asks for.
   std::optional<double> width = {}, height = {};
   std::optional<Photo> photo = {};
-  double least = Sheet().least;
+  double min_size = Canvas().min_size;
   uint64_t seed = 0;
 };
 
 struct Session {
-  Header header;
+  SessionHeader header;
   History history;
 
-  const State& now() const { return history.now(); }
+  const FacadeState& now() const { return history.now(); }
   /// 0 where nothing tells.
   double metres_per_pixel() const;
 };
@@ -39,7 +39,7 @@ struct Session {
 using StyleLoader = std::function<StylePtr(const std::string& file, const std::string& facade)>;
 
 /// A session without edits. Error(bad_input) where nothing tells how large the facade is.
-Session new_session(Header header, const StyleLoader& load);
+Session new_session(SessionHeader header, const StyleLoader& load);
 
 /// Reads a session and does its edits. Error(bad_input) with line and column, the value's pointer
 /// and a hint for whatever is wrong, an edit that cannot be done among it. `file` names the text in

@@ -142,7 +142,7 @@ int Style::find_rule(const std::string& symbol, const std::string& called) const
                            : fmt::format("did you mean '{}'?", near));
 }
 
-bool Style::finishes(const std::string& symbol) const {
+bool Style::ends_in_elements(const std::string& symbol) const {
   const std::vector<int> all = rules_of(symbol);
   return !all.empty() && std::all_of(all.begin(), all.end(),
                                      [&](int index) { return only_elements(rule(index).items); });
@@ -158,7 +158,7 @@ void Style::collect_actions() {
   std::vector<std::string> keys;
   for (size_t i = 0; i < rules_.rules.size(); ++i) {
     const Rule& rule = rules_.rules[i];
-    if (finishes(rule.head) && rule.head != rules_.axiom.at(0).name) continue;
+    if (ends_in_elements(rule.head) && rule.head != rules_.axiom.at(0).name) continue;
     const std::string key = common(rule);
     const auto at = static_cast<size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
     if (at == keys.size()) {

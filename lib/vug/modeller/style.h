@@ -49,7 +49,7 @@ class Style {
 
   const std::vector<Action>& actions() const { return actions_; }
   /// Whether all rules of the symbol come to nothing but elements.
-  bool finishes(const std::string& symbol) const;
+  bool ends_in_elements(const std::string& symbol) const;
   /// What a rule gives its whole rectangle to: the one symbol on its right side, if it is that.
   std::optional<std::string> passes_to(int rule) const;
 

@@ -1,5 +1,5 @@
 #include <vug/modeller/json_text.h>
-#include <vug/modeller/retrace.h>
+#include <vug/modeller/tree_to_edits.h>
 
 #include <fmt/format.h>
 

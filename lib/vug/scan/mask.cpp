@@ -72,7 +72,7 @@ Mask outside_of(const Mask& solid) {
   return out;
 }
 
-void each_group(const Mask& mask, const std::function<void(const Group&)>& visit) {
+void each_component(const Mask& mask, const std::function<void(const Component&)>& visit) {
   mesh::DisjointSets sets(mask.on.size());
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
@@ -82,12 +82,12 @@ void each_group(const Mask& mask, const std::function<void(const Group&)>& visit
       if (y > 0 && mask.at(x, y - 1)) sets.join(i, i - static_cast<uint32_t>(mask.width));
     }
   // Roots are the first pixels of their groups, so groups come in that order.
-  struct Found {
+  struct ComponentBounds {
     uint32_t root = 0;
     PixelBox box;
     int64_t pixels = 0;
   };
-  std::vector<Found> all;
+  std::vector<ComponentBounds> all;
   std::vector<uint32_t> group_of(mask.on.size(), 0);
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
@@ -98,14 +98,14 @@ void each_group(const Mask& mask, const std::function<void(const Group&)>& visit
         group_of[root] = static_cast<uint32_t>(all.size());
         all.push_back({root, {x, y, x + 1, y + 1}, 0});
       }
-      Found& group = all[group_of[root]];
+      ComponentBounds& group = all[group_of[root]];
       PixelBox& box = group.box;
       box = {std::min(box.x0, x), box.y0, std::max(box.x1, x + 1), y + 1};
       ++group.pixels;
     }
-  for (const Found& group : all) {
+  for (const ComponentBounds& group : all) {
     const PixelBox& box = group.box;
-    Group out{box, Mask(box.x1 - box.x0, box.y1 - box.y0), group.pixels};
+    Component out{box, Mask(box.x1 - box.x0, box.y1 - box.y0), group.pixels};
     for (int y = box.y0; y < box.y1; ++y)
       for (int x = box.x0; x < box.x1; ++x)
         out.mask.on[out.mask.index(x - box.x0, y - box.y0)] =
@@ -114,9 +114,9 @@ void each_group(const Mask& mask, const std::function<void(const Group&)>& visit
   }
 }
 
-std::vector<Group> groups_of(const Mask& mask) {
-  std::vector<Group> out;
-  each_group(mask, [&](const Group& group) { out.push_back(group); });
+std::vector<Component> components_of(const Mask& mask) {
+  std::vector<Component> out;
+  each_component(mask, [&](const Component& group) { out.push_back(group); });
   return out;
 }
 

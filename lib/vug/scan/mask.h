@@ -50,14 +50,14 @@ Mask outside_of(const Mask& solid);
 
 /// Pixels that are on and touch along their sides, by rows: one mask a group, cut out of the box
 /// it lies in.
-struct Group {
+struct Component {
   PixelBox box;
   Mask mask;  ///< Of the box's size.
   int64_t pixels = 0;
 };
 /// In the order of their first pixels. One group at a time is made, as boxes may overlap a lot.
-void each_group(const Mask& mask, const std::function<void(const Group&)>& visit);
+void each_component(const Mask& mask, const std::function<void(const Component&)>& visit);
 /// All at once.
-std::vector<Group> groups_of(const Mask& mask);
+std::vector<Component> components_of(const Mask& mask);
 
 }  // namespace vug::scan

@@ -1,7 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/median.h>
+#include <vug/scan/opening_extraction.h>
 #include <vug/scan/openings.h>
-#include <vug/scan/openings_of.h>
 #include <vug/scan/split.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ int ground(const SurfaceMap& map, const RangeImage& range, const PixelBox& box) 
 }
 
 Opening opening_of(const PixelBox& box, const RangeImage& range, const SurfaceMap& map,
-                   double foot) {
+                   double door_sill) {
   Opening out;
   const double p = range.pixel;
   out.box =
@@ -35,20 +35,20 @@ Opening opening_of(const PixelBox& box, const RangeImage& range, const SurfaceMa
       const size_t pixel = range.index(x, y);
       if (std::isnan(range.depth[pixel])) ++empty;
       if (map.surface[pixel] == Surface::behind)
-        behind.push_back(map.wall.at(range.middle(x, y)) - range.depth[pixel]);
+        behind.push_back(map.wall.at(range.pixel_center(x, y)) - range.depth[pixel]);
     }
   out.empty = empty / static_cast<double>(box.area());
   out.set_back = std::nan("");
   if (!behind.empty()) out.set_back = median(std::move(behind));
-  if ((ground(map, range, box) - box.y1) * p <= foot) out.kind = OpeningKind::door;
+  if ((ground(map, range, box) - box.y1) * p <= door_sill) out.kind = OpeningKind::door;
   return out;
 }
 
 /// Takes the rows (or columns) at a box's borders off that show next to nothing behind the wall, if
 /// they are at least `least` and the rest shows something: a shop's sign that stood before the wall
 /// hides it as a window's glass does, but its shadow has no frame.
-std::vector<PixelBox> parted(const PixelBox& box, const RangeImage& range, const SurfaceMap& map,
-                             int least) {
+std::vector<PixelBox> split_empty_borders(const PixelBox& box, const RangeImage& range,
+                                          const SurfaceMap& map, int least) {
   constexpr double kNothing = 0.02, kSomething = 0.1;  // parts of a row, of the rest
   const auto part_behind = [&](const PixelBox& part) {
     int64_t behind = 0;
@@ -70,7 +70,7 @@ std::vector<PixelBox> parted(const PixelBox& box, const RangeImage& range, const
                                     {columns(box.x0, right), columns(right, box.x1)}}) {
     if (std::min(empty.x1 - empty.x0, empty.y1 - empty.y0) < least) continue;
     if (part_behind(rest) < kSomething) continue;
-    std::vector<PixelBox> out = parted(rest, range, map, least);
+    std::vector<PixelBox> out = split_empty_borders(rest, range, map, least);
     out.push_back(empty);
     return out;
   }
@@ -79,22 +79,23 @@ std::vector<PixelBox> parted(const PixelBox& box, const RangeImage& range, const
 
 /// The boxes of a group; of one that is too large or a network rather than a box, those that are
 /// left when its necks are cut.
-std::vector<PixelBox> taken_apart(const Group& group, const RangeImage& range,
-                                  const OpeningOptions& options) {
+std::vector<PixelBox> split_component(const Component& group, const RangeImage& range,
+                                      const OpeningOptions& options) {
   constexpr double kFill = 0.4;  // of a box, below which its pixels are a network
   std::vector<PixelBox> out;
-  const auto fits = [&](const Piece& piece) {
+  const auto fits = [&](const FilledBox& piece) {
     const int side = std::max(piece.box.x1 - piece.box.x0, piece.box.y1 - piece.box.y0);
-    return side * range.pixel <= options.most &&
+    return side * range.pixel <= options.max_size &&
            static_cast<double>(piece.pixels) >= kFill * static_cast<double>(piece.box.area());
   };
-  const std::vector<Piece> whole = split(group);
+  const std::vector<FilledBox> whole = split(group);
   if (std::all_of(whole.begin(), whole.end(), fits)) {
-    for (const Piece& piece : whole) out.push_back(piece.box);
+    for (const FilledBox& piece : whole) out.push_back(piece.box);
     return out;
   }
-  for (const Group& part : groups_of(opened(group.mask, radius_of(options.necks, range))))
-    for (const Piece& piece : split(part))
+  for (const Component& part :
+       components_of(opened(group.mask, closing_radius(options.max_neck_width, range))))
+    for (const FilledBox& piece : split(part))
       out.push_back({piece.box.x0 + group.box.x0, piece.box.y0 + group.box.y0,
                      piece.box.x1 + group.box.x0, piece.box.y1 + group.box.y0});
   return out;
@@ -104,40 +105,41 @@ std::vector<PixelBox> taken_apart(const Group& group, const RangeImage& range,
 
 std::string to_string(OpeningKind kind) { return kind == OpeningKind::door ? "door" : "window"; }
 
-int radius_of(double metres, const RangeImage& range) {
+int closing_radius(double metres, const RangeImage& range) {
   return pixels_of(metres / 2, range.pixel, std::max(range.width, range.height));
 }
 
-void require_sound(const OpeningOptions& options) {
-  for (const double number : {options.closing, options.least, options.most, options.foot,
-                              options.longest, options.bars, options.necks})
+void require_valid(const OpeningOptions& options) {
+  for (const double number :
+       {options.closing, options.min_size, options.max_size, options.door_sill,
+        options.min_perimeter, options.max_bar_width, options.max_neck_width})
     if (!(number >= 0 && std::isfinite(number)))
       throw Error(ErrorCode::bad_input, "the measures of openings must not be negative");
 }
 
-std::vector<Opening> openings_of(const Mask& open, const RangeImage& range, const SurfaceMap& map,
-                                 const OpeningOptions& options) {
+std::vector<Opening> extract_openings(const Mask& open, const RangeImage& range,
+                                      const SurfaceMap& map, const OpeningOptions& options) {
   // Masks, groups and their parts, at the same time at most.
   constexpr double kPixelBytes = 16;
   require_memory(kPixelBytes * static_cast<double>(range.pixel_count()), options.memory,
                  "the search for openings", "use larger pixels");
   std::vector<PixelBox> boxes;
-  const int least = pixels_of(options.least, range.pixel, INT32_MAX);
-  each_group(open, [&](const Group& group) {
+  const int least = pixels_of(options.min_size, range.pixel, INT32_MAX);
+  each_component(open, [&](const Component& group) {
     if (!options.tidy) {
       boxes.push_back(group.box);
       return;
     }
-    for (const PixelBox& box : taken_apart(group, range, options)) {
-      const std::vector<PixelBox> parts = parted(box, range, map, least);
+    for (const PixelBox& box : split_component(group, range, options)) {
+      const std::vector<PixelBox> parts = split_empty_borders(box, range, map, least);
       boxes.insert(boxes.end(), parts.begin(), parts.end());
     }
   });
   std::vector<Opening> out;
   for (const PixelBox& box : boxes) {
     const double wide = (box.x1 - box.x0) * range.pixel, high = (box.y1 - box.y0) * range.pixel;
-    if (std::min(wide, high) >= options.least && std::max(wide, high) <= options.most)
-      out.push_back(opening_of(box, range, map, options.foot));
+    if (std::min(wide, high) >= options.min_size && std::max(wide, high) <= options.max_size)
+      out.push_back(opening_of(box, range, map, options.door_sill));
   }
   std::sort(out.begin(), out.end(), [](const Opening& a, const Opening& b) {
     return std::pair(a.box.min.y, a.box.min.x) < std::pair(b.box.min.y, b.box.min.x);
@@ -147,13 +149,13 @@ std::vector<Opening> openings_of(const Mask& open, const RangeImage& range, cons
 
 std::vector<Opening> openings_by_raster(const RangeImage& range, const SurfaceMap& map,
                                         const OpeningOptions& options) {
-  require_sound(options);
+  require_valid(options);
   Mask full(range.width, range.height);
   for (size_t i = 0; i < full.on.size(); ++i)
     full.on[i] = map.surface[i] == Surface::wall || map.surface[i] == Surface::outside;
-  Mask open = inverted(closed(full, radius_of(options.closing, range)));
-  if (options.tidy) open = closed(open, radius_of(options.bars, range));
-  return openings_of(open, range, map, options);
+  Mask open = inverted(closed(full, closing_radius(options.closing, range)));
+  if (options.tidy) open = closed(open, closing_radius(options.max_bar_width, range));
+  return extract_openings(open, range, map, options);
 }
 
 }  // namespace vug::scan

@@ -23,18 +23,18 @@ struct Opening {
 };
 
 struct OpeningOptions {
-  double closing = 0.12;  ///< Metres; gaps in the wall up to this wide are none.
-  double least = 0.5;     ///< Metres that an opening is wide and high, at least
-  double most = 6;        ///< and at most.
-  double foot = 0.5;      ///< Metres above the ground up to which doors begin.
-  double longest = 2.5;   ///< Perimeter from which a triangle spans an opening, in those of the
-                          ///< triangles between neighbouring points.
+  double closing = 0.12;       ///< Metres; gaps in the wall up to this wide are none.
+  double min_size = 0.5;       ///< Metres that an opening is wide and high, at least
+  double max_size = 6;         ///< and at most.
+  double door_sill = 0.5;      ///< Metres above the ground up to which doors begin.
+  double min_perimeter = 2.5;  ///< Perimeter from which a triangle spans an opening, in those of
+                               ///< the triangles between neighbouring points.
   /// False: as in the paper. True: openings are tidied up. Bars of the raster are passed over,
   /// groups taken apart where that is sparing (split.h), at necks if they are too large else, and
   /// where one part shows things behind the wall and the other nothing at all.
   bool tidy = true;
-  double bars = 0.2;   ///< Metres; wall within openings that is no wider is none.
-  double necks = 0.3;  ///< Metres; openings that hang together by no more are several.
+  double max_bar_width = 0.2;   ///< Metres; wall within openings that is no wider is none.
+  double max_neck_width = 0.3;  ///< Metres; openings that hang together by no more are several.
   uint64_t memory = available_memory();  ///< Bytes that the search may take.
 };
 
@@ -46,7 +46,7 @@ std::vector<Opening> openings_by_raster(const RangeImage& range, const SurfaceMa
 /// By triangles, in the same order: those of the Delaunay triangulation of the wall's points whose
 /// perimeter is long
 /// [@pu2007], connected, and sifted by size.
-std::vector<Opening> openings_by_triangles(const Cloud& cloud, const RangeImage& range,
+std::vector<Opening> openings_by_triangles(const PointCloud& cloud, const RangeImage& range,
                                            const SurfaceMap& map,
                                            const OpeningOptions& options = {});
 

@@ -11,12 +11,12 @@
 namespace vug::scan {
 namespace {
 
-constexpr size_t kMostVotes = 20000;  ///< Points that judge a sample.
-constexpr int kMostSamples = 5000;
-constexpr int kMostRounds = 50;
+constexpr size_t kMaxVotes = 20000;  ///< Points that judge a sample.
+constexpr int kMaxSamples = 5000;
+constexpr int kMaxRounds = 50;
 constexpr double kBehind = 1.0;  ///< Metres within which tails tell the front.
 
-struct Plane {
+struct CandidatePlane {
   Vec3d point{0, 0, 0};
   Vec3d normal{0, 0, 0};  ///< Zero: there is none.
 
@@ -39,25 +39,25 @@ struct Moments {
   }
 };
 
-class Fitter {
+class PlaneFitter {
  public:
-  Fitter(const Cloud& cloud, const PlaneOptions& options)
+  PlaneFitter(const PointCloud& cloud, const PlaneOptions& options)
       : points_(cloud.positions),
         options_(options),
         up_(options.up.normalized()),
         middle_(ordered_sum(points_.size(), Vec3d(0), [&](size_t i) { return points_[i]; }) /
                 static_cast<double>(points_.size())),
-        stride_((points_.size() + kMostVotes - 1) / kMostVotes) {}
+        stride_((points_.size() + kMaxVotes - 1) / kMaxVotes) {}
 
   PlaneFit fit(RandomKey key) const {
     PlaneFit out;
-    Plane best = sampled(RandomStream(key), out.samples);
+    CandidatePlane best = sampled(RandomStream(key), out.samples);
     if (!best.exists())
       throw Error(ErrorCode::bad_input, "the points of the cloud lie on one line", {},
                   "a plane needs points beside the line");
     Moments chosen = moments(best);
-    for (int round = 0; round < kMostRounds; ++round) {
-      const Plane next = least_squares(chosen, best);
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const CandidatePlane next = least_squares(chosen, best);
       const Moments again = moments(next);
       const bool settled = again.count == chosen.count && again.sum == chosen.sum;
       best = next, chosen = again;
@@ -75,35 +75,35 @@ class Fitter {
   const Vec3d& up() const { return up_; }
 
  private:
-  Plane through(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
+  CandidatePlane through(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
     Vec3d normal = (b - a).cross(c - a);
     // Rounding makes a plane of any three points.
     if (normal.length() <= 1e-9 * (b - a).length() * (c - a).length()) return {};
     normal.normalize();
-    return lean_of(normal, up_) > options_.most_lean ? upright(a, b - a) : Plane{a, normal};
+    return lean_of(normal, up_) > options_.max_lean ? upright(a, b - a) : CandidatePlane{a, normal};
   }
 
-  Plane upright(const Vec3d& point, const Vec3d& along) const {
+  CandidatePlane upright(const Vec3d& point, const Vec3d& along) const {
     const Vec3d normal = along.cross(up_);
     if (normal.length() <= 1e-9 * along.length()) return {};
     return {point, normal.normalized()};
   }
 
-  size_t votes(const Plane& plane) const {
+  size_t votes(const CandidatePlane& plane) const {
     return ordered_sum((points_.size() + stride_ - 1) / stride_, size_t{0}, [&](size_t i) {
       return size_t{std::fabs(plane.distance(points_[i * stride_])) <= options_.tolerance};
     });
   }
 
-  Plane sampled(RandomStream stream, int& samples) const {
+  CandidatePlane sampled(RandomStream stream, int& samples) const {
     const auto count = static_cast<uint32_t>(points_.size());
     const double voters = static_cast<double>((points_.size() + stride_ - 1) / stride_);
-    Plane best;
+    CandidatePlane best;
     size_t most = 0;
-    double needed = kMostSamples;
-    for (samples = 0; samples < kMostSamples && samples < needed; ++samples) {
+    double needed = kMaxSamples;
+    for (samples = 0; samples < kMaxSamples && samples < needed; ++samples) {
       const uint32_t a = stream.below(count), b = stream.below(count), c = stream.below(count);
-      const Plane plane = through(points_[a], points_[b], points_[c]);
+      const CandidatePlane plane = through(points_[a], points_[b], points_[c]);
       if (!plane.exists()) continue;
       const size_t agreed = votes(plane);
       if (agreed <= most) continue;
@@ -119,7 +119,7 @@ class Fitter {
     return best;
   }
 
-  Moments moments(const Plane& plane) const {
+  Moments moments(const CandidatePlane& plane) const {
     return ordered_sum(points_.size(), Moments{}, [&](size_t i) {
       const double distance = plane.distance(points_[i]);
       if (std::fabs(distance) > options_.tolerance) return Moments{};
@@ -129,7 +129,7 @@ class Fitter {
     });
   }
 
-  Plane least_squares(const Moments& m, const Plane& before) const {
+  CandidatePlane least_squares(const Moments& m, const CandidatePlane& before) const {
     const Vec3d mean = m.sum / m.count;
     const Eigen::Vector3d e(mean.x, mean.y, mean.z);
     Eigen::Matrix3d spread = m.products / m.count - e * e.transpose();
@@ -139,7 +139,7 @@ class Fitter {
       return Vec3d(v.x(), v.y(), v.z());
     };
     Vec3d normal = least(spread);
-    if (lean_of(normal, up_) > options_.most_lean) {
+    if (lean_of(normal, up_) > options_.max_lean) {
       // The spread of the points' plan, with that along the plumb made the largest.
       const Eigen::Vector3d u(up_.x, up_.y, up_.z);
       const Eigen::Matrix3d level = Eigen::Matrix3d::Identity() - u * u.transpose();
@@ -157,7 +157,7 @@ class Fitter {
   size_t stride_;
 };
 
-void require_sound(const Cloud& cloud, const PlaneOptions& options) {
+void require_valid(const PointCloud& cloud, const PlaneOptions& options) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::bad_input, message); };
   if (cloud.size() < 3) refuse("a plane needs three points at least");
   if (cloud.size() > UINT32_MAX) refuse("a cloud has at most 4294967295 points");
@@ -165,13 +165,13 @@ void require_sound(const Cloud& cloud, const PlaneOptions& options) {
     refuse("the tolerance of a plane must be above 0");
   if (!(options.up.length() > 0 && std::isfinite(options.up.length())))
     refuse("the direction of up needs a length");
-  if (!(options.most_lean >= 0)) refuse("a plane leans by no negative angle");
+  if (!(options.max_lean >= 0)) refuse("a plane leans by no negative angle");
   if (!(options.confidence > 0 && options.confidence < 1))
     refuse("the confidence must lie between 0 and 1");
 }
 
 /// Positive where the front is on the side of the frame's z.
-double front(const Cloud& cloud, const PlaneFrame& frame, const PlaneOptions& options) {
+double front(const PointCloud& cloud, const PlaneFrame& frame, const PlaneOptions& options) {
   if (options.scanner) return (*options.scanner - frame.origin).dot(frame.z);
   const Vec3f z(frame.z);
   if (!cloud.normals.empty())
@@ -187,9 +187,9 @@ double front(const Cloud& cloud, const PlaneFrame& frame, const PlaneOptions& op
 
 }  // namespace
 
-PlaneFit fit_plane(const Cloud& cloud, const PlaneOptions& options, RandomKey key) {
-  require_sound(cloud, options);
-  const Fitter fitter(cloud, options);
+PlaneFit fit_plane(const PointCloud& cloud, const PlaneOptions& options, RandomKey key) {
+  require_valid(cloud, options);
+  const PlaneFitter fitter(cloud, options);
   PlaneFit out = fitter.fit(key);
   PlaneFrame& frame = out.frame;
   if ((front(cloud, frame, options) < 0) != options.flip) frame.z = -frame.z;

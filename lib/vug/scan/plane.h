@@ -2,7 +2,7 @@
 #pragma once
 
 #include <vug/base/rng.h>
-#include <vug/scan/cloud.h>
+#include <vug/scan/point_cloud.h>
 
 #include <optional>
 
@@ -27,7 +27,7 @@ struct PlaneOptions {
   double tolerance = 0.1;
   Vec3d up{0, 0, 1};  ///< Surveyors' axes; of any length but 0.
   /// How far the plane may lean from the plumb, in radians: 0 is an upright plane, half of pi any.
-  double most_lean = 0.35;
+  double max_lean = 0.35;
   std::optional<Vec3d> scanner =
       std::nullopt;            ///< Where it stood, in the cloud's axes; tells the front.
   bool flip = false;           ///< The other side is the front.
@@ -54,6 +54,6 @@ struct PlaneFit {
 ///
 /// Error(bad_input) for fewer than three points, for points on one line, or for options out of
 /// range. The same for any number of threads.
-PlaneFit fit_plane(const Cloud& cloud, const PlaneOptions& options, RandomKey key);
+PlaneFit fit_plane(const PointCloud& cloud, const PlaneOptions& options, RandomKey key);
 
 }  // namespace vug::scan

@@ -13,25 +13,38 @@ using mesh::PlyProperty;
 using mesh::PlyType;
 
 /// What one vertex says, as far as clouds have a place for it.
-enum Slot : size_t { kX, kY, kZ, kRed, kGreen, kBlue, kIntensity, kNx, kNy, kNz, kSlots, kNone };
+enum VertexField : size_t {
+  kX,
+  kY,
+  kZ,
+  kRed,
+  kGreen,
+  kBlue,
+  kIntensity,
+  kNx,
+  kNy,
+  kNz,
+  kSlots,
+  kNone
+};
 
-Slot slot_of(const PlyProperty& property) {
-  constexpr std::pair<std::string_view, Slot> kNames[] = {{"x", kX},
-                                                          {"y", kY},
-                                                          {"z", kZ},
-                                                          {"red", kRed},
-                                                          {"green", kGreen},
-                                                          {"blue", kBlue},
-                                                          {"diffuse_red", kRed},
-                                                          {"diffuse_green", kGreen},
-                                                          {"diffuse_blue", kBlue},
-                                                          {"intensity", kIntensity},
-                                                          {"scalar_intensity", kIntensity},
-                                                          {"scalar_Intensity", kIntensity},
-                                                          {"reflectance", kIntensity},
-                                                          {"nx", kNx},
-                                                          {"ny", kNy},
-                                                          {"nz", kNz}};
+VertexField field_of(const PlyProperty& property) {
+  constexpr std::pair<std::string_view, VertexField> kNames[] = {{"x", kX},
+                                                                 {"y", kY},
+                                                                 {"z", kZ},
+                                                                 {"red", kRed},
+                                                                 {"green", kGreen},
+                                                                 {"blue", kBlue},
+                                                                 {"diffuse_red", kRed},
+                                                                 {"diffuse_green", kGreen},
+                                                                 {"diffuse_blue", kBlue},
+                                                                 {"intensity", kIntensity},
+                                                                 {"scalar_intensity", kIntensity},
+                                                                 {"scalar_Intensity", kIntensity},
+                                                                 {"reflectance", kIntensity},
+                                                                 {"nx", kNx},
+                                                                 {"ny", kNy},
+                                                                 {"nz", kNz}};
   if (!property.is_list)
     for (const auto& [name, slot] : kNames)
       if (name == property.name) return slot;
@@ -43,30 +56,30 @@ double full_scale(PlyType type) {
   return type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1;
 }
 
-struct Plan {
-  std::vector<Slot> slots;  ///< One for each property.
+struct VertexLayout {
+  std::vector<VertexField> slots;  ///< One for each property.
   std::array<bool, kSlots> given{};
 
-  bool all(std::initializer_list<Slot> slots_of_one) const {
-    for (const Slot slot : slots_of_one)
+  bool all(std::initializer_list<VertexField> slots_of_one) const {
+    for (const VertexField slot : slots_of_one)
       if (!given[slot]) return false;
     return true;
   }
 };
 
-Plan plan_of(const PlyElement& element, const std::string& file) {
-  Plan plan;
+VertexLayout vertex_layout(const PlyElement& element, const std::string& file) {
+  VertexLayout layout;
   for (const PlyProperty& property : element.properties) {
-    plan.slots.push_back(slot_of(property));
-    if (plan.slots.back() != kNone) plan.given[plan.slots.back()] = true;
+    layout.slots.push_back(field_of(property));
+    if (layout.slots.back() != kNone) layout.given[layout.slots.back()] = true;
   }
-  if (!plan.all({kX, kY, kZ}))
+  if (!layout.all({kX, kY, kZ}))
     throw Error(ErrorCode::bad_input, "vertices lack x, y or z", {file, element.line, 1});
-  return plan;
+  return layout;
 }
 
 template <class Body>
-void pass_over(Body& body, const PlyProperty& property) {
+void skip_property(Body& body, const PlyProperty& property) {
   double count = 1;
   if (property.is_list) {
     count = body.number(property.count_type);
@@ -78,20 +91,21 @@ void pass_over(Body& body, const PlyProperty& property) {
 }
 
 template <class Body>
-void read_vertices(Body& body, const PlyElement& element, const Plan& plan, Cloud& cloud) {
-  const bool coloured = plan.all({kRed, kGreen, kBlue});
-  const bool normals = plan.all({kNx, kNy, kNz});
+void read_vertices(Body& body, const PlyElement& element, const VertexLayout& layout,
+                   PointCloud& cloud) {
+  const bool coloured = layout.all({kRed, kGreen, kBlue});
+  const bool normals = layout.all({kNx, kNy, kNz});
   std::array<double, kSlots> value{};
-  const auto triple = [&](Slot first) {
+  const auto triple = [&](VertexField first) {
     return Vec3f(static_cast<float>(value[first]), static_cast<float>(value[first + 1]),
                  static_cast<float>(value[first + 2]));
   };
   for (uint64_t v = 0; v < element.count; ++v) {
-    for (size_t i = 0; i < plan.slots.size(); ++i) {
+    for (size_t i = 0; i < layout.slots.size(); ++i) {
       const PlyProperty& property = element.properties[i];
-      const Slot slot = plan.slots[i];
+      const VertexField slot = layout.slots[i];
       if (slot == kNone)
-        pass_over(body, property);
+        skip_property(body, property);
       else
         value[slot] = body.number(property.type) /
                       (slot >= kRed && slot <= kBlue ? full_scale(property.type) : 1);
@@ -103,32 +117,33 @@ void read_vertices(Body& body, const PlyElement& element, const Plan& plan, Clou
     cloud.positions.emplace_back(value[kX], value[kY], value[kZ]);
     if (coloured) cloud.colours.push_back(triple(kRed));
     if (normals) cloud.normals.push_back(triple(kNx));
-    if (plan.given[kIntensity]) cloud.intensities.push_back(static_cast<float>(value[kIntensity]));
+    if (layout.given[kIntensity])
+      cloud.intensities.push_back(static_cast<float>(value[kIntensity]));
   }
 }
 
 template <class Body>
-Cloud read_elements(Body body, const mesh::PlyHeader& header, const std::string& file,
-                    const ReadOptions& options) {
-  Cloud cloud;
+PointCloud read_elements(Body body, const mesh::PlyHeader& header, const std::string& file,
+                         const ReadOptions& options) {
+  PointCloud cloud;
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
-      const Plan plan = plan_of(element, file);
+      const VertexLayout layout = vertex_layout(element, file);
       require_memory(static_cast<double>(element.count) * (sizeof(Vec3d) + 2 * sizeof(Vec3f) + 4),
                      options.memory, "the cloud of " + file, "thin the cloud out");
-      read_vertices(body, element, plan, cloud);
+      read_vertices(body, element, layout, cloud);
       return cloud;  // what follows is no concern of clouds
     }
     if (!element.properties.empty())
       for (uint64_t i = 0; i < element.count; ++i)
-        for (const PlyProperty& property : element.properties) pass_over(body, property);
+        for (const PlyProperty& property : element.properties) skip_property(body, property);
   }
   throw Error(ErrorCode::bad_input, "the file holds no vertices", {file, 1, 1});
 }
 
 }  // namespace
 
-Cloud parse_ply(std::string_view bytes, const std::string& file, const ReadOptions& options) {
+PointCloud parse_ply(std::string_view bytes, const std::string& file, const ReadOptions& options) {
   const mesh::PlyHeader header = mesh::read_ply_header(bytes, file);
   if (header.encoding == mesh::PlyHeader::Encoding::ascii)
     return read_elements(mesh::PlyTextBody(bytes, file, header, mesh::NotFinite::kept), header,

@@ -29,7 +29,7 @@ std::optional<PlaneFrame> parse_frame(const std::string& text) {
 
 }  // namespace
 
-image::Image as_image(const RangeImage& range) {
+image::Image to_image(const RangeImage& range) {
   image::Image out(range.width, range.height, {"depth", "count"});
   for (size_t p = 0; p < range.pixel_count(); ++p) {
     out.pixels[2 * p] = range.depth[p];
@@ -38,15 +38,15 @@ image::Image as_image(const RangeImage& range) {
   return out;
 }
 
-image::Metadata metadata_of(const RangeImage& range) {
-  image::Metadata out = metadata_of_pixel(range.pixel);
+image::Metadata range_metadata(const RangeImage& range) {
+  image::Metadata out = pixel_metadata(range.pixel);
   out.emplace_back(kFrame, frame_text(range.frame));
   return out;
 }
 
-image::Metadata metadata_of_pixel(double pixel) { return {{kPixel, fmt::format("{}", pixel)}}; }
+image::Metadata pixel_metadata(double pixel) { return {{kPixel, fmt::format("{}", pixel)}}; }
 
-double told_pixel(const image::Metadata& metadata) {
+double pixel_from_metadata(const image::Metadata& metadata) {
   for (const auto& [name, text] : metadata) {
     if (name != kPixel) continue;
     double pixel = 0;
@@ -59,8 +59,8 @@ double told_pixel(const image::Metadata& metadata) {
 
 void write_range(const std::filesystem::path& exr, const RangeImage& range) {
   image::ExrOptions options;
-  options.metadata = metadata_of(range);
-  image::write_exr(exr, as_image(range), options);
+  options.metadata = range_metadata(range);
+  image::write_exr(exr, to_image(range), options);
 }
 
 RangeImage read_range(const std::filesystem::path& exr, double pixel, uint64_t memory) {
@@ -81,8 +81,8 @@ RangeImage read_range(const std::filesystem::path& exr, double pixel, uint64_t m
                 "a range image has a channel 'depth' or 'Z', in metres");
   RangeImage out;
   out.width = picture.width, out.height = picture.height;
-  const double told = pixel > 0 ? pixel : told_pixel(info.metadata);
-  out.pixel = told > 0 ? told : 0.01;
+  const double given = pixel > 0 ? pixel : pixel_from_metadata(info.metadata);
+  out.pixel = given > 0 ? given : 0.01;
   for (const auto& [name, text] : info.metadata)
     if (name == kFrame) out.frame = parse_frame(text).value_or(PlaneFrame{});
   out.depth.reserve(picture.pixels.size() / picture.channels.size());

@@ -2,8 +2,8 @@
 #include <vug/base/median.h>
 #include <vug/base/parallel.h>
 #include <vug/mesh/disjoint_sets.h>
-#include <vug/scan/cells.h>
-#include <vug/scan/fill.h>
+#include <vug/scan/bins.h>
+#include <vug/scan/inpaint.h>
 #include <vug/scan/range_image.h>
 
 #include <limits>
@@ -17,7 +17,7 @@ constexpr double kGap = 1.0;  ///< Metres on a side of cells that hang together 
 constexpr double kBend = 3;
 
 /// Points within the two distances from the plane, on it.
-std::vector<Vec2d> on_plane(const Cloud& cloud, const PlaneFrame& frame, double before,
+std::vector<Vec2d> on_plane(const PointCloud& cloud, const PlaneFrame& frame, double before,
                             double behind) {
   std::vector<Vec2d> out;
   for (const Vec3d& position : cloud.positions) {
@@ -29,32 +29,33 @@ std::vector<Vec2d> on_plane(const Cloud& cloud, const PlaneFrame& frame, double 
 
 /// Around the points that hang together, of the group that has the most.
 Imath::Box2d extent(const std::vector<Vec2d>& points) {
-  const Cells cells = cells_of(points, kGap);
-  mesh::DisjointSets groups(cells.keys.size());
-  for (size_t i = 0; i < cells.keys.size(); ++i)
-    for (const CellKey& step : {CellKey{0, 1}, {1, -1}, {1, 0}, {1, 1}}) {
+  const Bins bins = bin_points(points, kGap);
+  mesh::DisjointSets groups(bins.keys.size());
+  for (size_t i = 0; i < bins.keys.size(); ++i)
+    for (const BinKey& step : {BinKey{0, 1}, {1, -1}, {1, 0}, {1, 1}}) {
       const int64_t other =
-          cells.find({cells.keys[i].first + step.first, cells.keys[i].second + step.second});
+          bins.find({bins.keys[i].first + step.first, bins.keys[i].second + step.second});
       if (other >= 0) groups.join(static_cast<uint32_t>(i), static_cast<uint32_t>(other));
     }
-  std::vector<size_t> sizes(cells.keys.size(), 0);
+  std::vector<size_t> sizes(bins.keys.size(), 0);
   for (size_t i = 0; i < sizes.size(); ++i)
-    sizes[groups.root(static_cast<uint32_t>(i))] += cells.counts[i];
+    sizes[groups.root(static_cast<uint32_t>(i))] += bins.counts[i];
   const auto largest =
       static_cast<uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   Imath::Box2d box;
   for (size_t i = 0; i < points.size(); ++i)
-    if (groups.root(cells.cell_of_point[i]) == largest) box.extendBy(points[i]);
+    if (groups.root(bins.bin_of_point[i]) == largest) box.extendBy(points[i]);
   return box;
 }
 
-void require_sound(const RangeOptions& options) {
+void require_valid(const RangeOptions& options) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::bad_input, message); };
   if (!(options.pixel > 0 && std::isfinite(options.pixel)))
     refuse("a pixel of a range image must be larger than 0");
   if (!(options.before >= 0 && options.behind >= 0))
     refuse("the band of points before and behind a plane needs positive depths");
-  if (!std::isfinite(options.fill)) refuse("the distance that is filled up must be finite");
+  if (!std::isfinite(options.inpaint_radius))
+    refuse("the distance that is filled up must be finite");
 }
 
 /// The pixel of `size` in which a place lies, counted in pixels, or -1. The points that the raster
@@ -66,13 +67,14 @@ int place(double at, int size) {
 }
 
 /// Pixel by pixel the depths of the points in it: those of pixel p from begin[p] to begin[p + 1].
-struct Buckets {
+struct PixelDepths {
   std::vector<uint32_t> begin;
   std::vector<float> depths;
 };
 
-Buckets buckets_of(const Cloud& cloud, const RangeImage& image, const RangeOptions& options) {
-  Buckets out;
+PixelDepths pixel_depths(const PointCloud& cloud, const RangeImage& image,
+                         const RangeOptions& options) {
+  PixelDepths out;
   const auto visit = [&](const auto& take) {
     for (const Vec3d& position : cloud.positions) {
       const Vec3d p = image.frame.local(position);
@@ -93,15 +95,15 @@ Buckets buckets_of(const Cloud& cloud, const RangeImage& image, const RangeOptio
   return out;
 }
 
-void take_depths(RangeImage& image, Buckets buckets, DepthOf which) {
+void take_depths(RangeImage& image, PixelDepths per_pixel, DepthStatistic which) {
   parallel_for(
       image.pixel_count(),
       [&](size_t p) {
-        const auto from = buckets.depths.begin() + buckets.begin[p];
-        const auto to = buckets.depths.begin() + buckets.begin[p + 1];
+        const auto from = per_pixel.depths.begin() + per_pixel.begin[p];
+        const auto to = per_pixel.depths.begin() + per_pixel.begin[p + 1];
         image.count[p] = static_cast<uint16_t>(std::min<std::ptrdiff_t>(to - from, UINT16_MAX));
         if (from == to) return;
-        const auto at = which == DepthOf::nearest ? to - 1 : from + (to - from) / 2;
+        const auto at = which == DepthStatistic::nearest ? to - 1 : from + (to - from) / 2;
         std::nth_element(from, at, to);
         image.depth[p] = *at;
       },
@@ -110,21 +112,22 @@ void take_depths(RangeImage& image, Buckets buckets, DepthOf which) {
 
 }  // namespace
 
-double spacing(const Cloud& cloud, const PlaneFrame& frame, const RangeOptions& options) {
+double spacing(const PointCloud& cloud, const PlaneFrame& frame, const RangeOptions& options) {
   const std::vector<Vec2d> points = on_plane(cloud, frame, options.before, options.behind);
   if (points.empty())
     throw Error(ErrorCode::bad_input, "no point of the cloud lies near the plane");
   constexpr uint32_t kEnough = 8;  // points in a cell, for their number to tell a density
   for (double side = 0.05;; side *= 2) {
-    std::vector<uint32_t> counts = cells_of(points, side).counts;
-    const size_t cells = counts.size();
+    std::vector<uint32_t> counts = bin_points(points, side).counts;
+    const size_t bins = counts.size();
     const uint32_t middle = median(std::move(counts));
-    if (middle >= kEnough || cells <= 4) return side / std::sqrt(middle);
+    if (middle >= kEnough || bins <= 4) return side / std::sqrt(middle);
   }
 }
 
-RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOptions& options) {
-  require_sound(options);
+RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
+                       const RangeOptions& options) {
+  require_valid(options);
   const double reach = kBend * plane.tolerance;
   const std::vector<Vec2d> near = on_plane(cloud, plane.frame, reach, reach);
   if (near.empty()) throw Error(ErrorCode::bad_input, "no point of the cloud lies near the plane");
@@ -146,11 +149,12 @@ RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOpt
   const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
   image.depth.assign(pixels, std::numeric_limits<float>::quiet_NaN());
   image.count.assign(pixels, 0);
-  take_depths(image, buckets_of(cloud, image, options), options.depth);
+  take_depths(image, pixel_depths(cloud, image, options), options.depth);
   // Points of a regular grid are within 0.71 of its spacing from any place; scanners are not so
   // regular.
-  const double apart = options.fill < 0 ? 1.2 * spacing(cloud, plane.frame, options) : options.fill;
-  fill(image, std::min(apart / options.pixel, wide + high));
+  const double apart = options.inpaint_radius < 0 ? 1.2 * spacing(cloud, plane.frame, options)
+                                                  : options.inpaint_radius;
+  inpaint(image, std::min(apart / options.pixel, wide + high));
   return image;
 }
 

@@ -28,24 +28,24 @@ struct RangeImage {
     return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
   }
   /// The middle of a pixel on the plane: metres from the lower left corner, y up.
-  Vec2d middle(int x, int y) const { return {(x + 0.5) * pixel, (height - y - 0.5) * pixel}; }
+  Vec2d pixel_center(int x, int y) const { return {(x + 0.5) * pixel, (height - y - 0.5) * pixel}; }
   double metres_wide() const { return width * pixel; }
   double metres_high() const { return height * pixel; }
 };
 
-enum class DepthOf {
+enum class DepthStatistic {
   median,   ///< Of the points of a pixel; of an even number the one nearer to the scanner.
   nearest,  ///< To the scanner.
 };
 
 struct RangeOptions {
   double pixel = 0.01;  ///< Metres.
-  DepthOf depth = DepthOf::median;
+  DepthStatistic depth = DepthStatistic::median;
   double before = 0.5;  ///< Points farther before the plane than this are left out, in metres.
   double behind = 1.0;  ///< Likewise behind it.
   /// Pixels without points take the depth of the nearest one with some, if that is no farther than
   /// this, in metres; below 0: as far as points of the facade are apart; 0: never.
-  double fill = -1;
+  double inpaint_radius = -1;
   uint64_t memory = available_memory();  ///< Bytes the image may take while it is made.
 };
 
@@ -53,20 +53,21 @@ struct RangeOptions {
 /// together: what stands two metres beside them is no part of the facade. Error(bad_input) for
 /// options out of range, Error(too_large) before memory is taken. The same for any number of
 /// threads.
-RangeImage range_image(const Cloud& cloud, const PlaneFit& plane, const RangeOptions& options = {});
+RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
+                       const RangeOptions& options = {});
 
 /// How far apart neighbouring points of a surface on the plane are, in metres: a half of them stand
 /// in places that are at least so dense.
-double spacing(const Cloud& cloud, const PlaneFrame& frame, const RangeOptions& options = {});
+double spacing(const PointCloud& cloud, const PlaneFrame& frame, const RangeOptions& options = {});
 
 /// Channels "depth" and "count"; write as EXR with 32 bits.
-image::Image as_image(const RangeImage& range);
+image::Image to_image(const RangeImage& range);
 /// What a file tells beside: the size of its pixels and the frame.
-image::Metadata metadata_of(const RangeImage& range);
+image::Metadata range_metadata(const RangeImage& range);
 /// The same of the size of a pixel alone, in metres, and back: 0 where nothing tells, and
 /// Error(bad_input) where it is no length.
-image::Metadata metadata_of_pixel(double pixel);
-double told_pixel(const image::Metadata& metadata);
+image::Metadata pixel_metadata(double pixel);
+double pixel_from_metadata(const image::Metadata& metadata);
 void write_range(const std::filesystem::path& exr, const RangeImage& range);
 /// What write_range wrote, or any EXR with its channels and metadata; of others the channel "depth"
 /// or else "Z", with `pixel` metres on a side, 1 cm unless told. Error(bad_input);

@@ -4,9 +4,10 @@
 
 namespace vug::scan {
 
-Cloud parse_cloud(std::string_view bytes, const std::string& file, const ReadOptions& options) {
+PointCloud parse_cloud(std::string_view bytes, const std::string& file,
+                       const ReadOptions& options) {
   const bool ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
-  Cloud cloud = ply ? parse_ply(bytes, file, options) : parse_xyz(bytes, file, options);
+  PointCloud cloud = ply ? parse_ply(bytes, file, options) : parse_xyz(bytes, file, options);
   if (cloud.size() == 0)
     throw Error(
         ErrorCode::bad_input,
@@ -15,12 +16,13 @@ Cloud parse_cloud(std::string_view bytes, const std::string& file, const ReadOpt
   return cloud;
 }
 
-Cloud read_clouds(const std::vector<std::filesystem::path>& files, const ReadOptions& options) {
+PointCloud read_clouds(const std::vector<std::filesystem::path>& files,
+                       const ReadOptions& options) {
   if (files.empty()) throw Error(ErrorCode::bad_input, "there is no file to read a cloud from");
-  Cloud all;
+  PointCloud all;
   for (const auto& file : files) {
     if (extension_of(file) == ".exr") {
-      all = joined(std::move(all), read_picture(file, options));
+      all = concatenated(std::move(all), read_picture(file, options));
       continue;
     }
     std::error_code unreadable;
@@ -29,7 +31,7 @@ Cloud read_clouds(const std::vector<std::filesystem::path>& files, const ReadOpt
     if (!unreadable)
       require_memory(static_cast<double>(bytes), options.memory, "the file " + file.string(),
                      "thin the cloud out");
-    all = joined(std::move(all), parse_cloud(read_text(file), file.string(), options));
+    all = concatenated(std::move(all), parse_cloud(read_text(file), file.string(), options));
   }
   return all;
 }

@@ -32,7 +32,7 @@ Vec2d mapped(const Eigen::Matrix3d& m, const Vec2d& p) {
 double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) { return (b - a).cross(c - b); }
 
 /// The least of the four corners' turns, by the area of the square over the longest side.
-double least_turn(const FourPoints& p, double sign) {
+double min_turn(const FourPoints& p, double sign) {
   double least = kInfinity, longest = 0;
   for (size_t i = 0; i < 4; ++i) {
     least = std::min(least, sign * turn(p[i], p[(i + 1) % 4], p[(i + 2) % 4]));
@@ -46,8 +46,8 @@ void require_convex(const FourPoints& corners) {
     if (!(std::isfinite(p.x) && std::isfinite(p.y)))
       throw Error(ErrorCode::bad_input, "the corners of a facade must be finite");
   constexpr double kFlat = 1e-6;
-  if (least_turn(corners, 1) > kFlat) return;
-  if (least_turn(corners, -1) > kFlat)
+  if (min_turn(corners, 1) > kFlat) return;
+  if (min_turn(corners, -1) > kFlat)
     throw Error(ErrorCode::bad_input, "the corners go round the facade the wrong way", {},
                 "name them clockwise: upper left, upper right, lower right, lower left");
   throw Error(ErrorCode::bad_input, "the corners make no convex quadrangle", {},
@@ -103,7 +103,7 @@ image::Homography homography(const FourPoints& from, const FourPoints& to) {
   return out;
 }
 
-double aspect_of(const FourPoints& corners, int photo_width, int photo_height) {
+double estimate_aspect(const FourPoints& corners, int photo_width, int photo_height) {
   require_convex(corners);
   // From the unit square; the photo's middle is the origin, its longer half the unit.
   const double unit = std::max(photo_width, photo_height) / 2.0;
@@ -126,19 +126,19 @@ double aspect_of(const FourPoints& corners, int photo_width, int photo_height) {
          (length(corners, 0, 3) + length(corners, 1, 2));
 }
 
-Rectified rectified(const image::Image& photo, const FourPoints& corners,
-                    const RectifyOptions& options) {
+RectifiedPhoto rectify(const image::Image& photo, const FourPoints& corners,
+                       const RectifyOptions& options) {
   require_convex(corners);
   require_near(corners, photo);
-  const bool told = options.width != 0 || options.height != 0;
+  const bool given = options.width != 0 || options.height != 0;
   for (const double side : {options.width, options.height})
-    if (told && !(side > 0 && std::isfinite(side)))
+    if (given && !(side > 0 && std::isfinite(side)))
       throw Error(ErrorCode::bad_input, "a rectified picture needs a width and a height above 0");
   if (!(options.pixel >= 0 && std::isfinite(options.pixel)))
     throw Error(ErrorCode::bad_input, "a pixel of a rectified picture must be larger than 0");
-  Rectified out;
-  out.height = told ? options.height : 1;
-  out.width = told ? options.width : aspect_of(corners, photo.width, photo.height);
+  RectifiedPhoto out;
+  out.height = given ? options.height : 1;
+  out.width = given ? options.width : estimate_aspect(corners, photo.width, photo.height);
   const double finest =
       std::min(out.width / std::max(length(corners, 0, 1), length(corners, 3, 2)),
                out.height / std::max(length(corners, 0, 3), length(corners, 1, 2)));
@@ -155,8 +155,9 @@ Rectified rectified(const image::Image& photo, const FourPoints& corners,
   return out;
 }
 
-image::Image laid_over(const RangeImage& range, const image::Image& photo,
-                       const FourPoints& in_photo, const FourPoints& on_facade, uint64_t memory) {
+image::Image overlay_photo(const RangeImage& range, const image::Image& photo,
+                           const FourPoints& in_photo, const FourPoints& on_facade,
+                           uint64_t memory) {
   require_memory(static_cast<double>(range.pixel_count()) *
                      static_cast<double>((2 * photo.channels.size() + 2) * sizeof(float)),
                  memory, fmt::format("a picture of {} x {} pixels", range.width, range.height),
@@ -178,10 +179,10 @@ image::Image laid_over(const RangeImage& range, const image::Image& photo,
   return out;
 }
 
-image::Image laid_over(const RangeImage& range, const image::Image& photo, uint64_t memory) {
+image::Image overlay_photo(const RangeImage& range, const image::Image& photo, uint64_t memory) {
   const double wide = range.metres_wide(), high = range.metres_high();
-  return laid_over(range, photo, corners_of(photo.width, photo.height),
-                   {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)}, memory);
+  return overlay_photo(range, photo, corners_of(photo.width, photo.height),
+                       {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)}, memory);
 }
 
 }  // namespace vug::scan

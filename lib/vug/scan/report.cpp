@@ -1,5 +1,5 @@
 #include <vug/base/xml.h>
-#include <vug/scan/doubts.h>
+#include <vug/scan/quality_warnings.h>
 #include <vug/scan/report.h>
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ const char* color_of(OpeningKind kind) { return kind == OpeningKind::door ? "#d9
 
 }  // namespace
 
-std::string report_json(const Cloud& cloud, const PlaneFit& plane, const RangeImage& range,
+std::string report_json(const PointCloud& cloud, const PlaneFit& plane, const RangeImage& range,
                         const SurfaceMap& map, const std::vector<Opening>& openings) {
   Json out;
   out["points"] = cloud.size();
@@ -40,7 +40,8 @@ std::string report_json(const Cloud& cloud, const PlaneFit& plane, const RangeIm
                   {"y", vector(range.frame.y)},
                   {"z", vector(range.frame.z)}};
   out["doubts"] = Json::array();
-  for (const Doubt& doubt : doubts(cloud, plane, range)) out["doubts"].push_back(doubt.message);
+  for (const QualityWarning& warning : quality_warnings(cloud, plane, range))
+    out["doubts"].push_back(warning.message);
   size_t inside = 0, seen = 0, full = 0;
   for (size_t p = 0; p < range.pixel_count(); ++p) {
     inside += range.count[p];
@@ -102,7 +103,7 @@ image::Image picture_of(const RangeImage& range, const SurfaceMap& map) {
   for (int y = 0; y < range.height; ++y)
     for (int x = 0; x < range.width; ++x) {
       const size_t p = range.index(x, y);
-      const double before = range.depth[p] - map.wall.at(range.middle(x, y));
+      const double before = range.depth[p] - map.wall.at(range.pixel_center(x, y));
       const double near = std::clamp(before / kDeep, -1.0, 0.2);
       std::array<double, 3> color{0, 0, 0};
       if (map.surface[p] == Surface::wall) color = {0.55 + near, 0.55 + near, 0.52 + near};

@@ -8,7 +8,7 @@ namespace vug::scan {
 /// JSON: the cloud's points, the plane with its frame, the range image, the wall, and all openings
 /// as {"kind", "rect": [x, y, width, height], "empty", "set_back"}: metres from the lower left
 /// corner of the range image, y up; null where there is no number. "doubts" are sentences.
-std::string report_json(const Cloud& cloud, const PlaneFit& plane, const RangeImage& range,
+std::string report_json(const PointCloud& cloud, const PlaneFit& plane, const RangeImage& range,
                         const SurfaceMap& map, const std::vector<Opening>& openings);
 
 /// The openings as a drawing of `pixels` across, over a picture of the same extent if its file is

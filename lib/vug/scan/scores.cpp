@@ -59,7 +59,7 @@ double iou(const Box& a, const Box& b) {
   return both > 0 ? both / (area(a) + area(b) - both) : 0;
 }
 
-double covered(const std::vector<Box>& boxes) {
+double union_area(const std::vector<Box>& boxes) {
   std::vector<double> xs;
   for (const Box& box : boxes)
     if (!box.isEmpty()) xs.insert(xs.end(), {box.min.x, box.max.x});
@@ -91,8 +91,8 @@ Scores score(const std::vector<Box>& found, const std::vector<Box>& truth, doubl
       both.push_back(common(truth[t], found[f]));
     }
   Scores out = matched(table, found.size(), least);
-  const double together = covered(all);
-  out.area_iou = together > 0 ? covered(both) / together : 0;
+  const double together = union_area(all);
+  out.area_iou = together > 0 ? union_area(both) / together : 0;
   return out;
 }
 
@@ -130,7 +130,7 @@ Scores score(const std::vector<Box>& found, const ObjectMap& truth, double least
       if (const double n = table[t][f]; n > 0) table[t][f] = n / (sizes[t] + pixels - n);
   }
   Scores out = matched(table, found.size(), least);
-  const double together = all + covered(found) / (truth.pixel * truth.pixel) - both;
+  const double together = all + union_area(found) / (truth.pixel * truth.pixel) - both;
   out.area_iou = together > 0 ? both / together : 0;
   return out;
 }

@@ -12,7 +12,7 @@ namespace vug::scan {
 double iou(const Box& a, const Box& b);
 
 /// Area that boxes cover together.
-double covered(const std::vector<Box>& boxes);
+double union_area(const std::vector<Box>& boxes);
 
 struct Match {
   double best = 0;                             ///< IoU with the found object that fits best.

@@ -14,13 +14,13 @@ struct Cut {
 
 /// Of each line (a column where cuts go between rows): where its pixels from a cut onwards begin
 /// and where they end.
-struct Reach {
+struct LineExtent {
   int begin = 0, end = 0;
   bool empty() const { return begin >= end; }
 };
 
 /// The area of the boxes around runs of neighbouring lines that hold pixels.
-int64_t area_of_runs(const std::vector<Reach>& lines) {
+int64_t area_of_runs(const std::vector<LineExtent>& lines) {
   int64_t area = 0;
   for (size_t i = 0; i < lines.size();) {
     if (lines[i].empty()) {
@@ -28,7 +28,7 @@ int64_t area_of_runs(const std::vector<Reach>& lines) {
       continue;
     }
     const size_t first = i;
-    Reach all = lines[i];
+    LineExtent all = lines[i];
     for (; i < lines.size() && !lines[i].empty(); ++i)
       all = {std::min(all.begin, lines[i].begin), std::max(all.end, lines[i].end)};
     area += static_cast<int64_t>(i - first) * (all.end - all.begin);
@@ -41,14 +41,14 @@ int64_t area_of_runs(const std::vector<Reach>& lines) {
 template <class At>
 std::vector<int64_t> areas(int width, int height, const At& on, bool backwards) {
   std::vector<int64_t> out(static_cast<size_t>(height) + 1, 0);
-  std::vector<Reach> lines(static_cast<size_t>(width));
+  std::vector<LineExtent> lines(static_cast<size_t>(width));
   for (int step = 0; step < height; ++step) {
     const int y = backwards ? height - 1 - step : step;
     for (int x = 0; x < width; ++x) {
       if (!on(x, y)) continue;
-      Reach& line = lines[static_cast<size_t>(x)];
-      line = line.empty() ? Reach{y, y + 1}
-                          : Reach{std::min(line.begin, y), std::max(line.end, y + 1)};
+      LineExtent& line = lines[static_cast<size_t>(x)];
+      line = line.empty() ? LineExtent{y, y + 1}
+                          : LineExtent{std::min(line.begin, y), std::max(line.end, y + 1)};
     }
     out[static_cast<size_t>(backwards ? y : y + 1)] = area_of_runs(lines);
   }
@@ -67,7 +67,7 @@ void find_cut(int width, int height, bool between_rows, const At& on, Cut& best)
 
 }  // namespace
 
-std::vector<Piece> split(const Group& group, double gain, double fill) {
+std::vector<FilledBox> split(const Component& group, double gain, double fill) {
   const Mask& mask = group.mask;
   Cut cut;
   find_cut(
@@ -79,16 +79,16 @@ std::vector<Piece> split(const Group& group, double gain, double fill) {
   const bool worth =
       parts <= (1 - gain) * whole && static_cast<double>(group.pixels) >= fill * parts;
   if (!worth) return {{group.box, group.pixels}};
-  std::vector<Piece> out;
+  std::vector<FilledBox> out;
   for (const bool behind : {false, true}) {
     Mask side = mask;
     for (int y = 0; y < mask.height; ++y)
       for (int x = 0; x < mask.width; ++x)
         if (((cut.between_rows ? y : x) >= cut.at) != behind) side.on[side.index(x, y)] = 0;
-    for (Group& part : groups_of(side)) {
+    for (Component& part : components_of(side)) {
       const int x = group.box.x0, y = group.box.y0;
       part.box = {part.box.x0 + x, part.box.y0 + y, part.box.x1 + x, part.box.y1 + y};
-      const std::vector<Piece> pieces = split(part, gain, fill);
+      const std::vector<FilledBox> pieces = split(part, gain, fill);
       out.insert(out.end(), pieces.begin(), pieces.end());
     }
   }

@@ -31,8 +31,8 @@ SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {
     throw Error(ErrorCode::bad_input, "the measures of a facade's surface must be finite");
   SurfaceMap out;
   out.wall = options.bent ? fit_wall(range, options.wall) : flat_wall();
-  const double told_apart = options.bent ? std::max(0.03, 3 * out.wall.rms) : 0.05;
-  out.set_back = options.set_back >= 0 ? options.set_back : told_apart;
+  const double automatic = options.bent ? std::max(0.03, 3 * out.wall.rms) : 0.05;
+  out.set_back = options.set_back >= 0 ? options.set_back : automatic;
   Mask solid(range.width, range.height);
   for (size_t p = 0; p < range.pixel_count(); ++p) solid.on[p] = !std::isnan(range.depth[p]);
   const int radius = pixels_of(options.hull / 2, range.pixel, std::max(range.width, range.height));
@@ -45,7 +45,7 @@ SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {
       if (!solid.on[p]) {
         out.surface[p] = outside.on[p] ? Surface::outside : Surface::nothing;
       } else {
-        const double before = range.depth[p] - out.wall.at(range.middle(x, y));
+        const double before = range.depth[p] - out.wall.at(range.pixel_center(x, y));
         out.surface[p] = before < -out.set_back ? Surface::behind : Surface::wall;
       }
     }

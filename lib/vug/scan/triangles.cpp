@@ -1,6 +1,6 @@
 #include <vug/base/median.h>
+#include <vug/scan/opening_extraction.h>
 #include <vug/scan/openings.h>
-#include <vug/scan/openings_of.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,7 +17,7 @@ using Triangulation = CGAL::Delaunay_triangulation_2<Kernel>;
 
 /// The wall's points on the plane, one a pixel at most: triangles of points that almost meet tell
 /// nothing.
-std::vector<Kernel::Point_2> wall_points(const Cloud& cloud, const RangeImage& range,
+std::vector<Kernel::Point_2> wall_points(const PointCloud& cloud, const RangeImage& range,
                                          const SurfaceMap& map) {
   std::vector<Kernel::Point_2> out;
   Mask taken(range.width, range.height);
@@ -81,16 +81,16 @@ void draw(const Triangulation::Face& face, const RangeImage& range, Mask& mask) 
 
 }  // namespace
 
-std::vector<Opening> openings_by_triangles(const Cloud& cloud, const RangeImage& range,
+std::vector<Opening> openings_by_triangles(const PointCloud& cloud, const RangeImage& range,
                                            const SurfaceMap& map, const OpeningOptions& options) {
-  require_sound(options);
+  require_valid(options);
   const std::vector<Kernel::Point_2> points = wall_points(cloud, range, map);
   const Triangulation triangulation(points.begin(), points.end());
   std::vector<double> perimeters;
   for (const auto& face : triangulation.finite_face_handles())
     perimeters.push_back(perimeter(*face));
   if (perimeters.empty()) return {};
-  const double most = options.longest * median(std::move(perimeters));
+  const double most = options.min_perimeter * median(std::move(perimeters));
   Mask open(range.width, range.height);
   for (const auto& face : triangulation.finite_face_handles())
     if (perimeter(*face) > most && inside(*face, range, map)) draw(*face, range, open);
@@ -98,8 +98,9 @@ std::vector<Opening> openings_by_triangles(const Cloud& cloud, const RangeImage&
     if (map.surface[i] == Surface::outside) open.on[i] = 0;
   // Here walls are as narrow as their points stand, not wider by what was filled and closed.
   if (options.tidy)
-    open = closed(open, radius_of(std::max(0.0, options.bars - options.closing), range));
-  return openings_of(open, range, map, options);
+    open =
+        closed(open, closing_radius(std::max(0.0, options.max_bar_width - options.closing), range));
+  return extract_openings(open, range, map, options);
 }
 
 }  // namespace vug::scan

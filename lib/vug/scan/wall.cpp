@@ -12,18 +12,18 @@
 namespace vug::scan {
 namespace {
 
-struct Sample {
+struct BinDepth {
   Vec2d place;
   double depth = 0;
 };
 
 /// The median depth of each cell that has any.
-std::vector<Sample> samples_of(const RangeImage& range, double cell) {
+std::vector<BinDepth> samples_of(const RangeImage& range, double cell) {
   const int side = std::max(
       1, static_cast<int>(
              std::lround(std::min(cell / range.pixel, std::max(range.width, range.height) * 1.0))));
   const int across = (range.width + side - 1) / side, down = (range.height + side - 1) / side;
-  std::vector<Sample> all(static_cast<size_t>(across) * static_cast<size_t>(down));
+  std::vector<BinDepth> all(static_cast<size_t>(across) * static_cast<size_t>(down));
   parallel_for(all.size(), [&](size_t i) {
     const int x0 = static_cast<int>(i % static_cast<size_t>(across)) * side;
     const int y0 = static_cast<int>(i / static_cast<size_t>(across)) * side;
@@ -36,17 +36,17 @@ std::vector<Sample> samples_of(const RangeImage& range, double cell) {
     all[i] = {{(x0 + 0.5 * side) * range.pixel, (range.height - y0 - 0.5 * side) * range.pixel},
               median(std::move(depths))};
   });
-  std::erase_if(all, [](const Sample& s) { return std::isnan(s.depth); });
+  std::erase_if(all, [](const BinDepth& s) { return std::isnan(s.depth); });
   return all;
 }
 
 /// The four nodes around a place, and their parts of its depth.
-struct Around {
+struct BilinearWeights {
   std::array<int, 4> node{};
   std::array<double, 4> part{};
 };
 
-Around around(const Wall& wall, const Vec2d& place) {
+BilinearWeights bilinear_weights(const Wall& wall, const Vec2d& place) {
   const auto axis = [&](double v, int nodes) {
     const double at = std::clamp(v / wall.step, 0.0, nodes - 1.0);
     const int low = std::clamp(static_cast<int>(at), 0, std::max(0, nodes - 2));
@@ -71,7 +71,8 @@ class WallFitter {
     wall_.step = options.step;
     wall_.across = nodes(range.metres_wide()), wall_.up = nodes(range.metres_high());
     wall_.depths.assign(static_cast<size_t>(wall_.across) * static_cast<size_t>(wall_.up), 0);
-    for (const Sample& sample : samples_) around_.push_back(around(wall_, sample.place));
+    for (const BinDepth& sample : samples_)
+      weights_.push_back(bilinear_weights(wall_, sample.place));
   }
 
   Wall fit() {
@@ -96,7 +97,7 @@ class WallFitter {
   double residual(size_t i) const {
     double surface = 0;
     for (size_t k = 0; k < 4; ++k)
-      surface += around_[i].part[k] * wall_.depths[static_cast<size_t>(around_[i].node[k])];
+      surface += weights_[i].part[k] * wall_.depths[static_cast<size_t>(weights_[i].node[k])];
     return samples_[i].depth - surface;
   }
 
@@ -108,10 +109,10 @@ class WallFitter {
       const double r = residual(i), fall = 1 + r * r / (reach * reach);
       const double weight = (r > 0 ? pull_before : 1 - pull_before) / (fall * fall);
       for (size_t a = 0; a < 4; ++a) {
-        const double part = weight * around_[i].part[a];
-        right[around_[i].node[a]] += part * samples_[i].depth;
+        const double part = weight * weights_[i].part[a];
+        right[weights_[i].node[a]] += part * samples_[i].depth;
         for (size_t b = 0; b < 4; ++b)
-          terms.emplace_back(around_[i].node[a], around_[i].node[b], part * around_[i].part[b]);
+          terms.emplace_back(weights_[i].node[a], weights_[i].node[b], part * weights_[i].part[b]);
       }
     }
     add_bends(terms);
@@ -142,15 +143,15 @@ class WallFitter {
   }
 
   const WallOptions& options_;
-  std::vector<Sample> samples_;
-  std::vector<Around> around_;
+  std::vector<BinDepth> samples_;
+  std::vector<BilinearWeights> weights_;
   Wall wall_;
 };
 
 }  // namespace
 
 double Wall::at(const Vec2d& place) const {
-  const Around near = around(*this, place);
+  const BilinearWeights near = bilinear_weights(*this, place);
   double out = 0;
   for (size_t k = 0; k < 4; ++k) out += near.part[k] * depths[static_cast<size_t>(near.node[k])];
   return out;

@@ -12,15 +12,15 @@
 namespace vug::scan {
 namespace {
 
-constexpr size_t kMostColumns = 7;
+constexpr size_t kMaxColumns = 7;
 
-bool parts_numbers(char c) {
+bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r' || c == '\v' || c == '\f';
 }
 
 /// The numbers of one line; `fault` is the first word that is none.
-struct Row {
-  std::array<double, kMostColumns> values{};
+struct NumberRow {
+  std::array<double, kMaxColumns> values{};
   size_t count = 0;    ///< Words, also those beyond the columns that are known.
   size_t numbers = 0;  ///< Words that are numbers.
   std::string_view fault;
@@ -37,22 +37,22 @@ bool parse_number(std::string_view word, double& value) {
   return true;
 }
 
-Row row_of(std::string_view line) {
-  Row row;
+NumberRow row_of(std::string_view line) {
+  NumberRow row;
   for (size_t at = 0; at < line.size();) {
-    if (parts_numbers(line[at])) {
+    if (is_separator(line[at])) {
       ++at;
       continue;
     }
     const size_t begin = at;
-    while (at < line.size() && !parts_numbers(line[at])) ++at;
+    while (at < line.size() && !is_separator(line[at])) ++at;
     const std::string_view word = line.substr(begin, at - begin);
     double value = 0;
     if (parse_number(word, value))
       ++row.numbers;
     else if (row.fault.empty())
       row.fault = word;
-    if (row.count < kMostColumns) row.values[row.count] = value;
+    if (row.count < kMaxColumns) row.values[row.count] = value;
     ++row.count;
   }
   return row;
@@ -67,7 +67,7 @@ class XyzReader {
  public:
   XyzReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
-  Cloud read() {
+  PointCloud read() {
     size_t begin = bytes_.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the mark of UTF-8
     for (; begin < bytes_.size(); ++line_) {
       const size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
@@ -83,7 +83,7 @@ class XyzReader {
  private:
   void add(std::string_view line) {
     if (is_comment(line)) return;
-    const Row row = row_of(line);
+    const NumberRow row = row_of(line);
     if (row.count == 0) return;
     const bool first = std::exchange(first_, false);
     const bool heading = row.numbers == 0 || (row.count == 1 && row.fault.empty());
@@ -102,7 +102,7 @@ class XyzReader {
     add(row, line);
   }
 
-  void add(const Row& row, std::string_view line) {
+  void add(const NumberRow& row, std::string_view line) {
     const auto& v = row.values;
     if (!(std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]))) {
       ++cloud_.dropped;
@@ -135,7 +135,7 @@ class XyzReader {
 
   std::string_view bytes_;
   const std::string& file_;
-  Cloud cloud_;
+  PointCloud cloud_;
   size_t columns_ = 0;
   int line_ = 1;
   bool first_ = true;
@@ -144,7 +144,7 @@ class XyzReader {
 
 }  // namespace
 
-Cloud parse_xyz(std::string_view bytes, const std::string& file, const ReadOptions& options) {
+PointCloud parse_xyz(std::string_view bytes, const std::string& file, const ReadOptions& options) {
   // Vectors that grow by doubling hold up to three times what they need while they move.
   const auto lines = static_cast<double>(std::count(bytes.begin(), bytes.end(), '\n') + 1);
   require_memory(lines * 3 * (sizeof(Vec3d) + sizeof(Vec3f) + 4), options.memory,

@@ -1,9 +1,9 @@
 #include <vug/base/median.h>
 #include <vug/facade/grammar_output.h>
-#include <vug/fit/to_facade.h>
 #include <vug/fit/evidence/cluster_image.h>
 #include <vug/fit/learning/labelling.h>
 #include <vug/fit/model/compile.h>
+#include <vug/fit/to_facade.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
 
@@ -103,10 +103,12 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   const fit::Model model(rules, how.limits, picture.width, picture.height);
   fit::TreeState state = model.make_state(out.reading.tree);
   model.compute_areas(state);
-  out.tree = fit::to_facade_tree(text, model, state, {size.x / picture.width, size.y / picture.height});
+  out.tree =
+      fit::to_facade_tree(text, model, state, {size.x / picture.width, size.y / picture.height});
   out.reveal = reveal_of(picture, out.reading);
   set_reveal(out);
-  if (options.looks) out.labels = fit::label_pixels(maps, options.looks->classes(), out.reading.elements);
+  if (options.looks)
+    out.labels = fit::label_pixels(maps, options.looks->classes(), out.reading.elements);
   return out;
 }
 

@@ -4,8 +4,8 @@
 #include <vug/base/progress.h>
 #include <vug/facade/tree.h>
 #include <vug/fit/evidence/cluster_image.h>
-#include <vug/fit/learning/pixel_classifier.h>
 #include <vug/fit/fit_facade.h>
+#include <vug/fit/learning/pixel_classifier.h>
 #include <vug/session/facade_picture.h>
 
 #include <memory>
@@ -30,9 +30,9 @@ struct FacadeFitOptions {
 };
 
 struct FacadeFit {
-  facade::Tree tree;     ///< Metres. Windows are as deep as they were seen.
+  facade::Tree tree;       ///< Metres. Windows are as deep as they were seen.
   fit::FitResult reading;  ///< Pixels, and what the chains tell.
-  double reveal = 0;     ///< How deep windows lie behind the wall, metres; 0: no depth tells.
+  double reveal = 0;       ///< How deep windows lie behind the wall, metres; 0: no depth tells.
   /// The class of each of the picture's pixels by looks and tree; none without looks.
   std::vector<uint8_t> labels;
 };

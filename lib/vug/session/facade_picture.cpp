@@ -53,8 +53,8 @@ std::optional<image::Image> depth_of(const std::filesystem::path& file, const im
 
 /// R, G, B with numbers in all pixels; nothing where the picture is of something else, as of
 /// depths.
-std::optional<image::Image> to_rgb(const std::filesystem::path& file,
-                                       const image::FileInfo& info, const image::Image& whole) {
+std::optional<image::Image> to_rgb(const std::filesystem::path& file, const image::FileInfo& info,
+                                   const image::Image& whole) {
   const bool grey = whole.channels.size() <= 2 && whole.find_channel("depth") != 0 &&
                     whole.find_channel("Z") != 0;
   if (whole.find_channel("R") < 0 && !grey) return std::nullopt;

@@ -1,4 +1,4 @@
-// What `cells NAME on MESH { ... }` asks for.
+// The plan of a `cells NAME on MESH { ... }` declaration.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -13,60 +13,61 @@
 
 namespace vug::shot {
 
-/// A rule of `run` with when and where it works.
+/// A rule of `run` with its steps and its mask.
 struct CellStage {
   cells::RulePtr rule;
   std::string name;
-  int begin = 0;              ///< Its first step, from 0.
-  std::optional<int> steps;   ///< How many; not given: to the end, or one for rules that say so.
-  paint::Mask where;          ///< The chance of a cell to be rewritten by it; null: all are.
-  SourceLocation location{};  ///< Its place in the text.
+  int begin = 0;              ///< First step, counted from 0.
+  std::optional<int> steps;   ///< Number of steps; default: to the end, or one for rules that act once.
+  paint::Mask where;          ///< Probability of rewriting a cell; null: 1.
+  SourceLocation location{};  ///< Location of the rule in the text.
 
-  /// How many steps it works for; below 0: to the end.
+  /// Number of steps that the rule acts for; negative: to the end.
   int span() const { return steps.value_or(rule->is_single_step() ? 1 : -1); }
 };
 using CellStagePtr = std::shared_ptr<const CellStage>;
 
-/// What `vug build` can write of cells: "points", "grids" beside the level set, a table, "csv".
+/// The outputs of cells that `vug build` can write: "points", "grids" next to the level set, and the
+/// table "csv".
 const std::vector<std::string>& cell_files();
 
 struct CellsPlan {
   std::string name;
-  std::vector<MeshPtr> on;          ///< What they stand on.
-  std::optional<cells::Grid> grid;  ///< Not given: random.
-  double spacing = 0.02;            ///< Metres.
-  std::optional<int> relax;         ///< Steps of harmonising; not given: the grid's own.
+  std::vector<MeshPtr> on;          ///< The meshes that carry the cells.
+  std::optional<cells::Grid> grid;  ///< Default: random.
+  double spacing = 0.02;            ///< Distance of neighbouring cells in metres.
+  std::optional<int> relax;         ///< Relaxation steps; default: those of the grid.
   cells::Force harmonise = cells::Force::squared;
-  std::vector<CellStagePtr> run;  ///< In the order in which they work within a step.
-  bool move = true;               ///< The mesh goes where cells go.
-  bool holes = false;             ///< The mesh is cut away where cells are gone.
-  std::optional<bool> refine;  ///< Cut triangles that are larger than cells; not given: of files.
-  std::optional<int> steps;    ///< Of the whole run; see length.
-  std::filesystem::path from;  ///< Points that they go on from; empty: none.
-  std::vector<std::string> files = {"points", "grids"};  ///< See `writes`.
-  bool half = false;                                     ///< Numbers in files have 16 bits.
-  std::vector<std::string> attribute_names;  ///< Names of attributes that it will carry.
+  std::vector<CellStagePtr> run;  ///< In their order within a step.
+  bool move = true;               ///< The mesh follows the displacement of cells.
+  bool holes = false;             ///< Cut the mesh away where cells have been removed.
+  std::optional<bool> refine;  ///< Subdivide triangles larger than cells; default: for meshes from files.
+  std::optional<int> steps;    ///< Steps of the whole run; see length.
+  std::filesystem::path from;  ///< Points to continue from; empty: none.
+  std::vector<std::string> files = {"points", "grids"};  ///< Outputs, from cell_files().
+  bool half = false;                                     ///< Store numbers with 16 bits.
+  std::vector<std::string> attribute_names;  ///< Attributes that the cells will carry.
   RandomKey key{0};
-  /// Nothing of it but `steps` depends on the frame: another frame's run can go on to this one's.
+  /// Only `steps` depends on the frame, so that the run of another frame can be continued.
   bool resumable = false;
-  std::vector<std::string> context_attributes;  ///< Those of building/cell_context.h that it names.
-  SourceLocation where;                         ///< Its name in the text.
-  SourceLocation spacing_where;                 ///< What `spacing` says there.
+  std::vector<std::string> context_attributes;  ///< Used names of context_attribute_names().
+  SourceLocation where;                         ///< Location of the name in the text.
+  SourceLocation spacing_where;                 ///< Location of `spacing`.
 
-  /// Steps of the whole run: `steps`, else what the last stage needs: 100 if it says nothing.
+  /// Steps of the whole run: `steps`, else the end of the last stage, with 100 steps for open-ended stages.
   int length() const;
-  /// One of cell_files().
+  /// Whether the output, one of cell_files(), is requested.
   bool writes(const std::string& what) const;
-  std::string fault() const;  ///< A sentence on `files` that are none; else empty.
+  std::string fault() const;  ///< Describes an unknown name in `files`; else empty.
 };
 
-/// The mesh without the last cells that it wears; null where it wears none.
+/// The mesh below the topmost cell layer; null for a mesh without cells.
 MeshPtr mesh_without_cells(const MeshPlan& mesh);
 
-/// What the mesh is made of: its parts, or itself.
+/// The parts of a combined mesh; else the mesh itself.
 std::vector<MeshPtr> parts_of(const MeshPtr& mesh);
 
-/// Of its parts the one that is `ground` under what it wears; null where there is none.
+/// The part that becomes `support` when its cell layers are removed; null if there is none.
 MeshPtr part_with_support(const MeshPtr& mesh, const MeshPtr& support);
 
 }  // namespace vug::shot

@@ -1,4 +1,4 @@
-// What a mesh can be made of without a grid: stems, the polygons of an L-system, a leaf.
+// Sources of meshes that need no grid: stems, the polygons of an L-system, and leaf shapes.
 #pragma once
 
 #include <vug/field/field.h>
@@ -9,13 +9,14 @@ namespace vug::shot {
 
 struct MeshSource {
   field::Field stems;
-  LSystemPtr polygons;  ///< Null where it is of stems.
-  mesh::MeshPtr shape;  ///< In place of both.
+  LSystemPtr polygons;  ///< Null: the stems.
+  mesh::MeshPtr shape;  ///< If set, used instead of both.
 };
 
-/// With unit normals. Stems are cut into edges no further than `tolerance` metres from round;
-/// polygons make sheets. Where nothing is drawn it is empty, as in a film before anything grows.
-/// Error(bad_input) for a field that is not of stems, and for polygons that cross themselves.
+/// The mesh of a source, with unit normals. Stems are approximated within `tolerance` metres of a round
+/// cross-section; polygons become sheets. The mesh is empty if nothing has been drawn, as in an animation
+/// before growth starts. Error(bad_input) for a field that does not consist of stems, and for
+/// self-intersecting polygons.
 mesh::Mesh mesh_from_source(const MeshSource& drawn, double tolerance);
 
 }  // namespace vug::shot

@@ -1,4 +1,4 @@
-// How the plans of volumes and meshes travel through scene expressions as Values.
+// Value conversions for the plans of volumes and meshes in scene expressions.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -16,7 +16,7 @@ struct ValueTraits<shot::MeshPtr> : ObjectTraits<shot::MeshPtr> {
   static constexpr const char* kWord = "mesh";
 };
 
-/// A mesh, or a level set that stands for a plain mesh of it.
+/// A mesh, or a level set, which is converted to its plain mesh.
 namespace shot {
 struct MeshOrLevelSet {
   MeshPtr mesh;

@@ -1,4 +1,4 @@
-// Queries on a shot: what it declares, what it shows, and what it has under a name.
+// Queries on a shot: its declared and shown products, and look-up by name.
 #pragma once
 
 #include <vug/shot/cells_plan.h>
@@ -8,34 +8,34 @@
 
 namespace vug::shot {
 
-/// The meshes a shot declares, those without cells left out where another is the same with cells.
+/// The declared meshes, without those that another mesh covers with cells.
 std::vector<MeshPtr> declared_meshes(const Shot& shot);
 
-/// The meshes a shot shows or measures: those it declares, else one for each level set.
+/// The meshes to show or measure: the declared ones, else one for each level set.
 std::vector<MeshPtr> shown_meshes(const Shot& shot);
 
-/// The cells that a shot declares, in its order; also those that others stand on.
+/// The declared cells in their order, including those below other cells.
 std::vector<CellsPtr> declared_cells(const Shot& shot);
 
-/// The objects that a shot shows where their meshes stand: not those that it places. Of a shot
-/// without objects they are its meshes, in grey.
+/// The objects shown at the position of their meshes, without those that are only instanced. For a shot
+/// without objects these are its meshes with the default grey material.
 std::vector<ObjectPlan> shown_objects(const Shot& shot);
 
-/// A grey object of the mesh, under its name.
+/// An object with the name of the mesh and the default grey material.
 ObjectPlan plain_object(const MeshPtr& mesh);
 
-/// Groups of the lights and shining objects of a shot and of all that it places.
+/// The light groups of all lights and emissive objects, including those of placed scenes.
 std::vector<std::string> light_groups(const Shot& shot);
 
-/// The attributes that tell its elements apart, those of what it wears cells on too.
+/// The attributes that identify the facade elements of the mesh, including those of the mesh below its cells.
 std::vector<std::string> element_names(const MeshPlan& plan);
 
-/// Of what a shot shows or measures (see shown_meshes), and of meshes under cells; an empty name
-/// takes the first. Error(bad_input), with the nearest name, where there is none.
+/// The mesh of that name among shown_meshes and the meshes below cells; the first one for an empty name.
+/// Error(bad_input) with the nearest name if there is no such mesh.
 MeshPtr find_mesh(const Shot& shot, const std::string& name);
-/// Likewise of its volumes.
+/// The volume of that name; the first one for an empty name. Error(bad_input) as find_mesh.
 VolumePtr find_volume(const Shot& shot, const std::string& name);
-/// Likewise of its cells.
+/// The cells of that name; the first ones for an empty name. Error(bad_input) as find_mesh.
 CellsPtr find_cells(const Shot& shot, const std::string& name);
 
 }  // namespace vug::shot

@@ -1,4 +1,4 @@
-// What a scene asks for, evaluated but not yet computed: plain data between text and products.
+// The evaluated scene before anything is built: plain data between the scene text and its products.
 #pragma once
 
 #include <vug/base/hash.h>
@@ -38,159 +38,161 @@ struct MeshPlan;
 
 /// `volume NAME = level_set(...)` or `fog(...)`, or `volume NAME on MESH { ... }`.
 struct VolumePlan {
-  std::string name;  ///< Also the grid's name in the file.
+  std::string name;  ///< Also the name of the grid in the .vdb file.
   field::Field field;
   std::shared_ptr<const MeshPlan>
-      source_mesh;  ///< The mesh that it is made of in place of the field.
+      source_mesh;  ///< Mesh to voxelise instead of the field; null: the field.
   bool fog = false;
-  double voxel = 0.1;         ///< Metres.
-  double half_width = 3;      ///< Of the narrow band, voxels.
-  bool repair = true;         ///< Make band values distances where the field's are not.
+  double voxel = 0.1;         ///< Voxel edge in metres.
+  double half_width = 3;      ///< Half width of the narrow band in voxels.
+  bool repair = true;         ///< Convert band values into distances if the field is not one.
   bool half = false;          ///< Store 16-bit floats.
-  std::optional<Vec3d> from;  ///< With `to`: cut to this box; needed by fields without bounds.
+  std::optional<Vec3d> from;  ///< With `to`: the box to clip to; required for unbounded fields.
   std::optional<Vec3d> to;
-  SourceLocation where;  ///< Its name in the text.
+  SourceLocation where;  ///< Location of the name in the text.
 
-  std::string fault() const;  ///< A sentence on `from` and `to` that are no box; else empty.
+  std::string fault() const;  ///< Describes an invalid box of `from` and `to`; else empty.
 };
 using VolumePtr = std::shared_ptr<const VolumePlan>;
 
 struct CellsPlan;  ///< See cells_plan.h.
 using CellsPtr = std::shared_ptr<const CellsPlan>;
 
-/// `mesh NAME on VOLUME { ... }` or `mesh NAME { file ... }`, such a mesh wearing cells, or several
-/// in one.
+/// `mesh NAME on VOLUME { ... }` or `mesh NAME { file ... }`, such a mesh with a cell layer, or several
+/// meshes combined into one.
 struct MeshPlan {
   std::string name;
-  VolumePtr volume;            ///< Null for several and for one from a file.
-  mesh::MeshPtr file_mesh;     ///< What the file holds, in metres and with normals.
-  double adaptivity = 0;       ///< 0 keeps every quad, 1 merges what is flat.
+  VolumePtr volume;            ///< Null for a combined mesh and for a mesh from a file.
+  mesh::MeshPtr file_mesh;     ///< The mesh of the file, in metres and with normals.
+  double adaptivity = 0;       ///< 0 keeps every quad, 1 merges flat regions.
   bool polish = true;          ///< Move vertices onto the exact field.
-  double smallest_piece = 0;   ///< Metres; pieces whose box has a shorter diagonal are left out.
+  double smallest_piece = 0;   ///< Metres; components with a shorter box diagonal are removed.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
-  /// Facades whose nodes the vertices tell apart; see add_semantics.
+  /// Facades whose node and element kind are stored per vertex; see facade::add_semantics.
   std::vector<std::shared_ptr<const facade::FacadeInstance>> elements;
-  CellsPtr cells;      ///< That it wears on one of what they stand on; null: none.
-  size_t support = 0;  ///< On which.
-  std::vector<std::shared_ptr<const MeshPlan>> parts;  ///< All that it is in one; none: itself.
+  CellsPtr cells;      ///< Cells applied to the mesh; null: none.
+  size_t support = 0;  ///< Index in `cells->on` of the mesh below the cells.
+  std::vector<std::shared_ptr<const MeshPlan>> parts;  ///< The meshes combined into this one; empty: a single mesh.
 
   bool operator==(const MeshPlan&) const = default;
 };
 using MeshPtr = std::shared_ptr<const MeshPlan>;
 
-/// A mesh of the level set that nobody has asked for otherwise, of the same name.
+/// The mesh of a level set without a mesh declaration: default settings, same name.
 MeshPtr plain_mesh(const VolumePtr& volume);
 
-/// `object NAME on MESH { ... }`: a mesh with what it is made of, for pictures.
+/// `object NAME on MESH { ... }`: a mesh with a material, for rendering.
 struct ObjectPlan {
   std::string name;
   MeshPtr mesh;
   render::MaterialPtr material;  ///< Null: grey.
   bool flat = false;
-  bool direct = false;      ///< Trace the level set itself; no mesh is made.
+  bool direct = false;      ///< Trace the level set itself instead of a mesh.
   Vec3d emission{0, 0, 0};  ///< W/sr/m^2.
   std::string light_group;
 };
 
 struct Shot;
-/// See places.h.
+/// Yields the instances of a point instancer; see building/instance_source.h.
 using InstanceSource = std::shared_ptr<
     const std::function<std::vector<building::Instance>(building::Builder&, RandomKey)>>;
 
-/// What can be placed: an object of the shot, or else a mesh in grey, or a whole scene.
+/// The prototype of an instance: an object of the shot, else a mesh with the default grey material, or a
+/// whole scene.
 struct Model {
   std::string name;
   MeshPtr mesh;
-  std::filesystem::path file;  ///< Of a scene; then also:
+  std::filesystem::path file;  ///< Scene file; empty: an object or a mesh. For scenes also:
   std::optional<int> seed;
-  std::vector<std::string> with;  ///< "NAME=VALUE" of its parameters.
+  std::vector<std::string> with;  ///< Parameters of that scene as "NAME=VALUE".
   std::shared_ptr<const Shot> scene;
 };
 
-/// `place NAME { of ... at ... }`.
+/// `place NAME { of ... at ... }`: instances of models.
 struct PointInstancer {
   std::string name;
   std::vector<Model> of;
   std::vector<InstanceSource> at;
-  std::vector<double> shares;    ///< Of each model; empty: the same.
-  render::MaterialPtr material;  ///< Null: their own.
-  bool apart = false;            ///< Each has a name of its own.
+  std::vector<double> shares;    ///< Relative frequency of each model; empty: equal.
+  render::MaterialPtr material;  ///< Null: the materials of the models.
+  bool apart = false;            ///< Each instance has a name of its own.
   RandomKey key{0};
-  SourceLocation where;  ///< Its name in the text.
+  SourceLocation where;  ///< Location of the name in the text.
 };
 
-/// `camera NAME { ... }`.
+/// `camera NAME { ... }`: a camera.
 struct CameraPlan {
   std::string name;
   render::CameraPtr camera;
-  SourceLocation where;  ///< Its name in the text.
+  SourceLocation where;  ///< Location of the name in the text.
 };
 
-/// `render NAME { ... }`.
+/// `render NAME { ... }`: the settings of a picture.
 struct RenderPlan {
   std::string name = "main";
-  std::vector<int> size = {960, 540};  ///< Pixels: width, height.
+  std::vector<int> size = {960, 540};  ///< Width and height in pixels.
   int spp = 64;
-  double exposure = 0;           ///< Stops; for the PNG only.
+  double exposure = 0;           ///< Exposure of the PNG in stops.
   bool openings = true;          ///< See render::Options.
   bool half = true;              ///< 16-bit colour channels in the EXR.
-  bool multi_part = false;       ///< A part of the EXR for each layer.
-  bool tiled = false;            ///< Tiles in the EXR instead of lines.
-  bool deep = false;             ///< Also a deep EXR.
+  bool multi_part = false;       ///< One part of the EXR per AOV.
+  bool tiled = false;            ///< Write a tiled EXR instead of scan lines.
+  bool deep = false;             ///< Write a deep EXR in addition.
   double deep_tolerance = 0.01;  ///< See render::DeepOptions.
   double noise = 0;              ///< See render::Options.
   image::WorkingSpace working_space = image::WorkingSpace::rec709;
-  std::string view, display;        ///< Of the PNG; see image::ViewSelection.
-  std::vector<std::string> layers;  ///< As render::plan_aovs takes them.
-  std::vector<int> crop;            ///< Left, top, right, bottom in pixels; empty: all.
-  render::CameraPtr camera;         ///< Null: the camera named like the plan, else the first.
+  std::string view, display;        ///< Display transform of the PNG; see image::ViewSelection.
+  std::vector<std::string> layers;  ///< Names of AOVs, as in render::plan_aovs.
+  std::vector<int> crop;            ///< Left, top, right and bottom in pixels; empty: no crop.
+  render::CameraPtr camera;         ///< Null: the camera with the name of the plan, else the first.
   render::SamplerPtr sampler;
   render::IntegratorPtr integrator;
-  SourceLocation where;  ///< Its name in the text.
+  SourceLocation where;  ///< Location of the name in the text.
 };
 
-/// A grammar's derivation, kept for `vug tree` and for counting productions.
+/// The derivation of a grammar, kept for `vug tree` and for production counts.
 struct Derivation {
   std::string name;
   grammar::Tree tree;
   int64_t productions = 0;
-  std::shared_ptr<const facade::Tree> facade = nullptr;  ///< Of a grammar of kind facade.
+  std::shared_ptr<const facade::Tree> facade = nullptr;  ///< For grammars of kind facade.
 };
 
 class LSystemPlan;  ///< See lsystem_plan.h.
 using LSystemPtr = std::shared_ptr<const LSystemPlan>;
 
+/// All declarations of a scene at one frame.
 struct Shot {
-  std::string name;  ///< The scene file's stem.
+  std::string name;  ///< Stem of the scene file.
   uint64_t seed = 0;
-  double frame = 1;       ///< The moment that it shows.
-  bool animated = false;  ///< Something in it depends on the frame.
-  std::string recipe;     ///< The scene text with its overrides: what rebuilds all of this.
-  Digest text_digest;     ///< Of the scene text and all that it includes.
+  double frame = 1;       ///< Frame number; frames may be fractional.
+  bool animated = false;  ///< Part of the scene depends on the frame.
+  std::string recipe;     ///< The scene text with its overrides, from which the shot can be rebuilt.
+  Digest text_digest;     ///< Digest of the scene text and of all included texts.
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;
   std::vector<PointInstancer> instancers;
   std::vector<CameraPlan> cameras;
-  std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lamps and skies.
+  std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lights with their names.
   render::MediumPtr medium;
   std::string medium_name;
-  std::vector<std::pair<std::string, render::MaterialPtr>> materials;  ///< Those with names.
-  VolumePtr medium_volume;  ///< Whose density the medium has, if it needs one.
+  std::vector<std::pair<std::string, render::MaterialPtr>> materials;  ///< Named materials.
+  VolumePtr medium_volume;  ///< Density of the medium, if it needs one.
   std::vector<RenderPlan> renders;
   std::vector<Derivation> derivations;
   std::vector<LSystemPtr> lsystems;
 
-  /// Where its lists end, to tell later what has been added to them.
+  /// The sizes of all lists, from which `delta` finds later additions.
   struct Snapshot {
     std::vector<size_t> lists;
     bool medium = false;
   };
   Snapshot snapshot() const;
-  /// What has been added since, in a shot of its own.
+  /// A shot with the additions since the snapshot.
   Shot delta(const Snapshot& snapshot) const;
-  /// Takes in what another shot declares: all its lists, and its medium if it has one.
+  /// Appends all lists of another shot and takes its medium, if it has one.
   void add(const Shot& more);
 };
 

@@ -1,7 +1,7 @@
 // A heavy scene: 40 million triangles of their own and 2,000 instances of stones. Tells what memory
 // and time were promised before, and what they were.
 //   bench_crowd [millions of triangles] [instances] [samples per pixel]
-#include "../peak.h"
+#include "../peak_memory.h"
 
 #include <vug/base/memory.h>
 #include <vug/base/rng.h>

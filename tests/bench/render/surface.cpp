@@ -2,7 +2,7 @@
 // second on one thread. Once for each, as the peak is that of the process.
 //   bench_surface SCENE.vug mesh|direct [NAME=VALUE ...]
 // Rays go from the camera, and from where they end on over four bounces, each with a shadow ray.
-#include "../peak.h"
+#include "../peak_memory.h"
 
 #include <vug/base/error.h>
 #include <vug/base/memory.h>

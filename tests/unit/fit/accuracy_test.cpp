@@ -1,12 +1,13 @@
 // How right trees and looks are on photographed facades whose pixels people have labelled; see
-// docs/explanation/theory/facades.md. A share of them, unless VUG_ACCURACY=all asks for the figures.
+// docs/explanation/theory/facades.md. A share of them, unless VUG_ACCURACY=all asks for the
+// figures.
 #include "../scan/external_data.h"
 
 #include <vug/base/rng.h>
 #include <vug/fit/evidence/cluster_image.h>
-#include <vug/fit/model/compile.h>
 #include <vug/fit/learning/confusion.h>
 #include <vug/fit/learning/labelling.h>
+#include <vug/fit/model/compile.h>
 
 #include <gtest/gtest.h>
 
@@ -27,14 +28,14 @@ bool all_asked_for() {
 }
 
 /// Read once for all tests; each fifth one unless all are asked for.
-const std::vector<Labelled>& facades() {
-  static const std::vector<Labelled> found = [] {
+const std::vector<LabelledImage>& facades() {
+  static const std::vector<LabelledImage> found = [] {
     const std::filesystem::path folder = external_data();
     if (folder.empty() || !std::filesystem::is_directory(folder / "facades/labels"))
-      return std::vector<Labelled>{};
-    std::vector<Labelled> read = read_labelled_folder(folder / "facades", kClasses);
+      return std::vector<LabelledImage>{};
+    std::vector<LabelledImage> read = read_labelled_folder(folder / "facades", kClasses);
     if (all_asked_for()) return read;
-    std::vector<Labelled> some;
+    std::vector<LabelledImage> some;
     for (size_t i = 0; i < read.size(); i += 5) some.push_back(std::move(read[i]));
     return some;
   }();
@@ -44,12 +45,12 @@ const std::vector<Labelled>& facades() {
 /// Pixels that are windows, or are taken for some, and those that are both; of all pictures.
 class Windows {
  public:
-  void add(const Labelled& truth, const std::vector<Seen>& seen) {
-    const std::vector<uint8_t> looks = looks_of(seen, truth.photo.width, truth.photo.height);
+  void add(const LabelledImage& truth, const std::vector<DetectedElement>& seen) {
+    const std::vector<uint8_t> looks = region_map(seen, truth.photo.width, truth.photo.height);
     double both = 0, any = 0;
     for (size_t i = 0; i < looks.size(); ++i) {
-      if (truth.labels[i] == kVoid) continue;
-      const bool found = static_cast<Look>(looks[i]) == Look::window;
+      if (truth.labels[i] == kUnlabelled) continue;
+      const bool found = static_cast<RegionType>(looks[i]) == RegionType::window;
       const bool there = truth.labels[i] == kWindow;
       both += found && there ? 1 : 0;
       any += found || there ? 1 : 0;
@@ -72,10 +73,10 @@ class Accuracy : public testing::Test {
       GTEST_SKIP() << "VUG_EXTERNAL_DATA names no folder with facades/images and facades/labels";
   }
   /// In small pictures few pixels are a window's.
-  static ReadOptions options(const char* likelihood) {
-    ReadOptions out;
+  static FitOptions options(const char* likelihood) {
+    FitOptions out;
     out.likelihood = likelihood;
-    out.limits.least = 3;
+    out.limits.min_size = 3;
     out.sampler.steps = 50'000;
     return out;
   }
@@ -83,22 +84,22 @@ class Accuracy : public testing::Test {
 };
 
 TEST_F(Accuracy, TrainedLooks) {
-  LookOptions looks;
+  PixelClassifierOptions looks;
   if (!all_asked_for()) looks.first.trees = looks.second.trees = 8;
-  Confusion maps_alone(kClasses.count()), with_tree(kClasses.count());
+  ConfusionMatrix maps_alone(kClasses.count()), with_tree(kClasses.count());
   Windows windows;
-  cross_validate(
-      facades(), kClasses, {}, looks, 5, RandomKey(1), [&](size_t k, const Planes& maps) {
-        const Labelled& truth = facades()[k];
-        const Reading reading =
-            read(look_evidence(maps, kClasses), rules_, options("supervised"), RandomKey(1));
-        maps_alone.add(truth.labels, most_likely(maps));
-        with_tree.add(truth.labels, labels(maps, kClasses, reading.seen));
-        windows.add(truth, reading.seen);
-      });
-  const auto tell = [](const char* what, const Confusion& table) {
+  cross_validate(facades(), kClasses, {}, looks, 5, RandomKey(1),
+                 [&](size_t k, const Planes& maps) {
+                   const LabelledImage& truth = facades()[k];
+                   const FitResult reading = fit_facade(classifier_evidence(maps, kClasses), rules_,
+                                                        options("supervised"), RandomKey(1));
+                   maps_alone.add(truth.labels, most_likely_classes(maps));
+                   with_tree.add(truth.labels, label_pixels(maps, kClasses, reading.elements));
+                   windows.add(truth, reading.elements);
+                 });
+  const auto tell = [](const char* what, const ConfusionMatrix& table) {
     std::printf("%s: pixel accuracy %.3f, class average %.3f, window overlap %.3f\n%s", what,
-                table.accuracy(), table.class_average(), table.overlap(kWindow),
+                table.accuracy(), table.class_average(), table.iou(kWindow),
                 table.table(kClasses).c_str());
   };
   tell("maps alone", maps_alone);
@@ -107,17 +108,18 @@ TEST_F(Accuracy, TrainedLooks) {
   // Nine facades teach less than forty-two.
   const bool all = all_asked_for();
   EXPECT_GT(with_tree.accuracy(), all ? 0.80 : 0.75);
-  EXPECT_GT(with_tree.overlap(kWindow), all ? 0.50 : 0.40);
+  EXPECT_GT(with_tree.iou(kWindow), all ? 0.50 : 0.40);
   EXPECT_GT(windows.overlap(), all ? 0.50 : 0.40);
 }
 
 TEST_F(Accuracy, WithoutTraining) {
   for (const char* likelihood : {"kt", "paper"}) {
     Windows windows;
-    for (const Labelled& facade : facades()) {
+    for (const LabelledImage& facade : facades()) {
       const ClusterImage clusters = cluster_image(&facade.photo, nullptr, {}, RandomKey(1));
-      windows.add(facade,
-                  read(clusters.evidence(), rules_, options(likelihood), RandomKey(1)).seen);
+      windows.add(
+          facade,
+          fit_facade(clusters.evidence(), rules_, options(likelihood), RandomKey(1)).elements);
     }
     std::printf("%s: windows of the trees: overlap %.3f\n", likelihood, windows.overlap());
     if (likelihood == std::string("kt")) {
@@ -127,7 +129,7 @@ TEST_F(Accuracy, WithoutTraining) {
 }
 
 /// Maps that are sure of the label, or in every tenth pixel of another class.
-Planes flipped(const Labelled& facade, RandomKey key) {
+Planes flipped(const LabelledImage& facade, RandomKey key) {
   constexpr double kFlipped = 0.1;
   const auto others = static_cast<uint32_t>(kClasses.count() - 1);
   Planes out{
@@ -137,7 +139,7 @@ Planes flipped(const Labelled& facade, RandomKey key) {
   RandomStream stream(key);
   for (size_t i = 0; i < facade.labels.size(); ++i) {
     size_t label = facade.labels[i];
-    if (label == kVoid) label = 4;
+    if (label == kUnlabelled) label = 4;
     if (stream.uniform() < kFlipped) label = (label + 1 + stream.below(others)) % (others + 1);
     out.planes[label][i] = static_cast<float>(1 - kFlipped);
   }
@@ -148,9 +150,10 @@ TEST_F(Accuracy, LabelsOfWhichATenthIsFlipped) {
   Windows windows;
   for (size_t k = 0; k < facades().size(); ++k) {
     // These maps are right about themselves.
-    const Evidence evidence =
-        look_evidence(flipped(facades()[k], RandomKey(k)), kClasses, {.windows = 1, .unnamed = 0});
-    windows.add(facades()[k], read(evidence, rules_, options("supervised"), RandomKey(1)).seen);
+    const Evidence evidence = classifier_evidence(flipped(facades()[k], RandomKey(k)), kClasses,
+                                                  {.windows = 1, .unnamed = 0});
+    windows.add(facades()[k],
+                fit_facade(evidence, rules_, options("supervised"), RandomKey(1)).elements);
   }
   std::printf("flipped labels: windows of the trees: overlap %.3f, mean over facades %.3f\n",
               windows.overlap(), windows.mean_overlap());
@@ -162,12 +165,13 @@ TEST_F(Accuracy, OtherSeedsEndInTheSameTree) {
   const size_t count = std::min<size_t>(facades().size(), all_asked_for() ? 12 : 1);
   size_t same = 0;
   for (size_t k = 0; k < count; ++k) {
-    const Labelled& facade = facades()[k];
+    const LabelledImage& facade = facades()[k];
     const Evidence evidence =
-        look_evidence(flipped(facade, RandomKey(k)), kClasses, {.windows = 1, .unnamed = 0});
+        classifier_evidence(flipped(facade, RandomKey(k)), kClasses, {.windows = 1, .unnamed = 0});
     std::map<std::pair<double, std::string>, int> ends;
     for (uint64_t seed = 1; seed <= 10; ++seed) {
-      const Report found = read(evidence, rules_, options("supervised"), RandomKey(seed)).report;
+      const Report found =
+          fit_facade(evidence, rules_, options("supervised"), RandomKey(seed)).report;
       ++ends[{found.bits, found.structure}];
     }
     int most = 0;

@@ -1,6 +1,6 @@
 // The sampler's states come as often as they should: over all trees of small grammars, for all
 // moves together and each alone.
-#include "toys.h"
+#include "enumeration.h"
 
 #include <vug/fit/move.h>
 
@@ -24,11 +24,11 @@ struct Toy {
 
 Limits tiny(int lines, int elements = 2) {
   Limits limits;
-  limits.least = 1;
-  limits.most_lines = lines;
-  limits.most_elements = elements;
-  limits.most_repeats = 3;
-  limits.most_kinds = 2;
+  limits.min_size = 1;
+  limits.max_lines = lines;
+  limits.max_elements = elements;
+  limits.max_repeats = 3;
+  limits.max_kinds = 2;
   return limits;
 }
 
@@ -98,7 +98,7 @@ std::map<std::string, double> exact(const Model& model, double temperature) {
   std::map<std::string, double> out;
   double sum = 0;
   Enumeration(model, [&](const Tree& tree) {
-    State state = model.state_of(tree);
+    TreeState state = model.make_state(tree);
     const double p = std::exp2(-model.energy(state) / temperature);
     const auto [at, fresh] = out.emplace(name_of(tree), p);
     EXPECT_TRUE(fresh) << "the enumeration has a tree twice";
@@ -122,7 +122,7 @@ double total_variation(const std::map<std::string, double>& probabilities,
 }
 
 /// Names are made once for each stay in a state.
-std::map<std::string, int64_t> visits(Chain<State>& chain, int64_t steps) {
+std::map<std::string, int64_t> visits(Chain<TreeState>& chain, int64_t steps) {
   std::map<std::string, int64_t> counts;
   Tree last = chain.state().tree;
   int64_t stay = 0;
@@ -153,26 +153,27 @@ constexpr double kTemperature = 12;
 struct Bench {
   explicit Bench(const Toy& toy)
       : rules(rules_of(toy.rules)),
-        evidence(Evidence::of_clusters(toy.width, toy.height, 2, picture(toy.width, toy.height))),
+        evidence(Evidence::from_clusters(toy.width, toy.height, 2, picture(toy.width, toy.height))),
         model(rules, toy.limits, toy.width, toy.height, &evidence, make_likelihood("kt", evidence)),
         prior(rules, toy.limits, toy.width, toy.height),
-        hints(Hints::none(toy.width, toy.height)) {}
-  Chain<State>::Energy energy(const Model& of) const {
-    return [&of](State& state) { return of.energy(state); };
+        hints(EdgeHints::uniform(toy.width, toy.height)) {}
+  Chain<TreeState>::Energy energy(const Model& of) const {
+    return [&of](TreeState& state) { return of.energy(state); };
   }
   const Rules rules;
   const Evidence evidence;
   const Model model, prior;
-  const Hints hints;
-  const Workshop shop{model, hints};
+  const EdgeHints hints;
+  const MoveContext context{model, hints};
 };
 
-double distance(const Toy& toy, int64_t steps, Chain<State>::Options options) {
+double distance(const Toy& toy, int64_t steps, Chain<TreeState>::Options options) {
   const Bench bench(toy);
-  const inference::Moves<State> some = moves(bench.shop, toy.moves);
+  const inference::Moves<TreeState> some = moves(bench.context, toy.moves);
   EXPECT_EQ(some.size(), toy.moves.size());
   options.temperature = kTemperature;
-  Chain<State> chain(some, bench.energy(bench.model), bench.model.start(), RandomKey(3), options);
+  Chain<TreeState> chain(some, bench.energy(bench.model), bench.model.axiom_state(), RandomKey(3),
+                         options);
   return total_variation(exact(bench.model, kTemperature), visits(chain, steps), steps);
 }
 
@@ -190,13 +191,14 @@ TEST(FacadeChain, WithoutTheRatioOfProposalsTheyDoNot) {
 }
 
 /// One of the trees that the move can be made from.
-State start_for(const Bench& bench, const inference::Move<State>& move,
-                const std::vector<Tree>& trees, RandomStream& stream) {
+TreeState start_for(const Bench& bench, const inference::Move<TreeState>& move,
+                    const std::vector<Tree>& trees, RandomStream& stream) {
   Choices forward, back;
   for (int tries = 0; tries < 100'000; ++tries) {
-    State state = bench.prior.state_of(trees[stream.below(static_cast<uint32_t>(trees.size()))]);
+    TreeState state =
+        bench.prior.make_state(trees[stream.below(static_cast<uint32_t>(trees.size()))]);
     bench.prior.energy(state);
-    State next = state;
+    TreeState next = state;
     forward.draw(stream);
     back.score();
     if (move.propose(next, forward, back) && std::isfinite(bench.prior.energy(next)) &&
@@ -204,7 +206,7 @@ State start_for(const Bench& bench, const inference::Move<State>& move,
       return state;
   }
   ADD_FAILURE() << move.name << " can be made from no tree";
-  return bench.prior.start();
+  return bench.prior.axiom_state();
 }
 
 /// From each tree that a move can be made from, that move alone keeps the prior of what it reaches.
@@ -217,12 +219,13 @@ TEST(FacadeChain, EachMoveAloneKeepsThePrior) {
     const auto truth = exact(bench.prior, kTemperature);
     RandomStream stream{RandomKey(8)};
     for (const std::string& name : toy.moves) {
-      const inference::Moves<State> one = moves(bench.shop, {name});
+      const inference::Moves<TreeState> one = moves(bench.context, {name});
       size_t most = 0;
       for (int start = 0; start < 2; ++start) {
-        State state = start_for(bench, one.front(), trees, stream);
-        Chain<State> chain(one, bench.energy(bench.prior), state,
-                           RandomKey(static_cast<uint64_t>(start)), {.temperature = kTemperature});
+        TreeState state = start_for(bench, one.front(), trees, stream);
+        Chain<TreeState> chain(one, bench.energy(bench.prior), state,
+                               RandomKey(static_cast<uint64_t>(start)),
+                               {.temperature = kTemperature});
         constexpr int64_t kSteps = 200'000;
         const auto counts = visits(chain, kSteps);
         std::map<std::string, double> among;

@@ -11,8 +11,8 @@
 namespace vug::fit {
 namespace {
 
-ReadOptions quick() {
-  ReadOptions options;
+FitOptions quick() {
+  FitOptions options;
   options.sampler.steps = 2000;
   options.runs = 1;
   return options;
@@ -20,7 +20,7 @@ ReadOptions quick() {
 
 Model model_of(const RandomFacade& facade, const Evidence& pixels) {
   return Model(ripperda(), quick().limits, facade.width, facade.height, &pixels,
-               make_likelihood("kt", pixels), quick().trust);
+               make_likelihood("kt", pixels), quick().pixel_weight);
 }
 
 /// Many trees draw the same picture. The truth is the shortest that is known of the picture without
@@ -28,20 +28,20 @@ Model model_of(const RandomFacade& facade, const Evidence& pixels) {
 /// a shorter one that reading finds.
 Tree shortest(const RandomFacade& facade) {
   const Evidence clean =
-      Evidence::of_clusters(facade.width, facade.height, RandomFacade::kClasses, facade.classes);
+      Evidence::from_clusters(facade.width, facade.height, RandomFacade::kClasses, facade.classes);
   const Model model = model_of(facade, clean);
-  const Hints hints = Hints::of_clusters(clean);
-  State derived = model.state_of(facade.tree);
+  const EdgeHints hints = EdgeHints::from_clusters(clean);
+  TreeState derived = model.make_state(facade.tree);
   const double bits = polish({model, hints}, clean, derived).after;
-  const Reading found = read(clean, ripperda(), quick(), RandomKey(2));
+  const FitResult found = fit_facade(clean, ripperda(), quick(), RandomKey(2));
   return found.report.bits < bits - 1e-6 ? found.tree : derived.tree;
 }
 
 std::vector<Rect> windows_of(const Model& model, const Tree& tree) {
   std::vector<Rect> out;
-  State state = model.state_of(tree);
+  TreeState state = model.make_state(tree);
   EXPECT_TRUE(std::isfinite(model.energy(state)));
-  model.each_terminal(state, [&](Look, int, const Rect& r) { out.push_back(r); });
+  model.each_terminal(state, [&](RegionType, int, const Rect& r) { out.push_back(r); });
   return out;
 }
 
@@ -55,22 +55,22 @@ TEST(ClosedLoop, CountsStructuresAndEdgesComeBack) {
     if (!facade) continue;
     ++read_back;
     const Evidence pixels =
-        Evidence::of_clusters(facade->width, facade->height, RandomFacade::kClasses,
-                              facade->noisy(0.05, RandomKey(77).at(seed)));
+        Evidence::from_clusters(facade->width, facade->height, RandomFacade::kClasses,
+                                facade->noisy(0.05, RandomKey(77).at(seed)));
     const Tree truth = shortest(*facade);
-    const Reading found = read(pixels, ripperda(), quick(), RandomKey(1));
+    const FitResult found = fit_facade(pixels, ripperda(), quick(), RandomKey(1));
     const Model model = model_of(*facade, pixels);
-    const Hints hints = Hints::of_clusters(pixels);
-    State best = model.state_of(truth);
+    const EdgeHints hints = EdgeHints::from_clusters(pixels);
+    TreeState best = model.make_state(truth);
     const double bits = polish({model, hints}, pixels, best).after;
     // Of trees of one length none is more right than the other.
     const bool tie = std::fabs(found.report.bits - bits) < 0.05;
     structures += tie || found.report.structure == structure_of(ripperda(), truth) ? 1 : 0;
     const std::vector<Rect> windows = windows_of(model, truth);
-    counts += windows.size() == found.seen.size() ? 1 : 0;
+    counts += windows.size() == found.elements.size() ? 1 : 0;
     for (const Rect& r : windows) {
       double nearest = 1e9;
-      for (const Seen& one : found.seen)
+      for (const DetectedElement& one : found.elements)
         nearest = std::min<double>(
             nearest, std::max({std::abs(one.rect.x0 - r.x0), std::abs(one.rect.x1 - r.x1),
                                std::abs(one.rect.y0 - r.y0), std::abs(one.rect.y1 - r.y1)}));
@@ -85,22 +85,22 @@ TEST(ClosedLoop, CountsStructuresAndEdgesComeBack) {
 TEST(ClosedLoop, ChainsOfOtherSeedsEndInTheSameTree) {
   const auto facade = random_facade(5);
   ASSERT_TRUE(facade);
-  const Evidence pixels = Evidence::of_clusters(
+  const Evidence pixels = Evidence::from_clusters(
       facade->width, facade->height, RandomFacade::kClasses, facade->noisy(0.2, RandomKey(3)));
-  ReadOptions options = quick();
+  FitOptions options = quick();
   options.sampler.steps = 20'000;
-  std::vector<Reading> found;
+  std::vector<FitResult> found;
   double least = 1e300;
   std::vector<double> rates(7, 0);  // of each pair of neighbours, over all seeds
   for (uint64_t key = 0; key < 10; ++key) {
-    found.push_back(read(pixels, ripperda(), options, RandomKey(key)));
+    found.push_back(fit_facade(pixels, ripperda(), options, RandomKey(key)));
     least = std::min(least, found.back().report.bits);
     ASSERT_EQ(found.back().report.swap_rates.size(), rates.size());
     for (size_t pair = 0; pair < rates.size(); ++pair)
       rates[pair] += found.back().report.swap_rates[pair] / 10;
   }
   int same = 0;
-  for (const Reading& one : found)
+  for (const FitResult& one : found)
     same += one.report.bits < least + 3 && one.report.structure == found[0].report.structure;
   EXPECT_GE(same, 9);
   const double mean = std::accumulate(rates.begin(), rates.end(), 0.0) / 7;

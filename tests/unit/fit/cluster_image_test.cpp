@@ -30,23 +30,23 @@ TEST(WorkingSize, KeepsProportionsAndSmallPictures) {
 TEST(WorkingSize, MeansOverParts) {
   image::Image line(3, 1, {"Z"});
   line.pixels = {3, 6, 9};
-  EXPECT_EQ(reduced(line, {1, 1}).pixels, std::vector<float>{6});
+  EXPECT_EQ(downsampled(line, {1, 1}).pixels, std::vector<float>{6});
   // Two halves of 1.5 pixels each.
-  EXPECT_EQ(reduced(line, {2, 1}).pixels, (std::vector<float>{4, 8}));
+  EXPECT_EQ(downsampled(line, {2, 1}).pixels, (std::vector<float>{4, 8}));
   line.pixels = {3, kHole, 9};
-  EXPECT_EQ(reduced(line, {2, 1}).pixels, (std::vector<float>{3, 9}));
+  EXPECT_EQ(downsampled(line, {2, 1}).pixels, (std::vector<float>{3, 9}));
   line.pixels = {3, kHole, kHole};
-  EXPECT_TRUE(std::isnan(reduced(line, {1, 1}).pixels[0])) << "mostly a hole";
+  EXPECT_TRUE(std::isnan(downsampled(line, {1, 1}).pixels[0])) << "mostly a hole";
   EXPECT_EQ(resampled({1, 2, 3}, {3, 1}, {1, 1}), std::vector<uint8_t>{2});
   EXPECT_EQ(resampled({1, 2}, {2, 1}, {4, 2}), (std::vector<uint8_t>{1, 1, 2, 2, 1, 1, 2, 2}));
   EXPECT_THROW(resampled({}, {0, 0}, {1, 1}), Error);
-  EXPECT_THROW(reduced(line, {4, 1}), Error);
-  EXPECT_THROW(reduced(line, {0, 1}), Error);
+  EXPECT_THROW(downsampled(line, {4, 1}), Error);
+  EXPECT_THROW(downsampled(line, {0, 1}), Error);
 }
 
 TEST(WorkingSize, MeansAreKept) {
   const PaintedFacade facade = painted(1, 121, 163);
-  const image::Image small = reduced(facade.photo, {40, 50});
+  const image::Image small = downsampled(facade.photo, {40, 50});
   const auto mean = [](const image::Image& of) {
     double sum = 0;
     for (const float v : of.pixels) sum += v;
@@ -84,7 +84,7 @@ TEST(ClusterImage, TheFirstIsGlassInPhotosOfAnyLight) {
     const ClusterImage found = cluster_image(&facade.photo, nullptr, {}, RandomKey(1));
     EXPECT_EQ(found.clusters, 2);
     // Less its rows of sky and shop, where contrast fools it.
-    std::vector<bool> glass = is(found.of, 0), windows = is(facade.classes, kWindow);
+    std::vector<bool> glass = is(found.labels, 0), windows = is(facade.classes, kWindow);
     for (size_t i = 0; i < glass.size(); ++i)
       if (facade.classes[i] != kWindow && facade.classes[i] != kStone) glass[i] = false;
     EXPECT_GT(overlap(glass, windows), 0.7) << number;
@@ -110,7 +110,7 @@ TEST(ClusterImage, DepthDecidesAndHolesAreEvidence) {
     const ClusterImage found = cluster_image(&facade.photo, &depth, {}, RandomKey(1));
     EXPECT_EQ(found.clusters, holes ? 3 : 2) << "noise makes no clusters of its own";
     std::vector<bool> deep;
-    for (const uint8_t of : found.of) deep.push_back(of <= (holes ? 1 : 0));
+    for (const uint8_t of : found.labels) deep.push_back(of <= (holes ? 1 : 0));
     EXPECT_GT(overlap(deep, is(facade.classes, kWindow)), 0.95);
   }
 }
@@ -127,7 +127,7 @@ TEST(ClusterImage, PanesAndTheirFramesAreOneDepth) {
   EXPECT_EQ(found.clusters, 2);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
-      EXPECT_EQ(found.of[static_cast<size_t>(y * kSide + x)],
+      EXPECT_EQ(found.labels[static_cast<size_t>(y * kSide + x)],
                 std::min({x - 8, 20 - x, y - 8, 20 - y}) < 0 ? 1 : 0);
 }
 
@@ -135,8 +135,8 @@ TEST(ClusterImage, FlatDepthsLeaveItToThePhoto) {
   const PaintedFacade facade = painted(1);
   image::Image depth(facade.width(), facade.height(), {"Z"});
   for (float& v : depth.pixels) v = 5;
-  EXPECT_EQ(cluster_image(&facade.photo, &depth, {}, RandomKey(1)).of,
-            cluster_image(&facade.photo, nullptr, {}, RandomKey(1)).of);
+  EXPECT_EQ(cluster_image(&facade.photo, &depth, {}, RandomKey(1)).labels,
+            cluster_image(&facade.photo, nullptr, {}, RandomKey(1)).labels);
   EXPECT_EQ(cluster_image(nullptr, &depth, {}, RandomKey(1)).clusters, 1);
   for (float& v : depth.pixels) v = kHole;
   EXPECT_EQ(cluster_image(nullptr, &depth, {}, RandomKey(1)).clusters, 1) << "nothing but holes";
@@ -148,7 +148,7 @@ TEST(ClusterImage, PlainAndTinyAndBrokenPictures) {
   plain.pixels[5] = kHole;
   EXPECT_EQ(cluster_image(&plain, nullptr, {}, RandomKey(1)).clusters, 1) << "NaN is black";
   const image::Image pixel(1, 1, {"R", "G", "B"});
-  EXPECT_EQ(cluster_image(&pixel, nullptr, {}, RandomKey(1)).of, std::vector<uint8_t>{0});
+  EXPECT_EQ(cluster_image(&pixel, nullptr, {}, RandomKey(1)).labels, std::vector<uint8_t>{0});
   const image::Image depth(2, 1, {"Z"});
   EXPECT_THROW(cluster_image(&pixel, &depth, {}, RandomKey(1)), Error);
   EXPECT_THROW(cluster_image(nullptr, nullptr, {}, RandomKey(1)), Error);
@@ -163,8 +163,8 @@ TEST(ClusterImage, AnyNumberOfThreadsFindsTheSame) {
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
     const ClusterImage found = cluster_image(&facade.photo, nullptr, {}, RandomKey(3));
-    if (threads == 1) first = found.of;
-    EXPECT_EQ(found.of, first);
+    if (threads == 1) first = found.labels;
+    EXPECT_EQ(found.labels, first);
   }
 }
 

@@ -36,7 +36,7 @@ TEST(Compile, ThePublishedGrammarHasItsSymbolsAndRules) {
 TEST(Compile, TheWorkedExampleOfTheComplexity) {
   const Rules rules = ripperda();
   const Model model(rules, {}, 500, 700);
-  State state = model.start();
+  TreeState state = model.axiom_state();
   const auto way = [&](const std::string& head, const std::string& part) {
     for (size_t i = 0; i < rules.productions.size(); ++i)
       if (rules.symbol(rules.productions[i].head).name == head &&
@@ -45,12 +45,12 @@ TEST(Compile, TheWorkedExampleOfTheComplexity) {
     return -1;
   };
   Node grid, window;
-  grid.made_by = static_cast<int8_t>(Op::grid), grid.columns = 4, grid.rows = 5;
+  grid.parent_op = static_cast<int8_t>(Op::grid), grid.columns = 4, grid.rows = 5;
   for (int i = 0; i < 5; ++i) {
     if (i < 4) grid.left[static_cast<size_t>(i)] = static_cast<int16_t>(20 + 110 * i);
     grid.top[static_cast<size_t>(i)] = static_cast<int16_t>(30 + 120 * i);
   }
-  window.made_by = static_cast<int8_t>(Op::windows), window.width = 50, window.height = 70;
+  window.parent_op = static_cast<int8_t>(Op::windows), window.width = 50, window.height = 70;
   const int first = way("Facade", "RegularIdenticalGrid"),
             second = way("RegularIdenticalGrid", "window");
   grid.symbol = static_cast<int16_t>(rules.production(first).parts[0]);

@@ -19,7 +19,7 @@ class Figure5 : public ::testing::Test {
   Figure5()
       : rules_(compile(facade::load_rules(VUG_DATA "/facades/ripperda.vug"))),
         model_(rules_, {}, kWidth, kHeight),
-        tree_(model_.start().tree) {}
+        tree_(model_.axiom_state().tree) {}
 
   /// The production of `head` into exactly these parts; a test fails where there is none.
   int production(const std::string& head, const std::vector<std::string>& parts) const {
@@ -40,7 +40,7 @@ class Figure5 : public ::testing::Test {
     const Production& rule = rules_.production(way);
     for (size_t k = 0; k < given.size(); ++k) {
       given[k].symbol = static_cast<int16_t>(rule.parts[std::min(k, rule.parts.size() - 1)]);
-      given[k].made_by = static_cast<int8_t>(rule.op);
+      given[k].parent_op = static_cast<int8_t>(rule.op);
     }
     tree_.grow(i, way, given);
   }
@@ -88,10 +88,10 @@ class Figure5 : public ::testing::Test {
 
   /// Bits of the tree so far; it is one, and the next begins anew.
   double complexity() {
-    State state = model_.state_of(tree_);
-    EXPECT_TRUE(model_.place(state));
+    TreeState state = model_.make_state(tree_);
+    EXPECT_TRUE(model_.compute_areas(state));
     const double bits = model_.complexity(tree_);
-    tree_ = model_.start().tree;
+    tree_ = model_.axiom_state().tree;
     return bits;
   }
 

@@ -1,5 +1,5 @@
 // Code lengths against their closed forms.
-#include "toys.h"
+#include "enumeration.h"
 
 #include <vug/fit/move.h>
 
@@ -22,12 +22,12 @@ Rules fifteen_symbols() {
 TEST(Model, ComplexityOfTheWorkedExample) {
   const Rules rules = fifteen_symbols();
   const Model model(rules, {}, 500, 700);
-  State state = model.start();
+  TreeState state = model.axiom_state();
   Node grid, window;
-  grid.symbol = 1, grid.made_by = static_cast<int8_t>(Op::grid);
+  grid.symbol = 1, grid.parent_op = static_cast<int8_t>(Op::grid);
   grid.columns = 3, grid.rows = 2;
   grid.left = {10, 110, 210}, grid.top = {20, 200};
-  window.symbol = 2, window.made_by = static_cast<int8_t>(Op::windows);
+  window.symbol = 2, window.parent_op = static_cast<int8_t>(Op::windows);
   window.width = 40, window.height = 60;
   state.grow(0, 0, {grid});
   state.grow(1, 1, {window});
@@ -53,27 +53,27 @@ TEST(Model, AMirrorImageHasTheSameScore) {
   constexpr int kWidth = 41, kHeight = 30;
   const Rules rules = rules_of({"Facade grid IdenticalGrid", "IdenticalGrid windows Window Door"});
   Node grid, window, door;
-  grid.symbol = 1, grid.made_by = static_cast<int8_t>(Op::grid), grid.columns = 2, grid.rows = 2;
+  grid.symbol = 1, grid.parent_op = static_cast<int8_t>(Op::grid), grid.columns = 2, grid.rows = 2;
   grid.left = {6, 28}, grid.top = {4, 18};
-  window.symbol = 2, window.made_by = static_cast<int8_t>(Op::windows);
+  window.symbol = 2, window.parent_op = static_cast<int8_t>(Op::windows);
   window.width = 7, window.height = 6;
   door = window;
   door.symbol = 3, door.x = 26, door.y = 20, door.width = 8, door.height = 10;
   double energies[2];
   for (const bool mirrored : {false, true}) {
     const Evidence pixels =
-        Evidence::of_clusters(kWidth, kHeight, 2, wall(kWidth, kHeight, mirrored));
+        Evidence::from_clusters(kWidth, kHeight, 2, wall(kWidth, kHeight, mirrored));
     const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood("kt", pixels));
-    State state = model.start();
+    TreeState state = model.axiom_state();
     Node g = grid, d = door;
     if (mirrored) g.left = {kWidth - 28 - 7, kWidth - 6 - 7}, d.x = kWidth - 26 - 8;
     state.grow(0, 0, {g});
     state.grow(1, 1, {window, d});
     energies[mirrored] = model.energy(state);
     int windows = 0;
-    model.each_terminal(state, [&](Look look, int, const Rect& rect) {
-      windows += look == Look::window ? 1 : 0;
-      if (look == Look::door) {
+    model.each_terminal(state, [&](RegionType type, int, const Rect& rect) {
+      windows += type == RegionType::window ? 1 : 0;
+      if (type == RegionType::door) {
         EXPECT_EQ(rect, (mirrored ? Rect{7, 20, 15, 30} : Rect{26, 20, 34, 30}));
       }
     });
@@ -87,15 +87,15 @@ TEST(Model, RepetitionsCostTheModelOnceAndThePixelsEachTime) {
   const Rules rules =
       rules_of({"Facade repeat Part", "Facade mirror Side", "Part grid RegularIdenticalGrid",
                 "RegularIdenticalGrid windows Window"});
-  const Evidence pixels = Evidence::of_clusters(kWidth, kHeight, 2, wall(kWidth, kHeight, false));
+  const Evidence pixels = Evidence::from_clusters(kWidth, kHeight, 2, wall(kWidth, kHeight, false));
   const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood("paper", pixels));
   Node part, grid, window;
-  part.symbol = 1, part.made_by = static_cast<int8_t>(Op::repeat), part.extent = kTimes;
-  grid.symbol = 3, grid.made_by = static_cast<int8_t>(Op::grid), grid.columns = 1, grid.rows = 2;
+  part.symbol = 1, part.parent_op = static_cast<int8_t>(Op::repeat), part.extent = kTimes;
+  grid.symbol = 3, grid.parent_op = static_cast<int8_t>(Op::grid), grid.columns = 1, grid.rows = 2;
   grid.left = {7}, grid.top = {4, 19};
-  window.symbol = 4, window.made_by = static_cast<int8_t>(Op::windows);
+  window.symbol = 4, window.parent_op = static_cast<int8_t>(Op::windows);
   window.width = 6, window.height = 6;
-  State state = model.start();
+  TreeState state = model.axiom_state();
   state.grow(0, 0, {part});
   state.grow(1, 2, {grid});
   state.grow(2, 3, {window});
@@ -117,14 +117,14 @@ TEST(Model, AnElementLeftEmptyCostsAsMuchAsOneWithSomething) {
       rules_of({"Row elements Element", "Element terminal Window", "Element terminal Door"});
   const Model model(rules, {}, 40, 20);
   Node element, window;
-  element.symbol = 1, element.made_by = static_cast<int8_t>(Op::elements), element.extent = 25;
+  element.symbol = 1, element.parent_op = static_cast<int8_t>(Op::elements), element.extent = 25;
   Node last = element;
   last.extent = 0;
-  window.symbol = 2, window.made_by = static_cast<int8_t>(Op::terminal);
+  window.symbol = 2, window.parent_op = static_cast<int8_t>(Op::terminal);
   window.width = 15, window.height = 20;
-  State empty = model.start();
+  TreeState empty = model.axiom_state();
   empty.grow(0, 0, {element, last});
-  State full = empty;
+  TreeState full = empty;
   full.grow(2, 1, {window});
   EXPECT_NEAR(model.energy(empty), model.energy(full), 1e-12);
   EXPECT_NEAR(model.energy(full), 3 * std::log2(4) + 6 + 2 * (std::log2(4) + 2 * (6 + 5)), 1e-12);
@@ -136,13 +136,13 @@ TEST(Model, WindowsOfAPartThatComesAgainDoNotTouchThemselves) {
   const Model model(rules, {}, 40, 20);
   const auto energy = [&](bool mirrored, int left) {
     Node side, grid, window;
-    side.symbol = 1, side.made_by = static_cast<int8_t>(Op::mirror);
-    grid.symbol = 2, grid.made_by = static_cast<int8_t>(Op::grid);
+    side.symbol = 1, side.parent_op = static_cast<int8_t>(Op::mirror);
+    grid.symbol = 2, grid.parent_op = static_cast<int8_t>(Op::grid);
     grid.columns = 1, grid.rows = 1;
     grid.left = {static_cast<int16_t>(left)}, grid.top = {3};
-    window.symbol = 3, window.made_by = static_cast<int8_t>(Op::windows);
+    window.symbol = 3, window.parent_op = static_cast<int8_t>(Op::windows);
     window.width = 6, window.height = 6;
-    State state = model.start();
+    TreeState state = model.axiom_state();
     if (mirrored) state.grow(0, 0, {side});
     state.grow(mirrored ? 1 : 0, mirrored ? 2 : 1, {grid});
     state.grow(mirrored ? 2 : 1, 3, {window});
@@ -154,10 +154,10 @@ TEST(Model, WindowsOfAPartThatComesAgainDoNotTouchThemselves) {
 }
 
 TEST(Likelihoods, KtIsTheClosedForm) {
-  const Evidence pixels = Evidence::of_clusters(2, 2, 2, {0, 0, 1, 0});
-  EXPECT_NEAR(make_likelihood("kt", pixels)->bits(Look::wall, pixels.sums(0, 0, 2, 2)),
+  const Evidence pixels = Evidence::from_clusters(2, 2, 2, {0, 0, 1, 0});
+  EXPECT_NEAR(make_likelihood("kt", pixels)->bits(RegionType::wall, pixels.sums(0, 0, 2, 2)),
               std::log2(128.0 / 5), 1e-12);
-  const Evidence many = Evidence::of_clusters(100, 30, 5, [] {
+  const Evidence many = Evidence::from_clusters(100, 30, 5, [] {
     std::vector<uint8_t> out;
     for (int i = 0; i < 3000; ++i) out.push_back(static_cast<uint8_t>(i * i % 5));
     return out;
@@ -166,23 +166,23 @@ TEST(Likelihoods, KtIsTheClosedForm) {
   double ln = std::lgamma(2.5) - std::lgamma(87 * 25 + 2.5);
   for (const uint32_t n : sums.lane)
     if (n > 0) ln += std::lgamma(n + 0.5) - std::lgamma(0.5);
-  EXPECT_NEAR(make_likelihood("kt", many)->bits(Look::wall, sums), -ln / std::log(2), 1e-7);
+  EXPECT_NEAR(make_likelihood("kt", many)->bits(RegionType::wall, sums), -ln / std::log(2), 1e-7);
 }
 
 TEST(Likelihoods, PaperCountsWhatIsNotOfTheMainCluster) {
-  const Evidence pixels = Evidence::of_clusters(3, 2, 4, {0, 1, 0, 3, 0, 2});
-  EXPECT_DOUBLE_EQ(make_likelihood("paper", pixels)->bits(Look::wall, pixels.sums(0, 0, 3, 2)),
-                   3 * 2);
+  const Evidence pixels = Evidence::from_clusters(3, 2, 4, {0, 1, 0, 3, 0, 2});
+  EXPECT_DOUBLE_EQ(
+      make_likelihood("paper", pixels)->bits(RegionType::wall, pixels.sums(0, 0, 3, 2)), 3 * 2);
 }
 
 TEST(Likelihoods, SupervisedAddsUpTheLookOfTheRegion) {
   std::vector<uint32_t> bits;
   for (uint32_t i = 0; i < 6; ++i)
-    for (uint32_t look = 0; look < 4; ++look) bits.push_back(64 * (look + i));
+    for (uint32_t type = 0; type < 4; ++type) bits.push_back(64 * (type + i));
   const Evidence maps(3, 2, 4, bits);
   const LikelihoodPtr likelihood = make_likelihood("supervised", maps);
-  EXPECT_DOUBLE_EQ(likelihood->bits(Look::door, maps.sums(0, 0, 3, 1)), 2 * 3 + 0 + 1 + 2);
-  EXPECT_THROW(make_likelihood("supervised", Evidence::of_clusters(1, 1, 2, {0})), Error);
+  EXPECT_DOUBLE_EQ(likelihood->bits(RegionType::door, maps.sums(0, 0, 3, 1)), 2 * 3 + 0 + 1 + 2);
+  EXPECT_THROW(make_likelihood("supervised", Evidence::from_clusters(1, 1, 2, {0})), Error);
   EXPECT_THROW(make_likelihood("kl", maps), Error);
 }
 
@@ -209,7 +209,7 @@ TEST(Evidence, SumsAreThoseOfEachPixel) {
   EXPECT_THROW(Evidence(0, 1, 1, {}), Error);
   EXPECT_THROW(Evidence(2, 1, 1, {1}), Error);
   EXPECT_THROW(Evidence(2, 1, 1, {4294967295u, 1}), Error);
-  EXPECT_THROW(Evidence::of_clusters(1, 1, 2, {2}), Error);
+  EXPECT_THROW(Evidence::from_clusters(1, 1, 2, {2}), Error);
 }
 
 }  // namespace

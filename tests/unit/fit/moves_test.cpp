@@ -1,6 +1,6 @@
 // Every move leads back by the choices it tells, with the probabilities it tells, bit for bit.
-#include "toys.h"
-#include "walk.h"
+#include "enumeration.h"
+#include "random_walk.h"
 
 #include <vug/fit/search/sampler.h>
 
@@ -54,7 +54,7 @@ inference::DiscreteDistribution lumpy(int size, uint64_t seed) {
   return inference::DiscreteDistribution(weights);
 }
 
-Hints lumpy_hints(int width, int height) {
+EdgeHints lumpy_hints(int width, int height) {
   return {lumpy(width + 1, 1), lumpy(width + 1, 2), lumpy(height + 1, 3), lumpy(height + 1, 4),
           lumpy(height + 1, 5)};
 }
@@ -68,9 +68,9 @@ std::vector<uint8_t> noise(int count, int clusters) {
 }
 
 /// A grid of windows that is said once of several parts of the facade.
-State folded(const Model& model, Op op) {
+TreeState folded(const Model& model, Op op) {
   const Rules& rules = model.rules();
-  State state = model.start();
+  TreeState state = model.axiom_state();
   const auto way = [&](int i, Op wanted, const std::string& part) {
     for (const int at : rules.productions_of(state.tree[i].symbol))
       if (rules.production(at).op == wanted && rules.production(at).parts.size() == 1 &&
@@ -80,7 +80,7 @@ State folded(const Model& model, Op op) {
   };
   const auto grow = [&](int i, int production, Node node) {
     node.symbol = static_cast<int16_t>(rules.production(production).parts[0]);
-    node.made_by = static_cast<int8_t>(rules.production(production).op);
+    node.parent_op = static_cast<int8_t>(rules.production(production).op);
     state.grow(i, production, {node});
   };
   Node part, grid, window;
@@ -98,29 +98,29 @@ TEST(Moves, LeadBackByTheChoicesTheyTell) {
   constexpr int kWidth = 61, kHeight = 47;
   const Rules rules = all_rules();
   Limits limits;
-  limits.least = 2;
-  limits.most_kinds = 3;
+  limits.min_size = 2;
+  limits.max_kinds = 3;
   const Model model(rules, limits, kWidth, kHeight);
-  const Hints hints = lumpy_hints(kWidth, kHeight);
-  const Workshop shop{model, hints};
-  const inference::Moves<State> all = moves(shop);
+  const EdgeHints hints = lumpy_hints(kWidth, kHeight);
+  const MoveContext context{model, hints};
+  const inference::Moves<TreeState> all = moves(context);
   ASSERT_EQ(all.size(), move_kinds().size());
   RandomStream stream{RandomKey(2)};
   Choices forward, back, again, returned;
   std::map<std::string, int> done;
-  State here = model.start();
+  TreeState here = model.axiom_state();
   model.energy(here);
   for (int count = 0, tries = 0; count < 100'000; ++tries) {
     ASSERT_LT(tries, 1'000'000);
-    const inference::Move<State>& move = all[stream.below(static_cast<uint32_t>(all.size()))];
-    State state = here;
+    const inference::Move<TreeState>& move = all[stream.below(static_cast<uint32_t>(all.size()))];
+    TreeState state = here;
     forward.draw(stream);
     back.score();
     if (!move.propose(state, forward, back) || !std::isfinite(model.energy(state))) continue;
     ++count, ++done[move.name];
     ASSERT_TRUE(forward.possible()) << move.name;
     ASSERT_TRUE(back.possible()) << move.name;
-    State there = state;
+    TreeState there = state;
     again.replay(back.trace());
     returned.score();
     ASSERT_TRUE(move.propose(there, again, returned)) << move.name;
@@ -135,7 +135,7 @@ TEST(Moves, LeadBackByTheChoicesTheyTell) {
     if (here.tree.size() > 30 || tries % 500 == 0) {
       here = tries % 1500 == 0   ? folded(model, Op::mirror)
              : tries % 1000 == 0 ? folded(model, Op::repeat)
-                                 : model.start();
+                                 : model.axiom_state();
       model.energy(here);
     }
   }
@@ -147,34 +147,34 @@ TEST(Moves, WhatIsKeptOfAStateHoldsAlways) {
   constexpr int kWidth = 64, kHeight = 48;
   const Rules rules = all_rules();
   Limits limits;
-  limits.least = 2;
-  const Evidence evidence = Evidence::of_clusters(kWidth, kHeight, 3, noise(kWidth * kHeight, 3));
+  limits.min_size = 2;
+  const Evidence evidence = Evidence::from_clusters(kWidth, kHeight, 3, noise(kWidth * kHeight, 3));
   const Model model(rules, limits, kWidth, kHeight, &evidence, make_likelihood("kt", evidence));
-  const Hints hints = lumpy_hints(kWidth, kHeight);
-  const Workshop shop{model, hints};
-  const inference::Moves<State> all = moves(shop);
+  const EdgeHints hints = lumpy_hints(kWidth, kHeight);
+  const MoveContext context{model, hints};
+  const inference::Moves<TreeState> all = moves(context);
   // Of each proposal, also of those that are refused, what is kept and what is computed anew.
   int64_t scored = 0, wrong = 0;
-  const auto energy = [&](State& state) {
+  const auto energy = [&](TreeState& state) {
     const double kept = model.energy(state);
-    State fresh = model.state_of(state.tree);
+    TreeState fresh = model.make_state(state.tree);
     const double full = model.energy(fresh);
     ++scored;
     if (!(kept == full || std::fabs(kept - full) <= 1e-9)) ++wrong;
     return kept;
   };
-  Chain<State> chain(all, energy, model.start(), RandomKey(4), {.temperature = 1000});
+  Chain<TreeState> chain(all, energy, model.axiom_state(), RandomKey(4), {.temperature = 1000});
   while (scored < 1'000'000) {
     chain.step();
     if (scored % 1000 != 0) continue;
-    State fresh = model.state_of(chain.state().tree);
+    TreeState fresh = model.make_state(chain.state().tree);
     ASSERT_NEAR(model.energy(fresh), chain.energy(), 1e-9) << "after a refusal too";
   }
   EXPECT_EQ(wrong, 0) << "of " << scored;
 }
 
 /// Every pixel's region, painted; -1 where none is.
-std::vector<int> regions_of(const Model& model, const State& state) {
+std::vector<int> regions_of(const Model& model, const TreeState& state) {
   std::vector<int> out(static_cast<size_t>(model.width() * model.height()), -1);
   const Rules& rules = model.rules();
   const Tree& tree = state.tree;
@@ -187,12 +187,13 @@ std::vector<int> regions_of(const Model& model, const State& state) {
     if (rules.symbol(tree[i].symbol).terminal) continue;
     const Area& area = state.area(i);
     for (int place = 0; place < area.count; ++place)
-      paint(Model::in_picture(area, state.frame(area, place), 0, 0, area.width, area.height), i);
+      paint(Model::in_picture(area, state.instance(area, place), 0, 0, area.width, area.height), i);
   }
-  model.each_terminal(state, [&](Look look, int node, const Rect& r) {
+  model.each_terminal(state, [&](RegionType type, int node, const Rect& r) {
     // Windows of a grid are one region, whichever their kind.
-    paint(r, 1000 + (look == Look::window && model.in_grid(tree[node]) ? tree.parent(node) * 1000
-                                                                       : node));
+    paint(r,
+          1000 + (type == RegionType::window && model.in_grid(tree[node]) ? tree.parent(node) * 1000
+                                                                          : node));
   });
   return out;
 }
@@ -201,29 +202,29 @@ TEST(Model, BitsAreThoseOfEveryPixelCounted) {
   constexpr int kWidth = 57, kHeight = 43, kClusters = 3;
   const Rules rules = all_rules();
   Limits limits;
-  limits.least = 2;
+  limits.min_size = 2;
   const std::vector<uint8_t> clusters = noise(kWidth * kHeight, kClusters);
-  const Evidence evidence = Evidence::of_clusters(kWidth, kHeight, kClusters, clusters);
+  const Evidence evidence = Evidence::from_clusters(kWidth, kHeight, kClusters, clusters);
   const LikelihoodPtr likelihood = make_likelihood("kt", evidence);
   const Model model(rules, limits, kWidth, kHeight, &evidence, likelihood, 0.7);
-  const Hints hints = lumpy_hints(kWidth, kHeight);
-  const Workshop shop{model, hints};
-  const inference::Moves<State> all = moves(shop);
+  const EdgeHints hints = lumpy_hints(kWidth, kHeight);
+  const MoveContext context{model, hints};
+  const inference::Moves<TreeState> all = moves(context);
   RandomStream stream{RandomKey(6)};
-  State here = model.start();
+  TreeState here = model.axiom_state();
   model.energy(here);
   int large = 0;
   for (int trees = 0; trees < 1000; ++trees) {
-    if (here.tree.size() > 25) here = model.start();
+    if (here.tree.size() > 25) here = model.axiom_state();
     for (int i = 0; i < 30; ++i) step_up(model, all, stream, here);
-    State fresh = model.state_of(here.tree);
+    TreeState fresh = model.make_state(here.tree);
     ASSERT_NEAR(model.energy(fresh), model.energy(here), 1e-9) << structure_of(rules, here.tree);
     large += here.tree.size() > 5 ? 1 : 0;
     const std::vector<int> regions = regions_of(model, here);
     std::map<int, Sums> counts;
     for (size_t i = 0; i < regions.size(); ++i) ++counts[regions[i]].lane[clusters[i]];
     double bits = 0;
-    for (const auto& [region, sums] : counts) bits += likelihood->bits(Look::wall, sums);
+    for (const auto& [region, sums] : counts) bits += likelihood->bits(RegionType::wall, sums);
     ASSERT_NEAR(model.complexity(here.tree) + 0.7 * bits, model.energy(here), 1e-6)
         << structure_of(rules, here.tree);
   }

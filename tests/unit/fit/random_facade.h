@@ -2,8 +2,8 @@
 #pragma once
 
 #include <vug/facade/derive.h>
+#include <vug/fit/fit_facade.h>
 #include <vug/fit/model/compile.h>
-#include <vug/fit/read.h>
 #include <vug/scene/parser.h>
 
 #include <algorithm>
@@ -17,14 +17,14 @@
 namespace vug::fit {
 
 /// A derivation as the sampler has trees: metres rounded to pixels, y downwards.
-class AsPixels {
+class PixelTree {
  public:
-  AsPixels(const facade::Tree& from, const Rules& rules, double scale)
+  PixelTree(const facade::Tree& from, const Rules& rules, double scale)
       : from_(from), rules_(rules), scale_(scale) {}
 
   /// Nothing where it does not fit into the model's limits.
   std::optional<Tree> tree(const Model& model) {
-    State out = model.start();
+    TreeState out = model.axiom_state();
     if (!add(model, out, 0, 0) || !std::isfinite(model.energy(out))) return std::nullopt;
     return out.tree;
   }
@@ -77,8 +77,8 @@ class AsPixels {
     return rules.symbol(part).terminal ? Op::terminal : Op::grid;
   }
 
-  bool add(const Model& model, State& out, int i, int from) {
-    if (!out.placed && !model.place(out)) return false;
+  bool add(const Model& model, TreeState& out, int i, int from) {
+    if (!out.areas_valid && !model.compute_areas(out)) return false;
     const int room = out.area(i).width;
     const facade::Node& node = from_.nodes[static_cast<size_t>(from)];
     if (node.children.empty()) return true;
@@ -97,7 +97,7 @@ class AsPixels {
     std::vector<int> sources;
     const auto put = [&](int child, Node one) {
       one.symbol = static_cast<int16_t>(symbol(from_.nodes[static_cast<size_t>(child)].symbol));
-      one.made_by = static_cast<int8_t>(op);
+      one.parent_op = static_cast<int8_t>(op);
       nodes.push_back(one);
       sources.push_back(child);
     };
@@ -145,7 +145,7 @@ class AsPixels {
       if (!rules_.symbol(out.tree[i].symbol).identical)
         out.tree[i].cells = out.tree[i].full_cells();
       out.grow(i, way, nodes);
-      return model.place(out);
+      return model.compute_areas(out);
     } else {
       for (const int child : node.children) {
         const facade::Node& part = from_.nodes[static_cast<size_t>(child)];
@@ -162,7 +162,7 @@ class AsPixels {
     }
     out.grow(i, way, nodes);
     for (size_t k = sources.size(); k-- > 0;)
-      if (!add(model, out, out.tree.part(i, static_cast<int>(k)), sources[k])) return false;
+      if (!add(model, out, out.tree.child(i, static_cast<int>(k)), sources[k])) return false;
     return true;
   }
 
@@ -232,10 +232,10 @@ inline std::optional<RandomFacade> random_facade(uint64_t seed, double scale = 2
   out.height = static_cast<int>(std::lround(height * scale));
   for (const facade::Node& node : made->tree.nodes)
     for (const auto& [name, value] : node.numbers)
-      if ((name == "columns" || name == "rows") && value > kMostLines) return std::nullopt;
-  AsPixels pixels(made->tree, ripperda(), scale);
+      if ((name == "columns" || name == "rows") && value > kMaxLines) return std::nullopt;
+  PixelTree pixels(made->tree, ripperda(), scale);
   out.classes.assign(static_cast<size_t>(out.width * out.height), 0);
-  for (const AsPixels::Painted& one : pixels.painted()) {
+  for (const PixelTree::Painted& one : pixels.painted()) {
     if (one.rect.x1 - one.rect.x0 < least || one.rect.y1 - one.rect.y0 < least) return std::nullopt;
     paint(out.classes, out.width, one.rect, one.kind == "window" ? 1 : 2);
   }

@@ -1,5 +1,5 @@
 // What chains begin with, and what they find, on pictures whose windows are known.
-#include "toys.h"
+#include "enumeration.h"
 
 #include <vug/base/parallel.h>
 #include <vug/fit/search/sampler.h>
@@ -19,7 +19,7 @@ double brute_force(const std::vector<double>& before, const SegmentLimits& limit
   double best = 0;
   const auto places = static_cast<int>(before.size()) - 1;
   for (int start = from; left > 0 && start < places; ++start)
-    for (int size = limits.least; size <= limits.most_size && start + size <= places; ++size)
+    for (int size = limits.min_size; size <= limits.max_size && start + size <= places; ++size)
       best = std::max(best, before[static_cast<size_t>(start + size)] -
                                 before[static_cast<size_t>(start)] - limits.cost +
                                 brute_force(before, limits, start + size + 1, left - 1));
@@ -36,13 +36,13 @@ TEST(Segments, AreTheBestOfAll) {
     int free = 0;
     for (const Segment& segment : best_segments(before, limits)) {
       EXPECT_GE(segment.start, free);
-      EXPECT_GE(segment.size(), limits.least);
-      EXPECT_LE(segment.size(), limits.most_size);
+      EXPECT_GE(segment.size(), limits.min_size);
+      EXPECT_LE(segment.size(), limits.max_size);
       free = segment.end + 1;
       gain += before[static_cast<size_t>(segment.end)] -
               before[static_cast<size_t>(segment.start)] - limits.cost;
     }
-    EXPECT_NEAR(gain, brute_force(before, limits, 0, limits.most), 1e-12) << trial;
+    EXPECT_NEAR(gain, brute_force(before, limits, 0, limits.max_count), 1e-12) << trial;
   }
 }
 
@@ -84,10 +84,10 @@ Rules some_rules() {
 }
 
 /// Pixels that are seen as windows and are, by those that are either.
-double overlap(const Model& model, const State& state) {
+double overlap(const Model& model, const TreeState& state) {
   std::vector<bool> seen(kWidth * kHeight, false);
-  model.each_terminal(state, [&](Look look, int, const Rect& r) {
-    for (int y = r.y0; look == Look::window && y < r.y1; ++y)
+  model.each_terminal(state, [&](RegionType type, int, const Rect& r) {
+    for (int y = r.y0; type == RegionType::window && y < r.y1; ++y)
       for (int x = r.x0; x < r.x1; ++x) seen[static_cast<size_t>(y * kWidth + x)] = true;
   });
   double both = 0, either = 0;
@@ -102,21 +102,21 @@ double overlap(const Model& model, const State& state) {
 /// Clusters that tell windows from wall but for noise, and what chains need of them.
 struct Site {
   explicit Site(double noise)
-      : evidence(Evidence::of_clusters(kWidth, kHeight, 3, picture(noise))) {}
+      : evidence(Evidence::from_clusters(kWidth, kHeight, 3, picture(noise))) {}
   const Evidence evidence;
   const Rules rules = some_rules();
   const Model model{rules, {}, kWidth, kHeight, &evidence, make_likelihood("kt", evidence)};
-  const Hints hints = Hints::of_clusters(evidence);
-  const Workshop shop{model, hints};
+  const EdgeHints hints = EdgeHints::from_clusters(evidence);
+  const MoveContext context{model, hints};
 };
 
 TEST(Seeds, ColumnsAndRowsOfTheirOwnSizesAreFound) {
   const Site site(0.2);
-  const std::vector<State> found = seeds(site.shop, site.evidence, false);
+  const std::vector<TreeState> found = seeds(site.context, site.evidence, false);
   ASSERT_FALSE(found.empty());
   EXPECT_GT(overlap(site.model, found.front()), 0.95);
   double last = 0;
-  for (State state : found) {
+  for (TreeState state : found) {
     const double bits = site.model.energy(state);
     EXPECT_TRUE(std::isfinite(bits));
     EXPECT_GE(bits, last) << "the best come first";
@@ -126,16 +126,16 @@ TEST(Seeds, ColumnsAndRowsOfTheirOwnSizesAreFound) {
 
 TEST(Sampler, FindsItsWayBackFromASeedThatWasSpoilt) {
   const Site site(0.2);
-  State best = seeds(site.shop, site.evidence, false).front(), seed = best;
+  TreeState best = seeds(site.context, site.evidence, false).front(), seed = best;
   for (int column = 0; column < 4; ++column)  // windows are off by some pixels
     seed.tree[1].left[static_cast<size_t>(column)] = static_cast<int16_t>(
         seed.tree[1].left[static_cast<size_t>(column)] + (column % 2 ? 3 : -2));
-  seed.changed(1);
+  seed.invalidate_bits(1);
   ASSERT_GT(site.model.energy(seed), site.model.energy(best) + 100);
   SamplerOptions options;
   options.steps = 30'000;
   options.annealing = 3;
-  const Sampled found = sample(site.shop, options, RandomKey(1), Progress::none(), &seed);
+  const SamplerResult found = sample(site.context, options, RandomKey(1), Progress::none(), &seed);
   EXPECT_LE(found.bits, site.model.energy(best) + 1e-6);
   EXPECT_GT(overlap(site.model, found.best), 0.95);
   EXPECT_EQ(found.swaps.size(), static_cast<size_t>(options.chains) - 1);
@@ -151,7 +151,7 @@ TEST(Sampler, AnyNumberOfThreadsFindsTheSame) {
   Tree first;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
-    const Sampled found = sample(site.shop, options, RandomKey(1));
+    const SamplerResult found = sample(site.context, options, RandomKey(1));
     bits.push_back(found.bits);
     if (threads == 1) first = found.best.tree;
     EXPECT_TRUE(found.best.tree == first);
@@ -164,8 +164,8 @@ TEST(Sampler, ToldToStopItGivesTheBestSoFar) {
   const Site site(0.2);
   Progress progress;
   progress.cancel();
-  const State seed = seeds(site.shop, site.evidence, false).front();
-  const Sampled found = sample(site.shop, {}, RandomKey(1), progress, &seed);
+  const TreeState seed = seeds(site.context, site.evidence, false).front();
+  const SamplerResult found = sample(site.context, {}, RandomKey(1), progress, &seed);
   EXPECT_TRUE(found.stopped);
   EXPECT_TRUE(found.best.tree == seed.tree);
 }

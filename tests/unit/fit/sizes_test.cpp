@@ -47,7 +47,7 @@ TEST(Sizes, CellsHaveTheBestOfThemAndTheGainIsTheirs) {
     ASSERT_EQ(sizes.size(), k + 1);
     double sum = 0;
     for (size_t cell = 0; cell < gains.cells.size(); ++cell)
-      if (const int of = choices[k].of[cell])
+      if (const int of = choices[k].kinds[cell])
         sum += gains.cells[cell][sizes[static_cast<size_t>(of) - 1]];
     EXPECT_NEAR(sum, choices[k].gain, 1e-9);
     EXPECT_NEAR(gain_of(gains, sizes), choices[k].gain, 1e-9);
@@ -87,7 +87,7 @@ TEST(Sizes, EndWhereAnotherCannotPay) {
   EXPECT_EQ(choose_sizes(gains, 15, 3).size(), 1u) << "2 are left to be gained";
   EXPECT_EQ(choose_sizes(gains, 15, 1).size(), 2u);
   const SizeChoice both = choose_sizes(gains, 15, 1).back();
-  EXPECT_EQ(both.of, (std::vector<int>{1, 2, 1}));
+  EXPECT_EQ(both.kinds, (std::vector<int>{1, 2, 1}));
   EXPECT_EQ(both.sizes[1], (WindowSize{7, 6}));
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <vug/base/parallel.h>
-#include <vug/flora/paper.h>
+#include <vug/flora/weighted_point.h>
 
 #include <cmath>
 

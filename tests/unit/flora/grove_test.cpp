@@ -52,7 +52,7 @@ TEST(Ground, IsLookedForBeneathARoof) {
   const auto foot = ground_of(floor_and_roof, under)({0, 0});
   ASSERT_TRUE(foot);
   EXPECT_NEAR(foot->position.y, 0, 1e-7);
-  EXPECT_NEAR(foot->room, 4, 0.01);
+  EXPECT_NEAR(foot->clearance, 4, 0.01);
   GroundOptions above;
   above.from = 20;
   EXPECT_NEAR(ground_of(floor_and_roof, above)({0, 0})->position.y, 8, 1e-7);
@@ -85,8 +85,8 @@ TEST(Grove, StandsOnTheGroundWithoutSteepPlaces) {
   const double expected = 4 * kPi * std::pow(5 * std::sin(o.steepest), 2);
   EXPECT_NEAR(static_cast<double>(stems.size()), expected, 5 * std::sqrt(expected));
   for (const Stem& stem : stems) {
-    EXPECT_NEAR(stem.foot.position.length(), 5, 1e-6);
-    EXPECT_GE(stem.foot.normal.y, std::cos(o.steepest));
+    EXPECT_NEAR(stem.base.position.length(), 5, 1e-6);
+    EXPECT_GE(stem.base.normal.y, std::cos(o.steepest));
   }
 }
 
@@ -100,7 +100,7 @@ TEST(Grove, NoneStandsInRockOrGrowsIntoIt) {
   o.headroom = 8;
   const std::vector<Stem> tall = grove(plot, o);
   const auto clear = [](const Stem& stem, const Vec2d& middle, double radius) {
-    return (Vec2d(stem.foot.position.x, stem.foot.position.z) - middle).length() >= radius - 1e-9;
+    return (Vec2d(stem.base.position.x, stem.base.position.z) - middle).length() >= radius - 1e-9;
   };
   bool some_under = false;
   for (const Stem& stem : low) {
@@ -123,7 +123,7 @@ TEST(Grove, KeepsADistanceAndTheFirstStays) {
   EXPECT_EQ(some[0].key.state(), all[0].key.state());
   for (size_t i = 0; i < some.size(); ++i)
     for (size_t j = 0; j < i; ++j)
-      ASSERT_GE((some[i].foot.position - some[j].foot.position).length(), 0.6);
+      ASSERT_GE((some[i].base.position - some[j].base.position).length(), 0.6);
 }
 
 TEST(Grove, DiametersAreNormalWithinTheirBounds) {
@@ -158,11 +158,11 @@ TEST(Grove, IsTheSameForAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     GroveOptions o = options(3);
     o.ground = ground_of(ball({10, -20, 10}, 25));
-    o.share = [](const Foot& foot) { return foot.position.x / 20; };
+    o.retention = [](const GroundPoint& foot) { return foot.position.x / 20; };
     o.diameter = 0.1, o.diameter_spread = 0.03;
     std::vector<double> numbers;
     for (const Stem& stem : grove(Plot(square(20)), o))
-      numbers.insert(numbers.end(), {stem.foot.position.x, stem.foot.position.y, stem.diameter});
+      numbers.insert(numbers.end(), {stem.base.position.x, stem.base.position.y, stem.diameter});
     return numbers;
   };
   const std::vector<double> one = run(1);

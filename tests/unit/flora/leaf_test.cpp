@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <vug/base/error.h>
-#include <vug/flora/merged.h>
+#include <vug/flora/merge_instances.h>
 #include <vug/mesh/topology.h>
 
 #include <cmath>

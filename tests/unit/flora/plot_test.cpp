@@ -30,13 +30,14 @@ TEST(Plot, KnowsItsAreaAndWhatLiesInIt) {
   EXPECT_TRUE(plot.contains({1.9, 0.5}));
   EXPECT_FALSE(plot.contains({1.5, 1.5}));
   EXPECT_FALSE(plot.contains({-0.1, 1}));
-  EXPECT_NEAR(plot.to_border({1.5, 1.5}), 0.5, 1e-15);
-  EXPECT_NEAR(plot.to_border({0.25, 0.5}), 0.25, 1e-15);
-  EXPECT_EQ(plot.dent(), 3);
+  EXPECT_NEAR(plot.border_distance({1.5, 1.5}), 0.5, 1e-15);
+  EXPECT_NEAR(plot.border_distance({0.25, 0.5}), 0.25, 1e-15);
+  EXPECT_EQ(plot.first_reflex_corner(), 3);
   const Corners turned(kBent.rbegin(), kBent.rend());
   EXPECT_NEAR(Plot(turned).area(), 3, 1e-15);
-  EXPECT_EQ(Plot(turned).dent(), 2);
-  EXPECT_EQ(Plot({{0, 0}, {1, 0}, {2, 0}, {1, 1}}).dent(), -1);  // in line is no dent
+  EXPECT_EQ(Plot(turned).first_reflex_corner(), 2);
+  EXPECT_EQ(Plot({{0, 0}, {1, 0}, {2, 0}, {1, 1}}).first_reflex_corner(),
+            -1);  // in line is no dent
 }
 
 TEST(Plot, SpreadsPointsEvenlyOverItsParts) {
@@ -46,7 +47,7 @@ TEST(Plot, SpreadsPointsEvenlyOverItsParts) {
   for (int i = 0; i < kCount; ++i) {
     RandomStream random(RandomKey(9).at(static_cast<uint64_t>(i)));
     const Vec2d p = plot.point(random);
-    ASSERT_TRUE(plot.contains(p) || plot.to_border(p) < 1e-12);
+    ASSERT_TRUE(plot.contains(p) || plot.border_distance(p) < 1e-12);
     ++in[p.y > 1 ? 0 : p.x > 1 ? 1 : 2];
   }
   for (const int count : in) EXPECT_NEAR(count, kCount / 3.0, 5 * std::sqrt(kCount * 2.0 / 9));
@@ -98,7 +99,7 @@ TEST(Plot, TakesWhatIsThinSmallAndLarge) {
       const Plot plot(turned(thin, angle));
       EXPECT_NEAR(plot.area() / (7500 * across), 1, 1e-6) << angle;
       RandomStream random(RandomKey(3));
-      for (int i = 0; i < 200; ++i) EXPECT_LT(plot.to_border(plot.point(random)), across);
+      for (int i = 0; i < 200; ++i) EXPECT_LT(plot.border_distance(plot.point(random)), across);
     }
   // What was in line before it was turned is no dent, what is bent by a hair is.
   const auto bent = [](double by) {
@@ -108,9 +109,9 @@ TEST(Plot, TakesWhatIsThinSmallAndLarge) {
     for (const double size : {1e-3, 1.0, 1e4}) {
       Corners corners = turned(bent(0), 0.1 * i);
       for (Vec2d& p : corners) p *= size;
-      EXPECT_EQ(Plot(corners).dent(), -1) << i;
+      EXPECT_EQ(Plot(corners).first_reflex_corner(), -1) << i;
     }
-  EXPECT_EQ(Plot(bent(1e-7)).dent(), 1);
+  EXPECT_EQ(Plot(bent(1e-7)).first_reflex_corner(), 1);
   EXPECT_NEAR(Plot(turned({{0, 0}, {1e-3, 0}, {1e-3, 1e-3}, {0, 1e-3}}, 0.3)).area(), 1e-6, 1e-18);
   EXPECT_NEAR(Plot(turned({{0, 0}, {1e4, 0}, {1e4, 1e4}, {0, 1e4}}, 0.3)).area(), 1e8, 1e-4);
 }

@@ -64,7 +64,7 @@ inline SweepOptions hollow_sweep() {
 
 inline SweepOptions thick_sweep() {
   SweepOptions options = open_sweep();
-  options.wall_least = 0.011;
+  options.min_wall = 0.011;
   return options;
 }
 

@@ -205,24 +205,25 @@ TEST(Sweep, RidgesAreAsHighAsTheReliefSays) {
   const SweepOptions options = plain_sweep();
   const Tube tube = tubes(drawing, options).front();
   const mesh::Mesh mesh = swept_mesh({tube});
-  for (const ReliefNode& node : tube.relief().nodes()) {
+  for (const DisplacedNode& node : tube.displacement().nodes()) {
     for (const auto& [above, height] :
-         {std::pair(0.0, options.relief.scar),
-          std::pair(options.relief.ridge_above, options.relief.ridge)}) {
+         {std::pair(0.0, options.displacement.scar),
+          std::pair(options.displacement.ridge_above, options.displacement.ridge)}) {
       const double along = node.along + above * node.radius;
       const double wanted = tube.radius(along) + height * node.radius;
       EXPECT_NEAR(tube.displaced(along, 2), wanted, 1e-12);
       double most = 0;
       for (size_t i = 0; i < mesh.positions.size(); ++i) {
-        const Tube::Place place = tube.place(Vec3d(mesh.positions[i]), 0);
+        const Tube::Coordinates place = tube.coordinates(Vec3d(mesh.positions[i]), 0);
         if (std::fabs(place.along - along) < 0.01 * node.radius) most = std::max(most, place.out);
       }
       EXPECT_NEAR(most, wanted, 0.02 * wanted);
     }
     if (node.angles.empty()) continue;
-    const double above = node.along + 0.3 * options.relief.groove_length * (node.next - node.along);
+    const double above =
+        node.along + 0.3 * options.displacement.groove_length * (node.next - node.along);
     const double bed = tube.radius(above) - tube.displaced(above, node.angles[0]);
-    EXPECT_NEAR(bed, options.relief.groove * node.radius, 1e-12);
+    EXPECT_NEAR(bed, options.displacement.groove * node.radius, 1e-12);
     EXPECT_EQ(tube.displaced(above, node.angles[0] + 1), tube.radius(above));
   }
 }
@@ -232,13 +233,13 @@ TEST(Sweep, WallsAreAShareOfTheRadiusAndAtLeastSoThick) {
   drawing.axes = {bent_culm()};  // from 4 cm to 4 mm
   SweepOptions options;
   options.wall = 0.25;
-  options.wall_least = 0.009;
+  options.min_wall = 0.009;
   const Tube tube = tubes(drawing, options).front();
   for (double along = 0.01; along < 3; along += 0.01) {
     const double r = tube.radius(along), wall = r - tube.inner_radius(along);
     EXPECT_NEAR(wall, std::min(std::max(0.25 * r, 0.009), 0.9 * r), 1e-12);
   }
-  options.wall_least = -1;
+  options.min_wall = -1;
   EXPECT_NE(options.fault(), "");
 }
 
@@ -284,7 +285,7 @@ TEST(Sweep, AttributesTellWhereOnThePlant) {
     return static_cast<double>(mesh::find_attribute(mesh, name, 1)->values[i]);
   };
   for (size_t i = 0; i < mesh.positions.size(); i += 7) {
-    const double along = tube.place(Vec3d(mesh.positions[i]), 0).along;
+    const double along = tube.coordinates(Vec3d(mesh.positions[i]), 0).along;
     EXPECT_NEAR(value("along", i), along, 1e-5);
     if (along < 2.69) {
       EXPECT_NEAR(value("above_node", i) + value("below_node", i), 0.3, 1e-5);

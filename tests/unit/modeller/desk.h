@@ -27,21 +27,21 @@ inline StylePtr ripperda() {
   return made;
 }
 
-inline State blank(double width = 12, double height = 9) {
+inline FacadeState blank(double width = 12, double height = 9) {
   return {ripperda(), {.width = width, .height = height}};
 }
 
 /// The state after edits as lines of text.
-inline State after(State state, const std::vector<std::string>& edits) {
-  for (const std::string& each : edits) state = edited(state, parse_edit(each));
+inline FacadeState after(FacadeState state, const std::vector<std::string>& edits) {
+  for (const std::string& each : edits) state = perform_edit(state, parse_edit(each));
   return state;
 }
 
 /// "key: message (hint)" of an edit that is refused.
-inline std::string refusal(const State& state, const std::string& edit) {
+inline std::string refusal(const FacadeState& state, const std::string& edit) {
   try {
-    edited(state, parse_edit(edit));
-  } catch (const Refused& refused) {
+    perform_edit(state, parse_edit(edit));
+  } catch (const RejectedEdit& refused) {
     return refused.key() + ": " + refused.what() +
            (refused.hint().empty() ? "" : " (" + refused.hint() + ")");
   }
@@ -49,10 +49,11 @@ inline std::string refusal(const State& state, const std::string& edit) {
 }
 
 /// Everything that is made of a state.
-inline std::string bytes(const State& state) { return facade::tree_json(state.tree()); }
+inline std::string bytes(const FacadeState& state) { return facade::tree_json(state.tree()); }
 
 /// Places of all elements, from the left, then from the bottom.
-inline std::vector<facade::Rect> rects(const State& state, const std::string& kind = "window") {
+inline std::vector<facade::Rect> rects(const FacadeState& state,
+                                       const std::string& kind = "window") {
   std::vector<facade::Rect> out;
   for (const facade::ElementInstance& one : facade::element_instances(state.tree()))
     if (state.node(one.node).element->kind() == kind) out.push_back(one.rect);

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Edit, FigureTwoOfThePaper) {
   // A symmetric facade; its side of different windows, its middle of alike ones with a door.
-  const State state = after(
+  const FacadeState state = after(
       blank(10, 12), {"apply 0 mirror(SymmetricFacadeSide, SymmetricFacadeMiddle) width=3m",
                       "act 0.0 RegularGrid columns=1 rows=4 x=1 width=1.5 y=1 height=1.5 dy=2.75",
                       "act 0.1 RegularIdenticalGrid columns=1 rows=4 door=0"});
@@ -38,13 +38,13 @@ TEST(Edit, EveryRuleOfThePaperCanBeApplied) {
       {"0.0.1", {"apply 0 rows", "apply 0.0 repeat(FacadeElement)"}}};
   int applied = 0;
   for (const auto& [node, way] : ways) {
-    const State state = after(blank(), way);
+    const FacadeState state = after(blank(), way);
     const Style& style = state.style();
     for (const int rule : style.rules_of(state.node(state.find(node)).symbol)) {
-      const State done = edited(state, {"apply", node, style.rule_name(rule), {}});
+      const FacadeState done = perform_edit(state, {"apply", node, style.rule_name(rule), {}});
       EXPECT_EQ(done.rule(done.find(node)), rule);
       // Taken away again, the bytes are as before.
-      EXPECT_EQ(bytes(edited(done, {"retract", node, "", {}})), bytes(state));
+      EXPECT_EQ(bytes(perform_edit(done, {"retract", node, "", {}})), bytes(state));
       ++applied;
     }
   }
@@ -52,7 +52,8 @@ TEST(Edit, EveryRuleOfThePaperCanBeApplied) {
 }
 
 TEST(Edit, RefusalsSayWhatAndWhy) {
-  const State state = after(blank(), {"apply 0 rows heights=3", "act 0.1 Grid columns=3 rows=2"});
+  const FacadeState state =
+      after(blank(), {"apply 0 rows heights=3", "act 0.1 Grid columns=3 rows=2"});
   EXPECT_EQ(refusal(state, "apply 0 Grid"),
             "rule: 'Facade' at 0 is divided already, by rows(FacadeRow, PartFacade) (retract that, "
             "or change it)");
@@ -99,7 +100,7 @@ TEST(Edit, TextThereAndBack) {
 }
 
 TEST(Edit, LinesMove) {
-  State state = after(blank(), {"apply 0 rows heights=3", "move 0 line=0 to=4.5"});
+  FacadeState state = after(blank(), {"apply 0 rows heights=3", "move 0 line=0 to=4.5"});
   EXPECT_EQ(state.node(state.find("0.1")).rect.y, 4.5);
   state = after(blank(), {"apply 0 mirror(SymmetricFacadeSide, SymmetricFacadeMiddle) width=4"});
   EXPECT_EQ(lines(state, 0).size(), 2u);
@@ -115,18 +116,18 @@ TEST(Edit, LinesMove) {
 
 TEST(Edit, LinesOfGrids) {
   const std::string numbers = " columns=3 rows=1 x=1 width=1 dx=3";
-  const auto xs = [](const State& state) {
+  const auto xs = [](const FacadeState& state) {
     std::vector<double> out;
     for (const facade::Rect& rect : rects(state)) out.push_back(std::round(rect.x * 1e9) / 1e9);
     return out;
   };
   using V = std::vector<double>;
-  const State regular = after(blank(), {"act 0 RegularGrid" + numbers});
+  const FacadeState regular = after(blank(), {"act 0 RegularGrid" + numbers});
   EXPECT_EQ(lines(regular, 1).size(), 4u) << "three columns and a row";
   EXPECT_EQ(xs(regular), (V{1, 4, 7}));
   EXPECT_EQ(xs(after(regular, {"move 0.0 line=0 to=2"})), (V{2, 5, 8})) << "all along";
   EXPECT_EQ(xs(after(regular, {"move 0.0 line=2 to=9"})), (V{1, 5, 9})) << "all distances";
-  const State grid = after(blank(), {"act 0 Grid" + numbers});
+  const FacadeState grid = after(blank(), {"act 0 Grid" + numbers});
   EXPECT_EQ(xs(grid), (V{1, 4, 7}));
   EXPECT_EQ(xs(after(grid, {"move 0.0 line=0 to=2"})), (V{2, 4, 7})) << "by itself";
   EXPECT_EQ(xs(after(grid, {"move 0.0 line=1 to=5"})), (V{1, 5, 7}));
@@ -136,21 +137,21 @@ TEST(Edit, LinesOfGrids) {
 }
 
 TEST(Edit, GridTypesChangeAndKeepTheirNumbers) {
-  const State grid =
+  const FacadeState grid =
       after(blank(), {"act 0 Grid columns=3 rows=2 x=1 width=1 dx=3,4 y=1 height=1.5 dy=4"});
   EXPECT_EQ(rects(grid)[4].x, 8);
-  const State regular = after(grid, {"change 0 RegularGrid"});
+  const FacadeState regular = after(grid, {"change 0 RegularGrid"});
   EXPECT_EQ(regular.node(1).symbol, "RegularGrid");
   EXPECT_EQ(rects(regular).size(), 6u);
   EXPECT_EQ(rects(regular)[4].x, 8) << "the mean of both distances";
   EXPECT_EQ(rects(regular)[2].x, 4.5);
-  const State identical = after(regular, {"change 0 RegularIdenticalGrid"});
+  const FacadeState identical = after(regular, {"change 0 RegularIdenticalGrid"});
   EXPECT_EQ(identical.tree().nodes.size(), 3u) << "one window for all";
   EXPECT_EQ(rects(identical), rects(regular));
-  const State back = after(identical, {"change 0 Grid"});
+  const FacadeState back = after(identical, {"change 0 Grid"});
   EXPECT_EQ(rects(back), rects(regular));
   // With a door, and without one again.
-  const State door = after(back, {"change 0.0 grid(window, door) door=1"});
+  const FacadeState door = after(back, {"change 0.0 grid(window, door) door=1"});
   EXPECT_EQ(rects(door).size(), 5u);
   EXPECT_EQ(rects(door, "door")[0].x, 4.5);
   EXPECT_EQ(bytes(after(door, {"change 0.0 grid(window)"})), bytes(back));
@@ -159,39 +160,40 @@ TEST(Edit, GridTypesChangeAndKeepTheirNumbers) {
 }
 
 TEST(Edit, CountsForgetTheirDistances) {
-  const State grid = after(blank(), {"act 0 Grid columns=3 rows=1 x=1 width=1 dx=3,4"});
-  const State four = after(grid, {"set 0.0 columns=4"});
+  const FacadeState grid = after(blank(), {"act 0 Grid columns=3 rows=1 x=1 width=1 dx=3,4"});
+  const FacadeState four = after(grid, {"set 0.0 columns=4"});
   ASSERT_EQ(rects(four).size(), 4u);
   EXPECT_EQ(rects(four)[0].x, 1);
   EXPECT_NEAR(rects(four)[3].x, 10, 1e-9) << "as much on the right as on the left";
-  const State told = after(grid, {"set 0.0 columns=4 dx=2,3,2"});
+  const FacadeState told = after(grid, {"set 0.0 columns=4 dx=2,3,2"});
   EXPECT_EQ(rects(told)[3].x, 8);
   EXPECT_EQ(rects(after(told, {"set 0.0 dx="})).size(), 4u);
   EXPECT_EQ(bytes(after(told, {"set 0.0 dx="})), bytes(four));
 }
 
 TEST(Edit, CellsOfAGrid) {
-  const State grid = after(blank(), {"act 0 Grid columns=3 rows=2"});
-  const State off = after(grid, {"toggle 0.0 column=1 row=0"});
+  const FacadeState grid = after(blank(), {"act 0 Grid columns=3 rows=2"});
+  const FacadeState off = after(grid, {"toggle 0.0 column=1 row=0"});
   EXPECT_EQ(rects(off).size(), 5u);
   EXPECT_EQ(off.node(off.find("0.0.window[1,1]")).rect,
             grid.node(grid.find("0.0.window[1,1]")).rect);
   EXPECT_EQ(bytes(after(off, {"toggle 0.0 column=1 row=0"})), bytes(grid));
   // They stay off under another count, and come back as they were.
-  const State fewer = after(off, {"set 0.0 columns=1", "set 0.0 columns=3"});
+  const FacadeState fewer = after(off, {"set 0.0 columns=1", "set 0.0 columns=3"});
   EXPECT_EQ(bytes(fewer), bytes(off));
-  const State alike = after(blank(), {"act 0 RegularIdenticalGrid columns=3 rows=2"});
+  const FacadeState alike = after(blank(), {"act 0 RegularIdenticalGrid columns=3 rows=2"});
   EXPECT_NE(refusal(alike, "toggle 0.0 column=1 row=0").find("separate its cells"),
             std::string::npos);
   EXPECT_EQ(rects(after(alike, {"separate 0.0", "toggle 0.0 column=1 row=0"})).size(), 5u);
-  const State one = after(blank(), {"act 0 Grid columns=2 rows=1", "toggle 0.0 column=0 row=0"});
+  const FacadeState one =
+      after(blank(), {"act 0 Grid columns=2 rows=1", "toggle 0.0 column=0 row=0"});
   EXPECT_NE(refusal(one, "toggle 0.0 column=1 row=0").find("last cell"), std::string::npos);
 }
 
 TEST(Edit, EditsOfASideGoToItsImage) {
-  const State side = after(blank(), {"apply 0 mirror(SymmetricFacadeSide)",
-                                     "act 0.0 Grid columns=2 rows=1 x=1 width=1 dx=3"});
-  const auto mirrored = [](const State& state) {
+  const FacadeState side = after(blank(), {"apply 0 mirror(SymmetricFacadeSide)",
+                                           "act 0.0 Grid columns=2 rows=1 x=1 width=1 dx=3"});
+  const auto mirrored = [](const FacadeState& state) {
     const std::vector<facade::Rect> all = rects(state);
     for (const facade::Rect& one : all)
       if (std::none_of(all.begin(), all.end(), [&](const facade::Rect& other) {
@@ -205,7 +207,7 @@ TEST(Edit, EditsOfASideGoToItsImage) {
                            "toggle 0.0.0 column=0 row=0", "change 0.0.0 grid(window, door) door=0"})
     EXPECT_TRUE(mirrored(after(side, {edit}))) << edit;
   // Broken, everything stands where it stood; then each side is by itself.
-  const State broken = after(side, {"separate 0"});
+  const FacadeState broken = after(side, {"separate 0"});
   const std::vector<facade::Rect> was = rects(side), is = rects(broken);
   ASSERT_EQ(is.size(), was.size());
   for (size_t i = 0; i < is.size(); ++i) EXPECT_NEAR(is[i].x, was[i].x, 1e-12);
@@ -213,17 +215,17 @@ TEST(Edit, EditsOfASideGoToItsImage) {
   EXPECT_EQ(rects(after(broken, {"toggle 0.0.0 column=0 row=0"})).size(), 3u);
   // In the image lines run from the right: the same move there keeps the symmetry.
   EXPECT_TRUE(mirrored(after(broken, {"move 0.0.0 line=0 to=0.3", "move 0.1.0 line=0 to=0.3"})));
-  const State joined = after(broken, {"toggle 0.1.0 column=0 row=0", "join 0"});
+  const FacadeState joined = after(broken, {"toggle 0.1.0 column=0 row=0", "join 0"});
   EXPECT_EQ(bytes(joined), bytes(side));
 }
 
 TEST(Edit, RepeatedPartsAreSeparatedWithAllBelow) {
-  const State bays =
+  const FacadeState bays =
       after(blank(), {"apply 0 repeat count=3", "apply 0.0 mirror(SymmetricFacadeSide)",
                       "act 0.0.0 RegularIdenticalGrid columns=1 rows=3"});
   EXPECT_EQ(rects(bays).size(), 18u);
   EXPECT_EQ(bays.tree().nodes.size(), 5u);
-  const State apart = after(bays, {"separate 0"});
+  const FacadeState apart = after(bays, {"separate 0"});
   EXPECT_EQ(apart.parts(0).size(), 3u);
   const std::vector<facade::Rect> was = rects(bays), is = rects(apart);
   ASSERT_EQ(is.size(), was.size());
@@ -244,22 +246,22 @@ TEST(Edit, AnyGrammarOfKindFacade) {
       "Gate -> inset(pane, window)\n}\n");
   EXPECT_EQ(style->usual_width(), 9);
   EXPECT_FALSE(style->usual_height());
-  const State start(style, {.width = 9, .height = 12});
+  const FacadeState start(style, {.width = 9, .height = 12});
   EXPECT_EQ(start.tree().nodes.size(), 2u) << "the axiom's split is no choice";
   EXPECT_EQ(refusal(start, "apply 0 shop").substr(0, 45),
             "rule: the condition of 'Base -> shop' is fals");
-  const State done = after(start, {"apply 0 columns", "apply 0.0 inset", "apply 0.2 inset",
-                                   "apply 1 repeat", "apply 1.0 rows", "apply 1.1 grid"});
+  const FacadeState done = after(start, {"apply 0 columns", "apply 0.0 inset", "apply 0.2 inset",
+                                         "apply 1 repeat", "apply 1.0 rows", "apply 1.1 grid"});
   EXPECT_EQ(done.open().size(), 1u);
   EXPECT_NE(refusal(done, "apply 1.2 rows"), "");
   // The split within a split has free numbers of its own.
   const int inner = done.find("1.0.1");
   EXPECT_EQ(done.node(inner).symbol, "columns");
-  const State moved = after(done, {"move 1.0.1 line=0 to=2"});
+  const FacadeState moved = after(done, {"move 1.0.1 line=0 to=2"});
   EXPECT_EQ(moved.node(moved.find("1.0.1.1")).rect.x, 2);
   EXPECT_EQ(bytes(after(moved, {"retract 1.0.1"})), bytes(done));
   EXPECT_NE(refusal(done, "apply 1.0.1 columns"), "");
-  EXPECT_NE(refusal(done, "set 0 widths=3").find("the rule says all sizes itself"),
+  EXPECT_NE(refusal(done, "set 0 widths=3").find("the rule specifies all sizes"),
             std::string::npos);
 }
 

@@ -22,7 +22,7 @@ TEST(Query, TheEightActionsOfThePaper) {
 }
 
 TEST(Query, ActionsAreGreyWhereTheSymbolIsAnother) {
-  const State state = after(blank(), {"apply 0 rows"});
+  const FacadeState state = after(blank(), {"apply 0 rows"});
   const auto enabled = [&](const std::string& node) {
     std::vector<std::string> out;
     for (const ActionChoice& each : actions(state, state.find(node)))
@@ -40,21 +40,21 @@ TEST(Query, ActionsAreGreyWhereTheSymbolIsAnother) {
 }
 
 TEST(Query, EveryRuleWithItsReason) {
-  const State start = blank();
-  const std::vector<Choice> all = all_choices(start, 0);
+  const FacadeState start = blank();
+  const std::vector<RuleChoice> all = all_choices(start, 0);
   ASSERT_EQ(all.size(), 45u);
   EXPECT_EQ(std::count_if(all.begin(), all.end(),
-                          [](const Choice& c) { return c.reason == Reason::none; }),
+                          [](const RuleChoice& c) { return c.reason == Reason::none; }),
             8);
   EXPECT_EQ(choices(start, 0).size(), 8u);
-  const State rows = after(start, {"apply 0 rows"});
-  for (const Choice& each : choices(rows, 0)) {
+  const FacadeState rows = after(start, {"apply 0 rows"});
+  for (const RuleChoice& each : choices(rows, 0)) {
     EXPECT_EQ(each.reason, Reason::divided);
     EXPECT_EQ(each.applied, each.rule == 0);
   }
   // Defaults fit, and are what a rule comes to without numbers.
-  const Choice grid = considered(after(start, {"apply 0 Grid"}), 1,
-                                 ripperda()->find_rule("Grid", "grid(window, door)"));
+  const RuleChoice grid = evaluate_rule(after(start, {"apply 0 Grid"}), 1,
+                                        ripperda()->find_rule("Grid", "grid(window, door)"));
   std::vector<std::string> names;
   for (const facade::FreeNumber& number : grid.free) {
     names.push_back(number.name);
@@ -72,9 +72,9 @@ TEST(Query, SmallNodesAndConditions) {
       "grammar f: facade {\n axiom A\n A -> rows(3m, B, 1, B)\n A if width > 20m -> window\n"
       "A -> columns(15m, window, 1, wall)\n B(n) -> wall\n B -> columns(40m, wall, 60m, wall)\n"
       "A -> repeat(y, wall, count: 200)\n}\n");
-  const State state(style, {.width = 12, .height = 9});
+  const FacadeState state(style, {.width = 12, .height = 9});
   std::vector<Reason> reasons;
-  for (const Choice& each : all_choices(state, 0)) {
+  for (const RuleChoice& each : all_choices(state, 0)) {
     reasons.push_back(each.reason);
     EXPECT_EQ(each.why.empty(), each.reason == Reason::none);
   }
@@ -86,13 +86,13 @@ TEST(Query, SmallNodesAndConditions) {
 TEST(Query, ArgumentsMatter) {
   const StylePtr style = style_of(
       "grammar f: facade {\n axiom A(1)\n A(n) -> wall\n A(n, k) -> window\n B -> A(1, 2)\n}\n");
-  const State state(style, {});
-  EXPECT_EQ(considered(state, 0, 0).reason, Reason::none);
-  EXPECT_EQ(considered(state, 0, 1).reason, Reason::wrong_arguments);
+  const FacadeState state(style, {});
+  EXPECT_EQ(evaluate_rule(state, 0, 0).reason, Reason::none);
+  EXPECT_EQ(evaluate_rule(state, 0, 1).reason, Reason::wrong_arguments);
 }
 
 TEST(Query, WhatLiesUnderThePoint) {
-  const State state =
+  const FacadeState state =
       after(blank(), {"apply 0 repeat count=2", "apply 0.0 mirror(SymmetricFacadeSide)",
                       "act 0.0.0 Grid columns=1 rows=1 x=0.5 width=1 y=1 height=2"});
   // Sides of 3 m: windows at 0.5, 4.5, 6.5 and 10.5.
@@ -111,7 +111,7 @@ TEST(Query, WhatLiesUnderThePoint) {
   EXPECT_EQ(state.path(hit(state, 0.1, 8)->node), "0.0.0.0") << "beside the window";
   EXPECT_FALSE(hit(state, 13, 1));
   // In an image that stands by itself the frame is turned.
-  const State apart = after(state, {"separate 0.0"});
+  const FacadeState apart = after(state, {"separate 0.0"});
   const auto found = hit(apart, 5.25, 2);
   ASSERT_TRUE(found);
   EXPECT_EQ(apart.path(found->node), "0.0.1.0.0");

@@ -58,9 +58,9 @@ TEST(Session, ReplayGivesTheSameTree) {
     Session session = new_session({.grammar = "ripperda.vug",
                                    .width = random.uniform(4, 40),
                                    .height = random.uniform(4, 40),
-                                   .least = random.uniform(1e-6, 1e-2)},
+                                   .min_size = random.uniform(1e-6, 1e-2)},
                                   loader());
-    const double height = random.uniform(0.1, 0.9) * session.now().sheet().height;
+    const double height = random.uniform(0.1, 0.9) * session.now().canvas().height;
     session.history.apply({"apply", "0", "rows", {{"heights", {height}}}});
     session.history.apply({"act", "0.1", "RegularGrid", {{"columns", {random.below(5) + 1.0}}}});
     const Session again = read(session_text(session));
@@ -76,8 +76,8 @@ TEST(Session, PhotosTellTheSize) {
       "\"photo\": {\"file\": \"front.png\", \"pixels\": [600, 450], \"scale\": 0.02}, \"edits\": "
       "[]}";
   const Session session = read(text);
-  EXPECT_EQ(session.now().sheet().width, 12);
-  EXPECT_EQ(session.now().sheet().height, 9);
+  EXPECT_EQ(session.now().canvas().width, 12);
+  EXPECT_EQ(session.now().canvas().height, 9);
   EXPECT_EQ(session.metres_per_pixel(), 0.02);
   EXPECT_EQ(session_text(read(session_text(session))), session_text(session));
   const Session wide =
@@ -111,8 +111,8 @@ TEST(Session, FaultsHaveAPlaceAndAHint) {
                      "{\"heights\": [3, null]}}")),
       "8:75: /edits/0/numbers/heights/1: a number is needed here");
   EXPECT_EQ(fault_of("[]"), "1:1: an object is needed here");
-  EXPECT_EQ(fault_of(""), "1:1: this is no JSON");
-  EXPECT_EQ(fault_of("{\n \"format\": \"vug facade session\",,"), "2:33: this is no JSON");
+  EXPECT_EQ(fault_of(""), "1:1: invalid JSON");
+  EXPECT_EQ(fault_of("{\n \"format\": \"vug facade session\",,"), "2:33: invalid JSON");
   EXPECT_EQ(fault_of("{\"format\": \"other\"}"),
             "1:12: /format: this is no session of a facade (\"format\": \"vug facade session\")");
   EXPECT_EQ(fault_of("{\"format\": \"vug facade session\", \"version\": 2}"),

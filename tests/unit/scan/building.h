@@ -13,8 +13,8 @@ namespace vug::scan {
 
 struct Building {
   std::vector<std::string> names;  ///< Of doors and groups of windows.
-  std::vector<Cloud> elements;
-  Cloud cloud;  ///< All files.
+  std::vector<PointCloud> elements;
+  PointCloud cloud;  ///< All files.
 };
 
 inline Building read_building(const std::filesystem::path& folder) {
@@ -36,7 +36,7 @@ inline Building read_building(const std::filesystem::path& folder) {
 /// Around each element's points on the plane, without the outermost half per cent on each side.
 inline std::vector<Box> true_boxes(const Building& building, const PlaneFrame& frame) {
   std::vector<Box> out;
-  for (const Cloud& element : building.elements) {
+  for (const PointCloud& element : building.elements) {
     std::vector<double> x, y;
     for (const Vec3d& p : element.positions) {
       x.push_back(frame.local(p).x);

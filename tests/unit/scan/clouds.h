@@ -19,7 +19,7 @@ struct Hole {
   }
 };
 
-struct MadeFacade {
+struct SyntheticFacade {
   double width = 12, height = 8;
   double step = 0.04;       ///< Metres between points.
   double noise = 0.005;     ///< Standard deviation along the plane's normal, in metres.
@@ -34,8 +34,8 @@ struct MadeFacade {
     const Vec3d x(maths::cos(yaw), maths::sin(yaw), 0), y(0, 0, 1);
     return {corner, x, y, x.cross(y)};
   }
-  Cloud cloud(uint64_t seed = 1) const {
-    Cloud out;
+  PointCloud cloud(uint64_t seed = 1) const {
+    PointCloud out;
     RandomStream stream{RandomKey(seed)};
     const PlaneFrame at = frame();
     for (double py = step / 2; py < height; py += step)

@@ -19,11 +19,11 @@ Mask mask_of(const std::vector<std::string>& rows) {
 }
 
 /// All pixels for which `inside` holds, as the only group.
-Group group_of(int width, int height, const std::function<bool(int, int)>& inside) {
+Component group_of(int width, int height, const std::function<bool(int, int)>& inside) {
   Mask mask(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) mask.on[mask.index(x, y)] = inside(x, y);
-  const std::vector<Group> groups = groups_of(mask);
+  const std::vector<Component> groups = components_of(mask);
   EXPECT_EQ(groups.size(), 1U);
   return groups.at(0);
 }
@@ -54,19 +54,19 @@ TEST(Mask, ClosesGapsAndOpensNecks) {
 }
 
 TEST(Mask, GroupsTouchAlongSides) {
-  const std::vector<Group> groups = groups_of(mask_of({"#.#.", "###.", "...#", "#..."}));
+  const std::vector<Component> groups = components_of(mask_of({"#.#.", "###.", "...#", "#..."}));
   ASSERT_EQ(groups.size(), 3U);
   EXPECT_EQ(groups[0].box, (PixelBox{0, 0, 3, 2}));
   EXPECT_EQ(groups[0].mask.on, mask_of({"#.#", "###"}).on);
   EXPECT_EQ(groups[0].pixels, 5);
   EXPECT_EQ(groups[1].box, (PixelBox{3, 2, 4, 3}));
-  EXPECT_TRUE(groups_of(Mask(1, 1)).empty());
-  EXPECT_EQ(groups_of(Mask(1, 1, true)).size(), 1U);
-  EXPECT_TRUE(groups_of(Mask()).empty());
+  EXPECT_TRUE(components_of(Mask(1, 1)).empty());
+  EXPECT_EQ(components_of(Mask(1, 1, true)).size(), 1U);
+  EXPECT_TRUE(components_of(Mask()).empty());
 }
 
 TEST(Split, TakesTwoDoorsUnderASignApart) {
-  const std::vector<Piece> pieces = split(group_of(
+  const std::vector<FilledBox> pieces = split(group_of(
       80, 40, [](int x, int y) { return y < 10 || (x >= 5 && x < 30) || (x >= 50 && x < 75); }));
   ASSERT_EQ(pieces.size(), 3U);
   EXPECT_EQ(pieces[0].box, (PixelBox{0, 0, 80, 10}));
@@ -76,7 +76,7 @@ TEST(Split, TakesTwoDoorsUnderASignApart) {
 }
 
 TEST(Split, CutsSidewaysToo) {
-  const std::vector<Piece> pieces = split(group_of(
+  const std::vector<FilledBox> pieces = split(group_of(
       60, 100, [](int x, int y) { return x < 20 || (y >= 10 && y < 40) || (y >= 60 && y < 90); }));
   ASSERT_EQ(pieces.size(), 3U);
   EXPECT_EQ(pieces[0].box, (PixelBox{0, 0, 20, 100}));
@@ -84,7 +84,7 @@ TEST(Split, CutsSidewaysToo) {
 }
 
 TEST(Split, LeavesTrianglesArchesAndRaggedBoxesWhole) {
-  const auto whole = [](const Group& group) { return split(group).size() == 1; };
+  const auto whole = [](const Component& group) { return split(group).size() == 1; };
   EXPECT_TRUE(whole(group_of(60, 40, [](int x, int y) { return 40 * x < 60 * (y + 1); })));
   EXPECT_TRUE(whole(group_of(
       40, 60, [](int x, int y) { return y >= 20 || std::hypot(x - 19.5, y - 20) <= 20; })));

@@ -16,12 +16,12 @@ namespace vug::scan {
 namespace {
 
 struct Seen {
-  Cloud cloud;
+  PointCloud cloud;
   RangeImage range;
   SurfaceMap map;
 };
 
-Seen see(Cloud cloud, const SurfaceOptions& options = {}, double pixel = 0.02) {
+Seen see(PointCloud cloud, const SurfaceOptions& options = {}, double pixel = 0.02) {
   const PlaneFit plane = fit_plane(cloud, {}, RandomKey(1));
   RangeImage range = range_image(cloud, plane, {.pixel = pixel});
   SurfaceMap map = surface_map(range, options);
@@ -42,8 +42,8 @@ std::vector<Box> boxes_of(const std::vector<Hole>& holes) {
 }
 
 /// Panes that swallow pulses above, set back ones in the middle, a door and a shop below.
-MadeFacade made_facade() {
-  MadeFacade made{.bow = 0.2};
+SyntheticFacade made_facade() {
+  SyntheticFacade made{.bow = 0.2};
   for (int i = 0; i < 4; ++i) {
     made.holes.push_back({1 + 2.8 * i, 5.5, 1.2, 1.6, 0});
     made.holes.push_back({1 + 2.8 * i, 3, 1.2, 1.6, 0.12});
@@ -54,7 +54,7 @@ MadeFacade made_facade() {
 }
 
 TEST(Wall, FollowsABowUnderItsOpenings) {
-  const MadeFacade made = made_facade();
+  const SyntheticFacade made = made_facade();
   const Seen seen = see(made.cloud());
   EXPECT_NEAR(seen.map.wall.rms, made.noise, 0.005);
   const PlaneFrame frame = made.frame();
@@ -68,7 +68,7 @@ TEST(Wall, FollowsABowUnderItsOpenings) {
 
 TEST(Wall, FlatOnesArePlanes) {
   EXPECT_EQ(flat_wall().at({-3, 700}), 0);
-  Seen seen = see(MadeFacade{.step = 0.2}.cloud(), {.bent = false});
+  Seen seen = see(SyntheticFacade{.step = 0.2}.cloud(), {.bent = false});
   EXPECT_EQ(seen.map.set_back, 0.05);
   EXPECT_EQ(seen.map.wall.depths.size(), 1U);
   EXPECT_THROW(fit_wall(seen.range, {.step = 0}), Error);
@@ -79,7 +79,7 @@ TEST(Wall, FlatOnesArePlanes) {
 }
 
 TEST(Openings, AreFoundWithTheirKinds) {
-  const MadeFacade made = made_facade();
+  const SyntheticFacade made = made_facade();
   const Seen seen = see(made.cloud());
   for (const bool triangles : {false, true}) {
     const std::vector<Opening> found = triangles
@@ -102,7 +102,7 @@ TEST(Openings, AreFoundWithTheirKinds) {
 }
 
 TEST(Openings, PlainMethodsFindHolesInFlatWalls) {
-  MadeFacade made = made_facade();
+  SyntheticFacade made = made_facade();
   made.bow = 0;
   made.holes.resize(8);
   const Seen seen = see(made.cloud(), {.bent = false});
@@ -117,7 +117,7 @@ TEST(Openings, PlainMethodsFindHolesInFlatWalls) {
 }
 
 TEST(Openings, SignsThatHideAWallAreNoPartOfTheWindowBelow) {
-  const MadeFacade made{.holes = {{3, 1, 3, 2, 0.15}, {3, 3, 3, 0.8, 0}}};
+  const SyntheticFacade made{.holes = {{3, 1, 3, 2, 0.15}, {3, 3, 3, 0.8, 0}}};
   const Seen seen = see(made.cloud());
   const Scores scores =
       score(boxes_of(openings_by_raster(seen.range, seen.map)), boxes_of(made.holes));
@@ -127,8 +127,8 @@ TEST(Openings, SignsThatHideAWallAreNoPartOfTheWindowBelow) {
 
 TEST(Openings, OutsideIsNone) {
   // A gable, and a low building beside it.
-  Cloud cloud;
-  const MadeFacade made{};
+  PointCloud cloud;
+  const SyntheticFacade made{};
   for (const Vec3d& p : made.cloud().positions) {
     const Vec3d local = made.frame().local(p);
     if (local.y < (local.x < 6 ? 8 - std::fabs(local.x - 3) : 3.0)) cloud.positions.push_back(p);
@@ -150,7 +150,7 @@ TEST(Openings, OfNextToNothing) {
 }
 
 TEST(Openings, AreTheSameForAnyNumberOfThreads) {
-  const Cloud cloud = made_facade().cloud();
+  const PointCloud cloud = made_facade().cloud();
   std::vector<std::vector<Box>> all;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = kPi / 180;
 
-PlaneFit fit(const Cloud& cloud, const PlaneOptions& options = {}) {
+PlaneFit fit(const PointCloud& cloud, const PlaneOptions& options = {}) {
   return fit_plane(cloud, options, RandomKey(7));
 }
 
@@ -25,7 +25,7 @@ void expect_frame(const PlaneFrame& found, const PlaneFrame& made, double angle)
 }
 
 TEST(Plane, IsFoundAmongStrayPoints) {
-  MadeFacade made{.outliers = 0.5, .holes = {{2, 2, 2, 3, 0.15}, {6, 1, 2, 5, 0.15}}};
+  SyntheticFacade made{.outliers = 0.5, .holes = {{2, 2, 2, 3, 0.15}, {6, 1, 2, 5, 0.15}}};
   for (const double yaw : {0.0, 0.7, 2.5, -1.2}) {
     made.yaw = yaw;
     const PlaneFit found = fit(made.cloud(), {.tolerance = 0.03});
@@ -36,16 +36,16 @@ TEST(Plane, IsFoundAmongStrayPoints) {
 }
 
 TEST(Plane, KeepsItsPlaceFarFromTheOrigin) {
-  MadeFacade made{.outliers = 0.2, .holes = {{2, 2, 2, 3, 0.2}}};
+  SyntheticFacade made{.outliers = 0.2, .holes = {{2, 2, 2, 3, 0.2}}};
   made.corner = {32549123.457, 5804321.001, 54.3};
   const PlaneFit found = fit(made.cloud(), {.tolerance = 0.03});
   expect_frame(found.frame, made.frame(), 0.1 * kDegree);
 }
 
 TEST(Plane, FrontIsWhereTheScannerStood) {
-  const MadeFacade made{.step = 0.1, .noise = 0.002};  // nothing tells the front
+  const SyntheticFacade made{.step = 0.1, .noise = 0.002};  // nothing tells the front
   const PlaneFrame frame = made.frame();
-  Cloud cloud = made.cloud();
+  PointCloud cloud = made.cloud();
   for (const double side : {1.0, -1.0}) {
     PlaneOptions options;
     options.scanner = frame.world({5, 1, 9 * side});
@@ -59,27 +59,27 @@ TEST(Plane, FrontIsWhereTheScannerStood) {
 }
 
 TEST(Plane, UprightOnesAreChosenBeforeTheGround) {
-  Cloud cloud = MadeFacade{.step = 0.1}.cloud();
+  PointCloud cloud = SyntheticFacade{.step = 0.1}.cloud();
   RandomStream stream{RandomKey(3)};
   for (int i = 0; i < 30000; ++i)  // three times the facade's
     cloud.positions.emplace_back(stream.uniform(-20, 40), stream.uniform(-20, 40), 3);
   EXPECT_LT(fit(cloud).lean, 1 * kDegree);
-  EXPECT_GT(fit(cloud, {.most_lean = kPi / 2}).lean, 89 * kDegree);
+  EXPECT_GT(fit(cloud, {.max_lean = kPi / 2}).lean, 89 * kDegree);
 }
 
 TEST(Plane, LeansNoFartherThanAllowed) {
-  Cloud cloud;
+  PointCloud cloud;
   RandomStream stream{RandomKey(3)};
   for (int i = 0; i < 5000; ++i) {
     const double x = stream.uniform(0, 10), z = stream.uniform(0, 5);
     cloud.positions.emplace_back(x, 0.02 * z, z);
   }
   EXPECT_NEAR(fit(cloud).lean, 0.02, 1e-4);
-  EXPECT_NEAR(fit(cloud, {.most_lean = 0}).lean, 0, 1e-7);
+  EXPECT_NEAR(fit(cloud, {.max_lean = 0}).lean, 0, 1e-7);
 }
 
 TEST(Plane, IsTheSameForAnyNumberOfThreads) {
-  const Cloud cloud = MadeFacade{.outliers = 0.3, .holes = {{2, 2, 2, 3, 0.15}}}.cloud();
+  const PointCloud cloud = SyntheticFacade{.outliers = 0.3, .holes = {{2, 2, 2, 3, 0.15}}}.cloud();
   std::vector<PlaneFit> fits;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
@@ -93,7 +93,7 @@ TEST(Plane, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Plane, UselessCloudsAreRefused) {
-  Cloud line;
+  PointCloud line;
   EXPECT_THROW(fit(line), Error);
   line.positions.emplace_back(1, 2, 3);
   EXPECT_THROW(fit(line), Error);
@@ -106,7 +106,7 @@ TEST(Plane, UselessCloudsAreRefused) {
   EXPECT_THROW(fit(line, {.tolerance = 0}), Error);
   EXPECT_THROW(fit(line, {.tolerance = std::nan("")}), Error);
   EXPECT_THROW(fit(line, {.up = Vec3d(0)}), Error);
-  EXPECT_THROW(fit(line, {.most_lean = -1}), Error);
+  EXPECT_THROW(fit(line, {.max_lean = -1}), Error);
   EXPECT_THROW(fit(line, {.confidence = 1}), Error);
 }
 

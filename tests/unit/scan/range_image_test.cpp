@@ -16,7 +16,7 @@ namespace {
 PlaneFit level_plane() { return {}; }
 
 RangeImage image_of(std::vector<Vec3d> points, const RangeOptions& options) {
-  Cloud cloud;
+  PointCloud cloud;
   cloud.positions = std::move(points);
   return range_image(cloud, level_plane(), options);
 }
@@ -24,7 +24,7 @@ RangeImage image_of(std::vector<Vec3d> points, const RangeOptions& options) {
 TEST(RangeImage, TakesTheMedianOrTheNearest) {
   const std::vector<Vec3d> points = {{0, 0, 0.01}, {0.1, 0.1, 0.05}, {0.2, 0.1, -0.3},
                                      {0.95, 0, 0}, {0.3, 0.3, 0.9},  {0, 1.95, 0.02}};
-  const RangeImage median = image_of(points, {.pixel = 0.5, .fill = 0});
+  const RangeImage median = image_of(points, {.pixel = 0.5, .inpaint_radius = 0});
   ASSERT_EQ(median.width, 2);
   ASSERT_EQ(median.height, 4);
   EXPECT_EQ(median.depth[median.index(0, 3)], 0.01F);
@@ -32,25 +32,26 @@ TEST(RangeImage, TakesTheMedianOrTheNearest) {
   EXPECT_EQ(median.depth[median.index(1, 3)], 0.0F);
   EXPECT_EQ(median.depth[median.index(0, 0)], 0.02F);
   EXPECT_TRUE(std::isnan(median.depth[median.index(1, 1)]));
-  const RangeImage nearest =
-      image_of(points, {.pixel = 0.5, .depth = DepthOf::nearest, .before = 2, .fill = 0});
+  const RangeImage nearest = image_of(
+      points, {.pixel = 0.5, .depth = DepthStatistic::nearest, .before = 2, .inpaint_radius = 0});
   EXPECT_EQ(nearest.depth[nearest.index(0, 3)], 0.9F);
 }
 
 TEST(RangeImage, LiesInItsFrame) {
-  const RangeImage image = image_of({{3.2, 4.1, 0}, {4.35, 5.45, 0.05}}, {.pixel = 0.1, .fill = 0});
+  const RangeImage image =
+      image_of({{3.2, 4.1, 0}, {4.35, 5.45, 0.05}}, {.pixel = 0.1, .inpaint_radius = 0});
   EXPECT_EQ(image.frame.origin, Vec3d(3.2, 4.1, 0));
   EXPECT_EQ(image.width, 12);
   EXPECT_EQ(image.height, 14);
   EXPECT_EQ(image.depth[image.index(11, 0)], 0.05F);
-  EXPECT_NEAR(image.middle(0, 13).x, 0.05, 1e-12);
-  EXPECT_NEAR(image.middle(0, 13).y, 0.05, 1e-12);
+  EXPECT_NEAR(image.pixel_center(0, 13).x, 0.05, 1e-12);
+  EXPECT_NEAR(image.pixel_center(0, 13).y, 0.05, 1e-12);
 }
 
 TEST(RangeImage, LeavesOutWhatHangsTogetherWithNothing) {
   std::vector<Vec3d> points = {{-500, 0, 0}, {80, 1, 0}, {1e200, 3, 0}};
   for (int i = 0; i < 50; ++i) points.emplace_back(0.1 * i, 0.05 * i, 0);
-  const RangeImage image = image_of(points, {.pixel = 0.1, .fill = 0});
+  const RangeImage image = image_of(points, {.pixel = 0.1, .inpaint_radius = 0});
   EXPECT_EQ(image.width, 50);
   EXPECT_EQ(image.frame.origin, Vec3d(0, 0, 0));
 }
@@ -68,8 +69,8 @@ TEST(RangeImage, FillsFromTheNearestPixel) {
   std::vector<Vec3d> points = {{0, 0, 0}, {0.395, 0.295, 0}};
   for (int i = 0; i < 60; ++i)
     points.emplace_back(stream.uniform(0, 0.4), stream.uniform(0, 0.3), stream.uniform(-0.1, 0.1));
-  const RangeImage bare = image_of(points, {.pixel = 0.01, .fill = 0});
-  const RangeImage filled = image_of(points, {.pixel = 0.01, .fill = 0.0301});
+  const RangeImage bare = image_of(points, {.pixel = 0.01, .inpaint_radius = 0});
+  const RangeImage filled = image_of(points, {.pixel = 0.01, .inpaint_radius = 0.0301});
   size_t holes = 0;
   for (int y = 0; y < bare.height; ++y)
     for (int x = 0; x < bare.width; ++x) {
@@ -92,8 +93,8 @@ TEST(RangeImage, FillsFromTheNearestPixel) {
 }
 
 TEST(RangeImage, HolesStayAndSparseWallsAreFilled) {
-  const MadeFacade made{.step = 0.08, .noise = 0.002, .holes = {{2, 2, 2, 3, 0}}};
-  const Cloud cloud = made.cloud();
+  const SyntheticFacade made{.step = 0.08, .noise = 0.002, .holes = {{2, 2, 2, 3, 0}}};
+  const PointCloud cloud = made.cloud();
   PlaneFit plane;
   plane.frame = made.frame();
   EXPECT_NEAR(spacing(cloud, plane.frame), 0.08, 0.02);
@@ -101,14 +102,14 @@ TEST(RangeImage, HolesStayAndSparseWallsAreFilled) {
   size_t holes = 0;
   for (const float d : image.depth) holes += std::isnan(d);
   EXPECT_NEAR(static_cast<double>(holes) * 0.02 * 0.02, 6, 1.1);
-  const RangeImage bare = range_image(cloud, plane, {.pixel = 0.02, .fill = 0});
+  const RangeImage bare = range_image(cloud, plane, {.pixel = 0.02, .inpaint_radius = 0});
   size_t points = 0;
   for (const uint16_t n : bare.count) points += n;
   EXPECT_EQ(points, cloud.size());
 }
 
 TEST(RangeImage, IsTheSameForAnyNumberOfThreads) {
-  const Cloud cloud = MadeFacade{.outliers = 0.2, .holes = {{2, 2, 2, 3, 0.1}}}.cloud();
+  const PointCloud cloud = SyntheticFacade{.outliers = 0.2, .holes = {{2, 2, 2, 3, 0.1}}}.cloud();
   std::vector<RangeImage> images;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
@@ -137,12 +138,12 @@ TEST(RangeImage, MemoryIsToldBeforehand) {
   for (const double pixel : {0.0, -1.0, std::nan(""), kInfinity})
     EXPECT_EQ(code_of({.pixel = pixel}), ErrorCode::bad_input);
   EXPECT_EQ(code_of({.before = -1}), ErrorCode::bad_input);
-  EXPECT_EQ(code_of({.fill = std::nan("")}), ErrorCode::bad_input);
+  EXPECT_EQ(code_of({.inpaint_radius = std::nan("")}), ErrorCode::bad_input);
   EXPECT_THROW(image_of({{0, 0, 7}}, {}), Error);  // nothing near the plane
 }
 
 TEST(RangeImage, ComesBackFromItsFile) {
-  const Cloud cloud = MadeFacade{.step = 0.2}.cloud();
+  const PointCloud cloud = SyntheticFacade{.step = 0.2}.cloud();
   const RangeImage image = range_image(cloud, fit_plane(cloud, {}, RandomKey(1)), {.pixel = 0.07});
   const std::string path = testing::TempDir() + "vug_range.exr";
   write_range(path, image);

@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Cloud read(const std::string& bytes) { return parse_cloud(bytes, "x"); }
+PointCloud read(const std::string& bytes) { return parse_cloud(bytes, "x"); }
 
 Error fault_of(const std::string& bytes, const ReadOptions& options = {}) {
   try {
@@ -35,7 +35,7 @@ TEST(Xyz, TakesBlanksCommasAndSemicolons) {
         "# comment\n1\t2\t+3\n// another\n4 5 6e0", "x y z\n1 2 3\n4 5 6\n", "2\n1 2 3\n4 5 6\n",
         "\xEF\xBB\xBF"
         "1 2 3\n4 5 6\n"}) {
-    const Cloud cloud = read(text);
+    const PointCloud cloud = read(text);
     EXPECT_EQ(cloud.positions, (std::vector<Vec3d>{{1, 2, 3}, {4, 5, 6}})) << text;
     EXPECT_TRUE(cloud.intensities.empty() && cloud.colours.empty() && cloud.normals.empty());
   }
@@ -45,7 +45,7 @@ TEST(Xyz, KnowsColumnsByTheirNumber) {
   EXPECT_EQ(read("1 2 3 0.5\n1 2 3 1e-400\n").intensities, (std::vector<float>{0.5F, 0}));
   EXPECT_EQ(read("1 2 3 255 0 51\n").colours, (std::vector<Vec3f>{{1, 0, 0.2F}}));
   EXPECT_EQ(read("1 2 3 0.5 0 1\n").colours, (std::vector<Vec3f>{{0.5F, 0, 1}}));
-  const Cloud all = read("1 2 3 9 0 0 65535\n");
+  const PointCloud all = read("1 2 3 9 0 0 65535\n");
   EXPECT_EQ(all.intensities, (std::vector<float>{9}));
   EXPECT_EQ(all.colours, (std::vector<Vec3f>{{0, 0, 1}}));
 }
@@ -56,7 +56,7 @@ TEST(Xyz, KeepsMillimetresOfLargeCoordinates) {
 }
 
 TEST(Xyz, DropsAndCountsPointsThatAreNowhere) {
-  const Cloud cloud = read("1 2 nan\n1 2 3\ninf 0 0\n1e999 0 0\n");
+  const PointCloud cloud = read("1 2 nan\n1 2 3\ninf 0 0\n1e999 0 0\n");
   EXPECT_EQ(cloud.size(), 1U);
   EXPECT_EQ(cloud.dropped, 3U);
 }
@@ -111,7 +111,7 @@ TEST(PlyCloud, ReadsAllEncodingsInAnyOrder) {
     files.push_back(bytes);
   }
   for (const std::string& bytes : files) {
-    const Cloud cloud = read(bytes);
+    const PointCloud cloud = read(bytes);
     EXPECT_EQ(cloud.positions, (std::vector<Vec3d>{{32549123.457, 5804321.001, 3.25}}));
     EXPECT_EQ(cloud.colours, (std::vector<Vec3f>{{1, 0.2F, 0}}));
     EXPECT_EQ(cloud.normals, (std::vector<Vec3f>{{0, 0, 1}}));
@@ -148,7 +148,7 @@ TEST(Clouds, PicturesThatWereRenderedAreScans) {
                     1, 1, 1, 6,     0, 1, 0, 4, 5, NAN};
   const auto folder = std::filesystem::path(testing::TempDir());
   image::write_exr(folder / "scan.exr", picture);
-  const Cloud cloud = read_clouds({folder / "scan.exr"});
+  const PointCloud cloud = read_clouds({folder / "scan.exr"});
   ASSERT_EQ(cloud.size(), 1U);
   EXPECT_EQ(cloud.positions[0], Vec3d(1, 2, 3));
   EXPECT_EQ(cloud.normals[0], Vec3f(0, 0, 1));
@@ -165,13 +165,13 @@ TEST(Clouds, PicturesThatWereRenderedAreScans) {
 }
 
 TEST(Clouds, JoinedKeepWhatBothHave) {
-  const Cloud both = joined(read("1 2 3 7\nnan 0 0 0\n"), read("4 5 6 8\n"));
+  const PointCloud both = joined(read("1 2 3 7\nnan 0 0 0\n"), read("4 5 6 8\n"));
   EXPECT_EQ(both.intensities, (std::vector<float>{7, 8}));
   EXPECT_EQ(both.dropped, 1U);
-  const Cloud less = joined(both, read("4 5 6\n"));
+  const PointCloud less = joined(both, read("4 5 6\n"));
   EXPECT_EQ(less.size(), 3U);
   EXPECT_TRUE(less.intensities.empty());
-  EXPECT_EQ(joined(Cloud{}, both).intensities, both.intensities);
+  EXPECT_EQ(joined(PointCloud{}, both).intensities, both.intensities);
   EXPECT_THROW(read_clouds({}), Error);
   EXPECT_THROW(read_clouds({"no/such/file.xyz"}), Error);
 }

@@ -58,10 +58,12 @@ TEST(Rectify, AspectFollowsFromAView) {
   for (const double yaw : {0.5, -0.8, 0.3})
     for (const double aspect : {0.5, 1.0, 1.6}) {
       const View view{.yaw = yaw};
-      EXPECT_NEAR(aspect_of(view.corners(6 * aspect, 6), view.width, view.height), aspect, 1e-6);
+      EXPECT_NEAR(estimate_aspect(view.corners(6 * aspect, 6), view.width, view.height), aspect,
+                  1e-6);
     }
   const View square_on{.yaw = 0, .pitch = 0};
-  EXPECT_NEAR(aspect_of(square_on.corners(9, 6), square_on.width, square_on.height), 1.5, 1e-9);
+  EXPECT_NEAR(estimate_aspect(square_on.corners(9, 6), square_on.width, square_on.height), 1.5,
+              1e-9);
 }
 
 /// A board of squares of one metre, 8 x 6 of them.
@@ -88,8 +90,8 @@ image::Image photo_of_board(const View& view) {
 TEST(Rectify, ViewsOfABoardBecomeTheBoard) {
   for (const double away : {9.0, 14.0, 40.0}) {  // magnified, alike and shrunk
     const View view{.away = away};
-    const Rectified out = rectified(photo_of_board(view), view.corners(8, 6),
-                                    {.width = 8, .height = 6, .pixel = 0.05});
+    const RectifiedPhoto out =
+        rectify(photo_of_board(view), view.corners(8, 6), {.width = 8, .height = 6, .pixel = 0.05});
     ASSERT_EQ(out.picture.width, 160);
     ASSERT_EQ(out.picture.height, 120);
     for (int y = 0; y < 120; ++y)
@@ -110,8 +112,8 @@ TEST(Rectify, ShrinksWithoutAliases) {
   for (int y = 0; y < 900; ++y)
     for (int x = 0; x < 900; ++x)
       for (size_t c = 0; c < 3; ++c) stripes.at(x, y, c) = static_cast<float>((x / 2 + y / 2) % 2);
-  const Rectified out = rectified(stripes, {Vec2d(20, 10), {880, 30}, {870, 890}, {10, 870}},
-                                  {.width = 1, .height = 1, .pixel = 0.01});
+  const RectifiedPhoto out = rectify(stripes, {Vec2d(20, 10), {880, 30}, {870, 890}, {10, 870}},
+                                     {.width = 1, .height = 1, .pixel = 0.01});
   for (int y = 5; y < 95; ++y)
     for (int x = 5; x < 95; ++x) EXPECT_NEAR(out.picture.at(x, y), 0.5, 0.1) << x << ' ' << y;
 }
@@ -119,12 +121,12 @@ TEST(Rectify, ShrinksWithoutAliases) {
 TEST(Rectify, IsAsFineAsThePhotoUnlessTold) {
   const image::Image photo(400, 300, {"Y"});
   const FourPoints all = {Vec2d(0, 0), {400, 0}, {400, 300}, {0, 300}};
-  const Rectified same = rectified(photo, all);
+  const RectifiedPhoto same = rectify(photo, all);
   EXPECT_EQ(same.picture.width, 400);
   EXPECT_EQ(same.picture.height, 300);
   EXPECT_NEAR(same.width, 4.0 / 3, 1e-12);
-  EXPECT_EQ(rectified(photo, all, {.width = 8, .height = 3}).picture.width, 800);
-  EXPECT_EQ(rectified(image::Image(1, 1, {"Y"}), {Vec2d(0, 0), {1, 0}, {1, 1}, {0, 1}})
+  EXPECT_EQ(rectify(photo, all, {.width = 8, .height = 3}).picture.width, 800);
+  EXPECT_EQ(rectify(image::Image(1, 1, {"Y"}), {Vec2d(0, 0), {1, 0}, {1, 1}, {0, 1}})
                 .picture.pixels.size(),
             1U);
 }
@@ -134,7 +136,7 @@ TEST(Rectify, FaultsAreRefused) {
   const FourPoints good = {Vec2d(10, 10), {390, 20}, {380, 280}, {20, 290}};
   const auto message = [&](const FourPoints& corners, const RectifyOptions& options) {
     try {
-      rectified(photo, corners, options);
+      rectify(photo, corners, options);
     } catch (const Error& error) {
       return std::string(error.what());
     }
@@ -151,7 +153,7 @@ TEST(Rectify, FaultsAreRefused) {
   EXPECT_NE(message(good, {.width = -3, .height = 2}), "done");
   EXPECT_NE(message(good, {.pixel = -1}), "done");
   try {
-    rectified(photo, good, {.width = 9, .height = 9, .pixel = 1e-5, .memory = 1 << 30});
+    rectify(photo, good, {.width = 9, .height = 9, .pixel = 1e-5, .memory = 1 << 30});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::too_large);
@@ -165,8 +167,8 @@ TEST(Rectify, PhotosLieOverRangeImages) {
     range.count.push_back(static_cast<uint16_t>(p % 5));
   }
   const View view;
-  const image::Image both = laid_over(range, photo_of_board(view), view.corners(8, 6),
-                                      {Vec2d(0, 6), {8, 6}, {8, 0}, {0, 0}});
+  const image::Image both = overlay_photo(range, photo_of_board(view), view.corners(8, 6),
+                                          {Vec2d(0, 6), {8, 6}, {8, 0}, {0, 0}});
   EXPECT_EQ(both.channels, (std::vector<std::string>{"R", "G", "B", "depth", "count"}));
   for (int y = 10; y < 120; y += 20)
     for (int x = 10; x < 160; x += 20) {
@@ -176,7 +178,7 @@ TEST(Rectify, PhotosLieOverRangeImages) {
     }
   image::Image plain(320, 240, {"Y"});
   for (size_t p = 0; p < plain.pixels.size(); ++p) plain.pixels[p] = p % 320 < 160 ? 0.0F : 1.0F;
-  const image::Image same = laid_over(range, plain);
+  const image::Image same = overlay_photo(range, plain);
   EXPECT_NEAR(same.at(40, 60), 0, 1e-3);
   EXPECT_NEAR(same.at(120, 60), 1, 1e-3);
 }

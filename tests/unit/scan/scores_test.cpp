@@ -19,8 +19,8 @@ TEST(Scores, IouOfKnownBoxes) {
 }
 
 TEST(Scores, CoveredCountsCommonPartsOnce) {
-  EXPECT_EQ(covered({}), 0);
-  EXPECT_EQ(covered({box(0, 0, 2, 2), box(1, 1, 3, 3), box(1, 1, 3, 3), Box()}), 7);
+  EXPECT_EQ(union_area({}), 0);
+  EXPECT_EQ(union_area({box(0, 0, 2, 2), box(1, 1, 3, 3), box(1, 1, 3, 3), Box()}), 7);
   std::vector<Box> boxes;
   RandomStream stream{RandomKey(4)};
   for (int i = 0; i < 30; ++i) {
@@ -33,7 +33,7 @@ TEST(Scores, CoveredCountsCommonPartsOnce) {
     for (int x = 0; x < 30; ++x)
       cells += std::any_of(boxes.begin(), boxes.end(),
                            [&](const Box& b) { return b.intersects(Vec2d(x + 0.5, y + 0.5)); });
-  EXPECT_EQ(covered(boxes), cells);
+  EXPECT_EQ(union_area(boxes), cells);
 }
 
 TEST(Scores, EachObjectCountsOnce) {

@@ -4,8 +4,8 @@
 
 #include <vug/base/median.h>
 #include <vug/building/builder.h>
-#include <vug/fit/to_facade.h>
 #include <vug/fit/polish/polish.h>
+#include <vug/fit/to_facade.h>
 #include <vug/loading/load.h>
 #include <vug/picture/stereo_views.h>
 #include <vug/session/facade_fit.h>

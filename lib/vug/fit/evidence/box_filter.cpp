@@ -17,7 +17,7 @@ Plane made(int width, int height, const Value& value) {
 
 }  // namespace
 
-Boxes::Boxes(int width, int height, const Plane& plane)
+BoxFilter::BoxFilter(int width, int height, const Plane& plane)
     : width_(width),
       height_(height),
       table_((static_cast<size_t>(width) + 1) * (static_cast<size_t>(height) + 1), 0) {
@@ -26,17 +26,17 @@ Boxes::Boxes(int width, int height, const Plane& plane)
     double row = 0;
     for (int x = 0; x < width; ++x) {
       row += plane[i++];
-      table_[place(x + 1, y + 1)] = table_[place(x + 1, y)] + row;
+      table_[index(x + 1, y + 1)] = table_[index(x + 1, y)] + row;
     }
   }
 }
 
-Plane Boxes::mean(int half_x, int half_y) const {
+Plane BoxFilter::mean(int half_x, int half_y) const {
   return made(width_, height_, [&](int x, int y) {
     const int x0 = std::max(0, x - half_x), x1 = std::min(width_, x + half_x + 1);
     const int y0 = std::max(0, y - half_y), y1 = std::min(height_, y + half_y + 1);
-    return (table_[place(x1, y1)] - table_[place(x0, y1)] - table_[place(x1, y0)] +
-            table_[place(x0, y0)]) /
+    return (table_[index(x1, y1)] - table_[index(x0, y1)] - table_[index(x1, y0)] +
+            table_[index(x0, y0)]) /
            (static_cast<double>(x1 - x0) * (y1 - y0));
   });
 }
@@ -53,7 +53,7 @@ Plane squared(const Plane& plane) {
   return out;
 }
 
-Plane edges(int width, int height, const Plane& plane, bool along_x) {
+Plane central_differences(int width, int height, const Plane& plane, bool along_x) {
   const auto at = [&](int x, int y) {
     return plane[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
   };

@@ -11,9 +11,9 @@ using Plane = std::vector<float>;
 
 /// Means of a plane over boxes around each pixel: over the part of each box that is in the picture.
 /// Sizes are half of a box's, in pixels, beside the pixel itself.
-class Boxes {
+class BoxFilter {
  public:
-  Boxes(int width, int height, const Plane& plane);
+  BoxFilter(int width, int height, const Plane& plane);
 
   Plane mean(int half_x, int half_y) const;
   Plane mean(int half) const { return mean(half, half); }
@@ -23,7 +23,7 @@ class Boxes {
   Plane whole() const { return mean(width_, height_); }
 
  private:
-  size_t place(int x, int y) const {
+  size_t index(int x, int y) const {
     return static_cast<size_t>(y) * (static_cast<size_t>(width_) + 1) + static_cast<size_t>(x);
   }
 
@@ -35,7 +35,7 @@ class Boxes {
 Plane difference(const Plane& a, const Plane& b);
 Plane squared(const Plane& plane);
 /// How much the plane changes from the pixel before to the one behind, along x or y.
-Plane edges(int width, int height, const Plane& plane, bool along_x);
+Plane central_differences(int width, int height, const Plane& plane, bool along_x);
 
 /// What sizes of boxes grow with, so that pictures of one facade at two resolutions have like
 /// features: 1/160 of the height, a pixel at least.

@@ -42,28 +42,28 @@ float middle(Plane values) {
   return median(std::move(values));
 }
 
-ClusterImage made(int width, int height, std::vector<uint8_t> of) {
-  const int clusters = 1 + *std::max_element(of.begin(), of.end());
-  return {width, height, clusters, std::move(of)};
+ClusterImage made(int width, int height, std::vector<uint8_t> labels) {
+  const int clusters = 1 + *std::max_element(labels.begin(), labels.end());
+  return {width, height, clusters, std::move(labels)};
 }
 
 /// Clusters of one plane, by value: those whose means are nearer than the step to the one before
 /// become one with it.
-void join(const Plane& values, double step, std::vector<uint8_t>& of) {
-  std::array<double, kMostLanes> sum{}, count{};
-  for (size_t i = 0; i < of.size(); ++i) sum[of[i]] += values[i], count[of[i]] += 1;
-  std::array<uint8_t, kMostLanes> now{};
+void join(const Plane& values, double step, std::vector<uint8_t>& labels) {
+  std::array<double, kMaxLanes> sum{}, count{};
+  for (size_t i = 0; i < labels.size(); ++i) sum[labels[i]] += values[i], count[labels[i]] += 1;
+  std::array<uint8_t, kMaxLanes> now{};
   for (size_t k = 1; k < now.size() && count[k] > 0; ++k) {
     const double gap = sum[k] / count[k] - sum[k - 1] / count[k - 1];
     now[k] = static_cast<uint8_t>(now[k - 1] + (gap < step ? 0 : 1));
   }
-  for (uint8_t& one : of) one = now[one];
+  for (uint8_t& one : labels) one = now[one];
 }
 
 /// Deep ones first, and holes with them: as the first cluster if there are any.
 std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& options,
                                RandomKey key) {
-  if (options.depth_clusters < 2 || options.depth_clusters >= kMostLanes)
+  if (options.depth_clusters < 2 || options.depth_clusters >= kMaxLanes)
     throw Error(ErrorCode::bad_input, "depths have between 2 and 7 clusters");
   const float from = middle(depths), most = static_cast<float>(options.depth_range);
   Planes known{0, 1, {{}}};
@@ -73,7 +73,7 @@ std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& o
   const bool holes = known.pixels() < depths.size();
   std::vector<uint8_t> found;
   if (known.width > 0) found = cluster(known, {.clusters = options.depth_clusters}, key);
-  if (!found.empty()) join(known.planes[0], options.least_step, found);
+  if (!found.empty()) join(known.planes[0], options.min_step, found);
   std::vector<uint8_t> out;
   size_t at = 0;
   for (const float depth : depths)
@@ -84,20 +84,20 @@ std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& o
 
 }  // namespace
 
-Planes glass(const image::Image& linear) {
-  const Planes lab = to_lab(linear), flat = flattened(lab);
+Planes glass_cue(const image::Image& linear) {
+  const Planes lab = to_lab(linear), flat = high_pass(lab);
   const int width = lab.width, height = lab.height, unit = box_unit(height);
   const auto soft = [&](const Plane& plane, int half) {
-    return Boxes(width, height, plane).mean(half);
+    return BoxFilter(width, height, plane).mean(half);
   };
-  const Boxes light(width, height, lab.planes[0]);
+  const BoxFilter light(width, height, lab.planes[0]);
   Planes out{width, height, {Plane(lab.pixels(), 0)}};
   // Weights by how well each tells windows from all else on facades of stone
   // (docs/explanation/theory/facades.md).
   add(out.planes[0], soft(flat.planes[2], unit), 1);
   add(out.planes[0], soft(flat.planes[1], unit), 0.5);
   add(out.planes[0], difference(light.mean(3 * unit), light.rows(unit)), 0.5);
-  add(out.planes[0], soft(edges(width, height, lab.planes[0], true), 4 * unit), -1);
+  add(out.planes[0], soft(central_differences(width, height, lab.planes[0], true), 4 * unit), -1);
   // Of shops, sky and shadows, which are larger than windows, borders remain.
   out.planes[0] = difference(out.planes[0], soft(out.planes[0], std::max(1, height / 14)));
   return out;
@@ -114,14 +114,14 @@ ClusterImage cluster_image(const image::Image* linear, const image::Image* depth
   const image::Image& any = linear ? *linear : *depth;
   if (any.pixel_count() == 0) throw Error(ErrorCode::bad_input, "the picture has no pixels");
   if (depth) {
-    const bool flat = spread(depth->pixels).deviation < options.least_relief &&
+    const bool flat = spread(depth->pixels).deviation < options.min_relief &&
                       std::all_of(depth->pixels.begin(), depth->pixels.end(),
                                   [](float v) { return std::isfinite(v); });
     if (!flat || !linear)
       return made(any.width, any.height, of_depths(depth->pixels, options, key));
   }
   return made(any.width, any.height,
-              cluster(glass(*linear), {.clusters = options.photo_clusters}, key));
+              cluster(glass_cue(*linear), {.clusters = options.photo_clusters}, key));
 }
 
 }  // namespace vug::fit

@@ -15,9 +15,9 @@ struct ClusterImageOptions {
   double depth_range = 1;
   /// Depths that are apart by less than this, in metres, as a pane and its frame, are of one
   /// cluster.
-  double least_step = 0.05;
+  double min_step = 0.05;
   /// Where depths deviate by less than this, in metres, the facade is flat, and the photo decides.
-  double least_relief = 0.01;
+  double min_relief = 0.01;
 };
 
 /// Which cluster each pixel is of. The first one is what windows are most likely made of: of a
@@ -25,16 +25,16 @@ struct ClusterImageOptions {
 struct ClusterImage {
   int width = 0, height = 0;
   int clusters = 1;
-  std::vector<uint8_t> of;
+  std::vector<uint8_t> labels;
 
-  Evidence evidence() const { return Evidence::of_clusters(width, height, clusters, of); }
+  Evidence evidence() const { return Evidence::from_clusters(width, height, clusters, labels); }
 };
 
 /// One plane, lower where a pixel looks more like a window's than what is around it, a seventh of
 /// the picture's height across: glass mirrors the sky, so that it is bluer and darker than stone,
 /// and frames are upright edges. Each of these in deviations of its own over the picture, so that
 /// light and camera do not matter.
-Planes glass(const image::Image& linear);
+Planes glass_cue(const image::Image& linear);
 
 /// Of a photo (linear R, G, B), or of a plane of depths in metres, larger further away, NaN where
 /// nothing came back, or both: then depth decides, unless the facade is flat.

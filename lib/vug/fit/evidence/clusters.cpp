@@ -60,16 +60,16 @@ std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey
   return out;
 }
 
-struct Found {
+struct Clustering {
   std::vector<Point> centres;
   double error = 0;  ///< Sum of the squares of what pixels are away from their centres.
 };
 
 /// From one choice of starts; a row at a time, so that sums do not depend on threads.
-Found refined(const std::vector<Point>& points, size_t width, int rounds,
-              std::vector<Point> centres) {
+Clustering refined(const std::vector<Point>& points, size_t width, int rounds,
+                   std::vector<Point> centres) {
   struct Sum {
-    std::array<std::array<double, 5>, kMostLanes> of{};  ///< Four coordinates and a count.
+    std::array<std::array<double, 5>, kMaxLanes> of{};  ///< Four coordinates and a count.
     double error = 0;
   };
   const auto add = [](Sum a, const Sum& b) {
@@ -78,7 +78,7 @@ Found refined(const std::vector<Point>& points, size_t width, int rounds,
     a.error += b.error;
     return a;
   };
-  Found out;
+  Clustering out;
   for (int round = 0; round < rounds; ++round) {
     const Sum sum = ordered_reduce(
         points.size() / width, Sum{},
@@ -106,13 +106,14 @@ Found refined(const std::vector<Point>& points, size_t width, int rounds,
 }  // namespace
 
 std::vector<uint8_t> cluster(const Planes& planes, const ClusterOptions& options, RandomKey key) {
-  if (options.clusters < 1 || options.clusters > kMostLanes || planes.pixels() == 0)
+  if (options.clusters < 1 || options.clusters > kMaxLanes || planes.pixels() == 0)
     throw Error(ErrorCode::bad_input, "a picture has between 1 and 8 clusters");
   const std::vector<Point> points = points_of(planes, options.depth_scale);
-  Found best;
+  Clustering best;
   for (int attempt = 0; attempt < std::max(1, options.attempts); ++attempt) {
-    Found found = refined(points, static_cast<size_t>(planes.width), options.rounds,
-                          starts(points, options.clusters, key.at(static_cast<uint64_t>(attempt))));
+    Clustering found =
+        refined(points, static_cast<size_t>(planes.width), options.rounds,
+                starts(points, options.clusters, key.at(static_cast<uint64_t>(attempt))));
     if (attempt == 0 || found.error < best.error) best = std::move(found);
   }
   std::vector<Point>& centres = best.centres;

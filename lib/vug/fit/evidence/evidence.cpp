@@ -9,7 +9,7 @@ namespace vug::fit {
 
 Evidence::Evidence(int width, int height, int lanes, const std::vector<uint32_t>& values)
     : width_(width), height_(height), lanes_(lanes) {
-  if (width < 1 || height < 1 || lanes < 1 || lanes > kMostLanes)
+  if (width < 1 || height < 1 || lanes < 1 || lanes > kMaxLanes)
     throw Error(ErrorCode::bad_input,
                 fmt::format("a picture of {} x {} pixels with {} numbers each is no evidence",
                             width, height, lanes));
@@ -17,7 +17,7 @@ Evidence::Evidence(int width, int height, int lanes, const std::vector<uint32_t>
   const auto count = static_cast<size_t>(lanes);
   if (values.size() != w * h * count)
     throw Error(ErrorCode::bad_input, "evidence needs numbers for each pixel");
-  std::array<uint64_t, kMostLanes> whole{};
+  std::array<uint64_t, kMaxLanes> whole{};
   for (size_t i = 0; i < values.size(); ++i) whole[i % count] += values[i];
   for (const uint64_t sum : whole)
     if (sum > std::numeric_limits<uint32_t>::max())
@@ -36,8 +36,8 @@ Evidence::Evidence(int width, int height, int lanes, const std::vector<uint32_t>
   }
 }
 
-Evidence Evidence::of_clusters(int width, int height, int lanes,
-                               const std::vector<uint8_t>& clusters) {
+Evidence Evidence::from_clusters(int width, int height, int lanes,
+                                 const std::vector<uint8_t>& clusters) {
   if (lanes < 1) throw Error(ErrorCode::bad_input, "there are no clusters");
   std::vector<uint32_t> values(clusters.size() * static_cast<size_t>(lanes), 0);
   for (size_t i = 0; i < clusters.size(); ++i) {

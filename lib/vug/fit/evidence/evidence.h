@@ -8,12 +8,12 @@
 
 namespace vug::fit {
 
-constexpr int kMostLanes = 8;
+constexpr int kMaxLanes = 8;
 /// Instead of a cluster: a pixel that tells nothing, such as one beside the facade.
 constexpr uint8_t kNoEvidence = 255;
 /// Sums over pixels, one a lane: pixels of each cluster, or code lengths under each look.
 struct alignas(32) Sums {
-  std::array<uint32_t, kMostLanes> lane{};
+  std::array<uint32_t, kMaxLanes> lane{};
 
   Sums& operator+=(const Sums& other) {
     for (size_t i = 0; i < lane.size(); ++i) lane[i] += other.lane[i];
@@ -34,8 +34,8 @@ class Evidence {
   /// are not positive or do not fit, Error(too_large) where a lane's sum exceeds 32 bits.
   Evidence(int width, int height, int lanes, const std::vector<uint32_t>& values);
   /// One lane for each cluster 0..lanes-1, from the clusters of the pixels; kNoEvidence is none.
-  static Evidence of_clusters(int width, int height, int lanes,
-                              const std::vector<uint8_t>& clusters);
+  static Evidence from_clusters(int width, int height, int lanes,
+                                const std::vector<uint8_t>& clusters);
 
   int width() const { return width_; }
   int height() const { return height_; }

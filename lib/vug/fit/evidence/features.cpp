@@ -75,11 +75,11 @@ Planes to_lab(const image::Image& linear) {
   return out;
 }
 
-Planes flattened(const Planes& planes) {
+Planes high_pass(const Planes& planes) {
   Planes out = planes;
   for (Plane& plane : out.planes)
     plane = difference(
-        plane, Boxes(planes.width, planes.height, plane).mean(std::max(1, planes.height / 10)));
+        plane, BoxFilter(planes.width, planes.height, plane).mean(std::max(1, planes.height / 10)));
   return out;
 }
 
@@ -88,11 +88,11 @@ Planes features(const image::Image& linear) {
   const int unit = box_unit(out.height);
   const std::vector<Plane> lab = out.planes;
   std::vector<Plane>& all = out.planes;
-  const auto boxes = [&](const Plane& plane) { return Boxes(out.width, out.height, plane); };
+  const auto boxes = [&](const Plane& plane) { return BoxFilter(out.width, out.height, plane); };
   const Plane& lightness = lab[0];
-  const Boxes light = boxes(lightness);
+  const BoxFilter light = boxes(lightness);
   for (const Plane& plane : lab) {
-    const Boxes means = boxes(plane);
+    const BoxFilter means = boxes(plane);
     const Plane near = means.mean(3 * unit), whole = means.whole(), rows = means.rows(unit);
     all.push_back(means.mean(unit));
     all.push_back(near);
@@ -102,11 +102,11 @@ Planes features(const image::Image& linear) {
     all.push_back(difference(means.columns(unit), whole));
     all.push_back(difference(near, rows));
   }
-  const Boxes squares = boxes(squared(lightness));
+  const BoxFilter squares = boxes(squared(lightness));
   for (const int half : {unit, 3 * unit, 8 * unit})
     all.push_back(deviation(light.mean(half), squares.mean(half)));
   for (const bool along_x : {true, false}) {
-    const Boxes found = boxes(edges(out.width, out.height, lightness, along_x));
+    const BoxFilter found = boxes(central_differences(out.width, out.height, lightness, along_x));
     all.push_back(found.mean(unit));
     all.push_back(found.mean(4 * unit));
     all.push_back(found.rows(unit));
@@ -125,7 +125,7 @@ Planes context_features(const Planes& maps) {
   Planes out{maps.width, maps.height, {}};
   for (const Plane& map : maps.planes) {
     std::vector<Plane>& all = out.planes;
-    const Boxes means(maps.width, maps.height, map);
+    const BoxFilter means(maps.width, maps.height, map);
     const Plane soft = means.mean(2 * unit);
     all.push_back(map);
     all.push_back(soft);

@@ -23,7 +23,7 @@ Planes to_lab(const image::Image& linear);
 
 /// The planes less their means over boxes of a fifth of the height: what is left where one picture
 /// has bright sky, dark shops and shadows.
-Planes flattened(const Planes& planes);
+Planes high_pass(const Planes& planes);
 
 /// Colour, its means and deviations over boxes, edges, rows and columns of the picture, samples
 /// from around, and the place in the picture. Boxes grow with the picture's height, so pictures of

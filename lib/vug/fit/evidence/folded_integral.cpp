@@ -5,14 +5,14 @@
 
 namespace vug::fit {
 
-Gains gains_of_looks() {
+Gains supervised_gains() {
   Gains out{};
-  out[static_cast<size_t>(Look::wall)] = kBitStep;
-  out[static_cast<size_t>(Look::window)] = -kBitStep;
+  out[static_cast<size_t>(RegionType::wall)] = kBitStep;
+  out[static_cast<size_t>(RegionType::window)] = -kBitStep;
   return out;
 }
 
-Gains gains_of_regions(const Sums& windows, const Sums& wall, int lanes) {
+Gains gains_from_regions(const Sums& windows, const Sums& wall, int lanes) {
   Gains out{};
   double all_windows = 0, all_wall = 0;
   for (size_t i = 0; i < static_cast<size_t>(lanes); ++i) {
@@ -25,16 +25,16 @@ Gains gains_of_regions(const Sums& windows, const Sums& wall, int lanes) {
   return out;
 }
 
-Gains gains_in(const Model& model, const Evidence& evidence, const State& state, int i) {
-  if (model.likelihood()->of_looks()) return gains_of_looks();
+Gains gains_from_grid(const Model& model, const Evidence& evidence, const TreeState& state, int i) {
+  if (model.likelihood()->is_supervised()) return supervised_gains();
   Sums windows, wall = sum_of(evidence, state, state.area(i));
-  model.each_terminal(state, [&](Look look, int node, const Rect& r) {
+  model.each_terminal(state, [&](RegionType type, int node, const Rect& r) {
     if (node <= i || node >= state.tree.end(i)) return;
     const Sums sums = evidence.sums(r.x0, r.y0, r.x1, r.y1);
-    if (look == Look::window) windows += sums;
+    if (type == RegionType::window) windows += sums;
     wall -= sums;
   });
-  return gains_of_regions(windows, wall, evidence.lanes());
+  return gains_from_regions(windows, wall, evidence.lanes());
 }
 
 double gain_of(const Gains& gains, const Sums& sums) {
@@ -50,7 +50,7 @@ GainMap::GainMap(const Evidence& evidence, const Gains& of)
     for (int x = 0; x < width; ++x) gains.push_back(gain_of(of, evidence.sums(x, y, x + 1, y + 1)));
 }
 
-Sheet::Sheet(const GainMap& map, const State& state, const Area& area)
+FoldedIntegral::FoldedIntegral(const GainMap& map, const TreeState& state, const Area& area)
     : width_(area.width), height_(area.height) {
   const auto w = static_cast<size_t>(width_), h = static_cast<size_t>(height_);
   const auto across = static_cast<size_t>(map.width);
@@ -59,12 +59,12 @@ Sheet::Sheet(const GainMap& map, const State& state, const Area& area)
   for (size_t y = 0; y < h; ++y) {
     std::fill(row.begin(), row.end(), 0);
     for (int place = 0; place < area.count; ++place) {
-      const Frame& frame = state.frame(area, place);
+      const AreaInstance& instance = state.instance(area, place);
       const auto begin = map.gains.begin() +
                          static_cast<std::ptrdiff_t>((static_cast<size_t>(area.y) + y) * across) +
-                         frame.x;
+                         instance.x;
       for (size_t x = 0; x < w; ++x)
-        row[x] += begin[static_cast<std::ptrdiff_t>(frame.mirrored ? w - 1 - x : x)];
+        row[x] += begin[static_cast<std::ptrdiff_t>(instance.mirrored ? w - 1 - x : x)];
     }
     double sum = 0;
     for (size_t x = 0; x < w; ++x) {
@@ -74,8 +74,8 @@ Sheet::Sheet(const GainMap& map, const State& state, const Area& area)
   }
 }
 
-Sheet Sheet::without(const Rect& rect) const {
-  Sheet out = *this;
+FoldedIntegral FoldedIntegral::without(const Rect& rect) const {
+  FoldedIntegral out = *this;
   for (int y = rect.y0 + 1; y <= height_; ++y)
     for (int x = rect.x0 + 1; x <= width_; ++x)
       out.table_[static_cast<size_t>(y) * static_cast<size_t>(width_ + 1) +
@@ -84,7 +84,7 @@ Sheet Sheet::without(const Rect& rect) const {
   return out;
 }
 
-double Sheet::promise() const {
+double FoldedIntegral::potential() const {
   constexpr int kSide = 3;
   double out = 0;
   for (int y = 0; y < height_; y += kSide)

@@ -8,14 +8,14 @@
 namespace vug::fit {
 
 /// Bits that a pixel saves, lane by lane, when it is a window's rather than the wall's.
-using Gains = std::array<double, kMostLanes>;
+using Gains = std::array<double, kMaxLanes>;
 
 /// Of supervised evidence.
-Gains gains_of_looks();
+Gains supervised_gains();
 /// Of clusters, from how the pixels of windows and wall of a tree are spread over them.
-Gains gains_of_regions(const Sums& windows, const Sums& wall, int lanes);
+Gains gains_from_regions(const Sums& windows, const Sums& wall, int lanes);
 /// Of what the windows of the grid below node i look like, as against all else in its area.
-Gains gains_in(const Model& model, const Evidence& evidence, const State& state, int i);
+Gains gains_from_grid(const Model& model, const Evidence& evidence, const TreeState& state, int i);
 double gain_of(const Gains& gains, const Sums& sums);
 
 /// Of each pixel, row after row from the top.
@@ -27,11 +27,11 @@ struct GainMap {
 };
 
 /// An area whose places lie on top of one another, as a summed area table of gains.
-class Sheet {
+class FoldedIntegral {
  public:
-  Sheet(const GainMap& map, const State& state, const Area& area);
+  FoldedIntegral(const GainMap& map, const TreeState& state, const Area& area);
   /// The same where the rectangle of the area gains nothing, as something else stands there.
-  Sheet without(const Rect& rect) const;
+  FoldedIntegral without(const Rect& rect) const;
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -41,7 +41,7 @@ class Sheet {
   }
   /// What could be gained if each square of a few pixels might be chosen by itself. Places that do
   /// not belong on top of one another take from it.
-  double promise() const;
+  double potential() const;
 
  private:
   double at(int x, int y) const {

@@ -44,7 +44,7 @@ WorkingSize working_size(int width, int height, const WorkingLimits& limits) {
   return {scaled(width), scaled(height)};
 }
 
-image::Image reduced(const image::Image& picture, WorkingSize size) {
+image::Image downsampled(const image::Image& picture, WorkingSize size) {
   if (size.width < 1 || size.height < 1 || size.width > picture.width ||
       size.height > picture.height)
     throw Error(ErrorCode::bad_input,
@@ -94,14 +94,14 @@ std::vector<uint8_t> resampled(const std::vector<uint8_t>& marks, WorkingSize fr
   return out;
 }
 
-double reading_bytes(int width, int height, size_t channels) {
+double read_memory(int width, int height, size_t channels) {
   // As floats, once as they are in the file and once of R, G and B.
   return 1.0 * width * height * (static_cast<double>(channels) + 3) * sizeof(float);
 }
 
-image::Image read_within(const std::filesystem::path& path, const image::FileInfo& info,
-                         uint64_t max_memory) {
-  require_memory(reading_bytes(info.width, info.height, info.channels.size()),
+image::Image read_with_limit(const std::filesystem::path& path, const image::FileInfo& info,
+                             uint64_t max_memory) {
+  require_memory(read_memory(info.width, info.height, info.channels.size()),
                  max_memory ? max_memory : available_memory(),
                  fmt::format("reading {} x {} pixels of {}", info.width, info.height,
                              path.filename().string()),
@@ -109,7 +109,7 @@ image::Image read_within(const std::filesystem::path& path, const image::FileInf
   return image::read(path, {.linear = true});
 }
 
-image::Image colours_of(const image::Image& picture, const image::FileInfo& file) {
+image::Image to_rgb(const image::Image& picture, const image::FileInfo& file) {
   if (picture.channels.size() > 2) return picture.select({"R", "G", "B"});
   // Channels called R have been turned to linear light while they were read.
   const bool encoded = file.formats[0].rfind("uint", 0) == 0 && picture.channels[0] != "R";
@@ -123,7 +123,7 @@ image::Image colours_of(const image::Image& picture, const image::FileInfo& file
 
 image::Image read_photo(const std::filesystem::path& path, uint64_t max_memory) {
   const image::FileInfo info = image::read_info(path);
-  return colours_of(read_within(path, info, max_memory), info);
+  return to_rgb(read_with_limit(path, info, max_memory), info);
 }
 
 }  // namespace vug::fit

@@ -14,49 +14,49 @@ double ratio(int64_t part, int64_t whole) {
 
 }  // namespace
 
-Confusion::Confusion(int classes)
+ConfusionMatrix::ConfusionMatrix(int classes)
     : classes_(classes), counts_(static_cast<size_t>(classes * classes), 0) {}
 
-void Confusion::add(const std::vector<uint8_t>& truth, const std::vector<uint8_t>& found) {
+void ConfusionMatrix::add(const std::vector<uint8_t>& truth, const std::vector<uint8_t>& found) {
   for (size_t i = 0; i < truth.size(); ++i)
-    if (truth[i] != kVoid) ++counts_[static_cast<size_t>(truth[i] * classes_ + found[i])];
+    if (truth[i] != kUnlabelled) ++counts_[static_cast<size_t>(truth[i] * classes_ + found[i])];
 }
 
-Confusion& Confusion::operator+=(const Confusion& other) {
+ConfusionMatrix& ConfusionMatrix::operator+=(const ConfusionMatrix& other) {
   for (size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   return *this;
 }
 
-int64_t Confusion::of_class(int truth) const {
+int64_t ConfusionMatrix::class_count(int truth) const {
   int64_t sum = 0;
   for (int found = 0; found < classes_; ++found) sum += count(truth, found);
   return sum;
 }
 
-double Confusion::accuracy() const {
+double ConfusionMatrix::accuracy() const {
   int64_t right = 0, all = 0;
-  for (int c = 0; c < classes_; ++c) right += count(c, c), all += of_class(c);
+  for (int c = 0; c < classes_; ++c) right += count(c, c), all += class_count(c);
   return ratio(right, all);
 }
 
-double Confusion::class_average() const {
+double ConfusionMatrix::class_average() const {
   double sum = 0;
   int present = 0;
   for (int c = 0; c < classes_; ++c) {
-    if (of_class(c) == 0) continue;
-    sum += ratio(count(c, c), of_class(c));
+    if (class_count(c) == 0) continue;
+    sum += ratio(count(c, c), class_count(c));
     ++present;
   }
   return present > 0 ? sum / present : 0;
 }
 
-double Confusion::overlap(int of) const {
+double ConfusionMatrix::iou(int of) const {
   int64_t taken = 0;
   for (int truth = 0; truth < classes_; ++truth) taken += count(truth, of);
-  return ratio(count(of, of), taken + of_class(of) - count(of, of));
+  return ratio(count(of, of), taken + class_count(of) - count(of, of));
 }
 
-std::string Confusion::table(const Classes& classes) const {
+std::string ConfusionMatrix::table(const Classes& classes) const {
   size_t wide = 7;
   for (const std::string& name : classes.names) wide = std::max(wide, name.size() + 1);
   std::string out = fmt::format("{:<{}}", "", wide);
@@ -65,14 +65,14 @@ std::string Confusion::table(const Classes& classes) const {
   for (int truth = 0; truth < classes_; ++truth) {
     out += fmt::format("{:<{}}", classes.names[static_cast<size_t>(truth)], wide);
     for (int found = 0; found < classes_; ++found)
-      out += fmt::format("{:>{}.1f}", 100 * ratio(count(truth, found), of_class(truth)), wide);
-    out += fmt::format("{:>{}.3f}\n", overlap(truth), wide + 2);
+      out += fmt::format("{:>{}.1f}", 100 * ratio(count(truth, found), class_count(truth)), wide);
+    out += fmt::format("{:>{}.3f}\n", iou(truth), wide + 2);
   }
   return out;
 }
 
-void cross_validate(const std::vector<Labelled>& pictures, const Classes& classes,
-                    const WorkingLimits& limits, const LookOptions& options, int folds,
+void cross_validate(const std::vector<LabelledImage>& pictures, const Classes& classes,
+                    const WorkingLimits& limits, const PixelClassifierOptions& options, int folds,
                     RandomKey key, const std::function<void(size_t, const Planes&)>& visit,
                     Progress& progress) {
   if (folds < 2 || pictures.size() < static_cast<size_t>(folds))
@@ -81,11 +81,11 @@ void cross_validate(const std::vector<Labelled>& pictures, const Classes& classe
                 "give at least two folds, and a picture for each");
   const auto parts = static_cast<size_t>(folds);
   for (size_t fold = 0; fold < parts; ++fold) {
-    std::vector<const Labelled*> seen;
+    std::vector<const LabelledImage*> seen;
     for (size_t k = 0; k < pictures.size(); ++k)
       if (k % parts != fold) seen.push_back(&pictures[k]);
-    const LookModel model =
-        LookModel::train(seen, classes, limits, options, key.at(fold), progress);
+    const PixelClassifier model =
+        PixelClassifier::train(seen, classes, limits, options, key.at(fold), progress);
     for (size_t k = fold; k < pictures.size(); k += parts) {
       progress.check();
       visit(k, model.classify(pictures[k].photo));

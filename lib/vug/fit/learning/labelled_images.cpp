@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kHint = "write {\"0\": \"door\", \"1\": \"shop\", \"2\": \"window\", ...}";
 /// In the order of Look.
-constexpr const char* kLookNames[kLooks] = {"wall", "window", "door", "shop"};
+constexpr const char* kRegionTypeNames[kRegionTypes] = {"wall", "window", "door", "shop"};
 
 Error refused(const std::string& reason, const char* hint = kHint) {
   return Error(ErrorCode::bad_input, reason, {}, hint);
@@ -70,10 +70,9 @@ std::vector<uint8_t> read_labels(const fs::path& path, const Classes& classes,
   if (info.formats[0] != "uint8")
     throw refused(fmt::format("'{}' has no labels but {} values", path.string(), info.formats[0]),
                   kWhat);
-  require_memory(reading_bytes(info.width, info.height, channels),
-                 max_memory ? max_memory : available_memory(),
-                 fmt::format("reading {} x {} labels", info.width, info.height),
-                 "make the picture smaller");
+  require_memory(
+      read_memory(info.width, info.height, channels), max_memory ? max_memory : available_memory(),
+      fmt::format("reading {} x {} labels", info.width, info.height), "make the picture smaller");
   const image::Image picture = image::read(path);
   std::vector<uint8_t> out;
   out.reserve(picture.pixel_count());
@@ -83,7 +82,7 @@ std::vector<uint8_t> read_labels(const fs::path& path, const Classes& classes,
       if (picture.pixels[i + c] != picture.pixels[i])
         throw refused(fmt::format("'{}' has colours instead of labels", path.string()), kWhat);
     const auto label = static_cast<uint8_t>(std::lround(255 * picture.pixels[i]));
-    if (label >= classes.count() && label != kVoid) {
+    if (label >= classes.count() && label != kUnlabelled) {
       const auto at = static_cast<int>(out.size());
       throw refused(fmt::format("'{}' has class {} in column {}, row {}, which has no name",
                                 path.string(), label, at % picture.width, at / picture.width),
@@ -96,19 +95,21 @@ std::vector<uint8_t> read_labels(const fs::path& path, const Classes& classes,
 
 }  // namespace
 
-Look Classes::look(int number) const {
-  for (int look = 0; look < kLooks; ++look)
-    if (names[static_cast<size_t>(number)] == kLookNames[look]) return static_cast<Look>(look);
-  return Look::wall;
+RegionType Classes::region_type(int number) const {
+  for (int type = 0; type < kRegionTypes; ++type)
+    if (names[static_cast<size_t>(number)] == kRegionTypeNames[type])
+      return static_cast<RegionType>(type);
+  return RegionType::wall;
 }
 
-int Classes::of(Look look) const {
-  const auto at = std::find(names.begin(), names.end(), kLookNames[static_cast<size_t>(look)]);
+int Classes::find(RegionType type) const {
+  const auto at =
+      std::find(names.begin(), names.end(), kRegionTypeNames[static_cast<size_t>(type)]);
   return at == names.end() ? -1 : static_cast<int>(at - names.begin());
 }
 
 Classes classes_from_json(const nlohmann::json& text) {
-  if (!text.is_object() || text.empty() || text.size() > kVoid)
+  if (!text.is_object() || text.empty() || text.size() > kUnlabelled)
     throw refused("classes are an object that names numbers");
   Classes out;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -123,7 +124,7 @@ Classes classes_from_json(const nlohmann::json& text) {
       throw refused(fmt::format("two classes are named '{}'", name));
     out.names.push_back(name);
   }
-  if (out.of(Look::window) < 0) throw refused("no class is named 'window'");
+  if (out.find(RegionType::window) < 0) throw refused("no class is named 'window'");
   return out;
 }
 
@@ -141,9 +142,10 @@ Classes read_classes(const fs::path& file) {
   }
 }
 
-Labelled read_labelled(const fs::path& photo, const fs::path& labels, const Classes& classes,
-                       const WorkingLimits& limits, uint64_t max_memory) {
-  Labelled out;
+LabelledImage read_labelled_image(const fs::path& photo, const fs::path& labels,
+                                  const Classes& classes, const WorkingLimits& limits,
+                                  uint64_t max_memory) {
+  LabelledImage out;
   out.name = photo.stem().string();
   const image::Image picture = read_photo(photo, max_memory);
   const image::FileInfo info = image::read_info(labels);
@@ -154,13 +156,13 @@ Labelled read_labelled(const fs::path& photo, const fs::path& labels, const Clas
   const WorkingSize size = working_size(picture.width, picture.height, limits);
   out.labels =
       resampled(read_labels(labels, classes, max_memory), {picture.width, picture.height}, size);
-  out.photo = reduced(picture, size);
+  out.photo = downsampled(picture, size);
   return out;
 }
 
-std::vector<Labelled> read_labelled_folder(const fs::path& folder, const Classes& classes,
-                                           const WorkingLimits& limits, uint64_t max_memory,
-                                           Progress& progress) {
+std::vector<LabelledImage> read_labelled_folder(const fs::path& folder, const Classes& classes,
+                                                const WorkingLimits& limits, uint64_t max_memory,
+                                                Progress& progress) {
   const auto photos = stems(folder / "images"), labels = stems(folder / "labels");
   std::vector<std::string> names;
   for (const auto& [name, path] : photos) {
@@ -178,10 +180,11 @@ std::vector<Labelled> read_labelled_folder(const fs::path& folder, const Classes
                   "pictures lie in images, their labels in labels");
   std::stable_sort(names.begin(), names.end(), by_number);
   progress.begin("reading pictures", names.size());
-  std::vector<Labelled> out;
+  std::vector<LabelledImage> out;
   for (const std::string& name : names) {
     progress.check();
-    out.push_back(read_labelled(photos.at(name), labels.at(name), classes, limits, max_memory));
+    out.push_back(
+        read_labelled_image(photos.at(name), labels.at(name), classes, limits, max_memory));
     progress.advance();
   }
   progress.end();

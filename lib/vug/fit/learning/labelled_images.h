@@ -2,15 +2,15 @@
 #pragma once
 
 #include <vug/base/progress.h>
-#include <vug/fit/model/rules.h>
 #include <vug/fit/evidence/working_size.h>
+#include <vug/fit/model/rules.h>
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace vug::fit {
 
 /// The class of pixels that nobody has labelled.
-constexpr uint8_t kVoid = 255;
+constexpr uint8_t kUnlabelled = 255;
 
 /// What classes there are: numbers 0.. in labels.
 struct Classes {
@@ -18,9 +18,9 @@ struct Classes {
 
   int count() const { return static_cast<int>(names.size()); }
   /// What a class is in a tree: that of its name; anything else is wall.
-  Look look(int number) const;
+  RegionType region_type(int number) const;
   /// The class of that look, by name; -1: none.
-  int of(Look look) const;
+  int find(RegionType type) const;
   bool operator==(const Classes&) const = default;
 };
 
@@ -31,7 +31,7 @@ nlohmann::json to_json(const Classes& classes);
 Classes read_classes(const std::filesystem::path& file);
 
 /// Both at the working size.
-struct Labelled {
+struct LabelledImage {
   std::string name;
   image::Image photo;           ///< Linear R, G, B.
   std::vector<uint8_t> labels;  ///< A class, or kVoid, of each pixel.
@@ -39,15 +39,16 @@ struct Labelled {
 
 /// `labels`: an 8-bit grey picture of class numbers, as large as the photo. Error(bad_input) names
 /// the file and the pixel that does not fit, Error(too_large) as read_photo.
-Labelled read_labelled(const std::filesystem::path& photo, const std::filesystem::path& labels,
-                       const Classes& classes, const WorkingLimits& limits = {},
-                       uint64_t max_memory = 0);
+LabelledImage read_labelled_image(const std::filesystem::path& photo,
+                                  const std::filesystem::path& labels, const Classes& classes,
+                                  const WorkingLimits& limits = {}, uint64_t max_memory = 0);
 
 /// All of folder/images and folder/labels, whose files have the same names (but for their endings),
 /// in the order of names, with numbers by their values. Error(bad_input) where one lacks the other.
-std::vector<Labelled> read_labelled_folder(const std::filesystem::path& folder,
-                                           const Classes& classes, const WorkingLimits& limits = {},
-                                           uint64_t max_memory = 0,
-                                           Progress& progress = Progress::none());
+std::vector<LabelledImage> read_labelled_folder(const std::filesystem::path& folder,
+                                                const Classes& classes,
+                                                const WorkingLimits& limits = {},
+                                                uint64_t max_memory = 0,
+                                                Progress& progress = Progress::none());
 
 }  // namespace vug::fit

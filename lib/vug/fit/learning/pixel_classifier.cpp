@@ -1,8 +1,8 @@
 #include <vug/base/error.h>
 #include <vug/base/json_file.h>
-#include <vug/fit/likelihood.h>
+#include <vug/fit/json_integer.h>
 #include <vug/fit/learning/pixel_classifier.h>
-#include <vug/fit/whole_number.h>
+#include <vug/fit/likelihood.h>
 #include <vug/inference/bits.h>
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kVersion = 1;
 /// Beyond that a picture is not looked at: there are more than a hundred features of each pixel.
-constexpr int kMostRows = 4096, kMostPixels = 4'000'000;
+constexpr int kMaxRows = 4096, kMaxPixels = 4'000'000;
 
 Planes joined(Planes a, const Planes& b) {
   a.planes.insert(a.planes.end(), b.planes.begin(), b.planes.end());
@@ -25,12 +25,13 @@ Planes joined(Planes a, const Planes& b) {
 
 }  // namespace
 
-Planes LookModel::classify(const image::Image& linear) const {
-  const Planes seen = features(reduced(linear, working_size(linear.width, linear.height, limits_)));
+Planes PixelClassifier::classify(const image::Image& linear) const {
+  const Planes seen =
+      features(downsampled(linear, working_size(linear.width, linear.height, limits_)));
   return second_.classify(joined(seen, context_features(first_.classify(seen))));
 }
 
-nlohmann::json LookModel::to_json() const {
+nlohmann::json PixelClassifier::to_json() const {
   return {{"format", "vug looks"},
           {"version", kVersion},
           {"classes", fit::to_json(classes_)},
@@ -39,27 +40,27 @@ nlohmann::json LookModel::to_json() const {
           {"second", second_.to_json()}};
 }
 
-LookModel LookModel::from_json(const nlohmann::json& text) {
+PixelClassifier PixelClassifier::from_json(const nlohmann::json& text) {
   const auto refused = [](const char* reason) {
     return Error(ErrorCode::bad_input, reason, {}, "make looks with `vug facade train`");
   };
-  LookModel out;
+  PixelClassifier out;
   try {
     if (!text.is_object() || text.value("format", "") != "vug looks")
       throw refused("this is no model of looks");
-    if (whole_number(text.at("version")) != kVersion)
+    if (json_integer(text.at("version")) != kVersion)
       throw refused("these looks are of another version");
     out.classes_ = classes_from_json(text.at("classes"));
-    out.limits_.height = whole_number(text.at("working").at("height")).value_or(0);
-    out.limits_.pixels = whole_number(text.at("working").at("pixels")).value_or(0);
+    out.limits_.height = json_integer(text.at("working").at("height")).value_or(0);
+    out.limits_.pixels = json_integer(text.at("working").at("pixels")).value_or(0);
     out.first_ = Forest::from_json(text.at("first"));
     out.second_ = Forest::from_json(text.at("second"));
   } catch (const nlohmann::json::exception&) {
     throw refused("the model of looks is damaged");
   }
   const int classes = out.classes_.count();
-  if (out.limits_.height < 1 || out.limits_.height > kMostRows || out.limits_.pixels < 1 ||
-      out.limits_.pixels > kMostPixels || out.first_.classes() != classes ||
+  if (out.limits_.height < 1 || out.limits_.height > kMaxRows || out.limits_.pixels < 1 ||
+      out.limits_.pixels > kMaxPixels || out.first_.classes() != classes ||
       out.second_.classes() != classes)
     throw refused("the model of looks is damaged");
   if (out.first_.features() != feature_count() ||
@@ -68,7 +69,7 @@ LookModel LookModel::from_json(const nlohmann::json& text) {
   return out;
 }
 
-LookModel LookModel::read(const std::filesystem::path& file) {
+PixelClassifier PixelClassifier::read(const std::filesystem::path& file) {
   try {
     return from_json(read_json<nlohmann::json>(file));
   } catch (Error& error) {
@@ -101,25 +102,25 @@ Planes enlarged(const Planes& maps, int width, int height) {
   return out;
 }
 
-Evidence look_evidence(const Planes& maps, const Classes& classes,
-                       const LookEvidenceOptions& options) {
+Evidence classifier_evidence(const Planes& maps, const Classes& classes,
+                             const ClassifierEvidenceOptions& options) {
   if (maps.count() != classes.names.size())
     throw Error(ErrorCode::bad_input, "looks need a map for each class");
   std::vector<uint32_t> bits;
-  bits.reserve(maps.pixels() * kLooks);
+  bits.reserve(maps.pixels() * kRegionTypes);
   for (size_t i = 0; i < maps.pixels(); ++i) {
-    std::array<double, kLooks> likely{};
+    std::array<double, kRegionTypes> likely{};
     for (int c = 0; c < classes.count(); ++c)
-      likely[static_cast<size_t>(classes.look(c))] += maps.planes[static_cast<size_t>(c)][i];
+      likely[static_cast<size_t>(classes.region_type(c))] += maps.planes[static_cast<size_t>(c)][i];
     auto& [wall, window, door, shop] = likely;
     window *= options.windows;
     wall += options.unnamed * (door + shop);
     const double sum = wall + window + door + shop;
     for (const double p : likely)
       bits.push_back(static_cast<uint32_t>(
-          std::lround(-inference::log2(std::max(p / sum, options.least)) / kBitStep)));
+          std::lround(-inference::log2(std::max(p / sum, options.min_probability)) / kBitStep)));
   }
-  return Evidence(maps.width, maps.height, kLooks, bits);
+  return Evidence(maps.width, maps.height, kRegionTypes, bits);
 }
 
 }  // namespace vug::fit

@@ -9,26 +9,26 @@
 namespace vug::fit {
 namespace {
 
-using Pictures = std::vector<const Labelled*>;
+using Pictures = std::vector<const LabelledImage*>;
 
 /// Labelled pixels of each picture, drawn at random.
-class Draws {
+class PixelSample {
  public:
-  Draws(const Pictures& pictures, const LookOptions& options, RandomKey key)
+  PixelSample(const Pictures& pictures, const PixelClassifierOptions& options, RandomKey key)
       : places_(pictures.size()) {
     const size_t each = of_each(pictures.size(), options);
     parallel_for(pictures.size(), [&](size_t k) {
       const std::vector<uint8_t>& labels = pictures[k]->labels;
       std::vector<uint32_t> known;
       for (size_t i = 0; i < labels.size(); ++i)
-        if (labels[i] != kVoid) known.push_back(static_cast<uint32_t>(i));
+        if (labels[i] != kUnlabelled) known.push_back(static_cast<uint32_t>(i));
       RandomStream stream(key.at(k));
       for (size_t i = 0; i < each && !known.empty(); ++i)
         places_[k].push_back(known[stream.below(static_cast<uint32_t>(known.size()))]);
     });
   }
-  static size_t of_each(size_t pictures, const LookOptions& options) {
-    const auto most = static_cast<size_t>(std::max(1, options.most_examples));
+  static size_t of_each(size_t pictures, const PixelClassifierOptions& options) {
+    const auto most = static_cast<size_t>(std::max(1, options.max_examples));
     return std::min(static_cast<size_t>(std::max(1, options.examples)),
                     most / std::max<size_t>(1, pictures) + 1);
   }
@@ -40,8 +40,9 @@ class Draws {
 
 /// The examples of those pictures, whose planes are made one picture after the other on each
 /// thread, so that they never stand in memory all at once.
-Examples gather(const Pictures& pictures, const Draws& draws, const std::vector<size_t>& which,
-                const std::function<Planes(size_t)>& planes_of, Progress& progress) {
+Examples gather(const Pictures& pictures, const PixelSample& sample,
+                const std::vector<size_t>& which, const std::function<Planes(size_t)>& planes_of,
+                Progress& progress) {
   std::vector<std::vector<float>> values(which.size());
   std::vector<size_t> counts(which.size(), 0);
   progress.begin("looking at pictures", which.size());
@@ -49,7 +50,7 @@ Examples gather(const Pictures& pictures, const Draws& draws, const std::vector<
     progress.check();
     const Planes planes = planes_of(which[n]);
     counts[n] = planes.count();
-    for (const uint32_t at : draws.of(which[n]))
+    for (const uint32_t at : sample.of(which[n]))
       for (const Plane& plane : planes.planes) values[n].push_back(plane[at]);
     progress.advance();
   });
@@ -59,7 +60,7 @@ Examples gather(const Pictures& pictures, const Draws& draws, const std::vector<
     out.features = counts[n];
     out.values.insert(out.values.end(), values[n].begin(), values[n].end());
     values[n] = {};
-    for (const uint32_t at : draws.of(which[n]))
+    for (const uint32_t at : sample.of(which[n]))
       out.classes.push_back(pictures[which[n]]->labels[at]);
   }
   return out;
@@ -67,21 +68,22 @@ Examples gather(const Pictures& pictures, const Draws& draws, const std::vector<
 
 }  // namespace
 
-LookModel LookModel::train(const Pictures& pictures, const Classes& classes,
-                           const WorkingLimits& limits, const LookOptions& options, RandomKey key,
-                           Progress& progress) {
+PixelClassifier PixelClassifier::train(const Pictures& pictures, const Classes& classes,
+                                       const WorkingLimits& limits,
+                                       const PixelClassifierOptions& options, RandomKey key,
+                                       Progress& progress) {
   const auto features_of_all =
       static_cast<double>(feature_count() + context_count() * static_cast<size_t>(classes.count()));
   // Once of each picture, once joined.
   require_memory(
       2.0 * sizeof(float) * features_of_all *
-          static_cast<double>(pictures.size() * Draws::of_each(pictures.size(), options)),
+          static_cast<double>(pictures.size() * PixelSample::of_each(pictures.size(), options)),
       options.max_memory ? options.max_memory : available_memory(), "training looks",
       "draw fewer examples");
-  const Draws draws(pictures, options, key.at("pixels"));
+  const PixelSample sample(pictures, options, key.at("pixels"));
   std::vector<size_t> all, odd, even;
   for (size_t k = 0; k < pictures.size(); ++k) {
-    if (draws.of(k).empty()) continue;
+    if (sample.of(k).empty()) continue;
     (all.size() % 2 ? odd : even).push_back(k);
     all.push_back(k);
   }
@@ -89,10 +91,10 @@ LookModel LookModel::train(const Pictures& pictures, const Classes& classes,
   const auto see = [&](size_t k) { return features(pictures[k]->photo); };
   const auto forest = [&](const std::vector<size_t>& which, const ForestOptions& how,
                           std::string_view name, const std::function<Planes(size_t)>& planes) {
-    return Forest::train(gather(pictures, draws, which, planes, progress), classes.count(), how,
+    return Forest::train(gather(pictures, sample, which, planes, progress), classes.count(), how,
                          key.at(name), progress);
   };
-  LookModel out;
+  PixelClassifier out;
   out.classes_ = classes;
   out.limits_ = limits;
   out.first_ = forest(all, options.first, "first", see);

@@ -1,7 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/fit/json_integer.h>
 #include <vug/fit/learning/random_forest.h>
-#include <vug/fit/whole_number.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ namespace vug::fit {
 namespace {
 
 /// A leaf's votes are whole numbers up to this, above 0.
-constexpr double kMostVotes = 250;
+constexpr double kMaxVotes = 250;
 
 /// The number as it is written, which takes five digits.
 double written(float value) {
@@ -74,7 +74,8 @@ class TreeGrower {
         std::count(counts.begin(), counts.end(), 0.0) + 1 >= static_cast<std::ptrdiff_t>(classes_);
     size_t middle = begin;
     Forest::Split best;
-    if (!pure && depth < options_.depth && end - begin >= 2 * static_cast<size_t>(options_.least))
+    if (!pure && depth < options_.depth &&
+        end - begin >= 2 * static_cast<size_t>(options_.min_leaf_size))
       best = best_split(begin, end, counts);
     if (best.feature >= 0) {
       const auto at = std::partition(
@@ -89,8 +90,7 @@ class TreeGrower {
       best.left = static_cast<int>(tree_.votes.size());
       const double all = static_cast<double>(end - begin);
       for (const double n : counts)
-        tree_.votes.push_back(
-            static_cast<uint8_t>(std::max(1L, std::lround(kMostVotes * n / all))));
+        tree_.votes.push_back(static_cast<uint8_t>(std::max(1L, std::lround(kMaxVotes * n / all))));
     } else {
       best.left = node(begin, middle, depth + 1);
       best.right = node(middle, end, depth + 1);
@@ -100,14 +100,14 @@ class TreeGrower {
   }
 
   /// A feature with thresholds in order, and between each two of them how many of each class.
-  struct Trial {
+  struct SplitCandidate {
     size_t feature = 0;
     std::vector<float> thresholds;
     std::vector<uint32_t> counts;
   };
 
-  Trial trial(size_t begin, size_t end) {
-    Trial out;
+  SplitCandidate candidate(size_t begin, size_t end) {
+    SplitCandidate out;
     out.feature = stream_.below(static_cast<uint32_t>(examples_.features));
     for (int k = 0; k < options_.tried_thresholds; ++k)
       out.thresholds.push_back(short_number(
@@ -118,36 +118,36 @@ class TreeGrower {
   }
 
   Forest::Split best_split(size_t begin, size_t end, const Counts& counts) {
-    std::vector<Trial> trials;
-    for (int i = 0; i < options_.tried_features; ++i) trials.push_back(trial(begin, end));
+    std::vector<SplitCandidate> candidates;
+    for (int i = 0; i < options_.tried_features; ++i) candidates.push_back(candidate(begin, end));
     // One example after the other for all trials, as each is far from the next one in memory.
     for (size_t at = begin; at < end; ++at) {
       const float* example = examples_.at(chosen_[at]);
       const size_t of = examples_.classes[chosen_[at]];
-      for (Trial& trial : trials) {
-        const float v = example[trial.feature];
+      for (SplitCandidate& candidate : candidates) {
+        const float v = example[candidate.feature];
         size_t bin = 0;
-        for (const float threshold : trial.thresholds) bin += v >= threshold ? 1 : 0;
-        ++trial.counts[bin * classes_ + of];
+        for (const float threshold : candidate.thresholds) bin += v >= threshold ? 1 : 0;
+        ++candidate.counts[bin * classes_ + of];
       }
     }
     Forest::Split best;
     double best_purity = purity(counts) + 1e-9;
     const auto size = static_cast<double>(end - begin);
-    for (const Trial& trial : trials) {
+    for (const SplitCandidate& candidate : candidates) {
       Counts below(classes_, 0), above = counts;
       double under = 0;
-      for (size_t k = 0; k < trial.thresholds.size(); ++k) {
+      for (size_t k = 0; k < candidate.thresholds.size(); ++k) {
         for (size_t c = 0; c < classes_; ++c) {
-          const double n = trial.counts[k * classes_ + c];
+          const double n = candidate.counts[k * classes_ + c];
           below[c] += n, above[c] -= n, under += n;
         }
-        if (under < options_.least || size - under < options_.least) continue;
+        if (under < options_.min_leaf_size || size - under < options_.min_leaf_size) continue;
         const double found = purity(below) + purity(above);
         if (found <= best_purity) continue;
         best_purity = found;
-        best.feature = static_cast<int>(trial.feature);
-        best.threshold = trial.thresholds[k];
+        best.feature = static_cast<int>(candidate.feature);
+        best.threshold = candidate.thresholds[k];
       }
     }
     return best;
@@ -230,7 +230,7 @@ Forest::Tree Forest::tree_from_json(const nlohmann::json& text) const {
   constexpr int kNone = -2;
   std::vector<int> features;
   for (const nlohmann::json& feature : text.at("features"))
-    features.push_back(whole_number(feature).value_or(kNone));
+    features.push_back(json_integer(feature).value_or(kNone));
   std::vector<float> thresholds;
   for (const nlohmann::json& threshold : text.at("thresholds")) {
     const auto value = threshold.get<double>();
@@ -239,8 +239,8 @@ Forest::Tree Forest::tree_from_json(const nlohmann::json& text) const {
   }
   Tree tree;
   for (const nlohmann::json& vote : text.at("votes")) {
-    const int count = whole_number(vote).value_or(kNone);
-    if (count < 1 || count > kMostVotes) return {};
+    const int count = json_integer(vote).value_or(kNone);
+    if (count < 1 || count > kMaxVotes) return {};
     tree.votes.push_back(static_cast<uint8_t>(count));
   }
   size_t split_count = 0, leaves = 0;
@@ -275,8 +275,8 @@ Forest Forest::from_json(const nlohmann::json& text) {
   const Error damaged(ErrorCode::bad_input, "the classifier is damaged", {}, "train it again");
   Forest out;
   try {
-    out.classes_ = whole_number(text.at("classes")).value_or(0);
-    const int features = whole_number(text.at("features")).value_or(0);
+    out.classes_ = json_integer(text.at("classes")).value_or(0);
+    const int features = json_integer(text.at("features")).value_or(0);
     if (out.classes_ < 1 || out.classes_ > 255 || features < 1) throw damaged;
     out.features_ = static_cast<size_t>(features);
     for (const nlohmann::json& from : text.at("trees")) {

@@ -25,7 +25,7 @@ struct Examples {
 struct ForestOptions {
   int trees = 24;
   int depth = 16;             ///< Of a tree, at most.
-  int least = 12;             ///< Examples in a leaf, at least.
+  int min_leaf_size = 12;     ///< Examples in a leaf, at least.
   int tried_features = 12;    ///< In each node, drawn at random,
   int tried_thresholds = 10;  ///< and thresholds of each.
   double share = 0.4;         ///< Of the examples that each tree is grown from.

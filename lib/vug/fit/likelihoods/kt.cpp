@@ -23,7 +23,7 @@ class Kt : public Likelihood {
         half_(rising(0.5, pixels(evidence))),
         all_(rising(0.5 * evidence.lanes(), pixels(evidence))) {}
 
-  double bits(Look, const Sums& sums) const override {
+  double bits(RegionType, const Sums& sums) const override {
     double found = 0;
     size_t all = 0;
     for (size_t i = 0; i < lanes_; ++i) {

@@ -14,7 +14,7 @@ class Paper : public Likelihood {
   explicit Paper(const Evidence& evidence)
       : lanes_(static_cast<size_t>(evidence.lanes())), bits_(inference::log2(evidence.lanes())) {}
 
-  double bits(Look, const Sums& sums) const override {
+  double bits(RegionType, const Sums& sums) const override {
     uint32_t all = 0, main = 0;
     for (size_t i = 0; i < lanes_; ++i) {
       all += sums.lane[i];

@@ -8,10 +8,10 @@ namespace {
 
 class Supervised : public Likelihood {
  public:
-  double bits(Look look, const Sums& sums) const override {
-    return kBitStep * sums.lane[static_cast<size_t>(look)];
+  double bits(RegionType type, const Sums& sums) const override {
+    return kBitStep * sums.lane[static_cast<size_t>(type)];
   }
-  bool of_looks() const override { return true; }
+  bool is_supervised() const override { return true; }
 };
 
 }  // namespace
@@ -24,7 +24,7 @@ VUG_LIKELIHOOD(supervised) {
            "",
            {}},
           [](const Evidence& evidence) {
-            if (evidence.lanes() != kLooks)
+            if (evidence.lanes() != kRegionTypes)
               throw Error(ErrorCode::bad_input,
                           "the supervised likelihood needs a map for each look");
             return std::make_shared<const Supervised>();

@@ -2,12 +2,12 @@
 
 namespace vug::fit {
 
-bool has_cells(const Workshop& shop, const State& state, int i) {
-  return is_grid(shop, state, i) && state.tree[i].production >= 0 &&
-         !shop.model.rules().symbol(state.tree[i].symbol).identical;
+bool has_cells(const MoveContext& context, const TreeState& state, int i) {
+  return is_grid(context, state, i) && state.tree[i].production >= 0 &&
+         !context.model.rules().symbol(state.tree[i].symbol).identical;
 }
 
-State with_windows(const Model& model, State state, int grid, const SizeChoice& choice) {
+TreeState with_windows(const Model& model, TreeState state, int grid, const SizeChoice& choice) {
   const Node window = state.tree[grid + 1];
   while (state.tree.end(grid) > grid + 1 && model.in_grid(state.tree[grid + 1]))
     state.erase(grid, grid + 1);
@@ -20,24 +20,24 @@ State with_windows(const Model& model, State state, int grid, const SizeChoice& 
   Node& node = state.tree[grid];
   for (int row = 0; row < node.rows; ++row)
     for (int column = 0; column < node.columns; ++column)
-      node.set_kind(column, row, choice.of[static_cast<size_t>(row * node.columns + column)]);
-  state.changed(grid);
+      node.set_kind(column, row, choice.kinds[static_cast<size_t>(row * node.columns + column)]);
+  state.invalidate_bits(grid);
   return state;
 }
 
-GridAxis::GridAxis(const Workshop& shop, State& state, int i, bool along_x)
+GridAxis::GridAxis(const MoveContext& context, TreeState& state, int i, bool along_x)
     : grid(state.tree[i]),
       lines(along_x ? grid.left : grid.top),
       count(along_x ? grid.columns : grid.rows),
       room(along_x ? state.area(i).width : state.area(i).height),
-      origin(along_x ? state.frame(state.area(i), 0).x : state.area(i).y),
-      profile(along_x ? shop.hints.left : shop.hints.top),
+      origin(along_x ? state.instance(state.area(i), 0).x : state.area(i).y),
+      profile(along_x ? context.hints.left : context.hints.top),
       along_x_(along_x) {
-  const Rules& rules = shop.model.rules();
+  const Rules& rules = context.model.rules();
   regular = rules.symbol(grid.symbol).regular;
   for (int part = i + 1; part < state.tree.end(i); ++part)
-    kinds += rules.symbol(state.tree[part].symbol).look == Look::window ? 1 : 0;
-  differing = has_cells(shop, state, i);
+    kinds += rules.symbol(state.tree[part].symbol).type == RegionType::window ? 1 : 0;
+  differing = has_cells(context, state, i);
 }
 
 int GridAxis::across() const { return along_x_ ? grid.rows : grid.columns; }
@@ -50,7 +50,7 @@ void GridAxis::set_kind(int line, int other, int kind) {
   along_x_ ? grid.set_kind(line, other, kind) : grid.set_kind(other, line, kind);
 }
 
-void GridAxis::open(int line, int place) {
+void GridAxis::insert_line(int line, int place) {
   for (int i = count; i > line; --i) {
     lines[static_cast<size_t>(i)] = lines[static_cast<size_t>(i - 1)];
     copy_cells(i - 1, i);
@@ -60,7 +60,7 @@ void GridAxis::open(int line, int place) {
   ++count;
 }
 
-void GridAxis::close(int line) {
+void GridAxis::remove_line(int line) {
   for (int i = line; i + 1 < count; ++i) {
     lines[static_cast<size_t>(i)] = lines[static_cast<size_t>(i + 1)];
     copy_cells(i + 1, i);

@@ -7,15 +7,15 @@
 namespace vug::fit {
 
 /// Whether node i is a grid that has windows, which may differ from cell to cell.
-bool has_cells(const Workshop& shop, const State& state, int i);
+bool has_cells(const MoveContext& context, const TreeState& state, int i);
 
 /// The grid with these windows in its cells, row after row from the top, instead of its own.
-State with_windows(const Model& model, State state, int grid, const SizeChoice& choice);
+TreeState with_windows(const Model& model, TreeState state, int grid, const SizeChoice& choice);
 
 /// A grid seen along x, where its lines are columns, or along y.
 class GridAxis {
  public:
-  GridAxis(const Workshop& shop, State& state, int i, bool along_x);
+  GridAxis(const MoveContext& context, TreeState& state, int i, bool along_x);
 
   Node& grid;
   Lines& lines;
@@ -30,11 +30,11 @@ class GridAxis {
   int at(int line) const { return lines[static_cast<size_t>(line)]; }
   int span() const { return at(count - 1) - at(0); }
   /// Puts the lines where those of a regular grid are.
-  void even_out(int first, int span) { lines = even_lines(first, span, count); }
+  void space_evenly(int first, int span) { lines = even_lines(first, span, count); }
 
   /// Makes room for a line there, its cells empty; and takes one out.
-  void open(int line, int place);
-  void close(int line);
+  void insert_line(int line, int place);
+  void remove_line(int line);
   /// Chooses, or tells as they are, the kinds of a line's cells: alike, as they mostly are, or
   /// each by itself. False where the latter came out alike, which has a way of its own.
   bool choose_cells(int line, Choices& choices);

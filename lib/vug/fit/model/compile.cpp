@@ -8,12 +8,12 @@
 namespace vug::fit {
 namespace {
 
-const std::map<std::string, Look>& looks_of_elements() {
-  static const std::map<std::string, Look> looks = {{"window", Look::window},
-                                                    {"door", Look::door},
-                                                    {"doorway", Look::door},
-                                                    {"shop", Look::shop}};
-  return looks;
+const std::map<std::string, RegionType>& element_types() {
+  static const std::map<std::string, RegionType> types = {{"window", RegionType::window},
+                                                          {"door", RegionType::door},
+                                                          {"doorway", RegionType::door},
+                                                          {"shop", RegionType::shop}};
+  return types;
 }
 
 /// What a split is told beside its parts: `regular: false`.
@@ -31,9 +31,9 @@ class Compiler {
     for (const std::string& name : from_.symbols()) {
       SymbolInfo info;
       info.name = name;
-      const auto look = looks_of_elements().find(name);
-      info.terminal = look != looks_of_elements().end();
-      if (info.terminal) info.look = look->second;
+      const auto type = element_types().find(name);
+      info.terminal = type != element_types().end();
+      if (info.terminal) info.type = type->second;
       out_.symbols.push_back(info);
     }
     for (const facade::Rule& rule : from_.rules) find_grid(rule);

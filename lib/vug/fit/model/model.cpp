@@ -13,13 +13,13 @@ namespace vug::fit {
 namespace {
 
 constexpr int kCountBits = 4;
-static_assert(kMostLines == 1 << kCountBits);
+static_assert(kMaxLines == 1 << kCountBits);
 
 template <class Visit>
 void each_window_of(const Rules& rules, const Tree& tree, int i, const Visit& visit) {
   const Node& grid = tree[i];
   const Node& last = tree[tree.end(i) - 1];
-  const bool has_door = rules.symbol(last.symbol).look != Look::window;
+  const bool has_door = rules.symbol(last.symbol).type != RegionType::window;
   const Rect door = has_door ? rect_of(last) : Rect{};
   const bool identical = rules.symbol(grid.symbol).identical;
   for (int row = 0; row < grid.rows; ++row)
@@ -42,40 +42,40 @@ int bits_for(int range) {
 }
 
 Model::Model(const Rules& rules, const Limits& limits, int width, int height,
-             const Evidence* evidence, LikelihoodPtr likelihood, double trust)
+             const Evidence* evidence, LikelihoodPtr likelihood, double pixel_weight)
     : rules_(&rules),
       limits_(limits),
       width_(width),
       height_(height),
       evidence_(evidence),
       likelihood_(std::move(likelihood)),
-      trust_(trust),
+      pixel_weight_(pixel_weight),
       symbol_bits_(inference::log2(static_cast<double>(rules.symbols.size()))),
       x_bits_(bits_for(width)),
       y_bits_(bits_for(height)) {
-  constexpr int kMost = std::numeric_limits<int16_t>::max();
-  if (width < 1 || height < 1 || width > kMost || height > kMost)
+  constexpr int kMax = std::numeric_limits<int16_t>::max();
+  if (width < 1 || height < 1 || width > kMax || height > kMax)
     throw Error(ErrorCode::bad_input, "a facade has between 1 and 32767 pixels in each direction");
-  if (limits.least < 1 || limits.most_lines > kMostLines || limits.most_kinds > kMostKinds)
+  if (limits.min_size < 1 || limits.max_lines > kMaxLines || limits.max_kinds > kMaxKinds)
     throw Error(ErrorCode::bad_input, "the limits of facade trees are out of range");
   for (size_t symbol = 0; symbol < rules.symbols.size(); ++symbol) {
-    const std::vector<int>& ways = rules.of[symbol];
+    const std::vector<int>& ways = rules.by_head[symbol];
     elements_.push_back(!ways.empty() && std::all_of(ways.begin(), ways.end(), [&](int way) {
       return rules.production(way).op == Op::terminal;
     }));
   }
-  if (!(trust > 0)) throw Error(ErrorCode::bad_input, "the trust in pixels is above 0");
+  if (!(pixel_weight > 0)) throw Error(ErrorCode::bad_input, "the trust in pixels is above 0");
   if (evidence && (evidence->width() != width || evidence->height() != height))
     throw Error(ErrorCode::bad_input, "the evidence has another size than the facade");
 }
 
-State Model::state_of(Tree tree) const {
-  State state;
+TreeState Model::make_state(Tree tree) const {
+  TreeState state;
   state.tree = std::move(tree);
   const size_t count = state.tree.nodes.size();
   state.areas.resize(count);
   state.bits.resize(count);
-  state.known.assign(count, 0);
+  state.bits_valid.assign(count, 0);
   return state;
 }
 
@@ -84,7 +84,7 @@ double Model::complexity(const Tree& tree, int i) const {
   if (i == 0) return symbol_bits_;
   const SymbolInfo& symbol = rules_->symbol(node.symbol);
   int bits = 0;
-  switch (static_cast<Op>(node.made_by)) {
+  switch (static_cast<Op>(node.parent_op)) {
     case Op::rows:
       bits = node.extent > 0 ? y_bits_ : 0;
       break;
@@ -103,14 +103,14 @@ double Model::complexity(const Tree& tree, int i) const {
                              : (node.columns - 1) * x_bits_ + (node.rows - 1) * y_bits_;
       if (node.production >= 0 && !symbol.identical) {
         const Node& last = tree[tree.end(i) - 1];
-        const bool has_door = rules_->symbol(last.symbol).look != Look::window;
+        const bool has_door = rules_->symbol(last.symbol).type != RegionType::window;
         const int kinds = node.size - 1 - (has_door ? 1 : 0);
         bits += node.columns * node.rows * bits_for(kinds + 1);
       }
       break;
     case Op::windows:
       bits = x_bits_ + y_bits_;
-      if (symbol.look != Look::window) bits *= 2;
+      if (symbol.type != RegionType::window) bits *= 2;
       break;
     case Op::terminal:
       bits = 2 * (x_bits_ + y_bits_);
@@ -125,21 +125,21 @@ double Model::complexity(const Tree& tree) const {
   return bits;
 }
 
-Sums sum_of(const Evidence& evidence, const State& state, const Area& area, const Rect& r) {
+Sums sum_of(const Evidence& evidence, const TreeState& state, const Area& area, const Rect& r) {
   Sums out;
   for (int place = 0; place < area.count; ++place) {
     const Rect there =
-        Model::in_picture(area, state.frame(area, place), r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
+        Model::in_picture(area, state.instance(area, place), r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0);
     out += evidence.sums(there.x0, there.y0, there.x1, there.y1);
   }
   return out;
 }
 
-Sums sum_of(const Evidence& evidence, const State& state, const Area& area) {
+Sums sum_of(const Evidence& evidence, const TreeState& state, const Area& area) {
   return sum_of(evidence, state, area, {0, 0, area.width, area.height});
 }
 
-double Model::pixels(const State& state, int i) const {
+double Model::pixel_bits(const TreeState& state, int i) const {
   if (!likelihood_) return 0;
   const Tree& tree = state.tree;
   const Node& node = tree[i];
@@ -147,7 +147,7 @@ double Model::pixels(const State& state, int i) const {
   const Area& area = state.area(i);
   const auto whole = [&] { return sum_of(*evidence_, state, area); };
   const auto own = [&](const Node& part) { return sum_of(*evidence_, state, area, rect_of(part)); };
-  if (node.production < 0) return likelihood_->bits(Look::wall, whole());
+  if (node.production < 0) return likelihood_->bits(RegionType::wall, whole());
   switch (rules_->production(node.production).op) {
     case Op::rows:
     case Op::grid:
@@ -161,7 +161,7 @@ double Model::pixels(const State& state, int i) const {
       if (area.width * area.count == part.width * part.count) return 0;
       Sums rest = whole();
       rest -= sum_of(*evidence_, state, part);
-      return likelihood_->bits(Look::wall, rest);
+      return likelihood_->bits(RegionType::wall, rest);
     }
     case Op::windows: {
       // Windows of a grid look alike, whatever their sizes: one region.
@@ -169,36 +169,36 @@ double Model::pixels(const State& state, int i) const {
       each_window_of(*rules_, tree, i,
                      [&](int, const Rect& r) { windows += sum_of(*evidence_, state, area, r); });
       wall -= windows;
-      double bits = likelihood_->bits(Look::window, windows);
+      double bits = likelihood_->bits(RegionType::window, windows);
       const Node& last = tree[tree.end(i) - 1];
-      const Look look = rules_->symbol(last.symbol).look;
-      if (look != Look::window) {
+      const RegionType type = rules_->symbol(last.symbol).type;
+      if (type != RegionType::window) {
         const Sums door = own(last);
-        bits += likelihood_->bits(look, door);
+        bits += likelihood_->bits(type, door);
         wall -= door;
       }
-      return bits + likelihood_->bits(Look::wall, wall);
+      return bits + likelihood_->bits(RegionType::wall, wall);
     }
     case Op::terminal: {
       const Node& seen = tree[i + 1];
       const Sums sums = own(seen);
       Sums wall = whole();
       wall -= sums;
-      return likelihood_->bits(rules_->symbol(seen.symbol).look, sums) +
-             likelihood_->bits(Look::wall, wall);
+      return likelihood_->bits(rules_->symbol(seen.symbol).type, sums) +
+             likelihood_->bits(RegionType::wall, wall);
     }
   }
   return 0;
 }
 
-double Model::energy(State& state) const {
-  if (!state.placed && !place(state)) return std::numeric_limits<double>::infinity();
+double Model::energy(TreeState& state) const {
+  if (!state.areas_valid && !compute_areas(state)) return std::numeric_limits<double>::infinity();
   double all = 0;
   for (int i = 0; i < state.tree.size(); ++i) {
     const auto at = static_cast<size_t>(i);
-    if (!state.known[at]) {
-      state.bits[at] = complexity(state.tree, i) + trust_ * pixels(state, i);
-      state.known[at] = 1;
+    if (!state.bits_valid[at]) {
+      state.bits[at] = complexity(state.tree, i) + pixel_weight_ * pixel_bits(state, i);
+      state.bits_valid[at] = 1;
     }
     all += state.bits[at];
   }
@@ -210,14 +210,14 @@ void Model::each_window(const Tree& tree, int i,
   each_window_of(*rules_, tree, i, visit);
 }
 
-void Model::each_terminal(const State& state,
-                          const std::function<void(Look, int, const Rect&)>& visit) const {
+void Model::each_terminal(const TreeState& state,
+                          const std::function<void(RegionType, int, const Rect&)>& visit) const {
   const Tree& tree = state.tree;
   const auto everywhere = [&](int i, int part, const Rect& r) {
     const Area& area = state.area(i);
     for (int place = 0; place < area.count; ++place)
-      visit(rules_->symbol(tree[part].symbol).look, part,
-            in_picture(area, state.frame(area, place), r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0));
+      visit(rules_->symbol(tree[part].symbol).type, part,
+            in_picture(area, state.instance(area, place), r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0));
   };
   for (int i = 0; i < tree.size(); ++i) {
     if (tree[i].production < 0) continue;
@@ -226,7 +226,7 @@ void Model::each_terminal(const State& state,
       each_window_of(*rules_, tree, i, [&](int part, const Rect& r) { everywhere(i, part, r); });
     if (op != Op::windows && op != Op::terminal) continue;
     for (int part = i + 1; part < tree.end(i); ++part)
-      if (op == Op::terminal || rules_->symbol(tree[part].symbol).look != Look::window)
+      if (op == Op::terminal || rules_->symbol(tree[part].symbol).type != RegionType::window)
         everywhere(i, part, rect_of(tree[part]));
   }
 }

@@ -30,44 +30,47 @@ class Model {
   /// pixels cost nothing, which leaves the prior. Bits of pixels count `trust` each: neighbours are
   /// no independent witnesses, so that codes which take them for such make too much of them.
   Model(const Rules& rules, const Limits& limits, int width, int height,
-        const Evidence* evidence = nullptr, LikelihoodPtr likelihood = nullptr, double trust = 1);
+        const Evidence* evidence = nullptr, LikelihoodPtr likelihood = nullptr,
+        double pixel_weight = 1);
 
   const Rules& rules() const { return *rules_; }
   const Limits& limits() const { return limits_; }
   int width() const { return width_; }
   int height() const { return height_; }
   const Likelihood* likelihood() const { return likelihood_.get(); }
-  double trust() const { return trust_; }
+  double pixel_weight() const { return pixel_weight_; }
 
   /// The axiom alone.
-  State start() const { return state_of({{Node{.symbol = static_cast<int16_t>(rules_->axiom)}}}); }
-  State state_of(Tree tree) const;
+  TreeState axiom_state() const {
+    return make_state({{Node{.symbol = static_cast<int16_t>(rules_->axiom)}}});
+  }
+  TreeState make_state(Tree tree) const;
 
   /// Places the areas. False where the tree is none: something does not fit into its area, is
   /// smaller than the least, overlaps, or is more than the limits allow.
-  bool place(State& state) const;
+  bool compute_areas(TreeState& state) const;
   /// Whether the parameters of node i and its terminal parts fit into its area.
-  bool fits(const State& state, int i) const;
+  bool fits(const TreeState& state, int i) const;
 
   /// Bits of the tree and its pixels; computes what is not known.
-  double energy(State& state) const;
+  double energy(TreeState& state) const;
   /// c(T): bits of the nodes' symbols and parameters alone. An element in which nothing stands
   /// costs as much as one with something: being left out is no description.
   double complexity(const Tree& tree) const;
   double complexity(const Tree& tree, int i) const;
   /// Bits of the pixels that node i answers for, in full.
-  double pixels(const State& state, int i) const;
+  double pixel_bits(const TreeState& state, int i) const;
 
   /// Whether the node is a window of a grid, whose lines say where it stands.
   bool in_grid(const Node& node) const {
-    return static_cast<Op>(node.made_by) == Op::windows &&
-           rules_->symbol(node.symbol).look == Look::window;
+    return static_cast<Op>(node.parent_op) == Op::windows &&
+           rules_->symbol(node.symbol).type == RegionType::window;
   }
 
   /// Calls visit(look, node, rect) for everything that is seen, in the picture: windows, doors.
   /// The node is the terminal.
-  void each_terminal(const State& state,
-                     const std::function<void(Look, int, const Rect&)>& visit) const;
+  void each_terminal(const TreeState& state,
+                     const std::function<void(RegionType, int, const Rect&)>& visit) const;
 
   /// Calls visit(part, rect) for each window of grid i, with the index of the window's node and its
   /// rectangle in the grid's area; none where its door is.
@@ -75,38 +78,38 @@ class Model {
                    const std::function<void(int, const Rect&)>& visit) const;
 
   /// In the picture, of a rectangle of an area in one of its places.
-  static Rect in_picture(const Area& area, const Frame& frame, int x, int y, int width,
+  static Rect in_picture(const Area& area, const AreaInstance& instance, int x, int y, int width,
                          int height) {
-    const int left = frame.mirrored ? frame.x + area.width - x - width : frame.x + x;
+    const int left = instance.mirrored ? instance.x + area.width - x - width : instance.x + x;
     return {left, area.y + y, left + width, area.y + y + height};
   }
 
  private:
-  bool place_parts(State& state, int i) const;
+  bool compute_child_areas(TreeState& state, int i) const;
 
   const Rules* rules_;
   Limits limits_;
   int width_, height_;
   const Evidence* evidence_;
   LikelihoodPtr likelihood_;
-  double trust_;
+  double pixel_weight_;
   double symbol_bits_;
   std::vector<bool> elements_;  ///< Of each symbol: whether it only becomes terminals.
   int x_bits_, y_bits_;
 };
 
 /// What the evidence counts in a rectangle of an area, over all places of the area.
-Sums sum_of(const Evidence& evidence, const State& state, const Area& area, const Rect& r);
+Sums sum_of(const Evidence& evidence, const TreeState& state, const Area& area, const Rect& r);
 /// The same of all of the area.
-Sums sum_of(const Evidence& evidence, const State& state, const Area& area);
+Sums sum_of(const Evidence& evidence, const TreeState& state, const Area& area);
 
 /// Where a part begins that stands side by side `times` times in a room of that width, for the time
 /// `again` from 0; its own width is room / times, so that a pixel may be left over between two.
-inline int repeated_at(int room, int times, int again) { return again * room / times; }
+inline int repetition_offset(int room, int times, int again) { return again * room / times; }
 
 /// How far to the right windows of a grid may reach. At the border of a part that comes again they
 /// would touch themselves: one window, told as two.
-inline int columns_room(const Area& area) { return area.width - (area.count > 1 ? 1 : 0); }
+inline int usable_width(const Area& area) { return area.width - (area.count > 1 ? 1 : 0); }
 
 /// Bits that count `range` values.
 int bits_for(int range);

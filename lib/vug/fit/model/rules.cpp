@@ -3,9 +3,9 @@
 namespace vug::fit {
 
 Rules indexed(Rules rules) {
-  rules.of.assign(rules.symbols.size(), {});
+  rules.by_head.assign(rules.symbols.size(), {});
   for (size_t i = 0; i < rules.productions.size(); ++i)
-    rules.of[static_cast<size_t>(rules.productions[i].head)].push_back(static_cast<int>(i));
+    rules.by_head[static_cast<size_t>(rules.productions[i].head)].push_back(static_cast<int>(i));
   return rules;
 }
 

@@ -7,8 +7,8 @@
 namespace vug::fit {
 
 /// What is seen in an area. Each has a lane of its own in supervised evidence.
-enum class Look { wall, window, door, shop };
-constexpr int kLooks = 4;
+enum class RegionType { wall, window, door, shop };
+constexpr int kRegionTypes = 4;
 
 /// What a production does with the area of its head.
 enum class Op {
@@ -24,7 +24,7 @@ enum class Op {
 struct SymbolInfo {
   std::string name;
   bool terminal = false;
-  Look look = Look::wall;  ///< Of terminals.
+  RegionType type = RegionType::wall;  ///< Of terminals.
   bool grid = false;
   bool regular = false;    ///< Grids: columns have one distance, and rows one.
   bool identical = false;  ///< Grids: all cells hold the same window.
@@ -39,12 +39,12 @@ struct Production {
 struct Rules {
   std::vector<SymbolInfo> symbols;
   std::vector<Production> productions;
-  std::vector<std::vector<int>> of;  ///< Indices of productions by their heads.
+  std::vector<std::vector<int>> by_head;  ///< Indices of productions by their heads.
   int axiom = 0;
 
   const Production& production(int i) const { return productions[static_cast<size_t>(i)]; }
   const SymbolInfo& symbol(int i) const { return symbols[static_cast<size_t>(i)]; }
-  const std::vector<int>& productions_of(int s) const { return of[static_cast<size_t>(s)]; }
+  const std::vector<int>& productions_of(int s) const { return by_head[static_cast<size_t>(s)]; }
 };
 
 /// Fills `of`.
@@ -52,12 +52,12 @@ Rules indexed(Rules rules);
 
 /// What bounds the space of trees.
 struct Limits {
-  int least = 4;        ///< Smallest width and height of anything, pixels.
-  int most_lines = 16;  ///< Columns of a grid, and rows, at most kMostLines.
-  int most_elements = 16;
-  int most_repeats = 16;
-  int most_kinds = 15;  ///< Kinds of windows in a grid, at most kMostKinds.
-  int most_nodes = 64;  ///< Of a tree.
+  int min_size = 4;    ///< Smallest width and height of anything, pixels.
+  int max_lines = 16;  ///< Columns of a grid, and rows, at most kMostLines.
+  int max_elements = 16;
+  int max_repeats = 16;
+  int max_kinds = 15;  ///< Kinds of windows in a grid, at most kMostKinds.
+  int max_nodes = 64;  ///< Of a tree.
 };
 
 }  // namespace vug::fit

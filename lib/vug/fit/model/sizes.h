@@ -14,24 +14,25 @@ struct WindowSize {
 
 /// What a window gains in each cell, at each size from `least` to `most`.
 struct SizeGains {
-  WindowSize least, most;
+  WindowSize min_size, max_size;
   std::vector<std::vector<double>> cells;  ///< Of each cell the sizes, row after row of widths;
                                            ///< 0 for those that have no room there.
 
   size_t count() const {
-    return static_cast<size_t>((most.width - least.width + 1) * (most.height - least.height + 1));
+    return static_cast<size_t>((max_size.width - min_size.width + 1) *
+                               (max_size.height - min_size.height + 1));
   }
   WindowSize size(size_t at) const {
-    const auto across = static_cast<size_t>(most.width - least.width + 1);
-    return {least.width + static_cast<int>(at % across),
-            least.height + static_cast<int>(at / across)};
+    const auto across = static_cast<size_t>(max_size.width - min_size.width + 1);
+    return {min_size.width + static_cast<int>(at % across),
+            min_size.height + static_cast<int>(at / across)};
   }
 };
 
 struct SizeChoice {
   std::vector<WindowSize> sizes;
-  std::vector<int> of;  ///< Of each cell: 0 nothing, else one more than the place of its size.
-  double gain = 0;      ///< Of all cells.
+  std::vector<int> kinds;  ///< Of each cell: 0 nothing, else one more than the place of its size.
+  double gain = 0;         ///< Of all cells.
 };
 
 /// The sizes with, for each cell, what gains most there: `gain(cell, k)` is that of sizes[k], and
@@ -46,7 +47,7 @@ SizeChoice best_of_each(std::vector<WindowSize> sizes, size_t cells, const Gain&
     for (size_t k = 0; k < out.sizes.size(); ++k)
       if (const double here = gain(cell, k); here > most)
         most = here, best = static_cast<int>(k) + 1;
-    out.of.push_back(best);
+    out.kinds.push_back(best);
     out.gain += most;
   }
   return out;

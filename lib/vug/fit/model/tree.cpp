@@ -44,13 +44,13 @@ int Tree::parent(int i) const {
   return -1;
 }
 
-int Tree::part_count(int i) const {
+int Tree::child_count(int i) const {
   int count = 0;
   for (int at = i + 1; at < end(i); at = end(at)) ++count;
   return count;
 }
 
-int Tree::part(int i, int number) const {
+int Tree::child(int i, int number) const {
   int at = i + 1;
   for (; number > 0; --number) at = end(at);
   return at;

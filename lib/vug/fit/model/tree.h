@@ -8,16 +8,16 @@
 
 namespace vug::fit {
 
-constexpr int kMostLines = 16, kMostKinds = 15;
+constexpr int kMaxLines = 16, kMaxKinds = 15;
 
 /// Where columns, or rows, of a grid begin, from the left, or top, of its area; unused ones are 0.
-using Lines = std::array<int16_t, kMostLines>;
+using Lines = std::array<int16_t, kMaxLines>;
 /// Lines of a regular grid: `span` from the first to the last, between them even to a pixel.
 Lines even_lines(int first, int span, int count);
 /// Even lines that are nearest to these.
 Lines nearest_even(const Lines& lines, int count);
 /// A grid's cells, a number for each row.
-using Cells = std::array<uint64_t, kMostLines>;
+using Cells = std::array<uint64_t, kMaxLines>;
 
 /// A node's parameters are those that the production above it gives it; the others are 0, so that
 /// equal trees have equal bytes.
@@ -25,7 +25,7 @@ struct Node {
   int16_t symbol = 0;
   int16_t production = -1;  ///< That rewrote it; -1: none.
   int16_t size = 1;         ///< Nodes of its subtree, itself included.
-  int8_t made_by = -1;      ///< The Op of the production that it is a part of; -1: the root.
+  int8_t parent_op = -1;    ///< The Op of the production that it is a part of; -1: the root.
   int16_t extent = 0;       ///< Height of a row, width of a middle or an element, repetitions.
   int16_t x = 0, y = 0;     ///< Of a terminal: its left top corner in its area,
   int16_t width = 0, height = 0;  ///< and its size; of a grid's windows only the size.
@@ -58,9 +58,9 @@ struct Tree {
   int end(int i) const { return i + (*this)[i].size; }
   /// The node above; -1 for the root.
   int parent(int i) const;
-  int part_count(int i) const;
+  int child_count(int i) const;
   /// The node's part of that number, from 0.
-  int part(int i, int number) const;
+  int child(int i, int number) const;
 
   /// Puts the nodes, each without parts, below node i, which has none; it was rewritten by that
   /// production.

@@ -6,10 +6,10 @@
 namespace vug::fit {
 
 /// One of the places that an area has in the picture: repetitions and mirror images have several.
-struct Frame {
+struct AreaInstance {
   int16_t x = 0;  ///< Of its left edge in the picture.
   bool mirrored = false;
-  bool operator==(const Frame&) const = default;
+  bool operator==(const AreaInstance&) const = default;
 };
 
 /// A node's area.
@@ -21,24 +21,24 @@ struct Area {
   bool operator==(const Area&) const = default;
 };
 
-struct State {
+struct TreeState {
   Tree tree;
 
   // What follows is made of the tree by Model and kept as long as it holds.
   std::vector<Area> areas;
-  std::vector<Frame> frames;
-  std::vector<double> bits;    ///< Of each node: its parameters and the pixels it answers for.
-  std::vector<uint8_t> known;  ///< Whether they hold.
-  bool placed = false;         ///< Whether the areas hold.
+  std::vector<AreaInstance> instances;
+  std::vector<double> bits;         ///< Of each node: its parameters and the pixels it answers for.
+  std::vector<uint8_t> bits_valid;  ///< Whether they hold.
+  bool areas_valid = false;         ///< Whether the areas hold.
 
   const Area& area(int i) const { return areas[static_cast<size_t>(i)]; }
-  const Frame& frame(const Area& area, int number) const {
-    return frames[static_cast<size_t>(area.first + number)];
+  const AreaInstance& instance(const Area& area, int number) const {
+    return instances[static_cast<size_t>(area.first + number)];
   }
   /// Says that parameters of node i have changed that no area depends on.
-  void changed(int i) { known[static_cast<size_t>(i)] = 0; }
+  void invalidate_bits(int i) { bits_valid[static_cast<size_t>(i)] = 0; }
   /// Says that areas may have changed.
-  void moved() { placed = false; }
+  void invalidate_areas() { areas_valid = false; }
 
   /// The tree's own, keeping what is known of the nodes that stay.
   void grow(int i, int production, const std::vector<Node>& parts);

@@ -5,19 +5,19 @@
 namespace vug::fit {
 namespace {
 
-bool cell(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) { return has_cells(shop, state, i); };
+bool cell(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) { return has_cells(context, state, i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  state.changed(i);
+  state.invalidate_bits(i);
   const bool whole_line = forward.flip(), along_x = forward.flip();
   back.flip(whole_line), back.flip(along_x);
-  GridAxis axis(shop, state, i, along_x);
+  GridAxis axis(context, state, i, along_x);
   const int line = forward.below(axis.count);
   back.below(axis.count, line);
   if (whole_line) {
     axis.choose_cells(line, back);
-    return axis.choose_cells(line, forward) && shop.model.fits(state, i);
+    return axis.choose_cells(line, forward) && context.model.fits(state, i);
   }
   Node& grid = axis.grid;
   const int across = along_x ? grid.rows : grid.columns;
@@ -26,7 +26,7 @@ bool cell(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   const int column = along_x ? line : other, row = along_x ? other : line;
   back.below(axis.kinds + 1, grid.kind(column, row));
   grid.set_kind(column, row, forward.below(axis.kinds + 1));
-  return shop.model.fits(state, i);
+  return context.model.fits(state, i);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kMostStep = 12;  // pixels by which sizes differ
+constexpr int kMaxStep = 12;  // pixels by which sizes differ
 
 /// Whether the kind stands in cells of that line, and in no others.
 bool only_there(const GridAxis& axis, int line, int kind) {
@@ -30,37 +30,37 @@ void replace(GridAxis& axis, int line, int kind, int by) {
     if (axis.kind(line, other) == kind) axis.set_kind(line, other, by);
 }
 
-bool differ(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) { return has_cells(shop, state, i); };
+bool differ(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) { return has_cells(context, state, i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool split = forward.flip(), along_x = forward.flip();
   back.flip(!split), back.flip(along_x);
-  GridAxis axis(shop, state, i, along_x);
+  GridAxis axis(context, state, i, along_x);
   const int line = forward.below(axis.count);
   back.below(axis.count, line);
-  state.changed(i);
+  state.invalidate_bits(i);
   if (split) {
-    if (axis.kinds >= shop.model.limits().most_kinds) return false;
+    if (axis.kinds >= context.model.limits().max_kinds) return false;
     const int kind = 1 + forward.below(axis.kinds), fresh = axis.kinds + 1;
     back.below(axis.kinds, kind - 1);
     if (!is_there(axis, line, kind)) return false;
     replace(axis, line, kind, fresh);
     Node window = state.tree[i + kind];
-    const int wider = forward.between(-kMostStep, kMostStep);
-    const int higher = forward.between(-kMostStep, kMostStep);
+    const int wider = forward.between(-kMaxStep, kMaxStep);
+    const int higher = forward.between(-kMaxStep, kMaxStep);
     window.width = static_cast<int16_t>(window.width + wider);
     window.height = static_cast<int16_t>(window.height + higher);
     state.insert(i, i + fresh, window);
-    return shop.model.fits(state, i);
+    return context.model.fits(state, i);
   }
   if (axis.kinds < 2) return false;
   const int last = axis.kinds, kind = 1 + forward.below(axis.kinds - 1);
   if (!only_there(axis, line, last) || is_there(axis, line, kind)) return false;
   replace(axis, line, last, kind);
   back.below(axis.kinds - 1, kind - 1);
-  back.between(-kMostStep, kMostStep, state.tree[i + last].width - state.tree[i + kind].width);
-  back.between(-kMostStep, kMostStep, state.tree[i + last].height - state.tree[i + kind].height);
+  back.between(-kMaxStep, kMaxStep, state.tree[i + last].width - state.tree[i + kind].width);
+  back.between(-kMaxStep, kMaxStep, state.tree[i + last].height - state.tree[i + kind].height);
   state.erase(i, i + last);
   return true;
 }

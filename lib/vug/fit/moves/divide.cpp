@@ -5,23 +5,23 @@
 namespace vug::fit {
 namespace {
 
-bool divide(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+bool divide(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
   Tree& tree = state.tree;
   const auto fits = [&](int i) {
-    return tree[i].extent > 0 && static_cast<Op>(tree[i].made_by) != Op::repeat;
+    return tree[i].extent > 0 && static_cast<Op>(tree[i].parent_op) != Op::repeat;
   };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  const Op op = static_cast<Op>(tree[i].made_by);
+  const Op op = static_cast<Op>(tree[i].parent_op);
   const bool far = op == Op::rows && forward.flip();
   if (op == Op::rows) back.flip(far);
   int by = 0;
   if (far) {  // to a place that the picture hints at
     const Area& above = state.area(tree.parent(i));
-    const int bottom = above.y + above.height, least = shop.model.limits().least;
+    const int bottom = above.y + above.height, least = context.model.limits().min_size;
     const int low = above.y + least, high = bottom - least + 1;
-    back.among(shop.hints.floor, low, high, bottom - tree[i].extent);
-    by = bottom - forward.among(shop.hints.floor, low, high) - tree[i].extent;
+    back.among(context.hints.floor, low, high, bottom - tree[i].extent);
+    by = bottom - forward.among(context.hints.floor, low, high) - tree[i].extent;
   } else {
     by = step(forward, back) * (op == Op::mirror ? 2 : 1);
   }
@@ -29,12 +29,12 @@ bool divide(const Workshop& shop, State& state, Choices& forward, Choices& back)
   const int next = tree.end(i);  // of elements the one behind takes up what this one leaves
   if (op == Op::elements && tree[next].extent > 0) {
     tree[next].extent = static_cast<int16_t>(tree[next].extent - by);
-    state.changed(next);
+    state.invalidate_bits(next);
     if (tree[next].extent <= 0) return false;
   }
-  state.changed(i);
-  state.moved();
-  return tree[i].extent > 0 && shop.model.place(state);
+  state.invalidate_bits(i);
+  state.invalidate_areas();
+  return tree[i].extent > 0 && context.model.compute_areas(state);
 }
 
 }  // namespace

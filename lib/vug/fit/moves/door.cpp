@@ -15,8 +15,8 @@ int other_way(const Rules& rules, int symbol, int way, bool with_door) {
   return -1;
 }
 
-bool door(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool door(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Rules& rules = context.model.rules();
   Tree& tree = state.tree;
   const auto fits = [&](int i) {
     return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::windows;
@@ -28,16 +28,16 @@ bool door(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   if (way < 0) return false;
   Node node;
   if (has_door) {
-    choose_rect(shop, state, i, back, tree[tree.end(i) - 1], node);
+    choose_rect(context, state, i, back, tree[tree.end(i) - 1], node);
     state.erase(i, tree.end(i) - 1);
   } else {
-    choose_rect(shop, state, i, forward, {}, node);
+    choose_rect(context, state, i, forward, {}, node);
     node.symbol = static_cast<int16_t>(rules.production(way).parts[1]);
-    node.made_by = static_cast<int8_t>(Op::windows);
+    node.parent_op = static_cast<int8_t>(Op::windows);
     state.insert(i, tree.end(i), node);
   }
   tree[i].production = static_cast<int16_t>(way);
-  state.changed(i);
+  state.invalidate_bits(i);
   return true;
 }
 

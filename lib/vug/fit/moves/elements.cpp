@@ -4,11 +4,11 @@
 namespace vug::fit {
 namespace {
 
-bool elements(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Limits& limits = shop.model.limits();
+bool elements(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Limits& limits = context.model.limits();
   Tree& tree = state.tree;
   const auto plain = [&](int i) {
-    return static_cast<Op>(tree[i].made_by) == Op::elements && tree[i].production < 0;
+    return static_cast<Op>(tree[i].parent_op) == Op::elements && tree[i].production < 0;
   };
   const auto pair = [&](int i) {  // with the element behind it
     if (!plain(i)) return false;
@@ -20,7 +20,7 @@ bool elements(const Workshop& shop, State& state, Choices& forward, Choices& bac
   const int i = split ? pick(state, forward, plain) : pick(state, forward, pair);
   if (i < 0) return false;
   const int above = tree.parent(i);
-  const int width = state.area(i).width, least = limits.least;
+  const int width = state.area(i).width, least = limits.min_size;
   if (split) {
     const bool last = tree.end(i) == tree.end(above);
     const int first = forward.between(least, width - least);
@@ -28,20 +28,20 @@ bool elements(const Workshop& shop, State& state, Choices& forward, Choices& bac
     Node node = tree[i];
     node.extent = static_cast<int16_t>(last ? 0 : width - first);
     tree[i].extent = static_cast<int16_t>(first);
-    state.changed(i);
+    state.invalidate_bits(i);
     state.insert(above, i + 1, node);
-    tell_pick(state, back, i, pair);
-    return shop.model.place(state);
+    score_pick(state, back, i, pair);
+    return context.model.compute_areas(state);
   }
   const int next = tree.end(i);
   const int both = width + state.area(next).width;
   const bool last = tree.end(next) == tree.end(above);
   state.erase(above, next);
   tree[i].extent = static_cast<int16_t>(last ? 0 : both);
-  state.changed(i);
-  tell_pick(state, back, i, plain);
+  state.invalidate_bits(i);
+  score_pick(state, back, i, plain);
   back.between(least, both - least, width);
-  return shop.model.place(state);
+  return context.model.compute_areas(state);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kMostJitter = 2;  // pixels
+constexpr int kMaxJitter = 2;  // pixels
 
 int span_of(const Lines& lines, int count) {
   return lines[static_cast<size_t>(count - 1)] - lines[0];
@@ -18,11 +18,11 @@ int span_of(const Lines& lines, int count) {
 std::vector<int> spans(const Lines& lines, int count) {
   std::vector<int> out;
   const int middle = span_of(lines, count);
-  for (int span = std::max(1, middle - kMostJitter); span <= middle + kMostJitter; ++span) {
+  for (int span = std::max(1, middle - kMaxJitter); span <= middle + kMaxJitter; ++span) {
     const Lines even = even_lines(lines[0], span, count);
     bool near = true;
     for (size_t i = 1; i < static_cast<size_t>(count); ++i)
-      near = near && std::abs(lines[i] - even[i]) <= kMostJitter;
+      near = near && std::abs(lines[i] - even[i]) <= kMaxJitter;
     if (near) out.push_back(span);
   }
   return out;
@@ -32,8 +32,8 @@ void loosen(Lines& lines, int count, Choices& forward, Choices& back) {
   if (count < 2) return;
   const int span = span_of(lines, count);
   for (int i = 1; i < count; ++i)
-    lines[static_cast<size_t>(i)] = static_cast<int16_t>(
-        lines[static_cast<size_t>(i)] + forward.between(-kMostJitter, kMostJitter));
+    lines[static_cast<size_t>(i)] = static_cast<int16_t>(lines[static_cast<size_t>(i)] +
+                                                         forward.between(-kMaxJitter, kMaxJitter));
   const std::vector<int> near = spans(lines, count);
   back.below(static_cast<int>(near.size()),
              static_cast<int>(std::find(near.begin(), near.end(), span) - near.begin()));
@@ -48,14 +48,14 @@ bool straighten(Lines& lines, int count, Choices& forward, Choices& back) {
   for (int i = 1; i < count; ++i) {
     int16_t& line = lines[static_cast<size_t>(i)];
     const int straight = even[static_cast<size_t>(i)];
-    back.between(-kMostJitter, kMostJitter, line - straight);
+    back.between(-kMaxJitter, kMaxJitter, line - straight);
     line = static_cast<int16_t>(straight);
   }
   return true;
 }
 
-bool grid_type(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool grid_type(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Rules& rules = context.model.rules();
   Tree& tree = state.tree;
   const auto fits = [&](int i) {
     return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::grid;
@@ -101,8 +101,8 @@ bool grid_type(const Workshop& shop, State& state, Choices& forward, Choices& ba
     return false;
   tree[above].production = static_cast<int16_t>(type);
   grid.symbol = static_cast<int16_t>(symbol);
-  state.changed(i);
-  return shop.model.fits(state, i);
+  state.invalidate_bits(i);
+  return context.model.fits(state, i);
 }
 
 }  // namespace

@@ -6,9 +6,10 @@ namespace vug::fit {
 namespace {
 
 /// The size of a window of the last kind, chosen or told.
-void choose_size(const Workshop& shop, const State& state, int i, Choices& choices, Node& window) {
+void choose_size(const MoveContext& context, const TreeState& state, int i, Choices& choices,
+                 Node& window) {
   const Area& area = state.area(i);
-  const int least = shop.model.limits().least;
+  const int least = context.model.limits().min_size;
   window.width = static_cast<int16_t>(choices.between(least, area.width, window.width));
   window.height = static_cast<int16_t>(choices.between(least, area.height, window.height));
 }
@@ -20,25 +21,25 @@ bool holds(const Node& grid, int kind) {
   return false;
 }
 
-bool kinds(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) { return has_cells(shop, state, i); };
+bool kinds(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) { return has_cells(context, state, i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool add = forward.flip();
   back.flip(!add);
-  const int count = GridAxis(shop, state, i, true).kinds;
+  const int count = GridAxis(context, state, i, true).kinds;
   if (add) {
-    if (count >= shop.model.limits().most_kinds) return false;
+    if (count >= context.model.limits().max_kinds) return false;
     Node window;
     window.symbol = state.tree[i + 1].symbol;
-    window.made_by = state.tree[i + 1].made_by;
-    choose_size(shop, state, i, forward, window);
+    window.parent_op = state.tree[i + 1].parent_op;
+    choose_size(context, state, i, forward, window);
     state.insert(i, i + 1 + count, window);
-    return shop.model.fits(state, i);
+    return context.model.fits(state, i);
   }
   if (count < 2 || holds(state.tree[i], count)) return false;
   Node window = state.tree[i + count];
-  choose_size(shop, state, i, back, window);
+  choose_size(context, state, i, back, window);
   state.erase(i, i + count);
   return true;
 }

@@ -4,11 +4,11 @@
 namespace vug::fit {
 namespace {
 
-bool line(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool line(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Rules& rules = context.model.rules();
   Tree& tree = state.tree;
   const auto fits = [&](int i) {
-    return is_grid(shop, state, i) && !rules.symbol(tree[i].symbol).regular;
+    return is_grid(context, state, i) && !rules.symbol(tree[i].symbol).regular;
   };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
@@ -24,8 +24,9 @@ bool line(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   back.flip(far);
   if (far) {
     const Area& area = state.area(i);
-    const inference::DiscreteDistribution& profile = along_x ? shop.hints.left : shop.hints.top;
-    const int origin = along_x ? state.frame(area, 0).x : area.y;
+    const inference::DiscreteDistribution& profile =
+        along_x ? context.hints.left : context.hints.top;
+    const int origin = along_x ? state.instance(area, 0).x : area.y;
     const int room = along_x ? area.width : area.height;
     const int low = origin + (which > 0 ? lines[at - 1] + 1 : 0);
     const int high = origin + (which + 1 < count ? lines[at + 1] : room);
@@ -34,8 +35,8 @@ bool line(const Workshop& shop, State& state, Choices& forward, Choices& back) {
   } else {
     lines[at] = static_cast<int16_t>(lines[at] + step(forward, back));
   }
-  state.changed(i);
-  return shop.model.fits(state, i);
+  state.invalidate_bits(i);
+  return context.model.fits(state, i);
 }
 
 }  // namespace

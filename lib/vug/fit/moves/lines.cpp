@@ -12,13 +12,13 @@ int shortened(int span, int count) {
 
 /// The span of one line more: one of those that this one would be left of, or, of a single line,
 /// any that has room.
-int choose_longer(int count, int span, int room, int least, Choices& choices, int told) {
-  if (count == 1) return choices.between(least + 1, room, told);
+int choose_longer(int count, int span, int room, int least, Choices& choices, int fixed) {
+  if (count == 1) return choices.between(least + 1, room, fixed);
   int low = span;
   while (shortened(low, count + 1) < span) ++low;
   int high = low;
   while (shortened(high + 1, count + 1) == span) ++high;
-  return choices.between(low, high, told);
+  return choices.between(low, high, fixed);
 }
 
 /// Before the first line of a regular grid or behind the last one.
@@ -29,8 +29,8 @@ bool insert_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
   const int span = choose_longer(axis.count, axis.span(), room, least, forward, 0);
   if (!forward.possible()) return false;
   const int line = low ? 0 : axis.count;
-  axis.open(line, 0);
-  axis.even_out(low ? last - span : first, span);
+  axis.insert_line(line, 0);
+  axis.space_evenly(low ? last - span : first, span);
   back.flip(low);
   return axis.choose_cells(line, forward);
 }
@@ -43,8 +43,8 @@ bool delete_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
   const int left = shortened(span, axis.count);
   choose_longer(axis.count - 1, left, low ? last : axis.room - least - first, least, back, span);
   axis.choose_cells(line, back);
-  axis.close(line);
-  axis.even_out(low ? last - left : first, left);
+  axis.remove_line(line);
+  axis.space_evenly(low ? last - left : first, left);
   return true;
 }
 
@@ -53,7 +53,7 @@ bool insert_anywhere(GridAxis& axis, int least, Choices& forward, Choices& back)
       forward.among(axis.profile, axis.origin, axis.origin + axis.room - least + 1) - axis.origin;
   int line = 0;
   while (line < axis.count && axis.at(line) < place) ++line;
-  axis.open(line, place);
+  axis.insert_line(line, place);
   back.below(axis.count, line);
   return axis.choose_cells(line, forward);
 }
@@ -63,24 +63,24 @@ bool delete_any(GridAxis& axis, int least, Choices& forward, Choices& back) {
   back.among(axis.profile, axis.origin, axis.origin + axis.room - least + 1,
              axis.origin + axis.at(line));
   axis.choose_cells(line, back);
-  axis.close(line);
+  axis.remove_line(line);
   return true;
 }
 
-bool change_lines(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) { return is_grid(shop, state, i); };
+bool change_lines(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) { return is_grid(context, state, i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool along_x = forward.flip(), insert = forward.flip();
   back.flip(along_x), back.flip(!insert);
-  GridAxis axis(shop, state, i, along_x);
-  const Limits& limits = shop.model.limits();
-  if (insert ? axis.count >= limits.most_lines : axis.count < 2) return false;
+  GridAxis axis(context, state, i, along_x);
+  const Limits& limits = context.model.limits();
+  if (insert ? axis.count >= limits.max_lines : axis.count < 2) return false;
   const auto change = axis.regular ? (insert ? insert_at_end : delete_at_end)
                                    : (insert ? insert_anywhere : delete_any);
-  if (!change(axis, limits.least, forward, back)) return false;
-  state.changed(i);
-  return shop.model.fits(state, i);
+  if (!change(axis, limits.min_size, forward, back)) return false;
+  state.invalidate_bits(i);
+  return context.model.fits(state, i);
 }
 
 }  // namespace

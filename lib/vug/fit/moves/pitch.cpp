@@ -4,8 +4,8 @@
 namespace vug::fit {
 namespace {
 
-bool pitch(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool pitch(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Rules& rules = context.model.rules();
   Tree& tree = state.tree;
   const bool along_x = forward.flip();
   back.flip(along_x);
@@ -25,8 +25,8 @@ bool pitch(const Workshop& shop, State& state, Choices& forward, Choices& back) 
   const int count = count_of(grid);
   const int span = lines[static_cast<size_t>(count - 1)] - lines[0] + by;
   lines = even_lines(last_stays ? lines[0] - by : lines[0], span, count);
-  state.changed(i);
-  return shop.model.fits(state, i);
+  state.invalidate_bits(i);
+  return context.model.fits(state, i);
 }
 
 }  // namespace

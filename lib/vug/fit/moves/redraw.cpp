@@ -14,29 +14,29 @@ struct Edge {
   int place() const { return origin + (is_low ? low : low + size); }
 };
 
-bool redraw(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) { return is_terminal(shop, state, i); };
+bool redraw(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) { return is_terminal(context, state, i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool along_x = forward.flip(), low_edge = forward.flip();
   back.flip(along_x), back.flip(low_edge);
-  const int least = shop.model.limits().least;
+  const int least = context.model.limits().min_size;
   const Node& node = state.tree[i];
   const Node& above = state.tree[state.tree.parent(i)];
   const int stands = along_x ? node.x : node.y;
   const int first_line = along_x ? above.left[0] : above.top[0];
   const Area& area = state.area(i);
   const inference::DiscreteDistribution& profile =
-      along_x ? (low_edge ? shop.hints.left : shop.hints.right)
-              : (low_edge ? shop.hints.top : shop.hints.bottom);
-  const Edge edge{along_x ? state.frame(area, 0).x : area.y, along_x ? area.width : area.height,
-                  shop.model.in_grid(node) ? first_line : stands,
+      along_x ? (low_edge ? context.hints.left : context.hints.right)
+              : (low_edge ? context.hints.top : context.hints.bottom);
+  const Edge edge{along_x ? state.instance(area, 0).x : area.y, along_x ? area.width : area.height,
+                  context.model.in_grid(node) ? first_line : stands,
                   along_x ? node.width : node.height, low_edge};
   if (edge.low + edge.size > edge.room) return false;  // a kind that stands in no cell
   const int begin = edge.window_begin(least), end = edge.window_end(least);
   back.among(profile, begin, end, edge.place());
   const int by = forward.among(profile, begin, end) - edge.place();
-  return forward.possible() && move_edge(shop, state, i, along_x, low_edge, by);
+  return forward.possible() && move_edge(context, state, i, along_x, low_edge, by);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 namespace vug::fit {
 namespace {
 
-bool repetition(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  return fold_or_unfold(shop, state, Op::repeat, forward, back);
+bool repetition(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  return fold_or_unfold(context, state, Op::repeat, forward, back);
 }
 
 }  // namespace

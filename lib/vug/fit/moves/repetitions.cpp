@@ -4,17 +4,18 @@
 namespace vug::fit {
 namespace {
 
-bool repetitions(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+bool repetitions(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
   Tree& tree = state.tree;
-  const auto fits = [&](int i) { return static_cast<Op>(tree[i].made_by) == Op::repeat; };
+  const auto fits = [&](int i) { return static_cast<Op>(tree[i].parent_op) == Op::repeat; };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool more = forward.flip();
   back.flip(!more);
   tree[i].extent = static_cast<int16_t>(tree[i].extent + (more ? 1 : -1));
-  state.changed(i), state.changed(tree.parent(i));  // which answers for what is left over
-  state.moved();
-  return tree[i].extent >= 2 && shop.model.place(state);
+  state.invalidate_bits(i),
+      state.invalidate_bits(tree.parent(i));  // which answers for what is left over
+  state.invalidate_areas();
+  return tree[i].extent >= 2 && context.model.compute_areas(state);
 }
 
 }  // namespace

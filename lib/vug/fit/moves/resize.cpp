@@ -4,14 +4,14 @@
 namespace vug::fit {
 namespace {
 
-bool resize(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) { return is_terminal(shop, state, i); };
+bool resize(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) { return is_terminal(context, state, i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool along_x = forward.flip(), low_edge = forward.flip();
   back.flip(along_x), back.flip(low_edge);
   const int by = step(forward, back);  // of the size
-  return move_edge(shop, state, i, along_x, low_edge, low_edge ? -by : by);
+  return move_edge(context, state, i, along_x, low_edge, low_edge ? -by : by);
 }
 
 }  // namespace

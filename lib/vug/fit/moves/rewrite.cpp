@@ -6,8 +6,8 @@
 namespace vug::fit {
 namespace {
 
-bool rewrite(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool rewrite(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
   const auto open = [&](int i) {
     return tree[i].production < 0 && !rules.productions_of(tree[i].symbol).empty();
@@ -24,20 +24,20 @@ bool rewrite(const Workshop& shop, State& state, Choices& forward, Choices& back
   if (i < 0) return false;
   const std::vector<int>& ways = rules.productions_of(tree[i].symbol);
   const auto count = static_cast<int>(ways.size());
-  Parts parts;
+  Successors parts;
   if (grow) {
     const int way = ways[static_cast<size_t>(forward.below(count))];
-    if (!choose_parts(shop, state, i, way, forward, {}, parts)) return false;
-    put_parts(state, i, way, parts);
-    tell_pick(state, back, i, closed);
+    if (!choose_successors(context, state, i, way, forward, {}, parts)) return false;
+    apply_production(state, i, way, parts);
+    score_pick(state, back, i, closed);
     return true;
   }
   const int way = tree[i].production;
-  const Parts old = parts_of(state, i);
-  take_parts(state, i);
-  tell_pick(state, back, i, open);
+  const Successors old = successors_of(state, i);
+  undo_production(state, i);
+  score_pick(state, back, i, open);
   back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), way) - ways.begin()));
-  return choose_parts(shop, state, i, way, back, old, parts);
+  return choose_successors(context, state, i, way, back, old, parts);
 }
 
 }  // namespace

@@ -4,26 +4,26 @@
 namespace vug::fit {
 namespace {
 
-bool shift(const Workshop& shop, State& state, Choices& forward, Choices& back) {
+bool shift(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
   Tree& tree = state.tree;
   const auto by_itself = [&](int i) {
-    return is_terminal(shop, state, i) && !shop.model.in_grid(tree[i]);
+    return is_terminal(context, state, i) && !context.model.in_grid(tree[i]);
   };
-  const auto fits = [&](int i) { return is_grid(shop, state, i) || by_itself(i); };
+  const auto fits = [&](int i) { return is_grid(context, state, i) || by_itself(i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool along_x = forward.flip();
   back.flip(along_x);
   const int by = step(forward, back);
   Node& node = tree[i];
-  if (is_grid(shop, state, i)) {
+  if (is_grid(context, state, i)) {
     shift_lines(node, along_x, by);
   } else {
     add(along_x ? node.x : node.y, by);
-    state.changed(tree.parent(i));
+    state.invalidate_bits(tree.parent(i));
   }
-  state.changed(i);
-  return shop.model.fits(state, i);
+  state.invalidate_bits(i);
+  return context.model.fits(state, i);
 }
 
 }  // namespace

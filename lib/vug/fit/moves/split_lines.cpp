@@ -10,10 +10,10 @@ bool split_all(GridAxis& axis, int most, Choices& forward, Choices&) {
   const int first = axis.at(0), span = axis.span(), count = axis.count;
   if (count < 2 || 2 * count - 1 > most) return false;
   for (int line = count - 1; line > 0; --line) {
-    axis.open(line, 0);
+    axis.insert_line(line, 0);
     if (!axis.choose_cells(line, forward)) return false;
   }
-  axis.even_out(first, span);
+  axis.space_evenly(first, span);
   return true;
 }
 
@@ -22,9 +22,9 @@ bool merge_all(GridAxis& axis, int, Choices&, Choices& back) {
   const int first = axis.at(0), span = axis.span();
   for (int line = axis.count - 2; line > 0; line -= 2) {
     axis.choose_cells(line, back);
-    axis.close(line);
+    axis.remove_line(line);
   }
-  axis.even_out(first, span);
+  axis.space_evenly(first, span);
   return true;
 }
 
@@ -46,7 +46,7 @@ bool split_one(GridAxis& axis, int most, Choices& forward, Choices& back) {
   const int first = forward.among(axis.profile, room.low, room.high - 1);
   const int second = forward.among(axis.profile, first + 1, room.high);
   if (!forward.possible()) return false;
-  axis.open(line + 1, second - axis.origin);
+  axis.insert_line(line + 1, second - axis.origin);
   axis.copy_cells(line, line + 1);
   axis.lines[static_cast<size_t>(line)] = static_cast<int16_t>(first - axis.origin);
   return true;
@@ -62,23 +62,23 @@ bool merge_two(GridAxis& axis, int, Choices& forward, Choices& back) {
   back.among(axis.profile, room.low, room.high - 1, first);
   back.among(axis.profile, first + 1, room.high, second);
   const int place = forward.among(axis.profile, room.low, room.high);
-  axis.close(line + 1);
+  axis.remove_line(line + 1);
   axis.lines[static_cast<size_t>(line)] = static_cast<int16_t>(place - axis.origin);
   return true;
 }
 
-bool split_lines(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const auto fits = [&](int i) { return is_grid(shop, state, i); };
+bool split_lines(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const auto fits = [&](int i) { return is_grid(context, state, i); };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool along_x = forward.flip(), split = forward.flip();
   back.flip(along_x), back.flip(!split);
-  GridAxis axis(shop, state, i, along_x);
+  GridAxis axis(context, state, i, along_x);
   const auto change =
       axis.regular ? (split ? split_all : merge_all) : (split ? split_one : merge_two);
-  if (!change(axis, shop.model.limits().most_lines, forward, back)) return false;
-  state.changed(i);
-  return shop.model.fits(state, i);
+  if (!change(axis, context.model.limits().max_lines, forward, back)) return false;
+  state.invalidate_bits(i);
+  return context.model.fits(state, i);
 }
 
 }  // namespace

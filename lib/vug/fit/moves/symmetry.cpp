@@ -4,8 +4,8 @@
 namespace vug::fit {
 namespace {
 
-bool symmetry(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  return fold_or_unfold(shop, state, Op::mirror, forward, back);
+bool symmetry(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  return fold_or_unfold(context, state, Op::mirror, forward, back);
 }
 
 }  // namespace

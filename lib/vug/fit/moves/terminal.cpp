@@ -6,8 +6,8 @@
 namespace vug::fit {
 namespace {
 
-bool terminal(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool terminal(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Rules& rules = context.model.rules();
   Tree& tree = state.tree;
   const auto fits = [&](int i) {
     return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::terminal;
@@ -23,7 +23,7 @@ bool terminal(const Workshop& shop, State& state, Choices& forward, Choices& bac
   const int way = ways[static_cast<size_t>(forward.below(count))];
   tree[i].production = static_cast<int16_t>(way);
   tree[i + 1].symbol = static_cast<int16_t>(rules.production(way).parts[0]);
-  state.changed(i), state.changed(i + 1);
+  state.invalidate_bits(i), state.invalidate_bits(i + 1);
   return true;
 }
 

@@ -20,8 +20,8 @@ std::vector<Way> ways_of(const Rules& rules, int symbol) {
   return out;
 }
 
-bool whole_grid(const Workshop& shop, State& state, Choices& forward, Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, Choices& back) {
+  const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
   const auto open = [&](int i) {
     return tree[i].production < 0 && !ways_of(rules, tree[i].symbol).empty();
@@ -36,31 +36,32 @@ bool whole_grid(const Workshop& shop, State& state, Choices& forward, Choices& b
   if (i < 0) return false;
   const std::vector<Way> ways = ways_of(rules, tree[i].symbol);
   const auto count = static_cast<int>(ways.size());
-  Parts grid, windows;
+  Successors grid, windows;
   if (grow) {
     const Way way = ways[static_cast<size_t>(forward.below(count))];
-    if (!choose_parts(shop, state, i, way.first, forward, {}, grid)) return false;
-    put_parts(state, i, way.first, grid);
+    if (!choose_successors(context, state, i, way.first, forward, {}, grid)) return false;
+    apply_production(state, i, way.first, grid);
     // Windows are chosen in the grid's area, which is that of the node above.
     state.areas[static_cast<size_t>(i + 1)] = state.areas[static_cast<size_t>(i)];
-    if (!choose_parts(shop, state, i + 1, way.second, forward, {}, windows)) return false;
-    put_parts(state, i + 1, way.second, windows);
-    tell_pick(state, back, i, closed);
+    if (!choose_successors(context, state, i + 1, way.second, forward, {}, windows)) return false;
+    apply_production(state, i + 1, way.second, windows);
+    score_pick(state, back, i, closed);
     return true;
   }
   const Way way = {tree[i].production, tree[i + 1].production};
   // The way back chooses the grid before its windows, which can only be told while it is there.
-  const Parts old_windows = parts_of(state, i + 1);
-  take_parts(state, i + 1);
-  Choices told;
-  told.score();
-  if (!choose_parts(shop, state, i + 1, way.second, told, old_windows, windows)) return false;
-  const Parts old_grid = parts_of(state, i);
-  take_parts(state, i);
-  tell_pick(state, back, i, open);
+  const Successors old_windows = successors_of(state, i + 1);
+  undo_production(state, i + 1);
+  Choices scored;
+  scored.score();
+  if (!choose_successors(context, state, i + 1, way.second, scored, old_windows, windows))
+    return false;
+  const Successors old_grid = successors_of(state, i);
+  undo_production(state, i);
+  score_pick(state, back, i, open);
   back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), way) - ways.begin()));
-  if (!choose_parts(shop, state, i, way.first, back, old_grid, grid)) return false;
-  back.append(told);
+  if (!choose_successors(context, state, i, way.first, back, old_grid, grid)) return false;
+  back.append(scored);
   return true;
 }
 

@@ -7,21 +7,21 @@ namespace vug::fit {
 namespace {
 
 /// Moves what is in the area of node i, as far as that is a grid or stands by itself.
-void shift_content(State& state, int i, int dx, int dy) {
+void shift_content(TreeState& state, int i, int dx, int dy) {
   for (int part = i + 1; part < state.tree.end(i); ++part) {
     Node& node = state.tree[part];
     if (node.columns > 0) {
       shift_lines(node, true, dx), shift_lines(node, false, dy);
-    } else if (static_cast<Op>(node.made_by) == Op::terminal) {
+    } else if (static_cast<Op>(node.parent_op) == Op::terminal) {
       add(node.x, dx), add(node.y, dy);
     }
-    state.changed(part);
+    state.invalidate_bits(part);
   }
-  state.changed(i);
+  state.invalidate_bits(i);
 }
 
 /// Whether one of the node's areas is divided further, so that what is in it cannot be shifted.
-bool divided(const Rules& rules, const State& state, int i) {
+bool divided(const Rules& rules, const TreeState& state, int i) {
   const int way = state.tree[i].production;
   if (way < 0) return false;
   const Op op = rules.production(way).op;
@@ -30,26 +30,26 @@ bool divided(const Rules& rules, const State& state, int i) {
 
 class Polisher {
  public:
-  Polisher(const Workshop& shop, const Evidence& evidence, State& state)
-      : shop_(shop), model_(shop.model), evidence_(evidence), state_(state) {}
+  Polisher(const MoveContext& context, const Evidence& evidence, TreeState& state)
+      : context_(context), model_(context.model), evidence_(evidence), state_(state) {}
 
-  bool turn(Progress& progress) {
+  bool sweep(Progress& progress) {
     bool better = false;
     for (int i = 0; i < state_.tree.size() && !progress.cancelled(); ++i) {
       const Rules& rules = model_.rules();
-      if (state_.tree[i].extent > 0 && static_cast<Op>(state_.tree[i].made_by) != Op::repeat)
+      if (state_.tree[i].extent > 0 && static_cast<Op>(state_.tree[i].parent_op) != Op::repeat)
         better |= extent(i);
-      if (is_terminal(shop_, state_, i) && !model_.in_grid(state_.tree[i])) better |= rect(i);
+      if (is_terminal(context_, state_, i) && !model_.in_grid(state_.tree[i])) better |= rect(i);
       if (state_.tree[i].production < 0) continue;
-      if (undivided(i) || lifted(i)) {
+      if (try_prune(i) || try_hoist(i)) {
         better = true;
         continue;
       }
       if (rules.production(state_.tree[i].production).op == Op::grid) {
-        better |= polish_type(shop_, state_, i);
-        better |= polish_grid(shop_, evidence_, state_, i);
-        better |= polish_cells(shop_, evidence_, state_, i);
-        better |= polish_kinds(shop_, evidence_, state_, i);
+        better |= polish_type(context_, state_, i);
+        better |= polish_grid(context_, evidence_, state_, i);
+        better |= polish_cells(context_, evidence_, state_, i);
+        better |= polish_kinds(context_, evidence_, state_, i);
       }
     }
     return better;
@@ -59,28 +59,28 @@ class Polisher {
   /// The best of all values of what `change(state, by)` changes.
   template <class Change>
   bool search(int low, int high, const Change& change) {
-    State best = state_;
+    TreeState best = state_;
     bool better = false;
     for (int by = low; by <= high; ++by) {
       if (by == 0) continue;
-      State other = state_;
-      if (change(other, by)) better |= take_cheaper(model_, best, std::move(other));
+      TreeState other = state_;
+      if (change(other, by)) better |= replace_if_cheaper(model_, best, std::move(other));
     }
     if (better) state_ = std::move(best);
     return better;
   }
 
   /// The node as it is before it is rewritten, where that is cheaper.
-  bool undivided(int i) {
-    State other = state_;
+  bool try_prune(int i) {
+    TreeState other = state_;
     other.prune(i);
-    other.moved();
-    return take_cheaper(model_, state_, std::move(other));
+    other.invalidate_areas();
+    return replace_if_cheaper(model_, state_, std::move(other));
   }
 
   /// A grid that is the only thing in one of the node's parts becomes the node's own, where that is
   /// cheaper.
-  bool lifted(int i) {
+  bool try_hoist(int i) {
     const Tree& tree = state_.tree;
     int full = -1;
     for (int part = i + 1; part < tree.end(i); part = tree.end(part)) {
@@ -99,11 +99,12 @@ class Polisher {
       const int16_t size = nodes[0].size;
       nodes[0] = tree[i];
       nodes[0].size = size, nodes[0].production = static_cast<int16_t>(way);
-      State other = state_;
+      TreeState other = state_;
       other.replace(i, nodes);
-      other.moved();
-      shift_content(other, i, state_.frame(inner, 0).x - state_.frame(area, 0).x, inner.y - area.y);
-      return take_cheaper(model_, state_, std::move(other));
+      other.invalidate_areas();
+      shift_content(other, i, state_.instance(inner, 0).x - state_.instance(area, 0).x,
+                    inner.y - area.y);
+      return replace_if_cheaper(model_, state_, std::move(other));
     }
     return false;
   }
@@ -115,14 +116,14 @@ class Polisher {
       const Area& area = state_.area(i);
       const int room = along_x ? area.width : area.height;
       for (const bool low : {true, false})
-        better |= search(-room, room, [&](State& other, int by) {
-          return move_edge(shop_, other, i, along_x, low, by);
+        better |= search(-room, room, [&](TreeState& other, int by) {
+          return move_edge(context_, other, i, along_x, low, by);
         });
-      better |= search(-room, room, [&](State& other, int by) {
+      better |= search(-room, room, [&](TreeState& other, int by) {
         Node& node = other.tree[i];
         add(along_x ? node.x : node.y, by);
-        other.changed(other.tree.parent(i));
-        other.changed(i);
+        other.invalidate_bits(other.tree.parent(i));
+        other.invalidate_bits(i);
         return model_.fits(other, i);
       });
     }
@@ -131,12 +132,12 @@ class Polisher {
 
   /// The line between this part and the next: what is in them stays where it is, or goes with it.
   bool extent(int i) {
-    const Op op = static_cast<Op>(state_.tree[i].made_by);
+    const Op op = static_cast<Op>(state_.tree[i].parent_op);
     const int above = state_.tree.parent(i), next = state_.tree.end(i);
     const int room = op == Op::rows ? state_.area(above).height : state_.area(above).width;
     bool better = false;
     for (const bool stays : {true, false})
-      better |= search(-room, room, [&](State& other, int by) {
+      better |= search(-room, room, [&](TreeState& other, int by) {
         Tree& tree = other.tree;
         if (op == Op::mirror && by % 2 != 0) return false;
         add(tree[i].extent, by);
@@ -152,40 +153,41 @@ class Polisher {
                         : op == Op::mirror ? by / 2
                                            : -by,
                         op == Op::rows ? by : 0);
-        other.changed(i);
-        if (op == Op::elements) other.changed(next);
-        other.moved();
+        other.invalidate_bits(i);
+        if (op == Op::elements) other.invalidate_bits(next);
+        other.invalidate_areas();
         return true;
       });
     return better;
   }
 
-  const Workshop& shop_;
+  const MoveContext& context_;
   const Model& model_;
   const Evidence& evidence_;
-  State& state_;
+  TreeState& state_;
 };
 
 }  // namespace
 
-bool take_cheaper(const Model& model, State& state, State other) {
+bool replace_if_cheaper(const Model& model, TreeState& state, TreeState other) {
   constexpr double kTiny = 1e-9;
   if (!(model.energy(other) < model.energy(state) - kTiny)) return false;
   state = std::move(other);
   return true;
 }
 
-Polished polish(const Workshop& shop, const Evidence& evidence, State& state, Progress& progress) {
-  constexpr int kMostRounds = 20;
-  Polished out;
-  out.before = shop.model.energy(state);
-  Polisher polisher(shop, evidence, state);
+PolishResult polish(const MoveContext& context, const Evidence& evidence, TreeState& state,
+                    Progress& progress) {
+  constexpr int kMaxRounds = 20;
+  PolishResult out;
+  out.before = context.model.energy(state);
+  Polisher polisher(context, evidence, state);
   bool better = true;
-  while (better && out.rounds < kMostRounds && !progress.cancelled()) {
-    better = polisher.turn(progress);
+  while (better && out.rounds < kMaxRounds && !progress.cancelled()) {
+    better = polisher.sweep(progress);
     ++out.rounds;
   }
-  out.after = shop.model.energy(state);
+  out.after = context.model.energy(state);
   return out;
 }
 

@@ -1,7 +1,7 @@
 // Lines of a grid whose windows may differ: a line that moves may be worth it only if its cells
 // become other kinds with it, and sizes of kinds follow.
-#include <vug/fit/model/cells.h>
 #include <vug/fit/evidence/grid_gains.h>
+#include <vug/fit/model/cells.h>
 #include <vug/fit/polish/polish.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ constexpr double kTiny = 1e-9;
 /// The sizes that a grid's windows have, and what its cells gain by them.
 class WindowCells {
  public:
-  WindowCells(const Model& model, const Evidence& evidence, const State& state, int grid)
-      : least_(model.limits().least), windows_(model, evidence, state, grid) {
+  WindowCells(const Model& model, const Evidence& evidence, const TreeState& state, int grid)
+      : min_size_(model.limits().min_size), windows_(model, evidence, state, grid) {
     for (int part = grid + 1; part < state.tree.end(grid); ++part)
       if (const Node& node = state.tree[part]; model.in_grid(node))
         sizes_.push_back({node.width, node.height});
@@ -39,7 +39,7 @@ class WindowCells {
         double most = beside_gain(grid, beside, old) + kTiny;
         for (int height = old.height - kReach; height <= old.height + kReach; ++height)
           for (int width = old.width - kReach; width <= old.width + kReach; ++width) {
-            if (width < least_ || height < least_) continue;
+            if (width < min_size_ || height < min_size_) continue;
             const double gain = beside_gain(grid, beside, {width, height});
             if (gain > most) most = gain, sizes[k] = {width, height}, better = true;
           }
@@ -49,7 +49,7 @@ class WindowCells {
   }
 
   int room(bool along_x) const { return windows_.room(along_x); }
-  int least() const { return least_; }
+  int min_size() const { return min_size_; }
 
  private:
   template <class Visit>
@@ -87,7 +87,7 @@ class WindowCells {
     });
   }
 
-  int least_;
+  int min_size_;
   GridGains windows_;
   std::vector<WindowSize> sizes_;
 };
@@ -98,8 +98,8 @@ std::set<int> places(const WindowCells& cells, const Node& grid, bool along_x, i
   const Lines& lines = along_x ? grid.left : grid.top;
   const int count = along_x ? grid.columns : grid.rows, now = lines[static_cast<size_t>(line)];
   const auto at = static_cast<size_t>(line);
-  const int begin = line > 0 ? lines[at - 1] + cells.least() + 1 : 0;
-  const int end = (line + 1 < count ? lines[at + 1] - 1 : cells.room(along_x)) - cells.least();
+  const int begin = line > 0 ? lines[at - 1] + cells.min_size() + 1 : 0;
+  const int end = (line + 1 < count ? lines[at + 1] - 1 : cells.room(along_x)) - cells.min_size();
   int best = now;
   double most = 0;
   for (int place = begin; place <= end; ++place) {
@@ -115,10 +115,10 @@ std::set<int> places(const WindowCells& cells, const Node& grid, bool along_x, i
 
 }  // namespace
 
-bool polish_cells(const Workshop& shop, const Evidence& evidence, State& state, int i) {
-  const Model& model = shop.model;
+bool polish_cells(const MoveContext& context, const Evidence& evidence, TreeState& state, int i) {
+  const Model& model = context.model;
   const int grid = i + 1;
-  if (!has_cells(shop, state, grid) || !model.likelihood()) return false;
+  if (!has_cells(context, state, grid) || !model.likelihood()) return false;
   if (model.rules().symbol(state.tree[grid].symbol).regular) return false;
   bool better = false;
   WindowCells cells(model, evidence, state, grid);
@@ -134,9 +134,9 @@ bool polish_cells(const Workshop& shop, const Evidence& evidence, State& state, 
         SizeChoice here = cells.followed(moved);
         if (here.gain > choice.gain + kTiny) choice = std::move(here), best = moved;
       }
-      State other = state;
+      TreeState other = state;
       other.tree[grid].left = best.left, other.tree[grid].top = best.top;
-      if (!take_cheaper(model, state, with_windows(model, std::move(other), grid, choice)))
+      if (!replace_if_cheaper(model, state, with_windows(model, std::move(other), grid, choice)))
         continue;
       cells = WindowCells(model, evidence, state, grid);
       better = true;

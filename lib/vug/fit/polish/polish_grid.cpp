@@ -1,7 +1,7 @@
 // Grids: where each line gains most is a table; lines that may not touch are placed by dynamic
 // programming over it, those of a regular grid by trying first lines and spans.
-#include <vug/fit/polish/polish.h>
 #include <vug/fit/evidence/folded_integral.h>
+#include <vug/fit/polish/polish.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,11 @@ class Axis {
   /// Sizes of kinds along the axis, the first of which is that of kind 1.
   using Sizes = std::vector<int>;
 
-  Axis(const Rules& rules, const Tree& tree, int grid, const Sheet& sheet, int room, bool along_x)
+  Axis(const Rules& rules, const Tree& tree, int grid, const FoldedIntegral& integral, int room,
+       bool along_x)
       : tree_(tree),
         grid_(grid),
-        sheet_(sheet),
+        integral_(integral),
         along_x_(along_x),
         regular_(rules.symbol(tree[grid].symbol).regular),
         identical_(rules.symbol(tree[grid].symbol).identical),
@@ -94,8 +95,8 @@ class Axis {
         const int end = at + size_of_kind(sizes, kind);
         const Node& window = tree_[grid_ + kind];
         const auto o = static_cast<size_t>(other);
-        sum += along_x_ ? sheet_.sum(at, grid.top[o], end, grid.top[o] + window.height)
-                        : sheet_.sum(grid.left[o], at, grid.left[o] + window.width, end);
+        sum += along_x_ ? integral_.sum(at, grid.top[o], end, grid.top[o] + window.height)
+                        : integral_.sum(grid.left[o], at, grid.left[o] + window.width, end);
       }
       out.push_back(sum);
     }
@@ -163,33 +164,33 @@ class Axis {
 
   const Tree& tree_;
   const int grid_;
-  const Sheet& sheet_;
+  const FoldedIntegral& integral_;
   const bool along_x_, regular_, identical_;
   const int room_, count_;
 };
 
 }  // namespace
 
-bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, int i) {
+bool polish_grid(const MoveContext& context, const Evidence& evidence, TreeState& state, int i) {
   constexpr int kReach = 12;
-  const Model& model = shop.model;
+  const Model& model = context.model;
   const int grid = i + 1;
   if (state.tree[grid].production < 0 || !model.likelihood()) return false;
-  const int least = model.limits().least;
+  const int least = model.limits().min_size;
   bool better = false;
-  const Gains gains = gains_in(model, evidence, state, i);
-  const Sheet sheet(GainMap(evidence, gains), state, state.area(i));
+  const Gains gains = gains_from_grid(model, evidence, state, i);
+  const FoldedIntegral integral(GainMap(evidence, gains), state, state.area(i));
   for (const bool along_x : {true, false}) {
     int kinds = 0;
     while (grid + kinds + 1 < state.tree.end(grid) && model.in_grid(state.tree[grid + kinds + 1]))
       ++kinds;
     const auto axis = [&] {
-      return Axis(model.rules(), state.tree, grid, sheet,
-                  along_x ? columns_room(state.area(i)) : sheet.height(), along_x);
+      return Axis(model.rules(), state.tree, grid, integral,
+                  along_x ? usable_width(state.area(i)) : integral.height(), along_x);
     };
     for (const std::vector<size_t>& group : axis().groups(static_cast<size_t>(kinds))) {
       const Axis lines = axis();
-      State other = state;
+      TreeState other = state;
       double most = kNever;
       for (int by = -kReach; by <= kReach; ++by) {
         Axis::Sizes sizes = lines.sizes(kinds);
@@ -207,26 +208,26 @@ bool polish_grid(const Workshop& shop, const Evidence& evidence, State& state, i
       }
       bool fits = true;
       for (int node = grid; node <= grid + kinds; ++node) {
-        other.changed(node);
+        other.invalidate_bits(node);
         fits = fits && model.fits(other, node);
       }
-      if (fits) better |= take_cheaper(model, state, std::move(other));
+      if (fits) better |= replace_if_cheaper(model, state, std::move(other));
     }
   }
   return better;
 }
 
-bool polish_type(const Workshop& shop, State& state, int i) {
-  const Model& model = shop.model;
+bool polish_type(const MoveContext& context, TreeState& state, int i) {
+  const Model& model = context.model;
   const Rules& rules = model.rules();
   bool better = false;
-  const State from = state;
+  const TreeState from = state;
   const Node& old = from.tree[i + 1];
   if (old.production < 0) return false;
   const SymbolInfo& was = rules.symbol(old.symbol);
   for (const int way : rules.productions_of(from.tree[i].symbol)) {
     if (rules.production(way).op != Op::grid) continue;
-    State other = from;
+    TreeState other = from;
     Node& grid = other.tree[i + 1];
     const int symbol = rules.production(way).parts[0];
     const SymbolInfo& is = rules.symbol(symbol);
@@ -248,8 +249,8 @@ bool polish_type(const Workshop& shop, State& state, int i) {
     other.tree[i].production = static_cast<int16_t>(way);
     grid.symbol = static_cast<int16_t>(symbol);
     grid.production = static_cast<int16_t>(windows);
-    other.changed(i), other.changed(i + 1);
-    if (model.fits(other, i + 1)) better |= take_cheaper(model, state, std::move(other));
+    other.invalidate_bits(i), other.invalidate_bits(i + 1);
+    if (model.fits(other, i + 1)) better |= replace_if_cheaper(model, state, std::move(other));
   }
   return better;
 }

@@ -1,8 +1,8 @@
 // Kinds of a grid's windows: for each number of kinds the sizes that gain most, and what stands in
 // each cell. Bits of cells grow only where the kinds pass a power of two, so that chains, which
 // walk by single steps, are held back by what costs nothing further on.
-#include <vug/fit/model/cells.h>
 #include <vug/fit/evidence/grid_gains.h>
+#include <vug/fit/model/cells.h>
 #include <vug/fit/polish/polish.h>
 
 #include <algorithm>
@@ -13,14 +13,15 @@ namespace {
 /// Of the grid's cells, row after row from the top.
 SizeGains size_gains(const GridGains& windows, const Node& grid, int least) {
   SizeGains out;
-  out.least = out.most = {least, least};
+  out.min_size = out.max_size = {least, least};
   const auto each = [&](const auto& visit) {
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 0; column < grid.columns; ++column) visit(column, row);
   };
   each([&](int column, int row) {
-    const WindowSize most = windows.most(grid, column, row);
-    out.most = {std::max(out.most.width, most.width), std::max(out.most.height, most.height)};
+    const WindowSize most = windows.max_size(grid, column, row);
+    out.max_size = {std::max(out.max_size.width, most.width),
+                    std::max(out.max_size.height, most.height)};
   });
   each([&](int column, int row) {
     std::vector<double>& cell = out.cells.emplace_back();
@@ -32,20 +33,20 @@ SizeGains size_gains(const GridGains& windows, const Node& grid, int least) {
 
 }  // namespace
 
-bool polish_kinds(const Workshop& shop, const Evidence& evidence, State& state, int i) {
-  const Model& model = shop.model;
+bool polish_kinds(const MoveContext& context, const Evidence& evidence, TreeState& state, int i) {
+  const Model& model = context.model;
   const int grid = i + 1;
-  if (!has_cells(shop, state, grid) || !model.likelihood()) return false;
+  if (!has_cells(context, state, grid) || !model.likelihood()) return false;
   bool any = false;
   for (bool better = true; better;) {
     better = false;
-    const SizeGains gains =
-        size_gains(GridGains(model, evidence, state, grid), state.tree[grid], model.limits().least);
+    const SizeGains gains = size_gains(GridGains(model, evidence, state, grid), state.tree[grid],
+                                       model.limits().min_size);
     // A kind costs its node; that cells may take more bits too is for the model to tell.
-    const double cost = model.complexity(state.tree, grid + 1) / model.trust();
-    State best = state;
-    for (const SizeChoice& choice : choose_sizes(gains, model.limits().most_kinds, cost))
-      better |= take_cheaper(model, best, with_windows(model, state, grid, choice));
+    const double cost = model.complexity(state.tree, grid + 1) / model.pixel_weight();
+    TreeState best = state;
+    for (const SizeChoice& choice : choose_sizes(gains, model.limits().max_kinds, cost))
+      better |= replace_if_cheaper(model, best, with_windows(model, state, grid, choice));
     if (better) state = std::move(best), any = true;
   }
   return any;

@@ -14,7 +14,7 @@ using Weights = std::vector<double>;
 /// Pixels on each side of a place that are compared.
 constexpr int kReach = 2;
 /// Share of proposals that follow the picture.
-constexpr double kTrust = 0.85;
+constexpr double kHintWeight = 0.85;
 
 /// Calls change(before, behind) with the sums of strips on both sides of each place along an axis,
 /// each over the picture's other axis; what it returns, where above 0, are the weights.
@@ -32,20 +32,20 @@ Weights changes(const Evidence& evidence, bool along_x, int reach,
   return out;
 }
 
-double difference(const Sums& sums, Look a, Look b) {
+double difference(const Sums& sums, RegionType a, RegionType b) {
   return static_cast<double>(sums.lane[static_cast<size_t>(a)]) -
          static_cast<double>(sums.lane[static_cast<size_t>(b)]);
 }
 
 }  // namespace
 
-Hints Hints::none(int width, int height) {
+EdgeHints EdgeHints::uniform(int width, int height) {
   const DiscreteDistribution x(Weights(static_cast<size_t>(width) + 1, 1));
   const DiscreteDistribution y(Weights(static_cast<size_t>(height) + 1, 1));
   return {x, x, y, y, y};
 }
 
-Hints Hints::of_clusters(const Evidence& evidence) {
+EdgeHints EdgeHints::from_clusters(const Evidence& evidence) {
   const auto change = [&](const Sums& before, const Sums& behind) {
     double sum = 0;
     for (size_t i = 0; i < before.lane.size(); ++i)
@@ -53,17 +53,19 @@ Hints Hints::of_clusters(const Evidence& evidence) {
     return sum;
   };
   const DiscreteDistribution x =
-      DiscreteDistribution::mixture(changes(evidence, true, kReach, change), kTrust);
+      DiscreteDistribution::mixture(changes(evidence, true, kReach, change), kHintWeight);
   const DiscreteDistribution y =
-      DiscreteDistribution::mixture(changes(evidence, false, kReach, change), kTrust);
+      DiscreteDistribution::mixture(changes(evidence, false, kReach, change), kHintWeight);
   const DiscreteDistribution floor =
-      DiscreteDistribution::mixture(changes(evidence, false, 8 * kReach, change), kTrust);
+      DiscreteDistribution::mixture(changes(evidence, false, 8 * kReach, change), kHintWeight);
   return {x, x, y, y, floor};
 }
 
-Hints Hints::of_looks(const Evidence& looks) {
+EdgeHints EdgeHints::from_supervised(const Evidence& evidence) {
   // Bits that a pixel saves as a window.
-  const auto gain = [](const Sums& sums) { return difference(sums, Look::wall, Look::window); };
+  const auto gain = [](const Sums& sums) {
+    return difference(sums, RegionType::wall, RegionType::window);
+  };
   const auto begins = [&](const Sums& before, const Sums& behind) {
     return gain(behind) - gain(before);
   };
@@ -71,10 +73,11 @@ Hints Hints::of_looks(const Evidence& looks) {
     return gain(before) - gain(behind);
   };
   const auto shops = [](const Sums& before, const Sums& behind) {
-    return difference(behind, Look::wall, Look::shop) - difference(before, Look::wall, Look::shop);
+    return difference(behind, RegionType::wall, RegionType::shop) -
+           difference(before, RegionType::wall, RegionType::shop);
   };
   const auto profile = [&](bool along_x, int reach, const auto& change) {
-    return DiscreteDistribution::mixture(changes(looks, along_x, reach, change), kTrust);
+    return DiscreteDistribution::mixture(changes(evidence, along_x, reach, change), kHintWeight);
   };
   return {profile(true, kReach, begins), profile(true, kReach, ends),
           profile(false, kReach, begins), profile(false, kReach, ends),

@@ -9,12 +9,13 @@ namespace {
 
 /// What lies before each place along one axis, summed over the segments of the other one; without
 /// segments over all, less the mean, which shows where anything may be at all.
-std::vector<double> before(const Sheet& sheet, bool along_x, const std::vector<Segment>& across) {
-  const int room = along_x ? sheet.width() : sheet.height();
-  const int other = along_x ? sheet.height() : sheet.width();
+std::vector<double> before(const FoldedIntegral& integral, bool along_x,
+                           const std::vector<Segment>& across) {
+  const int room = along_x ? integral.width() : integral.height();
+  const int other = along_x ? integral.height() : integral.width();
   std::vector<double> out(static_cast<size_t>(room) + 1, 0);
   const auto strip = [&](int end, int low, int high) {
-    return along_x ? sheet.sum(0, low, end, high) : sheet.sum(low, 0, high, end);
+    return along_x ? integral.sum(0, low, end, high) : integral.sum(low, 0, high, end);
   };
   for (int end = 1; end <= room; ++end)
     for (const Segment& segment : across)
@@ -71,9 +72,9 @@ int way_to_windows(const Rules& rules, int grid, bool with_door) {
 }
 
 /// False where kinds are too many.
-bool put_grid(const Workshop& shop, State& state, int i, int way, const Sheet& sheet,
-              const Layout& layout, int tolerance) {
-  const Rules& rules = shop.model.rules();
+bool put_grid(const MoveContext& context, TreeState& state, int i, int way,
+              const FoldedIntegral& integral, const Layout& layout, int tolerance) {
+  const Rules& rules = context.model.rules();
   const int symbol = rules.production(way).parts[0];
   const SymbolInfo& info = rules.symbol(symbol);
   const int windows = way_to_windows(rules, symbol, false);
@@ -81,11 +82,11 @@ bool put_grid(const Workshop& shop, State& state, int i, int way, const Sheet& s
   const Groups widths = grouped(layout.columns, tolerance),
                heights = grouped(layout.rows, tolerance);
   const size_t kinds = widths.sizes.size() * heights.sizes.size();
-  if (kinds > (info.identical ? 1 : static_cast<size_t>(shop.model.limits().most_kinds)))
+  if (kinds > (info.identical ? 1 : static_cast<size_t>(context.model.limits().max_kinds)))
     return false;
   Node grid;
   grid.symbol = static_cast<int16_t>(symbol);
-  grid.made_by = static_cast<int8_t>(Op::grid);
+  grid.parent_op = static_cast<int8_t>(Op::grid);
   grid.columns = static_cast<int16_t>(layout.columns.size());
   grid.rows = static_cast<int16_t>(layout.rows.size());
   grid.left = starts(layout.columns, widths, info.regular);
@@ -95,7 +96,7 @@ bool put_grid(const Workshop& shop, State& state, int i, int way, const Sheet& s
     for (const int width : widths.sizes) {
       Node window;
       window.symbol = static_cast<int16_t>(rules.production(windows).parts[0]);
-      window.made_by = static_cast<int8_t>(Op::windows);
+      window.parent_op = static_cast<int8_t>(Op::windows);
       window.width = static_cast<int16_t>(width);
       window.height = static_cast<int16_t>(height);
       parts.push_back(window);
@@ -104,7 +105,7 @@ bool put_grid(const Workshop& shop, State& state, int i, int way, const Sheet& s
     for (size_t column = 0; column < layout.columns.size(); ++column) {
       const Segment &x = layout.columns[column], &y = layout.rows[row];
       const size_t kind = heights.of[row] * widths.sizes.size() + widths.of[column] + 1;
-      if (sheet.sum(x.start, y.start, x.end, y.end) > 0)
+      if (integral.sum(x.start, y.start, x.end, y.end) > 0)
         grid.set_kind(static_cast<int>(column), static_cast<int>(row), static_cast<int>(kind));
     }
   state.grow(i, way, {grid});
@@ -113,9 +114,9 @@ bool put_grid(const Workshop& shop, State& state, int i, int way, const Sheet& s
 }
 
 /// With a door: there, or from some row down to the ground in some column, where that costs least.
-void add_doors(const Workshop& shop, const State& state, int i, const Rect& there,
-               std::vector<State>& out) {
-  const Rules& rules = shop.model.rules();
+void add_doors(const MoveContext& context, const TreeState& state, int i, const Rect& there,
+               std::vector<TreeState>& out) {
+  const Rules& rules = context.model.rules();
   const Node& grid = state.tree[i + 1];
   const int way = way_to_windows(rules, grid.symbol, true);
   if (way < 0) return;
@@ -127,18 +128,18 @@ void add_doors(const Workshop& shop, const State& state, int i, const Rect& ther
       places.push_back(
           {grid.left[column], grid.top[row], grid.left[column] + state.tree[i + 2].width, ground});
   double least = std::numeric_limits<double>::infinity();
-  State best;
+  TreeState best;
   for (const Rect& place : places) {
-    State with = state;
+    TreeState with = state;
     Node door;
     door.symbol = static_cast<int16_t>(rules.production(way).parts[1]);
-    door.made_by = static_cast<int8_t>(Op::windows);
+    door.parent_op = static_cast<int8_t>(Op::windows);
     door.x = static_cast<int16_t>(place.x0), door.y = static_cast<int16_t>(place.y0);
     door.width = static_cast<int16_t>(place.x1 - place.x0);
     door.height = static_cast<int16_t>(place.y1 - place.y0);
     with.insert(i + 1, with.tree.end(i + 1), door);
     with.tree[i + 1].production = static_cast<int16_t>(way);
-    const double bits = shop.model.energy(with);
+    const double bits = context.model.energy(with);
     if (!(bits < least)) continue;
     least = bits;
     best = std::move(with);
@@ -148,12 +149,13 @@ void add_doors(const Workshop& shop, const State& state, int i, const Rect& ther
 
 }  // namespace
 
-Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns, bool rows_first) {
+Layout find_layout(const FoldedIntegral& integral, const Limits& limits, double cost, int turns,
+                   bool rows_first) {
   Layout out;
   const auto find = [&](bool along_x, const std::vector<Segment>& across) {
-    const int room = along_x ? sheet.width() : sheet.height();
-    return best_segments(before(sheet, along_x, across),
-                         {limits.least, room, limits.most_lines, cost});
+    const int room = along_x ? integral.width() : integral.height();
+    return best_segments(before(integral, along_x, across),
+                         {limits.min_size, room, limits.max_lines, cost});
   };
   if (rows_first) out.rows = find(false, {});
   out.columns = find(true, out.rows);
@@ -168,20 +170,21 @@ Layout lay_out(const Sheet& sheet, const Limits& limits, double cost, int turns,
   return out;
 }
 
-std::vector<State> grids_of(const Workshop& shop, const State& state, int i, const Sheet& sheet,
-                            const Layout& layout, const Rect& door) {
-  const Rules& rules = shop.model.rules();
-  std::vector<State> out;
+std::vector<TreeState> grid_candidates(const MoveContext& context, const TreeState& state, int i,
+                                       const FoldedIntegral& integral, const Layout& layout,
+                                       const Rect& door) {
+  const Rules& rules = context.model.rules();
+  std::vector<TreeState> out;
   for (const int way : rules.productions_of(state.tree[i].symbol)) {
     if (rules.production(way).op != Op::grid) continue;
     const bool identical = rules.symbol(rules.production(way).parts[0]).identical;
     for (const int tolerance : {0, 1, 2, 3, 5, 8, 12, 20}) {
-      State with = state;
-      if (!put_grid(shop, with, i, way, sheet, layout,
-                    identical ? std::max(sheet.width(), sheet.height()) : tolerance))
+      TreeState with = state;
+      if (!put_grid(context, with, i, way, integral, layout,
+                    identical ? std::max(integral.width(), integral.height()) : tolerance))
         continue;
-      if (!std::isfinite(shop.model.energy(with))) continue;
-      add_doors(shop, with, i, door, out);
+      if (!std::isfinite(context.model.energy(with))) continue;
+      add_doors(context, with, i, door, out);
       out.push_back(std::move(with));
       if (identical) break;
     }

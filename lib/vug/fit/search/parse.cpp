@@ -1,7 +1,7 @@
 #include <vug/base/parallel.h>
+#include <vug/fit/search/element_rows.h>
 #include <vug/fit/search/layout.h>
 #include <vug/fit/search/parse.h>
-#include <vug/fit/search/row.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,32 +18,34 @@ Gains scaled(Gains gains, double by) {
 
 class Parser {
  public:
-  Parser(const Workshop& shop, const Evidence& evidence, const Gains& gains,
+  Parser(const MoveContext& context, const Evidence& evidence, const Gains& gains,
          const ParseOptions& options)
-      : shop_(shop),
-        model_(shop.model),
-        rules_(shop.model.rules()),
+      : context_(context),
+        model_(context.model),
+        rules_(context.model.rules()),
         evidence_(evidence),
-        map_(evidence, scaled(gains, shop.model.trust())),
+        map_(evidence, scaled(gains, context.model.pixel_weight())),
         options_(options),
         line_cost_(bits_for(model_.width())) {}
 
-  State best(State state, int i, int depth) const {
+  TreeState best(TreeState state, int i, int depth) const {
     const Area area = state.area(i);
-    const Sheet sheet(map_, state, area);
-    Found found(model_, state);
+    const FoldedIntegral integral(map_, state, area);
+    BestState found(model_, state);
     if (has(state, i, Op::grid)) {
-      for (const auto& layout : layouts(state, i, sheet)) {
-        for (State& grid : grids_of(shop_, state, i, sheet, layout.first, layout.second))
+      for (const auto& layout : layouts(state, i, integral)) {
+        for (TreeState& grid :
+             grid_candidates(context_, state, i, integral, layout.first, layout.second))
           found.add(std::move(grid));
       }
     }
     if (has(state, i, Op::elements))
-      for (State& row : rows_of_elements(shop_, evidence_, state, i)) found.add(std::move(row));
+      for (TreeState& row : element_row_candidates(context_, evidence_, state, i))
+        found.add(std::move(row));
     if (depth == 0) return std::move(found.state);
-    std::vector<State> ways = splits(state, i, sheet);
+    std::vector<TreeState> ways = splits(state, i, integral);
     std::vector<double> bits;
-    for (State& plain : all_expanded(ways, i, 0)) {
+    for (TreeState& plain : all_expanded(ways, i, 0)) {
       bits.push_back(model_.energy(plain));
       found.add(std::move(plain));
     }
@@ -53,31 +55,31 @@ class Parser {
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return bits[a] < bits[b]; });
     order.resize(std::min(order.size(), static_cast<size_t>(options_.breadth)));
-    std::vector<State> promising;
+    std::vector<TreeState> promising;
     for (const size_t way : order) promising.push_back(std::move(ways[way]));
-    for (State& deep : all_expanded(promising, i, depth - 1)) found.add(std::move(deep));
+    for (TreeState& deep : all_expanded(promising, i, depth - 1)) found.add(std::move(deep));
     return std::move(found.state);
   }
 
  private:
   /// Of windows, and with a column for what stands between them; of windows beside what stands on
   /// the ground in any place.
-  std::vector<std::pair<Layout, Rect>> layouts(const State& state, int i,
-                                               const Sheet& sheet) const {
+  std::vector<std::pair<Layout, Rect>> layouts(const TreeState& state, int i,
+                                               const FoldedIntegral& integral) const {
     std::vector<std::pair<Layout, Rect>> out;
     const auto add = [&](const Layout& layout, const Rect& door) {
       const std::pair<Layout, Rect> one(layout, door);
       if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(one);
     };
-    const auto lay = [&](const Sheet& on, bool rows_first) {
-      return lay_out(on, model_.limits(), line_cost_, 6, rows_first);
+    const auto lay = [&](const FoldedIntegral& on, bool rows_first) {
+      return find_layout(on, model_.limits(), line_cost_, 6, rows_first);
     };
     for (const bool rows_first : {false, true}) {
-      const Layout plain = lay(sheet, rows_first);
+      const Layout plain = lay(integral, rows_first);
       if (plain.empty()) continue;
-      const auto between = standing_between(shop_, evidence_, state, i, plain.columns);
+      const auto between = ground_elements_between(context_, evidence_, state, i, plain.columns);
       add(plain, between.empty() ? Rect{} : between.front());
-      if (between.empty() || static_cast<int>(plain.columns.size()) >= model_.limits().most_lines)
+      if (between.empty() || static_cast<int>(plain.columns.size()) >= model_.limits().max_lines)
         continue;
       const Rect& door = between.front();
       Layout with = plain;
@@ -86,46 +88,46 @@ class Parser {
       with.columns.insert(at, {door.x0, door.x1});
       add(with, door);
     }
-    std::vector<Rect> anywhere = standing_between(shop_, evidence_, state, i, {});
+    std::vector<Rect> anywhere = ground_elements_between(context_, evidence_, state, i, {});
     if (anywhere.size() > kStanding) anywhere.resize(kStanding);
     for (const Rect& standing : anywhere) {
-      const Layout beside = lay(sheet.without(standing), true);
+      const Layout beside = lay(integral.without(standing), true);
       if (!beside.empty()) add(beside, standing);
     }
     return out;
   }
 
   /// The best so far.
-  struct Found {
-    Found(const Model& of, const State& start) : model(of), state(start) {
+  struct BestState {
+    BestState(const Model& of, const TreeState& start) : model(of), state(start) {
       bits = model.energy(state);
     }
-    void add(State other) {
+    void add(TreeState other) {
       const double others = model.energy(other);
       if (!(others < bits)) return;
       bits = others;
       state = std::move(other);
     }
     const Model& model;
-    State state;
+    TreeState state;
     double bits;
   };
 
-  bool has(const State& state, int i, Op op) const {
+  bool has(const TreeState& state, int i, Op op) const {
     for (const int way : rules_.productions_of(state.tree[i].symbol))
       if (rules_.production(way).op == op) return true;
     return false;
   }
 
   /// All parts of node i expanded, the last first, so that places of the others stay.
-  State expanded(State state, int i, int depth) const {
-    for (int number = state.tree.part_count(i) - 1; number >= 0; --number)
-      state = best(std::move(state), state.tree.part(i, number), depth);
+  TreeState expanded(TreeState state, int i, int depth) const {
+    for (int number = state.tree.child_count(i) - 1; number >= 0; --number)
+      state = best(std::move(state), state.tree.child(i, number), depth);
     return state;
   }
 
-  std::vector<State> all_expanded(const std::vector<State>& ways, int i, int depth) const {
-    std::vector<State> out(ways.size());
+  std::vector<TreeState> all_expanded(const std::vector<TreeState>& ways, int i, int depth) const {
+    std::vector<TreeState> out(ways.size());
     parallel_for(ways.size(), [&](size_t way) { out[way] = expanded(ways[way], i, depth); });
     return out;
   }
@@ -133,35 +135,35 @@ class Parser {
   static Node part_of(const Production& production, size_t number, int extent = 0) {
     Node node;
     node.symbol = static_cast<int16_t>(production.parts[number]);
-    node.made_by = static_cast<int8_t>(production.op);
+    node.parent_op = static_cast<int8_t>(production.op);
     node.extent = static_cast<int16_t>(extent);
     return node;
   }
 
   /// Node i divided in every way that the picture supports.
-  std::vector<State> splits(const State& state, int i, const Sheet& sheet) const {
-    std::vector<State> out;
+  std::vector<TreeState> splits(const TreeState& state, int i,
+                                const FoldedIntegral& integral) const {
+    std::vector<TreeState> out;
     const Area area = state.area(i);
-    const int least = model_.limits().least;
-    const double promise = options_.promise * sheet.promise();
+    const int least = model_.limits().min_size;
+    const double required = options_.min_potential * integral.potential();
     const auto add = [&](int way, const std::vector<Node>& parts, bool folds) {
-      State split = state;
+      TreeState split = state;
       split.grow(i, way, parts);
       if (!std::isfinite(model_.energy(split))) return;
       double kept = 0;
       for (int number = 0; folds && number < static_cast<int>(parts.size()); ++number)
-        kept += Sheet(map_, split, split.area(split.tree.part(i, number))).promise();
-      if (!folds || kept >= promise) out.push_back(std::move(split));
+        kept += FoldedIntegral(map_, split, split.area(split.tree.child(i, number))).potential();
+      if (!folds || kept >= required) out.push_back(std::move(split));
     };
     for (const int way : rules_.productions_of(state.tree[i].symbol)) {
       const Production& production = rules_.production(way);
       if (production.op == Op::rows)
-        for (const int edge : edges(evidence_, state, area, false, kRows))
+        for (const int edge : strongest_edges(evidence_, state, area, false, kRows))
           add(way, {part_of(production, 0, area.height - edge), part_of(production, 1)}, false);
       if (production.op == Op::repeat)
         for (int times = 2;
-             times <= std::min<int>(model_.limits().most_repeats, area.width / (2 * least));
-             ++times)
+             times <= std::min<int>(model_.limits().max_repeats, area.width / (2 * least)); ++times)
           add(way, {part_of(production, 0, times)}, true);
       if (production.op == Op::mirror && production.parts.size() == 1)
         add(way, {part_of(production, 0)}, true);
@@ -176,8 +178,8 @@ class Parser {
 
   /// Widths of middles that end halfway between places where the picture changes, as something
   /// stands, or nothing, from one to the next.
-  std::set<int> middles(const State& state, const Area& area) const {
-    const std::vector<int> places = edges(evidence_, state, area, true, kMiddles);
+  std::set<int> middles(const TreeState& state, const Area& area) const {
+    const std::vector<int> places = strongest_edges(evidence_, state, area, true, kMiddles);
     std::set<int> out;
     for (size_t i = 0; i + 1 < places.size(); ++i)
       out.insert(std::abs(area.width - (places[i] + places[i + 1]) / 2 * 2));
@@ -187,7 +189,7 @@ class Parser {
   static constexpr int kRows = 12, kMiddles = 24;
   static constexpr size_t kStanding = 4;
 
-  const Workshop& shop_;
+  const MoveContext& context_;
   const Model& model_;
   const Rules& rules_;
   const Evidence& evidence_;
@@ -198,10 +200,10 @@ class Parser {
 
 }  // namespace
 
-State parse(const Workshop& shop, const Evidence& evidence, const Gains& gains, State state, int i,
-            const ParseOptions& options) {
-  shop.model.energy(state);
-  return Parser(shop, evidence, gains, options).best(std::move(state), i, options.depth);
+TreeState parse(const MoveContext& context, const Evidence& evidence, const Gains& gains,
+                TreeState state, int i, const ParseOptions& options) {
+  context.model.energy(state);
+  return Parser(context, evidence, gains, options).best(std::move(state), i, options.depth);
 }
 
 }  // namespace vug::fit

@@ -25,18 +25,18 @@ std::string structure_of(const Rules& rules, const Tree& tree) {
   return out;
 }
 
-Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey key,
-               Progress& progress, const State* start) {
-  const Model& model = shop.model;
-  const inference::Moves<State> all = moves(shop);
+SamplerResult sample(const MoveContext& context, const SamplerOptions& options, RandomKey key,
+                     Progress& progress, const TreeState* start) {
+  const Model& model = context.model;
+  const inference::Moves<TreeState> all = moves(context);
   inference::TemperingOptions tempering;
   tempering.chains = options.chains;
   tempering.coldest = options.coldest;
   tempering.hottest = options.coldest * options.spread;
   tempering.per_round = options.per_round;
-  inference::Tempering<State> chains(
-      all, [&model] { return [&model](State& state) { return model.energy(state); }; },
-      start ? *start : model.start(), key, tempering);
+  inference::Tempering<TreeState> chains(
+      all, [&model] { return [&model](TreeState& state) { return model.energy(state); }; },
+      start ? *start : model.axiom_state(), key, tempering);
   const int64_t rounds = std::max<int64_t>(1, options.steps / options.per_round);
   const auto warm = static_cast<int64_t>(options.warm_up * static_cast<double>(rounds));
   if (!progress.cancelled()) progress.begin("sampling", static_cast<uint64_t>(rounds));
@@ -47,12 +47,12 @@ Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey ke
   }
   chains.set_scale(1);
   chains.forget_swaps();
-  Sampled out;
+  SamplerResult out;
   std::map<std::string, std::vector<size_t>> seen;  // the rounds of each structure
   // The coldest chain's temperature stays, the others move less and less, which leaves what is
   // sampled in the limit (cite roberts2007). Where they stopped moving before the best basin was
   // found, hardly anything would come out of it.
-  chains.run(rounds - warm, true, progress, [&](const State& state, double energy) {
+  chains.run(rounds - warm, true, progress, [&](const TreeState& state, double energy) {
     out.trace.push_back(energy);
     seen[structure_of(model.rules(), state.tree)].push_back(out.trace.size() - 1);
   });
@@ -62,8 +62,9 @@ Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey ke
   out.bits = chains.best_energy();
   for (const auto& [text, when] : seen)
     out.structures.push_back({text, static_cast<int64_t>(when.size())});
-  std::stable_sort(out.structures.begin(), out.structures.end(),
-                   [](const Structure& a, const Structure& b) { return a.rounds > b.rounds; });
+  std::stable_sort(
+      out.structures.begin(), out.structures.end(),
+      [](const StructureCount& a, const StructureCount& b) { return a.rounds > b.rounds; });
   out.visited.resize(out.trace.size());
   for (size_t i = 0; i < out.structures.size(); ++i)
     for (const size_t round : seen.at(out.structures[i].text))

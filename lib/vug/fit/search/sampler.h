@@ -20,17 +20,17 @@ struct SamplerOptions {
 };
 
 /// How often chains were in trees that differ in numbers only.
-struct Structure {
+struct StructureCount {
   std::string text;  ///< "Facade(RegularGrid(Window Window))"
   int64_t rounds = 0;
 };
 
-struct Sampled {
-  State best;                         ///< Of least energy.
-  double bits = 0;                    ///< Its energy.
-  std::vector<Structure> structures;  ///< Of the coldest chain, the most frequent first.
-  std::vector<double> trace;          ///< Energies of the coldest chain after each round,
-  std::vector<int> visited;           ///< and places of its structures in `structures`.
+struct SamplerResult {
+  TreeState best;                          ///< Of least energy.
+  double bits = 0;                         ///< Its energy.
+  std::vector<StructureCount> structures;  ///< Of the coldest chain, the most frequent first.
+  std::vector<double> trace;               ///< Energies of the coldest chain after each round,
+  std::vector<int> visited;                ///< and places of its structures in `structures`.
   std::vector<inference::TemperatureLadder::Swaps> swaps;
   std::vector<double> temperatures;
   std::vector<inference::MoveCount> moves;  ///< Of the coldest chain, in the order of move_kinds.
@@ -39,8 +39,8 @@ struct Sampled {
 
 /// Samples trees by parallel tempering from the axiom, or from `start`. The same result for any
 /// number of threads. When told to stop it returns what it has.
-Sampled sample(const Workshop& shop, const SamplerOptions& options, RandomKey key,
-               Progress& progress = Progress::none(), const State* start = nullptr);
+SamplerResult sample(const MoveContext& context, const SamplerOptions& options, RandomKey key,
+                     Progress& progress = Progress::none(), const TreeState* start = nullptr);
 
 /// A tree's symbols, without its numbers.
 std::string structure_of(const Rules& rules, const Tree& tree);

@@ -13,7 +13,7 @@ struct SeedOptions {
 
 /// Trees that are worth to begin with, the best first. `of_looks` says what the lanes of the
 /// evidence are.
-std::vector<State> seeds(const Workshop& shop, const Evidence& evidence, bool of_looks,
-                         const SeedOptions& options = {});
+std::vector<TreeState> seeds(const MoveContext& context, const Evidence& evidence, bool supervised,
+                             const SeedOptions& options = {});
 
 }  // namespace vug::fit

@@ -13,7 +13,7 @@ std::vector<Segment> best_segments(const std::vector<double>& before, const Segm
   // it ends at i, else 0.
   std::vector<std::vector<double>> best(1, std::vector<double>(before.size(), 0));
   std::vector<std::vector<int>> size(1);
-  for (int n = 1; n <= limits.most; ++n) {
+  for (int n = 1; n <= limits.max_count; ++n) {
     std::vector<double> row(before.size(), -1e300);
     std::vector<int> last(before.size(), 0);
     const std::vector<double>& fewer = best.back();
@@ -23,14 +23,14 @@ std::vector<Segment> best_segments(const std::vector<double>& before, const Segm
     const auto worth = [&](int start) {
       return (n > 1 ? fewer[at(start - 1)] : 0) - before[at(start)];
     };
-    for (int end = limits.least; end <= places; ++end) {
+    for (int end = limits.min_size; end <= places; ++end) {
       row[at(end)] = row[at(end - 1)];
-      const int fresh = end - limits.least;
+      const int fresh = end - limits.min_size;
       if (n == 1 || fresh > 0) {
         while (!starts.empty() && worth(starts.back()) <= worth(fresh)) starts.pop_back();
         starts.push_back(fresh);
       }
-      while (!starts.empty() && starts.front() < end - limits.most_size) starts.pop_front();
+      while (!starts.empty() && starts.front() < end - limits.max_size) starts.pop_front();
       if (starts.empty()) continue;
       const double gain = worth(starts.front()) + before[at(end)] - limits.cost;
       if (gain > row[at(end)]) {

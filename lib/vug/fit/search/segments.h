@@ -12,9 +12,9 @@ struct Segment {
 };
 
 struct SegmentLimits {
-  int least = 1, most_size = 1;  ///< Of a segment.
-  int most = 16;                 ///< How many.
-  double cost = 0;               ///< Of each.
+  int min_size = 1, max_size = 1;  ///< Of a segment.
+  int max_count = 16;              ///< How many.
+  double cost = 0;                 ///< Of each.
 };
 
 /// `before[i]` is what all places before i gain, so there is one more than places. The segments, at

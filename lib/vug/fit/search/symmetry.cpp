@@ -5,10 +5,10 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kMostJitter = 2;  // pixels
+constexpr int kMaxJitter = 2;  // pixels
 
 /// How the columns of a part come again in the whole area.
-struct Fold {
+struct ColumnSymmetry {
   Op op = Op::mirror;
   int times = 2;  ///< How often the part is there.
 
@@ -16,7 +16,7 @@ struct Fold {
   /// Where a window, in a part's column that begins at x and of that width, begins when the part
   /// comes again for the time `again` > 0.
   int place(int room, int again, int x, int width) const {
-    return op == Op::mirror ? room - x - width : repeated_at(room, times, again) + x;
+    return op == Op::mirror ? room - x - width : repetition_offset(room, times, again) + x;
   }
 };
 
@@ -28,20 +28,20 @@ int way_to_grid(const Rules& rules, int symbol, int grid) {
 }
 
 /// How far lines of a grid may be off what a fold says.
-int jitter(const Workshop& shop, const Node& grid) {
-  return shop.model.rules().symbol(grid.symbol).regular ? 0 : kMostJitter;
+int jitter(const MoveContext& context, const Node& grid) {
+  return context.model.rules().symbol(grid.symbol).regular ? 0 : kMaxJitter;
 }
 
 /// Column of the whole grid in which the part's column comes the time `again`.
-int column_of(const Fold& fold, int columns, int again, int column) {
+int column_of(const ColumnSymmetry& fold, int columns, int again, int column) {
   const bool turned = fold.op == Op::mirror && again % 2 == 1;
   return again * columns + (turned ? columns - 1 - column : column);
 }
 
 /// The production of node i to one part by that operation, if that part can be a grid like the
 /// one below node i; -1 otherwise.
-int folded_way(const Workshop& shop, const State& state, int i, Op op) {
-  const Rules& rules = shop.model.rules();
+int folded_way(const MoveContext& context, const TreeState& state, int i, Op op) {
+  const Rules& rules = context.model.rules();
   for (const int way : rules.productions_of(state.tree[i].symbol)) {
     const Production& production = rules.production(way);
     if (production.op == op && production.parts.size() == 1 &&
@@ -52,8 +52,8 @@ int folded_way(const Workshop& shop, const State& state, int i, Op op) {
 }
 
 /// Whether node i has been rewritten to a grid with windows of one kind and no door.
-bool can_fold(const Workshop& shop, const State& state, int i) {
-  const Rules& rules = shop.model.rules();
+bool can_fold(const MoveContext& context, const TreeState& state, int i) {
+  const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
   if (tree[i].production < 0 || rules.production(tree[i].production).op != Op::grid) return false;
   return tree[i + 1].production >= 0 && tree[i + 1].size == 2 &&
@@ -61,25 +61,25 @@ bool can_fold(const Workshop& shop, const State& state, int i) {
 }
 
 /// Whether node i has been rewritten to one part by that operation, and that can be unfolded.
-bool can_unfold(const Workshop& shop, const State& state, int i, Op op) {
-  const Rules& rules = shop.model.rules();
+bool can_unfold(const MoveContext& context, const TreeState& state, int i, Op op) {
+  const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
   if (tree[i].production < 0) return false;
   const Production& production = rules.production(tree[i].production);
-  return production.op == op && production.parts.size() == 1 && can_fold(shop, state, i + 1) &&
+  return production.op == op && production.parts.size() == 1 && can_fold(context, state, i + 1) &&
          way_to_grid(rules, tree[i].symbol, tree[i + 2].symbol) >= 0;
 }
 
-bool fold(const Workshop& shop, State& state, int i, int production, const Fold& fold,
-          Choices& back) {
-  const Rules& rules = shop.model.rules();
+bool fold(const MoveContext& context, TreeState& state, int i, int production,
+          const ColumnSymmetry& fold, Choices& back) {
+  const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
   const int room = state.area(i).width, part_width = fold.part_width(room);
   Node grid = tree[i + 1];
   const Node whole = grid, window = tree[i + 2];
-  if (whole.columns % fold.times != 0 || part_width < shop.model.limits().least) return false;
+  if (whole.columns % fold.times != 0 || part_width < context.model.limits().min_size) return false;
   grid.columns = static_cast<int16_t>(whole.columns / fold.times);
-  const int most = jitter(shop, whole);
+  const int most = jitter(context, whole);
   for (int column = 0; column < whole.columns; ++column) {
     const auto at = static_cast<size_t>(column);
     grid.left[at] = column < grid.columns ? whole.left[at] : int16_t{0};
@@ -99,7 +99,7 @@ bool fold(const Workshop& shop, State& state, int i, int production, const Fold&
 
   Node above = tree[i], part;
   part.symbol = static_cast<int16_t>(rules.production(production).parts[0]);
-  part.made_by = static_cast<int8_t>(fold.op);
+  part.parent_op = static_cast<int8_t>(fold.op);
   part.extent = static_cast<int16_t>(fold.op == Op::repeat ? fold.times : 0);
   part.production = static_cast<int16_t>(way_to_grid(rules, part.symbol, grid.symbol));
   part.size = 3;
@@ -112,16 +112,17 @@ bool fold(const Workshop& shop, State& state, int i, int production, const Fold&
   return back.possible();
 }
 
-bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices& forward) {
-  const Rules& rules = shop.model.rules();
+bool unfold(const MoveContext& context, TreeState& state, int i, const ColumnSymmetry& fold,
+            Choices& forward) {
+  const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
   const int room = state.area(i).width;
   Node above = tree[i];
   const Node part = tree[i + 2], window = tree[i + 3];
   Node grid = part;
-  if (fold.times * part.columns > shop.model.limits().most_lines) return false;
+  if (fold.times * part.columns > context.model.limits().max_lines) return false;
   grid.columns = static_cast<int16_t>(fold.times * part.columns);
-  const int most = jitter(shop, part);
+  const int most = jitter(context, part);
   for (int column = 0; column < part.columns; ++column)
     grid.left[static_cast<size_t>(column)] = part.left[static_cast<size_t>(column)];
   for (int again = 1; again < fold.times; ++again)
@@ -143,33 +144,34 @@ bool unfold(const Workshop& shop, State& state, int i, const Fold& fold, Choices
 
 }  // namespace
 
-bool fold_or_unfold(const Workshop& shop, State& state, Op op, Choices& forward, Choices& back) {
-  const int most = shop.model.limits().most_repeats;
+bool fold_or_unfold(const MoveContext& context, TreeState& state, Op op, Choices& forward,
+                    Choices& back) {
+  const int most = context.model.limits().max_repeats;
   const auto plain = [&](int i) {
-    return can_fold(shop, state, i) && folded_way(shop, state, i, op) >= 0;
+    return can_fold(context, state, i) && folded_way(context, state, i, op) >= 0;
   };
-  const auto folded = [&](int i) { return can_unfold(shop, state, i, op); };
+  const auto folded = [&](int i) { return can_unfold(context, state, i, op); };
   // How often the part is there, which only repetitions choose.
-  const auto times = [&](Choices& choices, int told) {
-    return op == Op::repeat ? choices.between(2, most, told) : 2;
+  const auto times = [&](Choices& choices, int fixed) {
+    return op == Op::repeat ? choices.between(2, most, fixed) : 2;
   };
   const bool once = forward.flip();
   back.flip(!once);
   const int i = once ? pick(state, forward, plain) : pick(state, forward, folded);
   if (i < 0) return false;
   if (!once) {
-    const Fold way{op, op == Op::repeat ? state.tree[i + 1].extent : 2};
-    if (!unfold(shop, state, i, way, forward)) return false;
-    tell_pick(state, back, i, plain);
+    const ColumnSymmetry way{op, op == Op::repeat ? state.tree[i + 1].extent : 2};
+    if (!unfold(context, state, i, way, forward)) return false;
+    score_pick(state, back, i, plain);
     times(back, way.times);
     return true;
   }
-  const Fold way{op, times(forward, 0)};
+  const ColumnSymmetry way{op, times(forward, 0)};
   // What was folded has to be unfolded by the same choices: the node first, the places then.
   Choices places;
   places.score();
-  if (!fold(shop, state, i, folded_way(shop, state, i, op), way, places)) return false;
-  tell_pick(state, back, i, folded);
+  if (!fold(context, state, i, folded_way(context, state, i, op), way, places)) return false;
+  score_pick(state, back, i, folded);
   back.append(places);
   return true;
 }

@@ -8,6 +8,7 @@ namespace vug::fit {
 
 /// Folds a grid below some node into one part that is there by `op`, mirror or repeat, or unfolds
 /// it again. The grid has windows of one kind and no door.
-bool fold_or_unfold(const Workshop& shop, State& state, Op op, Choices& forward, Choices& back);
+bool fold_or_unfold(const MoveContext& context, TreeState& state, Op op, Choices& forward,
+                    Choices& back);
 
 }  // namespace vug::fit

@@ -1,7 +1,7 @@
 // Matern's cluster process: stems spread evenly over a disk about the middle of their clump
 // (cite matern1960; its K function: illian2008, 6.3).
 #include <vug/base/maths.h>
-#include <vug/flora/clusters.h>
+#include <vug/flora/cluster_process.h>
 
 #include <cmath>
 
@@ -27,12 +27,12 @@ class MaternPoints final : public Distribution {
 
   std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                             Progress& progress) const override {
-    return clusters(plot, density, key, progress,
-                    {p_.per_clump, p_.radius, [this](RandomStream& random) {
-                       const double r = p_.radius * std::sqrt(random.uniform());
-                       const double angle = 2 * kPi * random.uniform();
-                       return Vec2d(maths::cos(angle), maths::sin(angle)) * r;
-                     }});
+    return cluster_points(plot, density, key, progress,
+                          {p_.per_clump, p_.radius, [this](RandomStream& random) {
+                             const double r = p_.radius * std::sqrt(random.uniform());
+                             const double angle = 2 * kPi * random.uniform();
+                             return Vec2d(maths::cos(angle), maths::sin(angle)) * r;
+                           }});
   }
 
  private:

@@ -1,7 +1,7 @@
 // Corners averaged by random weights: what the paper calls a random distribution in a convex
 // polygon. It is not even: points crowd in the middle.
 #include <vug/flora/distribution.h>
-#include <vug/flora/paper.h>
+#include <vug/flora/weighted_point.h>
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ class PaperPoints final : public Distribution {
   std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                             Progress&) const override {
     require_density(density, plot.area());
-    if (const int dent = plot.dent(); dent >= 0)
+    if (const int dent = plot.first_reflex_corner(); dent >= 0)
       throw Error(
           ErrorCode::bad_input,
           fmt::format("the paper's distribution needs a convex polygon; corner {} at {} is a dent",

@@ -11,7 +11,7 @@
 namespace vug::flora {
 namespace {
 
-constexpr double kMostSquares = 1 << 26;
+constexpr double kMaxSquares = 1 << 26;
 constexpr int kDeepest = 48;  // squares of a rounding error's size
 constexpr int32_t kNobody = -1;
 
@@ -26,17 +26,17 @@ struct PoissonDisk {
 };
 
 /// Squares so small that each holds one point at most.
-class Darts {
+class DartThrower {
  public:
-  Darts(const Plot& plot, double distance) : plot_(plot), distance_(distance) {
+  DartThrower(const Plot& plot, double distance) : plot_(plot), distance_(distance) {
     side_ = size_ = distance / std::sqrt(2.0);
     const Vec2d size = (plot.high() - plot.low()) / side_;
-    if (!((size.x + 1) * (size.y + 1) <= kMostSquares))
+    if (!((size.x + 1) * (size.y + 1) <= kMaxSquares))
       throw Error(
           ErrorCode::too_large,
           fmt::format("the box around a plot of {:.4g} m^2 has room for {:.2g} plants {:.3g} m "
                       "apart; {:.2g} are the most",
-                      plot.area(), size.x * size.y, distance, kMostSquares),
+                      plot.area(), size.x * size.y, distance, kMaxSquares),
           {}, "use a larger distance, or several shorter plots");
     columns_ = static_cast<int64_t>(size.x) + 1, rows_ = static_cast<int64_t>(size.y) + 1;
     in_square_.assign(static_cast<size_t>(columns_ * rows_), kNobody);
@@ -91,7 +91,7 @@ class Darts {
       return far.length2() < distance_ * distance_;
     };
     if (any_about(square.base, covers)) return;
-    if (!plot_.contains(middle) && plot_.to_border(middle) > size / std::sqrt(2.0)) return;
+    if (!plot_.contains(middle) && plot_.border_distance(middle) > size / std::sqrt(2.0)) return;
     next_.push_back(square);
   }
 
@@ -128,7 +128,7 @@ class DiskPoints final : public Distribution {
     if (density != 0) require_density(density, plot.area());
     const double wanted = density == 0 ? kInfinity : std::round(density * plot.area());
     RandomStream random(key);
-    Darts darts(plot, p_.distance);
+    DartThrower darts(plot, p_.distance);
     const auto enough = [&] { return static_cast<double>(darts.points().size()) >= wanted; };
     for (; !darts.full() && !enough(); darts.divide()) {
       progress.check();

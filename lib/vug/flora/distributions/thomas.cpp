@@ -1,6 +1,6 @@
 // The Thomas process: stems normally distributed about the middle of their clump. Its
 // K(r) = pi r^2 + (1 - exp(-r^2 / (4 spread^2))) / clumps per area (cite illian2008, 6.3).
-#include <vug/flora/clusters.h>
+#include <vug/flora/cluster_process.h>
 
 namespace vug::flora {
 namespace {
@@ -26,11 +26,11 @@ class ThomasPoints final : public Distribution {
   std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                             Progress& progress) const override {
     // Beyond 6 spreads lie 1.5e-8 of the stems; what normal() gives there stays.
-    return clusters(plot, density, key, progress,
-                    {p_.per_clump, 6 * p_.spread, [this](RandomStream& random) {
-                       const double x = random.normal();
-                       return Vec2d(x, random.normal()) * p_.spread;
-                     }});
+    return cluster_points(plot, density, key, progress,
+                          {p_.per_clump, 6 * p_.spread, [this](RandomStream& random) {
+                             const double x = random.normal();
+                             return Vec2d(x, random.normal()) * p_.spread;
+                           }});
   }
 
  private:

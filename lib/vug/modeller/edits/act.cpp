@@ -20,13 +20,13 @@ std::vector<int> rules_of(const Style& style, const std::string& symbol, const s
   return {style.find_rule(symbol, name)};
 }
 
-State run(const State& state, int node, const Edit& edit) {
+FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_open(state, node);
   const Style& style = state.style();
   std::vector<facade::PlanPtr> plans;
   for (const int rule : rules_of(style, state.node(node).symbol, edit.rule)) {
     const std::optional<std::string> next = style.passes_to(rule);
-    if (!next || !style.finishes(*next)) {
+    if (!next || !style.ends_in_elements(*next)) {
       plans.push_back(plan_of(rule, edit.numbers));
       continue;
     }
@@ -37,7 +37,7 @@ State run(const State& state, int node, const Edit& edit) {
       plans.push_back(std::make_shared<const facade::Plan>(std::move(plan)));
     }
   }
-  return first_fitting(state, node, plans);
+  return first_feasible(state, node, plans);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 namespace vug::modeller {
 namespace {
 
-State run(const State& state, int node, const Edit& edit) {
+FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_open(state, node);
   const int rule = state.style().find_rule(state.node(node).symbol, edit.rule);
   return state.with(node, plan_of(rule, edit.numbers));

@@ -11,7 +11,7 @@ Error bad(const std::string& message, const std::string& hint = {}) {
 
 /// Plans of parts that there are under both rules: at the same places, for symbols as they are in
 /// `bare`, where nothing is decided of the parts.
-void keep_parts(const State& bare, int node, const Plan& old, Plan& plan) {
+void keep_parts(const FacadeState& bare, int node, const Plan& old, Plan& plan) {
   for (const int part : bare.parts(node)) {
     const facade::PartKey& place = bare.planned(part).place;
     const auto known = old.parts.find(place);
@@ -21,11 +21,11 @@ void keep_parts(const State& bare, int node, const Plan& old, Plan& plan) {
   }
 }
 
-State run(const State& state, int node, const Edit& edit) {
+FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
-  if (node == State::kWhole || state.rule(node) < 0)
+  if (node == FacadeState::kWhole || state.rule(node) < 0)
     throw bad("the node stands within a rule", "change what divides the node above it");
-  const Plan& old = state.decided(node);
+  const Plan& old = state.plan_of_node(node);
   const Style& style = state.style();
   Plan plan = old;
   plan.parts.clear();
@@ -35,9 +35,9 @@ State run(const State& state, int node, const Edit& edit) {
   const bool hands_on = style.passes_to(plan.rule).has_value();
   if (!hands_on) plan.numbers = merged(old.numbers, edit.numbers);
 
-  const State bare = with_what_fits(state, node, plan, edit.numbers);
-  const int here = bare.at(state.way(node));
-  plan.numbers = bare.decided(here).numbers;
+  const FacadeState bare = with_feasible_numbers(state, node, plan, edit.numbers);
+  const int here = bare.at(state.path_keys(node));
+  plan.numbers = bare.plan_of_node(here).numbers;
   keep_parts(bare, here, old, plan);
   if (hands_on && !edit.numbers.empty()) {
     if (plan.parts.empty()) throw bad("nothing that is kept has free numbers", "tell none");
@@ -45,7 +45,7 @@ State run(const State& state, int node, const Edit& edit) {
     part.numbers = merged(part.numbers, edit.numbers);
     plan.parts.begin()->second = std::make_shared<const Plan>(std::move(part));
   }
-  return with_what_fits(state, node, std::move(plan), edit.numbers);
+  return with_feasible_numbers(state, node, std::move(plan), edit.numbers);
 }
 
 }  // namespace

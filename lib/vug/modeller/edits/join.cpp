@@ -3,14 +3,14 @@
 namespace vug::modeller {
 namespace {
 
-State run(const State& state, int node, const Edit&) {
+FacadeState run(const FacadeState& state, int node, const Edit&) {
   require_divided(state, node);
-  facade::Plan plan = state.decided(node);
+  facade::Plan plan = state.plan_of_node(node);
   if (!plan.apart) throw Error(ErrorCode::bad_input, "the node's parts have not been separated");
   plan.apart = false;
-  State made = state.with(node, std::make_shared<const facade::Plan>(plan));
+  FacadeState made = state.with(node, std::make_shared<const facade::Plan>(plan));
   // What was decided of the others is forgotten.
-  const int here = made.at(state.way(node));
+  const int here = made.at(state.path_keys(node));
   std::map<facade::PartKey, facade::PlanPtr> parts;
   for (const int part : made.parts(here))
     if (const auto known = plan.parts.find(made.planned(part).place); known != plan.parts.end())

@@ -6,7 +6,7 @@
 namespace vug::modeller {
 namespace {
 
-State run(const State& state, int node, const Edit& edit) {
+FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
   const std::vector<Line> all = lines(state, node);
   const double number = edit.numbers.at("line")[0];
@@ -15,10 +15,10 @@ State run(const State& state, int node, const Edit& edit) {
         facade::Reason::does_not_fit, "line", fmt::format("there is no line {}", number),
         all.empty() ? "the rule says where its lines are"
                     : fmt::format("it has {} lines, counted from 0", all.size()));
-  facade::Plan plan = state.decided(node);
-  const facade::NumberValues told =
-      moved(state, node, all[static_cast<size_t>(number)], edit.numbers.at("to")[0]);
-  plan.numbers = merged(std::move(plan.numbers), told);
+  facade::Plan plan = state.plan_of_node(node);
+  const facade::NumberValues numbers =
+      move_line(state, node, all[static_cast<size_t>(number)], edit.numbers.at("to")[0]);
+  plan.numbers = merged(std::move(plan.numbers), numbers);
   return state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));
 }
 

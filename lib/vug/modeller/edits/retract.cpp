@@ -3,7 +3,7 @@
 namespace vug::modeller {
 namespace {
 
-State run(const State& state, int node, const Edit&) {
+FacadeState run(const FacadeState& state, int node, const Edit&) {
   if (!state.planned(node).plan)
     throw Error(ErrorCode::bad_input, "nothing is decided of the node", {},
                 "no rule divides it yet");

@@ -5,17 +5,17 @@
 namespace vug::modeller {
 namespace {
 
-State run(const State& state, int node, const Edit&) {
+FacadeState run(const FacadeState& state, int node, const Edit&) {
   require_divided(state, node);
   const std::vector<int> parts = state.parts(node);
   if (std::all_of(parts.begin(), parts.end(),
                   [&](int part) { return state.node(part).copies.empty(); }))
     throw Error(ErrorCode::bad_input, "nothing of the node is mirrored or repeated");
-  facade::Plan plan = state.decided(node);
+  facade::Plan plan = state.plan_of_node(node);
   plan.apart = true;
-  const State apart = state.with(node, std::make_shared<const facade::Plan>(plan));
+  const FacadeState apart = state.with(node, std::make_shared<const facade::Plan>(plan));
   // Each place begins as what was stamped there.
-  for (const int part : apart.parts(apart.at(state.way(node)))) {
+  for (const int part : apart.parts(apart.at(state.path_keys(node)))) {
     const facade::PartKey place = apart.planned(part).place;
     const auto stamped = plan.parts.find({place.item, place.part, 0, 0});
     if (stamped != plan.parts.end()) plan.parts.try_emplace(place, stamped->second);

@@ -7,10 +7,10 @@
 namespace vug::modeller {
 namespace {
 
-State run(const State& state, int node, const Edit& edit) {
+FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
   if (edit.numbers.empty()) throw Error(ErrorCode::bad_input, "there is no number to set");
-  facade::Plan plan = state.decided(node);
+  facade::Plan plan = state.plan_of_node(node);
   for (const facade::FreeNumber& number : state.planned(node).free) {
     const auto count = edit.numbers.find(number.per);
     if (count == edit.numbers.end() || edit.numbers.count(number.name)) continue;

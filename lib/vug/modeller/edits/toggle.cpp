@@ -19,19 +19,19 @@ int whole(const facade::Node& grid, const Edit& edit, const std::string& name,
                                fmt::format("the grid has {} {}, counted from 0", most, counts));
 }
 
-State run(const State& state, int node, const Edit& edit) {
+FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
-  if (node == State::kWhole || state.node(node).split != "grid")
+  if (node == FacadeState::kWhole || state.node(node).split != "grid")
     throw Error(ErrorCode::bad_input, "the node is not divided by a grid");
   if (!has_cells(state, node))
     throw Error(ErrorCode::bad_input, "all cells of this grid are one", {},
                 "change it to one that is not identical, or separate its cells");
   const std::pair<int, int> cell(whole(state.node(node), edit, "column", "columns"),
                                  whole(state.node(node), edit, "row", "rows"));
-  facade::Plan plan = state.decided(node);
+  facade::Plan plan = state.plan_of_node(node);
   if (!plan.off.erase(cell)) plan.off.insert(cell);
-  State made = state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));
-  if (made.parts(made.at(state.way(node))).empty())
+  FacadeState made = state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));
+  if (made.parts(made.at(state.path_keys(node))).empty())
     throw Error(ErrorCode::bad_input, "it is the last cell of the grid", {}, "retract the grid");
   return made;
 }

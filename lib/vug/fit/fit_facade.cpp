@@ -1,0 +1,85 @@
+#include <vug/base/error.h>
+#include <vug/base/parallel.h>
+#include <vug/fit/fit_facade.h>
+#include <vug/fit/naming.h>
+#include <vug/fit/polish/polish.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace vug::fit {
+namespace {
+
+/// How much of what a seed saves others may be behind the best one.
+constexpr double kMaxSeedLoss = 0.05;
+
+/// The first of the seeds, as many as that, that cost no more than `worst` and are no twins.
+void keep_distinct_seeds(const Model& model, std::vector<TreeState>& seeds, size_t count,
+                         double worst) {
+  std::vector<TreeState> out;
+  for (TreeState& seed : seeds) {
+    if (out.size() == count || (!out.empty() && model.energy(seed) > worst)) break;
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const TreeState& other) { return other.tree == seed.tree; }))
+      out.push_back(std::move(seed));
+  }
+  seeds = std::move(out);
+}
+
+}  // namespace
+
+FitResult fit_facade(const Evidence& evidence, const Rules& rules, const FitOptions& options,
+                     RandomKey key, Progress& progress) {
+  if (options.runs < 1) throw Error(ErrorCode::bad_input, "a facade is read by at least one run");
+  const LikelihoodPtr likelihood = make_likelihood(options.likelihood, evidence);
+  const Model model(rules, options.limits, evidence.width(), evidence.height(), &evidence,
+                    likelihood, options.pixel_weight);
+  const EdgeHints hints = likelihood->is_supervised() ? EdgeHints::from_supervised(evidence)
+                                                      : EdgeHints::from_clusters(evidence);
+  const MoveContext context{model, hints};
+  TreeState wall = model.axiom_state();
+  const double wall_bits = model.energy(wall);
+  std::vector<TreeState> starts =
+      seeds(context, evidence, likelihood->is_supervised(), options.seeds);
+  if (starts.empty()) starts.push_back(wall);
+  const double seed_bits = model.energy(starts.front());
+  keep_distinct_seeds(model, starts, static_cast<size_t>(options.runs),
+                      seed_bits + kMaxSeedLoss * std::max(0.0, wall_bits - seed_bits));
+  std::vector<double> bits(starts.size());
+  parallel_for(starts.size(), [&](size_t start) {
+    bits[start] = polish(context, evidence, starts[start], progress).after;
+  });
+  std::vector<size_t> order(starts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return bits[a] < bits[b]; });
+
+  std::vector<SamplerResult> runs;
+  TreeState best = starts[order.front()];
+  double chain_bits = seed_bits;
+  for (int run = 0; run < options.runs && !(run > 0 && progress.cancelled()); ++run) {
+    const TreeState& start = starts[order[static_cast<size_t>(run) % order.size()]];
+    runs.push_back(sample(context, options.sampler, key.at("run").at(static_cast<uint64_t>(run)),
+                          progress, &start));
+    TreeState found = runs.back().best;
+    chain_bits = std::min(chain_bits, runs.back().bits);
+    polish(context, evidence, found, progress);
+    replace_if_cheaper(model, best, std::move(found));
+  }
+  name_elements(model, evidence, best);
+
+  FitResult out;
+  out.tree = best.tree;
+  model.each_terminal(best, [&](RegionType type, int node, const Rect& rect) {
+    out.elements.push_back({type, node, rect});
+  });
+  out.report = make_report(runs);
+  out.report.bits = model.energy(best);
+  out.report.wall_bits = wall_bits;
+  out.report.seed_bits = seed_bits;
+  out.report.chain_bits = chain_bits;
+  add_score(out.report, model, evidence, best.tree);
+  return out;
+}
+
+}  // namespace vug::fit

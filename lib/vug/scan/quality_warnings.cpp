@@ -1,0 +1,45 @@
+#include <vug/scan/quality_warnings.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vug::scan {
+namespace {
+
+constexpr double kLowest = 1;  ///< Metres.
+/// Points within this many tolerances of the plane are near it. Strewn evenly, one in as many would
+/// lie on it; on scans of facades two in three do, also where walls bow.
+constexpr double kNear = 10;
+constexpr double kMinShare = 0.3;
+
+/// How many of the points near the plane, within the range image, lie on it.
+double share_on(const PointCloud& cloud, const PlaneFit& plane, const RangeImage& range) {
+  size_t on = 0, near = 0;
+  for (const Vec3d& position : cloud.positions) {
+    const Vec3d p = range.frame.local(position);
+    if (p.x < 0 || p.y < 0 || p.x > range.metres_wide() || p.y > range.metres_high()) continue;
+    near += std::abs(p.z) <= kNear * plane.tolerance;
+    on += std::abs(p.z) <= plane.tolerance;
+  }
+  return near > 0 ? static_cast<double>(on) / static_cast<double>(near) : 0;
+}
+
+}  // namespace
+
+std::vector<QualityWarning> quality_warnings(const PointCloud& cloud, const PlaneFit& plane,
+                                             const RangeImage& range) {
+  std::vector<QualityWarning> out;
+  if (range.metres_high() < kLowest)
+    out.push_back(
+        {fmt::format("what stands upright in the cloud is {:.2f} m high and {:.2f} m wide, "
+                     "which is no facade",
+                     range.metres_high(), range.metres_wide()),
+         "a floor, a roof, or --up is the wrong axis"});
+  if (const double share = share_on(cloud, plane, range); share < kMinShare)
+    out.push_back({fmt::format("only {:.0f} % of the points near the plane lie on it", 100 * share),
+                   "a facade may not be in the cloud, or is rougher than --tolerance"});
+  return out;
+}
+
+}  // namespace vug::scan

@@ -1,0 +1,158 @@
+// The whole chain from evidence to tree.
+#include "enumeration.h"
+
+#include <vug/base/error.h>
+#include <vug/fit/fit_facade.h>
+#include <vug/fit/model/compile.h>
+#include <vug/fit/polish/polish.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace vug::fit {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 80;
+
+/// Four columns and three rows of windows of 12 x 14 pixels.
+bool is_window(int x, int y) {
+  return x % 24 >= 6 && x % 24 < 18 && y < 72 && y % 24 >= 5 && y % 24 < 19;
+}
+
+Evidence pixels(double noise, bool supervised) {
+  RandomStream stream{RandomKey(4)};
+  std::vector<uint32_t> values;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool odd = stream.uniform() < noise;
+      const uint32_t seen = odd ? stream.below(4) : is_window(x, y) ? 1 : 0;
+      for (uint32_t lane = 0; lane < kRegionTypes; ++lane)
+        values.push_back(supervised ? (lane == seen ? 10 : 300) : (lane == seen ? 1 : 0));
+    }
+  return Evidence(kWidth, kHeight, kRegionTypes, values);
+}
+
+const Rules& rules() {
+  static const Rules all = compile(facade::load_rules(VUG_DATA "/facades/ripperda.vug"));
+  return all;
+}
+
+FitOptions quick(const std::string& likelihood) {
+  FitOptions options;
+  options.likelihood = likelihood;
+  options.sampler.steps = 20'000;
+  return options;
+}
+
+TEST(Read, WindowsWithEachLikelihood) {
+  for (const LikelihoodKind* kind : likelihood_kinds()) {
+    const FitResult found = fit_facade(pixels(0.2, kind->info.name == "supervised"), rules(),
+                                       quick(kind->info.name), RandomKey(1));
+    EXPECT_EQ(found.elements.size(), 12u) << kind->info.name;
+    for (const DetectedElement& one : found.elements) {
+      EXPECT_EQ(one.type, RegionType::window);
+      EXPECT_NEAR(one.rect.x0 % 24, 6, 1);
+      EXPECT_NEAR(one.rect.x1 % 24, 18, 1);
+      EXPECT_NEAR(one.rect.y0 % 24, 5, 1);
+      EXPECT_NEAR(one.rect.y1 % 24, 19, 1);
+    }
+    const Report& report = found.report;
+    EXPECT_LE(report.bits, report.chain_bits);
+    EXPECT_LE(report.chain_bits, report.seed_bits);
+    EXPECT_LT(report.seed_bits, report.wall_bits);
+    EXPECT_GT(report.complexity, 0);
+    EXPECT_GT(report.score, 0);
+    EXPECT_LT(report.score, 1);
+  }
+}
+
+/// Spoilt trees are made good again where no number is further off than a few pixels.
+TEST(Polish, NeverWorseAndBackToWhereItWas) {
+  const Evidence evidence = pixels(0.2, false);
+  const Model model(rules(), {}, kWidth, kHeight, &evidence, make_likelihood("kt", evidence));
+  const EdgeHints hints = EdgeHints::from_clusters(evidence);
+  const MoveContext context{model, hints};
+  RandomStream stream{RandomKey(12)};
+  int same = 0;
+  const std::vector<TreeState> found = seeds(context, evidence, false);
+  TreeState best = found.front();
+  polish(context, evidence, best);
+  const double bits = model.energy(best);
+  const inference::Moves<TreeState> some =
+      moves(context, {"shift", "resize", "pitch", "line", "divide"});
+  for (int trial = 0; trial < 50; ++trial) {
+    inference::Chain<TreeState> chain(some, [&](TreeState& state) { return model.energy(state); },
+                                      best, RandomKey(static_cast<uint64_t>(trial)),
+                                      {.temperature = 300});
+    for (int step = 0; step < 60; ++step) chain.step();
+    TreeState spoilt = chain.state();
+    const PolishResult done = polish(context, evidence, spoilt);
+    EXPECT_EQ(done.before, chain.energy());
+    EXPECT_LE(done.after, done.before);
+    EXPECT_EQ(done.after, model.energy(spoilt));
+    EXPECT_GE(done.rounds, 1);
+    same += done.after <= bits + 1e-6 ? 1 : 0;
+  }
+  EXPECT_GE(same, 45);
+}
+
+TEST(Read, ToldToStopItGivesTheBestSoFar) {
+  Progress progress;
+  progress.cancel();
+  const FitResult found =
+      fit_facade(pixels(0.2, false), rules(), quick("kt"), RandomKey(1), progress);
+  EXPECT_TRUE(found.report.stopped);
+  EXPECT_EQ(found.elements.size(), 12u) << "the seed";
+}
+
+TEST(Read, EvidenceThatDoesNotSuitIsRefused) {
+  EXPECT_THROW(fit_facade(pixels(0, false), rules(), quick("kl"), RandomKey(1)), Error);
+  const Evidence two = Evidence::from_clusters(2, 1, 2, {0, 1});
+  EXPECT_THROW(fit_facade(two, rules(), quick("supervised"), RandomKey(1)), Error);
+}
+
+TEST(Read, ReportsHowItWasFound) {
+  FitOptions options = quick("kt");
+  options.runs = 3;
+  const Report report = fit_facade(pixels(0.3, false), rules(), options, RandomKey(1)).report;
+  double shares = 0;
+  for (const StructureProbability& one : report.posterior) {
+    EXPECT_GE(one.standard_error, 0);
+    EXPECT_LE(one.standard_error, 0.5);
+    shares += one.probability;
+  }
+  EXPECT_NEAR(shares, 1, 0.05);
+  EXPECT_EQ(report.traces.size(), 3u);
+  EXPECT_LT(report.scale_reduction, 1.2) << "runs from their own seeds agree";
+  EXPECT_GT(report.effective_size, 20);
+  EXPECT_LT(std::abs(report.geweke), 5);
+  EXPECT_EQ(report.swap_rates.size() + 1, report.temperatures.size());
+  EXPECT_EQ(report.moves.size(), move_kinds().size());
+  EXPECT_GT(report.max_complexity, report.complexity);
+  EXPECT_NEAR(
+      report.score,
+      1 - (report.complexity + report.misfit) / (report.max_complexity + 2.0 * kWidth * kHeight),
+      1e-12);
+  const nlohmann::json json = nlohmann::json::parse(report_json(report));
+  EXPECT_EQ(json["posterior"].size(), report.posterior.size());
+  EXPECT_EQ(json["traces"].size(), 3u);
+  EXPECT_EQ(json["bits"]["all"].get<double>(), report.bits);
+  const std::string drawing = report_svg(report);
+  EXPECT_EQ(drawing.substr(0, 4), "<svg");
+  EXPECT_EQ(drawing.find("nan"), std::string::npos);
+  EXPECT_NE(drawing.find(report.moves.back().name), std::string::npos);
+}
+
+/// Pictures without anything to read are walls.
+TEST(Read, OnePixelAndOneColour) {
+  for (const int side : {1, 40}) {
+    const Evidence plain = Evidence::from_clusters(
+        side, side, 2, std::vector<uint8_t>(static_cast<size_t>(side * side), 1));
+    const FitResult found = fit_facade(plain, rules(), quick("kt"), RandomKey(1));
+    EXPECT_TRUE(found.elements.empty()) << side;
+    EXPECT_EQ(found.tree.size(), 1) << side;
+  }
+}
+
+}  // namespace
+}  // namespace vug::fit
