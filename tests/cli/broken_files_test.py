@@ -119,7 +119,7 @@ class BrokenFiles(VugTest):
             self.write("use.vug", self.whole[suffix].read_bytes())
             for verb in ["check", "format"] if suffix == ".vdb" else ["check"]:
                 self.assertEqual(self.expect(2, verb, "use.vug").err,
-                                 "use.vug: error: the file is no text\n"
+                                 "use.vug: error: the file is not a text file\n"
                                  "hint: scenes are UTF-8 text; 'vug info' tells of grids, meshes and "
                                  "pictures\n")
 
@@ -165,7 +165,7 @@ class BrokenFiles(VugTest):
         error = self.expect(2, "check", "use.vug").err
         self.assertTrue(error.startswith("lib.vug:1:"), error)
         self.write("lib.vug", b"\xff\xfe\x00l\x00e\x00t")
-        self.assertIn("use.vug:1:9: error: 'lib.vug' is no text",
+        self.assertIn("use.vug:1:9: error: 'lib.vug' is not a text file",
                       self.expect(2, "check", "use.vug").err)
         (self.folder / "lib.vug").unlink()
         self.assertIn("use.vug:1:9: error: ", self.expect(2, "check", "use.vug").err)

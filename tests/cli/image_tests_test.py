@@ -134,7 +134,7 @@ class ImageTests(VugTest):
         self.assertIn("4 of 4 seeds pass", steady.out)
 
     def test_cases_that_cannot_be_used(self):
-        for content, said in [("{", "this is no JSON"), ("[]", "a case is a JSON object"),
+        for content, said in [("{", "invalid JSON"), ("[]", "a case is a JSON object"),
                               ({}, "no scene and no command"), ({**SCENE, "command": ["x"]}, "a scene and a command"),
                               ({**SCENE, "limit": {}}, "did you mean 'limits'?"),
                               ({**SCENE, "limits": {"rsme": 1}}, "did you mean 'rmse'?"),

@@ -205,9 +205,9 @@ class Modelling(VugTest):
         for bad, told in ((text.replace('"rows":2', '"rows":0'), "/edits/1/numbers/rows: 'rows' is 0"),
                           (text.replace("Grid", "Gridd"), "s.json:10:39: error: /edits/1/rule"),
                           (text.replace("ripperda.vug", "riperda2.vug"), "did you mean 'ripperda.vug'"),
-                          (text[:-20], "this is no JSON"), ("", "this is no JSON"),
+                          (text[:-20], "invalid JSON"), ("", "invalid JSON"),
                           (text.replace('"version": 1', '"version": 9'), "this program reads version 1"),
-                          ("\0\xff" * 40, "this is no JSON")):
+                          ("\0\xff" * 40, "invalid JSON")):
             self.write("s.json", bad)
             said = self.model("s.json", "--svg", "o.svg", "-o", "t.json", code=2).err
             self.assertIn(told, said)

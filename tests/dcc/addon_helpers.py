@@ -67,9 +67,9 @@ def thing(name):
 
 
 def nothing_is_built():
-    from vug_addon.making import Making
+    from vug_addon.cave_build import CaveBuild
     bpy.ops.vug.update(cave="cave")
-    making = Making(collection=cave())
-    while not making.step(wait=0.1):
+    build = CaveBuild(collection=cave())
+    while not build.step(wait=0.1):
         pass
-    equal((making.told, making.changed, making.share), ("nothing has changed", 0, 0))
+    equal((build.message, build.changed, build.share), ("nothing has changed", 0, 0))

@@ -7,7 +7,7 @@ import sys
 import unittest
 import zipfile
 
-from others import HERE, VugTest, require_blender
+from external_tools import HERE, VugTest, require_blender
 
 ZIP = pathlib.Path(os.environ.get("VUG_ADDON", ""))
 

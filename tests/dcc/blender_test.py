@@ -5,7 +5,7 @@ import os
 import subprocess
 import unittest
 
-from others import HERE, SCENE, VugTest, require_blender
+from external_tools import HERE, SCENE, VugTest, require_blender
 
 VOXEL = 0.05
 

@@ -1,7 +1,7 @@
 """The Khronos validator has nothing to say of what vug export writes."""
 import unittest
 
-from others import SCENE, SOURCE, VugTest, node, require_node
+from external_tools import SCENE, SOURCE, VugTest, node, require_node
 
 
 class Gltf(VugTest):

@@ -243,18 +243,18 @@ def units():
 
 
 def cancel():
-    from vug_addon.making import Making
+    from vug_addon.cave_build import CaveBuild
     before = print_of(cave())
     cave()["R"] = 0.95
     cave().vug.source = f"{folder}/slow.vug"
-    making = Making(collection=cave())
+    build = CaveBuild(collection=cave())
     equal(bpy.ops.vug.update.poll(), False, "a second one meanwhile")
-    while making.share == 0:
-        assert not making.step(wait=0.05), f"it was too fast to stop: {making.error} {making.told}"
-    pid, room = making.job.pid, making.job.folder
+    while build.share == 0:
+        assert not build.step(wait=0.05), f"it was too fast to stop: {build.error} {build.message}"
+    pid, room = build.job.pid, build.job.folder
     equal(bpy.ops.vug.cancel(), {"FINISHED"})
-    equal(making.step(), True)
-    equal((Making.current, making.error, making.cancelled), (None, "", True))
+    equal(build.step(), True)
+    equal((CaveBuild.current, build.error, build.cancelled), (None, "", True))
     assert not os.path.exists(room) and not os.path.exists(f"/proc/{pid}"), "left behind"
     equal(print_of(cave()) == before, True, "after cancelling")
     cave().vug.source = f"{folder}/cave.vug"

@@ -15,7 +15,7 @@ folder, addon = sys.argv[sys.argv.index("--") + 1:]
 sys.dont_write_bytecode = True
 sys.path.append(addon)
 import vug_addon  # noqa: E402
-from vug_addon.making import Making  # noqa: E402
+from vug_addon.cave_build import CaveBuild  # noqa: E402
 
 vug_addon.register()
 
@@ -37,7 +37,7 @@ def call(operator, *arguments, **more):
 def ended():
     """Waits for what is being made: a generator for `yield from`."""
     begun = time.monotonic()
-    while Making.current:
+    while CaveBuild.current:
         assert time.monotonic() - begun < 120, "it does not end"
         yield
 
@@ -53,7 +53,7 @@ def wall():
 def checks():
     # As the file browser calls it when a file has been chosen.
     assert call(bpy.ops.vug.add, "EXEC_DEFAULT", filepath=f"{folder}/cave.vug", chosen=True) == {"FINISHED"}
-    assert Making.current and cave() is None, "it does not wait"
+    assert CaveBuild.current and cave() is None, "it does not wait"
     yield from ended()
     assert cave() is not None
     yield "added"
@@ -79,13 +79,13 @@ def checks():
         cave().vug.source = f"{folder}/slow.vug"
         cave()["R"] = 0.8
         call(bpy.ops.vug.update, "INVOKE_DEFAULT")
-        making = Making.current
-        while making.share == 0:
-            assert Making.current, f"it was too fast to stop: {making.error} {making.told}"
+        build = CaveBuild.current
+        while build.share == 0:
+            assert CaveBuild.current, f"it was too fast to stop: {build.error} {build.message}"
             yield
         stop()
         yield from ended()
-        assert making.cancelled and not os.path.exists(making.job.folder)
+        assert build.cancelled and not os.path.exists(build.job.folder)
         assert abs(wall().dimensions.x - 1.8) < 0.01, wall().dimensions
     yield "cancelled by Esc and by the button"
 

@@ -6,7 +6,7 @@ import re
 import shutil
 import unittest
 
-from others import SCENE, VugTest, node, require_node, skip
+from external_tools import SCENE, VugTest, node, require_node, skip
 
 PAGE = pathlib.Path(os.environ.get("VUG_PREVIEW_PAGE", ""))
 MORE = """param R = 50cm in 30cm..70cm "radius, <img src=x onerror=alert(1)>"

@@ -3,7 +3,7 @@ import math
 import re
 import unittest
 
-from others import SCENE, VugTest, node, require_node
+from external_tools import SCENE, VugTest, node, require_node
 
 # Metres in a unit, and whether z is up.
 SPACES = {"usd": (1, False), "maya": (0.01, False), "unreal": (0.01, True)}

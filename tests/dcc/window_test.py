@@ -6,7 +6,7 @@ import subprocess
 import sys
 import unittest
 
-from others import HERE, VugTest, require_blender, skip
+from external_tools import HERE, VugTest, require_blender, skip
 
 SCENE = """param R = 70cm  in 50cm..1m  "radius of the ball"
 volume rock = level_set(sphere(R), voxel: 5cm)

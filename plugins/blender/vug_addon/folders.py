@@ -13,9 +13,9 @@ import bpy
 from bpy.app.handlers import persistent
 
 from . import properties
-from .whole import replacing
+from .atomic_file import replacing
 
-NOTE = "named_by"  # in a folder that was left: the .blend that may name it on the disk
+NOTE = "named_by"  # in a folder that was unused_folders: the .blend that may name it on the disk
 DAYS = 30  # for which one stays whose .blend was never saved: Blender can recover such
 
 
@@ -23,7 +23,7 @@ def store():
     return bpy.utils.user_resource("DATAFILES", path="vug")
 
 
-def fresh(name):
+def new_folder(name):
     """For a new cave."""
     if bpy.data.filepath:
         return f"//vug/{name}/"
@@ -39,7 +39,7 @@ def is_stored(folder):
     return os.path.dirname(os.path.normpath(folder)) == os.path.normpath(store())
 
 
-def settle(collection):
+def move_beside_blend(collection):
     """Copies a cave's files beside the .blend; all that reads them does so there from then on."""
     old, new = os.path.normpath(collection.vug.folder), f"//vug/{collection.name}/"
     target = bpy.path.abspath(new)
@@ -57,18 +57,18 @@ def settle(collection):
     collection.vug.folder = new
 
 
-def settle_all():
+def move_all_beside_blend():
     if not bpy.data.filepath:
         return
     for collection in properties.caves():
         if is_stored(collection.vug.folder):
             try:
-                settle(collection)
+                move_beside_blend(collection)
             except OSError as error:
                 print(f"Vug: the volumes of '{collection.name}' stay in {collection.vug.folder}: {error}")
 
 
-def left():
+def unused_folders():
     """(folder, the .blend that may name it or "") of all that no cave of this file needs."""
     used = {os.path.normpath(each.vug.folder) for each in properties.caves()}
     for name in sorted(os.listdir(store())) if os.path.isdir(store()) else ():
@@ -84,8 +84,8 @@ def left():
 
 
 def sweep():
-    """What was left by files that are gone, or never were saved and are old."""
-    for folder, owner in left():
+    """What was unused_folders by files that are gone, or never were saved and are old."""
+    for folder, owner in unused_folders():
         old = time.time() - os.path.getmtime(folder) > DAYS * 86400
         if not os.path.exists(owner) if owner else old:
             shutil.rmtree(folder, ignore_errors=True)
@@ -93,15 +93,15 @@ def sweep():
 
 @persistent
 def after_save(*_):
-    for folder, owner in left():  # the file on the disk is as it is here
+    for folder, owner in unused_folders():  # the file on the disk is as it is here
         if owner == bpy.data.filepath:
             shutil.rmtree(folder, ignore_errors=True)
-    settle_all()
+    move_all_beside_blend()
 
 
 @persistent
 def after_load(*_):
-    settle_all()
+    move_all_beside_blend()
 
 
 def register():

@@ -5,39 +5,39 @@ import bpy
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import cave_out, parameters, properties
-from .making import Making, set_to_built
+from . import export_field, parameters, properties
+from .cave_build import CaveBuild, set_to_built
 
 
-class Tells:
-    """Says how a Making went."""
+class ReportsResult:
+    """Says how a CaveBuild went."""
 
-    def tell(self, making):
-        if making.cancelled:
+    def report_result(self, build):
+        if build.cancelled:
             self.report({"INFO"}, "cancelled: nothing was changed")
             return {"CANCELLED"}
-        if making.error:
-            self.report({"ERROR"}, making.error)
+        if build.error:
+            self.report({"ERROR"}, build.error)
             return {"CANCELLED"}
-        self.report({"INFO"}, making.told)
+        self.report({"INFO"}, build.message)
         return {"FINISHED"}
 
-    def run(self, making):
+    def run(self, build):
         """To its end where a script or a headless Blender calls."""
-        while not making.step(wait=0.2):
+        while not build.step(wait=0.2):
             pass
-        return self.tell(making)
+        return self.report_result(build)
 
 
-class VUG_OT_work(Tells, bpy.types.Operator):
+class VUG_OT_work(ReportsResult, bpy.types.Operator):
     """Waits in the background for what is being made, with a bar. An operator of its own, because one
     that the file browser calls cannot wait"""
 
     bl_idname, bl_label, bl_options = "vug.work", "Build Vug Cave", {"INTERNAL", "UNDO"}
 
     def invoke(self, context, event):
-        self.making = Making.current
-        if not self.making:
+        self.build = CaveBuild.current
+        if not self.build:
             return {"CANCELLED"}
         manager = context.window_manager
         manager.progress_begin(0, 100)
@@ -47,23 +47,23 @@ class VUG_OT_work(Tells, bpy.types.Operator):
 
     def modal(self, context, event):
         if event.type == "ESC" and event.value == "PRESS":
-            self.making.cancel()
-        if event.type != "TIMER" and not self.making.cancelled:
+            self.build.cancel()
+        if event.type != "TIMER" and not self.build.cancelled:
             return {"PASS_THROUGH"}
-        context.window_manager.progress_update(100 * self.making.share)
-        context.workspace.status_text_set(f"Vug: {self.making.what} {self.making.share:.0%}   Esc: cancel")
+        context.window_manager.progress_update(100 * self.build.share)
+        context.workspace.status_text_set(f"Vug: {self.build.what} {self.build.share:.0%}   Esc: cancel")
         for area in context.screen.areas if context.screen else ():
             if area.type == "VIEW_3D":
                 area.tag_redraw()
-        if not self.making.step():
+        if not self.build.step():
             return {"PASS_THROUGH"}
         context.window_manager.event_timer_remove(self.timer)
         context.window_manager.progress_end()
         context.workspace.status_text_set(None)
-        return self.tell(self.making)
+        return self.report_result(self.build)
 
 
-class VUG_OT_add(Tells, bpy.types.Operator, ImportHelper):
+class VUG_OT_add(ReportsResult, bpy.types.Operator, ImportHelper):
     """Add a cave from a .vug scene"""
 
     bl_idname, bl_label, bl_options = "vug.add", "Vug Cave", {"UNDO"}
@@ -81,20 +81,20 @@ class VUG_OT_add(Tells, bpy.types.Operator, ImportHelper):
 
     @classmethod
     def poll(cls, context):
-        return Making.current is None
+        return CaveBuild.current is None
 
     def execute(self, context):
         path = bpy.path.abspath(self.filepath)
         if not os.path.basename(path) or os.path.isdir(path):
             self.report({"ERROR"}, "choose a .vug file: it holds the scene of a cave")
             return {"CANCELLED"}
-        making = Making(source=self.filepath, camera=self.use_camera, resolution=self.use_resolution)
+        build = CaveBuild(source=self.filepath, camera=self.use_camera, resolution=self.use_resolution)
         if bpy.app.background or not self.chosen:
-            return self.run(making)
+            return self.run(build)
         return bpy.ops.vug.work("INVOKE_DEFAULT") and {"FINISHED"}
 
 
-class VUG_OT_update(Tells, bpy.types.Operator):
+class VUG_OT_update(ReportsResult, bpy.types.Operator):
     """Build the cave again with the parameters as they are; does nothing where nothing has changed"""
 
     bl_idname, bl_label, bl_options = "vug.update", "Update", {"UNDO"}
@@ -103,12 +103,12 @@ class VUG_OT_update(Tells, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return Making.current is None and bool(properties.caves())
+        return CaveBuild.current is None and bool(properties.caves())
 
     def begin(self, context):
         collection = bpy.data.collections.get(self.cave) if self.cave else properties.active_cave(context)
         if collection and collection.vug.source:
-            return Making(collection=collection)
+            return CaveBuild(collection=collection)
         self.report({"ERROR"}, "choose a cave: an object of it, or its collection")
         return None
 
@@ -118,8 +118,8 @@ class VUG_OT_update(Tells, bpy.types.Operator):
         return bpy.ops.vug.work("INVOKE_DEFAULT") and {"FINISHED"} if self.begin(context) else {"CANCELLED"}
 
     def execute(self, context):
-        making = self.begin(context)
-        return self.run(making) if making else {"CANCELLED"}
+        build = self.begin(context)
+        return self.run(build) if build else {"CANCELLED"}
 
 
 class VUG_OT_cancel(bpy.types.Operator):
@@ -129,10 +129,10 @@ class VUG_OT_cancel(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return Making.current is not None
+        return CaveBuild.current is not None
 
     def execute(self, context):
-        Making.current.cancel()
+        CaveBuild.current.cancel()
         return {"FINISHED"}
 
 
@@ -180,14 +180,14 @@ class VUG_OT_export_field(bpy.types.Operator, ExportHelper):
 
     def execute(self, context):
         try:
-            told = cave_out.write(context.object, context.evaluated_depsgraph_get(), self.filepath, self.voxel)
+            message = export_field.write(context.object, context.evaluated_depsgraph_get(), self.filepath, self.voxel)
         except ValueError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         except OSError as error:
             self.report({"ERROR"}, f"cannot write '{self.filepath}': {error.strerror}")
             return {"CANCELLED"}
-        self.report({"INFO"}, told)
+        self.report({"INFO"}, message)
         return {"FINISHED"}
 
 
@@ -211,8 +211,8 @@ def register():
 
 
 def unregister():
-    if Making.current:
-        Making.current.cancel()
+    if CaveBuild.current:
+        CaveBuild.current.cancel()
     bpy.types.TOPBAR_MT_file_export.remove(draw_export)
     bpy.types.VIEW3D_MT_add.remove(draw_add)
     for each in reversed(OPERATORS):

@@ -4,7 +4,7 @@ import textwrap
 import bpy
 
 from . import parameters, properties, units
-from .making import Making
+from .cave_build import CaveBuild
 
 
 class VUG_PT_cave(bpy.types.Panel):
@@ -14,8 +14,8 @@ class VUG_PT_cave(bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        if Making.current:
-            layout.label(text=f"{Making.current.what} {Making.current.share:.0%}")
+        if CaveBuild.current:
+            layout.label(text=f"{CaveBuild.current.what} {CaveBuild.current.share:.0%}")
             layout.operator("vug.cancel", icon="X")
         collection = properties.active_cave(context)
         if not collection:

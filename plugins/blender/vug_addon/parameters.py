@@ -31,7 +31,7 @@ def same(a, b):
     return list(a) == list(b) if hasattr(a, "__len__") and not isinstance(a, str) else a == b
 
 
-def dress(collection, key, param, metres_per_unit):
+def set_ui(collection, key, param, metres_per_unit):
     ui = collection.id_properties_ui(key)
     # Blender shows lengths by the scene's unit, which is ours only where that is a metre.
     foreign = param["dimension"] == "length" and metres_per_unit != 1
@@ -53,7 +53,7 @@ def dress(collection, key, param, metres_per_unit):
     ui.update(**wanted)
 
 
-def take(collection, params, metres_per_unit):
+def update(collection, params, metres_per_unit):
     """Makes the properties of these parameters. What an artist has set stays; what still has the old
     default gets the new one; parameters that are gone go."""
     before = {param["name"]: param for param in about(collection)}
@@ -67,7 +67,7 @@ def take(collection, params, metres_per_unit):
             collection[key], stored(old["default"], kind))
         if untouched:
             collection[key] = default
-        dress(collection, key, param, metres_per_unit)
+        set_ui(collection, key, param, metres_per_unit)
     names = {param["name"] for param in params}
     for name in before:
         if name not in names and key_of(name) in collection:

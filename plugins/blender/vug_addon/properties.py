@@ -13,8 +13,8 @@ class VugCave(bpy.types.PropertyGroup):
                            description="Where the .vdb files of this cave are kept")
     parameters: StringProperty(options={"HIDDEN"})  # what the scene has said of them, in JSON
     metres_per_unit: FloatProperty(default=1, options={"HIDDEN"})  # of the scene it was made for
-    owned: StringProperty(options={"HIDDEN"})  # what it has brought; see owned.py
-    built: StringProperty(options={"HIDDEN"})  # what it was last built with; see making.py
+    owned: StringProperty(options={"HIDDEN"})  # what it has brought; see ownership.py
+    built: StringProperty(options={"HIDDEN"})  # what it was last built with; see cave_build.py
     stale: StringProperty(options={"HIDDEN"})  # why the last update failed; empty: all is up to date
     known: StringProperty(options={"HIDDEN"})  # the key of what Blender has; see worker.py
 

@@ -68,7 +68,7 @@ def of(collection):
     return next((each for each in bpy.data.worlds if each.get(NAME) == collection.name), None)
 
 
-def bring(collection, skies, folder, changed):
+def update_world(collection, skies, folder, changed):
     """A world of the cave's name for the skies of its scene, none where it has none. The file's scene
     takes it where it has no other that somebody has made. `changed(world, what)` tells whether these are
     others than when it was asked last."""

@@ -47,7 +47,7 @@ def key_of(vug, scene):
     return digest.hexdigest()
 
 
-def progress_teller():
+def progress_printer():
     last = [0.0]
 
     def tell(share, what):
@@ -69,7 +69,7 @@ def work(order):
         return say(same=True)
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        files = scene.export(order["folder"], "blender", progress=progress_teller())
+        files = scene.export(order["folder"], "blender", progress=progress_printer())
     left_out = [str(each.message) for each in told]
     say(done={"files": [os.path.basename(file) for file in files], "left_out": left_out})
 

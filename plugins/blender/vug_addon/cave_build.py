@@ -1,11 +1,11 @@
-"""A cave in the making: a job, and where its result goes. Nothing in Blender's file changes before the
+"""A cave in the build: a job, and where its result goes. Nothing in Blender's file changes before the
 job has ended well."""
 import json
 import os
 
 import bpy
 
-from . import arrive, folders, owned, parameters, properties, units
+from . import folders, import_scene, ownership, parameters, properties, units
 from .job import Job
 
 
@@ -25,7 +25,7 @@ def set_to_built(collection):
     collection.vug.stale = ""
 
 
-class Making:
+class CaveBuild:
     """Of a new cave from `source`, or of a cave's collection that is there. `step` now and then, until it
     gives True; then `error` or `told` says how it went. A new one may set the scene's `camera`, where it has
     none, and with it its `resolution`."""
@@ -37,7 +37,7 @@ class Making:
         self.name = collection.name if collection else ""
         self.source = source or cave.source
         self.camera, self.resolution = camera, resolution
-        self.error, self.told, self.cancelled, self.changed = "", "", False, 0
+        self.error, self.message, self.cancelled, self.changed = "", "", False, 0
         self.tried = settings_of(collection) if collection else {}
         options = properties.preferences()
         order = {"source": os.path.abspath(bpy.path.abspath(self.source)),
@@ -46,12 +46,12 @@ class Making:
                  "known": cave.known if cave and self.is_whole(collection) else ""}
         self.job = Job(order, bpy.path.abspath(options.python) if options else "",
                        bpy.path.abspath(options.package) if options else "")
-        Making.current = self
+        CaveBuild.current = self
 
     @staticmethod
     def is_whole(collection):
         return (collection.vug.metres_per_unit == units.metres_per_unit()
-                and not owned.missing(collection))
+                and not ownership.missing(collection))
 
     @property
     def share(self):
@@ -94,8 +94,8 @@ class Making:
 
     def end(self):
         self.job.close()
-        if Making.current is self:
-            Making.current = None
+        if CaveBuild.current is self:
+            CaveBuild.current = None
 
     def finish(self):
         job = self.job
@@ -103,7 +103,7 @@ class Making:
             self.error = job.error
             return
         if job.same:
-            self.told = "nothing has changed"
+            self.message = "nothing has changed"
             self.mark_built(bpy.data.collections.get(self.name))
             return
         collection = bpy.data.collections.get(self.name) if self.name else None
@@ -113,9 +113,9 @@ class Making:
         made = None
         if not collection:
             made = collection = bpy.data.collections.new(job.scene["name"])
-            collection.vug.folder = folders.fresh(collection.name)
+            collection.vug.folder = folders.new_folder(collection.name)
         try:
-            arrival = arrive.bring(collection, job.scene, job.done["files"], job.folder + "/set")
+            importer = import_scene.import_into(collection, job.scene, job.done["files"], job.folder + "/set")
         except BaseException:
             if made:
                 bpy.data.collections.remove(made)
@@ -124,10 +124,10 @@ class Making:
             collection.vug.source = self.source
             bpy.context.scene.collection.children.link(collection)
             if self.camera:
-                arrival.take_view(bpy.context.scene, self.resolution)
-        self.name, self.changed = collection.name, arrival.changed
+                importer.use_camera(bpy.context.scene, self.resolution)
+        self.name, self.changed = collection.name, importer.changed
         self.mark_built(collection)
-        self.told = f"{self.name}: {self.changed} meshes made" + "".join(
+        self.message = f"{self.name}: {self.changed} meshes made" + "".join(
             f"; {each}" for each in job.done["left_out"])
 
     def mark_built(self, collection):

@@ -8,10 +8,10 @@ import shutil
 import bpy
 from mathutils import Matrix
 
-from . import geometry, lights, look, owned, parameters, sky, units
+from . import geometry, lights, materials, ownership, parameters, sky, units
+from .atomic_file import replacing
 from .glb import Glb
-from .owned import NAME
-from .whole import replacing
+from .ownership import NAME
 
 DIGEST = "vug_digest"
 MAKERS = {"mesh": lambda name, kind: bpy.data.meshes.new(name),
@@ -27,7 +27,7 @@ def digest(*parts):
     return sum_.hexdigest()
 
 
-def fresh(thing, *parts):
+def has_changed(thing, *parts):
     """Whether these are others than when it was asked last; they count as known from then on."""
     now = digest(*parts)
     if thing.get(DIGEST) == now:
@@ -36,11 +36,11 @@ def fresh(thing, *parts):
     return True
 
 
-class Arrival:
+class SceneImporter:
     def __init__(self, collection, glb):
         self.collection, self.glb = collection, glb
-        owned.adopt(collection)
-        self.objects = owned.objects(collection)
+        ownership.adopt(collection)
+        self.objects = ownership.objects(collection)
         self.before = set(self.objects)
         self.materials = {slot.material[NAME]: slot.material for each in self.objects.values()
                           for slot in each.material_slots if slot.material and NAME in slot.material}
@@ -63,7 +63,7 @@ class Arrival:
         elif thing.data != data:
             thing.data = data
         self.before.discard(name)
-        if fresh(thing, [list(row) for row in place]):
+        if has_changed(thing, [list(row) for row in place]):
             thing.matrix_world = place
         return thing
 
@@ -83,26 +83,26 @@ class Arrival:
         arrays = [surface.positions, surface.triangles, *surface.attributes.values()]
         if surface.normals is not None:
             arrays.append(surface.normals)
-        if fresh(mesh, *arrays, list(surface.attributes)):
+        if has_changed(mesh, *arrays, list(surface.attributes)):
             geometry.fill(mesh, surface)
             self.changed += 1
         elif len(mesh.vertices) == len(surface.positions):
             geometry.add_missing(mesh, surface)
-        self.dress(mesh, surface)
+        self.assign_material(mesh, surface)
         return mesh
 
-    def dress(self, mesh, surface):
+    def assign_material(self, mesh, surface):
         if surface.material is None:
             return
-        about, channels = self.glb.list("materials")[surface.material], look.channels_of(surface)
+        about, channels = self.glb.list("materials")[surface.material], materials.channels_of(surface)
         name = about.get("name") or surface.name
         key = f"{name}|{'+'.join(channels)}|{surface.material}"
         material = self.materials.get(key)
         if not material:
             material = self.materials[key] = bpy.data.materials.new(name)
             material[NAME] = key
-        if fresh(material, json.dumps(about, sort_keys=True), channels):
-            look.build(material, about, channels)
+        if has_changed(material, json.dumps(about, sort_keys=True), channels):
+            materials.build(material, about, channels)
         ours = [i for i, each in enumerate(mesh.materials) if not each or NAME in each]
         if not mesh.materials:
             mesh.materials.append(material)
@@ -117,16 +117,16 @@ class Arrival:
                 about = (self.glb.lights if kind == "light" else self.glb.list("cameras"))[index]
                 sort = lights.kind_of(about) if kind == "light" else None
                 data = self.data_of(kind, [name], sort)
-                if fresh(data, json.dumps(about, sort_keys=True), self.glb.scale):
+                if has_changed(data, json.dumps(about, sort_keys=True), self.glb.scale):
                     (lights.fill_light if kind == "light" else lights.fill_camera)(data, about, self.glb.scale)
             self.object(name, kind, data, place)
 
-    def take_view(self, scene, resolution):
+    def use_camera(self, scene, resolution):
         """The camera of the cave's first picture for a scene that has none; if asked with that one's size."""
         first = next((each for each in self.glb.nodes if each[1] == "camera"), None)
         if scene.camera or not first:
             return
-        scene.camera = owned.objects(self.collection)[first[0]]
+        scene.camera = ownership.objects(self.collection)[first[0]]
         size = self.glb.list("cameras")[first[2]].get("extras", {}).get("vug:size")
         if resolution and size:
             scene.render.resolution_x, scene.render.resolution_y = size
@@ -142,19 +142,19 @@ class Arrival:
         data.grids.load()
         level_set = "surface" in data.grids or "air" in data.grids
         if "extinction" in about:
-            self.dress_cloud(data, name, about)
+            self.assign_volume_material(data, name, about)
         # The file is in metres. A volume that grows keeps its opacity: that is Blender's own way.
         thing = self.object(name, "volume", data, Matrix.Scale(self.glb.scale, 4))
         if level_set:  # to work on; as a fog it would hide the mesh
             thing.hide_render, thing.display_type = True, "BOUNDS"
 
-    def dress_cloud(self, data, name, about):
+    def assign_volume_material(self, data, name, about):
         material = self.materials.get(name)
         if not material:
             material = self.materials[name] = bpy.data.materials.new(name)
             material[NAME] = name
-        if fresh(material, json.dumps(about, sort_keys=True)):
-            look.build_cloud(material, about)
+        if has_changed(material, json.dumps(about, sort_keys=True)):
+            materials.build_volume(material, about)
         if not data.materials:
             data.materials.append(material)
 
@@ -187,25 +187,25 @@ def move_files(collection, files, folder):
     return out
 
 
-def bring(collection, scene, files, folder):
-    """Gives the Arrival. What can fail does so before a thing is touched."""
+def import_into(collection, scene, files, folder):
+    """Gives the SceneImporter. What can fail does so before a thing is touched."""
     metres = units.metres_per_unit()
     glb = Glb(os.path.join(folder, scene["name"] + ".glb"), 1 / metres)
     for index in range(len(glb.list("meshes"))):
         glb.surface(index)
     paths = move_files(collection, files, folder)
-    parameters.take(collection, scene["params"], metres)
-    arrival = Arrival(collection, glb)
-    arrival.nodes()
+    parameters.update(collection, scene["params"], metres)
+    importer = SceneImporter(collection, glb)
+    importer.nodes()
     stem = scene["name"] + "_"
     clouds = {about["file"]: about for about in glb.extras("vug:volumes")}
     for path in paths:
         name, end = os.path.splitext(os.path.basename(path))
         if end == ".vdb":
             own = name[len(stem):] if name.startswith(stem) else name
-            arrival.volume(own + " volume", path, clouds.get(os.path.basename(path), {}))
-    sky.bring(collection, glb.extras("vug:skies"), bpy.path.abspath(collection.vug.folder), fresh)
-    arrival.sweep()
-    owned.note(collection)
+            importer.volume(own + " volume", path, clouds.get(os.path.basename(path), {}))
+    sky.update_world(collection, glb.extras("vug:skies"), bpy.path.abspath(collection.vug.folder), has_changed)
+    importer.sweep()
+    ownership.note(collection)
     collection.vug.known, collection.vug.metres_per_unit = scene["key"], metres
-    return arrival
+    return importer

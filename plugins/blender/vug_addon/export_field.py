@@ -5,7 +5,7 @@ import bpy
 import numpy
 
 from . import units
-from .whole import replacing
+from .atomic_file import replacing
 
 
 def triangles_of(thing, depsgraph):
@@ -117,10 +117,10 @@ def write(thing, depsgraph, path, voxel):
         triangles, volume = triangles[:, ::-1], -volume
     replace(path, ply(points, triangles))
     text = os.path.splitext(path)[0] + ".vug"
-    told = f"{len(triangles)} triangles around {volume:.6g} m3"
+    message = f"{len(triangles)} triangles around {volume:.6g} m3"
     if (points.max(0) - points.min(0)).min() < 2 * voxel:
-        told += f"; it is thinner than two voxels of {voxel:.6g} m, which may miss it"
+        message += f"; it is thinner than two voxels of {voxel:.6g} m, which may miss it"
     if os.path.exists(text):
-        return f"{told}; {os.path.basename(text)} is there already and stays"
+        return f"{message}; {os.path.basename(text)} is there already and stays"
     replace(text, scene(thing.name, os.path.basename(path), voxel).encode())
-    return told
+    return message

@@ -21,7 +21,7 @@ BOMBS = {
         ["axiom A(0)", "time 1000000", "A(t) after 1 -> A(0)A(0)"], "4:1", LIMIT),
     "within one moment": (["axiom A(0)", "time 2", "A(t) after 1 -> A(1)"], "4:1", f"the growth of grammar 'g' {ENDS} 'A(t)'"),
     "decomposition": (
-        ["axiom A", "decompose {", "A -> A[B]", "}"], "4:1", "the decomposition of 'A' never ends: A -> A"),
+        ["axiom A", "decompose {", "A -> A[B]", "}"], "4:1", "the decomposition of 'A' never terminates: A -> A"),
     "decomposition in a circle": (
         ["axiom A", "decompose {", "A -> B", "B -> [C]", "C -> A", "}"], "4:1", "never ends: A -> B -> C -> A"),
     "decomposition that no guard ends": (
@@ -30,7 +30,7 @@ BOMBS = {
     "decomposition that doubles": (
         ["axiom A(1)", "decompose {", "A(x) if x > 0 -> A(x+1)A(x)", "}"], "4:1", LIMIT),
     "interpretation by itself": (
-        ["axiom F", "interpret {", "F -> F+F", "}"], "4:1", "the interpretation of 'F' never ends: F -> F"),
+        ["axiom F", "interpret {", "F -> F+F", "}"], "4:1", "the interpretation of 'F' never terminates: F -> F"),
     "interpretation that no guard ends": (
         ["axiom A(1)", "interpret {", "A(x) if x > 0 -> F A(x/2+1)", "}"], "4:1",
         f"the interpretation of grammar 'g' {ENDS} 'A(x)'"),
@@ -52,23 +52,23 @@ TEXTS = {
     "an unknown option": (["stepz 3", "axiom A"], "2:1", "did you mean 'steps'?"),
     "half a step": (["steps 2.5", "axiom A"], "2:1", "'steps'"),
     "steps below none": (["steps -1", "axiom A"], "2:1", "'steps'"),
-    "half a seed": (["seed 1.5", "axiom A"], "2:6", "a seed is a whole number, not 1.5"),
-    "half a limit": (["limit 1.5", "axiom A"], "2:7", "the limit is a whole number of modules, not 1.5"),
+    "half a seed": (["seed 1.5", "axiom A"], "2:6", "a seed must be a whole number, not 1.5"),
+    "half a limit": (["limit 1.5", "axiom A"], "2:7", "the limit must be a whole number of modules, not 1.5"),
     "an axiom beyond the limit": (["limit 3", "axiom FFFF"], "3:1", "exceeds its limit of 3 modules: its axiom has 4"),
     "a weight below 0": (["axiom A", "A @-1 -> B"], "3:4", "weights are 0 or more"),
-    "two lists of what contexts see": (["axiom A", "ignore F", "consider A", "A < A -> B"], "4:10", "'consider' beside 'ignore'"),
-    "nothing behind": (["axiom A", "A > -> B"], "3:3", "nothing stands behind '>'"),
+    "two lists of what contexts see": (["axiom A", "ignore F", "consider A", "A < A -> B"], "4:10", "'consider' cannot be combined with 'ignore'"),
+    "nothing behind": (["axiom A", "A > -> B"], "3:3", "expected a right context after '>'"),
     "an unknown query": (["axiom A ?Z(1)"], "2:9", "queries are ?P, ?H, ?L, ?U, ?D"),
     "a wrong number of parameters": (["axiom A(1, 2)", "A(x) -> B"], "2:7", "its rules take 1"),
     "an unknown name": (["axiom A(1)", "A(x) -> B(y)"], "3:11", "unknown name 'y'"),
     "a turn without a unit": (["axiom +(60)F"], "2:9", "write 60deg or 60rad"),
     "an open branch": (["axiom A", "A -> F[B"], "3:7", "the '[' in the rule of 'A' is never closed"),
     "a branch that is not open": (["axiom A", "A -> B]"], "3:7", "']' without its '['"),
-    "two left contexts": (["axiom A", "A < B < C -> D"], "3:7", "a second '<' in the head of a rule"),
+    "two left contexts": (["axiom A", "A < B < C -> D"], "3:7", "duplicate '<' in the head of a rule"),
     "a lost table": (["axiom A", "schedule summer", "table winter {", "A -> B", "}"], "3:10",
-                     "there is no table 'summer'"),
+                     "unknown table 'summer'"),
     "a schedule of no steps": (["axiom A", "schedule winter*0", "table winter {", "A -> B", "}"], "3:10",
-                               "the schedule has no step at all"),
+                               "the schedule has no steps"),
     "ages and steps": (["axiom A(0)", "steps 3", "A(t) after 1 -> A(0)"], "3:1", "have a 'time', not 'steps'"),
     "ages and contexts": (["axiom A(0)", "A(t) after 1 -> A(0)", "B < C -> D"], "4:", "rules have no context"),
 }
@@ -127,7 +127,7 @@ class Bombs(VugTest):
     def test_a_module_asks_for_too_many_steps_of_another_system(self):
         self.write("g.vug", "grammar Leaf: lsystem {\n axiom L\n L -> L\n}\n"
                             "grammar g: lsystem {\n axiom Leaf(1000000000)\n}\n")
-        self.assertIn("g.vug:5:9: error: grammar 'g' asks for 1000000000 steps of 'Leaf'; 1000000 are the most",
+        self.assertIn("g.vug:5:9: error: grammar 'g' requests 1000000000 steps of 'Leaf'; the maximum is 1000000",
                       self.expect(2, "derive", "g.vug", "g", "--drawn").err)
 
     def test_systems_made_of_each_other(self):
@@ -136,7 +136,7 @@ class Bombs(VugTest):
         self.write("chain.vug", chain + "grammar L2500: lsystem {\n axiom F\n}\n")
         for verb in (("check",), ("derive", "L0")):
             error = self.expect(2, verb[0], "chain.vug", *verb[1:]).err
-            self.assertRegex(error, r"chain\.vug:\d+:\d+: error: more than 200 names depend on each other in a row")
+            self.assertRegex(error, r"chain\.vug:\d+:\d+: error: more than 200 names depend on each other in a chain")
         self.assertIn("'A' is made of itself", self.expect(2, "derive", "g.vug", "A", "--drawn").err)
 
 

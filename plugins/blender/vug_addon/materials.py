@@ -54,7 +54,7 @@ def extension(gltf, name, key, fallback):
 BLACK_BODY = 5.63e8, 24580
 
 
-class Cloud(Tree):
+class VolumeShader(Tree):
     """A volume's shaders, from what a cloud says of its grids."""
 
     def __init__(self, material, about):
@@ -105,10 +105,10 @@ class Cloud(Tree):
         return shader.outputs[0]
 
 
-def build_cloud(material, about):
+def build_volume(material, about):
     """Fills a material with what a cloud says. Blender's extinction is that of all colours, too, where
     nothing is absorbed beyond the albedo."""
-    tree = Cloud(material, about)
+    tree = VolumeShader(material, about)
     out = tree.body()
     for part in ([tree.emission()] if any(about["emission"]) else []) + ([tree.heat()] if about["heat"] else []):
         out = tree.sum(out, part)
