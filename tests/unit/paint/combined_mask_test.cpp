@@ -1,4 +1,4 @@
-// Masks of masks: what they make of numbers, and which attributes they look at.
+// Masks that combine masks: their values, and the attributes that they read.
 #include <vug/base/maths.h>
 #include <vug/paint/kind.h>
 
@@ -29,7 +29,7 @@ Mask mask(const std::string& kind, const NamedValues& parameters) {
   return make_product(masks(), kind, parameters);
 }
 
-TEST(CombinedMasks, DoAsTheyAreCalled) {
+TEST(CombinedMasks, CombineTheirInputs) {
   const Value wet = made("value", {{"name", "wet"}});
   const Value list(List{wet, Value(0.5), Value(0.75)});
   EXPECT_EQ(value(mask("value", {{"name", "wet"}, {"scale", 2}})), 0.5);
@@ -44,7 +44,7 @@ TEST(CombinedMasks, DoAsTheyAreCalled) {
   EXPECT_THROW(mask("greatest", {{"of", Value(List{})}}), Error);
 }
 
-TEST(CombinedMasks, FacingIsByTheAngleToADirection) {
+TEST(CombinedMasks, FacingUsesTheAngleToADirection) {
   const Mask facing = mask("facing", {{"toward", Vec3d(0, 0, 2)}});
   EXPECT_EQ(value(facing, {0, 0, 1}), 1);
   EXPECT_EQ(value(facing, {0, 0, -1}), 0);
@@ -53,7 +53,7 @@ TEST(CombinedMasks, FacingIsByTheAngleToADirection) {
   EXPECT_THROW(mask("facing", {{"toward", Vec3d(0)}}), Error);
 }
 
-TEST(CombinedMasks, LookAtWhatTheirPartsLookAt) {
+TEST(CombinedMasks, ReadTheAttributesOfTheirInputs) {
   for (const std::string kind : {"add", "greatest", "least", "multiply"}) {
     const Mask all = mask(kind, {{"of", List{made("value", {{"name", "wet"}}), Value(1),
                                              made("attribute", {{"name", "moss"}})}}});

@@ -1,4 +1,4 @@
-// The leaf as a card with an alpha channel, for other programs.
+// Leaf pictures: leaves as cards with an alpha channel, for other programs.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/image/io.h>
@@ -21,7 +21,7 @@ Paint green() {
 }
 Mask blade() { return make_product(masks(), "leaf_blade", {{"widest", 0.35}, {"tip", 1.4}}); }
 
-TEST(LeafPicture, CoversTheOutlineAndItsAreaIsThatOfTheOutline) {
+TEST(LeafPicture, CoversTheOutline) {
   const LeafPictureOptions options{64, 512, 4};
   const image::Image picture = leaf_picture(green(), blade(), options);
   ASSERT_EQ(picture.channels, (std::vector<std::string>{"R", "G", "B", "A"}));
@@ -39,7 +39,7 @@ TEST(LeafPicture, CoversTheOutlineAndItsAreaIsThatOfTheOutline) {
       if (across < half - 0.06) {
         ASSERT_EQ(alpha, 1) << x << " " << y;
       }
-      // Colours go on outside, and the tip is above.
+      // Colours continue outside the outline, and the tip is at the top.
       ASSERT_NEAR(picture.at(x, y, 1), 0.5 + 0.5 * along, 1e-3);
       ASSERT_NEAR(alpha, picture.at(63 - x, y, 3), 1e-6) << "both halves are alike";
     }
@@ -60,7 +60,7 @@ TEST(LeafPicture, IsAFileWithAlphaAndTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(back.pixels, picture.pixels);
 }
 
-TEST(LeafPicture, OfALeafWithoutHolesIsAllThere) {
+TEST(LeafPicture, WithoutOpacityIsOpaque) {
   const image::Image picture = leaf_picture(green(), nullptr, {4, 4, 1});
   for (int y = 0; y < 4; ++y) EXPECT_EQ(picture.at(2, y, 3), 1);
   EXPECT_THROW(leaf_picture(nullptr, nullptr), Error);

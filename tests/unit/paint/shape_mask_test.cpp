@@ -1,4 +1,4 @@
-// The masks that know edges from hollows read true distances, whatever the field's values mean.
+// The masks of edges and cavities use true distances, whatever the field's values.
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
 #include <vug/field/registry.h>
@@ -20,9 +20,9 @@ field::Field block(const Vec3d& size, const Vec3d& centre) {
   return field::transformed(field::make("box", {{"size", size}}), Transform::translation(centre));
 }
 
-/// A step, seen along z: 2 m wide, 1 m high on the left and 2 m on the right, its inner corner at
-/// (0, 0.5). It is made in a space 8 times narrower and 4 times deeper, so that its field is far
-/// from a distance, and its faces are roughened.
+/// A step, seen along z: 2 m wide, 1 m high on the left and 2 m on the right, with its inner corner
+/// at (0, 0.5). It is built in a space 8 times narrower and 4 times deeper, so that its field is
+/// far from a distance, and its faces are roughened.
 field::Field step() {
   const Vec3d squeeze(8, 1, 0.25);
   const field::Field low = block(Vec3d(2, 1, 1) / squeeze, Vec3d(0, 0, 0));
@@ -42,7 +42,7 @@ struct Probe {
     options.voxel = 0.02;
     grid = volume::sampled_grid(volume::voxelize(field, options));
   }
-  /// The spot where the surface crosses the line through p along `out`.
+  /// The point where the surface crosses the line through p along `out`.
   EvalPoint at(const Vec3d& p, const Vec3d& out) const {
     const Vec3d n = out.normalized();
     double low = -0.05, high = 0.05;
@@ -60,11 +60,11 @@ Mask mask(const std::string& name) {
   return *find_kind(masks(), name)->make(arguments, {}, diagnostics);
 }
 
-TEST(ShapeMasks, TellEdgesFromHollowsOnAScaledRoughStep) {
+TEST(ShapeMasks, DistinguishEdgesFromHollowsOnAScaledRoughStep) {
   const Probe probe;
   const Mask edge = mask("edge"), cavity = mask("cavity");
-  // The relief (0.2 mm in values, up to 6 mm in space) bends faces by hundredths; edges lose what
-  // voxels of a sixth of the radius round off.
+  // The relief (0.2 mm in values, up to 6 mm in space) bends faces by hundredths; voxels of a sixth
+  // of the radius round off edges.
   const double near = 0.15;
   for (const EvalPoint& flat :
        {probe.at({-0.5, 0.5, 0}, {0, 1, 0}), probe.at({-1, 0, 0.1}, {-1, 0, 0}),
@@ -96,13 +96,13 @@ TEST(ShapeMasks, FadeOverTheirRadius) {
   EXPECT_LT(last, 0.15);
 }
 
-TEST(ShapeMasks, SphereHasTheShareOfTwoBalls) {
+TEST(ShapeMasks, SphereHasTheFractionOfTwoBalls) {
   volume::VoxelizeOptions options;
   options.voxel = 0.02;
   const auto grid =
       volume::sampled_grid(volume::voxelize(field::make("sphere", {{"radius", 1.0}}), options));
-  // The lens of a unit ball and one of radius r on its surface, as a share of the latter:
-  // 1/2 - 3 r / 16.
+  // The intersection of a unit ball and a ball of radius r centred on its surface, as a fraction of
+  // the latter: 1/2 - 3 r / 16.
   for (const double radius : {0.2, 0.4}) {
     const EvalPoint point{{0.6, 0.8, 0}, {0.6, 0.8, 0}, grid.get()};
     EXPECT_NEAR(solid_fraction(point, radius), 0.5 - 3 * radius / 16, 0.01);

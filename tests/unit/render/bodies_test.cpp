@@ -1,4 +1,4 @@
-// Light that goes into bodies and comes out again, in scenes with known answers.
+// Bodies that light enters and leaves, in scenes with known results.
 #include "scenes.h"
 
 #include <vug/paint/kind.h>
@@ -22,8 +22,8 @@ Mean seen(const Scene& scene, int spp, int bounces) {
   return mean_of(render(scene, options(24, 24, spp, bounces)), "G");
 }
 
-// What swallows nothing looks like the even sky it stands in, whatever light does inside.
-TEST(Bodies, ThatSwallowNothingVanishInAWhiteSky) {
+// A body without absorption looks like the uniform sky around it, whatever light does inside.
+TEST(Bodies, WithoutAbsorptionVanishInAWhiteSky) {
   const Vec3d white(1, 1, 1);
   for (const double roughness : {0.1, 0.6}) {
     const Mean glass = seen(in_white_sky({{"transmission", 1.0}, {"roughness", roughness}},
@@ -39,9 +39,9 @@ TEST(Bodies, ThatSwallowNothingVanishInAWhiteSky) {
   EXPECT_NEAR(cloud.value, 1, 0.005 + 4 * cloud.error) << "cloud";
 }
 
-// Straight through a slab of nearly the air's index: Beer's law, but for 2 faces that hardly
+// Straight through a slab of nearly the index of air: Beer's law, except for two faces that hardly
 // reflect.
-TEST(Bodies, SwallowLightByDistance) {
+TEST(Bodies, AbsorbLightByDistance) {
   const Mean through = seen(in_white_sky({{"transmission", 1.0},
                                           {"ior", 1.01},
                                           {"roughness", 0.0},
@@ -52,8 +52,8 @@ TEST(Bodies, SwallowLightByDistance) {
   EXPECT_NEAR(through.value, 0.25, 0.004);
 }
 
-// A thick body has the colour it was asked for: van de Hulst's fit is good to a few percent.
-TEST(Bodies, OfCloudHaveTheirColour) {
+// A thick body has the requested colour: van de Hulst's fit is accurate to a few percent.
+TEST(Bodies, WithSubsurfaceScatteringHaveTheirColour) {
   const Vec3d color(0.6, 0.6, 0.6);
   Scene scene = in_white_sky({{"subsurface", 1.0},
                               {"color", color},
@@ -64,7 +64,7 @@ TEST(Bodies, OfCloudHaveTheirColour) {
   EXPECT_NEAR(mean.value, 0.6, 0.03);
 }
 
-TEST(Inputs, AreReadAtTheHit) {
+TEST(Inputs, AreEvaluatedAtTheHit) {
   mesh::Mesh floor = floor_mesh(1);
   floor.attributes.push_back({"wet", 1, {0, 1, 1, 0}});
   floor.attributes.push_back({"Cd", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}});

@@ -1,4 +1,4 @@
-// More rays where something bright ends take noise away, and leave all else as it was.
+// Additional camera rays at bright edges reduce the noise and leave everything else unchanged.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace vug::render {
 namespace {
 
-/// A glowing ball over a grey floor, before a bright sky.
+/// An emissive ball over a grey floor, before a bright sky.
 Scene glow() {
   Scene scene;
   scene.objects.push_back(object(mesh::sphere_mesh(Vec3d(0, 1, 0), 0.5, 4), 0.5));
@@ -20,8 +20,8 @@ Scene glow() {
   return scene;
 }
 
-/// Mean of a picture's light over `kRuns` seeds, its standard error, and the mean over the pixels
-/// of their variance from seed to seed.
+/// Mean of a picture's light over `kRuns` seeds, its standard error, and the mean over all pixels
+/// of their variance between seeds.
 struct Noise {
   double mean = 0, error = 0, pixels = 0;
 };
@@ -52,9 +52,9 @@ Noise noise(const Scene& scene, bool edges, const std::string& name) {
   return out;
 }
 
-TEST(BrightEdges, LeaveTheMeanAloneAndTakeNoiseAway) {
+TEST(BrightEdges, KeepTheMeanAndReduceTheNoise) {
   const Scene scene = glow();
-  // Light from the first surface is as noisy as before.
+  // Light from the first surface has the same noise as before.
   const std::pair<const char*, double> cases[] = {{"G", 0.5}, {"emission.G", 0.08}};
   for (const auto& [name, left] : cases) {
     SCOPED_TRACE(name);

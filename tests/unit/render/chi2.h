@@ -9,7 +9,7 @@
 
 namespace vug::render {
 
-/// Upper tail of the chi-square distribution: Wilson and Hilferty 1931, good to 1e-3 for 10 and
+/// Upper tail of the chi-square distribution: Wilson and Hilferty 1931, accurate to 1e-3 for 10 and
 /// more degrees of freedom.
 inline double chi2_tail(double statistic, double freedom) {
   const double z =
@@ -19,19 +19,19 @@ inline double chi2_tail(double statistic, double freedom) {
 
 struct Chi2 {
   double p = 0;
-  double integral = 0;    ///< Of the density over the tested cap; 1 when all is right.
-  int stray = 0;          ///< Samples in cells (or beyond the cap) where the density is 0.
-  int disagreements = 0;  ///< Samples whose reported density is not the density there.
+  double integral = 0;    ///< Of the density over the tested cap; must be 1.
+  int stray = 0;          ///< Samples in cells (or outside the cap) where the density is 0.
+  int disagreements = 0;  ///< Samples whose reported density differs from the density there.
 };
 
 struct DirectionSample {
   Vec3f direction;
-  double pdf = 0;  ///< 0: nothing was sampled.
+  double pdf = 0;  ///< 0: no sample.
 };
 
 /// Cells in the cap of directions around `axis` with 1 - cosine up to `cap` (2: all directions),
-/// narrower towards the axis. The density of each is found by midpoint quadrature, fine enough
-/// that edges of lamps do not show: `fine` steps each way.
+/// narrower towards the axis. The density of each is found by midpoint quadrature with `fine` steps
+/// in each dimension, which resolves the edges of lights.
 inline Chi2 chi2(const Vec3f& axis, double cap, int samples,
                  const std::function<DirectionSample(int)>& sample,
                  const std::function<double(const Vec3f&)>& pdf, int fine = 64) {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kSamples = 200000;
 
-/// Level of one of `tests` tests such that all together fail by chance in 1 of 100 (Sidak).
+/// Significance level of one of `tests` tests such that all of them together fail by chance in 1 of
+/// 100 cases (Sidak).
 double level(int tests) { return 1 - std::pow(0.99, 1.0 / tests); }
 
 Vec2f two(RandomStream& random) {
@@ -23,7 +24,7 @@ Vec2f two(RandomStream& random) {
           static_cast<float>(random.bits() >> 8) * 0x1p-24f};
 }
 
-/// A sky picture with a bright spot and a gradient, for lights that want a file.
+/// A sky picture with a bright spot and a gradient, for lights that require a file.
 std::string sky_file() {
   static const std::string path = [] {
     image::Image sky(32, 16, {"R", "G", "B"});
@@ -39,7 +40,7 @@ std::string sky_file() {
   return path;
 }
 
-/// Arguments for any kind: whatever it cannot do without.
+/// The required arguments of any kind.
 NamedValues needed(const KindInfo& info) {
   NamedValues out;
   for (const ParamInfo& p : info.params)
@@ -56,7 +57,7 @@ TEST(ChiSquare, TailMatchesTables) {  // Abramowitz and Stegun, table 26.8
 }
 
 TEST(ChiSquare, EveryLightSamplesItsDensity) {
-  // Near, far, grazing and at an angle; the default lamps shine down from the origin.
+  // Near, far, grazing and at an angle; the default lights emit downwards from the origin.
   const Vec3f points[] = {{0.1f, -0.3f, 0.2f}, {3, -0.2f, 1}, {1, -2, -1}, {4, -20, 9}};
   const int tests = static_cast<int>(lights().size()) * 4;
   for (const auto* kind : lights())
@@ -75,7 +76,7 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
       }
       const bool all_round = light->is_infinite() && !light->is_portal();
       const Vec3f axis = all_round ? Vec3f(0, 1, 0) : normalized(light->center() - position);
-      double sine = 0;  // of the widest angle; only lamps within a half space come here
+      double sine = 0;  // of the widest angle; only lights within a hemisphere get here
       for (int i = 0; i < 10000 && !all_round; ++i)
         sine = std::max(
             sine,
@@ -96,7 +97,7 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
     }
 }
 
-TEST(ChiSquare, EveryPhaseFunctionSamplesItself) {
+TEST(ChiSquare, EveryPhaseFunctionSamplesItsDensity) {
   for (const auto* kind : media())
     for (const double g : {-0.5, 0.0, 0.6, 0.9}) {
       SCOPED_TRACE(kind->info.name + " g = " + std::to_string(g));
@@ -119,10 +120,10 @@ TEST(ChiSquare, EveryPhaseFunctionSamplesItself) {
     }
 }
 
-TEST(ChiSquare, DistancesFallExponentially) {
+TEST(ChiSquare, DistancesAreExponential) {
   for (const auto* kind : media()) {
     const MediumPtr medium = make_medium(kind->info.name, {{"extinction", 0.7}});
-    if (medium->needs_density()) continue;  // its density is tested beside it
+    if (medium->needs_density()) continue;  // its density is tested in cloud_test.cpp
     TrackingRng numbers(Vec2f(0.1f, 0.2f));
     const Ray ray{{0, 0, 0}, {0, 0, 1}};
     const Segment segment{1, 4};

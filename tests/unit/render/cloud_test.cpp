@@ -11,7 +11,7 @@
 namespace vug::render {
 namespace {
 
-/// A ball of 1 m: density 1 inside, falling to 0 over its outer 30 cm.
+/// A ball of radius 1 m: density 1 inside, falling to 0 over its outer 30 cm.
 std::shared_ptr<const volume::Density> ball() {
   static const auto density = [] {
     volume::VoxelizeOptions options;
@@ -31,7 +31,7 @@ MediumPtr cloud(double extinction, double albedo, double g = 0, const Vec3d& emi
       ->with_density(ball());
 }
 
-/// Density along a ray by the midpoint rule, between two distances.
+/// Integral of the density along a ray between two distances, by the midpoint rule.
 double integral(const Ray& ray, double begin, double end) {
   constexpr int kSteps = 20000;
   double sum = 0;
@@ -58,7 +58,7 @@ TEST(Cloud, FreePathsAreLogarithms) {
   }
 }
 
-TEST(Cloud, LetsThroughWhatTheIntegralSays) {
+TEST(Cloud, TransmittanceMatchesTheIntegral) {
   const Ray rays[] = {{{0.1f, 0.2f, -3}, {0, 0, 1}},
                       {{-2, -1.5f, 0.3f}, normalized(Vec3f(1, 0.8f, 0))},
                       {{0, 0, 0}, normalized(Vec3f(1, 2, 3))}};
@@ -88,12 +88,12 @@ TEST(Cloud, LetsThroughWhatTheIntegralSays) {
     }
 }
 
-TEST(Cloud, TellsMarksWhatComesThroughToThem) {
+TEST(Cloud, SetsTheTransmittanceOfScatterPoints) {
   const Ray ray{{0.1f, 0.2f, -3}, {0, 0, 1}};
   for (const double extinction : {0.5, 6.0}) {
     const MediumPtr medium = cloud(extinction, 1);
     const Segment segment = medium->clip(ray, kFar);
-    // Not in order, of which one lies before the density and one beyond it.
+    // Not in order; one is before the density and one behind it.
     const float places[] = {3.1f, segment.begin, 2.2f, segment.end};
     std::array<double, 4> sum{}, squares{};
     int met = 0;
@@ -137,8 +137,8 @@ TEST(Cloud, WhiteCloudVanishesInAWhiteSky) {
   EXPECT_LT(mean.error, 3e-3);
 }
 
-// A black cloud that glows: what it sends out along a ray is its emission times what it stops.
-TEST(Cloud, GlowsByWhatItStops) {
+// A black emissive cloud: its light along a ray is its emission times its absorption.
+TEST(Cloud, EmissionIsProportionalToAbsorption) {
   Scene scene;
   scene.camera = view({0, 0, 5}, {0, 0, 0}, 1e-3);
   scene.medium = cloud(0.7, 0, 0, {2, 1, 0.5});
@@ -147,14 +147,14 @@ TEST(Cloud, GlowsByWhatItStops) {
   EXPECT_NEAR(mean.value, 2 * (1 - clear), 4 * mean.error);
 }
 
-// One scattering of a lamp behind the cloud's middle, against the same lamp with a finer search.
+// Single scattering from a light behind the cloud's centre, against quadrature with the same light.
 TEST(Cloud, SingleScatteringMatchesQuadrature) {
   Scene scene;
   scene.camera = view({0, 0, 3}, {0, 0, 0}, 1e-4);
   const double radius = 0.01, radiance = 1e4, extinction = 0.8;
-  const Vec3f lamp(0, 1.6f, 0);
+  const Vec3f light(0, 1.6f, 0);
   scene.lights = {make_light(
-      "sphere", {{"center", Vec3d(lamp)}, {"radius", radius}, {"radiance", Vec3d(radiance)}})};
+      "sphere", {{"center", Vec3d(light)}, {"radius", radius}, {"radiance", Vec3d(radiance)}})};
   scene.medium = cloud(extinction, 1);
   const Mean mean = mean_of(render(scene, options(32, 32, 256, 0)), "G");
   const Ray ray{{0, 0, 3}, {0, 0, -1}};
@@ -163,7 +163,7 @@ TEST(Cloud, SingleScatteringMatchesQuadrature) {
   for (int i = 0; i < kSteps; ++i) {
     const double t = 1.9 + 2.2 * (i + 0.5) / kSteps;
     const Vec3f point = ray.at(static_cast<float>(t));
-    const Vec3f to = lamp - point;
+    const Vec3f to = light - point;
     const auto d = static_cast<double>(length(to));
     const double solid = 2 * kPi * (1 - std::sqrt(1 - radius * radius / (d * d)));
     const double depth = integral(ray, 1.9, t) * 1.0 + integral({point, normalized(to)}, 0, d);

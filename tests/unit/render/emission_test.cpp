@@ -1,4 +1,4 @@
-// Materials that shine in places, against quadrature.
+// Materials of varying emission, against quadrature.
 #include "scenes.h"
 
 #include <vug/paint/kind.h>
@@ -21,7 +21,7 @@ MaterialPtr shining(const Pattern& pattern, double radiance) {
                                    {"emission_radiance", radiance}});
 }
 
-/// A square ceiling of cells x cells pairs of triangles, with its front down.
+/// A square ceiling of cells x cells pairs of triangles that faces down.
 mesh::Mesh ceiling(float half, float height, int cells) {
   mesh::Mesh mesh;
   const auto at = [&](int i) {
@@ -38,16 +38,17 @@ mesh::Mesh ceiling(float half, float height, int cells) {
   return mesh;
 }
 
-Scene under(const mesh::Mesh& lamp, const MaterialPtr& material, const MaterialPtr& floor) {
+Scene under(const mesh::Mesh& panel, const MaterialPtr& material, const MaterialPtr& floor) {
   Scene scene;
   scene.camera = view({0.2, 0.15, 0.05}, {0, 0, 0}, 1e-3);
-  scene.objects = {object(floor_mesh(0.01f), 1), object(lamp, 0)};
+  scene.objects = {object(floor_mesh(0.01f), 1), object(panel, 0)};
   if (floor) scene.objects[0].material = floor;
   scene.objects[1].material = material;
   return scene;
 }
 
-/// What the camera sees of the floor at the origin, by the midpoint rule over the ceiling.
+/// Radiance of the floor at the origin as the camera sees it, by the midpoint rule over the
+/// ceiling.
 double quadrature(const MaterialPtr& floor, double half, double height, const Pattern& pattern) {
   constexpr int kSteps = 1500;
   Surface surface;
@@ -79,7 +80,7 @@ double stripes(const Vec3d& p) {
 // Light is found by choosing triangles and by following the surface's directions, on a matte floor
 // mostly the one way and on a polished one the other; near and far, on few triangles and on many
 // of which most are dark.
-TEST(Emission, VaryingCeilingLightsAsQuadratureSays) {
+TEST(Emission, VaryingCeilingMatchesQuadrature) {
   const MaterialPtr floors[] = {make_material("lambert", {{"albedo", Vec3d(1)}}),
                                 make_material("surface", {{"metal", 1.0}, {"roughness", 0.35}})};
   for (const MaterialPtr& floor : floors)
@@ -96,7 +97,7 @@ TEST(Emission, VaryingCeilingLightsAsQuadratureSays) {
       }
 }
 
-TEST(Emission, IsSeenAsItIsFromItsFrontOnly) {
+TEST(Emission, IsVisibleFromItsFrontOnly) {
   const auto seen = [](double from) {
     Scene scene = under(ceiling(1, 1, 3), shining([](const Vec3d& p) { return p.x > 0; }, 4), {});
     scene.camera = view({0.5, from, 0.2}, {0.5, 1, 0.2}, 0.1, {0, 0, 1});
@@ -115,15 +116,15 @@ double spot(const Vec3d& p) {
   return std::max(0.0, 1 - Vec2d(p.x - 0.613, p.z + 0.27).length2() / (0.03 * 0.03));
 }
 
-/// Triangles of a mesh under that pattern that a choice of lights can lead to.
+/// Number of triangles of a mesh under that pattern that can be chosen as lights.
 size_t chosen(int cells) {
   const Scene scene = under(ceiling(1, 0.4f, cells), shining(spot, 500), {});
   return LightSet(scene.lights, scene.objects).size();
 }
 
-// A spot between all places at which the triangles were tried is in no tree, and yet its light
+// A spot between all points at which the triangles were evaluated is in no tree, and yet its light
 // arrives, on surfaces and through haze.
-TEST(Emission, WhatTheTreeDoesNotKnowIsNotLost) {
+TEST(Emission, OfTrianglesOutsideTheTreeIsNotLost) {
   ASSERT_EQ(chosen(1), 0u);
   ASSERT_GT(chosen(200), 0u);
   const MaterialPtr floor = make_material("lambert", {{"albedo", Vec3d(1)}});
@@ -142,7 +143,7 @@ TEST(Emission, WhatTheTreeDoesNotKnowIsNotLost) {
     return mean_of(render(scene, options(48, 48, cells == 1 ? 512 : 64, 1)), "R");
   };
   const Mean few = hazy(1), many = hazy(200);
-  // The pixels differ by what they see; their spread bounds the error from above.
+  // The pixels see different parts; their spread is an upper bound of the error.
   EXPECT_NEAR(few.value, many.value, 4 * std::hypot(few.error, many.error));
   EXPECT_GT(many.value, 10 * many.error);
 }

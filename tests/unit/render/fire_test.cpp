@@ -1,6 +1,7 @@
-// Grids of colour, temperature and flame beside a density, against quadrature. fire.vdb was written
-// with pyopenvdb: blocks of 4 x 4 voxels of 50 cm about the y and z axes, constant but for the
-// temperature, which rises along z by 100 K a voxel from 1600 K; the flame begins 3 voxels further.
+// Grids of colour, temperature and flame in addition to a density, against quadrature. fire.vdb was
+// written with pyopenvdb: blocks of 4 x 4 voxels of 50 cm about the y and z axes, constant except
+// for the temperature, which rises along z by 100 K per voxel from 1600 K; the flame begins 3
+// voxels further.
 #include "scenes.h"
 
 #include <vug/paint/kind.h>
@@ -22,7 +23,7 @@ MediumPtr fire(NamedValues more) {
   return make_medium("cloud", more);
 }
 
-/// Values at the lattice of the file, which are 0 outside of it, between two of them.
+/// Values at the lattice of the file (0 outside it), interpolated.
 double along_z(double z, int first, double start, double step) {
   const double place = (z + 0.75) / 0.5, low = std::floor(place);
   const auto value = [&](double k) { return k >= first && k < first + 4 ? start + step * k : 0.0; };
@@ -32,7 +33,7 @@ double density(double z) { return along_z(z, 0, 0.8, 0); }
 double kelvin(double z) { return along_z(z, 0, 1600, 100); }
 double flame(double z) { return along_z(z, 3, 0.5, 0); }
 
-/// What arrives at z = 5 along the z axis from places that send out so much per metre.
+/// Radiance at z = 5 along the z axis, for a given emission per metre.
 Rgb quadrature(const std::function<Vec3d(double)>& sent) {
   constexpr int kSteps = 40000;
   constexpr double kFrom = 4, kTo = -2, kStep = (kFrom - kTo) / kSteps;
@@ -62,7 +63,7 @@ void expect_seen(const MediumPtr& medium, const Rgb& expected) {
 }
 
 TEST(Fire, PlatinumFreezesAtSixtyCandelas) {
-  // 2041.4 K; the fit of the eye's response is good to about 1 %.
+  // 2041.4 K; the fit of the colour matching functions is accurate to about 1 %.
   EXPECT_NEAR(static_cast<double>(luminance(thermal_radiance(2041.4f))) * kLumenPerWatt, 6e5, 6e3);
   EXPECT_TRUE(is_black(thermal_radiance(290)));
   EXPECT_TRUE(is_black(thermal_radiance(-1)));
@@ -75,22 +76,22 @@ TEST(Fire, PlatinumFreezesAtSixtyCandelas) {
   }
 }
 
-TEST(Fire, FlamesShineWhereTheyAreDenseOrNot) {
+TEST(Fire, FlamesEmitIndependentlyOfTheDensity) {
   const Vec3d radiance(3, 2, 1);
   expect_seen(fire({{"albedo", Vec3d(0)}, {"emission", radiance}, {"emission_grid", "flame"}}),
               quadrature([&](double z) { return radiance * flame(z); }));
-  // From behind, through the smoke; and with nothing but flames.
+  // From behind, through the smoke; and only flames.
   EXPECT_EQ(kExtinction * density(2), 0);
   EXPECT_GT(flame(2), 0);
 }
 
-TEST(Fire, HeatShinesByWhatTheSmokeStops) {
+TEST(Fire, HeatEmissionIsProportionalToExtinction) {
   expect_seen(
       fire({{"albedo", Vec3d(0)}, {"temperature_grid", "temperature"}, {"temperature", 1.0}}),
       quadrature([](double z) { return heat(z) * (kExtinction * density(z)); }));
 }
 
-TEST(Fire, FlamesMayBeAsHotAsTheGridSays) {
+TEST(Fire, FlamesTakeTheirTemperatureFromTheGrid) {
   const Vec3d more(2, 0, 1);
   expect_seen(fire({{"albedo", Vec3d(0)},
                     {"emission", more},
@@ -101,7 +102,7 @@ TEST(Fire, FlamesMayBeAsHotAsTheGridSays) {
               quadrature([&](double z) { return (heat(z) + more) * (0.5 * flame(z)); }));
 }
 
-TEST(Fire, MasksStandForGrids) {
+TEST(Fire, MasksReplaceGrids) {
   const auto mask = [](double z) { return 0.5 + 0.1 * z; };
   const paint::Mask by_place =
       paint::make_mask([mask](const paint::EvalPoint& s) { return mask(s.position.z); });
@@ -113,7 +114,7 @@ TEST(Fire, MasksStandForGrids) {
               }));
 }
 
-// In a white sky a colour whose albedo is 1 vanishes, one whose albedo is 0 is dimmed only, and one
+// In a white sky a colour with albedo 1 vanishes, one with albedo 0 is only attenuated, and one
 // between looks as if the whole cloud had that albedo.
 TEST(Fire, ColoursOfTheGridAreAlbedos) {
   const auto picture = [](const NamedValues& colour) {
@@ -141,15 +142,16 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
   EXPECT_NEAR(painted.value, even.value, 4 * std::hypot(painted.error, even.error));
 }
 
-// Under the names that other programs look for, in kelvin, and where they vary.
-TEST(Fire, OtherProgramsAreToldByGrids) {
+// With the grid names that other programs expect, in kelvin, and where they vary.
+TEST(Fire, IsExportedAsGrids) {
   const auto told = [](const NamedValues& more) { return fire(more)->as_data(nullptr).value(); };
   const auto named = [](const MediumData& data, const std::string& name) {
     for (const volume::Grid& grid : data.grids)
       if (grid.name() == name) return volume::Density(grid);
     throw std::runtime_error("no grid " + name);
   };
-  const MediumData plain = told({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
+  const MediumData plain =
+      told({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
   ASSERT_EQ(plain.grids.size(), 1u);
   EXPECT_EQ(plain.grids[0].name(), "density");
   EXPECT_EQ(plain.medium.extinction, kExtinction);
@@ -159,17 +161,17 @@ TEST(Fire, OtherProgramsAreToldByGrids) {
   EXPECT_EQ(plain.medium.heat, 0);
 
   const MediumData whole = told({{"albedo", Vec3d(0.5)},
-                                {"color_grid", "Cd"},
-                                {"emission_mask", 0.5},
-                                {"emission_grid", "flame"},
-                                {"temperature_grid", "temperature"},
-                                {"temperature", 2.0}});
+                                 {"color_grid", "Cd"},
+                                 {"emission_mask", 0.5},
+                                 {"emission_grid", "flame"},
+                                 {"temperature_grid", "temperature"},
+                                 {"temperature", 2.0}});
   std::vector<std::string> names;
   for (const volume::Grid& grid : whole.grids) names.push_back(grid.name());
   EXPECT_EQ(names, (std::vector<std::string>{"density", "color", "temperature", "flame"}));
   EXPECT_EQ(whole.medium.albedo, Vec3d(1));
   EXPECT_EQ(whole.medium.heat, 1);
-  const Vec3f middle(0, 0, 0.25f);  // a place of the lattice
+  const Vec3f middle(0, 0, 0.25f);  // a point of the lattice
   const double z = 0.25;
   EXPECT_NEAR(named(whole, "density").at_world(middle), density(z), 1e-5);
   EXPECT_NEAR(named(whole, "temperature").at_world(middle), 2 * kelvin(z), 3e-2);
@@ -183,7 +185,7 @@ TEST(Fire, OtherProgramsAreToldByGrids) {
   EXPECT_FALSE(make_medium("haze")->as_data(nullptr));
 }
 
-TEST(Fire, GridsThatAreNotThereAreNamed) {
+TEST(Fire, MissingGridsAreReported) {
   try {
     fire({{"temperature_grid", "temperature2"}, {"temperature", 1.0}});
     FAIL();
@@ -191,7 +193,7 @@ TEST(Fire, GridsThatAreNotThereAreNamed) {
     EXPECT_NE(std::string(error.what()).find("'temperature2'"), std::string::npos);
     EXPECT_NE(error.hint().find("temperature"), std::string::npos);
   }
-  EXPECT_THROW(fire({{"temperature_grid", "temperature"}}), Error);  // in what unit?
+  EXPECT_THROW(fire({{"temperature_grid", "temperature"}}), Error);  // the unit is missing
   EXPECT_THROW(make_medium("cloud", {{"emission_grid", "flame"}}), Error);
 }
 

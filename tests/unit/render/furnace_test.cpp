@@ -1,4 +1,4 @@
-// White furnaces: whatever the paths do, the sum of reflections is known.
+// White furnace tests: whatever the paths do, the sum of reflections is known.
 #include "scenes.h"
 
 #include <vug/base/rng.h>
@@ -19,7 +19,7 @@ double largest_error(const image::Image& picture, double expected) {
   return worst;
 }
 
-// A convex body that reflects everything looks like the sky it stands in.
+// A convex body that reflects all light looks like the sky around it.
 TEST(Furnace, WhiteSphereVanishesInAWhiteSky) {
   Scene scene;
   scene.camera = view({0, 0, 4}, {0, 0, 0}, 0.9);
@@ -28,7 +28,7 @@ TEST(Furnace, WhiteSphereVanishesInAWhiteSky) {
   EXPECT_LT(largest_error(render(scene, options(48, 32, 16, 8)), 1), 1e-5);
 }
 
-// With smooth normals some directions fall below the real surface and are lost: little.
+// With smooth normals some directions are below the real surface and are lost: only a little.
 TEST(Furnace, SmoothNormalsLoseLittle) {
   Scene scene;
   scene.camera = view({0, 0, 4}, {0, 0, 0}, 0.4);
@@ -38,9 +38,9 @@ TEST(Furnace, SmoothNormalsLoseLittle) {
   EXPECT_NEAR(mean.value, 1, 0.005);
 }
 
-// A box of albedo rho lined with lamps of radiance 1: every ray meets one lamp, so the camera
-// sees the sum of rho^k for k up to max_bounces + 1.
-TEST(Furnace, ClosedBoxOfLampsIsAGeometricSeries) {
+// A box of albedo rho lined with lights of radiance 1: every ray hits one light, so the camera sees
+// the sum of rho^k for k up to max_bounces + 1.
+TEST(Furnace, ClosedBoxOfLightsIsAGeometricSeries) {
   Scene scene;
   scene.camera = view({0.2, -0.1, 0.3}, {1, 0.4, 0.2}, 1.2);
   scene.objects = {object(mesh::box_mesh({Vec3d(-1), Vec3d(1)}), 0.6)};
@@ -58,13 +58,13 @@ TEST(Furnace, ClosedBoxOfLampsIsAGeometricSeries) {
     double expected = 0;
     for (int k = 0; k <= bounces + 1; ++k) expected += std::pow(0.6, k);
     const Mean mean = mean_of(render(scene, options(40, 40, 64, bounces)), "G");
-    // Rays that leave the wall between it and the lamp's edge, 0.1 % of the size away, may miss.
+    // Rays that leave the wall between it and the light's edge, 0.1 % of the size away, may miss.
     EXPECT_NEAR(mean.value, expected, 4 * mean.error + 0.004 * expected) << bounces;
     EXPECT_LT(mean.error, 0.002 * expected);
   }
 }
 
-// Rays that leave a convex body meet nothing, wherever it stands: no false self-shadows.
+// Rays that leave a convex body hit nothing, wherever it is: no false self-shadowing.
 TEST(Furnace, ConvexBodiesDoNotHitThemselves) {
   const std::pair<Vec3d, double> bodies[] = {
       {{0, 0, 0}, 0.05}, {{0, 0, 0}, 1}, {{0.02, -3, 700}, 30}, {{1e4, -20, 0.5}, 1000}};
@@ -88,8 +88,8 @@ mesh::Mesh dented_shell() {
   return shell;
 }
 
-// Inside a sealed shell the sky is not seen. Single rays may still slip through where they meet a
-// vertex exactly: 2e-7 of the camera's samples, so 400,000 of them see at most two (p = 1e-4).
+// Inside a sealed shell the sky is invisible. Single rays may still slip through exactly at a
+// vertex: 2e-7 of the camera's samples, so 400,000 of them see at most two (p = 1e-4).
 TEST(Furnace, SealedShellStaysDark) {
   for (const bool smooth : {false, true}) {
     Scene scene;
@@ -105,7 +105,7 @@ TEST(Furnace, SealedShellStaysDark) {
   }
 }
 
-// Rays aimed at points on edges: a traversal that is not watertight misses a part of them.
+// Rays aimed at points on edges: a traversal that is not watertight misses some of them.
 TEST(Furnace, EdgesAreTight) {
   Scene scene;
   scene.objects = {object(dented_shell(), 0.8)};

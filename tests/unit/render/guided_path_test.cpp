@@ -1,4 +1,4 @@
-// A guide makes paths find light sooner; it does not change what they find.
+// Guiding makes paths find light sooner, but does not change the expected result.
 #include "scenes.h"
 
 #include <vug/render/film/light_path_recorder.h>
@@ -8,8 +8,8 @@
 namespace vug::render {
 namespace {
 
-/// A hollow ball with a sill before its lamp: most of it is lit over other walls only.
-Scene hidden_lamp() {
+/// A hollow sphere with a sill in front of its light: most of it is lit only indirectly.
+Scene hidden_light() {
   Scene scene;
   scene.objects.push_back(object(mesh::sphere_mesh(Vec3d(0), 1, 4), 0.6));
   mesh::Mesh sill = floor_mesh(0.5f);
@@ -31,7 +31,7 @@ image::Image picture(const char* guide, uint64_t seed, int spp, int threads = 0,
                                           {"light_samples", light_samples}});
   o.seed = seed;
   o.threads = threads;
-  return render(hidden_lamp(), o);
+  return render(hidden_light(), o);
 }
 
 TEST(GuidedPath, HasTheSameMean) {
@@ -69,7 +69,7 @@ TEST(GuidedPath, HasTheSameMean) {
   }
 }
 
-/// Light that is looked for by chance counts alike in the whole and in its parts.
+/// Light that paths find by chance counts the same in the whole and in its parts.
 TEST(GuidedPath, PartsSumToTheBeauty) {
   const image::Image taken = picture("on", 3, 64);
   double whole = 0, sum = 0;
@@ -81,8 +81,8 @@ TEST(GuidedPath, PartsSumToTheBeauty) {
   EXPECT_NEAR(sum, whole, 1e-5 * whole);
 }
 
-/// A hall under a narrow shaft in its ceiling that a lamp shines into: all that comes down has been
-/// reflected by the shaft's walls.
+/// A hall under a narrow shaft in its ceiling that a light illuminates: all light on the floor has
+/// been reflected by the shaft's walls.
 Scene hall_under_a_shaft() {
   Scene scene;
   mesh::Mesh walls;
@@ -92,7 +92,7 @@ Scene hall_under_a_shaft() {
     walls.triangles.push_back({first, first + 1, first + 2});
     walls.triangles.push_back({first, first + 2, first + 3});
   };
-  // A tube of four walls with square ends, open where another tube goes on.
+  // A tube of four walls with square ends, open where another tube continues.
   const auto tube = [&](float half, float low, float high) {
     const Vec3f corner[4] = {
         {-half, 0, -half}, {half, 0, -half}, {half, 0, half}, {-half, 0, half}};
@@ -123,7 +123,7 @@ Scene hall_under_a_shaft() {
   return scene;
 }
 
-TEST(GuidedPath, FindsWhatIsLitThroughAShaft) {
+TEST(GuidedPath, FindsLightThroughAShaft) {
   constexpr int kRuns = 4;
   double mean[2] = {0, 0}, variance[2] = {0, 0};
   for (int led = 0; led < 2; ++led) {

@@ -12,7 +12,8 @@
 namespace vug::render {
 namespace {
 
-/// What the camera sees of the floor right at the origin, from the side so as not to see lamps.
+/// Radiance of the floor at the origin, seen from the side so that the camera sees no light
+/// directly.
 Mean lit(const std::vector<LightPtr>& lights, int spp = 256) {
   Scene scene;
   scene.camera = view({0.4, 0.3, 0}, {0, 0, 0}, 1e-3);
@@ -86,22 +87,22 @@ TEST(Irradiance, SphereAboveTheHorizon) {
   }
 }
 
-TEST(Irradiance, ManyLampsAddUp) {
-  std::vector<LightPtr> lamps;
+TEST(Irradiance, ManyLightsAddUp) {
+  std::vector<LightPtr> lights;
   double expected = 0;
   for (int i = 0; i < 12; ++i) {
     const Vec3d center(-1.1 + 0.2 * i, 0.5 + 0.3 * (i % 4), 0.1 * i);
-    lamps.push_back(make_light("sphere", {{"center", center},
-                                          {"radius", 0.02 + 0.01 * (i % 3)},
-                                          {"radiance", Vec3d(1 + i % 5)},
-                                          {"visible", false}}));
+    lights.push_back(make_light("sphere", {{"center", center},
+                                           {"radius", 0.02 + 0.01 * (i % 3)},
+                                           {"radiance", Vec3d(1 + i % 5)},
+                                           {"visible", false}}));
     const double r = 0.02 + 0.01 * (i % 3), d2 = center.length2();
     expected += (1 + i % 5) * r * r / d2 * center.y / std::sqrt(d2);
   }
-  expect_radiance(lit(lamps, 1024), expected);
+  expect_radiance(lit(lights, 1024), expected);
 }
 
-TEST(Irradiance, SkiesLightTheFloorEvenly) {
+TEST(Irradiance, SkiesLightTheFloorUniformly) {
   expect_radiance(lit({make_light("sky", {{"radiance", Vec3d(2)}})}, 16), 2);
   const auto file =
       std::filesystem::temp_directory_path() / ("vug_even_" + std::to_string(getpid()) + ".exr");
@@ -111,8 +112,8 @@ TEST(Irradiance, SkiesLightTheFloorEvenly) {
   expect_radiance(lit({make_light("sky_image", {{"file", file.string()}})}), 2);
 }
 
-TEST(Irradiance, SkyImageIsTheRightWayUpAndRound) {
-  // Light only from straight up: as much as a cap of that size gives.
+TEST(Irradiance, SkyImageHasTheRightOrientation) {
+  // Light only from straight up: that of a cap of the same size.
   const auto file =
       std::filesystem::temp_directory_path() / ("vug_spot_" + std::to_string(getpid()) + ".exr");
   image::Image sky(64, 32, {"R", "G", "B"});
@@ -127,10 +128,10 @@ TEST(Irradiance, SkyImageIsTheRightWayUpAndRound) {
   EXPECT_EQ(light->eval_environment({0, -1, 0}).y, 0);
   const LightPtr turned =
       make_light("sky_image", {{"file", file.string()}, {"turn", radians(kPi / 2)}});
-  // Turned left by 90 degrees seen from above: what stood towards +x stands towards -z.
+  // Turned left by 90 degrees as seen from above: +x becomes -z.
   EXPECT_NEAR(turned->eval_environment({towards.z, towards.y, -towards.x}).y, 100, 1e-1);
-  // A texel, spread by interpolation as a pyramid over its neighbours: sin cos = sin(2 a) / 2
-  // times a pyramid of half width w integrates to the value in the middle times sinc^2(w).
+  // Interpolation spreads a texel as a pyramid over its neighbours: sin cos = sin(2 a) / 2 times a
+  // pyramid of half width w integrates to the central value times sinc^2(w).
   const double w = kPi / 32, texel = (2 * kPi / 64) * w;
   const double pyramid = std::pow(std::sin(w) / w, 2);
   expect_radiance(lit({light}, 1024),
@@ -148,8 +149,8 @@ double irradiance(const std::vector<Vec3d>& corners, const Vec3d& normal) {
   return std::fabs(sum) / 2;
 }
 
-/// A few thousand small triangles under a ceiling, as a tree chooses them and the exact sum.
-TEST(Irradiance, OfManyTrianglesIsExactAndHasLittleNoise) {
+/// A few thousand small triangles below a ceiling, sampled by the tree, against the exact sum.
+TEST(Irradiance, OfManyTrianglesIsExactWithLittleNoise) {
   RandomStream random{RandomKey(17)};
   mesh::Mesh mesh;
   double exact = 0;
@@ -169,9 +170,9 @@ TEST(Irradiance, OfManyTrianglesIsExactAndHasLittleNoise) {
   const image::Image picture = render(scene, options(48, 48, 16, 0));
   const Mean mean = mean_of(picture, "G");
   EXPECT_NEAR(mean.value, 0.5 / kPi * exact, 4 * mean.error);
-  // Of one sample, over the mean.
+  // Of one sample, relative to the mean.
   const double noise = mean.error * 48 * std::sqrt(16.0) / mean.value;
-  EXPECT_LT(noise, 0.08);  // 0.17 without weighing a few lights for each ray, 0.05 with it
+  EXPECT_LT(noise, 0.08);  // 0.17 without resampling of candidates, 0.05 with it
 }
 
 }  // namespace

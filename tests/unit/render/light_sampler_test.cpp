@@ -1,4 +1,4 @@
-// How lights are chosen changes the noise, not the picture.
+// The choice of lights changes the noise, but not the expected picture.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 namespace vug::render {
 namespace {
 
-/// A floor with a ball that shines, a sun, portals to the sky, one of them upright, and a row of
-/// lamps of which two light other objects only; in haze.
+/// A floor with an emissive ball, a sun, portals to the sky (one of them upright), and a row of
+/// lights, two of which light only other objects; in haze.
 Scene many_lights() {
   Scene scene;
   scene.objects.push_back(object(floor_mesh(3), 0.6));

@@ -1,5 +1,4 @@
-// The choice of one light among many: that it is fair, that its probabilities are those it says,
-// and that it is worth its price.
+// The light tree: the choice is unbiased, its probabilities are as reported, and it pays off.
 #include "chi2.h"
 #include "scenes.h"
 
@@ -21,7 +20,7 @@ Vec3d place(RandomStream& random) {
   return {x, y, random.uniform(-4, 4)};
 }
 
-std::vector<LightPtr> lamps(int count, uint64_t seed) {
+std::vector<LightPtr> many_lights(int count, uint64_t seed) {
   RandomStream random{RandomKey(seed)};
   std::vector<LightPtr> out;
   for (int i = 0; i < count; ++i) {
@@ -40,7 +39,7 @@ std::vector<LightPtr> lamps(int count, uint64_t seed) {
   return out;
 }
 
-/// A ball that shines, and lamps and a sky beside it.
+/// An emissive ball, with lights and a sky.
 std::vector<Object> shining_ball() {
   Object ball = object(mesh::sphere_mesh({1, 0.5, -2}, 0.7, 2), 0.5);
   ball.emission = Rgb(1, 2, 3);
@@ -53,29 +52,30 @@ LightSampleContext somewhere(RandomStream& random) {
   return point;
 }
 
-/// What is said to be known of lights in sight, the same everywhere.
-VisibilityCache some_chances(size_t branches) {
+/// The same visibility of lights everywhere.
+VisibilityCache some_visibility(size_t branches) {
   std::vector<VisibilitySample> visibility_samples;
   for (uint32_t i = 0; i < 20 * branches; ++i)
     visibility_samples.push_back({{0, 0, 0}, i % static_cast<uint32_t>(branches), i % 7 < 3});
   return VisibilityCache(Box3f(Vec3f(-1), Vec3f(1)), 3, branches, visibility_samples);
 }
 
-/// The estimate of sum 1 over the lights that can shine, 1 / p each time, must be their number.
+/// The estimate of the sum of 1 over the lights that can contribute, 1 / p each time, must be their
+/// number.
 TEST(LightTree, EveryLightIsChosenWithItsProbability) {
   for (const int count : {1, 5, 40, 300}) {
-    std::vector<LightPtr> all = lamps(count, 3);
+    std::vector<LightPtr> all = many_lights(count, 3);
     all.push_back(make_light("portal", {{"center", Vec3d(0, 6, 0)}, {"width", 3.0}}));
     all.push_back(make_light("sky"));
     const LightSet set(all, shining_ball());
-    const VisibilityCache chances = some_chances(set.branches());
+    const VisibilityCache chances = some_visibility(set.branches());
     RandomStream random{RandomKey(5)};
     for (int trial = 0; trial < 12; ++trial) {
       const LightSampleContext point = somewhere(random);
       LightSelection selection{trial % 3 == 2 ? 3.0f : 1.0f,
                                trial % 4 == 3 ? LightSampler::uniform : LightSampler::tree,
                                trial % 2 == 1 ? chances.at(point.position) : nullptr};
-      SCOPED_TRACE(testing::Message() << count << " lamps, trial " << trial);
+      SCOPED_TRACE(testing::Message() << count << " lights, trial " << trial);
       constexpr int kDraws = 60000;
       std::map<LightId, int> seen;
       double inverse = 0, squares = 0;
@@ -113,13 +113,13 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
   }
 }
 
-/// The same for a place on a ray, where each choice tells its probability itself.
+/// The same for a point on a ray, where each choice reports its own probability.
 TEST(LightTree, EveryLightIsChosenWithItsProbabilityAlongRays) {
   for (const int count : {1, 5, 40, 300}) {
-    std::vector<LightPtr> all = lamps(count, 3);
+    std::vector<LightPtr> all = many_lights(count, 3);
     all.push_back(make_light("portal", {{"center", Vec3d(0, 6, 0)}, {"width", 3.0}}));
     const LightSet set(all, shining_ball());
-    const VisibilityCache chances = some_chances(set.branches());
+    const VisibilityCache chances = some_visibility(set.branches());
     RandomStream random{RandomKey(15)};
     for (int trial = 0; trial < 8; ++trial) {
       const Ray ray{Vec3f(place(random)), Vec3f(place(random).normalized())};
@@ -141,13 +141,13 @@ TEST(LightTree, EveryLightIsChosenWithItsProbabilityAlongRays) {
       for (const auto& [light, found] : seen) {
         const auto p = static_cast<double>(found.second);
         EXPECT_NEAR(found.first, p * kDraws, 5.5 * std::sqrt(p * kDraws) + 3)
-            << count << " lamps, light " << light;
+            << count << " lights, light " << light;
       }
     }
   }
 }
 
-TEST(LightTree, LightsInSightAreChosenMore) {
+TEST(LightTree, VisibleLightsAreChosenMoreOften) {
   std::vector<LightPtr> all;
   for (const double x : {-2.0, -1.0, 0.0, 1.0, 2.0})
     all.push_back(make_light("sphere", {{"center", Vec3d(x, 2, 0)}, {"radius", 0.1}}));
@@ -164,16 +164,17 @@ TEST(LightTree, LightsInSightAreChosenMore) {
     SCOPED_TRACE(id);
     const float share = set.pmf(id, point, knowing) / set.pmf(seen, point, knowing);
     EXPECT_GT(share, 0.009f);
-    // Of 100 visibility_samples none: sqrt(p) is a tenth of that of the one in sight, or less.
+    // None of 100 visibility samples: sqrt(p) is at most a tenth of that of the visible light.
     if (id != seen) {
       EXPECT_LT(share, 0.3f * set.pmf(id, point, blind) / set.pmf(seen, point, blind));
     }
   }
 }
 
-/// Bounds may not leave a light out: where a lamp or one of its samples shines, its branch counts.
-TEST(LightTree, NoLightThatShinesIsLeftOut) {
-  const std::vector<LightPtr> all = lamps(200, 7);
+/// Bounds must not exclude a light: where a light or one of its samples contributes, its branch has
+/// weight.
+TEST(LightTree, NoContributingLightIsLeftOut) {
+  const std::vector<LightPtr> all = many_lights(200, 7);
   const std::vector<Object> objects = shining_ball();
   const LightSet set(all, objects);
   RandomStream random{RandomKey(6)};
@@ -193,9 +194,9 @@ TEST(LightTree, NoLightThatShinesIsLeftOut) {
   EXPECT_GT(lit, 10000);
 }
 
-/// Unshadowed light at points of a cave with lamps all along it: by the tree, and by choosing one
-/// of all lamps evenly.
-TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
+/// Unoccluded light at points of a cave with lights all along it: by the tree, and by a uniform
+/// choice.
+TEST(LightTree, HasTheMeanOfAUniformChoiceWithMuchLessNoise) {
   constexpr int kLights = 1000, kDraws = 20000;
   std::vector<LightPtr> all;
   RandomStream random{RandomKey(31)};
@@ -240,13 +241,14 @@ TEST(LightTree, TheSameLightAsAnEvenChoiceWithMuchLessNoise) {
     }
     gain += std::log(variance[0] / variance[1]) / kPoints;
   }
-  // With a shadow ray each, a choice by the tree costs less than three even ones (bench_lights).
+  // With one shadow ray each, a choice by the tree costs less than three uniform ones
+  // (bench_lights).
   EXPECT_GT(std::exp(gain), 20);
 }
 
-/// Small crystals strewn over a floor, four faces each: at the floor most of the light is of faces
-/// nearby, of which half look away.
-TEST(LightTree, FacesOfCrystalsNearbyAreToldApart) {
+/// Small crystals scattered over a floor, four faces each: at the floor most of the light is of
+/// faces near by, half of which face away.
+TEST(LightTree, DistinguishesNearbyCrystalFaces) {
   RandomStream random{RandomKey(41)};
   mesh::Mesh mesh;
   for (uint32_t i = 0; i < 1500; ++i) {
@@ -283,11 +285,11 @@ TEST(LightTree, FacesOfCrystalsNearbyAreToldApart) {
     const double mean = sum / kDraws;
     relative += (squares / kDraws - mean * mean) / (mean * mean * kPoints);
   }
-  // Forks of two have 13.8, of eight 4.9.
+  // Nodes of two have 13.8, of eight 4.9.
   EXPECT_LT(relative, 7);
 }
 
-TEST(LightTree, UnitedConesHoldBoth) {
+TEST(LightTree, UnionsOfConesContainBoth) {
   RandomStream random{RandomKey(9)};
   for (int trial = 0; trial < 2000; ++trial) {
     LightBounds parts[2];
@@ -308,8 +310,8 @@ TEST(LightTree, UnitedConesHoldBoth) {
   }
 }
 
-TEST(LightTree, ARayMeetsTheSameLampsAsWithoutATree) {
-  const std::vector<LightPtr> all = lamps(400, 11);
+TEST(LightTree, RaysHitTheSameLightsAsWithoutATree) {
+  const std::vector<LightPtr> all = many_lights(400, 11);
   const LightSet set(all, {});
   RandomStream random{RandomKey(12)};
   int met = 0;
@@ -318,8 +320,8 @@ TEST(LightTree, ARayMeetsTheSameLampsAsWithoutATree) {
     const float end = trial % 2 ? kFar : 3;
     std::vector<LightId> with, without;
     LightHit hit;
-    set.for_each_light_on(ray, end, kNoObject, [&](LightId id, const Light& lamp) {
-      if (lamp.intersect(ray, end, hit)) with.push_back(id);
+    set.for_each_light_on(ray, end, kNoObject, [&](LightId id, const Light& each) {
+      if (each.intersect(ray, end, hit)) with.push_back(id);
     });
     for (LightId id = 0; id < all.size(); ++id)
       if (all[id]->intersect(ray, end, hit)) without.push_back(id);

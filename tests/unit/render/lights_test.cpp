@@ -1,4 +1,4 @@
-// Kinds of lights against closed forms, their colours and powers, and what they light.
+// Kinds of lights against closed forms, their colours and powers, and light linking.
 #include "scenes.h"
 
 #include <vug/base/error.h>
@@ -16,7 +16,7 @@ namespace {
 
 float one(RandomStream& random) { return static_cast<float>(random.bits() >> 8) * 0x1p-24f; }
 
-/// What a kind of lamp cannot do without.
+/// The required parameters of a kind of light.
 NamedValues needed(const KindInfo& info) {
   return info.name == "ies" ? NamedValues{{"file", VUG_TEST_DATA "/lights/cosine.ies"}}
                             : NamedValues{};
@@ -27,7 +27,7 @@ bool has(const KindInfo& info, const std::string& parameter) {
                      [&](const ParamInfo& p) { return p.name == parameter; });
 }
 
-/// What a white floor at the origin shows.
+/// Compares the radiance of a white floor at the origin.
 void expect_floor(const std::vector<LightPtr>& lights, double expected, int spp = 256,
                   double allowed = 2e-4) {
   Scene scene;
@@ -63,14 +63,15 @@ TEST(Lights, SpotOnItsAxisAndOnItsEdge) {
   expect_floor({spot({0, -1, 0})}, full);
   // Half of the light where the cosine is midway between those of the edge.
   const double middle = std::acos(0.5 * (std::cos(wide) + std::cos(wide * (1 - edge))));
-  // Its ball fills an angle of 0.02, over which the smooth edge bends: second order, about 1e-3.
+  // The sphere subtends an angle of 0.02, over which the smooth edge bends: second order, about
+  // 1e-3.
   expect_floor({spot({std::sin(middle), -std::cos(middle), 0})}, full / 2, 1024, 2e-3);
   const double outside = wide + 0.02;
   const LightPtr away = spot({std::sin(outside), -std::cos(outside), 0});
   EXPECT_EQ(away->importance({{0, 0, 0}, {0, 1, 0}}), 0);
 }
 
-/// The whole cone lies within some thousand steps of a cosine's last digits.
+/// The whole cone is within some thousand steps of a cosine's last digits.
 TEST(Lights, NarrowSpotsHaveAnEdge) {
   const double half = 0.015 * kPi / 180, edge = 0.4;
   const auto seen = [&](double off) {
@@ -92,16 +93,16 @@ TEST(Lights, NarrowSpotsHaveAnEdge) {
   EXPECT_EQ(seen(1.01 * half), 0);
 }
 
-TEST(Lights, MeasuredLampsGiveTheirCandela) {
-  // 1000 cd straight down at 2 m: 250 lx; a white floor sends back E / pi.
-  const LightPtr lamp = make_light("ies", {{"file", VUG_TEST_DATA "/lights/cosine.ies"},
-                                           {"center", Vec3d(0, 2, 0)},
-                                           {"radius", 0.01},
-                                           {"visible", false}});
-  expect_floor({lamp}, 250 / kLumenPerWatt / kPi);
+TEST(Lights, MeasuredLightsHaveTheirCandela) {
+  // 1000 cd straight down at 2 m: 250 lx; a white floor reflects E / pi.
+  const LightPtr light = make_light("ies", {{"file", VUG_TEST_DATA "/lights/cosine.ies"},
+                                            {"center", Vec3d(0, 2, 0)},
+                                            {"radius", 0.01},
+                                            {"visible", false}});
+  expect_floor({light}, 250 / kLumenPerWatt / kPi);
 }
 
-TEST(Lights, SunShinesByTheSineOfItsHeight) {
+TEST(Lights, SunIrradianceFollowsTheSineOfItsHeight) {
   for (const double angle : {0.00931, 0.4}) {
     const LightPtr sun = make_light("sun", {{"elevation", radians(0.7)},
                                             {"azimuth", radians(2)},
@@ -111,8 +112,9 @@ TEST(Lights, SunShinesByTheSineOfItsHeight) {
   }
 }
 
-TEST(Lights, PortalsLeaveTheSunWhereItIs) {
-  // A portal finds the sky in its own directions; the sun is found beside it, in or out of it.
+TEST(Lights, PortalsKeepTheSun) {
+  // A portal samples the sky in its own directions; the sun is sampled separately, inside or
+  // outside of it.
   const LightPtr sky = make_light("sky", {{"radiance", Vec3d(2)}});
   const LightPtr portal =
       make_light("portal", {{"center", Vec3d(0, 1, 0)}, {"width", 1.5}, {"height", 1.5}});
@@ -126,13 +128,14 @@ TEST(Lights, PortalsLeaveTheSunWhereItIs) {
   }
 }
 
-TEST(Lights, SunStandsWhereTheClockSays) {
+TEST(Lights, SunPositionFollowsTheClock) {
   const auto towards = [](double latitude, double day, double hour) {
     const LightPtr sun =
         make_light("sun", {{"latitude", radians(latitude)}, {"day", day}, {"hour", hour}});
     return sun->sample({}, {0, 0}).direction;
   };
-  // At the equinox the sun rises in the east and stands as high at noon as the pole star is low.
+  // At the equinox the sun rises in the east, and its height at noon is the complement of the
+  // latitude.
   const Vec3f noon = towards(0.8, 81, 12), morning = towards(0.8, 81, 6);
   EXPECT_NEAR(noon.y, std::cos(0.8), 0.01);
   EXPECT_NEAR(noon.z, std::sin(0.8), 0.01) << "south is z";
@@ -140,7 +143,7 @@ TEST(Lights, SunStandsWhereTheClockSays) {
   EXPECT_NEAR(towards(0.8, 172, 12).y, std::sin(kPi / 2 - 0.8 + 23.44 * kPi / 180), 0.01);
 }
 
-TEST(Lights, TheSunIsToldInOneWay) {
+TEST(Lights, SunPositionIsGivenInOneWay) {
   EXPECT_NO_THROW(make_light("sun", {{"azimuth", radians(1)}}));
   EXPECT_NO_THROW(make_light("daylight", {{"latitude", radians(1)}}));
   for (const char* kind : {"sun", "daylight"})
@@ -174,7 +177,7 @@ TEST(Lights, DaylightHasTheLuminanceOfItsModel) {
   EXPECT_NEAR(seen, zenith, 0.01 * zenith);
   const Rgb blue = sky->eval_environment({0, 1, 0});
   EXPECT_GT(blue.z, 1.5f * blue.x);
-  // The floor under it receives what quadrature over the sky gives.
+  // The irradiance of the floor is that of a quadrature over the sky.
   double sum = 0;
   constexpr int kRows = 400;
   for (int i = 0; i < kRows; ++i)
@@ -187,15 +190,15 @@ TEST(Lights, DaylightHasTheLuminanceOfItsModel) {
   expect_floor({sky}, sum, 1024);
 }
 
-/// Whatever shape and profile: the light through a ball around the lamp is what was asked for.
-TEST(Lights, EveryLampSendsOutItsLumen) {
+/// For any shape and profile, the flux through a sphere around the light is the requested one.
+TEST(Lights, EveryLightEmitsItsLumen) {
   for (const auto* kind : lights()) {
     if (!has(kind->info, "lumen")) continue;
     SCOPED_TRACE(kind->info.name);
     NamedValues given = needed(kind->info);
     given.emplace_back("lumen", 10 * kLumenPerWatt);
     given.emplace_back("radiance", Vec3d(0.2, 1, 3));
-    const LightPtr lamp = make_light(kind->info.name, given);
+    const LightPtr light = make_light(kind->info.name, given);
     constexpr float kAway = 60;
     constexpr int kSamples = 200000;
     RandomStream random{RandomKey(21)};
@@ -204,7 +207,7 @@ TEST(Lights, EveryLampSendsOutItsLumen) {
       const float a = one(random);
       const Vec3f out = sample_sphere({a, one(random)});
       const float u = one(random);
-      const LightSample s = lamp->sample({lamp->center() + out * kAway, -out}, {u, one(random)});
+      const LightSample s = light->sample({light->center() + out * kAway, -out}, {u, one(random)});
       if (s.pdf > 0)
         sum += static_cast<double>(luminance(s.radiance) * -dot(s.direction, out) / s.pdf);
     }
@@ -213,26 +216,26 @@ TEST(Lights, EveryLampSendsOutItsLumen) {
   }
 }
 
-TEST(Lights, BranchesKnowWhereLampsShine) {
+TEST(Lights, BranchBoundsContainTheirLights) {
   for (const auto* kind : lights()) {
     if (!has(kind->info, "lumen")) continue;
     SCOPED_TRACE(kind->info.name);
-    // The second lamp makes a branch, whose bounds are asked.
-    const LightPtr lamp = make_light(kind->info.name, needed(kind->info));
-    const LightTree tree(1, 0, [&](size_t) { return lamp->bounds(); });
+    // The second light makes a branch, whose bounds are used.
+    const LightPtr light = make_light(kind->info.name, needed(kind->info));
+    const LightTree tree(1, 0, [&](size_t) { return light->bounds(); });
     RandomStream random{RandomKey(22)};
     int shines = 0;
     for (int i = 0; i < 20000; ++i) {
       const float a = one(random), far = 0.05f + 4 * one(random) * one(random);
-      LightSampleContext point{lamp->center() + sample_sphere({a, one(random)}) * far};
+      LightSampleContext point{light->center() + sample_sphere({a, one(random)}) * far};
       const float b = one(random);
       if (i % 2) point.normal = sample_sphere({b, one(random)});
       const float u = one(random);
-      const LightSample s = lamp->sample(point, {u, one(random)});
+      const LightSample s = light->sample(point, {u, one(random)});
       if (!(s.pdf > 0) || is_black(s.radiance)) continue;
       if (point.on_surface() && !(dot(point.normal, s.direction) > 1e-3f)) continue;
       ++shines;
-      EXPECT_GT(lamp->importance(point), 0);
+      EXPECT_GT(light->importance(point), 0);
       EXPECT_GT(LightTree::importance(tree.node(0), point)[0], 0);
     }
     EXPECT_GT(shines, 100);
@@ -247,8 +250,8 @@ std::pair<double, double> chromaticity(const Vec3d& c) {
   return {x / (x + y + z), y / (x + y + z)};
 }
 
-TEST(Lamp, BlackBodiesHaveTheirColours) {
-  // CIE 15: illuminant A is a black body of 2856 K; the others from its tables of the locus.
+TEST(LightOutput, BlackBodiesHaveTheirColours) {
+  // CIE 15: illuminant A is a black body of 2856 K; the others are from its tables of the locus.
   const double table[][3] = {{2856, 0.4476, 0.4074},
                              {4000, 0.3805, 0.3768},
                              {6500, 0.3135, 0.3237},
@@ -273,7 +276,7 @@ std::string refusal(const std::string& kind, const NamedValues& parameters) {
   return "accepted";
 }
 
-TEST(Lamp, ContradictionsAreRefused) {
+TEST(LightOutput, ContradictionsAreRejected) {
   EXPECT_NE(refusal("disk", {{"power", 1.0}, {"lumen", 1.0}}).find("not in both"),
             std::string::npos);
   EXPECT_NE(refusal("sphere", {{"power", 1.0}, {"radiance", Vec3d(0)}}).find("above 0"),
@@ -284,7 +287,7 @@ TEST(Lamp, ContradictionsAreRefused) {
   EXPECT_NE(refusal("rect", {{"temperature", 5.0}}).find("temperature"), std::string::npos);
 }
 
-/// Two floors side by side under one lamp and a sky.
+/// Two adjacent floors under one light and a sky.
 Scene two_floors(const std::vector<LightPtr>& lights) {
   Scene scene;
   mesh::Mesh left = floor_mesh(1), right = floor_mesh(1);
@@ -298,8 +301,8 @@ Scene two_floors(const std::vector<LightPtr>& lights) {
   return scene;
 }
 
-TEST(Links, LightsReachOnlyWhatTheyName) {
-  const auto lamp = [](const NamedValues& more) {
+TEST(LightLinking, LightsReachOnlyTheirObjects) {
+  const auto light = [](const NamedValues& more) {
     NamedValues p{
         {"center", Vec3d(0, 1, 0)}, {"radius", 0.1}, {"radiance", Vec3d(20)}, {"visible", false}};
     p.insert(p.end(), more.begin(), more.end());
@@ -313,25 +316,25 @@ TEST(Links, LightsReachOnlyWhatTheyName) {
     return std::pair(left, right);
   };
   const Options o = options(32, 16, 16, 0);
-  const auto [left, right] = sides(render(two_floors({lamp({})}), o));
+  const auto [left, right] = sides(render(two_floors({light({})}), o));
   EXPECT_GT(left, 1);
-  const auto [only_left, no_right] = sides(render(two_floors({lamp({{"only", "left"}})}), o));
+  const auto [only_left, no_right] = sides(render(two_floors({light({{"only", "left"}})}), o));
   EXPECT_NEAR(only_left, left, 0.02 * left);
   EXPECT_EQ(no_right, 0);
-  const auto [no_left, only_right] = sides(render(two_floors({lamp({{"except", "left"}})}), o));
+  const auto [no_left, only_right] = sides(render(two_floors({light({{"except", "left"}})}), o));
   EXPECT_EQ(no_left, 0);
   EXPECT_NEAR(only_right, right, 0.02 * right);
-  // Skies are linked too, and many lamps in a tree.
+  // Skies are linked too, and many lights in a tree.
   const auto [dark, lit] = sides(render(two_floors({make_light("sky", {{"only", "right"}})}), o));
   EXPECT_EQ(dark, 0);
   EXPECT_GT(lit, 1);
   std::vector<LightPtr> many;
-  for (int i = 0; i < 40; ++i) many.push_back(lamp({{"only", List{Value("left")}}}));
+  for (int i = 0; i < 40; ++i) many.push_back(light({{"only", List{Value("left")}}}));
   const auto [bright, none] = sides(render(two_floors(many), o));
   EXPECT_NEAR(bright, 40 * left, 0.1 * 40 * left);
   EXPECT_EQ(none, 0);
   try {
-    render(two_floors({lamp({{"only", "lefd"}})}), o);
+    render(two_floors({light({{"only", "lefd"}})}), o);
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("lefd"), std::string::npos);
@@ -339,7 +342,7 @@ TEST(Links, LightsReachOnlyWhatTheyName) {
   }
 }
 
-TEST(Links, GroupsAreListedOnce) {
+TEST(LightLinking, GroupsAreListedOnce) {
   Scene scene = two_floors({make_light("sphere", {{"group", "key"}}), make_light("sky"),
                             make_light("disk", {{"group", "fill"}}),
                             make_light("sphere", {{"group", "key"}})});

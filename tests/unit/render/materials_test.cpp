@@ -1,6 +1,6 @@
-// What every material must keep, over the registry: samples have their density, directions count
-// alike both ways, white keeps all light. Cases are the kind's defaults, and each share of 0..1
-// that it has set to 1, so that a new kind or lobe is tested as soon as it is listed.
+// Properties of every material in the registry: samples have their density, the BSDF is reciprocal,
+// and white conserves energy. Cases are the kind's defaults, and each fraction in 0..1 set to 1, so
+// that a new kind or lobe is tested as soon as it is listed.
 #include "chi2.h"
 
 #include <vug/base/rng.h>
@@ -26,7 +26,7 @@ Value as_value(const MaterialPtr& material) { return ValueTraits<MaterialPtr>::w
 struct Case {
   std::string kind, name;
   NamedValues parameters;
-  bool variant = false;  ///< With a switch the other way than it is by default.
+  bool variant = false;  ///< With a switch inverted.
 
   MaterialPtr make(const NamedValues& more = {}) const {
     NamedValues all = parameters;
@@ -49,7 +49,7 @@ bool is_share(const ParamInfo& p) {
   return p.type.find("number") == 0 && p.min == 0 && p.max == 1 && !is_roughness(p);
 }
 
-/// `white` gives what a kind cannot do without in white.
+/// `white`: required colours are white.
 std::vector<Case> cases(bool white) {
   std::vector<Case> all;
   for (const auto* kind : materials()) {
@@ -101,17 +101,17 @@ TEST(Materials, SampleTheirDensity) {
   const int tests = static_cast<int>(2 * all.size() * std::size(cosines));
   for (const Case& each : all)
     for (const float cosine : cosines) {
-      if (each.variant && &cosine - cosines > 4) continue;  // the basic case had them all
+      if (each.variant && &cosine - cosines > 4) continue;  // the basic case covered all of them
       const bool inside = cosine == 0.7f || cosine == 0.2f;
       SCOPED_TRACE(each.name + " at cosine " + std::to_string(cosine));
-      // Narrower lobes than these slip through the quadrature of the expected counts.
+      // Narrower lobes slip through the quadrature of the expected counts.
       NamedValues wide;
       for (const ParamInfo& p : info_of(each.kind).params)
         if (is_roughness(p)) wide.emplace_back(p.name, 0.4);
       const MaterialPtr material = each.make(wide);
       BsdfMemory memory;
       const Bsdf& bsdf = material->at(flat(inside), direction_at(cosine, 0.3f), memory);
-      // Each side by itself, so that the cells are narrow around both poles.
+      // Each side separately, so that the cells are narrow around both poles.
       for (const float side : {1.0f, -1.0f}) {
         RandomStream random(RandomKey(5).at(each.name));
         int wrong = 0;
@@ -138,8 +138,8 @@ TEST(Materials, SampleTheirDensity) {
     }
 }
 
-// Helmholtz; where light is let through, radiance over the square of the index is what is kept,
-// so that f times the square of the viewer's index is the same both ways.
+// Helmholtz reciprocity; refraction preserves radiance over the square of the index, so f times the
+// square of the viewer's index is symmetric.
 TEST(Materials, AreReciprocal) {
   for (const Case& each : cases(false)) {
     SCOPED_TRACE(each.name);
@@ -159,7 +159,7 @@ TEST(Materials, AreReciprocal) {
       a.normalize(), b.normalize();
       const double there = f(a, b, false);
       EXPECT_NEAR(there, f(b, a, false), 1e-3 * there + 1e-6);
-      // From above to below, and back: the frame of a viewer below is turned over.
+      // From above to below and back: the frame of a viewer below is flipped.
       const double down = f(a, {b.x, b.y, -b.z}, false);
       const double up = f({b.x, -b.y, b.z}, {a.x, -a.y, -a.z}, true);
       EXPECT_NEAR(down, up * index * index, 2e-3 * down + 1e-5);
@@ -167,7 +167,8 @@ TEST(Materials, AreReciprocal) {
   }
 }
 
-/// What a viewer sees in even light of 1, by scrambled sequences; their spread tells the error.
+/// Radiance towards a viewer in a uniform environment of 1, by scrambled sequences; their spread
+/// gives the error.
 struct Furnace {
   double kept = 0, error = 0;
 };
@@ -193,7 +194,7 @@ Furnace furnace(const Bsdf& bsdf, uint32_t samples = 256) {
   return {mean, error};
 }
 
-TEST(Materials, WhiteOnesKeepAllLight) {
+TEST(Materials, WhiteOnesConserveEnergy) {
   for (const Case& each : cases(true))
     for (const double roughness : {0.02, 0.1, 0.3, 0.6, 1.0}) {
       NamedValues rough;
@@ -215,8 +216,8 @@ TEST(Materials, WhiteOnesKeepAllLight) {
     }
 }
 
-// Colours between black and white never give back more than arrives, whatever the index.
-TEST(Materials, NeverGiveMoreThanTheyGet) {
+// Colours between black and white never reflect more than they receive, whatever the index.
+TEST(Materials, NeverReflectMoreThanTheyReceive) {
   RandomStream random(RandomKey(12));
   for (const Case& each : cases(true))
     for (int trial = 0; trial < 3; ++trial) {
@@ -244,7 +245,7 @@ TEST(Materials, FitTheMemoryTheyNeed) {
       mixed = make_material("mix", {{"a", as_value(mixed)}, {"b", as_value(mixed)}});
     FAIL() << "mixes of any depth are taken";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("more materials"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("too many materials"), std::string::npos);
   }
   EXPECT_LE(mixed->memory_bytes(), BsdfMemory::kBytes);
 }

@@ -11,7 +11,7 @@ MediumPtr haze(double extinction, double albedo, double g, const Vec3d& size) {
       "haze", {{"extinction", extinction}, {"albedo", Vec3d(albedo)}, {"g", g}, {"size", size}});
 }
 
-TEST(Haze, SlabDimsTheSky) {
+TEST(Haze, SlabAttenuatesTheSky) {
   Scene scene;
   scene.camera = view({0, 0, 5}, {0, 0, 0}, 1e-3);
   scene.lights = {make_light("sky")};
@@ -33,7 +33,7 @@ TEST(Haze, WhiteHazeVanishesInAWhiteSky) {
   }
 }
 
-// One scattering of a small ball's light into a ray, by Simpson's rule.
+// Single scattering of a small sphere's light into a ray, by Simpson's rule.
 double single_scattering(double extinction, double g, double radius, double radiance, double height,
                          double reach) {
   const int n = 20000;
@@ -42,10 +42,10 @@ double single_scattering(double extinction, double g, double radius, double radi
     const double t = 2 * reach * i / n, x = t - reach;  // along the ray, from the foot
     const double d = std::sqrt(x * x + height * height);
     const double solid = 2 * kPi * (1 - std::sqrt(1 - radius * radius / (d * d)));
-    const double cosine = -x / d;  // from the ray's direction to that of the lamp
+    const double cosine = -x / d;  // from the ray's direction to that of the light
     const double phase = (1 - g * g) / (4 * kPi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
-    const double lamp = d - 2 * radius / 3;  // mean distance to the ball's face
-    const double f = extinction * std::exp(-extinction * (t + lamp)) * phase * radiance * solid;
+    const double to_light = d - 2 * radius / 3;  // mean distance to the sphere's surface
+    const double f = extinction * std::exp(-extinction * (t + to_light)) * phase * radiance * solid;
     sum += f * (i == 0 || i == n ? 1 : i % 2 ? 4 : 2);
   }
   return sum * 2 * reach / n / 3;
@@ -67,7 +67,7 @@ TEST(Haze, SingleScatteringMatchesQuadrature) {
     }
 }
 
-// A wall between lamp and ray keeps the haze dark there; multiple scattering stays finite.
+// A wall between light and ray keeps the haze dark there; multiple scattering stays finite.
 TEST(Haze, ShadowsFallIntoTheHaze) {
   Scene scene;
   scene.camera = view({0, 0, 3}, {0, 0, 0}, 1e-4);
@@ -85,8 +85,8 @@ TEST(Haze, ShadowsFallIntoTheHaze) {
 }
 
 // Without a box of its own, haze fills the scene's.
-/// Who else looks where the sun stands must not take its light from it.
-TEST(Haze, TheSunIsAsBrightBesidePortals) {
+/// Another light that samples the sun's direction must not take light from it.
+TEST(Haze, TheSunIsAsBrightWithPortals) {
   Scene scene;
   scene.camera = view({0, 0, 5}, {0, 0, 0}, 1e-3);
   scene.lights = {make_light("sky", {{"radiance", Vec3d(0.2)}}),
@@ -103,7 +103,7 @@ TEST(Haze, TheSunIsAsBrightBesidePortals) {
   EXPECT_LT(beside.error, 3 * alone.error) << "by chance only";
 }
 
-TEST(Haze, FitsTheScene) {
+TEST(Haze, FillsTheScene) {
   Scene scene;
   scene.camera = view({0, 0, 0}, {0, 0, -1}, 1e-3);
   scene.objects = {object(mesh::box_mesh({Vec3d(-2), Vec3d(2)}), 0)};

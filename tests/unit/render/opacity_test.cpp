@@ -1,4 +1,4 @@
-// Holes and part of a surface: what rays of the camera and of shadows meet of it, in closed form.
+// Holes and partial coverage: what camera and shadow rays hit, in closed form.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -18,13 +18,13 @@ mesh::Mesh at_height(mesh::Mesh mesh, float height) {
   for (Vec3f& p : mesh.positions) p.y = height;
   return mesh;
 }
-/// A lamp of radiance 1 below, seen from above through `sheets` of the material.
+/// A light of radiance 1 below, seen from above through `sheets` of the material.
 Scene over_a_light(const MaterialPtr& material, int sheets) {
   Scene scene;
   scene.camera = view({0, 3, 0}, {0, 0, 0}, 0.2, {0, 0, 1});
-  Object lamp = object(at_height(floor_mesh(5), -0.5f), 0);
-  lamp.emission = Rgb(1);
-  scene.objects = {lamp};
+  Object light = object(at_height(floor_mesh(5), -0.5f), 0);
+  light.emission = Rgb(1);
+  scene.objects = {light};
   for (int i = 0; i < sheets; ++i) {
     Object sheet = object(at_height(floor_mesh(1), 0.2f * static_cast<float>(i)), 1);
     sheet.material = material;
@@ -33,7 +33,7 @@ Scene over_a_light(const MaterialPtr& material, int sheets) {
   return scene;
 }
 
-TEST(Opacity, LetsThroughWhatIsNotThere) {
+TEST(Opacity, TransmitsTheUncoveredPart) {
   for (const int sheets : {1, 2}) {
     const Mean seen =
         mean_of(render(over_a_light(black(0.3), sheets), options(32, 32, 64, 0)), "G");
@@ -61,20 +61,20 @@ TEST(Opacity, ShadowsHaveTheSameHoles) {
   EXPECT_LT(error, 0.02);
 }
 
-TEST(Opacity, MasksCutEdgesThatAreSharp) {
+TEST(Opacity, MasksCutSharpEdges) {
   const auto right =
       as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
   const image::Image seen = render(over_a_light(black(right), 1), options(32, 32, 16, 0));
   const auto green = static_cast<size_t>(seen.find_channel("G"));
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {
-      // With z up in the picture and y towards the viewer, x goes to the left.
+      // With z up in the picture and y towards the viewer, x runs to the left.
       const float expected = x < 16 ? 0 : 1;
       EXPECT_EQ(seen.at(x, y, green), expected) << x << ", " << y;
     }
 }
 
-TEST(Opacity, OfAnInstanceIsThatOfItsOwnSpace) {
+TEST(Opacity, OfAnInstanceUsesItsOwnSpace) {
   const auto right =
       as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
   Scene scene = over_a_light(black(right), 1);
@@ -82,11 +82,12 @@ TEST(Opacity, OfAnInstanceIsThatOfItsOwnSpace) {
       Transform::rotation({0, 1, 0}, kPi / 2) * Transform::scaling(Vec3d(0.9)));
   const Mean seen = mean_of(render(scene, options(32, 32, 16, 0)), "G");
   EXPECT_NEAR(seen.value, 0.5, 0.01);
-  scene.objects[1].instance = std::make_shared<const InstanceTransform>(Transform::translation({0.7, 0, 0}));
+  scene.objects[1].instance =
+      std::make_shared<const InstanceTransform>(Transform::translation({0.7, 0, 0}));
   EXPECT_EQ(mean_of(render(scene, options(32, 32, 16, 0)), "G").value, 1);
 }
 
-TEST(Opacity, NothingAtAllIsAsIfItWereNotThere) {
+TEST(Opacity, ZeroIsInvisible) {
   Scene scene = over_a_light(black(as_mask([](const paint::EvalPoint&) { return 0; })), 2);
   scene.lights = {make_light("sky")};
   const Options o = options(16, 16, 16, 3);
@@ -101,7 +102,7 @@ TEST(Opacity, NothingAtAllIsAsIfItWereNotThere) {
   }
 }
 
-TEST(Opacity, HalfASheetOfWhiteVanishesInAWhiteSky) {
+TEST(Opacity, HalfTransparentWhiteVanishesInAWhiteSky) {
   Scene scene;
   scene.camera = view({0.2, 1, 0.5}, {0, 0, 0}, 0.5);
   scene.lights = {make_light("sky")};
@@ -131,7 +132,7 @@ TEST(Opacity, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(picture(7), one);
 }
 
-TEST(Opacity, LampsHaveNoHoles) {
+TEST(Opacity, EmissiveObjectsHaveNoHoles) {
   Scene scene = over_a_light(black(0.3), 1);
   scene.objects[1].emission = Rgb(1);
   EXPECT_THROW(render(scene, options(4, 4, 1, 0)), Error);

@@ -1,4 +1,4 @@
-// Coarse meshes with smooth normals are lit as the smooth surface that they stand for.
+// Coarse meshes with smooth normals are lit like the smooth surface that they approximate.
 #include "scenes.h"
 #include "surface_scenes.h"
 
@@ -10,12 +10,12 @@ namespace {
 constexpr float kAlbedo = 0.8f;
 const Vec3f kToSun(0.99619470f, 0.08715574f, 0);  // at 5 degrees
 
-/// Of radius 1, 80 triangles.
+/// Radius 1, 80 triangles.
 Object coarse_ball() {
   return object(with_radial_normals(mesh::sphere_mesh({0, 0, 0}, 1, 1), 1), kAlbedo);
 }
 
-/// Facets face away from the sun, or hide behind others, where their smooth normals face it.
+/// Triangles face away from the sun, or are hidden by others, where their smooth normals face it.
 void expect_smooth_terminator(Object ball, float tolerance) {
   Scene scene = only(std::move(ball));
   scene.camera = view({0, 0, 8}, {0, 0, 0}, 0.26);
@@ -35,7 +35,7 @@ void expect_smooth_terminator(Object ball, float tolerance) {
       Hit hit;
       if (!world.intersect(scene.camera->ray(film, 1, {0.5f, 0.5f}), hit)) continue;
       const Vec3f& normal = hit.surface.shading_normal;
-      if (normal.z < 0.5f) continue;  // near the edge of the ball
+      if (normal.z < 0.5f) continue;  // near the rim of the ball
       const float cosine = dot(normal, kToSun);
       grazed += cosine > 0 && cosine < 0.2f;
       const float seen =
@@ -45,16 +45,16 @@ void expect_smooth_terminator(Object ball, float tolerance) {
   EXPECT_GT(grazed, 300u);
 }
 
-TEST(Terminator, IsThatOfTheSmoothNormals) { expect_smooth_terminator(coarse_ball(), 0.02f); }
+TEST(Terminator, FollowsTheSmoothNormals) { expect_smooth_terminator(coarse_ball(), 0.02f); }
 
-TEST(Terminator, IsThatOfASmoothLevelSet) {
+TEST(Terminator, FollowsASmoothLevelSet) {
   Object ball = traced(vug::render::ball());
   ball.material = make_material("lambert", {{"albedo", Vec3d(kAlbedo)}});
   expect_smooth_terminator(std::move(ball), 0.02f);
 }
 
-// Light that bounces leaves over the facet's horizon, too: none is lost in an even sky.
-TEST(Terminator, KeepsAllLightOfAnEvenSky) {
+// Reflected light also leaves below the triangle's horizon: none is lost in a uniform sky.
+TEST(Terminator, KeepsAllLightOfAUniformSky) {
   Scene scene = only(coarse_ball());
   scene.camera = view({0, 0, 8}, {0, 0, 0}, 0.1);
   scene.lights = {make_light("sky")};
@@ -63,14 +63,14 @@ TEST(Terminator, KeepsAllLightOfAnEvenSky) {
   EXPECT_LT(mean.error, 1e-3);
 }
 
-/// Every third normal points the other way, as where a mesh is thinner than a voxel.
+/// Every third normal is flipped, as where a mesh is thinner than a voxel.
 mesh::Mesh with_wrong_normals(mesh::Mesh mesh) {
   mesh = with_radial_normals(std::move(mesh), 1);
   for (size_t i = 0; i < mesh.normals.size(); i += 3) mesh.normals[i] = -mesh.normals[i];
   return mesh;
 }
 
-TEST(Terminator, NoLightLeaksByNormalsThatPointThroughTheirTriangles) {
+TEST(Terminator, NormalsThroughTheirTrianglesLeakNoLight) {
   Scene scene = only(object(with_wrong_normals(mesh::sphere_mesh({0, 0, 0}, 3, 3)), 0.8));
   scene.camera = view({0.1, 0.2, 0}, {1, 0, 0.3}, 2);
   scene.lights = {make_light("sky")};

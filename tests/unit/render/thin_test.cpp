@@ -11,8 +11,8 @@ MaterialPtr thin(NamedValues more) {
   return make_material("surface", more);
 }
 
-/// What the camera sees of a sheet at the origin that a square lamp of radiance 1 lights from
-/// 60 cm above or below, by the midpoint rule.
+/// Radiance of a sheet at the origin that a square light of radiance 1 lights from 60 cm above or
+/// below, by the midpoint rule.
 double quadrature(const MaterialPtr& material, float side, const Vec3f& out, bool inside = false) {
   constexpr int kSteps = 600;
   Surface surface;
@@ -54,14 +54,14 @@ TEST(Thin, IsLitFromBothSides) {
       const Mean mean = mean_of(render(scene, options(32, 32, 64, 0)), "R");
       const double expected = quadrature(material, side, out);
       EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-3 * expected);
-      // Lamps are looked for behind, too: following the sheet's own directions has ten times that.
+      // Lights behind the sheet are sampled, too: BSDF sampling alone has ten times that error.
       EXPECT_LT(mean.error, 0.01 * expected);
       EXPECT_GT(expected, 0.01);
     }
 }
 
-// From inside a rough clear body, lamps beyond its face are chosen, not only run into.
-TEST(Thin, LampsBeyondARoughFaceAreChosen) {
+// From inside a rough clear body, lights outside are sampled, not only hit by chance.
+TEST(Thin, LightsBehindARoughFaceAreSampled) {
   const Vec3f out = normalized(Vec3f(0.3f, -0.4f, 0));
   const MaterialPtr glass =
       make_material("surface", {{"transmission", 1.0}, {"roughness", 0.5}, {"ior", 1.33}});
@@ -108,22 +108,23 @@ TEST(Thin, WhiteSheetsVanishInAWhiteSky) {
   EXPECT_LT(mean.error, 3e-3);
 }
 
-// A smooth pane face on lets through what the series of reflections between its faces leaves.
-TEST(Thin, PaneLetsThroughWhatItsFacesLeave) {
+// At normal incidence a smooth pane transmits the sum of the series of reflections between its
+// faces.
+TEST(Thin, PaneTransmitsTheSeriesOfItsFaces) {
   Scene scene;
   scene.camera = view({0, 1, 0}, {0, 0, 0}, 0.01, {0, 0, 1});
-  Object lamp = object(at_height(floor_mesh(5), -0.5f), 0);
-  lamp.emission = Rgb(1);
+  Object light = object(at_height(floor_mesh(5), -0.5f), 0);
+  light.emission = Rgb(1);
   Object pane = object(floor_mesh(1), 1);
   pane.material = thin({{"transmission", 1.0}, {"roughness", 0.0}, {"ior", 1.5}});
-  scene.objects = {pane, lamp};
+  scene.objects = {pane, light};
   const Mean mean = mean_of(render(scene, options(16, 16, 256, 2)), "G");
   const double face = 0.04, expected = (1 - face) * (1 - face) / (1 - face * face);
   EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-3);
   EXPECT_LT(mean.error, 5e-3);
 }
 
-TEST(Thin, IsNotMixedWithBodies) {
+TEST(Thin, CannotBeMixedWithBodies) {
   const auto value = [](const MaterialPtr& m) { return ValueTraits<MaterialPtr>::write(m); };
   EXPECT_THROW(
       make_material("mix", {{"a", value(thin({}))}, {"b", value(make_material("lambert"))}}),

@@ -1,5 +1,5 @@
-// A scene in another working space is the same scene: what it sends out is the same light in other
-// numbers, what it reflects of white light too.
+// A scene in another rendering colour space is the same scene: it emits the same light in other
+// numbers, and reflects the same of white light.
 #include "scenes.h"
 
 #include <vug/render/materials/material_input.h>
@@ -24,7 +24,7 @@ void expect_same(const Rgb& there, const Rgb& plain, const std::string& what) {
     EXPECT_NEAR(there[i], expected[i], 1e-5f * (1 + std::fabs(expected[i]))) << what;
 }
 
-/// A light of every kind that can be made without a file, coloured where it can be.
+/// A light of every kind that needs no file, coloured where possible.
 std::vector<std::pair<std::string, LightPtr>> all_lights() {
   std::vector<std::pair<std::string, LightPtr>> out;
   for (const auto* kind : lights()) {
@@ -40,7 +40,7 @@ std::vector<std::pair<std::string, LightPtr>> all_lights() {
   return out;
 }
 
-TEST(WorkingSpace, LightsSendOutTheSame) {
+TEST(WorkingSpace, LightsEmitTheSame) {
   const LightSampleContext point{{0.3f, -1.2f, 0.4f}, {0, 0, 0}, kNoObject};
   size_t shone = 0;
   for (const auto& [name, plain] : all_lights()) {
@@ -74,7 +74,7 @@ TEST(WorkingSpace, LightsSendOutTheSame) {
   EXPECT_GT(shone, 40u);
 }
 
-/// The reflected share of white light: its colour is the same in both spaces, whatever parameter
+/// The reflected fraction of white light: its colour is the same in both spaces, whatever parameter
 /// of whatever kind it comes from.
 TEST(WorkingSpace, MaterialsReflectTheSame) {
   Surface surface;
@@ -103,8 +103,8 @@ TEST(WorkingSpace, MaterialsReflectTheSame) {
         BsdfMemory a, b;
         const Bsdf &one = plain->at(surface, out, a), &other = there->at(surface, out, b);
         const std::string what = kind->info.name + "." + param.name;
-        // Films let light in and out by their own, colourless share, so that a sum of single
-        // reflections is near, but not the same; one lobe's diffuse share is.
+        // Coats transmit a colourless fraction of the light in and out, so that a sum of single
+        // reflections is close, but not equal; one lobe's diffuse part is.
         const Rgb expected = way()(one.albedo());
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(other.albedo()[i], expected[i], 0.06f) << what;
         if (!is_black(one.absorption())) {
@@ -137,8 +137,8 @@ TEST(WorkingSpace, MediaScatterTheSame) {
   EXPECT_EQ(in_space(MediumPtr(), way()), nullptr);
 }
 
-/// Under white light a picture of single reflections is the same light in both spaces; that of a
-/// coloured lamp on a coloured floor is not, which is why people choose.
+/// Under white light a picture of single reflections is the same in both spaces; that of a coloured
+/// light on a coloured floor is not, which is why the space can be chosen.
 TEST(WorkingSpace, PicturesOfWhiteLightAreTheSame) {
   Scene scene;
   scene.objects.push_back(object(floor_mesh(4), 0.5));
@@ -148,7 +148,7 @@ TEST(WorkingSpace, PicturesOfWhiteLightAreTheSame) {
     Scene lit = scene;
     lit.lights.push_back(make_light("sky", {{"radiance", light}}));
     Options o = options(8, 8, 16, 0);
-    // Which paths roulette ends depends on their colour in numbers.
+    // Russian roulette depends on the colour's numbers.
     o.integrator =
         make_integrator("path", {{"max_bounces", 0.0}, {"roulette", Value::Name{"off"}}});
     return render(in_space(lit, space), o).select({"R", "G", "B"});

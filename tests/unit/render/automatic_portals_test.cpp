@@ -1,4 +1,4 @@
-// Openings to the sky are found, and finding them changes noise alone.
+// Automatic portals are found where the sky is visible, and change only the noise.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ Scene room(float hole) {
   return scene;
 }
 
-TEST(Openings, AreFoundWhereTheRoofIsOpen) {
+TEST(AutomaticPortals, AreFoundWhereTheRoofIsOpen) {
   const Scene scene = room(0.7f);
   const PreparedScene world(scene);
   const SamplerPtr sampler = make_sampler("sobol");
@@ -48,7 +48,7 @@ TEST(Openings, AreFoundWhereTheRoofIsOpen) {
   EXPECT_NEAR(portals[0]->center().z, 0.7, 0.1);
 }
 
-TEST(Openings, AreNotSoughtInTheOpen) {
+TEST(AutomaticPortals, AreNotSearchedInOpenScenes) {
   Scene scene;
   scene.objects.push_back(object(floor_mesh(3), 0.5));
   scene.lights.push_back(make_light("sky"));
@@ -59,7 +59,7 @@ TEST(Openings, AreNotSoughtInTheOpen) {
                   .empty());
 }
 
-TEST(Openings, LeaveTheMeanAlone) {
+TEST(AutomaticPortals, KeepTheMean) {
   constexpr int kRuns = 16;
   const Scene scene = room(-0.4f);
   double mean[2] = {0, 0}, square[2] = {0, 0}, spread[2];
@@ -75,12 +75,12 @@ TEST(Openings, LeaveTheMeanAlone) {
     spread[found] = (square[found] - mean[found] * mean[found]) / (kRuns - 1);
   }
   EXPECT_LT(std::fabs(mean[1] - mean[0]), 4 * std::sqrt(spread[0] + spread[1]));
-  // A sixteenth of the samples, and less noise still.
+  // A sixteenth of the samples gives still less noise.
   EXPECT_LT(spread[1], spread[0]);
   EXPECT_LT(std::sqrt(spread[0]), 0.02 * mean[0]);
 }
 
-TEST(Openings, AreTheSameForAnyNumberOfThreads) {
+TEST(AutomaticPortals, AreTheSameForAnyNumberOfThreads) {
   const auto picture = [](int threads) {
     Options o = options(8, 6, 8, 4);
     o.threads = threads;
@@ -91,7 +91,7 @@ TEST(Openings, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one, picture(7));
 }
 
-TEST(Openings, ExitsAreLaidAroundRays) {
+TEST(AutomaticPortals, RectanglesEncloseBoundaryHits) {
   BoundaryHits exits(Box3f(Vec3f(0.0f), Vec3f(64.0f)));
   exits.count({{10.5f, 60, 20.5f}, {0, 1, 0}});
   exits.count({{12.5f, 60, 20.5f}, {0, 1, 0}});
