@@ -1,18 +1,19 @@
-// A mesh puts on what its cells carry.
+// Transfers the cells' attributes and displacement to a mesh.
 #pragma once
 
 #include <vug/building/cell_layer.h>
 
 namespace vug::building {
 
+/// A mesh after the transfer.
 struct MeshWithCells {
   mesh::Mesh mesh;
-  size_t flipped_triangles = 0;  ///< Triangles whose other side shows since it was moved.
+  size_t flipped_triangles = 0;  ///< Triangles whose orientation the displacement inverted.
 };
 
-/// The mesh with what the skin's cells carry at its vertices (see cells/transfer_to_mesh.h), moved
-/// and with holes where the plan says so. Error(bad_input) at the plan's name where it would be
-/// moved by more than ten times its own size.
+/// The mesh with the interpolated attributes of the layer's cells at its vertices (see
+/// cells/transfer_to_mesh.h), displaced and with holes if the plan says so. Error(bad_input),
+/// located at the plan's name, for a displacement of more than ten times the size of the mesh.
 MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
                           const shot::CellsPlan& plan, Progress& progress);
 

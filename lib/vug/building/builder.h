@@ -1,4 +1,5 @@
-// From a shot to its products: grids and meshes, each computed once when first asked for.
+// Computes the products of a shot: grids, meshes, surfaces and cell layers, each once and on
+// demand.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -15,51 +16,53 @@
 namespace vug::building {
 
 struct BuildOptions {
-  uint64_t max_memory = 0;  ///< Bytes for all that a Builder holds and does; 0: what the machine
-                            ///< has free. Error(too_large) before work that needs more.
-  /// Told of what is doubtful, such as an empty grid, as soon as it shows.
+  uint64_t max_memory = 0;  ///< Memory limit of a Builder in bytes; 0: the machine's free memory.
+                            ///< Error(too_large) before work that needs more.
+  /// Called with each warning, such as an empty grid, as soon as it is found.
   std::function<void(const Diagnostics&)> on_warning = nullptr;
-  /// Keeps the runs of cells; null: nothing does.
+  /// Checkpoint of the runs of cells; null: none.
   std::shared_ptr<CellsCheckpoint> checkpoint = nullptr;
 };
 
-/// Holds products while they are needed. The shot must outlive it. Not for several threads at
-/// once; the work inside is parallel.
+/// Builds the products of a shot and caches them. The shot must outlive it. Not thread-safe; the
+/// work itself is parallel.
 class Builder {
  public:
   explicit Builder(const shot::Shot& shot, BuildOptions options = {},
                    Progress& progress = Progress::none())
       : shot_(shot), options_(options), progress_(progress) {}
 
-  /// Keeps what another builder has made of plans that this one's shot has, too: of the same shot
-  /// at another frame all that stands still (see Still), and runs of cells that only go on.
+  /// Takes over the products of another builder whose plans this shot contains as well: for another
+  /// frame of the same shot all static products (see loading::StaticCache), and runs of cells to
+  /// continue.
   void reuse_from(Builder&& other);
 
   const volume::LevelSet& level_set(const shot::VolumePtr& plan);
   mesh::MeshPtr mesh(const shot::MeshPtr& plan);
-  /// The level set whose surface the mesh is, for masks; null where there is none.
+  /// The level set of which the mesh is the surface, for masks; null if there is none.
   std::shared_ptr<const field::SampledGrid> solid(const shot::MeshPtr& plan);
-  /// The cells that a mesh wears.
+  /// The cell layer of a plan.
   CellLayerPtr cell_layer(const shot::CellsPtr& plan);
-  /// The surface that the mesh would stand for, without one.
+  /// The isosurface of the plan for direct ray tracing, without a mesh.
   volume::SurfaceBricksPtr surface(const shot::MeshPtr& plan);
-  /// How many pieces `smallest_piece` has taken from the mesh or surface; 0 before it is made.
+  /// Number of components that `smallest_piece` removed from the mesh or surface; 0 before it is
+  /// built.
   size_t components_removed(const shot::MeshPtr& plan) const;
 
-  /// Error(too_large) where the mesh, its grid and its cells are sure to need more than there is,
-  /// as far as that shows before the work.
+  /// Error(too_large) if the estimate for the mesh, its grid and its cells exceeds the memory
+  /// budget.
   void require_mesh_memory(const shot::MeshPtr& plan) const;
-  /// The same for the surface and its grid.
+  /// Error(too_large) if the estimate for the surface and its grid exceeds the memory budget.
   void require_surface_memory(const shot::MeshPtr& plan) const;
 
   const shot::Shot& shot() const { return shot_; }
   const BuildOptions& options() const { return options_; }
   Progress& progress() const { return progress_; }
-  /// Tells of something doubtful that stands in the scene's text at `where`.
+  /// Passes a warning about the scene text at `where` to BuildOptions::on_warning.
   void warn(const SourceLocation& where, const std::string& message, const std::string& hint) const;
-  /// Bytes that further work may take, at least 1.
+  /// Bytes that further work may use; at least 1.
   uint64_t memory_budget() const;
-  /// Wall-clock seconds spent on grids and meshes so far.
+  /// Wall-clock seconds spent on products so far.
   double seconds() const { return seconds_; }
 
  private:
@@ -72,23 +75,22 @@ class Builder {
     size_t components_removed = 0;
   };
   std::map<shot::MeshPtr, BuiltMesh> meshes_;
-  /// What has been made of a plan, or of one just like it; null when nothing has.
+  /// The mesh of the plan or of an equal plan; null if it has not been built.
   const BuiltMesh* cached(const shot::MeshPtr& plan) const;
   volume::LevelSet make_level_set(const shot::VolumePlan& plan);
   BuiltMesh build_plain(const shot::MeshPlan& plan);
   BuiltMesh build_with_cells(const shot::MeshPlan& plan);
   BuiltMesh build_merged(const shot::MeshPlan& plan);
-  /// Square metres of the volume's surface, about.
+  /// Approximate surface area of the volume in square metres.
   double area_of(const shot::VolumePtr& plan) const;
   volume::SurfaceBricksPtr cached_surface(const shot::MeshPtr& plan) const;
-  /// A run that one of the plan would only go on from; null where there is none.
+  /// A run that a run of the plan can continue; null if there is none.
   CellLayerPtr resumable(const shot::CellsPlan& plan) const;
   std::map<shot::CellsPtr, CellLayerPtr> cell_layers_;
-  std::map<shot::CellsPtr, CellLayerPtr>
-      resumable_;  ///< Runs of an earlier frame that a plan's goes on from.
+  std::map<shot::CellsPtr, CellLayerPtr> resumable_;  ///< Runs of an earlier frame to continue.
   std::map<shot::MeshPtr, volume::SurfaceBricksPtr> surfaces_;
   double seconds_ = 0;
-  uint64_t held_ = 0;  ///< Bytes of grids, meshes, skins and surfaces.
+  uint64_t held_ = 0;  ///< Bytes of all cached products.
 };
 
 }  // namespace vug::building

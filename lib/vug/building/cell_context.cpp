@@ -33,9 +33,9 @@ std::vector<float> cell_context(const cells::Network& cells, const std::string& 
   if (name == shot::kCurvature) return curvature(cells);
   render::OpennessOptions options;
   // Cells lie on the facets of a mesh, whose smooth normals see a little way into their neighbours.
-  options.lift = cells.spacing / 4;
+  options.offset = cells.spacing / 4;
   options.sky = name == shot::kExposure;
-  if (name == shot::kOcclusion) options.reach = kNear;
+  if (name == shot::kOcclusion) options.max_distance = kNear;
   std::vector<float> shares =
       render::Openness(meshes).of(cells.position, cells.normal, options, progress);
   if (name == shot::kOcclusion)

@@ -1,4 +1,4 @@
-// What stands around cells, as attributes that recipes can name: computed only where one does.
+// Attributes that describe the surroundings of cells, computed only if a rule or mask uses them.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -10,7 +10,8 @@
 
 namespace vug::building {
 
-/// One of them for each cell; what stands around is the meshes.
+/// The attribute `name`, one of shot::context_attribute_names(), for each cell, with `meshes` as
+/// occluders.
 std::vector<float> cell_context(const cells::Network& cells, const std::string& name,
                                 const std::vector<mesh::MeshPtr>& meshes, Progress& progress);
 

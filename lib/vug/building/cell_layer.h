@@ -1,4 +1,4 @@
-// A skin: a network of cells on meshes and what its rules have made of it.
+// Cell layers: a network of cells on meshes with the state after its rules have run.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -13,16 +13,17 @@
 
 namespace vug::building {
 
-/// What cells stand on.
+/// A mesh that carries cells.
 struct CellSupport {
   mesh::MeshPtr mesh;
-  std::shared_ptr<const field::SampledGrid> solid;  ///< The level set whose surface it is, for
-                                                    ///< masks; null where there is none.
+  std::shared_ptr<const field::SampledGrid> solid;  ///< Level set of which it is the surface,
+                                                    ///< for masks; null if there is none.
 };
 
+/// The cells of one plan after their run.
 struct CellLayer {
-  cells::Simulation simulation;            ///< After its run; it holds the network.
-  std::vector<cells::RelaxStep> relaxation;  ///< How harmonising went.
+  cells::Simulation simulation;              ///< State after the run; contains the network.
+  std::vector<cells::RelaxStep> relaxation;  ///< Statistics of the relaxation steps.
 
   const cells::Network& network() const { return simulation.network(); }
 };
@@ -30,21 +31,20 @@ using CellLayerPtr = std::shared_ptr<const CellLayer>;
 
 class CellsCheckpoint;
 
-/// Where a run begins, and where it is kept.
+/// Start and checkpoint of a run.
 struct CellRunOptions {
-  CellLayerPtr from =
-      nullptr;  ///< Of an equal plan with as many steps or fewer: goes on from there.
+  CellLayerPtr from = nullptr;  ///< Run of an equal plan with at most as many steps, to continue.
   CellsCheckpoint* checkpoint = nullptr;
 };
 
-/// Makes the network and runs the plan's rules on it. Errors of the spacing are told where the text
-/// gives it; Error(too_large) where `memory` bytes do not suffice. `object` of a cell is its
-/// ground's number; there are no cells on meshes that are empty.
+/// Builds the network and runs the plan's rules on it. `object` of a cell is the index of its
+/// support; empty meshes get no cells. Errors about the spacing have its location in the text;
+/// Error(too_large) if `memory` bytes do not suffice.
 CellLayer make_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
                           uint64_t memory, Progress& progress, const CellRunOptions& how = {});
 
-/// Error(too_large) at the spacing where cells on so many square metres need more than `memory`
-/// bytes.
+/// Error(too_large), located at the spacing, if cells on `area` square metres need more than
+/// `memory` bytes.
 void require_cell_memory(const shot::CellsPlan& plan, double area, uint64_t memory);
 
 }  // namespace vug::building

@@ -1,4 +1,4 @@
-// Cells as grids of points, and back again.
+// Conversion of cells to grids of points, and back.
 #pragma once
 
 #include <vug/building/cell_layer.h>
@@ -10,17 +10,17 @@
 
 namespace vug::building {
 
-/// The cells as a grid of points under the plan's name, with the step that they are at
-/// ("vug:step") and what they are kept for ("vug:keep").
+/// The cells as a grid of points with the plan's name, with their step ("vug:step") and the format
+/// of their values ("vug:keep") as metadata.
 volume::Grid cell_points(const shot::CellsPlan& plan, const CellLayer& layer,
                          cells::PointFormat keep = cells::PointFormat::interchange);
 
-/// Of the file that cells go on from the points of their name, or the first that there are; null
-/// where they go on from none. Their values stay on the disk until they are asked for. Error at the
-/// plan's name where the file cannot be read or holds no points.
+/// The points to continue from: of the plan's file those with its name, else the first points;
+/// nothing if the plan has no file. Their values are read on demand. Error, located at the plan's
+/// name, if the file cannot be read or contains no points.
 std::optional<volume::Grid> initial_points(const shot::CellsPlan& plan);
 
-/// Puts back what points carry that cell_points has made of equal cells. Error(bad_input).
+/// Restores the state that cell_points stored for equal cells. Error(bad_input) for other points.
 void restore_cells(const volume::Grid& points, cells::Simulation& simulation);
 
 }  // namespace vug::building

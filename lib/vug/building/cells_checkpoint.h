@@ -1,5 +1,5 @@
-// Runs of cells that take long: what is done goes into a file, from which a run that was killed
-// goes on to the same bytes.
+// Checkpoints of long runs of cells: a killed run continues from its file and yields the same
+// bytes.
 #pragma once
 
 #include <vug/building/cell_layer.h>
@@ -12,27 +12,28 @@
 namespace vug::building {
 
 struct CheckpointOptions {
-  std::filesystem::path file;   ///< A .vdb with a grid of exact points for each cells.
-  std::optional<double> every;  ///< Seconds; none: so that saving takes 1 % of the time, about.
-  bool resume = false;          ///< Go on from the file if there is one.
+  std::filesystem::path file;  ///< A .vdb with one grid of exact points for each plan.
+  std::optional<double>
+      every;            ///< Interval in seconds; default: saving takes about 1 % of the time.
+  bool resume = false;  ///< Continue from the file if it exists.
 };
 
-/// Of all cells of one shot. Not for several threads at once.
+/// The checkpoint of all cells of one shot. Not thread-safe.
 class CellsCheckpoint {
  public:
-  /// Error(bad_input) where the file is there without `resume`, or is of another scene, version,
-  /// seed or parameters.
+  /// Error(bad_input) if the file exists without `resume`, or belongs to another scene, version,
+  /// seed or other parameters.
   CellsCheckpoint(CheckpointOptions options, const shot::Shot& shot);
 
-  /// Gives the cells what the file has of them, if anything.
+  /// Restores the state of the cells from the file, if it contains them.
   void restore(const shot::CellsPlan& plan, CellLayer& layer) const;
-  /// Saves when it is time to.
+  /// Saves if the interval has passed.
   void after_step(const shot::CellsPlan& plan, const CellLayer& layer);
-  /// Keeps a finished run for the files that later ones save.
+  /// Records a finished run, which later checkpoints include.
   void finish(const shot::CellsPlan& plan, const CellLayer& layer);
-  /// Saves now; gives the error of a run that was cancelled, with how to go on.
+  /// Saves at once; returns the error of the cancelled run with a hint on how to continue.
   Error save_cancelled(const shot::CellsPlan& plan, const CellLayer& layer, const Error& cancelled);
-  /// To be called when all that was made of the cells is safe.
+  /// Removes the file; call it after all products of the cells have been written.
   void remove() const;
 
  private:
@@ -41,8 +42,8 @@ class CellsCheckpoint {
 
   CheckpointOptions options_;
   std::string identity_;
-  std::vector<volume::Grid> restored_;  ///< Of the file.
-  std::vector<volume::Grid> finished_;  ///< Of this run.
+  std::vector<volume::Grid> restored_;  ///< From the file.
+  std::vector<volume::Grid> finished_;  ///< Of this process.
   Clock::time_point saved_ = Clock::now();
   double every_;
 };

@@ -1,4 +1,5 @@
-// What a shot shows: its objects, and what it places, with all that stands in placed scenes.
+// Flattens a shot into a list of objects and lights, with the contents of placed scenes as
+// instances.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -7,23 +8,22 @@
 
 namespace vug::building {
 
-/// Objects, instances and lamps; those of placed scenes have names "PLACE/OBJECT" there.
+/// Objects, instances and lights; those of placed scenes are named "PLACE/OBJECT".
 struct FlatScene {
   std::vector<render::Object> objects;
   std::vector<render::LightPtr> lights;
 };
 
-/// A shot at several times.
+/// A shot at several times while the shutter is open.
 using TimeSamples = std::vector<std::shared_ptr<const shot::Shot>>;
 
-/// `moments`: at times evenly spread while the shutter is open, with the same objects for what
-/// stands still (see Still): what is placed goes through its places there. None: it stays where it
-/// is at its frame, as it does where its places become more or fewer; so do lamps. Builds all
-/// meshes. Error(bad_input), with the place's name in the text, for places that cannot
-/// be rendered.
+/// Instances are motion-blurred across `time_samples`, which are evenly spaced and share static
+/// plans (see loading::StaticCache). Without time samples, or if the instance count changes between
+/// them, instances use the pose at the frame. Lights are never blurred. Builds all meshes.
+/// Error(bad_input), located at the name of the `place`, for instances that cannot be rendered.
 FlatScene flatten_scene(Builder& builder, const TimeSamples& time_samples = {});
 
-/// A soft sky for a shot in which nothing shines: no light, no object, and not the `medium`, which
+/// Adds a uniform sky if the scene has no light, no emissive object and no emissive `medium`, which
 /// may be null.
 void add_default_light(FlatScene& flat, const render::Medium* medium);
 

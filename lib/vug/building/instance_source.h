@@ -1,4 +1,4 @@
-// Where a scene puts things that it has several of: one place, a list, a file, a scatter.
+// Sources of instance transforms: a pose, a list, a file, a scatter.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -13,21 +13,23 @@ namespace vug::building {
 
 class Builder;
 
+/// One instance of a point instancer.
 struct Instance {
-  Transform transform;  ///< From the thing's own space to the scene's.
-  RandomKey key{0};     ///< Of what chance still decides.
-  int model = -1;       ///< Which of the things stands there; -1: chance decides.
+  Transform transform;  ///< From the model's space to the scene's.
+  RandomKey key{0};     ///< Key of further random choices.
+  int model = -1;       ///< Index of the model; -1: random.
 };
 
-/// Found when the picture needs them: a scatter needs its mesh. `key` is that of the declaration.
+/// Computes instances when they are needed, since a scatter needs its mesh. `key` is that of the
+/// declaration.
 using InstanceFunction = std::function<std::vector<Instance>(Builder& builder, RandomKey key)>;
 
-/// A maker of which more is known, so that the text can be judged by it: InstanceFunction::target
-/// finds it.
+/// An instance function with additional information for validation, obtained by
+/// InstanceFunction::target.
 struct IndexedInstanceSource {
   InstanceFunction make;
-  int last_model = -1;  ///< The highest Place::model.
-  /// A sentence on why there are no places where `make` makes none; may be empty.
+  int last_model = -1;  ///< The largest Instance::model.
+  /// Explains why `make` yields no instances; may return an empty string.
   std::function<std::string(Builder& builder, RandomKey key)> empty_reason = nullptr;
 
   std::vector<Instance> operator()(Builder& builder, RandomKey key) const {
@@ -35,7 +37,7 @@ struct IndexedInstanceSource {
   }
 };
 
-/// Turned about z, then x, then the upright y, then moved; radians.
+/// Scaling, then rotations about z, x and the vertical y axis, in radians, then the translation.
 Transform pose_transform(const Vec3d& position, double yaw, double pitch, double roll,
                          const Vec3d& scale);
 
@@ -43,14 +45,14 @@ Transform pose_transform(const Vec3d& position, double yaw, double pitch, double
 
 namespace vug {
 
-/// A vector stands for that one place.
+/// A vector is converted to a single instance at that position.
 template <>
 struct ValueTraits<shot::InstanceSource> : ObjectTraits<shot::InstanceSource> {
   static constexpr const char* kWord = "places";
   static std::optional<shot::InstanceSource> read(const Value& v);
 };
 
-/// What can be placed: the name of an object, a mesh, or a whole scene.
+/// A model: the name of an object, a mesh, or a whole scene.
 template <>
 struct ValueTraits<shot::Model> {
   static std::string type() { return "model"; }

@@ -1,4 +1,4 @@
-// The mesh of a level set or of a file, as a scene asks for it.
+// Builds the mesh of a plan from a level set or from a file.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -8,24 +8,24 @@
 
 namespace vug::building {
 
-/// The mesh of the plan's level set, without its small pieces, with vertex colours and
-/// what tells elements of facades apart.
-/// Error(too_large) where `memory` bytes do not suffice.
+/// The mesh of the plan's level set without its small components, with vertex colours and with the
+/// attributes of facade elements. Error(too_large) if `memory` bytes do not suffice.
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
                                 uint64_t memory, Progress& progress);
 
-/// The same of what the plan's file holds.
+/// The mesh of the plan's file without its small components, with vertex colours.
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan);
 
-/// All in one, in their order; what one of them does not carry is 0 there, and without normals of
-/// all there are none.
+/// The meshes combined in their order. Attributes that a mesh lacks are 0 there; normals are kept
+/// only if all meshes have them.
 mesh::Mesh merge_meshes(const std::vector<mesh::MeshPtr>& parts);
 
-/// Adds the paint's colours at the vertices, which have normals, as attribute Cd; `solid` is the
-/// level set whose surface it is, or null.
+/// Evaluates the paint at the vertices and adds the colours as attribute Cd. The mesh must have
+/// normals; `solid` is the level set of which it is the surface, or null.
 void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::SampledGrid* solid);
 
-/// With triangles no larger than the plan's cells. Error(too_large) at its spacing.
+/// The mesh with triangles no larger than the plan's cells. Error(too_large) at the location of
+/// `spacing`.
 mesh::MeshPtr refine_for_cells(const shot::CellsPlan& plan, const mesh::Mesh& mesh,
                                uint64_t memory);
 

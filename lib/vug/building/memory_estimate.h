@@ -1,4 +1,4 @@
-// What the work for a shot's products takes, said before it is done.
+// Memory estimates for building a scene's products, made before the work starts.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -11,13 +11,14 @@ volume::VoxelizeOptions voxelize_options(const shot::VolumePlan& plan, uint64_t 
 
 uint64_t bytes_of(const mesh::Mesh& mesh);
 
-/// Peak of making and polishing a mesh of a band that is so many voxels wide.
+/// Peak memory in bytes for building and polishing a mesh from a band `band` voxels wide.
 double meshing_bytes(double active_voxels, double band);
-/// Peak of a surface without a mesh, with what tells its pieces apart.
+/// Peak memory in bytes of a surface for direct ray tracing, including the labels of its
+/// components.
 double surface_bytes(double area, double voxel);
-/// Square metres of the surface in a band of so many active voxels.
+/// Area in square metres of the surface in a band of `active_voxels`.
 double area_of_band(double active_voxels, const shot::VolumePlan& plan);
-/// No grid of the plan has more active voxels: as if every voxel were in the band.
+/// Upper bound for the active voxels of the plan: every voxel of its box.
 double max_active_voxels(const shot::VolumePlan& plan);
 
 }  // namespace vug::building

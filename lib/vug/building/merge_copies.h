@@ -1,4 +1,5 @@
-// What a scene has placed many times, as one mesh: so that a grove can place the whole scene.
+// Merges the copies inside a scene into single meshes, so that a grove can instance the scene
+// efficiently.
 #pragma once
 
 #include <vug/render/scene.h>
@@ -7,10 +8,10 @@
 
 namespace vug::building {
 
-/// The objects, with those that are instances of one mesh, under one name and of one material, made
-/// one object whose mesh is all of them; its material sees the space that they stand in, and the
-/// attribute "copy" tells them apart. What moves, shines, sees its place, or has a level set that
-/// masks may ask about stays as it is. In the order of first appearance. Error(too_large).
+/// Replaces the instances of one mesh that share name and material by one object with the combined
+/// mesh. The material is evaluated in the space of the scene, and the attribute "copy" numbers the
+/// copies. Objects that move, are emissive, have a world-space material, or have a level set for
+/// masks are kept. The order is that of first appearance. Error(too_large).
 std::vector<render::Object> merge_copies(const std::vector<render::Object>& objects);
 
 }  // namespace vug::building

@@ -1,4 +1,4 @@
-// Which attributes the cells of a plan have, told before any work.
+// The attributes that the cells of a plan will have, determined before any work.
 #pragma once
 
 #include <vug/shot/cells_plan.h>
@@ -12,14 +12,16 @@ inline constexpr const char* kExposure = "exposure";
 inline constexpr const char* kOcclusion = "occlusion";
 inline constexpr const char* kCurvature = "curvature";
 
-/// exposure: the light of an even sky as a share of what falls on open level ground; occlusion: the
-/// share of the directions above a cell in which rock stands within 50 cm, weighted by cosines;
-/// curvature: the mean of the surface's, by how normals turn from a cell to its neighbours, in 1/m:
-/// 1/r on a ball, below 0 in hollows. It needs no level set, as the masks cavity and edge do.
+/// The names of the attributes that describe the surroundings of cells; they are computed on
+/// demand. exposure: irradiance under a uniform sky relative to unoccluded level ground. occlusion:
+/// cosine-weighted fraction of the directions above a cell that hit rock within 50 cm. curvature:
+/// mean curvature in 1/m from the change of normals between neighbouring cells: 1/r on a sphere,
+/// negative in hollows. Unlike the masks cavity and edge it needs no level set.
 const std::vector<std::string>& context_attribute_names();
 
-/// Fills plan.surroundings, and tells of attributes that rules or masks of the plan name and nobody
-/// brings, where the text does so, and of rules that disagree about the type of one.
+/// Fills plan.attribute_names and plan.context_attributes. Reports attributes that rules or masks
+/// of the plan name but nothing creates, at their location in the text, and rules that disagree
+/// about the type of an attribute.
 void resolve_attribute_names(CellsPlan& plan, Diagnostics& diagnostics);
 
 }  // namespace vug::shot

@@ -1,4 +1,4 @@
-// Rules of cells as a scene calls them: each with when and where it works.
+// Cell rules as called in a scene, with their steps and masks.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -6,10 +6,10 @@
 
 namespace vug::shot {
 
-/// The kinds of cells::rules(), whose parameters are followed by `begin`, `steps` and `where`.
+/// The kinds of cells::rules() with the additional parameters `begin`, `steps` and `where`.
 const Kinds<CellStagePtr>& cell_stages();
 
-/// The same of one, which must outlive it.
+/// The stage kind of one rule, which must outlive it.
 Kind<CellStagePtr> stage_kind(const cells::RuleKind& rule);
 
 }  // namespace vug::shot

@@ -17,9 +17,10 @@ namespace vug::shot {
 struct CellStage {
   cells::RulePtr rule;
   std::string name;
-  int begin = 0;              ///< First step, counted from 0.
-  std::optional<int> steps;   ///< Number of steps; default: to the end, or one for rules that act once.
-  paint::Mask where;          ///< Probability of rewriting a cell; null: 1.
+  int begin = 0;  ///< First step, counted from 0.
+  std::optional<int>
+      steps;          ///< Number of steps; default: to the end, or one for rules that act once.
+  paint::Mask where;  ///< Probability of rewriting a cell; null: 1.
   SourceLocation location{};  ///< Location of the rule in the text.
 
   /// Number of steps that the rule acts for; negative: to the end.
@@ -27,8 +28,8 @@ struct CellStage {
 };
 using CellStagePtr = std::shared_ptr<const CellStage>;
 
-/// The outputs of cells that `vug build` can write: "points", "grids" next to the level set, and the
-/// table "csv".
+/// The outputs of cells that `vug build` can write: "points", "grids" next to the level set, and
+/// the table "csv".
 const std::vector<std::string>& cell_files();
 
 struct CellsPlan {
@@ -41,12 +42,13 @@ struct CellsPlan {
   std::vector<CellStagePtr> run;  ///< In their order within a step.
   bool move = true;               ///< The mesh follows the displacement of cells.
   bool holes = false;             ///< Cut the mesh away where cells have been removed.
-  std::optional<bool> refine;  ///< Subdivide triangles larger than cells; default: for meshes from files.
-  std::optional<int> steps;    ///< Steps of the whole run; see length.
-  std::filesystem::path from;  ///< Points to continue from; empty: none.
+  std::optional<bool>
+      refine;  ///< Subdivide triangles larger than cells; default: for meshes from files.
+  std::optional<int> steps;                              ///< Steps of the whole run; see length.
+  std::filesystem::path from;                            ///< Points to continue from; empty: none.
   std::vector<std::string> files = {"points", "grids"};  ///< Outputs, from cell_files().
   bool half = false;                                     ///< Store numbers with 16 bits.
-  std::vector<std::string> attribute_names;  ///< Attributes that the cells will carry.
+  std::vector<std::string> attribute_names;              ///< Attributes that the cells will carry.
   RandomKey key{0};
   /// Only `steps` depends on the frame, so that the run of another frame can be continued.
   bool resumable = false;
@@ -54,7 +56,8 @@ struct CellsPlan {
   SourceLocation where;                         ///< Location of the name in the text.
   SourceLocation spacing_where;                 ///< Location of `spacing`.
 
-  /// Steps of the whole run: `steps`, else the end of the last stage, with 100 steps for open-ended stages.
+  /// Steps of the whole run: `steps`, else the end of the last stage, with 100 steps for open-ended
+  /// stages.
   int length() const;
   /// Whether the output, one of cell_files(), is requested.
   bool writes(const std::string& what) const;

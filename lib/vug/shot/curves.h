@@ -1,4 +1,4 @@
-// Curves that scenes name: what turtles are guided by.
+// Named curves of a scene, which guide turtles.
 #pragma once
 
 #include <vug/base/bezier.h>
@@ -6,12 +6,12 @@
 
 namespace vug::shot {
 
-/// Made from the list in CMakeLists.txt.
+/// The kinds listed in CMakeLists.txt.
 const Kinds<Bezier>& curve_kinds();
 
 using CurveKind = Kind<Bezier>;
 
-/// Opens the one function that the file of a kind of curve exports.
+/// Begins the definition of the function that the source of a curve kind exports.
 #define VUG_CURVE_KIND(name) VUG_EXPORT_KIND(vug::shot, CurveKind, name##_curve)
 
 }  // namespace vug::shot

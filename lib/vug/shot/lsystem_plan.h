@@ -1,4 +1,4 @@
-// `grammar NAME: lsystem { ... }` of a scene: the system, its turtle, and what that draws.
+// The plan of a `grammar NAME: lsystem { ... }`: the L-system, its turtle settings and its drawing.
 #pragma once
 
 #include <vug/field/field.h>
@@ -11,16 +11,17 @@
 
 namespace vug::shot {
 
-/// The entries of an L-system's block, beside its axiom and rules.
+/// The entries of an L-system's block other than its axiom and rules.
 struct LSystemBlock : lsystem::SystemOptions, lsystem::TurtleOptions {
-  std::optional<field::Field> field;  ///< What ?D asks for.
+  std::optional<field::Field> field;  ///< The solid queried by ?D.
 };
 const Schema<LSystemBlock>& lsystem_schema();
 
-/// Immutable; Shot::lsystems are of these. Errors are those of lsystem::derive and lsystem::draw.
+/// An immutable L-system, the element of Shot::lsystems. Throws the errors of lsystem::derive and
+/// lsystem::draw.
 class LSystemPlan {
  public:
-  /// `max_memory`: bytes of a word, 0 for what the machine can give.
+  /// `max_memory`: limit for a word in bytes; 0: the machine's free memory.
   LSystemPlan(std::string plan_name, lsystem::SystemPtr of, LSystemBlock with, uint64_t max_memory)
       : name(std::move(plan_name)),
         system(std::move(of)),
@@ -31,13 +32,14 @@ class LSystemPlan {
   const lsystem::SystemPtr system;
   const LSystemBlock block;
 
-  /// The word after the block's steps or at its time, or those given: its turtle answers queries.
+  /// The word after the given steps or at the given time, by default those of the block. Its turtle
+  /// answers queries.
   lsystem::Derivation derive(std::optional<int> steps = {}, std::optional<double> time = {}) const;
-  /// Such a word as the turtle reads it.
+  /// The word after interpretation rules, as the turtle reads it.
   lsystem::Word interpret(lsystem::Derivation derivation) const;
-  /// What is drawn of that, made when it is first asked for.
+  /// The drawing of that word, computed on first use.
   lsystem::DrawingPtr drawing() const;
-  /// The same, made anew.
+  /// The drawing, computed again.
   lsystem::Drawing draw() const;
 
  private:

@@ -13,10 +13,10 @@ struct MeshSource {
   mesh::MeshPtr shape;  ///< If set, used instead of both.
 };
 
-/// The mesh of a source, with unit normals. Stems are approximated within `tolerance` metres of a round
-/// cross-section; polygons become sheets. The mesh is empty if nothing has been drawn, as in an animation
-/// before growth starts. Error(bad_input) for a field that does not consist of stems, and for
-/// self-intersecting polygons.
+/// The mesh of a source, with unit normals. Stems are approximated within `tolerance` metres of a
+/// round cross-section; polygons become sheets. The mesh is empty if nothing has been drawn, as in
+/// an animation before growth starts. Error(bad_input) for a field that does not consist of stems,
+/// and for self-intersecting polygons.
 mesh::Mesh mesh_from_source(const MeshSource& drawn, double tolerance);
 
 }  // namespace vug::shot

@@ -17,8 +17,8 @@ std::vector<MeshPtr> shown_meshes(const Shot& shot);
 /// The declared cells in their order, including those below other cells.
 std::vector<CellsPtr> declared_cells(const Shot& shot);
 
-/// The objects shown at the position of their meshes, without those that are only instanced. For a shot
-/// without objects these are its meshes with the default grey material.
+/// The objects shown at the position of their meshes, without those that are only instanced. For a
+/// shot without objects these are its meshes with the default grey material.
 std::vector<ObjectPlan> shown_objects(const Shot& shot);
 
 /// An object with the name of the mesh and the default grey material.
@@ -27,11 +27,12 @@ ObjectPlan plain_object(const MeshPtr& mesh);
 /// The light groups of all lights and emissive objects, including those of placed scenes.
 std::vector<std::string> light_groups(const Shot& shot);
 
-/// The attributes that identify the facade elements of the mesh, including those of the mesh below its cells.
+/// The attributes that identify the facade elements of the mesh, including those of the mesh below
+/// its cells.
 std::vector<std::string> element_names(const MeshPlan& plan);
 
-/// The mesh of that name among shown_meshes and the meshes below cells; the first one for an empty name.
-/// Error(bad_input) with the nearest name if there is no such mesh.
+/// The mesh of that name among shown_meshes and the meshes below cells; the first one for an empty
+/// name. Error(bad_input) with the nearest name if there is no such mesh.
 MeshPtr find_mesh(const Shot& shot, const std::string& name);
 /// The volume of that name; the first one for an empty name. Error(bad_input) as find_mesh.
 VolumePtr find_volume(const Shot& shot, const std::string& name);

@@ -58,8 +58,8 @@ using VolumePtr = std::shared_ptr<const VolumePlan>;
 struct CellsPlan;  ///< See cells_plan.h.
 using CellsPtr = std::shared_ptr<const CellsPlan>;
 
-/// `mesh NAME on VOLUME { ... }` or `mesh NAME { file ... }`, such a mesh with a cell layer, or several
-/// meshes combined into one.
+/// `mesh NAME on VOLUME { ... }` or `mesh NAME { file ... }`, such a mesh with a cell layer, or
+/// several meshes combined into one.
 struct MeshPlan {
   std::string name;
   VolumePtr volume;            ///< Null for a combined mesh and for a mesh from a file.
@@ -73,7 +73,8 @@ struct MeshPlan {
   std::vector<std::shared_ptr<const facade::FacadeInstance>> elements;
   CellsPtr cells;      ///< Cells applied to the mesh; null: none.
   size_t support = 0;  ///< Index in `cells->on` of the mesh below the cells.
-  std::vector<std::shared_ptr<const MeshPlan>> parts;  ///< The meshes combined into this one; empty: a single mesh.
+  std::vector<std::shared_ptr<const MeshPlan>>
+      parts;  ///< The meshes combined into this one; empty: a single mesh.
 
   bool operator==(const MeshPlan&) const = default;
 };
@@ -98,8 +99,8 @@ struct Shot;
 using InstanceSource = std::shared_ptr<
     const std::function<std::vector<building::Instance>(building::Builder&, RandomKey)>>;
 
-/// The prototype of an instance: an object of the shot, else a mesh with the default grey material, or a
-/// whole scene.
+/// The prototype of an instance: an object of the shot, else a mesh with the default grey material,
+/// or a whole scene.
 struct Model {
   std::string name;
   MeshPtr mesh;
@@ -168,8 +169,8 @@ struct Shot {
   uint64_t seed = 0;
   double frame = 1;       ///< Frame number; frames may be fractional.
   bool animated = false;  ///< Part of the scene depends on the frame.
-  std::string recipe;     ///< The scene text with its overrides, from which the shot can be rebuilt.
-  Digest text_digest;     ///< Digest of the scene text and of all included texts.
+  std::string recipe;  ///< The scene text with its overrides, from which the shot can be rebuilt.
+  Digest text_digest;  ///< Digest of the scene text and of all included texts.
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;
