@@ -98,7 +98,7 @@ class BrokenFiles(VugTest):
         self.write("cut.obj", whole[:end])
         self.expect(1, "measure", "cut.obj")
         self.write("use.vug", IN_A_SCENE[".obj"].format("cut.obj"))
-        self.assertIn("bounds no solid", self.expect(2, "check", "use.vug").err)
+        self.assertIn("does not bound a solid", self.expect(2, "check", "use.vug").err)
 
     def test_flipped_bytes_never_crash(self):
         """A damaged file may still read; then that is the answer. A signal never is."""
@@ -120,7 +120,7 @@ class BrokenFiles(VugTest):
             for verb in ["check", "format"] if suffix == ".vdb" else ["check"]:
                 self.assertEqual(self.expect(2, verb, "use.vug").err,
                                  "use.vug: error: the file is not a text file\n"
-                                 "hint: scenes are UTF-8 text; 'vug info' tells of grids, meshes and "
+                                 "hint: scenes are UTF-8 text; 'vug info' describes grids, meshes and "
                                  "pictures\n")
 
     def test_what_is_no_regular_file(self):

@@ -5,16 +5,16 @@ namespace vug::field {
 namespace {
 
 struct Affine {
-  Transform forward;  // child's space to outside
+  Transform forward;  // From the child's space to the outside.
   Transform inverse;
-  double stretch_in;  // largest stretch of the inverse
-  double scale_out;   // smallest stretch of the forward map
+  double stretch_in;  // Largest stretch of the inverse.
+  double scale_out;   // Smallest stretch of the forward map.
 
   template <class T>
   Point<T> map(const Point<T>& p) const {
     const Vec3d &x = inverse.column(0), &y = inverse.column(1), &z = inverse.column(2);
     const Vec3d& t = inverse.origin();
-    // Plain numbers: a factor without a derivative is cheaper than one whose derivative is 0.
+    // Plain numbers: a factor without a derivative is cheaper than one with derivative 0.
     return {p.x * x.x + p.y * y.x + p.z * z.x + t.x, p.x * x.y + p.y * y.y + p.z * z.y + t.y,
             p.x * x.z + p.y * y.z + p.z * z.z + t.z};
   }
@@ -29,7 +29,7 @@ struct Affine {
   double scale() const { return scale_out; }
   Traits traits(const Traits& child) const {
     Traits out = child;
-    const double uneven = forward.max_stretch() / forward.min_stretch();  // 1 for similarities
+    const double uneven = forward.max_stretch() / forward.min_stretch();  // 1 for similarities.
     if (uneven > 1 + 1e-12) out.exactness = std::max(out.exactness, Exactness::bound);
     out.bounds = forward.box(child.bounds);
     out.growth = child.growth_rate() / uneven;
@@ -37,7 +37,7 @@ struct Affine {
   }
 };
 
-/// Most solids of a grammar are only moved, and that costs no more than three sums.
+/// Most solids of a grammar are only translated, which costs three additions.
 struct Translation {
   Vec3d by;
 
@@ -72,7 +72,7 @@ Field transformed(const Field& field, const Transform& map) {
   const Transform inverse = map.inverse();
   const double least = map.min_stretch();
   const bool similarity = map.max_stretch() <= least * (1 + 1e-12);
-  // A rotation's stretch is 1 to the bit, so that moving a solid does not scale its distances.
+  // A rotation has a stretch of exactly 1, so that moving a solid does not scale its distances.
   const double scale = similarity && std::fabs(least - 1) < 1e-12 ? 1 : least;
   Affine affine{map, inverse, inverse.max_stretch(), scale};
   return Field(std::make_shared<DeformerNode<Affine>>("transform", affine, field.node()));

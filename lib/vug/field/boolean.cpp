@@ -1,5 +1,5 @@
-// One node serves union, intersection and difference: sign * smin(sign_i * child_i), by
-// De Morgan. Children fold from left to right, so an n-ary blend has a defined order.
+// One node serves union, intersection and difference: sign * smin(sign_i * child_i), by De Morgan.
+// Children fold from left to right, so an n-ary blend has a defined order.
 #include <vug/field/boolean.h>
 #include <vug/field/constant.h>
 
@@ -9,14 +9,14 @@
 namespace vug::field {
 namespace {
 
-/// What an operand's box says about its values without asking the operand: beyond the box they
-/// grow, and inside they are no lower than the way out is long. A fold of thousands is restricted
-/// over large balls from this alone.
+/// Bounds of an operand's values from its box, without evaluating it: outside the box they grow,
+/// and inside they are no lower than the distance to its surface. A fold of thousands of operands
+/// is restricted over large balls with this information alone.
 struct Reach {
   Box3d box;
-  double growth = 0;  // 0: the box says nothing
-  double depth = 0;   // values inside are above -depth
-  double radius = 0;  // of a ball around the box
+  double growth = 0;  // 0: no information from the box.
+  double depth = 0;   // Values inside are above -depth.
+  double radius = 0;  // Radius of a ball around the box.
 
   Reach() = default;
   Reach(const Traits& traits, double sign) : box(traits.bounds) {
@@ -26,7 +26,7 @@ struct Reach {
     depth = 0.5 * traits.lipschitz * std::min({size.x, size.y, size.z});
     radius = 0.5 * size.length();
   }
-  /// The least value that a point within `radius` of c can have.
+  /// The minimum of the values within `radius` of c.
   double least(const Ball& ball) const {
     if (growth <= 0) return -kInfinity;
     const double away = distance(ball.centre) - ball.radius;
@@ -44,10 +44,10 @@ struct Reach {
 
 struct Operand {
   Operand(NodePtr n, double s) : node(std::move(n)), sign(s), reach(node->traits(), sign) {}
-  Operand(NodePtr smaller, const Operand& whole)  // what is known of the whole holds for a part
+  Operand(NodePtr smaller, const Operand& whole)  // Bounds of the whole also hold for a part.
       : node(std::move(smaller)), sign(whole.sign), reach(whole.reach) {}
   NodePtr node;
-  double sign;  // the fold sees sign * node
+  double sign;  // The fold uses sign * node.
   Reach reach;
 };
 
@@ -109,7 +109,7 @@ class FoldNode final : public EvaluationModes<FoldNode> {
   Blend blend_;
 };
 
-/// Lipschitz constant and exactness of a fold.
+/// Computes the Lipschitz constant and exactness of a fold.
 void set_slope(Traits& traits, const std::vector<Operand>& operands, const Blend& blend) {
   traits.lipschitz = 0;
   traits.exactness = Exactness::exact;
@@ -125,15 +125,15 @@ void set_slope(Traits& traits, const std::vector<Operand>& operands, const Blend
 
 Interval signed_range(Interval range, double sign) { return sign > 0 ? range : -range; }
 
-/// A union of hundreds is restricted once per block, so this neither allocates for dropped
-/// operands nor recomputes bounds: the node's own still hold for fewer operands.
+/// A union of hundreds of operands is restricted once per block, so this neither allocates for
+/// dropped operands nor recomputes bounds: the node's own bounds still hold for fewer operands.
 Restriction FoldNode::restrict_to(const Ball& ball) const {
   struct Kept {
     Interval range;
     const Operand* operand;
     NodePtr smaller;
   };
-  thread_local std::vector<std::vector<Kept>> pool;  // one list per depth of recursion
+  thread_local std::vector<std::vector<Kept>> pool;  // One list per recursion depth.
   thread_local size_t depth = 0;
   struct Depth {
     Depth() { ++depth; }
@@ -143,10 +143,10 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
   std::vector<Kept> kept = std::move(pool[depth - 1]);
   kept.clear();
 
-  // Each drop below leaves the fold's value as it is: smin(a, b) = a where b >= a + reach.
+  // Each drop below preserves the fold's value: smin(a, b) = a where b >= a + reach.
   const bool sharp = blend_.profile == Profile::sharp;
   const double reach = sharp ? 0 : blend_.radius;
-  // The nearest operand first: what lies above its values over all of the ball is no minimum.
+  // The nearest operand first: operands above its values over the whole ball cannot be the minimum.
   const Operand* nearest = nullptr;
   Restriction of_nearest;
   if (sharp && operands_.size() > 8) {
@@ -168,7 +168,7 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
   for (const Operand& operand : operands_) {
     const double least = operand.reach.least(ball);
     if (least > ceiling || least > folded.hi + reach) continue;
-    // Over a ball larger than the operand nothing inside of it can be dropped.
+    // Over a ball larger than the operand nothing inside it can be dropped.
     const bool coarse = nearest && operand.reach.growth > 0 && ball.radius > operand.reach.radius;
     Restriction r = &operand == nearest ? of_nearest
                     : coarse            ? Restriction{{least, kInfinity}, nullptr}
@@ -183,7 +183,8 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
     }
     kept.push_back({range, &operand, std::move(r.node)});
   }
-  if (sharp)  // a plain minimum does not depend on the order: drop what came before a lower one
+  if (sharp)  // A plain minimum does not depend on the order: drop earlier operands above a lower
+              // one.
     kept.erase(std::remove_if(kept.begin(), kept.end(),
                               [&](const Kept& k) { return k.range.lo > folded.hi; }),
                kept.end());
@@ -204,7 +205,7 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
       else
         operands.push_back(*k.operand);
     Traits traits = this->traits();
-    set_slope(traits, operands, blend_);  // steep operands elsewhere do not matter here
+    set_slope(traits, operands, blend_);  // Steep operands elsewhere do not matter here.
     out.node = std::make_shared<FoldNode>(std::move(traits), std::move(operands), sign_, blend_);
   }
   kept.clear();
@@ -232,7 +233,8 @@ Traits fold_traits(const std::vector<Operand>& operands, double sign, const Blen
       traits.bounds = infinite_box();
     }
   }
-  // The distance to a common part of boxes is at most sqrt(3) times the largest to one of them.
+  // The distance to an intersection of boxes is at most sqrt(3) times the largest distance to one
+  // of them.
   if (sign < 0 && bounded > 1) traits.growth *= traits.bounds.isEmpty() ? 0 : 0.57735;
   return traits;
 }

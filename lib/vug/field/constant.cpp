@@ -4,7 +4,7 @@
 namespace vug::field {
 namespace {
 
-/// Far, but not so far that single precision overflows when it is blended, morphed or squared.
+/// Far, but not so far that single precision overflows in blends, morphs or squares.
 constexpr double kFar = 1e6;
 
 class ConstantNode final : public EvaluationModes<ConstantNode> {

@@ -109,7 +109,8 @@ Traits DisplaceNode::traits_of(const Traits& child, const Noise& noise, const Di
   const double size = std::fabs(how.amount) * greatest(noise.range);
   Traits out = child;
   out.lipschitz += std::fabs(how.amount) * factor * noise.field.lipschitz();
-  if (feels_slope(how))  // the factor's slope in `up` is at most 2 * difference, up's L / h
+  if (feels_slope(
+          how))  // The slope of the factor in `up` is at most 2 * difference, that of `up` L / h.
     out.lipschitz += size * 2 *
                      std::max(std::fabs(how.floor - how.wall), std::fabs(how.ceiling - how.wall)) *
                      child.lipschitz / how.feel;

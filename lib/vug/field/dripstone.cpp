@@ -11,21 +11,22 @@
 namespace vug::field {
 namespace {
 
-/// A roof or floor must face down or up at least this much (cosine): drips run off steeper stone.
+/// A roof or floor must face down or up by at least this cosine; drips run off steeper rock.
 constexpr double kFacing = 0.45;
-/// Gaps lower than this many tips hold no dripstone.
+/// Lower gaps, in multiples of the tip radius, have no dripstone.
 constexpr double kLowest = 6;
-/// A foot is no wider than this part of the gap, and no stalagmite lower than so many feet.
+/// Maximum foot of a stalagmite relative to the gap, and minimum height relative to the foot.
 constexpr double kWidestFoot = 0.2, kSquattest = 1.5;
-/// No stalagmite is thinner (curl1973: 3 cm in diameter and more).
+/// Minimum radius of stalagmites (curl1973: 3 cm in diameter and more).
 constexpr double kThinnestStalagmite = 0.015;
 
-/// Where the vertical line through `at` leaves and enters rock, from above to below.
+/// Intersections of the vertical line through `at` with the surface of the rock, from top to
+/// bottom.
 class Plumb {
  public:
   Plumb(const Field& rock, const Vec3d& at, double step) : rock_(rock), at_(at), step_(step) {}
 
-  /// The first change of side below `high` and its height; nothing above `low`.
+  /// The height of the first change of sign below `high`; nothing if there is none above `low`.
   std::optional<double> crossing(double high, double low) const {
     const bool inside = solid(high);
     for (double y = high; y > low;) {
@@ -50,14 +51,14 @@ class Plumb {
   double step_;
 };
 
-/// Part of the way up that the surface faces at p: 1 a floor, -1 a roof.
+/// The vertical component of the surface normal at p: 1 for floors, -1 for roofs.
 double facing(const Field& rock, const Vec3d& p) {
   const Vec3d slope = rock.gradient(p).gradient;
   const double steep = slope.length();
   return steep > 0 ? slope.y / steep : 0;
 }
 
-/// Few grow long: a cube of an even draw, as most drips are young or dried up.
+/// Few grow long: the cube of a uniform random number, because most drips are young or dried up.
 Drip grown_drip(const Vec3d& roof, const Vec3d& floor, double vigour, const DripOptions& o,
                 RandomStream& random) {
   Drip drip{roof, floor, 0, 0, false};
@@ -102,8 +103,8 @@ Field rod(const Vec3d& a, const Vec3d& b, double radius_a, double radius_b) {
               {{"a", a}, {"b", b}, {"radius_a", radius_a}, {"radius_b", radius_b}});
 }
 
-/// A stalactite in its ideal form: the radius grows as the height over the tip to the power 3/4
-/// (short2005). Pieces between a few heights of that curve are cones with round ends.
+/// A stalactite in its ideal form: the radius is proportional to the height above the tip to the
+/// power 3/4 (short2005). Segments between a few heights of that curve are cones with round ends.
 void add_stalactite(const Vec3d& root, double length, double thick, double tip,
                     std::vector<Field>& parts) {
   constexpr double kHeights[] = {1, 0.62, 0.3, 0};
@@ -136,7 +137,8 @@ std::vector<Drip> find_drips(const Field& rock, const DripOptions& o) {
     const auto place = [&](double from, size_t index) {
       return from + o.spacing * (static_cast<double>(index) + random.uniform());
     };
-    const double z = place(o.from.z, cell / wide);  // one draw a line: arguments have no order
+    const double z = place(o.from.z, cell / wide);  // One random number per statement, because the
+                                                    // evaluation order of arguments is unspecified.
     const Vec3d at(place(o.from.x, cell % wide), 0, z);
     if (at.x > o.to.x || at.z > o.to.z) return;
     double chance = 0.5;
@@ -158,7 +160,7 @@ Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
     const double foot =
         std::min(std::max({1.5 * o.girth * d.stalagmite, 1.5 * o.tip, kThinnestStalagmite}),
                  kWidestFoot * gap);
-    // Roots start in the rock, so that no slope of the roof leaves them hanging.
+    // Roots start inside the rock, so that none is detached on a sloping roof.
     const Vec3d root = d.roof + Vec3d(0, thick, 0), base = d.floor - Vec3d(0, 0.5 * foot, 0);
     if (d.column) {
       const Vec3d waist = d.floor + (d.roof - d.floor) * 0.45;

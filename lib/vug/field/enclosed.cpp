@@ -20,7 +20,8 @@ struct Enclosure {
   Box3d bounds() const { return box; }
 };
 
-/// At most the distance: the difference of radii over the steepness of the hull's side.
+/// A lower bound of the distance: the difference of radii divided by the steepness of the hull's
+/// side.
 struct HullSide {
   explicit HullSide(const HullOfRevolution& s)
       : hull(s),

@@ -16,8 +16,8 @@ Gradient Field::gradient(const Vec3d& p) const {
 Interval Field::interval(const Box3d& box) const {
   const Interval natural = node_->eval(region(box));
   const Interval lipschitz = node_->restrict_to({box.center(), 0.5 * box.size().length()}).range;
-  // A natural bound can be NaN-free but infinite, or undefined for sampled data: then the other
-  // holds.
+  // Interval arithmetic can give infinite bounds, or NaN for sampled data; then the Lipschitz bound
+  // applies.
   if (std::isnan(natural.lo) || std::isnan(natural.hi)) return lipschitz;
   if (std::isnan(lipschitz.lo) || std::isnan(lipschitz.hi)) return natural;
   return intersection(natural, lipschitz);
@@ -35,7 +35,7 @@ void print(const Node& node, int depth, std::string& out) {
   for (const NodePtr& child : node.children()) print(*child, depth + 1, out);
 }
 
-/// Children before parents, each node once; without recursion, for an expression may be deep.
+/// Children before parents, each node once; without recursion, because an expression may be deep.
 std::vector<const Node*> children_first(const NodePtr& root) {
   struct Step {
     NodePtr node;

@@ -7,7 +7,7 @@
 namespace vug::field {
 namespace {
 
-/// Four neighbouring samples along one axis with their shares in the value and in the slope.
+/// Four neighbouring samples along one axis with their weights in the value and in the slope.
 struct Stencil {
   std::array<int, 4> index;
   std::array<double, 4> weight, slope;
@@ -33,8 +33,8 @@ Stencil stencil(double x, double length, int count, Sampling sampling) {
   return s;
 }
 
-/// The max_slope change per cell along a row of four. A cubic's slope lies among those of its
-/// Bezier polygon; of four equal Catmull-Rom weights the magnitudes add up to at most 5/4.
+/// The maximum change per cell along a row of four samples. A cubic's slope lies among those of its
+/// Bezier polygon; the magnitudes of the Catmull-Rom weights add up to at most 5/4.
 double steepness(double a, double b, double c, double d, Sampling sampling) {
   if (sampling == Sampling::bilinear) return std::fabs(c - b);
   const double middle = 3 * (c - b) - 0.5 * (c - a + d - b);

@@ -4,7 +4,7 @@
 namespace vug::field {
 namespace {
 
-// Odd multipliers: one for each axis, then two rounds of multiply and shift (murmur3's finaliser).
+// Odd multipliers: one per axis, then two rounds of multiply and shift (murmur3's finaliser).
 constexpr uint32_t kAxis[3] = {0x8da6b343, 0xd8163841, 0xcb1ab31f};
 
 template <class S>
@@ -18,7 +18,7 @@ Int<S> finish(Int<S> h) {
   return L::bit_xor(h, L::shift_right(h, 16));
 }
 
-// The four diagonals of a cube, and the same turned by 45 degrees about z; with both signs they
+// The four diagonals of a cube, and the same rotated by 45 degrees about z; with both signs they
 // are 16 unit vectors g with sum g g^T = 16/3 I.
 constexpr float kA = 0.57735027f, kB = 0.81649658f;
 alignas(32) constexpr float kGradient[3][8] = {{kA, -kA, kA, -kA, kB, -kB, 0, 0},
@@ -38,7 +38,8 @@ S fade_slope(const S& t) {
   return S(30.0) * u * u;
 }
 
-/// What one corner of a cell adds: its gradient, and that times the way from the corner.
+/// The contribution of one corner of a cell: its gradient, and the product with the vector from the
+/// corner.
 template <class S>
 struct Corner {
   S value, x, y, z;
@@ -48,7 +49,7 @@ template <class S>
 Corner<S> corner(const Int<S>& hash, const S& x, const S& y, const S& z) {
   using L = Lanes<S>;
   const Int<S> h = finish<S>(hash);
-  const Int<S> index = L::shift_right(h, 29), turn = L::multiply(h, 8);  // bit 28 is the sign
+  const Int<S> index = L::shift_right(h, 29), turn = L::multiply(h, 8);  // Bit 28 is the sign.
   Corner<S> c;
   c.x = L::flip_sign(L::lookup(kGradient[0], index), turn);
   c.y = L::flip_sign(L::lookup(kGradient[1], index), turn);
@@ -110,8 +111,8 @@ S random(const S& cell, uint32_t seed) {
   return L::to_unit(finish<S>(L::bit_xor(L::multiply(L::to_int(cell), kAxis[0]), seed, 0)));
 }
 
-/// Visits the 27 cells about p from the nearest outwards, and leaves out those that lie further
-/// than the second site of every lane.
+/// Visits the 27 cells around p from the nearest outwards, and skips those that are farther than
+/// the second site of every lane.
 template <class S>
 Sites<S> sites(const Point<S>& p, uint32_t seed) {
   using L = Lanes<S>;
@@ -120,7 +121,7 @@ Sites<S> sites(const Point<S>& p, uint32_t seed) {
   const S zero(0.0), far(1e9);
   Sites<S> best{{{zero, zero, zero}, far}, {{zero, zero, zero}, far}};
   const Point<S> local = p - base;
-  auto gap = [&](const S& x, int step) {  // to the cells one step along an axis
+  auto gap = [&](const S& x, int step) {  // Distance to the cells one step along an axis.
     return step == 0 ? zero : square(step > 0 ? S(1.0) - x : x);
   };
   for (int ring = 0; ring <= 3; ++ring)

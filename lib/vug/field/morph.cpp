@@ -5,7 +5,7 @@ namespace vug::field {
 namespace {
 
 Traits morph_traits(const Traits& a, const Traits& b, double amount) {
-  // Where the sum is negative at least one of the two is.
+  // Where the sum is negative, at least one operand is.
   return {(1 - amount) * a.lipschitz + amount * b.lipschitz,
           std::max({a.exactness, b.exactness, Exactness::bound}), united(a.bounds, b.bounds),
           (1 - amount) * a.growth_rate() + amount * b.growth_rate()};
@@ -36,7 +36,8 @@ class MorphNode final : public EvaluationModes<MorphNode> {
     Restriction out;
     const Interval sum = a.range * Interval(1 - amount_) + b.range * Interval(amount_);
     out.range = sum;
-    if (sum.width() > 2.01 * traits().lipschitz * ball.radius) {  // the centre may know better
+    if (sum.width() >
+        2.01 * traits().lipschitz * ball.radius) {  // The bound from the centre may be tighter.
       const Point<double> centre = point(ball.centre);
       const double value = a.node->eval(centre) * (1 - amount_) + b.node->eval(centre) * amount_;
       out.range = intersection(sum, centre_form(value, ball));
@@ -58,7 +59,7 @@ class MorphNode final : public EvaluationModes<MorphNode> {
 
 Field morph(const Field& a, const Field& b, double amount) {
   if (!(amount >= 0 && amount <= 1))
-    throw Error(ErrorCode::bad_input, "a morph's amount lies between 0 and 1");
+    throw Error(ErrorCode::bad_input, "a morph's amount must be between 0 and 1");
   if (amount == 0) return a;
   if (amount == 1) return b;
   return Field(std::make_shared<MorphNode>(

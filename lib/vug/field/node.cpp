@@ -11,7 +11,7 @@ Box3d Traits::bounds_below(double level) const {
 }
 
 Interval Node::centre_form(double value, const Ball& ball) const {
-  // Batches run in single precision: their rounding grows with the distance from the origin.
+  // Batches use single precision, whose rounding grows with the distance from the origin.
   const double slack = 1e-6 * (std::fabs(value) + ball.centre.length() + ball.radius);
   const double reach = traits_.lipschitz * ball.radius + slack;
   return {value - reach, value + reach};

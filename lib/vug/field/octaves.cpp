@@ -8,7 +8,7 @@
 namespace vug::field {
 namespace {
 
-/// A rotation drawn evenly from all (by a random unit quaternion: Marsaglia 1972).
+/// A uniformly distributed random rotation (a random unit quaternion: Marsaglia 1972).
 Transform random_rotation(RandomStream& random) {
   double q[4], squared = 0;
   do {

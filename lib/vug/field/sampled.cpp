@@ -11,7 +11,8 @@ struct GridSource {
   std::shared_ptr<const SampledGrid> grid;
   Box3d bounds;
 
-  /// max(band's value, distance to the bounds): both are below the distance to the surface.
+  /// max(band's value, distance to the bounds): both are lower bounds of the distance to the
+  /// surface.
   Gradient sample(const Vec3d& p) const {
     Vec3d off;
     for (int axis = 0; axis < 3; ++axis)
@@ -37,7 +38,7 @@ Field sampled(std::shared_ptr<const SampledGrid> grid) {
   traits.exactness = traits.lipschitz > 1 + 1e-6 ? Exactness::sign : Exactness::bound;
   traits.growth = 1;
   if (traits.bounds.isEmpty())
-    throw Error(ErrorCode::bad_input, "a level set without voxels bounds no solid");
+    throw Error(ErrorCode::bad_input, "a level set without voxels does not bound a solid");
   const Box3d bounds = traits.bounds;
   return Field(std::make_shared<OpaqueNode<GridSource>>("grid", std::move(traits),
                                                         GridSource{std::move(grid), bounds}));

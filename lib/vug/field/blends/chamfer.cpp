@@ -7,8 +7,8 @@ struct Chamfer {
   double radius = 0.2;
 
   static void describe(Schema<Chamfer>& s) {
-    s.doc("A flat cut across the crease.")
-        .param("radius", &Chamfer::radius, positive_length("length of the cut's legs"));
+    s.doc("A flat chamfer across the crease.")
+        .param("radius", &Chamfer::radius, positive_length("leg length of the chamfer"));
   }
 };
 

@@ -7,8 +7,8 @@ struct Round {
   double radius = 0.2;
 
   static void describe(Schema<Round>& s) {
-    s.doc("A fillet of circular section between faces at a right angle.")
-        .param("radius", &Round::radius, positive_length("of the fillet"));
+    s.doc("A circular fillet between faces at a right angle.")
+        .param("radius", &Round::radius, positive_length("radius of the fillet"));
   }
 };
 

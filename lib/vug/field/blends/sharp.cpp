@@ -4,7 +4,9 @@ namespace vug::field {
 namespace {
 
 struct Sharp {
-  static void describe(Schema<Sharp>& s) { s.doc("A crease: the operands keep their values."); }
+  static void describe(Schema<Sharp>& s) {
+    s.doc("A sharp crease: the operands keep their values.");
+  }
 };
 
 }  // namespace

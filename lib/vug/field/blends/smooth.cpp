@@ -7,10 +7,10 @@ struct Smooth {
   double radius = 0.2;
 
   static void describe(Schema<Smooth>& s) {
-    s.doc("A soft fillet whose section is a parabola.")
+    s.doc("A soft fillet with a parabolic section.")
         .cite("quilez2013smin")
         .param("radius", &Smooth::radius,
-               positive_length("where the operands differ by less they blend"));
+               positive_length("operands blend where they differ by less than this"));
   }
 };
 

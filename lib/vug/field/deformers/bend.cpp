@@ -1,8 +1,8 @@
-// A bar along x is wound about the line x = 0, y = 1/rate, parallel to z (barr1984). The map back
-// is (theta / rate, 1/rate - rho): it stretches by 1 / (rate * rho), most at the solid's innermost
-// radius, by which values are divided. Within that radius there is no solid, and the way out to it
-// is a bound; what the map says there fades towards the line, where it has no limit. Beyond half a
-// turn a point is seen from both ends: two windings, united.
+// A bar along x is wound about the line x = 0, y = 1/rate, parallel to z (barr1984). The inverse
+// map is (theta / rate, 1/rate - rho). It stretches by 1 / (rate * rho), which is largest at the
+// solid's innermost radius; values are divided by this factor. Inside that radius there is no
+// solid, and the distance to it is a bound; the map's value fades towards the line, where it has no
+// limit. Beyond half a turn a point is seen from both ends, so two windings are united.
 #include <vug/field/boolean.h>
 #include <vug/field/enclosed.h>
 #include <vug/field/modifier.h>
@@ -23,16 +23,16 @@ struct Bend {
          "Bends a solid that lies along x upwards, about an axis parallel to z; values become a "
          "lower bound of the distance.")
         .cite("barr1984")
-        .param("field", &Bend::field, {.doc = "what is bent, of finite size", .required = true})
+        .param("field", &Bend::field,
+               {.doc = "the solid to bend, of finite size", .required = true})
         .param("rate", &Bend::rate,
-               {.doc = "turn for each metre of length, as 30deg/m; a number is of radians; "
-                       "negative bends downwards",
+               {.doc = "rotation per metre of length, such as 30deg/m; plain numbers are in "
+                       "radians; negative bends downwards",
                 .dimension = Dimension::per_length})
-        .param("axis", &Bend::axis,
-               {.doc = "turns the whole deformation from z to this direction"});
+        .param("axis", &Bend::axis, {.doc = "rotates the deformation from z to this direction"});
   }
   std::string fault() const {
-    if (!(axis.length2() > 0)) return "the axis needs a direction";
+    if (!(axis.length2() > 0)) return "the axis must not be zero";
     const Box3d& box = field.bounds();
     if (!is_finite(box)) return "only a solid of finite size can be bent";
     return "";
@@ -40,9 +40,9 @@ struct Bend {
 };
 
 struct Winding {
-  double radius;  // of the bend, 1 / rate
-  double inner;   // innermost radius of the solid
-  bool other;     // seen the other way round
+  double radius;  // Radius of the bend, 1 / rate.
+  double inner;   // Innermost radius of the solid.
+  bool other;     // Seen from the other end.
 
   template <class T>
   Point<T> map(const Point<T>& p) const {
@@ -56,7 +56,8 @@ struct Winding {
     const Vec3d& c = ball.centre;
     const Vec3d image = vector(map(point(c)));
     const double x = c.x, up = radius - c.y, rho = std::sqrt(x * x + up * up);
-    // Where the ball meets the line or the cut of the angle, the image is two pieces, or a ring.
+    // If the ball meets the line or the branch cut of the angle, its image consists of two pieces
+    // or a ring.
     const bool whole = rho <= ball.radius || (std::fabs(x) <= ball.radius &&
                                               (other ? up > -ball.radius : up < ball.radius));
     if (whole) return {{0, image.y, image.z}, 2 * kPi * radius + ball.radius};

@@ -11,15 +11,16 @@ struct Mirror {
   bool keep = true;
 
   static void describe(Schema<Mirror>& s) {
-    s.doc("The image of a solid in a plane through the origin, together with the solid itself.")
-        .param("field", &Mirror::field, {.doc = "what is mirrored", .required = true})
-        .param("normal", &Mirror::normal, {.doc = "of the plane, of any length but 0"})
-        .param("keep", &Mirror::keep, {.doc = "false: the image alone"});
+    s.doc(
+         "The mirror image of a solid in a plane through the origin, united with the solid itself.")
+        .param("field", &Mirror::field, {.doc = "the solid to mirror", .required = true})
+        .param("normal", &Mirror::normal, {.doc = "normal of the plane, of any length but 0"})
+        .param("keep", &Mirror::keep, {.doc = "false: only the image"});
   }
-  std::string fault() const { return normal.length2() > 0 ? "" : "the normal needs a direction"; }
+  std::string fault() const { return normal.length2() > 0 ? "" : "the normal must not be zero"; }
 };
 
-/// p - 2 (p.n) n
+/// p - 2 (p.n) n.
 Transform reflection(const Vec3d& normal) {
   const Vec3d n = normal.normalized();
   const Vec3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);

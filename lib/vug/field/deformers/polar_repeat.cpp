@@ -1,5 +1,5 @@
-// Written out as a union of turned copies: right wherever the solid lies, even across its
-// sector's borders, and pruning leaves the few copies that matter in a place.
+// A union of rotated copies: correct wherever the solid lies, even across the borders of its
+// sector, and pruning keeps only the few copies that matter at a point.
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
 #include <vug/field/kind.h>
@@ -14,12 +14,12 @@ struct PolarRepeat {
 
   static void describe(Schema<PolarRepeat>& s) {
     s.doc("Copies of a solid at equal angles about an axis through the origin.")
-        .param("field", &PolarRepeat::field, {.doc = "what is repeated", .required = true})
+        .param("field", &PolarRepeat::field, {.doc = "the solid to repeat", .required = true})
         .param("count", &PolarRepeat::count,
                {.doc = "copies in a full turn", .min = 1, .max = 1000})
         .param("axis", &PolarRepeat::axis, {.doc = "direction of the axis, of any length but 0"});
   }
-  std::string fault() const { return axis.length2() > 0 ? "" : "the axis needs a direction"; }
+  std::string fault() const { return axis.length2() > 0 ? "" : "the axis must not be zero"; }
 };
 
 Field repeated(const PolarRepeat& r) {

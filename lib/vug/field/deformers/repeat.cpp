@@ -1,8 +1,8 @@
-// Copies on a lattice. A surface point q of the solid has its nearest copy at the whole number
-// nearest to (p - q) / spacing, so with the box's half extent e a point p needs only the copies m
-// with |m - p / spacing| <= 1/2 + e / spacing, p seen from the box's middle. For an exact field
-// their minimum is the exact union of all copies, also where the solid pokes out of its cell;
-// for other fields the surface is right, and far values may jump where the set of copies changes.
+// Copies on a lattice. A surface point q of the solid has its nearest copy at the integer nearest
+// to (p - q) / spacing. With the box's half extent e a point p therefore needs only the copies m
+// with |m - p / spacing| <= 1/2 + e / spacing, p relative to the box's centre. For an exact field
+// their minimum is the exact union of all copies, even if the solid extends beyond its cell; for
+// other fields the surface is correct, and far values may jump where the set of copies changes.
 #include <vug/base/transform.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -21,21 +21,22 @@ struct Repeat {
 
   static void describe(Schema<Repeat>& s) {
     s.doc("Copies of a solid on a lattice, in rows about the origin.")
-        .param("field", &Repeat::field, {.doc = "what is repeated", .required = true})
+        .param("field", &Repeat::field, {.doc = "the solid to repeat", .required = true})
         .param("spacing", &Repeat::spacing,
-               {.doc = "between copies along each axis; 0 does not repeat along it",
+               {.doc = "spacing of the copies along each axis; 0 does not repeat along it",
                 .dimension = Dimension::length,
                 .min = 0})
-        .param(
-            "counts", &Repeat::counts,
-            {.doc = "copies along each axis, whole numbers; 0 for no end", .min = 0, .max = 1e6});
+        .param("counts", &Repeat::counts,
+               {.doc = "copies along each axis, whole numbers; 0 for infinitely many",
+                .min = 0,
+                .max = 1e6});
   }
   std::string fault() const {
     for (int axis = 0; axis < 3; ++axis) {
-      if (counts[axis] != std::floor(counts[axis])) return "the counts are whole numbers";
+      if (counts[axis] != std::floor(counts[axis])) return "the counts must be whole numbers";
       const double size = field.bounds().size()[axis];
       if (spacing[axis] > 0 && !(size <= 20 * spacing[axis]))
-        return "a repeated solid is at most 20 times as large as its spacing";
+        return "a repeated solid must be at most 20 times as large as its spacing";
     }
     return field.bounds().isEmpty() ? "there is no solid to repeat" : "";
   }
@@ -43,14 +44,14 @@ struct Repeat {
 
 /// The copies along one axis.
 struct Row {
-  double spacing = 0;                   // 0: one copy, at 0
-  double start = 0;                     // where copy 0 stands
-  double first = 0;                     // middle of the box of copy 0
-  double half_window = 0;               // 1/2 + e / spacing
-  int window = 1;                       // copies that may matter for one point
-  double lowest = -1e9, highest = 1e9;  // of the first copy in a window
+  double spacing = 0;                   // 0: one copy, at 0.
+  double start = 0;                     // Position of copy 0.
+  double first = 0;                     // Centre of the box of copy 0.
+  double half_window = 0;               // 1/2 + e / spacing.
+  int window = 1;                       // Copies that may matter for one point.
+  double lowest = -1e9, highest = 1e9;  // Range of the first copy in a window.
 
-  /// The number of the window's first copy.
+  /// The index of the window's first copy.
   template <class T>
   T number(const T& x) const {
     if (spacing == 0) return T(0.0);
@@ -91,7 +92,7 @@ class RepeatNode final : public EvaluationModes<RepeatNode> {
     }
   }
 
-  /// In a ball the copies are written out, where they are few and no others can matter.
+  /// Within a ball the copies are enumerated if they are few and no others can matter.
   Restriction restrict_to(const Ball& ball) const override {
     double low[3], high[3], count = 1;
     bool one_window = true;
@@ -118,7 +119,7 @@ class RepeatNode final : public EvaluationModes<RepeatNode> {
     Restriction out = all.node()->restrict_to(ball);
     if (one_window || traits().exactness != Exactness::sign) {
       if (!out.node) out.node = all.node();
-    } else {  // a point's own window may lack the lowest copy
+    } else {  // A point's own window may not include the lowest copy.
       out.range.hi = kInfinity;
       out.node = nullptr;
     }

@@ -11,14 +11,14 @@ struct Rotate {
   Vec3d pivot{0, 0, 0};
 
   static void describe(Schema<Rotate>& s) {
-    s.doc("Turns a solid about an axis, counter-clockwise as seen from the axis' tip.")
-        .param("field", &Rotate::field, {.doc = "what is turned", .required = true})
+    s.doc("Rotates a solid about an axis, counter-clockwise as seen from the tip of the axis.")
+        .param("field", &Rotate::field, {.doc = "the solid to rotate", .required = true})
         .param("angle", &Rotate::angle,
-               {.doc = "of the turn", .dimension = Dimension::angle, .required = true})
+               {.doc = "angle of the rotation", .dimension = Dimension::angle, .required = true})
         .param("axis", &Rotate::axis, {.doc = "direction of the axis, of any length but 0"})
-        .param("pivot", &Rotate::pivot, any_length("a point of the axis"));
+        .param("pivot", &Rotate::pivot, any_length("a point on the axis"));
   }
-  std::string fault() const { return axis.length2() > 0 ? "" : "the axis needs a direction"; }
+  std::string fault() const { return axis.length2() > 0 ? "" : "the axis must not be zero"; }
 };
 
 }  // namespace

@@ -11,14 +11,12 @@ struct Scale {
 
   static void describe(Schema<Scale>& s) {
     s.doc(
-         "Makes a solid larger or smaller, by one factor or by one along each axis; uneven "
-         "factors leave a lower bound of the distance.")
-        .param("field", &Scale::field, {.doc = "what is scaled", .required = true})
-        .param("by", &Scale::by,
-               {.doc = "one factor, or one for each axis",
-                .min = 0,
-                .above_min = true,
-                .required = true});
+         "Scales a solid, by one factor or by one along each axis; different factors give a lower "
+         "bound of the distance.")
+        .param("field", &Scale::field, {.doc = "the solid to scale", .required = true})
+        .param(
+            "by", &Scale::by,
+            {.doc = "one factor, or one per axis", .min = 0, .above_min = true, .required = true});
   }
 };
 

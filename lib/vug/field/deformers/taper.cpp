@@ -1,6 +1,6 @@
-// Slices across the axis grow or shrink in proportion to their height (barr1984), between the ends
-// of the solid's box. At radius R of the child the map back stretches by the norm of
-// ((1/s, R m/s), (0, 1)), s the factor and m its slope; values are divided by the largest.
+// Slices across the axis scale linearly with their height (barr1984), between the ends of the
+// solid's box. At radius R of the child the inverse map stretches by the norm of ((1/s, R m/s), (0,
+// 1)), where s is the factor and m its slope; values are divided by the maximum.
 #include <vug/field/enclosed.h>
 
 #include <algorithm>
@@ -20,14 +20,15 @@ struct Taper {
          "Narrows a solid along an axis through the origin; values become a lower bound of the "
          "distance.")
         .cite("barr1984")
-        .param("field", &Taper::field, {.doc = "what is tapered, of finite size", .required = true})
+        .param("field", &Taper::field,
+               {.doc = "the solid to taper, of finite size", .required = true})
         .param("from", &Taper::from,
                {.doc = "factor on its width at the low end", .min = 0.01, .max = 100})
         .param("to", &Taper::to, {.doc = "factor at the high end", .min = 0.01, .max = 100})
         .param("axis", &Taper::axis, {.doc = "direction of the axis, of any length but 0"});
   }
   std::string fault() const {
-    if (!(axis.length2() > 0)) return "the axis needs a direction";
+    if (!(axis.length2() > 0)) return "the axis must not be zero";
     return is_finite(field.bounds()) ? "" : "only a solid of finite size can be tapered";
   }
 };

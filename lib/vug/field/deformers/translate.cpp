@@ -10,8 +10,8 @@ struct Translate {
 
   static void describe(Schema<Translate>& s) {
     s.doc("Moves a solid.")
-        .param("field", &Translate::field, {.doc = "what is moved", .required = true})
-        .param("by", &Translate::by, any_length("the way it moves"));
+        .param("field", &Translate::field, {.doc = "the solid to move", .required = true})
+        .param("by", &Translate::by, any_length("displacement"));
   }
 };
 

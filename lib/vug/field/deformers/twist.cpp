@@ -1,6 +1,6 @@
-// Slices across the axis turn in proportion to their height (barr1984). A point at radius r moves
-// by rate * r per metre of height, so the map stretches by s/2 + sqrt(1 + s^2/4), s = rate * r;
-// values are divided by that, and points beyond the solid's radius are first drawn onto it.
+// Slices across the axis rotate in proportion to their height (barr1984). A point at radius r moves
+// by rate * r per metre of height, so the map stretches by s/2 + sqrt(1 + s^2/4), s = rate * r.
+// Values are divided by that, and points beyond the solid's radius are first projected onto it.
 #include <vug/field/enclosed.h>
 
 #include <cmath>
@@ -15,17 +15,18 @@ struct Twist {
 
   static void describe(Schema<Twist>& s) {
     s.doc(
-         "Turns a solid about an axis through the origin, the more the further along it; values "
-         "become a lower bound of the distance.")
+         "Rotates a solid about an axis through the origin, in proportion to the position along "
+         "it; values become a lower bound of the distance.")
         .cite("barr1984")
-        .param("field", &Twist::field, {.doc = "what is twisted, of finite size", .required = true})
+        .param("field", &Twist::field,
+               {.doc = "the solid to twist, of finite size", .required = true})
         .param("rate", &Twist::rate,
-               {.doc = "turn for each metre, as 30deg/m; a number is of radians",
+               {.doc = "rotation per metre, such as 30deg/m; plain numbers are in radians",
                 .dimension = Dimension::per_length})
         .param("axis", &Twist::axis, {.doc = "direction of the axis, of any length but 0"});
   }
   std::string fault() const {
-    if (!(axis.length2() > 0)) return "the axis needs a direction";
+    if (!(axis.length2() > 0)) return "the axis must not be zero";
     return is_finite(field.bounds()) ? "" : "only a solid of finite size can be twisted";
   }
 };

@@ -1,5 +1,5 @@
 // f(p) = child(p + amount * (n1, n2, n3)(p)). Values are not scaled down: a warped surface keeps
-// slopes of about 1, so later offsets and displacements mean what they say; the worst slope is
+// slopes of about 1, so later offsets and displacements have their nominal size; the worst slope is
 // stated as the Lipschitz constant.
 #include <vug/field/deformer.h>
 #include <vug/field/octaves.h>
@@ -16,11 +16,13 @@ struct Warp : OctaveParams {
   Warp() { octaves = 3; }
 
   static void describe(Schema<Warp>& s) {
-    s.doc("Bends space by a noise, so that straight things wander.")
+    s.doc("Distorts space by a noise, so that straight features meander.")
         .cite("perlin1985")
-        .param("field", &Warp::field, {.doc = "what is warped", .required = true})
+        .param("field", &Warp::field, {.doc = "the solid to warp", .required = true})
         .param("amount", &Warp::amount,
-               {.doc = "how far points move, about", .dimension = Dimension::length, .min = 0});
+               {.doc = "approximate displacement of points",
+                .dimension = Dimension::length,
+                .min = 0});
     describe_octaves(s);
   }
 };

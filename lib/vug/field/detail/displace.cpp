@@ -9,22 +9,25 @@ struct Displace : Displacement {
 
   static void describe(Schema<Displace>& s) {
     s.doc(
-         "Moves a surface out and in by a noise. The amount may differ where the solid faces up, "
-         "sideways and down, and where another noise says so.")
+         "Displaces a surface by a noise. The amount may differ where the solid faces up, sideways "
+         "and down, and may be masked by another noise.")
         .cite("cook1984")
-        .param("field", &Displace::field, {.doc = "whose surface moves", .required = true})
-        .param("noise", &Displace::noise, {.doc = "how; 1 moves it outwards by the amount"})
+        .param("field", &Displace::field,
+               {.doc = "the solid whose surface moves", .required = true})
+        .param("noise", &Displace::noise,
+               {.doc = "the displacement; 1 moves the surface outwards by the amount"})
         .param("amount", &Displacement::amount,
-               any_length("at noise 1; noises reach a little beyond"))
+               any_length("displacement at noise 1; noises slightly exceed 1"))
         .param("floor", &Displacement::floor,
                {.doc = "factor on the amount where the solid faces up", .min = 0, .max = 100})
         .param("wall", &Displacement::wall,
                {.doc = "factor where it faces sideways", .min = 0, .max = 100})
         .param("ceiling", &Displacement::ceiling,
                {.doc = "factor where it faces down", .min = 0, .max = 100})
-        .param("feel", &Displacement::feel, positive_length("over which the way it faces is felt"))
+        .param("feel", &Displacement::feel,
+               positive_length("distance over which the slope of the surface is measured"))
         .param("by", &Displacement::by,
-               {.doc = "a noise that shares it out: all where 1, nothing where -1"});
+               {.doc = "a noise as mask: full displacement at 1, none at -1"});
   }
 };
 

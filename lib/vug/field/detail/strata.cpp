@@ -1,4 +1,4 @@
-// Beds laid bare: a displacement by the noise `beds`, with its parameters at hand.
+// Exposed beds: a displacement by the noise `beds` with direct access to its parameters.
 #include <vug/field/beds.h>
 #include <vug/field/displace.h>
 
@@ -12,10 +12,10 @@ struct Strata : BedParams {
 
   static void describe(Schema<Strata>& s) {
     s.doc(
-         "Layered hardness along a tilted axis: hard beds stand out as ledges, soft ones are "
-         "eaten back as notches.")
+         "Layered hardness along a tilted axis: hard beds protrude as ledges, soft ones recede as "
+         "notches.")
         .param("field", &Strata::field, {.doc = "the rock", .required = true})
-        .param("depth", &Strata::depth, positive_length("of ledges and notches"));
+        .param("depth", &Strata::depth, positive_length("depth of ledges and notches"));
     describe_beds(s).param(
         "flat", &Strata::flat,
         {.doc = "factor on the depth where the rock faces up or down, along the beds",

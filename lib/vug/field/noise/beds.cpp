@@ -1,6 +1,6 @@
-// Layered hardness: what weathering makes of a stack of beds. A hard bed stands out as a ledge,
-// sharp under it and worn on its top; a soft bed is eaten back as a round notch; every boundary is
-// a parting at 0. Thin laminae repeat the pattern within the beds, weaker.
+// Layered hardness: the weathered profile of a stack of beds. A hard bed protrudes as a ledge,
+// sharp below and worn on top; a soft bed recedes as a round notch; every boundary is a parting at
+// 0. Thin laminae repeat the pattern within the beds with less strength.
 #include <vug/base/rng.h>
 #include <vug/field/bedding.h>
 #include <vug/field/beds.h>
@@ -36,7 +36,7 @@ class Hardness {
   Interval over(const Ball& ball) const { return centred_bounds(*this, ball); }
   Interval range() const { return {-1, 1}; }
   double lipschitz() const {
-    // A ledge's foot is the steepest: 2 per width; a notch rises by 4 per bed.
+    // The foot of a ledge is the steepest part: 2 per width; a notch rises by 4 per bed.
     const double foot = std::min(kFoot * ledge_, 0.5 * kThinnestBed);
     const double steepest = std::max(2 / foot, 4 / kThinnestBed);
     return coarse_.slope() * steepest * (1 + kFiner * laminae_) / (1 + laminae_);

@@ -10,7 +10,7 @@ struct Billow : OctaveParams {
   }
 };
 
-/// 2 |n|, less its mean.
+/// 2 |n|, minus its mean.
 struct BillowShape {
   static constexpr double kSlope = 2;
   template <class T>

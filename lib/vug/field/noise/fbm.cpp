@@ -5,7 +5,7 @@ namespace {
 
 struct Fbm : OctaveParams {
   static void describe(Schema<Fbm>& s) {
-    describe_octaves(s.doc("Fractal Brownian motion: soft features with ever finer ones upon them.")
+    describe_octaves(s.doc("Fractal Brownian motion: smooth features with ever finer ones added.")
                          .cite("musgrave1989"));
   }
 };

@@ -1,4 +1,4 @@
-// A set of joints: nearly parallel cracks at uneven distances, each of its own depth.
+// A set of joints: nearly parallel cracks at irregular distances, each with its own depth.
 #include <vug/base/rng.h>
 #include <vug/field/bedding.h>
 #include <vug/field/noise_node.h>
@@ -19,18 +19,20 @@ struct Joints {
   static void describe(Schema<Joints>& s) {
     s.doc("Cracks along nearly parallel planes: down to -1 in a crack, 0 between them.")
         .param("spacing", &Joints::spacing, positive_length("mean distance between cracks"))
-        .param("normal", &Joints::normal, {.doc = "across the cracks, of any length but 0"})
-        .param("width", &Joints::width, positive_length("of a crack at its mouth"))
-        .param(
-            "wander", &Joints::wander,
-            {.doc = "how far cracks stray from planes", .dimension = Dimension::length, .min = 0})
-        .param("reach", &Joints::reach, positive_length("over which they stray"))
-        .param("seed", &Joints::seed, {.doc = "another seed, other cracks"});
+        .param("normal", &Joints::normal,
+               {.doc = "perpendicular to the cracks, of any length but 0"})
+        .param("width", &Joints::width, positive_length("width of a crack at its mouth"))
+        .param("wander", &Joints::wander,
+               {.doc = "deviation of the cracks from planes",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("reach", &Joints::reach, positive_length("wavelength of the deviation"))
+        .param("seed", &Joints::seed, {.doc = "random seed; each seed gives different cracks"});
   }
   std::string fault() const {
     if (width >= kThinnestBed * spacing)
-      return "joints need a width below a fifth of their spacing, or they run into each other";
-    return normal.length2() > 0 ? "" : "the normal needs a direction";
+      return "the width of joints must be below a fifth of their spacing, otherwise they merge";
+    return normal.length2() > 0 ? "" : "the normal must not be zero";
   }
 };
 
@@ -55,7 +57,7 @@ class Cracks {
   double lipschitz() const { return layering_.slope() * 2 / half_; }
 
  private:
-  double half_;  // of a crack's width, in spacings
+  double half_;  // Half of a crack's width, in spacings.
   Layering layering_;
 };
 

@@ -8,14 +8,14 @@ struct Perlin {
   int seed = 1;
 
   static void describe(Schema<Perlin>& s) {
-    s.doc("Gradient noise of one size.")
+    s.doc("Gradient noise with a single feature size.")
         .cite("perlin2002")
         .param("scale", &Perlin::scale,
                {.doc = "size of the features; a vector stretches them along the axes",
                 .dimension = Dimension::length,
                 .min = 0,
                 .above_min = true})
-        .param("seed", &Perlin::seed, {.doc = "another seed, another noise"});
+        .param("seed", &Perlin::seed, {.doc = "random seed; each seed gives a different noise"});
   }
 };
 

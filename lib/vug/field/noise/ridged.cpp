@@ -1,6 +1,6 @@
-// Ridges where the noise crosses zero, (1 - |n|)^2, each layer weighted by the one before, so that
-// fine ridges stand on coarse ones and valleys stay smooth (musgrave1989). The weight is the last
-// layer's own height, not the running product, which keeps the slope bounded.
+// Ridges where the noise crosses zero, (1 - |n|)^2, each octave weighted by the previous one, so
+// that fine ridges appear on coarse ones and valleys stay smooth (musgrave1989). The weight is the
+// previous octave's own height, not the running product, which keeps the slope bounded.
 #include <vug/field/octaves.h>
 
 namespace vug::field {
@@ -8,7 +8,7 @@ namespace {
 
 struct Ridged : OctaveParams {
   static void describe(Schema<Ridged>& s) {
-    describe_octaves(s.doc("Sharp ridges, finer ones upon coarser ones.").cite("musgrave1989"));
+    describe_octaves(s.doc("Sharp ridges, finer ones on coarser ones.").cite("musgrave1989"));
   }
 };
 

@@ -1,6 +1,7 @@
-// Scallops: the hollows that turbulent water dissolves into a wall, a paraboloid about each of
-// many points, meeting in sharp crests; steep on the upstream side (curl1974). The skew comes from
-// moving each point along the flow by its own depth before the hollow is measured again.
+// Scallops: hollows that turbulent water dissolves into a wall, modelled as a paraboloid about each
+// of many points, meeting in sharp crests and steep on the upstream side (curl1974). The asymmetry
+// results from moving each point along the flow by its own depth before the hollow is evaluated
+// again.
 #include <vug/base/rng.h>
 #include <vug/field/lattice.h>
 #include <vug/field/noise_node.h>
@@ -15,16 +16,16 @@ struct Scallops {
   int seed = 1;
 
   static void describe(Schema<Scallops>& s) {
-    s.doc("Hollows that flowing water leaves: -1 in their middle, crests between them.")
+    s.doc("Hollows left by flowing water: -1 at their centres, crests between them.")
         .cite("curl1974")
         .param("size", &Scallops::size,
-               positive_length("of a hollow; faster water makes smaller ones"))
-        .param("flow", &Scallops::flow, {.doc = "where the water runs to, of any length but 0"})
+               positive_length("size of a hollow; faster water makes smaller ones"))
+        .param("flow", &Scallops::flow, {.doc = "direction of the flow, of any length but 0"})
         .param("skew", &Scallops::skew,
-               {.doc = "how much steeper the upstream side is", .min = 0, .max = 1})
-        .param("seed", &Scallops::seed, {.doc = "another seed, another noise"});
+               {.doc = "asymmetry: how much steeper the upstream side is", .min = 0, .max = 1})
+        .param("seed", &Scallops::seed, {.doc = "random seed; each seed gives a different noise"});
   }
-  std::string fault() const { return flow.length2() > 0 ? "" : "the flow needs a direction"; }
+  std::string fault() const { return flow.length2() > 0 ? "" : "the flow must not be zero"; }
 };
 
 class Hollows {

@@ -6,7 +6,7 @@ namespace {
 struct Turbulence : OctaveParams {
   static void describe(Schema<Turbulence>& s) {
     describe_octaves(
-        s.doc("Folded noise that only pushes outwards: 0 along creases, larger between them.")
+        s.doc("Folded noise that only displaces outwards: 0 along creases, larger between them.")
             .cite("perlin1985"));
   }
 };

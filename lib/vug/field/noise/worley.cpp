@@ -1,5 +1,5 @@
-// Cellular noise (worley1996): from the distances F1 <= F2 to the nearest two of random points,
-// one in each cell.
+// Cellular noise (worley1996) from the distances F1 <= F2 to the two nearest random points, with
+// one point per cell.
 #include <vug/base/rng.h>
 #include <vug/field/factors.h>
 #include <vug/field/lattice.h>
@@ -19,7 +19,7 @@ struct Worley {
   int seed = 1;
 
   static void describe(Schema<Worley>& s) {
-    s.doc("Cells about random points.")
+    s.doc("Cells around random points.")
         .cite("worley1996")
         .choice(
             "pattern", &Worley::pattern,
@@ -32,12 +32,12 @@ struct Worley {
                 .min = 0,
                 .above_min = true})
         .param("width", &Worley::width,
-               {.doc = "of a crack, as a part of the cells' size",
+               {.doc = "width of a crack as a fraction of the cell size",
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 1,
                 .above_min = true})
-        .param("seed", &Worley::seed, {.doc = "another seed, another noise"});
+        .param("seed", &Worley::seed, {.doc = "random seed; each seed gives a different noise"});
   }
 };
 
@@ -58,7 +58,7 @@ class Cells {
     return min(apart * T(1 / w_.width), T(1.0)) - T(1.0);
   }
   Interval over(const Ball& ball) const { return centred_bounds(*this, ball); }
-  /// A cell's own point is at most sqrt(3) away, the second one at most sqrt(6), in the next cell.
+  /// A cell's own point is at most sqrt(3) away, the second one, in the next cell, at most sqrt(6).
   Interval range() const {
     if (w_.pattern == Pattern::bumps) return {1 - 2 * 1.7321, 1};
     if (w_.pattern == Pattern::plates) return {-0.6, 2 * 2.4495 - 0.6};

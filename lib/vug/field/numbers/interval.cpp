@@ -9,7 +9,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kEverything = std::numeric_limits<double>::infinity();
 
-/// 0 * infinity counts as 0: a bound times a zero factor is zero.
+/// 0 * infinity is defined as 0: a bound times a zero factor is zero.
 double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 }  // namespace
@@ -40,7 +40,7 @@ Interval cos(Interval a) {
 Interval exp(Interval a) { return {maths::exp(a.lo), maths::exp(a.hi)}; }
 
 Interval atan2(Interval y, Interval x) {
-  if (x.lo <= 0 && y.lo <= 0 && y.hi >= 0) return {-kPi, kPi};  // the origin or the branch cut
+  if (x.lo <= 0 && y.lo <= 0 && y.hi >= 0) return {-kPi, kPi};  // The origin or the branch cut.
   const double corner[] = {maths::atan2(y.lo, x.lo), maths::atan2(y.lo, x.hi),
                            maths::atan2(y.hi, x.lo), maths::atan2(y.hi, x.hi)};
   return {*std::min_element(corner, corner + 4), *std::max_element(corner, corner + 4)};

@@ -50,7 +50,7 @@ Pack atan2(Pack y, Pack x) {
   const Pack ax = abs(x), ay = abs(y);
   const Pack big = max(ax, ay), small = min(ax, ay);
   const Pack ratio = select(big > Pack(0.0), small / max(big, Pack(1e-37)), Pack(0.0));
-  // Beyond tan(pi/8) the argument turns by pi/4 first.
+  // Beyond tan(pi/8) the argument is first rotated by pi/4.
   const PackMask beyond = ratio > Pack(0.4142135623730950);
   const Pack t = select(beyond, (ratio - Pack(1.0)) / (ratio + Pack(1.0)), ratio);
   const Pack z = t * t;

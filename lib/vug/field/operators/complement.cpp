@@ -8,8 +8,8 @@ struct Complement {
   Field field;
 
   static void describe(Schema<Complement>& s) {
-    s.doc("Rock for air and air for rock.")
-        .param("field", &Complement::field, {.doc = "what is turned inside out", .required = true});
+    s.doc("Exchanges rock and air.")
+        .param("field", &Complement::field, {.doc = "the solid to invert", .required = true});
   }
 };
 

@@ -12,9 +12,9 @@ struct Difference {
   static void describe(Schema<Difference>& s) {
     s.doc("The base without any of the cuts.")
         .cite("zawadzki2012")
-        .param("base", &Difference::base, {.doc = "what is cut", .required = true})
-        .param("cuts", &Difference::cuts, {.doc = "the solids taken away", .required = true})
-        .param("blend", &Difference::blend, {.doc = "the edge that a cut leaves"});
+        .param("base", &Difference::base, {.doc = "the solid to cut", .required = true})
+        .param("cuts", &Difference::cuts, {.doc = "the solids to remove", .required = true})
+        .param("blend", &Difference::blend, {.doc = "blend at the edge of a cut"});
   }
 };
 

@@ -9,12 +9,12 @@ struct Intersection {
   Blend blend;
 
   static void describe(Schema<Intersection>& s) {
-    s.doc("What the solids have in common: the greatest of their values.")
+    s.doc("The common part of the solids: the maximum of their values.")
         .cite("zawadzki2012")
         .param("of", &Intersection::of, {.doc = "the solids, at least one", .required = true})
-        .param("blend", &Intersection::blend, {.doc = "the edge where the solids meet"});
+        .param("blend", &Intersection::blend, {.doc = "blend at the edge where the solids meet"});
   }
-  std::string fault() const { return of.empty() ? "an intersection needs a solid" : ""; }
+  std::string fault() const { return of.empty() ? "an intersection needs at least one solid" : ""; }
 };
 
 }  // namespace

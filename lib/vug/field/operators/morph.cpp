@@ -10,12 +10,13 @@ struct Morph {
   double amount = 0.5;
 
   static void describe(Schema<Morph>& s) {
-    s.doc("A solid between two: the weighted mean of their values.")
+    s.doc("A solid between two others: the weighted mean of their values.")
         .cite("zawadzki2012")
         .param("a", &Morph::a, {.doc = "the solid at 0%", .required = true})
         .param("b", &Morph::b, {.doc = "the solid at 100%", .required = true})
-        .param("amount", &Morph::amount,
-               {.doc = "the way from a to b", .dimension = Dimension::ratio, .min = 0, .max = 1});
+        .param(
+            "amount", &Morph::amount,
+            {.doc = "position between a and b", .dimension = Dimension::ratio, .min = 0, .max = 1});
   }
 };
 

@@ -8,9 +8,9 @@ struct Offset {
   double by = 0.1;
 
   static void describe(Schema<Offset>& s) {
-    s.doc("Grows a solid by a distance, rounding its edges; shrinks it where negative.")
-        .param("field", &Offset::field, {.doc = "what grows", .required = true})
-        .param("by", &Offset::by, any_length("the way its surface moves outwards"));
+    s.doc("Grows a solid by a distance, which rounds its edges; negative distances shrink it.")
+        .param("field", &Offset::field, {.doc = "the solid to grow", .required = true})
+        .param("by", &Offset::by, any_length("outward displacement of its surface"));
   }
 
   template <class T>
@@ -20,9 +20,9 @@ struct Offset {
   Traits traits(const Traits& child) const {
     Traits out = child;
     out.bounds = child.bounds_below(by);
-    // Outside of a grown solid distances stay true, and inside of a shrunk one: not on both sides.
+    // Distances remain exact outside a grown solid and inside a shrunk one, but not on both sides.
     out.exactness = std::max(child.exactness, Exactness::bound);
-    out.growth = child.growth_rate();  // the box grew by `by / growth`, so this much is left
+    out.growth = child.growth_rate();  // The box grew by `by / growth`, so this rate remains.
     return out;
   }
   Interval range(Interval child) const { return child - Interval(by); }

@@ -8,9 +8,9 @@ struct Shell {
   double thickness = 0.1;
 
   static void describe(Schema<Shell>& s) {
-    s.doc("The skin of a solid, half of it on each side of the surface.")
-        .param("field", &Shell::field, {.doc = "whose skin it is", .required = true})
-        .param("thickness", &Shell::thickness, positive_length("of the skin"));
+    s.doc("A shell around the surface of a solid, half of it on each side.")
+        .param("field", &Shell::field, {.doc = "the solid to hollow out", .required = true})
+        .param("thickness", &Shell::thickness, positive_length("thickness of the shell"));
   }
 
   template <class T>

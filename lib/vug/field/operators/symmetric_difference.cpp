@@ -10,10 +10,10 @@ struct SymmetricDifference {
   Blend blend;
 
   static void describe(Schema<SymmetricDifference>& s) {
-    s.doc("What belongs to exactly one of two solids.")
+    s.doc("The region inside exactly one of two solids.")
         .param("a", &SymmetricDifference::a, {.doc = "one solid", .required = true})
         .param("b", &SymmetricDifference::b, {.doc = "the other", .required = true})
-        .param("blend", &SymmetricDifference::blend, {.doc = "how the parts meet"});
+        .param("blend", &SymmetricDifference::blend, {.doc = "blend where the parts meet"});
   }
 };
 

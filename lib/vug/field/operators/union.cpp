@@ -9,10 +9,10 @@ struct Union {
   Blend blend;
 
   static void describe(Schema<Union>& s) {
-    s.doc("All of the solids together: the least of their values.")
+    s.doc("All solids together: the minimum of their values.")
         .cite("zawadzki2012")
         .param("of", &Union::of, {.doc = "the solids", .required = true})
-        .param("blend", &Union::blend, {.doc = "how the solids meet"});
+        .param("blend", &Union::blend, {.doc = "blend where the solids meet"});
   }
 };
 

@@ -1,4 +1,4 @@
-// The exact distance to a box whose edges may be rounded (quilez2008distance).
+// The exact distance to a box, optionally with rounded edges (quilez2008distance).
 #include <vug/field/primitive.h>
 
 #include <algorithm>
@@ -11,17 +11,17 @@ struct Box {
   double rounding = 0;
 
   static void describe(Schema<Box>& s) {
-    s.doc("A box about the origin with its sides along the axes.")
+    s.doc("A box centred at the origin with its sides along the axes.")
         .cite("quilez2008distance")
-        .param("size", &Box::size, positive_length("from side to side along x, y and z"))
+        .param("size", &Box::size, positive_length("total size along x, y and z"))
         .param("rounding", &Box::rounding,
-               {.doc = "radius of the edges, at most half the least size",
+               {.doc = "radius of the edges, at most half the smallest size",
                 .dimension = Dimension::length,
                 .min = 0});
   }
   std::string fault() const {
     return 2 * rounding > std::min({size.x, size.y, size.z})
-               ? "a box's rounding is at most half its least size"
+               ? "a box's rounding must be at most half its smallest size"
                : "";
   }
   template <class T>

@@ -1,4 +1,4 @@
-// The exact distance to a cone without its tip: a trapezoid turned about the y axis
+// The exact distance to a truncated cone: a trapezoid rotated about the y axis
 // (quilez2008distance).
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>
@@ -33,11 +33,11 @@ struct CappedCone {
     ParamSpec low = radius, high = radius;
     low.doc = "radius of the lower end";
     high.doc = "radius of the upper end; one of the two may be 0";
-    s.doc("A cone cut off across its axis, y, centred at the origin.")
+    s.doc("A cone truncated across its axis, y, centred at the origin.")
         .cite("quilez2008distance")
         .param("bottom", &CappedCone::bottom, low)
         .param("top", &CappedCone::top, high)
-        .param("height", &CappedCone::height, positive_length("from end to end"));
+        .param("height", &CappedCone::height, positive_length("height from end to end"));
   }
   std::string fault() const {
     return bottom == 0 && top == 0 ? "one radius of a capped cone must be above 0" : "";

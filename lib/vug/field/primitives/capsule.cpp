@@ -31,17 +31,17 @@ struct Capsule {
   static void describe(Schema<Capsule>& s) {
     s.doc("A ball swept along a straight line: a rod with round ends.")
         .cite("quilez2008distance")
-        .param("radius", &Capsule::radius, positive_length("of the ball"))
+        .param("radius", &Capsule::radius, positive_length("radius of the ball"))
         .param("height", &Capsule::height,
                {.doc = "length of the line, which runs along y about the origin, unless a and b "
                        "are given",
                 .dimension = Dimension::length,
                 .min = 0})
-        .param("a", &Capsule::a, any_length("where the line starts"))
-        .param("b", &Capsule::b, any_length("where the line ends"));
+        .param("a", &Capsule::a, any_length("start of the line"))
+        .param("b", &Capsule::b, any_length("end of the line"));
   }
   std::string fault() const {
-    return a.has_value() != b.has_value() ? "a capsule's ends a and b go together" : "";
+    return a.has_value() != b.has_value() ? "a capsule needs both ends a and b, or neither" : "";
   }
   CapsuleShape shape() const {
     const Vec3d up(0, 0.5 * height, 0);

@@ -1,4 +1,4 @@
-// The exact distance to a cone: a triangle turned about the y axis (quilez2008distance).
+// The exact distance to a cone: a triangle rotated about the y axis (quilez2008distance).
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>
 
@@ -24,10 +24,10 @@ struct Cone {
   double height = 1;
 
   static void describe(Schema<Cone>& s) {
-    s.doc("A cone about the y axis with its tip up, the origin halfway between base and tip.")
+    s.doc("A cone about the y axis with its tip up and the origin halfway between base and tip.")
         .cite("quilez2008distance")
-        .param("radius", &Cone::radius, positive_length("of the base"))
-        .param("height", &Cone::height, positive_length("from the base to the tip"));
+        .param("radius", &Cone::radius, positive_length("radius of the base"))
+        .param("height", &Cone::height, positive_length("height from the base to the tip"));
   }
   ConeShape shape() const { return {radius, height}; }
 };

@@ -1,4 +1,4 @@
-// The exact distance to a cylinder: a rectangle turned about the y axis (quilez2008distance).
+// The exact distance to a cylinder: a rectangle rotated about the y axis (quilez2008distance).
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>
 
@@ -15,8 +15,8 @@ struct Cylinder {
   static void describe(Schema<Cylinder>& s) {
     s.doc("A cylinder about the y axis, centred at the origin.")
         .cite("quilez2008distance")
-        .param("radius", &Cylinder::radius, positive_length("of the cylinder"))
-        .param("height", &Cylinder::height, positive_length("from end to end along y"))
+        .param("radius", &Cylinder::radius, positive_length("radius of the cylinder"))
+        .param("height", &Cylinder::height, positive_length("height from end to end along y"))
         .param("rounding", &Cylinder::rounding,
                {.doc = "radius of the two rims, at most the radius and half the height",
                 .dimension = Dimension::length,
@@ -24,7 +24,7 @@ struct Cylinder {
   }
   std::string fault() const {
     return rounding > std::min(radius, 0.5 * height)
-               ? "a cylinder's rounding is at most its radius and half its height"
+               ? "a cylinder's rounding must be at most its radius and half its height"
                : "";
   }
   template <class T>

@@ -1,10 +1,10 @@
-// The distance to an ellipsoid, which has no closed form: the nearest point is x_i = e_i^2 y_i /
-// (t + e_i^2), where t solves sum_i (e_i y_i / (t + e_i^2))^2 = 1 (eberly2013ellipsoid).
-// We differ from there in three points. t comes from Newton's steps on 1 - 1/sqrt(sum), which is
-// concave and almost straight, so the steps rise to the root from below. The value is then taken
-// from the plane of normal n ~ x_i / e_i^2 that touches the ellipsoid, n . p - |e n|: this is
-// never above the distance, whatever n, and errs by the square of n's error. And the smallest
-// axis is the unit, with s = t + 1 as the unknown, so that nothing cancels near the middle.
+// The distance to an ellipsoid, which has no closed form: the nearest point is x_i = e_i^2 y_i / (t
+// + e_i^2), where t solves sum_i (e_i y_i / (t + e_i^2))^2 = 1 (eberly2013ellipsoid). Three details
+// differ. t results from Newton steps on 1 - 1/sqrt(sum), which is concave and almost straight, so
+// the steps increase towards the root. The value is then that of the tangent plane with normal n ~
+// x_i / e_i^2, n . p - |e n|: it never exceeds the distance, whatever n, and its error is quadratic
+// in the error of n. And the smallest axis is the unit, with s = t + 1 as the unknown, so that
+// there is no cancellation near the centre.
 #include <vug/field/primitive.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace vug::field {
 namespace {
 
-/// Steps until the bound is the distance up to rounding of either number type for axes up to
-/// 1:10 (measured: 1e-6 and 1e-11); beyond, the result stays a bound.
+/// Steps until the bound equals the distance up to the rounding of either number type for axes up
+/// to 1:10 (measured: 1e-6 and 1e-11); beyond that the result is a bound.
 int steps(const Pack*) { return 10; }
 int steps(const double*) { return 20; }
 
@@ -21,13 +21,13 @@ struct EllipsoidShape {
   Vec3d radii;
   double least = std::min({radii.x, radii.y, radii.z});
   Vec3d e = radii / least;
-  Vec3d gap = e * e - Vec3d(1.0);  // e_i^2 above the least, which is 1
+  Vec3d gap = e * e - Vec3d(1.0);  // e_i^2 minus the smallest, which is 1.
   double widest_gap = std::max({gap.x, gap.y, gap.z});
 
   template <class S>
   S touch(const Point<S>& p, Point<S>& normal) const {
     const Point<S> y = abs(p) * S(1 / least);
-    // Above 0 so that no axis is lost in the middle, where all directions are as near.
+    // Positive, so that no axis is lost at the centre, where all directions are equally near.
     const Point<S> b = {max(y.x * S(e.x), S(1e-15)), max(y.y * S(e.y), S(1e-15)),
                         max(y.z * S(e.z), S(1e-15))};
     const S start =
@@ -59,8 +59,8 @@ struct EllipsoidShape {
     const S value = touch(Point<S>{p.x.v, p.y.v, p.z.v}, normal);
     return differentiated(value, normal, p);
   }
-  /// With k = |p / e|: (k - 1) times the least axis is below the distance outside and above it
-  /// inside; times the longest axis the other way round.
+  /// With k = |p / e|: (k - 1) times the smallest axis is below the distance outside and above it
+  /// inside; with the longest axis it is the reverse.
   Interval distance(const Point<Interval>& p) const {
     const Interval k =
         length(Point<Interval>{p.x * (1 / radii.x), p.y * (1 / radii.y), p.z * (1 / radii.z)}) -
@@ -78,7 +78,7 @@ struct Ellipsoid {
   static void describe(Schema<Ellipsoid>& s) {
     s.doc("An ellipsoid about the origin; its distance is exact up to rounding.")
         .cite("eberly2013ellipsoid")
-        .param("radii", &Ellipsoid::radii, positive_length("along x, y and z"));
+        .param("radii", &Ellipsoid::radii, positive_length("semi-axes along x, y and z"));
   }
   EllipsoidShape shape() const { return {radii}; }
 };

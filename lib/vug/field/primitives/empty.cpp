@@ -1,4 +1,4 @@
-// No solid anywhere: what a union starts from.
+// The empty solid, the neutral element of unions.
 #include <vug/field/boolean.h>
 #include <vug/field/kind.h>
 
@@ -6,7 +6,7 @@ namespace vug::field {
 namespace {
 
 struct Empty {
-  static void describe(Schema<Empty>& s) { s.doc("No solid anywhere."); }
+  static void describe(Schema<Empty>& s) { s.doc("The empty solid."); }
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ struct Grid {
   static void describe(Schema<Grid>& s) {
     s.doc("The solid of a level set in a .vdb file, interpolated between its voxels.")
         .param("file", &Grid::file, {.doc = "a .vdb file", .required = true})
-        .param("name", &Grid::name, {.doc = "of the grid; empty: the first level set"});
+        .param("name", &Grid::name, {.doc = "name of the grid; empty: the first level set"});
   }
 };
 

@@ -1,8 +1,8 @@
 // A sheet along Schoen's gyroid (schoen1970), in its usual approximation
 //   g = sin x cos y + sin y cos z + sin z cos x.
-// By Cauchy's inequality (cos x cos y - sin z sin x)^2 <= cos^2 y + sin^2 z, and the three parts
-// of the squared gradient add up to at most 3: |g| / sqrt(3) is 1-Lipschitz in (x, y, z). The
-// bound is met at the origin, so there the sheet is as thick as stated, elsewhere thicker.
+// By Cauchy's inequality (cos x cos y - sin z sin x)^2 <= cos^2 y + sin^2 z, and the three parts of
+// the squared gradient add up to at most 3: |g| / sqrt(3) is 1-Lipschitz in (x, y, z). The bound is
+// attained at the origin, where the sheet has the stated thickness; elsewhere it is thicker.
 #include <vug/field/primitive.h>
 
 namespace vug::field {
@@ -13,7 +13,7 @@ struct GyroidShape {
   double per_period = 1 / period;
   double scale = period / (2 * kPi * std::sqrt(3.0));
 
-  /// 2 pi x / period, taken into [-pi, pi] where that can be told.
+  /// 2 pi x / period, reduced to [-pi, pi] where the number type permits it.
   template <class T>
   T phase(const T& x) const {
     const T turns = x * T(per_period);
@@ -35,11 +35,11 @@ struct Gyroid {
   double thickness = 0.1;
 
   static void describe(Schema<Gyroid>& s) {
-    s.doc("An endless sheet that parts space into two tunnels winding about each other.")
+    s.doc("An infinite sheet that separates space into two intertwined tunnels.")
         .cite("schoen1970")
-        .param("period", &Gyroid::period, positive_length("after which it repeats along each axis"))
+        .param("period", &Gyroid::period, positive_length("period along each axis"))
         .param("thickness", &Gyroid::thickness,
-               positive_length("of the sheet where it is thinnest, below 0.27 periods"));
+               positive_length("thickness of the sheet at its thinnest, below 0.27 periods"));
   }
   std::string fault() const {
     // |g| reaches 3/2: a thicker sheet would leave no air.

@@ -1,4 +1,4 @@
-// n . p - offset: all that lies behind a plane.
+// n . p - offset: the half-space behind a plane.
 #include <vug/field/primitive.h>
 
 namespace vug::field {
@@ -27,10 +27,11 @@ struct HalfSpace {
   double offset = 0;
 
   static void describe(Schema<HalfSpace>& s) {
-    s.doc("All that lies behind a plane.")
-        .param("normal", &HalfSpace::normal, {.doc = "out of the solid, of any length but 0"})
+    s.doc("The half-space behind a plane.")
+        .param("normal", &HalfSpace::normal,
+               {.doc = "normal out of the solid, of any length but 0"})
         .param("offset", &HalfSpace::offset,
-               any_length("how far the plane lies from the origin along the normal"));
+               any_length("distance of the plane from the origin along the normal"));
   }
   std::string fault() const {
     return normal.length() > 0 ? "" : "a half-space's normal must not be 0";

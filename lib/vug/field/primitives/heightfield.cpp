@@ -1,5 +1,5 @@
-// Ground under the heights of a picture: (y - H(x, z)) / sqrt(1 + s^2), where s is the max_slope
-// slope there is, never exceeds the distance to the ground; cut to a block with four walls.
+// Terrain with the heights of an image: (y - H(x, z)) / sqrt(1 + s^2), where s is the maximum
+// slope, never exceeds the distance to the ground; cut to a block with four walls.
 #include <vug/field/heightmap.h>
 #include <vug/field/opaque.h>
 #include <vug/image/io.h>
@@ -44,40 +44,39 @@ struct Heightfield {
 
   static void describe(Schema<Heightfield>& s) {
     s.doc(
-         "A block of ground whose top follows the brightness of a picture: black at y = 0, the "
-         "picture's top edge towards -z.")
+         "A block of ground whose top follows the brightness of an image: black at y = 0, the top "
+         "edge of the image towards -z.")
         .cite("catmull1974")
-        .param("file", &Heightfield::file,
-               {.doc = "any picture; one channel, or the mean of "
-                       "three, from 0 to 1",
-                .required = true})
+        .param(
+            "file", &Heightfield::file,
+            {.doc = "any image; one channel, or the mean of three, from 0 to 1", .required = true})
         .param("size", &Heightfield::size,
-               positive_length("of the ground along x and z, and along y from black to white"))
+               positive_length("size of the ground along x and z, and along y from black to white"))
         .param("base", &Heightfield::base, positive_length("thickness of the block below black"))
         .choice("sampling", &Heightfield::sampling,
                 {{"bilinear", Sampling::bilinear}, {"bicubic", Sampling::bicubic}},
-                "how heights between pixels come about");
+                "interpolation of heights between pixels");
   }
 };
 
 Field ground(const Heightfield& params) {
   image::Image picture = image::read_grey(params.file);
   if (picture.width < 2 || picture.height < 2)
-    throw Error(
-        ErrorCode::bad_input,
-        "'" + params.file.string() + "' is too small for a heightfield: 2 x 2 pixels at least");
+    throw Error(ErrorCode::bad_input,
+                "'" + params.file.string() +
+                    "' is too small for a heightfield: it needs at least 2 x 2 pixels");
   for (float& height : picture.pixels) {
     height *= static_cast<float>(params.size.y);
     if (!std::isfinite(height))
       throw Error(ErrorCode::bad_input,
-                  "'" + params.file.string() + "' holds values that are not finite");
+                  "'" + params.file.string() + "' contains values that are not finite");
   }
   Ground source{Heightmap(picture.width, picture.height, std::move(picture.pixels), params.size.x,
                           params.size.z, params.sampling),
                 params.size, params.base};
   Traits traits;
   traits.exactness = Exactness::bound;
-  // Above the block f >= dy / sqrt(1 + s^2), beside it f >= dx; the two add up to a diagonal.
+  // Above the block f >= dy / sqrt(1 + s^2), next to it f >= dx; the two combine to a diagonal.
   traits.growth = source.shrink / std::sqrt(2.0);
   const double highest = std::max(source.heightmap.range().hi, -params.base);
   traits.bounds = {Vec3d(-0.5 * params.size.x, -params.base, -0.5 * params.size.z),

@@ -16,7 +16,7 @@ struct MeshSource {
     const mesh::MeshDistance::Closest closest = distance.closest(p);
     const Vec3d away = p - closest.point;
     const double sign = away.dot(closest.normal) < 0 ? -1 : 1;
-    // Next to the surface the difference of two close points is no direction.
+    // Next to the surface the difference of two close points does not determine a direction.
     const bool touching = closest.distance <= 1e-9 * (1 + p.length());
     return {sign * closest.distance, touching ? closest.normal : away * (sign / closest.distance)};
   }
@@ -32,7 +32,7 @@ struct MeshFile {
         .param("file", &MeshFile::file,
                {.doc = "an OBJ, PLY or STL file, in metres", .required = true})
         .param("scale", &MeshFile::scale,
-               {.doc = "metres in one unit of the file, e.g. 0.01 for centimetres",
+               {.doc = "metres per unit of the file, e.g. 0.01 for centimetres",
                 .min = 0,
                 .above_min = true});
   }
@@ -44,11 +44,11 @@ Field solid(const MeshFile& params) {
   const mesh::Topology topology = mesh::inspect(mesh);
   if (!topology.closed() || topology.misoriented_edges > 0 || mesh.triangles.empty())
     throw Error(ErrorCode::bad_input,
-                fmt::format("'{}' bounds no solid: it has {} triangles, {} open edges, {} edges "
-                            "with more than two triangles and {} edges whose sides disagree",
+                fmt::format("'{}' does not bound a solid: it has {} triangles, {} open edges, {} "
+                            "edges with more than two triangles and {} edges whose sides disagree",
                             params.file.string(), mesh.triangles.size(), topology.boundary_edges,
                             topology.nonmanifold_edges, topology.misoriented_edges),
-                {}, "close the mesh and make its normals agree");
+                {}, "close the mesh and orient it consistently");
   const mesh::MeshDistance distance(mesh);
   Traits traits;
   traits.bounds = distance.bounds();

@@ -1,4 +1,4 @@
-// The exact distance to a regular prism: the polygon's farthest side, or the corner beside it.
+// The exact distance to a regular prism: the farthest side of the polygon, or the nearest corner.
 #include <vug/base/maths.h>
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>
@@ -13,7 +13,7 @@ constexpr int kMostSides = 64;
 struct PrismShape {
   int sides;
   double half_height, apothem, half_side;
-  std::array<double, kMostSides> x{}, z{};  // normals of the sides
+  std::array<double, kMostSides> x{}, z{};  // Normals of the sides.
 
   template <class T>
   T distance(const Point<T>& p) const {
@@ -51,10 +51,13 @@ struct Prism {
   double height = 1;
 
   static void describe(Schema<Prism>& s) {
-    s.doc("A regular polygon drawn out along y, its first side facing +x, centred at the origin.")
-        .param("sides", &Prism::sides, {.doc = "of the polygon", .min = 3, .max = kMostSides})
-        .param("radius", &Prism::radius, positive_length("from the axis to the corners"))
-        .param("height", &Prism::height, positive_length("from end to end"));
+    s.doc(
+         "A regular polygon extruded along y, with its first side facing +x, centred at the "
+         "origin.")
+        .param("sides", &Prism::sides,
+               {.doc = "number of sides of the polygon", .min = 3, .max = kMostSides})
+        .param("radius", &Prism::radius, positive_length("distance from the axis to the corners"))
+        .param("height", &Prism::height, positive_length("height from end to end"));
   }
   PrismShape shape() const {
     PrismShape out{sides, 0.5 * height, radius * maths::cos(kPi / sides),

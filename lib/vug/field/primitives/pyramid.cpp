@@ -1,5 +1,5 @@
-// The exact distance to a square pyramid. Its mirrors fold space so that x >= z >= 0; there only
-// one slanted face, its edge to the tip and the base can be nearest.
+// The exact distance to a square pyramid. Its mirror symmetries fold space to x >= z >= 0, where
+// only one slanted face, its edge to the tip and the base can be nearest.
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>
 
@@ -7,17 +7,17 @@ namespace vug::field {
 namespace {
 
 struct PyramidShape {
-  double half, height;  // of the base; of the whole
+  double half, height;  // Half the base, and the total height.
   ProfileEdge slope{half, -0.5 * height, 0, 0.5 * height};
   double slant = std::sqrt(half * half + height * height);
-  double edge2 = 2 * half * half + height * height;  // squared length of the edge to the tip
+  double edge2 = 2 * half * half + height * height;  // Squared length of the edge to the tip.
 
   template <class T>
   T distance(const Point<T>& p) const {
     const T ax = abs(p.x), az = abs(p.z), x = max(ax, az), z = min(ax, az);
     const T up = p.y + T(0.5 * height), face = slope.height(x, p.y);
     const T inside = max(face, -up);
-    // Along the face from the base's edge up; the face narrows towards the tip.
+    // Along the face from the edge of the base up; the face narrows towards the tip.
     const T along = ((T(half) - x) * T(half) + up * T(height)) * T(1 / slant);
     const auto before_face =
         both(both(face > T(0.0), along > T(0.0)), z < T(half) - along * T(half / slant));
@@ -41,9 +41,9 @@ struct Pyramid {
   double height = 1;
 
   static void describe(Schema<Pyramid>& s) {
-    s.doc("A square pyramid with its tip up, the origin halfway between base and tip.")
+    s.doc("A square pyramid with its tip up and the origin halfway between base and tip.")
         .param("base", &Pyramid::base, positive_length("side of the base"))
-        .param("height", &Pyramid::height, positive_length("from the base to the tip"));
+        .param("height", &Pyramid::height, positive_length("height from the base to the tip"));
   }
   PyramidShape shape() const { return {0.5 * base, height}; }
 };

@@ -1,4 +1,4 @@
-// |n . p| - thickness / 2: all that lies between two parallel planes.
+// |n . p| - thickness / 2: the region between two parallel planes.
 #include <vug/field/primitive.h>
 
 namespace vug::field {
@@ -28,9 +28,9 @@ struct Slab {
   double thickness = 1;
 
   static void describe(Schema<Slab>& s) {
-    s.doc("All that lies between two parallel planes, halfway about the origin.")
-        .param("normal", &Slab::normal, {.doc = "across the slab, of any length but 0"})
-        .param("thickness", &Slab::thickness, positive_length("from plane to plane"));
+    s.doc("The region between two parallel planes, centred at the origin.")
+        .param("normal", &Slab::normal, {.doc = "normal of the slab, of any length but 0"})
+        .param("thickness", &Slab::thickness, positive_length("thickness from plane to plane"));
   }
   std::string fault() const { return normal.length() > 0 ? "" : "a slab's normal must not be 0"; }
   SlabShape shape() const { return {normal.normalized(), 0.5 * thickness}; }

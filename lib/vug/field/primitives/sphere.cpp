@@ -1,4 +1,4 @@
-// |p| - r: the distance to a ball about the origin.
+// |p| - r: the distance to a ball centred at the origin.
 #include <vug/field/primitive.h>
 
 namespace vug::field {
@@ -8,8 +8,8 @@ struct Sphere {
   double radius = 1;
 
   static void describe(Schema<Sphere>& s) {
-    s.doc("A ball about the origin.")
-        .param("radius", &Sphere::radius, positive_length("of the ball"));
+    s.doc("A ball centred at the origin.")
+        .param("radius", &Sphere::radius, positive_length("radius of the ball"));
   }
   template <class T>
   T distance(const Point<T>& p) const {

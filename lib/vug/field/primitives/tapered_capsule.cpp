@@ -1,6 +1,7 @@
-// The exact distance to the convex hull of two balls (a "round cone", quilez2008distance).
-// The nearest surface point lies on the normal through p; the normals of the slanted part leave
-// the axis at a fixed slope, so the foot of p on the axis says which of three parts is nearest.
+// The exact distance to the convex hull of two balls (a "round cone", quilez2008distance). The
+// nearest surface point lies on the normal through p; the normals of the slanted part leave the
+// axis at a fixed slope, so the projection of p onto the axis along that slope decides which of
+// three parts is nearest.
 #include <vug/field/primitive.h>
 
 #include <algorithm>
@@ -38,16 +39,17 @@ struct TaperedCapsule {
   double radius_b = 0.25;
 
   static void describe(Schema<TaperedCapsule>& s) {
-    s.doc("Two balls and all that lies between them: a rod with round ends of two sizes.")
+    s.doc("Two balls and the region between them: a rod with round ends of two sizes.")
         .cite("quilez2008distance")
         .param("a", &TaperedCapsule::a, any_length("centre of the first ball"))
         .param("b", &TaperedCapsule::b, any_length("centre of the second ball"))
-        .param("radius_a", &TaperedCapsule::radius_a, positive_length("of the first ball"))
-        .param("radius_b", &TaperedCapsule::radius_b, positive_length("of the second ball"));
+        .param("radius_a", &TaperedCapsule::radius_a, positive_length("radius of the first ball"))
+        .param("radius_b", &TaperedCapsule::radius_b, positive_length("radius of the second ball"));
   }
   std::string fault() const {
     return std::fabs(radius_a - radius_b) >= (b - a).length()
-               ? "one ball of a tapered capsule lies inside the other; move their centres apart"
+               ? "one ball of a tapered capsule lies inside the other; increase the distance of "
+                 "their centres"
                : "";
   }
   TaperedCapsuleShape shape() const {

@@ -1,4 +1,4 @@
-// The exact distance to a ring: a disc turned about the y axis (hart1996, appendix A).
+// The exact distance to a torus: a disc rotated about the y axis (hart1996, appendix A).
 #include <vug/field/primitive.h>
 
 namespace vug::field {
@@ -9,13 +9,14 @@ struct Torus {
   double tube = 0.25;
 
   static void describe(Schema<Torus>& s) {
-    s.doc("A ring about the y axis, centred at the origin.")
+    s.doc("A torus about the y axis, centred at the origin.")
         .cite("hart1996")
-        .param("radius", &Torus::radius, positive_length("from the centre to the tube's middle"))
+        .param("radius", &Torus::radius,
+               positive_length("distance from the centre to the tube's middle"))
         .param("tube", &Torus::tube, positive_length("radius of the tube, at most the radius"));
   }
   std::string fault() const {
-    return tube > radius ? "a torus's tube is at most as wide as its radius" : "";
+    return tube > radius ? "a torus's tube must be at most as wide as its radius" : "";
   }
   template <class T>
   T distance(const Point<T>& p) const {

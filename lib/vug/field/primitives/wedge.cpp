@@ -1,4 +1,4 @@
-// The exact distance to a ramp: a right-angled triangle in x and y, drawn out along z.
+// The exact distance to a ramp: a right-angled triangle in x and y, extruded along z.
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>
 
@@ -31,7 +31,7 @@ struct Wedge {
 
   static void describe(Schema<Wedge>& s) {
     s.doc("A ramp: half a box, cut along the diagonal that falls from -x to +x.")
-        .param("size", &Wedge::size, positive_length("of the whole box along x, y and z"));
+        .param("size", &Wedge::size, positive_length("size of the whole box along x, y and z"));
   }
   WedgeShape shape() const { return {size}; }
 };
