@@ -35,7 +35,7 @@ function connect(viewer) {
   const acts = {
     home: () => viewer.goHome(),
     whole: () => viewer.showWhole(),
-    lamps: toggle('lamps', (on) => viewer.useLamps(on)),
+    lights: toggle('lights', (on) => viewer.useLights(on)),
     wire: toggle('wire', (on) => viewer.showEdges(on)),
     turn: toggle('turn', (on) => viewer.turn(on)),
     fold: toggle('fold', (on) => document.body.classList.toggle('folded', !on)),
@@ -43,20 +43,20 @@ function connect(viewer) {
   for (const [id, act] of Object.entries(acts)) byId(id).addEventListener('click', act);
   byId('cut').addEventListener('input', (event) => viewer.cut(Number(event.target.value)));
   byId('bright').addEventListener('input', (event) => viewer.brighten(Number(event.target.value)));
-  byId('lamps').hidden = viewer.lamps.length === 0;
+  byId('lights').hidden = viewer.lights.length === 0;
 
   const slide = (id, by) => () => {
     byId(id).value = Number(byId(id).value) + by;
     byId(id).dispatchEvent(new Event('input'));
   };
   const keys = {
-    h: acts.home, f: acts.whole, l: acts.lamps, w: acts.wire, t: acts.turn, p: acts.fold,
+    h: acts.home, f: acts.whole, l: acts.lights, w: acts.wire, t: acts.turn, p: acts.fold,
     '[': slide('cut', -0.05), ']': slide('cut', 0.05),
     '-': slide('bright', -0.5), '+': slide('bright', 0.5), '=': slide('bright', 0.5),
   };
   addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.key === 'l' && viewer.lamps.length === 0) return;
+    if (event.key === 'l' && viewer.lights.length === 0) return;
     keys[event.key.toLowerCase()]?.();
   });
 }

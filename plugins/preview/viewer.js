@@ -1,11 +1,11 @@
-// The model: orbits, the scene's cameras and lamps, even light, a cut from above.
+// The model: orbits, the scene's cameras and lights, even light, a cut from above.
 import * as three from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 const GROUND = 0x15171a;
 const LUMEN_PER_WATT = 683;  // the exporter's, see lib/vug/exchange/format.h
-const MOST_LAMPS = 12;       // of a forward renderer; the strongest are taken
+const MAX_LIGHTS = 12;       // of a forward renderer; the strongest are taken
 
 export class Viewer {
   constructor(canvas, data) {
@@ -23,7 +23,7 @@ export class Viewer {
     this.controls.dampingFactor = 0.12;
     this.controls.autoRotateSpeed = 0.6;
     this.plane = new three.Plane(new three.Vector3(0, -1, 0), 0);
-    this.lamps = [];
+    this.lights = [];
     this.stops = 0;
     this.wanted = true;
     this.controls.addEventListener('change', () => { this.wanted = true; });
@@ -44,7 +44,7 @@ export class Viewer {
     this.size = this.box.getSize(new three.Vector3()).length();
     this.findCamera(gltf.cameras);
     this.addEvenLight();
-    this.chooseLamps();
+    this.chooseLights();
     this.cut(1);
     this.resize();
     this.goHome();
@@ -59,7 +59,7 @@ export class Viewer {
   }
 
   take(node) {
-    if (node.isLight) this.lamps.push(node);
+    if (node.isLight) this.lights.push(node);
     if (!node.isMesh) return;
     const { index, attributes } = node.geometry;
     this.triangles += (index ? index.count : attributes.position.count) / 3 * (node.isInstancedMesh ? node.count : 1);
@@ -77,7 +77,7 @@ export class Viewer {
     this.own = named ?? cameras[0] ?? null;
   }
 
-  /// A sky, what the ground gives back, and a lamp that goes with the viewer: nothing is black.
+  /// A sky, what the ground gives back, and a light that goes with the viewer: nothing is black.
   addEvenLight() {
     this.even = new three.Group();
     this.even.add(new three.HemisphereLight(0xe6edf5, 0x9a8f82, 1.2));
@@ -85,7 +85,7 @@ export class Viewer {
     sun.position.set(0.5, 1, 0.35);
     this.even.add(sun);
     this.scene.add(this.even);
-    // Stands for what walls give back where the scene's lamps shine.
+    // Stands for what walls give back where the scene's lights shine.
     this.fill = new three.HemisphereLight(0xffffff, 0xc8bdb0, 0.2 / 2 ** this.data.exposure);
     this.fill.visible = false;
     this.scene.add(this.fill);
@@ -96,16 +96,16 @@ export class Viewer {
     this.scene.add(this.camera);
   }
 
-  chooseLamps() {
-    for (const lamp of this.lamps) {
-      lamp.intensity /= LUMEN_PER_WATT;
-      lamp.visible = false;
+  chooseLights() {
+    for (const light of this.lights) {
+      light.intensity /= LUMEN_PER_WATT;
+      light.visible = false;
     }
-    this.lamps.sort((a, b) => b.intensity - a.intensity).splice(MOST_LAMPS);
+    this.lights.sort((a, b) => b.intensity - a.intensity).splice(MAX_LIGHTS);
   }
 
-  useLamps(on) {
-    for (const lamp of this.lamps) lamp.visible = on;
+  useLights(on) {
+    for (const light of this.lights) light.visible = on;
     this.fill.visible = on;
     this.even.visible = this.torch.visible = !on;
     this.exposure();

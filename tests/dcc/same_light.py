@@ -3,10 +3,10 @@
 
     PYTHONPATH=build/release/python tests/dcc/same_light.py cave out.png [--size 320x180] [--spp 256] [--runs 4]
 
-The same camera and lamps, Lambertian rock of varying colour. Says how far the means of red, green and blue
+The same camera and lights, Lambertian rock of varying colour. Says how far the means of red, green and blue
 differ, and how many blocks of 20x20 pixels lie beyond three standard errors, which come from the spread
 between runs with other seeds; writes both pictures side by side. Exit code 1 where they differ by more than
-1 % or more than 1 % of the blocks lie beyond. `cave` is lit by three lamps, none of which is in the picture,
+1 % or more than 1 % of the blocks lie beyond. `cave` is lit by three lights, none of which is in the picture,
 `open` by a sky that is. The cave's rock is flat: light between a facet's horizon and that of its smooth normal,
 which Cycles cuts off and Vug follows, is half a percent there.
 """

@@ -38,7 +38,7 @@ class Resolver final : public scene::Resolver {
                                 const SourceLocation& where, Diagnostics& diagnostics);
 
   /// A call of a kind of one family, where a declaration says which family it wants: names such
-  /// as `sphere` stand for a solid and for a lamp.
+  /// as `sphere` stand for a solid and for a light.
   std::optional<Value> make(const KindRegistry& registry, const std::string& name,
                             const Arguments& arguments, const SourceLocation& where,
                             Diagnostics& diagnostics);

@@ -50,7 +50,7 @@ image::Metadata identifying_metadata(const shot::Shot& shot, const PictureOption
 /// Whether the plan's camera is one for stereo.
 bool is_stereo(const shot::Shot& shot, const PictureOptions& options);
 
-/// Meshes, materials, lamps and air. A shot without objects shows its meshes in grey; one without
+/// Meshes, materials, lights and air. A shot without objects shows its meshes in grey; one without
 /// lights gets a soft sky.
 render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& plan,
                           const building::TimeSamples& time_samples = {});

@@ -37,7 +37,7 @@ void warn_of_exposure(const building::Builder& builder, const RenderResult& pict
   const double exposure = settings.exposure;
   const std::optional<double> grey = image::grey_exposure(*picture.image, settings.space);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
-  // A lamp in a dark room makes no bright picture: most of it has to be.
+  // A light in a dark room makes no bright picture: most of it has to be.
   const double bright = 0.18 * std::exp2(kOff - exposure);
   if (grey && *grey < exposure &&
       image::fraction_above(*picture.image, bright, settings.space) < 0.5)

@@ -1,5 +1,5 @@
-"""Lights and cameras that mean the same as Vug's. Blender counts the watts that a lamp would send out if it
-shone in all directions as it does along its axis. See docs/guides/export.md for what a file says of lamps.
+"""Lights and cameras that mean the same as Vug's. Blender counts the watts that a light would send out if it
+shone in all directions as it does along its axis. See docs/guides/export.md for what a file says of lights.
 
 `scale` is the number of Blender's units in a metre: watts grow with its square, so that what is lit from
 farther away in units is as bright, and Blender, which counts so itself, shows the same watts."""
@@ -31,7 +31,7 @@ def fill_light(light, about, scale):
         light.energy = axis
         light.angle = extras.get("vug:angle", 0)
     elif light.type == "AREA":
-        light.energy = 4 * watts  # an area lamp of Cycles has a radiance of energy / (4 area)
+        light.energy = 4 * watts  # an area light of Cycles has a radiance of energy / (4 area)
         light.shape = "RECTANGLE" if "vug:width" in extras else "DISK"
         width = extras.get("vug:width", 2 * extras.get("vug:radius", 0.5))
         light.size, light.size_y = scale * width, scale * extras.get("vug:height", width)

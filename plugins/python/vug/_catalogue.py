@@ -23,7 +23,7 @@ class KindParam(NamedTuple):
 
 
 class Kind:
-    """Something a scene can name: a torus, a lamp, a rule of cells. Printed, it is its manual."""
+    """Something a scene can name: a torus, a light, a rule of cells. Printed, it is its manual."""
 
     def __init__(self, data: dict) -> None:
         self.name: str = data["name"]

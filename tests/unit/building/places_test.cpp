@@ -1,4 +1,4 @@
-// What `place` makes of a scene's text: instances with transforms, names, materials and lamps.
+// What `place` makes of a scene's text: instances with transforms, names, materials and lights.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/building/flat_scene.h>

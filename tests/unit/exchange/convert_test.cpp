@@ -22,7 +22,7 @@ TEST(Convert, AMetreStaysAMetreAndUpStaysUp) {
     }();
     const Vec3d size = bounds(one).size() * space.metres_per_unit;
     EXPECT_LT((size - Vec3d(1.0)).length(), 1e-6);
-    // The camera of the plan looks down, the lamps shine down.
+    // The camera of the plan looks down, the lights shine down.
     EXPECT_LT((all.cameras[1].place.vector({0, 0, -1}) + up_in(space)).length(), 1e-14);
     for (const Light& light : all.lights)
       EXPECT_LT((light.place.vector({0, 0, -1}) + up_in(space)).length(), 1e-14) << light.name;

@@ -118,7 +118,7 @@ TEST_F(Glb, WattsAreCandelaOver683) {
   // What a program finds that takes 683 lumen for a watt, as Blender does: the watts of the light.
   const double watts = ball.intensity / 683 * 4 * kPi;
   for (size_t c = 0; c < 3; ++c)
-    EXPECT_NEAR(watts * ball.color[c], power(sample().lamps[0])[static_cast<int>(c)], 1e-9);
+    EXPECT_NEAR(watts * ball.color[c], power(sample().lights[0])[static_cast<int>(c)], 1e-9);
   EXPECT_EQ(ball.type, "point");
   EXPECT_EQ(model.lights.at(3).type, "spot");
   EXPECT_NEAR(model.lights.at(3).spot.outerConeAngle, 0.5, 1e-12);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 64, kHeight = 36;
 
-/// The expected value of a pixel: a slope from light to dark, with a lamp in view.
+/// The expected value of a pixel: a slope from light to dark, with a light in view.
 double expected(int x, int y) {
   if (x >= 50 && x < 54 && y >= 4 && y < 8) return 40;
   return 0.01 + 0.4 * (1 + std::sin(0.2 * x) * std::cos(0.3 * y)) / (1 + 0.1 * x);
@@ -36,11 +36,11 @@ struct Camera {
       for (int x = 0; x < kWidth; ++x) {
         const bool other = patch && x >= 20 && x < 26 && y >= 15 && y < 20;
         const double mean = gain * (other ? 1.2 : 1) * expected(x, y);
-        const bool lamp = expected(x, y) > 30;
+        const bool light = expected(x, y) > 30;
         double sum = 0, squares = 0;
         for (int i = 0; i < spp; ++i) {
           const double rare = random.uniform() * rarity < 1 ? 0.5 * mean * rarity : 0;
-          const double v = lamp ? mean : 0.5 * mean + rare;
+          const double v = light ? mean : 0.5 * mean + rare;
           sum += v, squares += v * v;
         }
         const double m = sum / spp, variance = (squares / spp - m * m) / (spp - 1);

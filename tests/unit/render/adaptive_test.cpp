@@ -8,7 +8,7 @@
 namespace vug::render {
 namespace {
 
-/// A dark hall: a lamp at one end behind a wall's edge, so that noise differs a lot over the
+/// A dark hall: a light at one end behind a wall's edge, so that noise differs a lot over the
 /// picture and a good part of the light comes over bounces.
 Scene hall() {
   Scene scene;
@@ -62,7 +62,7 @@ TEST(Adaptive, NoiseIsWhatWasAskedFor) {
       const auto at = [&](const char* c) {
         return static_cast<double>(picture.at(x, y, static_cast<size_t>(picture.find_channel(c))));
       };
-      const double light = at("G") + 0.25 * key;  // grey walls, white lamp: any channel will do
+      const double light = at("G") + 0.25 * key;  // grey walls, white light: any channel will do
       squares += at("variance.G") / (light * light);
     }
   const double noise = std::sqrt(squares / static_cast<double>(picture.pixel_count()));

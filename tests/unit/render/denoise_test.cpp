@@ -10,7 +10,7 @@
 namespace vug::render {
 namespace {
 
-/// A checkered floor before a wall, lit by a lamp and over bounces.
+/// A checkered floor before a wall, lit by a light and over bounces.
 Scene checkers() {
   Scene scene;
   scene.camera = view({0, 1.5, 3.5}, {0, 0.5, 0}, 1.1);

@@ -66,7 +66,7 @@ TEST(Openness, ReachesNoFurtherThanItIsTold) {
   // with sin * cos(turn) > d / r. Integrated over the disc below them: a segment of a circle.
   const Openness around({kFloor, quad({0, 0, -500}, {0, 0, 500}, {0, 500, 500}, {0, 500, -500})});
   OpennessOptions options;
-  options.reach = 1;
+  options.max_distance = 1;
   for (const double d : {0.1, 0.5, 0.8}) {
     const double closed = (std::acos(d) - d * std::sqrt(1 - d * d)) / kPi;
     EXPECT_NEAR(mean(around, along_z({static_cast<float>(d), 0, 0}), {0, 1, 0}, options),

@@ -8,7 +8,7 @@
 namespace vug::render {
 namespace {
 
-/// A ball in a closed room of rock, lit by one lamp.
+/// A ball in a closed room of rock, lit by one light.
 Scene room(double ball_albedo = 0.7) {
   Scene scene;
   scene.camera = view({0, 0, 1.9}, {0, -0.3, 0}, 1.2);

@@ -106,7 +106,7 @@ TEST(SurfacePlace, GoesItsWayWhileTheShutterIsOpen) {
   }
 }
 
-/// Under a sky and a lamp, on a floor: without the mesh it is the same picture. Both start from the
+/// Under a sky and a light, on a floor: without the mesh it is the same picture. Both start from the
 /// same samples, so what is left is the noise of paths that part where the surfaces differ by
 /// thousandths of a voxel. The lump has no creases: those the mesh keeps sharper.
 TEST(SurfacePlace, LooksLikeItsMesh) {

@@ -4,7 +4,7 @@ namespace vug::loading {
 
 const DeclarationKind& light_declaration() {
   static const DeclarationKind kind = {
-      kind_declaration_info("light", "A lamp or a sky: light NAME = rect(...).", "light", ""),
+      kind_declaration_info("light", "A light or a sky: light NAME = rect(...).", "light", ""),
       [](const scene::Declaration& declaration, ReadContext& context) {
         const Value value = read_kind_declaration("light", "", declaration, context);
         if (const auto* light = value.object<render::LightPtr>())

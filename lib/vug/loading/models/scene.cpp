@@ -11,7 +11,7 @@ struct SceneModel {
 
   static void describe(Schema<SceneModel>& s) {
     s.doc(
-         "Another scene: its objects with their materials, and its lamps. Its skies, air, cameras "
+         "Another scene: its objects with their materials, and its lights. Its skies, air, cameras "
          "and render blocks stay behind.")
         .param("file", &SceneModel::file, {.doc = "the .vug file", .required = true})
         .param("seed", &SceneModel::seed, {.doc = "instead of its own", .min = 0})

@@ -1,17 +1,17 @@
-// Where a picture has samples enough.
+// Adaptive sampling: decides where a picture has enough samples.
 #pragma once
 
 #include <vug/render/film/render_state.h>
 
 namespace vug::render {
 
-/// Marks as converged each block whose noise is at most `noise`. The noise of a pixel is its
-/// standard error of luminance over its luminance plus a quarter of the picture's key (the
-/// log-average luminance of blocks): a relative error that asks for no more in black corners than
-/// the eye sees. That of a block is the root mean square over its pixels and those of its eight
-/// neighbours: a block that has not met its bright paths yet looks calm by itself, and to stop
-/// there would darken the picture. Nothing settles before kMinAdaptiveSamples. Depends on the film
-/// alone; for states of whole pictures.
+/// Marks each tile whose noise is at most `noise` as converged. The noise of a pixel is the
+/// standard error of its luminance divided by the sum of its luminance and a quarter of the
+/// picture's key (the log-average luminance of tiles): a relative error that does not demand more
+/// of dark corners than the eye can see. The noise of a tile is the root mean square over its own
+/// pixels and those of its eight neighbours: a tile that has not sampled its bright paths yet looks
+/// converged by itself, and stopping there would darken the picture. No tile converges before
+/// kMinAdaptiveSamples. The result depends only on the film. For states of whole pictures.
 constexpr uint32_t kMinAdaptiveSamples = 16;
 void mark_converged(RenderState& state, double noise);
 

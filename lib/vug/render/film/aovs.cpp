@@ -41,7 +41,7 @@ const std::vector<Kind>& kinds() {
        [](Out& o) {
          for (size_t i = 0; i < 3; ++i) o.put(o.sum.mean(i));
        }},
-      {{"A", "1 where a surface or lamp is seen, 0 where only the sky is.", {"A"}, true},
+      {{"A", "1 where a surface or light is seen, 0 where only the sky is.", {"A"}, true},
        [](Out& o) { o.put(from_plain(o.sum.alpha) / std::max(o.sum.samples, 1u)); }},
       {{"Z", "Depth along the axis of view in metres; 1e10 where no surface is.", {"Z"}, true},
        [](Out& o) { o.sum.hits > 0 ? o.hit(o.sum.depth) : o.put(kNowhere); }},

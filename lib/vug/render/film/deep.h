@@ -1,4 +1,4 @@
-// Gathers what a pixel's samples meet at which depth into a few samples of a deep picture.
+// Deep pixels: merges the samples of a pixel into a few samples with depth.
 #pragma once
 
 #include <vug/image/deep.h>
@@ -9,22 +9,23 @@
 namespace vug::render {
 
 struct DeepOptions {
-  double tolerance = 0.01;  ///< Surfaces this far apart, as a part of their depth, are one.
-  size_t max_samples = 16;  ///< Samples of a pixel; more are put together where they are nearest.
+  double tolerance = 0.01;  ///< Surfaces within this relative difference of depth are merged.
+  size_t max_samples = 16;  ///< Per pixel; beyond this, the samples closest in depth are merged.
 };
 
-/// One pixel's light by depth. Only surfaces have a place: what the air before them scatters comes
-/// with the surface behind it, what comes from the sky or a lamp before it lies at kDeepSky.
+/// Accumulates one pixel by depth. Only surfaces have a depth: light scattered by a medium is
+/// stored with the surface behind it, and light from the environment, or from a light in front of
+/// it, at kDeepSky.
 class DeepPixel {
  public:
   explicit DeepPixel(const DeepOptions& options) : options_(options) {}
 
-  /// A sample whose first surface lies at that depth. Samples that are no numbers are left out, as
+  /// Adds a sample whose first surface is at this depth. NaN and infinite samples are discarded, as
   /// in PixelSum.
   void add(const PathResult& sample, double depth);
-  /// The pixel, and ready for the next. Compositing it gives the means of what was added: each
-  /// sample hides its share of the pixel, seen through those before it, so its alpha is that
-  /// share over what these leave.
+  /// Returns the pixel's samples and resets for the next pixel. Compositing them gives the means of
+  /// the added samples: each sample covers its share of the pixel as seen through the samples in
+  /// front, so its alpha is that share divided by the share that they leave visible.
   std::vector<image::DeepSample> finish();
 
  private:

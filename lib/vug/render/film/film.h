@@ -1,5 +1,5 @@
-// Where samples are gathered: sums for each pixel that any number of threads, passes or machines
-// may fill in any order, and get the same bits.
+// The film accumulates samples: exact sums per pixel that any number of threads, passes or machines
+// may fill in any order, with the same bits.
 #pragma once
 
 #include <vug/render/camera.h>
@@ -14,36 +14,39 @@
 
 namespace vug::render {
 
-/// The sums of one pixel. Each sample counts for its pixel alone and for all of it (box filter).
-/// Sums are integers: `add` in any order and `merge` of any split give the same bits.
+/// The sums of one pixel. Each sample counts fully for its own pixel (box filter). Sums are
+/// integers: `add` in any order and `merge` of any partition give the same bits.
 struct PixelSum {
-  std::array<Wide, 3> light{}, square{};  ///< Radiance and its square, in 2^-64 and 2^-48.
-  std::array<int64_t, 3> normal{}, position{}, albedo{};  ///< Of the first surface, in 2^-24.
-  int64_t alpha = 0, depth = 0;                           ///< In 2^-24.
-  uint32_t samples = 0;                                   ///< That the means are over.
-  uint32_t hits = 0;     ///< Of these, those whose ray met a surface.
-  uint32_t invalid = 0;  ///< Samples with a radiance that is no number: left out of everything.
-  uint32_t clamped = 0;  ///< Samples brighter than kMaxLight, clamped to it.
+  std::array<Wide, 3> light{}, square{};  ///< Radiance and its square, in units of 2^-64 and 2^-48.
+  std::array<int64_t, 3> normal{}, position{},
+      albedo{};                  ///< At the first surface, in units of 2^-24.
+  int64_t alpha = 0, depth = 0;  ///< In units of 2^-24.
+  uint32_t samples = 0;          ///< Number of valid samples.
+  uint32_t hits = 0;             ///< Number of valid samples whose ray hit a surface.
+  uint32_t invalid =
+      0;  ///< Number of samples with a NaN or infinite radiance, which are discarded.
+  uint32_t clamped = 0;  ///< Number of samples brighter than kMaxLight, which are clamped to it.
 
-  /// False when the sample was invalid.
+  /// Returns false if the sample was invalid.
   bool add(const PathResult& sample, const Camera& camera);
   void merge(const PixelSum& other);
   /// Mean radiance of a channel 0..2, and the variance of that mean (its squared standard error),
-  /// from the spread of the samples; 0 for fewer than two samples.
+  /// estimated from the samples; 0 for fewer than two samples.
   double mean(size_t channel) const;
   double variance(size_t channel) const;
 
   bool operator==(const PixelSum&) const = default;
 };
 
-/// The objects of a scene that a pixel's rays meet first, each with its number of samples, in the
-/// order of their indices.
+/// The objects that a pixel's camera rays hit first, with their numbers of samples, sorted by
+/// object index.
 using Coverage = std::vector<std::pair<uint32_t, uint32_t>>;
 
-/// What is summed beyond a PixelSum.
+/// The data that a film accumulates in addition to PixelSum.
 struct FilmLayout {
-  size_t colours = 0;     ///< Further colours for each pixel: parts of the light.
-  bool coverage = false;  ///< Which objects the rays meet.
+  size_t colours =
+      0;  ///< Further colours per pixel: light components, light groups, and surface values.
+  bool coverage = false;  ///< The objects that camera rays hit.
 
   bool operator==(const FilmLayout&) const = default;
 };
@@ -58,7 +61,7 @@ class Film {
   const FilmLayout& layout() const { return layout_; }
   PixelSum& at(int x, int y) { return sums_[region_.index(x, y)]; }
   const PixelSum& at(int x, int y) const { return sums_[region_.index(x, y)]; }
-  /// Three sums, as PixelSum::light, for each of FilmLayout::colours.
+  /// Three sums for each of FilmLayout::colours, in the units of PixelSum::light.
   Wide* colours(int x, int y) {
     return colours_.data() + region_.index(x, y) * layout_.colours * 3;
   }
@@ -68,15 +71,15 @@ class Film {
   Coverage& coverage(int x, int y) { return coverage_[region_.index(x, y)]; }
   const Coverage& coverage(int x, int y) const { return coverage_[region_.index(x, y)]; }
 
-  /// `values`: FilmLayout::colours of them.
+  /// `values`: as many as FilmLayout::colours.
   void add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* values);
-  /// Adds what a film of the same FilmLayout holds where both overlap.
+  /// Adds the overlapping pixels of another film with the same FilmLayout.
   void merge(const Film& other);
 
-  /// PixelSum::invalid and ::clamped of all pixels.
+  /// The sums of PixelSum::invalid and PixelSum::clamped over all pixels.
   std::pair<uint64_t, uint64_t> invalid_samples() const;
 
-  /// Bytes of a pixel, without coverage's lists.
+  /// Bytes per pixel, without the lists of coverage.
   static double pixel_bytes(const FilmLayout& layout);
 
  private:

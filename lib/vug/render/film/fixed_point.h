@@ -1,6 +1,6 @@
-// Sums that do not depend on the order of their terms: numbers are rounded to a fixed step once,
-// then added as integers (the idea of a superaccumulator, Kulisch 2013, cite kulisch2013arithmetic,
-// cut down to the range that light has).
+// Fixed-point sums that do not depend on the order of their terms: numbers are rounded to a fixed
+// unit once, then added as integers (a superaccumulator, Kulisch 2013, cite kulisch2013arithmetic,
+// restricted to the range of light).
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,13 @@ namespace vug::render {
 
 __extension__ typedef __int128 Wide;
 
-/// The steps of sums: light in 2^-64, its square in 2^-48, everything else in 2^-24 of its unit.
+/// Units of the sums: light in 2^-64, its square in 2^-48, all other values in 2^-24.
 constexpr int kLightBits = 64, kSquareBits = 48, kPlainBits = 24;
-/// Largest radiance a sample may have (W/sr/m^2) and largest other number (metres): sums of 2^20
-/// of them and of their squares fit with room to spare.
+/// Largest radiance of a sample (W/sr/m^2) and largest other value (metres): sums of 2^20 such
+/// values and of their squares fit.
 constexpr double kMaxLight = 0x1p28, kMaxPlain = 0x1p18;
 
-/// v rounded towards zero to a multiple of 2^-bits, in such steps. |v| must be less than
-/// 2^(126 - bits).
+/// v in units of 2^-bits, rounded towards zero. |v| must be less than 2^(126 - bits).
 inline Wide to_wide(double v, int bits) {
   uint64_t pattern = 0;
   std::memcpy(&pattern, &v, sizeof pattern);
@@ -31,7 +30,7 @@ inline Wide to_wide(double v, int bits) {
   return pattern >> 63 ? -size : size;
 }
 
-/// The nearest double to sum * 2^-bits, but for one unit in the last place.
+/// sum * 2^-bits as a double, accurate to one unit in the last place.
 inline double from_wide(Wide sum, int bits) {
   double step = 1;
   for (int b = 0; b < bits; ++b) step *= 0.5;
@@ -43,7 +42,7 @@ inline double from_wide(Wide sum, int bits) {
   return (negative ? -v : v) * step;
 }
 
-/// The same for numbers that are no light, in 64 bits; what is larger than kMaxPlain is cut to it.
+/// The same for values other than light, in 64 bits; they are clamped to kMaxPlain.
 inline int64_t to_plain(float v) {
   const double most = kMaxPlain, step = 1 << kPlainBits;
   return std::llrint(std::clamp(static_cast<double>(v), -most, most) * step);

@@ -1,4 +1,4 @@
-// How things move from one frame to the next, for the layer `motion`.
+// Motion from one frame to the next, for the AOV `motion`.
 #pragma once
 
 #include <vug/render/camera.h>
@@ -9,14 +9,16 @@
 
 namespace vug::render {
 
-/// A scene at its frame and at the next one. Moments of the shutter play no part in it.
+/// The cameras and moving objects of a scene at its frame and at the next one, without the moments
+/// of the shutter.
 struct MotionStep {
   CameraPtr now, next;
-  std::map<uint32_t, std::pair<Affine, Affine>> transforms;  ///< Of the objects that move.
+  std::map<uint32_t, std::pair<Affine, Affine>>
+      transforms;  ///< Of the moving objects, by object index.
 
-  /// How far the picture of a point goes, in widths (to the right) and heights (upwards) of the
-  /// film; nothing where it is not seen before and after. `instance`: of its object, which is met
-  /// at `time`; may be null.
+  /// Motion of a point on the film, in picture widths (to the right) and heights (upwards); zero
+  /// unless the point is in front of both cameras. `instance`: the transform of its object, which
+  /// was hit at `time`; may be null.
   Vec2f motion(const Vec3f& point, uint32_t object, const InstanceTransform* instance, float time,
                float aspect) const;
 };

@@ -1,5 +1,5 @@
-// Parts of a picture as files: what a render farm's machines write and `merge` puts together, and
-// what a render that was killed goes on from.
+// Partial renders as files: render farms write them and `merge` combines them; interrupted renders
+// resume from them (checkpoints).
 #pragma once
 
 #include <vug/render/film/render_state.h>
@@ -11,22 +11,23 @@
 
 namespace vug::render {
 
-/// What all parts of one picture agree in.
+/// The properties that all partial renders of one picture share.
 struct PartialRenderHeader {
-  std::string identity;  ///< Of scene, program and settings: pictures of others have other pixels.
+  std::string
+      identity;  ///< Hash of the scene, program version and settings, which determine the pixels.
   int width = 0, height = 0, spp = 0;
   uint64_t seed = 0;
-  Region crop;  ///< The pixels of the picture that are wanted.
+  Region crop;  ///< The pixels to be rendered.
   double noise = 0;
   AovPlan aovs;
-  /// For whoever writes the picture; parts agree in them, too.
+  /// Header attributes for the writer of the picture; they must also agree.
   std::vector<std::pair<std::string, std::string>> notes;
 
   bool operator==(const PartialRenderHeader&) const = default;
 };
 
 PartialRenderHeader partial_render_header(const Options& options);
-/// In what two headers differ, as people call it ("seeds, 1 and 2"); empty when they do not.
+/// Describes the difference between two headers ("seeds, 1 and 2"); empty if they are equal.
 std::string difference(const PartialRenderHeader& a, const PartialRenderHeader& b);
 
 struct PartialRender {
@@ -34,34 +35,34 @@ struct PartialRender {
   RenderState state;
 };
 
-/// A part without its sums.
+/// A partial render without its sums.
 struct PartialRenderInfo {
   PartialRenderHeader header;
   Region region;
-  uint32_t begin = 0, end = 0;  ///< Samples.
-  double fraction = 0;          ///< Done, of these.
-  uint64_t samples_left = 0;    ///< Of all its pixels together, at most.
+  uint32_t begin = 0, end = 0;  ///< Range of samples.
+  double fraction = 0;          ///< Completed fraction of these samples.
+  uint64_t samples_left = 0;    ///< Sum over all its pixels, at most.
 };
 
-/// A file with a format of its own: version, header, sums, and a hash over all of it; whole or not
-/// there (AtomicFile). About 200 bytes for each pixel. Throws Error(io).
+/// Writes a file: format version, header, sums, and a hash of everything. The file is complete or
+/// absent (AtomicFile). About 200 bytes per pixel. Throws Error(io).
 void write_partial_render(const std::filesystem::path& path, const PartialRenderHeader& header,
                           const RenderState& state);
 
-/// Error(bad_input) names the file, `what` it should be, and what is wrong with it: missing, no
-/// part, of another version, cut short or changed.
+/// Throws Error(bad_input) with the file, `what` it should be, and the fault: missing, not a
+/// partial render, another version, truncated or changed.
 PartialRender read_partial_render(const std::filesystem::path& path,
                                   const std::string& what = "part");
 PartialRenderInfo read_partial_render_info(const std::filesystem::path& path);
 
-/// Whether the file begins like a part; false where it cannot be read.
+/// True if the file starts like a partial render; false if it cannot be read.
 bool is_partial_render(const std::filesystem::path& path);
-/// Reads all of a part and keeps none of it. Errors as read_partial_render.
+/// Reads the whole file and discards it. Throws as read_partial_render does.
 void verify_partial_render(const std::filesystem::path& path);
 
-/// Puts the parts of one picture together. They may overlap nowhere and must leave nothing out.
-/// Error(bad_input) says which files do not belong together and in what they differ, what is
-/// missing and what is there twice. Holds the whole picture's sums and those of one part.
+/// Combines the partial renders of one picture. They must not overlap and must cover it completely.
+/// Error(bad_input) names the files that do not match and their difference, or the missing or
+/// duplicate samples. Needs memory for the sums of the whole picture and of one partial render.
 PartialRender merge(const std::vector<std::filesystem::path>& paths,
                     Progress& progress = Progress::none());
 

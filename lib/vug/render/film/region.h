@@ -23,7 +23,7 @@ struct Region {
     return {std::max(x0, other.x0), std::max(y0, other.y0), std::min(x1, other.x1),
             std::min(y1, other.y1)};
   }
-  /// Block number `index` of a cover with square blocks, line by line from the top left.
+  /// Tile number `index` of a cover with square tiles, row by row from the top left.
   Region tile(size_t index, int side) const {
     const size_t across = static_cast<size_t>((width() + side - 1) / side);
     const int x = x0 + static_cast<int>(index % across) * side;

@@ -49,7 +49,7 @@ struct Path {
                 .above_min = true})
         .param("regularize", &Path::regularize,
                {.doc = "Roughness that faces have at least where light is followed to them over "
-                       "matte ones, 0.3 to 0.5: small lamps over water and polish make soft light "
+                       "matte ones, 0.3 to 0.5: small lights over water and polish make soft light "
                        "instead of bright dots, and the picture is no longer exact.",
                 .min = 0,
                 .max = 1})
@@ -57,7 +57,7 @@ struct Path {
                 {{"auto", Guided::automatic}, {"on", Guided::on}, {"off", Guided::off}},
                 "Learns first which surfaces are bright, and from where these and the lights are "
                 "seen, and lets paths turn to them: less noise where light comes over walls and "
-                "where walls hide lamps. auto leaves it out of tiny pictures.");
+                "where walls hide lights. auto leaves it out of tiny pictures.");
   }
 };
 

@@ -1,4 +1,4 @@
-// Where in a picture something that shines ends: the rims of lamps, of crystals, of holes to the
+// Where in a picture something that shines ends: the rims of lights, of crystals, of holes to the
 // sky.
 #pragma once
 
