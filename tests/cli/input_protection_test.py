@@ -17,7 +17,7 @@ class InputsKept(VugTest):
     def refused(self, kept, *args):
         before = {file: (self.folder / file).read_bytes() for file in kept}
         result = self.expect(2, *args)
-        self.assertRegex(result.err, "would be overwritten, but it is read|would be written twice")
+        self.assertRegex(result.err, "would overwrite an input file|would be written twice")
         self.assertEqual(before, {file: (self.folder / file).read_bytes() for file in kept})
 
     def test_scenes_and_what_they_name(self):

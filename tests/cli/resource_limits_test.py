@@ -7,7 +7,7 @@ import unittest
 from vug import PROGRAM, SLOW, VugTest
 
 LIMIT = "exceeds its limit of 10000000 modules: the next step makes"
-ENDS = "does not end after 10000 rounds, for instance the rule of"
+ENDS = "does not terminate after 10000 rounds, for instance the rule of"
 # What happens: lines of the block (the first is the text's second), place and part of the message.
 BOMBS = {
     "one module becomes eight": (
@@ -23,7 +23,7 @@ BOMBS = {
     "decomposition": (
         ["axiom A", "decompose {", "A -> A[B]", "}"], "4:1", "the decomposition of 'A' never terminates: A -> A"),
     "decomposition in a circle": (
-        ["axiom A", "decompose {", "A -> B", "B -> [C]", "C -> A", "}"], "4:1", "never ends: A -> B -> C -> A"),
+        ["axiom A", "decompose {", "A -> B", "B -> [C]", "C -> A", "}"], "4:1", "never terminates: A -> B -> C -> A"),
     "decomposition that no guard ends": (
         ["axiom B(1)A(1)", "decompose {", "B(x) if x < 0 -> A(x)", "A(x) if x > 0 -> A(x+1)", "}"], "5:1",
         f"the decomposition of grammar 'g' {ENDS} 'A(x)'"),
@@ -35,7 +35,7 @@ BOMBS = {
         ["axiom A(1)", "interpret {", "A(x) if x > 0 -> F A(x/2+1)", "}"], "4:1",
         f"the interpretation of grammar 'g' {ENDS} 'A(x)'"),
     "interpretation of too great a depth": (
-        ["axiom A(1)", "interpret {", "depth 1e9", "A(x) -> F A(x/2+1)", "}"], "5:1", "take a 'depth' that is less"),
+        ["axiom A(1)", "interpret {", "depth 1e9", "A(x) -> F A(x/2+1)", "}"], "5:1", "reduce 'depth'"),
     "a guard that divides by 0": (["axiom A(0)", "A(x) if 1/x > 3 -> B"], "3:1",
                                   "one side of a comparison of the rule of 'A(x)' is inf"),
     "a number that is none": (["axiom B A(1)", "A(x) -> B[A(sqrt(0 - x))]"], "3:1",
@@ -55,7 +55,7 @@ TEXTS = {
     "half a seed": (["seed 1.5", "axiom A"], "2:6", "a seed must be a whole number, not 1.5"),
     "half a limit": (["limit 1.5", "axiom A"], "2:7", "the limit must be a whole number of modules, not 1.5"),
     "an axiom beyond the limit": (["limit 3", "axiom FFFF"], "3:1", "exceeds its limit of 3 modules: its axiom has 4"),
-    "a weight below 0": (["axiom A", "A @-1 -> B"], "3:4", "weights are 0 or more"),
+    "a weight below 0": (["axiom A", "A @-1 -> B"], "3:4", "weights must be 0 or more"),
     "two lists of what contexts see": (["axiom A", "ignore F", "consider A", "A < A -> B"], "4:10", "'consider' cannot be combined with 'ignore'"),
     "nothing behind": (["axiom A", "A > -> B"], "3:3", "expected a right context after '>'"),
     "an unknown query": (["axiom A ?Z(1)"], "2:9", "queries are ?P, ?H, ?L, ?U, ?D"),
@@ -63,14 +63,14 @@ TEXTS = {
     "an unknown name": (["axiom A(1)", "A(x) -> B(y)"], "3:11", "unknown name 'y'"),
     "a turn without a unit": (["axiom +(60)F"], "2:9", "write 60deg or 60rad"),
     "an open branch": (["axiom A", "A -> F[B"], "3:7", "the '[' in the rule of 'A' is never closed"),
-    "a branch that is not open": (["axiom A", "A -> B]"], "3:7", "']' without its '['"),
+    "a branch that is not open": (["axiom A", "A -> B]"], "3:7", "']' without a matching '['"),
     "two left contexts": (["axiom A", "A < B < C -> D"], "3:7", "duplicate '<' in the head of a rule"),
     "a lost table": (["axiom A", "schedule summer", "table winter {", "A -> B", "}"], "3:10",
                      "unknown table 'summer'"),
     "a schedule of no steps": (["axiom A", "schedule winter*0", "table winter {", "A -> B", "}"], "3:10",
                                "the schedule has no steps"),
-    "ages and steps": (["axiom A(0)", "steps 3", "A(t) after 1 -> A(0)"], "3:1", "have a 'time', not 'steps'"),
-    "ages and contexts": (["axiom A(0)", "A(t) after 1 -> A(0)", "B < C -> D"], "4:", "rules have no context"),
+    "ages and steps": (["axiom A(0)", "steps 3", "A(t) after 1 -> A(0)"], "3:1", "has a 'time' instead of 'steps'"),
+    "ages and contexts": (["axiom A(0)", "A(t) after 1 -> A(0)", "B < C -> D"], "4:", "rules cannot have a context"),
 }
 
 
@@ -111,7 +111,7 @@ class Bombs(VugTest):
                             "grammar h: lsystem {\naxiom guide(3) F\n}\n")
         error = self.expect(2, "check", "g.vug").err
         self.assertIn("g.vug:4:1: error: grammar 'g' exceeds its limit", error)
-        self.assertIn("g.vug:6:9: error: there is no guide, at 'guide(3)', module 1 of the word", error)
+        self.assertIn("g.vug:6:9: error: no guides are defined, at 'guide(3)', module 1 of the word", error)
 
     def test_many_blocks_within_each_other(self):
         for name, opening in (("blocks", "grammar g: lsystem {\n"), ("tables", "grammar g: lsystem {\ntable A {\n"),

@@ -212,7 +212,7 @@ class Threads(Case):
             scene.build(threads=-1)
         with self.assertRaises(ValueError):
             scene.build(max_memory=0)
-        with self.assertRaisesRegex(vug.Error, "is no amount|memory|bytes"):
+        with self.assertRaisesRegex(vug.Error, "invalid amount|memory|bytes"):
             scene.build(max_memory="lots")
         with self.assertRaises(vug.Error) as caught:
             vug.loads(BALL.replace("10cm", "1mm")).build(max_memory="20M").level_set()

@@ -124,11 +124,11 @@ void require_outputs(const std::vector<fs::path>& outputs, const std::vector<fs:
     const std::string id = identity(output);
     if (read.count(id))
       throw Error(ErrorCode::bad_input,
-                  fmt::format("'{}' would be overwritten, but it is read", output.string()), {},
-                  "give another name for what is written");
+                  fmt::format("output '{}' would overwrite an input file", output.string()), {},
+                  "choose another name for the output");
     if (!written.insert(id).second)
       throw Error(ErrorCode::bad_input, fmt::format("'{}' would be written twice", output.string()),
-                  {}, "give each output a name of its own");
+                  {}, "give each output its own name");
   }
   for (const fs::path& output : outputs) require_writable(output);
 }
@@ -161,7 +161,7 @@ std::string unreadable_reason(const fs::path& source) {
     case fs::file_type::character:
       return "it is a device";
     default:
-      return "it is no regular file";
+      return "it is not a regular file";
   }
 }
 

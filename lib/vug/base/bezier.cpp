@@ -114,7 +114,7 @@ double ArcBezier::parameter(double along) const {
 Bezier drooping(double length, double lean, double tip, double azimuth, double stiff) {
   if (!(length > 0) || !std::isfinite(length) || !(stiff > 0 && stiff < 1))
     throw Error(ErrorCode::bad_input,
-                "a drooping stem has a length above 0 and a stiff share between 0 and 1");
+                "invalid stem: the length must be above 0 and the stiff fraction between 0 and 1");
   const auto way = [&](double angle) {
     const double out = maths::sin(angle);
     return Vec3d(out * maths::cos(azimuth), maths::cos(angle), -out * maths::sin(azimuth));

@@ -24,7 +24,7 @@ void* allocate_array(size_t bytes) {
                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (given == MAP_FAILED)
     throw Error(ErrorCode::too_large,
-                "no memory for " + bytes_text(static_cast<double>(bytes)) + " of one array");
+                "cannot allocate " + bytes_text(static_cast<double>(bytes)) + " for an array");
   char* const begin = static_cast<char*>(given);
   const size_t before =
       whole(reinterpret_cast<uintptr_t>(begin)) - reinterpret_cast<uintptr_t>(begin);

@@ -21,11 +21,11 @@ Json read_json(const std::filesystem::path& file, const std::string& hint) {
   try {
     return Json::parse(text);
   } catch (const typename Json::parse_error& error) {
-    throw Error(ErrorCode::bad_input, "this is no JSON",
+    throw Error(ErrorCode::bad_input, "invalid JSON",
                 location_in(text, file.string(), std::max<size_t>(error.byte, 1) - 1), hint);
   } catch (const typename Json::exception&) {  // a number beyond all numbers
-    throw Error(ErrorCode::bad_input, "this is no JSON that can be used", {file.string(), 0, 0},
-                hint);
+    throw Error(ErrorCode::bad_input, "invalid JSON: a number is out of range",
+                {file.string(), 0, 0}, hint);
   }
 }
 

@@ -12,7 +12,7 @@ Arguments as_arguments(const NamedValues& parameters) {
 
 void refuse_unknown(const std::string& type, const std::string& name,
                     const std::vector<std::string>& known) {
-  throw Error(ErrorCode::bad_input, fmt::format("there is no {} '{}'", type, name), {},
+  throw Error(ErrorCode::bad_input, fmt::format("unknown {} '{}'", type, name), {},
               suggestion(name, known));
 }
 

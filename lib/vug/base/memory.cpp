@@ -26,8 +26,8 @@ uint64_t parse_bytes(const std::string& text) {
     if (fits) scale = std::pow(1024.0, static_cast<double>(power));
   }
   if (!fits || number * scale > 1e18)
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no amount of memory", text), {},
-                "write for instance 512M or 8G");
+    throw Error(ErrorCode::bad_input, fmt::format("invalid amount of memory '{}'", text), {},
+                "write e.g. 512M or 8G");
   return static_cast<uint64_t>(number * scale);
 }
 

@@ -63,7 +63,7 @@ std::vector<fs::path> make_folders(const fs::path& folder) {
   if (!code) return made;
   remove_empty_folders(made);
   throw Error(ErrorCode::io,
-              fmt::format("cannot make folder '{}': {}", folder.string(), code.message()));
+              fmt::format("cannot create folder '{}': {}", folder.string(), code.message()));
 }
 
 void remove_empty_folders(const std::vector<fs::path>& folders) {

@@ -22,7 +22,7 @@ std::vector<int> match_arguments(const KindInfo& kind, const Arguments& argument
       slot = next;
       if (slot == names.size())
         diagnostics.error(argument.where, fmt::format("too many arguments for '{}'", kind.name),
-                          fmt::format("it takes {}", names.size()));
+                          fmt::format("it takes at most {}", names.size()));
     } else {
       slot =
           static_cast<size_t>(std::find(names.begin(), names.end(), argument.name) - names.begin());

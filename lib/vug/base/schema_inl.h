@@ -78,7 +78,7 @@ Schema<P>& Schema<P>::choice(std::string name, E P::*member,
         p.*member = value;
         return;
       }
-    diagnostics.error(argument.where, "'" + given->text + "' is no choice for '" + self.name + "'",
+    diagnostics.error(argument.where, "invalid value '" + given->text + "' for '" + self.name + "'",
                       suggestion(given->text, self.choices));
   });
   return *this;

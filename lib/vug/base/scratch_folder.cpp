@@ -15,7 +15,7 @@ ScratchFolder::ScratchFolder(const std::string& name) {
   if (none) where = "/tmp";
   std::string made = (where / (name + "_XXXXXX")).string();
   if (!mkdtemp(made.data()))
-    throw Error(ErrorCode::io, fmt::format("cannot make a temporary folder in '{}': {}",
+    throw Error(ErrorCode::io, fmt::format("cannot create a temporary folder in '{}': {}",
                                            where.string(), std::strerror(errno)));
   path_ = made;
 }

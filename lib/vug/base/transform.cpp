@@ -11,7 +11,7 @@ Transform::Transform(const Vec3d& x, const Vec3d& y, const Vec3d& z, const Vec3d
     : column_{x, y, z}, origin_(origin) {
   const double volume = determinant();
   if (!(std::fabs(volume) > 1e-30))
-    throw Error(ErrorCode::bad_input, "a transform flattens space and cannot be undone");
+    throw Error(ErrorCode::bad_input, "singular transform: it flattens space and has no inverse");
 }
 
 Transform Transform::translation(const Vec3d& by) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, by}; }

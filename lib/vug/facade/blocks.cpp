@@ -36,7 +36,7 @@ void Solids::take(Solids more) {
 field::Field block(const Rect& rect, double back, double front, double rounding) {
   if (!(rect.width > 0 && rect.height > 0 && front > back))
     throw Error(ErrorCode::bad_input,
-                fmt::format("nothing is left of a piece of {:.4g} x {:.4g} x {:.4g} m", rect.width,
+                fmt::format("invalid size of a block: {:.4g} x {:.4g} x {:.4g} m", rect.width,
                             rect.height, front - back));
   const Vec3d size(rect.width, rect.height, front - back);
   const double most = 0.49 * std::min({size.x, size.y, size.z});
@@ -74,9 +74,9 @@ field::Field arched_block(const Rect& rect, Head head, double rise, double back,
 }
 
 std::string Opening::opening_fault() const {
-  if (frame > 0 && !(frame_depth > 0)) return "a frame stands out: its depth is above 0";
-  if (sill > 0 && !(sill_height > 0)) return "a sill's height is above 0";
-  if (lintel > 0 && !(lintel_height > 0)) return "a lintel's height is above 0";
+  if (frame > 0 && !(frame_depth > 0)) return "the depth of a frame must be above 0";
+  if (sill > 0 && !(sill_height > 0)) return "the height of a sill must be above 0";
+  if (lintel > 0 && !(lintel_height > 0)) return "the height of a lintel must be above 0";
   return "";
 }
 

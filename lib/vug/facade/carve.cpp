@@ -169,7 +169,7 @@ FacadeParams::FacadeParams() = default;
 std::string FacadeParams::facade_fault() const {
   return find_facade(facade)
              ? ""
-             : "'facade' is a grammar of kind facade, or what carve(...) has made with one";
+             : "'facade' must be a grammar of kind facade or the result of carve(...)";
 }
 
 FacadeInstance FacadeParams::placed() const {

@@ -100,7 +100,7 @@ class Divider {
         if (rule.head == head && where == rules_.where) where = rule.where;
       evaluator_.diagnostics().warning(
           where, fmt::format("no rule of '{}' applies to {}", node.text, size_text(node.rect)),
-          "a rule without a guard would be the one for all other cases");
+          "add a rule without a guard for all other cases");
     }
   }
 
@@ -151,7 +151,7 @@ class Divider {
         scope_evaluator_.eval(*rule.guard, site.key, names(rule.formals, site.symbol));
     if (const bool* truth = holds.get<bool>()) return *truth;
     return scope_evaluator_.fail(rule.guard->where,
-                                 "a guard is true or false, not " + holds.type_name());
+                                 "a guard must be true or false, not " + holds.type_name());
   }
 
   /// Whether the plan has the rule for this symbol.
@@ -185,8 +185,9 @@ class Divider {
             scope_evaluator_.eval(*rule.weight, site.key, names(rule.formals, site.symbol));
         const Number* n = weight.get<Number>();
         if (!n || !(n->value >= 0) || !std::isfinite(n->value))
-          scope_evaluator_.fail(rule.weight->where,
-                                "a weight is a number from 0 on, not " + to_string(weight));
+          scope_evaluator_.fail(
+              rule.weight->where,
+              "a weight must be a number of at least 0, not " + to_string(weight));
         return n->value;
       };
     const std::string name = fmt::format("{}/{}", rule.head, number);

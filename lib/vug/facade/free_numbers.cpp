@@ -68,10 +68,10 @@ void FreeNumbers::refuse(const FreeNumber& request, double value) const {
                                      request.whole ? "a whole number" : "a length", value));
   throw InfeasiblePlan(Reason::does_not_fit, request.name,
                        fmt::format("'{}' is {}", request.name, text_of(request, value)),
-                       request.least > request.most
-                           ? "there is no room for any"
-                           : fmt::format("here it is {} to {}", text_of(request, request.least),
-                                         text_of(request, request.most)));
+                       request.least > request.most ? "there is not enough space"
+                                                    : fmt::format("it must be {} to {} here",
+                                                                  text_of(request, request.least),
+                                                                  text_of(request, request.most)));
 }
 
 int FreeNumbers::count(const std::string& name, int least, int most, double usual,
@@ -84,7 +84,8 @@ int FreeNumbers::count(const std::string& name, int least, int most, double usua
   request.values = {std::clamp(std::round(usual), request.least, request.most)};
   if (const auto* given = find_fixed(name)) {
     if (given->size() != 1)
-      throw InfeasiblePlan(Reason::does_not_fit, name, fmt::format("'{}' is one number", name));
+      throw InfeasiblePlan(Reason::does_not_fit, name,
+                           fmt::format("'{}' must be a single number", name));
     request.values = *given;
     request.fixed = true;
   }
@@ -97,7 +98,8 @@ double FreeNumbers::length(const std::string& name, double least, double most, d
                            const std::function<double()>& draw) {
   if (random_) return draw();
   if (const auto* given = find_fixed(name); given && given->size() != 1)
-    throw InfeasiblePlan(Reason::does_not_fit, name, fmt::format("'{}' is one number", name));
+    throw InfeasiblePlan(Reason::does_not_fit, name,
+                         fmt::format("'{}' must be a single number", name));
   return lengths(name, "", 1, least, most, usual)[0];
 }
 
@@ -107,8 +109,9 @@ std::vector<double> FreeNumbers::lengths(const std::string& name, const std::str
   request.values.assign(count, std::clamp(usual, std::min(least, most), most));
   if (const auto* given = find_fixed(name)) {
     if (given->size() > count)
-      throw InfeasiblePlan(Reason::does_not_fit, name,
-                           fmt::format("'{}' are {} numbers, not {}", name, count, given->size()));
+      throw InfeasiblePlan(
+          Reason::does_not_fit, name,
+          fmt::format("'{}' must be {} numbers, not {}", name, count, given->size()));
     std::copy(given->begin(), given->end(), request.values.begin());
     if (!given->empty())
       std::fill(request.values.begin() + static_cast<std::ptrdiff_t>(given->size()),
@@ -136,8 +139,9 @@ std::vector<double> FreeNumbers::shares(const std::string& name, const std::stri
   if (usual.empty()) request.values.assign(count, extent / static_cast<double>(count));
   if (const auto* given = find_fixed(name)) {
     if (given->size() > count)
-      throw InfeasiblePlan(Reason::does_not_fit, name,
-                           fmt::format("'{}' are {} numbers, not {}", name, count, given->size()));
+      throw InfeasiblePlan(
+          Reason::does_not_fit, name,
+          fmt::format("'{}' must be {} numbers, not {}", name, count, given->size()));
     for (const double value : *given) refuse(request, value);
     const double rest = extent - sum(*given), slack = 1e-6 * extent;
     const bool all = given->size() == count;
@@ -145,7 +149,7 @@ std::vector<double> FreeNumbers::shares(const std::string& name, const std::stri
       throw InfeasiblePlan(Reason::does_not_fit, name,
                            fmt::format("'{}' add up to {} of {}", name, length_text(extent - rest),
                                        length_text(extent)),
-                           "the last may be left out: it has the rest");
+                           "omit the last one to give it the rest");
     request.values = *given;
     request.values.resize(count,
                           rest / static_cast<double>(std::max<size_t>(1, count - given->size())));
@@ -162,8 +166,8 @@ void FreeNumbers::check_all_used() const {
   for (const auto& [name, values] : fixed_)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InfeasiblePlan(
-          Reason::does_not_fit, name, fmt::format("'{}' is no free number here", name),
-          known.empty() ? "the rule says all sizes itself" : suggestion(name, known));
+          Reason::does_not_fit, name, fmt::format("'{}' is not a free number here", name),
+          known.empty() ? "the rule specifies all sizes" : suggestion(name, known));
 }
 
 }  // namespace vug::facade

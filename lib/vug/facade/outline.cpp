@@ -67,7 +67,7 @@ struct Extruded {
 
   template <class T>
   T distance(const Point<T>& p) const {
-    return field::crossed(polygon.distance(p.x, p.y), abs(p.z - T(middle)) - T(half));
+    return field::intersect_orthogonal(polygon.distance(p.x, p.y), abs(p.z - T(middle)) - T(half));
   }
   Box3d bounds() const { return box; }
 };
@@ -95,9 +95,9 @@ void require(const Outline& outline, bool turned) {
     const Vec2d a = outline[i], b = outline[(i + 1) % outline.size()];
     area += 0.5 * (a.x * b.y - a.y * b.x);
     if (turned && a.x < 0)
-      throw Error(ErrorCode::internal, "an outline that is turned crosses its axis");
+      throw Error(ErrorCode::internal, "the outline of a solid of revolution crosses its axis");
   }
-  if (!(area > 0)) throw Error(ErrorCode::internal, "an outline that is not counter-clockwise");
+  if (!(area > 0)) throw Error(ErrorCode::internal, "the outline is not counter-clockwise");
 }
 
 }  // namespace

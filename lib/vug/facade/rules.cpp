@@ -40,8 +40,9 @@ class Reader {
  private:
   void add(const scene::Item& source, std::vector<Item>& out) {
     if (!source.op.empty() || source.amount || source.count || !source.clauses.empty()) {
-      diagnostics_.error(source.where, "a facade's rules name symbols, splits and elements only",
-                         "solids are joined with + - & outside of the grammar");
+      diagnostics_.error(source.where,
+                         "the rules of a facade can only contain symbols, splits and elements",
+                         "combine solids with + - & outside of the grammar");
       return;
     }
     Item item;
@@ -54,7 +55,7 @@ class Reader {
   bool read(const scene::ExprPtr& expr, Item& item, bool must) {
     const bool call = expr->kind == scene::ExprKind::call && !expr->method;
     if (!call && expr->kind != scene::ExprKind::name) {
-      if (must) diagnostics_.error(expr->where, "a symbol, a split or an element is needed here");
+      if (must) diagnostics_.error(expr->where, "expected a symbol, a split or an element");
       return false;
     }
     item.name = expr->text;
@@ -117,7 +118,7 @@ class Reader {
     std::string text;
     for (const size_t count : takes) text += fmt::format("{}{}", text.empty() ? "" : " or ", count);
     diagnostics_.error(
-        use.where, fmt::format("'{}' with {} argument{}", use.text, given, given == 1 ? "" : "s"),
+        use.where, fmt::format("'{}' has {} argument{}", use.text, given, given == 1 ? "" : "s"),
         fmt::format("its rules take {}", text));
   }
 
@@ -130,8 +131,8 @@ class Reader {
     const std::string near = nearest_name(expr.text, names);
     diagnostics_.error(
         expr.where,
-        fmt::format("'{}' is no symbol with a rule, no split and no element", expr.text),
-        near.empty() ? "'vug list split' and 'vug list element' show what there is"
+        fmt::format("'{}' is neither a symbol with a rule nor a split nor an element", expr.text),
+        near.empty() ? "'vug list split' and 'vug list element' list them"
                      : fmt::format("did you mean '{}'?", near));
   }
 
@@ -188,11 +189,12 @@ Rules load_rules(const std::filesystem::path& file) {
   for (const scene::Grammar& grammar : document.grammars)
     if (grammar.kind == "facade") {
       if (found)
-        throw Error(ErrorCode::bad_input, "several grammars of kind facade", grammar.where);
+        throw Error(ErrorCode::bad_input, "the file has several grammars of kind facade",
+                    grammar.where);
       found = &grammar;
     }
   if (!found && !diagnostics.has_errors())
-    throw Error(ErrorCode::bad_input, "there is no grammar of kind facade", {file.string()},
+    throw Error(ErrorCode::bad_input, "the file has no grammar of kind facade", {file.string()},
                 "write 'grammar NAME: facade { ... }'");
   Rules rules;
   if (found) rules = read_rules(document, *found, diagnostics);

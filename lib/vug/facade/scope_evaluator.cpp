@@ -18,7 +18,7 @@ void check_sizes(const Layout& layout, double least, const Item& split) {
   for (const Cell& cell : layout.cells)
     if (const double size = std::min(cell.rect.width, cell.rect.height); size < least)
       throw InfeasiblePlan(Reason::too_small, "",
-                           fmt::format("'{}' would be {}, and nothing is smaller than {} m",
+                           fmt::format("'{}' would be {}; the minimum is {} m",
                                        split.parts.at(static_cast<size_t>(cell.part)).name,
                                        size_text(cell.rect), metres(least)));
 }
@@ -59,7 +59,7 @@ ElementPtr ScopeEvaluator::element(const Item& item, Value value, RandomKey key,
   }
   if (value.empty()) value = eval(*item.expr, key, known);
   if (const auto* made = value.object<ElementPtr>()) return *made;
-  fail(item.where, fmt::format("'{}' is no element but {}", item.name, value.type_name()));
+  fail(item.where, fmt::format("'{}' is not an element but {}", item.name, value.type_name()));
   return nullptr;
 }
 

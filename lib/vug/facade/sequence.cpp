@@ -33,16 +33,16 @@ std::vector<SizedPart> sized_parts(const std::vector<SizeOrPart>& steps, std::st
   std::optional<Number> size;
   for (const SizeOrPart& step : steps) {
     if (!step.is_part) {
-      if (size) fault = "two sizes follow one another; each stands before its part";
-      if (!(step.size.value > 0)) fault = "a size is above 0";
+      if (size) fault = "two consecutive sizes: each size must precede a part";
+      if (!(step.size.value > 0)) fault = "a size must be above 0";
       size = step.size;
       continue;
     }
     out.push_back({size, step.part});
     size.reset();
   }
-  if (size) fault = "the last size has no part behind it";
-  if (out.empty() && fault.empty()) fault = "there is no part";
+  if (size) fault = "the last size is not followed by a part";
+  if (out.empty() && fault.empty()) fault = "there are no parts";
   return out;
 }
 
@@ -61,7 +61,7 @@ double resolve_size(const Number& size, double extent) {
   if (size.dimension == Dimension::length) return size.value;
   if (size.dimension == Dimension::ratio) return size.value * extent;
   throw Error(ErrorCode::bad_input, fmt::format("the size {} has no unit", size.value), {},
-              "give it in metres, or in per cent of the whole");
+              "write it in metres or as a percentage of the whole");
 }
 
 Layout lay_out_row(const std::vector<SizeOrPart>& steps, bool along_x, double width, double height,
@@ -104,7 +104,7 @@ std::vector<double> divide(const std::vector<SizedPart>& parts, double extent) {
       throw Error(
           ErrorCode::bad_input,
           fmt::format("the size of '{}' is {}", parts[i].part.name, to_string(size.dimension)), {},
-          "a size is a length, a share in per cent, or a number");
+          "a size must be a length, a percentage or a number");
   }
   const double fixed = std::accumulate(sizes.begin(), sizes.end(), 0.0);
   const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
@@ -113,7 +113,7 @@ std::vector<double> divide(const std::vector<SizedPart>& parts, double extent) {
     throw Error(ErrorCode::bad_input,
                 fmt::format("the parts do not fit: they need {} of {} ({})", length_text(fixed),
                             length_text(extent), listed(parts, sizes)),
-                {}, "make one of them a share of the rest: a number without a unit");
+                {}, "make one of them a proportion of the rest: a number without a unit");
   if (total > 0 && rest <= kTiny * extent) {
     const size_t first = static_cast<size_t>(
         std::find_if(shares.begin(), shares.end(), [](double s) { return s > 0; }) -
@@ -124,9 +124,9 @@ std::vector<double> divide(const std::vector<SizedPart>& parts, double extent) {
   }
   if (total == 0 && rest > 1e-6 * extent)
     throw Error(ErrorCode::bad_input,
-                fmt::format("{} of {} is left over ({})", length_text(rest), length_text(extent),
+                fmt::format("{} of {} is unused ({})", length_text(rest), length_text(extent),
                             listed(parts, sizes)),
-                {}, "make one of them a share of the rest: a number without a unit");
+                {}, "make one of them a proportion of the rest: a number without a unit");
   for (size_t i = 0; i < parts.size(); ++i)
     if (shares[i] > 0) sizes[i] = rest * shares[i] / total;
   return sizes;

@@ -20,7 +20,7 @@ double weight_at(const Production& production, const Node& node, uint64_t index)
     throw Error(ErrorCode::bad_input,
                 "the weight of '" + to_string(production) + "' is " +
                     vug::to_string(Value(weight)) + " at '" + to_string(node.symbol) + "'",
-                production.where, "a weight is a finite number, 0 or more");
+                production.where, "a weight must be a finite number, 0 or more");
   return weight;
 }
 
@@ -37,8 +37,8 @@ std::vector<Node> apply(const std::vector<SuccessorItem>& parts, const Node& nod
           {node.symbol, named.at("count").at(static_cast<uint64_t>(ordinal)), node.depth});
     if (count < 0)
       throw Error(ErrorCode::bad_input,
-                  "'" + part.symbol + "' shall be repeated " + std::to_string(count) + " times",
-                  part.where, "a repetition count is 0 or more");
+                  "'" + part.symbol + "' cannot be repeated " + std::to_string(count) + " times",
+                  part.where, "a repetition count must be 0 or more");
     if (count > room - static_cast<int64_t>(children.size()))
       throw Error(ErrorCode::too_large,
                   "'" + to_string(node.symbol) + "' makes '" + part.symbol + "' " +

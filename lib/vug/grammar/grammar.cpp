@@ -68,7 +68,7 @@ void check(const Grammar& grammar, Diagnostics& diagnostics) {
   for (const Production& production : grammar.productions)
     if (checker.reached.count(production.symbol) == 0)
       diagnostics.warning(production.where,
-                          "nothing reaches the production '" + to_string(production) + "'");
+                          "the production '" + to_string(production) + "' is unreachable");
 }
 
 }  // namespace vug::grammar

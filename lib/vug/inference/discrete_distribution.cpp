@@ -13,7 +13,7 @@ DiscreteDistribution::DiscreteDistribution(const std::vector<double>& weights) {
   sums_.reserve(weights.size() + 1);
   for (const double weight : weights) {
     if (!(weight > 0) || !std::isfinite(weight))
-      throw Error(ErrorCode::bad_input, "a profile's weights are finite and above 0");
+      throw Error(ErrorCode::bad_input, "the weights of a distribution must be finite and above 0");
     sums_.push_back(sums_.back() + weight);
   }
 }

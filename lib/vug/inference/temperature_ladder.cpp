@@ -9,7 +9,7 @@ namespace vug::inference {
 
 TemperatureLadder::TemperatureLadder(int chains, double coldest, double hottest) {
   if (chains < 1 || !(coldest > 0) || !std::isfinite(hottest) || (chains > 1 && hottest <= coldest))
-    throw Error(ErrorCode::bad_input, "temperatures of chains rise from above 0");
+    throw Error(ErrorCode::bad_input, "the temperatures of chains must be positive and increasing");
   for (int i = 0; i < chains; ++i)
     temperatures_.push_back(
         i == 0 ? coldest

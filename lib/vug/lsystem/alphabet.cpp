@@ -9,10 +9,10 @@ SymbolId Alphabet::add(std::string_view name, size_t parameters) {
   if (const auto known = find(name, parameters)) return *known;
   if (parameters > kMaxParameters)
     throw Error(ErrorCode::too_large,
-                fmt::format("a module '{}' of {} parameters", name, parameters), {},
-                fmt::format("a module has {} at most", kMaxParameters));
+                fmt::format("module '{}' has {} parameters", name, parameters), {},
+                fmt::format("the maximum is {}", kMaxParameters));
   if (symbols_.size() >= kMaxSymbols)
-    throw Error(ErrorCode::too_large, fmt::format("an alphabet of more than {} symbols", size()));
+    throw Error(ErrorCode::too_large, fmt::format("the alphabet has more than {} symbols", size()));
   const auto id = static_cast<SymbolId>(symbols_.size());
   symbols_.emplace_back(name, parameters);
   ids_.emplace(symbols_.back(), id);

@@ -110,7 +110,8 @@ class Compiler {
     const std::optional<Value> value = expressions.constant(argument);
     const Number* n = value ? value->get<Number>() : nullptr;
     if (n && n->value != 0 && n->dimension != Dimension::angle)
-      fail(argument.where, fmt::format("a turn by {}: an angle needs its unit", to_string(*value)),
+      fail(argument.where,
+           fmt::format("a rotation by {}: an angle needs a unit", to_string(*value)),
            fmt::format("write {0}deg or {0}rad", n->value));
   }
 
@@ -156,14 +157,14 @@ class Compiler {
     out.left = context(text.left);
     out.right = context(text.right);
     if (stage && out.has_context())
-      fail(out.where, "rules of a stage look at their module only",
-           "contexts belong to the rules outside 'decompose' and 'interpret'");
+      fail(out.where, "rules of a stage cannot have a context",
+           "contexts are only allowed in rules outside of 'decompose' and 'interpret'");
     if (text.after) {
       if (text.head.formals.empty())
-        fail(text.after->where, fmt::format("'{}' has no parameter to be its age", out.text),
+        fail(text.after->where, fmt::format("'{}' has no parameter for its age", out.text),
              fmt::format("write {}(age) after ...", text.head.name));
       if (out.has_context() || stage)
-        fail(text.after->where, "a module ages alone: 'after' goes with no context and no stage");
+        fail(text.after->where, "'after' cannot be combined with a context or a stage");
     }
     Expressions expressions(evaluator_, formals);
     if (text.guard) expressions.truth(*text.guard, out.guard);
@@ -180,7 +181,7 @@ class Compiler {
     expressions.number(text, out);
     const Instruction& only = out.code.front();
     if (out.code.size() == 1 && only.op == Op::constant && only.value < 0)
-      fail(text.where, fmt::format("a weight of {}", only.value), kWeights);
+      fail(text.where, fmt::format("invalid weight {}", only.value), kWeights);
   }
 
   std::vector<uint16_t> productions(const std::vector<scene::Production>& texts, bool stage) {
@@ -219,15 +220,15 @@ class Compiler {
       if (turn.count) count = evaluator_.count(*turn.count, evaluator_.root().at("schedule"));
       if (!count) throw AlreadyReported{};
       if (system_.schedule.size() + static_cast<size_t>(*count) > 1'000'000)
-        fail(turn.where, "a schedule of more than a million steps");
+        fail(turn.where, "the schedule has more than a million steps");
       const auto table = std::find_if(text_.tables.begin(), text_.tables.end(),
                                       [&](const auto& one) { return one.name == turn.table; });
       system_.schedule.insert(system_.schedule.end(), static_cast<size_t>(*count),
                               static_cast<uint16_t>(table - text_.tables.begin()));
     }
     if (system_.schedule.empty() && !text_.schedule.empty())
-      fail(text_.schedule[0].where, "the schedule has no step at all",
-           "at least one of its tables takes a turn");
+      fail(text_.schedule[0].where, "the schedule has no steps",
+           "at least one table must have a count above 0");
     if (system_.schedule.empty()) system_.schedule.push_back(0);
   }
 
@@ -259,21 +260,21 @@ class Compiler {
         if (system_.ages[p.symbols[k]]) p.ages.push_back(k == 0 ? 0 : p.ends[k - 1]);
     guarded([&] {
       if (const SourceLocation steps = where_set("steps"); system_.timed && steps.known())
-        fail(steps, "modules that age have a 'time', not 'steps'");
+        fail(steps, "a system whose modules age has a 'time' instead of 'steps'");
       if (const SourceLocation time = where_set("time"); !system_.timed && time.known())
-        fail(time, "'time' is for modules that age",
+        fail(time, "'time' requires modules that age",
              "give their rules an 'after', or name them in 'ages'");
       if (!system_.timed) return;
       for (const Production& p : system_.productions)
-        if (p.has_context()) fail(p.where, "where modules age, rules have no context");
+        if (p.has_context()) fail(p.where, "if modules age, rules cannot have a context");
       if (text_.schedule.size() > 1)
-        fail(text_.schedule[1].where, "where modules age, there is one table at most");
+        fail(text_.schedule[1].where, "if modules age, there can be only one table");
       const std::vector<uint16_t>& book = pending_[0];
       for (const uint16_t rule : book) {
         const Production& p = system_.productions[rule];
         if (p.after.empty())
-          fail(p.where, fmt::format("when does '{}' happen?", p.text),
-               "where modules age, every rule has an 'after'; others go into 'decompose'");
+          fail(p.where, fmt::format("the rule of '{}' has no 'after'", p.text),
+               "if modules age, every rule needs an 'after'; move others to 'decompose'");
       }
     });
   }

@@ -37,8 +37,8 @@ constexpr uint32_t kDecomposing = 1, kInterpreting = 2;
   const Production* rule = rewriter.applied();
   throw Error(
       ErrorCode::too_large,
-      fmt::format("{} of grammar '{}' does not end after {} rounds{}", what, system.name, rounds,
-                  rule ? fmt::format(", for instance the rule of '{}'", rule->text) : ""),
+      fmt::format("{} of grammar '{}' does not terminate after {} rounds{}", what, system.name,
+                  rounds, rule ? fmt::format(", for instance the rule of '{}'", rule->text) : ""),
       rule ? rule->where : system.where, hint);
 }
 
@@ -51,8 +51,8 @@ void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivati
     if (!limit.allows(word))
       fail_nonterminating(system, rewriter,
                           salt == kDecomposing ? "the decomposition" : "the interpretation", round,
-                          stage.depth ? "let a guard end it, or take a 'depth' that is less"
-                                      : "let a guard end it, or give it a 'depth'");
+                          stage.depth ? "add a guard that ends it, or reduce 'depth'"
+                                      : "add a guard that ends it, or set a 'depth'");
     if (!rewriter.rewrite(stage.book, word, RewriteMode::passing, salt)) return;
   }
 }
@@ -61,8 +61,9 @@ void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivati
 void age(const System& system, Rewriter& rewriter, Derivation& word, double time,
          Progress& progress) {
   if (!(time >= 0) || std::isinf(time))
-    throw Error(ErrorCode::bad_input, fmt::format("the time {} of grammar '{}'", time, system.name),
-                system.where, "time begins at 0");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid time {} of grammar '{}'", time, system.name), system.where,
+                "the time must be finite and at least 0");
   for (size_t i = 0; i < word.word.size(); ++i)
     if (system.ages[word.word.symbol(i)]) word.word.parameters(i)[0] += time;
   RoundLimit limit;
@@ -70,7 +71,7 @@ void age(const System& system, Rewriter& rewriter, Derivation& word, double time
     progress.check();
     if (!limit.allows(word))
       fail_nonterminating(system, rewriter, "the growth", round,
-                          "successors have to be younger than the age at which they are replaced");
+                          "successors must be younger than the age at which they are replaced");
   }
 }
 
@@ -91,8 +92,8 @@ void answer_queries(const System& system, const DeriveOptions& options, Derivati
   if (answered.size() != asking.size())
     throw Error(
         ErrorCode::bad_input,
-        fmt::format("the interpretation of grammar '{}' makes or loses queries", system.name),
-        system.where, "queries stand in rules outside 'interpret'");
+        fmt::format("the interpretation of grammar '{}' creates or removes queries", system.name),
+        system.where, "use queries only in rules outside of 'interpret'");
   for (size_t q = 0; q < asking.size(); ++q) {
     const std::span<const double> given = drawn.parameters(answered[q]);
     std::copy(given.begin(), given.end(), derivation.word.parameters(asking[q]).begin());
@@ -115,7 +116,7 @@ class SubWords {
       const double count = std::max(parameters[0], 0.0);
       if (count > kMaxSteps)
         throw Error(ErrorCode::too_large,
-                    fmt::format("grammar '{}' asks for {} steps of '{}'; {} are the most",
+                    fmt::format("grammar '{}' requests {} steps of '{}'; the maximum is {}",
                                 outer_.name, count, sub.system->name, kMaxSteps),
                     outer_.where);
       if (sub.system->timed)

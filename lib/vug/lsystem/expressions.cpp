@@ -101,7 +101,7 @@ void Expressions::land(Program& program, size_t jump) const {
 void Expressions::expect(const Expr& expr, Type type, Program& program) {
   if (program.empty()) height_ = 0;
   if (compile(expr, program) == type) return;
-  fail(expr, type == Type::number ? "a number is needed here, not true or false"
+  fail(expr, type == Type::number ? "expected a number, not true or false"
                                   : "expected true or false, not a number");
 }
 
@@ -124,7 +124,7 @@ Expressions::Type Expressions::compile(const Expr& expr, Program& program) {
     case ExprKind::call:
       return call(expr, program);
     default:
-      fail(expr, "modules compute with numbers only");
+      fail(expr, "expressions of modules can only use numbers");
   }
 }
 
@@ -138,7 +138,7 @@ Expressions::Type Expressions::fold(const Expr& expr, Program& program) {
     put(program, Op::constant, 0, *truth ? 1 : 0);
     return Type::truth;
   }
-  fail(expr, fmt::format("modules compute with numbers, not {}", value.type_name()));
+  fail(expr, fmt::format("expressions of modules can only use numbers, not {}", value.type_name()));
 }
 
 Expressions::Type Expressions::unary(const Expr& expr, Program& program) {
@@ -175,7 +175,8 @@ bool Expressions::fuse(Program& program, Op op, size_t left, size_t right) const
 Expressions::Type Expressions::binary(const Expr& expr, Program& program) {
   const auto* const sign = std::find_if(std::begin(kSigns), std::end(kSigns),
                                         [&](const Sign& one) { return expr.text == one.text; });
-  if (sign == std::end(kSigns)) fail(expr, fmt::format("modules know no '{}'", expr.text));
+  if (sign == std::end(kSigns))
+    fail(expr, fmt::format("expressions of modules cannot use '{}'", expr.text));
   const size_t left = program.code.size();
   number(*expr.operands[0].value, program);
   const size_t right = program.code.size();
@@ -221,7 +222,7 @@ Expressions::Type Expressions::pick(const Expr& expr, Program& program) {
   const bool list = expr.operands.size() == 1 && expr.operands[0].value->kind == ExprKind::list;
   for (const scene::Operand& part : (list ? *expr.operands[0].value : expr).operands)
     from.push_back(part.value.get());
-  if (from.empty()) fail(expr, "'pick' needs something to choose from");
+  if (from.empty()) fail(expr, "'pick' needs at least one value");
   std::vector<size_t> ends;
   for (size_t i = 0; i + 1 < from.size(); ++i) {
     put(program, Op::choose, 0, static_cast<double>(from.size() - i));
@@ -267,7 +268,7 @@ Expressions::Type Expressions::call(const Expr& expr, Program& program) {
   for (const auto& one : functions2()) known.emplace_back(one.name);
   for (const auto& one : functions3()) known.emplace_back(one.name);
   fail(expr,
-       fmt::format("no function '{}' of {} number{} that a module has", expr.text, count,
+       fmt::format("no function '{}' of {} number{} is available to modules", expr.text, count,
                    count == 1 ? "" : "s"),
        suggestion(expr.text, known));
 }

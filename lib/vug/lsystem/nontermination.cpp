@@ -74,8 +74,8 @@ bool check_termination(const System& system, Diagnostics& diagnostics) {
     const Production& rule =
         system.productions[stage->book.rules[stage->book.symbols[way[0]].first]];
     diagnostics.error(rule.where,
-                      fmt::format("the {} of '{}' never ends: {}", name, rule.text, names),
-                      "let a guard end it, or give the block a 'depth'");
+                      fmt::format("the {} of '{}' never terminates: {}", name, rule.text, names),
+                      "add a guard that ends it, or set a 'depth' for the block");
     sound = false;
   }
   return sound;

@@ -17,8 +17,8 @@ bool check_whole(const SystemOptions& options, const scene::Grammar& grammar,
       sound = false;
     }
   };
-  check("limit", options.limit, "the limit is a whole number of modules");
-  check("seed", options.seed.value_or(0), "a seed is a whole number");
+  check("limit", options.limit, "the limit must be a whole number of modules");
+  check("seed", options.seed.value_or(0), "a seed must be a whole number");
   return sound;
 }
 

@@ -10,7 +10,7 @@ namespace vug::lsystem {
 
 void prefault_pages(std::initializer_list<MemoryRange> all) {
   std::vector<volatile char*> pages;
-  for (const Memory& one : all) {
+  for (const MemoryRange& one : all) {
     const auto begin = reinterpret_cast<uintptr_t>(one.place), end = begin + one.bytes;
     if (!uses_huge_pages(one.bytes)) continue;
     for (uintptr_t page = begin / kHugePage * kHugePage; page < end; page += kHugePage)

@@ -32,7 +32,7 @@ double* compute(const Production& production, const Program& program, const doub
     return run(program, formals, stack, numbers);
   } catch (const InvalidComparison& fault) {
     fail_invalid_number(production, "one side of a comparison", fault.value,
-                        "look at the divisor first: if x != 0 and 1 / x > 2");
+                        "check the divisor first: if x != 0 and 1 / x > 2");
   }
 }
 

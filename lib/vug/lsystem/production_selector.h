@@ -35,12 +35,12 @@ const double* formals_at(const Production& p, const Word& word, size_t i,
                          const ContextMatcher& around, ProgramScratch& scratch);
 
 /// Hint about valid weights.
-inline constexpr const char* kWeights = "weights are 0 or more; only their proportions count";
+inline constexpr const char* kWeights = "weights must be 0 or more; only their ratios matter";
 
 /// Throws Error(bad_input) that names the production.
 [[noreturn]] void fail_invalid_number(const Production& production, const std::string& what,
                                       double value,
-                                      const std::string& hint = "numbers in words are finite");
+                                      const std::string& hint = "numbers in words must be finite");
 
 /// Selects productions within one task. All constructor arguments must outlive it.
 class ProductionSelector {

@@ -19,11 +19,11 @@ void require_valid(const TurtleOptions& options) {
     if (!std::isfinite(value))
       throw Error(ErrorCode::bad_input, "an option of the turtle is not a finite number");
   if (!(options.width >= 0 && options.width <= TurtleInterpreter::kFarthest))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("the turtle's width is {} m; 0 to {} can be drawn", options.width,
-                            TurtleInterpreter::kFarthest));
+    throw Error(ErrorCode::bad_input, fmt::format("the turtle's width is {} m; it must be 0 to {}",
+                                                  options.width, TurtleInterpreter::kFarthest));
   if (!(options.thinner >= 0 && options.smooth > 0))
-    throw Error(ErrorCode::bad_input, "the turtle's 'thinner' or 'smooth' is below 0");
+    throw Error(ErrorCode::bad_input,
+                "the turtle's 'thinner' must be at least 0 and 'smooth' above 0");
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void TurtleInterpreter::execute(const SymbolAction& action, Parameters p) {
       level();
       break;
     case TurtleAction::width:
-      if (!p.empty() && p[0] < 0) fail("a width is below 0");
+      if (!p.empty() && p[0] < 0) fail("negative width");
       set_radius(p.empty() ? state_.radius * options_.thinner : 0.5 * p[0]);
       break;
     case TurtleAction::colour:
@@ -122,7 +122,7 @@ void TurtleInterpreter::execute(const SymbolAction& action, Parameters p) {
       break;
     case TurtleAction::node:
       if (!p.empty() && !(p[0] >= 0 && p[0] <= kLargestNode))
-        fail(fmt::format("a node's size is 0 to {}", kLargestNode));
+        fail(fmt::format("a node's size must be 0 to {}", kLargestNode));
       if (builder_) builder_->node(state_, p.empty() ? 1 : p[0]);
       break;
     case TurtleAction::age:
@@ -146,13 +146,13 @@ void TurtleInterpreter::execute(const SymbolAction& action, Parameters p) {
 
 void TurtleInterpreter::turn(const Vec3d& axis, double angle) {
   constexpr double kExact = 1e5;  // of the sine: see base/maths.h
-  if (!std::isfinite(angle)) fail("a turn is no finite angle");
+  if (!std::isfinite(angle)) fail("the angle of a rotation is not finite");
   if (std::fabs(angle) > kExact) angle = std::remainder(angle, 2 * kPi);
   state_.pose.frame = state_.pose.frame.rotated(axis, angle);
 }
 
 void TurtleInterpreter::set_radius(double radius) {
-  if (!(radius <= kFarthest)) fail(fmt::format("a stem of more than {} m radius", kFarthest));
+  if (!(radius <= kFarthest)) fail(fmt::format("a stem radius of more than {} m", kFarthest));
   state_.radius = radius;
   state_.radius_set = true;
 }
@@ -167,7 +167,7 @@ void TurtleInterpreter::level() {
 
 void TurtleInterpreter::push() {
   if (stack_.size() >= options_.max_depth)
-    fail(fmt::format("more than {} brackets within brackets", options_.max_depth));
+    fail(fmt::format("brackets are nested more than {} levels deep", options_.max_depth));
   stack_.push_back(state_);
   if (state_.axis != Axis::kNone && builder_) {
     state_.parent_along = builder_->length(state_);
@@ -179,7 +179,7 @@ void TurtleInterpreter::push() {
 }
 
 void TurtleInterpreter::pop() {
-  if (stack_.empty()) fail("a ']' closes nothing");
+  if (stack_.empty()) fail("a ']' without a matching '['");
   state_ = stack_.back();
   stack_.pop_back();
 }
@@ -191,7 +191,7 @@ void TurtleInterpreter::brace(TurtleAction action) {
     return;
   }
   if (braces_ == 0)
-    fail(action == TurtleAction::close ? "a '}' closes nothing" : "a '.' outside of { }");
+    fail(action == TurtleAction::close ? "a '}' without a matching '{'" : "a '.' outside of { }");
   if (action == TurtleAction::close) --braces_;
   if (builder_) action == TurtleAction::close ? builder_->close() : builder_->corner(state_);
 }

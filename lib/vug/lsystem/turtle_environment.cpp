@@ -25,8 +25,8 @@ Answer answer_to(const std::string& query, const TurtlePose& pose,
   if (query == "?L") return pose.frame.normal;
   if (query == "?U") return pose.frame.binormal;
   if (query != "?D")
-    throw Error(ErrorCode::bad_input, fmt::format("there is no query '{}'", query), {},
-                "queries are ?P, ?H, ?L, ?U and ?D");
+    throw Error(ErrorCode::bad_input, fmt::format("unknown query '{}'", query), {},
+                "known: ?P, ?H, ?L, ?U, ?D");
   if (!field || field->bounds().isEmpty()) return {kFree, Vec3d(0)};
   const field::Gradient here = field->gradient(pose.position);
   return {here.value, here.gradient};
@@ -38,8 +38,8 @@ const std::vector<TurtleQuery>& turtle_queries() {
   static const std::vector<TurtleQuery> all = {
       {"?P", "(x, y, z): the position"},
       {"?H", "(x, y, z): the heading"},
-      {"?L", "(x, y, z): the left"},
-      {"?U", "(x, y, z): the up"},
+      {"?L", "(x, y, z): the left vector"},
+      {"?U", "(x, y, z): the up vector"},
       {"?D", "(d, x, y, z): the signed distance to the field, and its gradient"}};
   return all;
 }

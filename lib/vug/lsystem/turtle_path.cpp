@@ -28,16 +28,16 @@ Vec3d TurtleInterpreter::to_world(const Vec3d& v) const {
 
 void TurtleInterpreter::forward(Parameters p, bool drawn) {
   const double length = p.empty() ? options_.step : p[0];
-  if (length < 0 && drawn) fail("a stem's length is below 0");
+  if (length < 0 && drawn) fail("negative stem length");
   const bool tapers = drawn && p.size() > 1;
-  if (tapers && p[1] < 0) fail("a stem's radius is below 0");
+  if (tapers && p[1] < 0) fail("negative stem radius");
   const double begun = tapers && !state_.radius_set ? p[1] : state_.radius;
   if (tapers) set_radius(p[1]);
   if (drawn && length == 0) return;
   if (drawn && builder_) builder_->begin(state_, begun);
   advance(length, begun, state_.radius, drawn);
   if (!(state_.pose.position.length() <= kFarthest))
-    fail(fmt::format("the turtle is more than {} m from where it began", kFarthest));
+    fail(fmt::format("the turtle is more than {} m from its start", kFarthest));
   if (state_.elasticity != 0) bend();
 }
 
@@ -90,7 +90,7 @@ void TurtleInterpreter::follow(double length, double begun, double radius, bool 
 void TurtleInterpreter::bend() {
   const Vec3d axis = state_.pose.frame.tangent.cross(options_.tropism);
   const double torque = axis.length();
-  if (!std::isfinite(torque)) fail("a tropism beyond all bounds");
+  if (!std::isfinite(torque)) fail("the tropism is too large");
   if (torque > 1e-12) turn(axis / torque, state_.elasticity * torque);
 }
 
@@ -101,8 +101,8 @@ void TurtleInterpreter::begin_guide(Parameters p) {
     return;
   }
   if (p[0] != std::floor(p[0]) || p[0] > last)
-    fail(guides_.empty() ? "there is no guide"
-                         : fmt::format("there is no guide {} (the last is {})", p[0], last));
+    fail(guides_.empty() ? "no guides are defined"
+                         : fmt::format("unknown guide {} (the last is {})", p[0], last));
   state_.guide_scale = p.size() > 1 ? p[1] : 1;
   if (!(state_.guide_scale >= 1e-6 && state_.guide_scale <= 1e6))
     fail("a guide's scale is not between 1e-06 and 1e+06");

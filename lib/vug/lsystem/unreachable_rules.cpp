@@ -54,10 +54,10 @@ void warn_unreachable_rules(const System& system, const RuleBook& book, Diagnost
       if (!reported.insert(book.rules[r]).second) continue;
       diagnostics.warning(
           p.where,
-          fmt::format("this rule of '{}' is never taken: one before it always fits", p.text),
-          fmt::format(
-              "the other is at {}; {} for a choice by chance", to_string(hides->where),
-              hides->weight.empty() ? "write weights, '@1'," : "give this one a weight, too,"));
+          fmt::format("this rule of '{}' is never applied: an earlier one always matches", p.text),
+          fmt::format("the earlier one is at {}; {} for a random choice", to_string(hides->where),
+                      hides->weight.empty() ? "write weights such as '@1'"
+                                            : "give this rule a weight, too,"));
     }
   }
 }

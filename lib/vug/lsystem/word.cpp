@@ -14,7 +14,7 @@ namespace {
 
 void require_capacity(size_t values) {
   if (values > std::numeric_limits<uint32_t>::max())
-    throw Error(ErrorCode::too_large, "a word of more than 2^32 parameters");
+    throw Error(ErrorCode::too_large, "the word has more than 2^32 parameters");
 }
 
 }  // namespace

@@ -48,23 +48,25 @@ std::string adding(char op) { return op == '+' ? "cannot add" : "cannot subtract
 
 Value power(Number a, Number b, const FaultSite& site) {
   if (powers(b.dimension) != Powers{})
-    return site.fault(fmt::format("an exponent is a plain number, not {}", type_of(b.dimension)));
+    return site.fault(
+        fmt::format("an exponent must be a plain number, not {}", type_of(b.dimension)));
   Dimension dimension = a.dimension;
   if (powers(a.dimension) != Powers{}) {
     if (b.value == 0) dimension = Dimension::none;
     if (b.value == -1) {
       const auto inverse = product(Dimension::none, a.dimension, -1);
-      if (!inverse) return site.fault(fmt::format("no such power of {}", type_of(a.dimension)));
+      if (!inverse)
+        return site.fault(fmt::format("{} cannot be raised to this power", type_of(a.dimension)));
       dimension = *inverse;
     }
     if (b.value != 0 && b.value != 1 && b.value != -1)
-      return site.fault(fmt::format("no such power of {}", type_of(a.dimension)),
+      return site.fault(fmt::format("{} cannot be raised to this power", type_of(a.dimension)),
                         "divide it by a unit first, e.g. (r / 1m) ^ 2");
   } else {
     dimension = Dimension::none;
   }
   if (a.value < 0 && b.value != std::floor(b.value))
-    return site.fault("a broken power of a negative number");
+    return site.fault("a negative number cannot be raised to a fractional power");
   if (a.value == 0 && b.value < 0) return site.fault("division by zero");
   // Whole powers by multiplication: exact where the result is.
   if (b.value == std::floor(b.value) && std::fabs(b.value) <= 64) {
@@ -77,7 +79,7 @@ Value power(Number a, Number b, const FaultSite& site) {
 
 Value scaled(char op, const Vector& v, Number by, bool by_first, const FaultSite& site) {
   if (op == '/' && by_first) return site.fault("cannot divide by a vector");
-  if (op == '^') return site.fault("vectors have no powers");
+  if (op == '^') return site.fault("a vector cannot be raised to a power");
   if (op != '*' && op != '/')
     return site.fault(fmt::format("{} a vector and {}", adding(op), type_of(by.dimension)));
   const auto dimension = product(v.dimension, by.dimension, op == '*' ? 1 : -1);
@@ -106,7 +108,7 @@ Value numbers(char op, Number a, Number b, const FaultSite& site) {
 
 Value vectors(char op, const Vector& a, const Vector& b, const FaultSite& site) {
   if (op != '+' && op != '-')
-    return site.fault("vectors only add and subtract", "see dot(a, b) and cross(a, b)");
+    return site.fault("vectors can only be added and subtracted", "see dot(a, b) and cross(a, b)");
   Number da{1, a.dimension}, db{1, b.dimension};
   if (a.value == Vec3d(0)) da.value = 0;
   if (b.value == Vec3d(0)) db.value = 0;

@@ -54,15 +54,15 @@ class NameChecker {
   bool allowed(const std::string& name, const SourceLocation& where) {
     if (may_name(name)) return true;
     diagnostics_.error(where,
-                       fmt::format("'{}' is {} and can name nothing else", name,
-                                   is_unit(name) ? "a unit" : "a word of the language"),
-                       fmt::format("call it for instance '{}1'", name));
+                       fmt::format("'{}' is {} and cannot be used as a name", name,
+                                   is_unit(name) ? "a unit" : "a keyword"),
+                       fmt::format("use another name, e.g. '{}1'", name));
     return false;
   }
 
   void twice(const char* what, const std::string& name, const SourceLocation& where,
              const SourceLocation& first) {
-    diagnostics_.error(where, fmt::format("a second {} '{}'", what, name),
+    diagnostics_.error(where, fmt::format("duplicate {} '{}'", what, name),
                        fmt::format("the first is at {}", to_string(first)));
   }
 
@@ -98,7 +98,7 @@ class NameChecker {
   void grammar(const Grammar& grammar) {
     if (!grammar.axiom_where.known() && !grammar.broken)
       diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
-                         "write 'axiom' and the symbols that the derivation starts from");
+                         "write 'axiom' followed by the initial symbols");
     if (grammar.lsystem)
       return check_lsystem(
           *grammar.lsystem,
@@ -112,7 +112,7 @@ class NameChecker {
       std::set<std::string> names;
       for (const Formal& formal : rule.formals)
         if (allowed(formal.name, formal.where) && !names.insert(formal.name).second)
-          diagnostics_.error(formal.where, fmt::format("the parameter '{}' of '{}' twice",
+          diagnostics_.error(formal.where, fmt::format("duplicate parameter '{}' of '{}'",
                                                        formal.name, rule.head));
     }
     for (const std::string& head : grammar.broken_rules) arities.erase(head);
@@ -136,7 +136,7 @@ class NameChecker {
         takes += fmt::format("{}{}", takes.empty() ? "" : " or ", count);
       diagnostics_.error(
           item.where,
-          fmt::format("'{}' with {} argument{}", item.symbol(), given, given == 1 ? "" : "s"),
+          fmt::format("'{}' has {} argument{}", item.symbol(), given, given == 1 ? "" : "s"),
           fmt::format("its rules take {}", takes));
     }
   }
@@ -228,7 +228,7 @@ void check_params_read(const Document& document, Diagnostics& diagnostics) {
   for (const Param& param : document.params)
     if (!reader.names.count(param.name) && !document.skipped.may_mention(param.name) &&
         !document.skipped.doubtful.count(param.name))
-      diagnostics.error(param.where, fmt::format("param '{}' is never read", param.name),
+      diagnostics.error(param.where, fmt::format("param '{}' is never used", param.name),
                         "use it in an expression or remove it");
 }
 

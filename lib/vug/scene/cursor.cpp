@@ -35,7 +35,7 @@ std::string describe(const Token& token) {
     case TokenKind::text:
       return fmt::format("the text {}", shortened(token.text));
     case TokenKind::junk:
-      return "a character that means nothing";
+      return "an invalid character";
     default:
       return fmt::format("'{}'", shortened(token.text));
   }
@@ -122,13 +122,14 @@ void Cursor::unexpected(const std::string& expected) {
   const Token& before = tokens_[last_];
   std::string hint;
   if (found.is("(") && before.kind == TokenKind::name && !found.touches)
-    hint = fmt::format("a call's parenthesis touches its name: '{}('", shortened(before.text));
+    hint =
+        fmt::format("write the parenthesis directly after the name: '{}('", shortened(before.text));
   else if (found.kind == TokenKind::name && before.kind == TokenKind::number && is_unit(found.text))
-    hint = fmt::format("a unit touches its number: {}{}", before.text, found.text);
+    hint = fmt::format("write the unit directly after the number: {}{}", before.text, found.text);
   else if (found.is("=") && brackets_ > 0)
     hint = "compare with '=='";
   else if (found.is("~"))
-    hint = "'~' stands only before an item of a rule; the complement of a is -a";
+    hint = "'~' is only allowed before an item of a rule; the complement of a is -a";
   fail(found, fmt::format("expected {}, found {}", expected, describe(found)), std::move(hint));
 }
 
@@ -190,7 +191,7 @@ Cursor::NestingGuard::NestingGuard(Cursor& cursor) : cursor_(cursor) {
   --cursor_.nesting_;  // the destructor of a throwing constructor does not run
   cursor_.fail(cursor_.peek(),
                fmt::format("more than {} levels of nesting", cursor_.options_.max_nesting),
-               "name a part with 'let' and use the name");
+               "use 'let' to name a part of it");
 }
 
 }  // namespace vug::scene

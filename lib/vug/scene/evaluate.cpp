@@ -41,7 +41,7 @@ class Depth {
 Value Evaluator::evaluate(const Expr& expr, const Context& context) {
   const Depth depth(depth_);
   deepest_ = std::max(deepest_, depth_);
-  if (depth_ > kMaxDepth) return site(expr).fault("the values depend on each other too deeply");
+  if (depth_ > kMaxDepth) return site(expr).fault("values are nested too deeply");
   switch (expr.kind) {
     case ExprKind::number:
       return expr.number;
@@ -105,8 +105,7 @@ std::string Evaluator::name_hint(const std::string& name) const {
   if (near != name) return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
   for (const Declaration& made : document_.declarations)  // there is one, but of another kind
     if (made.name == name && made.target && made.target->kind == ExprKind::name)
-      return fmt::format("'{}' is declared by '{}'; it stands on '{}'", name, made.kind,
-                         made.target->text);
+      return fmt::format("'{}' is declared by '{}' on '{}'", name, made.kind, made.target->text);
     else if (made.name == name)
       return fmt::format("'{}' is declared by '{}'", name, made.kind);
   return "";
@@ -123,7 +122,7 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
   if (expr.kind == ExprKind::list) {
     Value value(std::move(list));
     if (elements(value) > kMaxElements)
-      return site(expr).fault(fmt::format("a list of more than {} elements", kMaxElements));
+      return site(expr).fault(fmt::format("the list has more than {} elements", kMaxElements));
     return value;
   }
   std::vector<Number> numbers;
@@ -133,7 +132,7 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
     const Number* n = list[i].get<Number>();
     if (!n)
       return site(part).fault(
-          fmt::format("the parts of a vector are numbers, not {}", list[i].type_name()));
+          fmt::format("the components of a vector must be numbers, not {}", list[i].type_name()));
     numbers.push_back(*n);
   }
   return vector_of(std::move(numbers), site(expr));
@@ -152,14 +151,15 @@ Value Evaluator::unary(const Expr& expr, const Context& context) {
   if (const auto* axis = value.get<Value::Name>(); axis && is_axis(axis->text))
     return Value::Name{expr.text + axis->text};
   if (const auto* letter = value.get<Value::Name>(); letter && letter->text.size() == 1)
-    return site(expr).fault(fmt::format("no '{}' for the unknown name '{}'", op, letter->text),
-                            "directions are +X, -X, +Y, -Y, +Z and -Z");
+    return site(expr).fault(
+        fmt::format("cannot apply '{}' to the unknown name '{}'", op, letter->text),
+        "directions are +X, -X, +Y, -Y, +Z and -Z");
   if (!is_known(value, inner)) return {};
   if (auto result = negate(op, value)) return *std::move(result);
   if (value.get<Object>())
     if (auto result = resolver_.unary(op, value, expr.where, diagnostics_))
       return *std::move(result);
-  return site(expr).fault(fmt::format("no '{}' for {}", op, value.type_name()));
+  return site(expr).fault(fmt::format("cannot apply '{}' to {}", op, value.type_name()));
 }
 
 Value Evaluator::binary(const Expr& expr, const Context& context) {
@@ -180,7 +180,7 @@ Value Evaluator::binary(const Expr& expr, const Context& context) {
     if (auto result = resolver_.binary(expr.text[0], a, b, expr.where, diagnostics_))
       return *std::move(result);
   return site(expr).fault(
-      fmt::format("no '{}' for {} and {}", expr.text, a.type_name(), b.type_name()));
+      fmt::format("cannot apply '{}' to {} and {}", expr.text, a.type_name(), b.type_name()));
 }
 
 std::optional<bool> Evaluator::truth(const Expr& expr, const Context& context) {
@@ -214,21 +214,23 @@ Value Evaluator::range(const Expr& expr, const Context& context) {
     Number x = *na, y = *nb;
     if (!unify_dimensions(x, y, "a range cannot mix", site(expr))) return {};
     if (x.value > y.value)
-      return site(expr).fault(
-          fmt::format("the range {}..{} runs backwards", to_string(Value(x)), to_string(Value(y))));
+      return site(expr).fault(fmt::format("invalid range {}..{}: the first end exceeds the second",
+                                          to_string(Value(x)), to_string(Value(y))));
     return Number{stream.uniform(x.value, y.value), x.dimension};
   }
   const auto* va = a.get<Value::Vector>();
   const auto* vb = b.get<Value::Vector>();
   if (!va || !vb)
-    return site(expr).fault(fmt::format("no range from {} to {}", a.type_name(), b.type_name()));
+    return site(expr).fault(
+        fmt::format("cannot form a range from {} to {}", a.type_name(), b.type_name()));
   Number x{va->value == Vec3d(0) ? 0.0 : 1.0, va->dimension};
   Number y{vb->value == Vec3d(0) ? 0.0 : 1.0, vb->dimension};
   if (!unify_dimensions(x, y, "a range cannot mix", site(expr))) return {};
   Vec3d point;
   for (int axis = 0; axis < 3; ++axis) {
     if (va->value[axis] > vb->value[axis])
-      return site(expr).fault("the range of vectors runs backwards");
+      return site(expr).fault(
+          "invalid range of vectors: a component of the first end exceeds that of the second");
     point[axis] = stream.uniform(va->value[axis], vb->value[axis]);
   }
   return Value::Vector{point, x.dimension};
@@ -247,14 +249,14 @@ Value Evaluator::choose(const Expr& expr, const Context& context) {
 /// pick(a, b, c) or pick([a, b, c]): one of them, with equal chances.
 Value Evaluator::pick(const Expr& expr, const Context& context) {
   const size_t count = expr.operands.size();
-  if (count == 0) return site(expr).fault("'pick' needs something to choose from");
+  if (count == 0) return site(expr).fault("'pick' needs at least one value");
   RandomStream stream(context.key.at(expr.path));
   if (count > 1)
     return evaluate(*expr.operands[stream.below(static_cast<uint32_t>(count))].value, context);
   const Value value = evaluate(*expr.operands[0].value, context);
   const List* list = value.get<List>();
   if (!list) return value;
-  if (list->empty()) return site(expr).fault("'pick' needs something to choose from");
+  if (list->empty()) return site(expr).fault("'pick' needs at least one value");
   return (*list)[stream.below(static_cast<uint32_t>(list->size()))];
 }
 

@@ -49,7 +49,7 @@ void Evaluator::read_overrides() {
       const std::string near = nearest_name(given.name, names);
       diagnostics_.error(
           {file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
-          names.empty() ? "it declares none; 'param R = 1m' in its text would be one"
+          names.empty() ? "it declares no parameters; add one with e.g. 'param R = 1m'"
                         : fmt::format("{}its params: {}",
                                       near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
                                       fmt::join(names, ", ")));
@@ -77,7 +77,7 @@ void Evaluator::read_seed() {
     seed_ = static_cast<uint64_t>(n->value);
   else
     diagnostics_.error(document_.seed->where,
-                       fmt::format("a seed is a whole number from 0 to 2^53, not {}",
+                       fmt::format("a seed must be a whole number from 0 to 2^53, not {}",
                                    n ? to_string(value) : value.type_name()));
 }
 
@@ -101,16 +101,17 @@ std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope
     if (n && (n->dimension == Dimension::none || n->dimension == Dimension::ratio) &&
         n->value == std::floor(n->value) && n->value >= 0 && n->value <= 1e9)
       return static_cast<int>(n->value);
-    site(from).fault(
-        fmt::format("a count is a whole number, not {}", n ? to_string(value) : value.type_name()),
-        n ? "see floor, ceil and round" : "");
+    site(from).fault(fmt::format("a count must be a whole number, not {}",
+                                 n ? to_string(value) : value.type_name()),
+                     n ? "see floor, ceil and round" : "");
     return std::nullopt;
   };
   if (expr.kind != ExprKind::range) return whole(expr);
   const auto low = whole(*expr.operands[0].value), high = whole(*expr.operands[1].value);
   if (!low || !high) return std::nullopt;
   if (*low > *high) {
-    site(expr).fault(fmt::format("the range {}..{} runs backwards", *low, *high));
+    site(expr).fault(
+        fmt::format("invalid range {}..{}: the first end exceeds the second", *low, *high));
     return std::nullopt;
   }
   RandomStream stream(key.at(expr.path));
@@ -131,7 +132,7 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   }
   if (pending_.size() >= Resolver::kMaxPending)
     return FaultSite{where, diagnostics_}.fault(
-        fmt::format("more than {} names depend on each other in a row", Resolver::kMaxPending));
+        fmt::format("more than {} names depend on each other in a chain", Resolver::kMaxPending));
   pending_.push_back(name);
   const uint64_t uses = resolver_.frame_uses();
   const int deepest = std::exchange(deepest_, depth_);
@@ -152,8 +153,8 @@ Value Evaluator::upon(const Global& global, const SourceLocation& where) {
   const int height = depth_ + global.height;
   if (height > kHighest)
     return FaultSite{where, diagnostics_}.fault(
-        fmt::format("more than {} steps upon each other", kHighest),
-        "make what can stand side by side so: union([a, b, c])");
+        fmt::format("more than {} nested operations", kHighest),
+        "combine independent solids in one list: union([a, b, c])");
   deepest_ = std::max(deepest_, height);
   return *global.value;
 }
@@ -207,7 +208,7 @@ bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLoca
   const Number* n = value.get<Number>();
   if (!low || !high || !n) {
     FaultSite{where, diagnostics_}.fault(
-        fmt::format("only numbers have ranges, and param '{}' is {}", name, value.type_name()));
+        fmt::format("only numbers can have a range; param '{}' is {}", name, value.type_name()));
     return false;
   }
   Number least = *low, most = *high, given = *n;

@@ -117,7 +117,7 @@ ExprPtr ExprParser::binary(int least) {
     left = finish(std::move(expr));
     if ((level == kCompare || level == kRange) && strength(operator_ahead()) == level)
       cursor_.fail(operator_ahead(),
-                   level == kRange ? "a range has two ends" : "comparisons do not chain",
+                   level == kRange ? "a range has two ends" : "comparisons cannot be chained",
                    level == kRange ? "" : "write a < b and b < c");
   }
 }
@@ -187,7 +187,7 @@ ExprPtr ExprParser::primary() {
   } else if (token.text == "true" || token.text == "false") {
     expr.kind = ExprKind::truth;
   } else if (token.text == "if") {
-    cursor_.fail(token, "'if' here needs its three values: if(condition, then, else)");
+    cursor_.fail(token, "'if' needs three values here: if(condition, then, else)");
   }
   return finish(std::move(expr));
 }
@@ -204,8 +204,8 @@ ExprPtr ExprParser::bracketed() {
   cursor_.expect(")", fmt::format(" to close '(' of line {}", open.line));
   if (vector.operands.size() == 1) return vector.operands[0].value;
   if (vector.operands.size() > 3)
-    cursor_.error(open, fmt::format("a vector of {} parts", vector.operands.size()),
-                  "vectors have 2 or 3; write a list as [a, b, c, d]");
+    cursor_.error(open, fmt::format("a vector with {} components", vector.operands.size()),
+                  "a vector has 2 or 3; write a list as [a, b, c, d]");
   return finish(std::move(vector));
 }
 
@@ -249,7 +249,7 @@ void ExprParser::operand(Expr& call, bool& named) {
   const Token& word = cursor_.peek(sign);
   if (word.kind == TokenKind::number && cursor_.peek(sign + 1).is(":")) {  // a frame
     if (word.number.dimension != Dimension::none)
-      cursor_.error(word, "a key is the number of a frame, without a unit", "keys(1: 0m, 24: 2m)");
+      cursor_.error(word, "a key must be a frame number without a unit", "keys(1: 0m, 24: 2m)");
     named = true;
     result.name = fmt::format("{}", sign ? -word.number.value : word.number.value);
     for (size_t i = 0; i < sign + 2; ++i) cursor_.take();
@@ -262,8 +262,8 @@ void ExprParser::operand(Expr& call, bool& named) {
     cursor_.fail(cursor_.peek(1), "expected ':' after the name of an argument, found '='",
                  fmt::format("write {}: value", first.text));
   } else if (named) {
-    cursor_.error(first, "an argument without a name after one with a name",
-                  "put it first, or name it too");
+    cursor_.error(first, "a positional argument follows a named one",
+                  "put it first, or name it, too");
   }
   const size_t index = call.operands.size();
   const PathScope step(path_, result.name.empty() ? fmt::format("{}", index) : result.name);
@@ -284,8 +284,8 @@ ExprPtr ExprParser::finish(Expr expr) {
     expr.depth = std::max(expr.depth, 1 + part.value->depth);
   if (expr.depth > cursor_.options().max_depth)
     cursor_.fail(cursor_.last(),
-                 fmt::format("an expression of more than {} steps", cursor_.options().max_depth),
-                 "name a part with 'let' and use the name");
+                 fmt::format("an expression with more than {} levels", cursor_.options().max_depth),
+                 "use 'let' to name a part of it");
   return std::make_shared<const Expr>(std::move(expr));
 }
 

@@ -99,7 +99,8 @@ template <bool Sine>
 Result arc(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
-  if (std::fabs(n[0].value) > 1) return site.fault("an arc of a number outside -1..1");
+  if (std::fabs(n[0].value) > 1)
+    return site.fault("the arcsine or arccosine of a number outside -1..1");
   const double other = std::sqrt(std::max(0.0, 1 - n[0].value * n[0].value));
   return Value(Number{Sine ? maths::atan2(n[0].value, other) : maths::atan2(other, n[0].value),
                       Dimension::angle});
@@ -131,7 +132,8 @@ Result clamp(const Arguments& arguments, const FaultSite& site) {
   auto n = numbers(arguments);
   if (n.size() != 3) return std::nullopt;
   if (!unify_all_dimensions(n, site)) return Value();
-  if (n[1].value > n[2].value) return site.fault("the bounds of clamp run backwards");
+  if (n[1].value > n[2].value)
+    return site.fault("the lower bound of 'clamp' exceeds the upper bound");
   return Value(Number{std::clamp(n[0].value, n[1].value, n[2].value), n[0].dimension});
 }
 
@@ -196,8 +198,8 @@ Result at(const Arguments& arguments, const FaultSite& site) {
   if ((!list && !vector) || !index || !is_plain(*index)) return std::nullopt;
   const double size = list ? static_cast<double>(list->size()) : 3;
   if (index->value != std::floor(index->value) || index->value < 0 || index->value >= size)
-    return site.fault(fmt::format("no element {} in a list of {}", index->value, size),
-                      "elements count from 0");
+    return site.fault(fmt::format("no element {} in a list of {} elements", index->value, size),
+                      "elements are counted from 0");
   if (list) return (*list)[static_cast<size_t>(index->value)];
   return Value(Number{vector->value[static_cast<int>(index->value)], vector->dimension});
 }
@@ -206,7 +208,7 @@ std::vector<Function> all_functions() {
   return {
       {"min", "numbers", "the smallest", extreme<true>},
       {"max", "numbers", "the largest", extreme<false>},
-      {"abs", "a number", "without its sign", absolute},
+      {"abs", "a number", "absolute value", absolute},
       {"sqrt", "a plain number", "square root", root},
       {"floor", "a plain number", "the whole number below", plain<floor_of>},
       {"ceil", "a plain number", "the whole number above", plain<ceil_of>},
@@ -216,22 +218,22 @@ std::vector<Function> all_functions() {
       {"tan", "an angle", "tangent", of_angle<maths::tan>},
       {"asin", "a plain number", "the angle with this sine", arc<true>},
       {"acos", "a plain number", "the angle with this cosine", arc<false>},
-      {"atan", "y, or y and x", "the angle of the point (x, y), x being 1 if left out",
-       arc_tangent},
-      {"exp", "a plain number", "e to its power", plain<maths::exp>},
+      {"atan", "y, or y and x", "the angle of the point (x, y); x is 1 by default", arc_tangent},
+      {"exp", "a plain number", "e to this power", plain<maths::exp>},
       {"log", "a plain number", "natural logarithm", logarithm},
       {"tanh", "a plain number", "hyperbolic tangent", plain<maths::tanh>},
-      {"atanh", "a plain number between -1 and 1", "its inverse", plain<maths::atanh>},
+      {"atanh", "a plain number between -1 and 1", "inverse hyperbolic tangent",
+       plain<maths::atanh>},
       {"pow", "two numbers", "the first to the power of the second", power},
-      {"mod", "two numbers", "the rest of a division, with the divisor's sign", modulo},
-      {"clamp", "three numbers", "the first, kept between the others", clamp},
+      {"mod", "two numbers", "the remainder of a division, with the divisor's sign", modulo},
+      {"clamp", "three numbers", "the first, clamped to the range of the others", clamp},
       {"mix", "two numbers or vectors and a number", "a (1 - t) + b t", mix},
       {"length", "a vector", "its length", length},
       {"normalize", "a vector", "its direction", normalize},
       {"dot", "two vectors", "inner product", times<true>},
-      {"cross", "two vectors", "outer product", times<false>},
-      {"count", "a list", "how many elements it has", count},
-      {"at", "a list or vector and a number", "the element of that index, from 0", at},
+      {"cross", "two vectors", "cross product", times<false>},
+      {"count", "a list", "number of elements", count},
+      {"at", "a list or vector and a number", "the element with that index, from 0", at},
   };
 }
 

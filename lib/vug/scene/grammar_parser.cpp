@@ -267,7 +267,7 @@ Entry parse_entry(Cursor& cursor, ExprParser& exprs) {
                 fmt::format("write the value right after the name: {} ...", key.text));
   if (cursor.at_line_end()) {
     cursor.error(key, fmt::format("'{}' has no value", key.text),
-                 "every name is followed by its value, on the same line");
+                 "write the value after the name, on the same line");
     throw SyntaxFault{};
   }
   entry.values.push_back(exprs.whole());

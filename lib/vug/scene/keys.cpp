@@ -67,7 +67,7 @@ double interpolate_keys(const std::vector<double>& frames, const std::vector<dou
 
 /// keys(1: 0.5m, 24: 2m), keys(smooth, 1: a, 24: b): the value at the frame.
 Value Evaluator::keys(const Expr& expr, const Context& context) {
-  constexpr const char* kForm = "for instance keys(1: 0.5m, 24: 2m) or keys(smooth, 1: 0m, 9: 1m)";
+  constexpr const char* kForm = "e.g. keys(1: 0.5m, 24: 2m) or keys(smooth, 1: 0m, 9: 1m)";
   resolver_.use_frame();
   Ease ease = Ease::linear;
   std::vector<double> frames;
@@ -81,11 +81,11 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
       continue;
     }
     const auto frame = frame_named(part.name);
-    if (!frame) return here.fault("'keys' takes frames with their values", kForm);
+    if (!frame) return here.fault("'keys' needs frames with their values", kForm);
     if (!frames.empty() && !(*frame > frames.back()))
       return here.fault(
           fmt::format("the key at frame {} comes after that at {}", *frame, frames.back()),
-          "write keys in the order of their frames, one for each");
+          "write keys in the order of their frames, one per frame");
     frames.push_back(*frame);
     values.push_back(evaluate(*part.value, context));
     sound = sound && !values.back().empty() && is_known(values.back(), *part.value);
@@ -100,8 +100,8 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
   const std::vector<double> first = parts_of(values.front());
   if (first.empty())
     return site(expr).fault(
-        fmt::format("nothing lies between {} and another", values.front().type_name()),
-        "numbers and vectors have values between keys; write keys(step, ...) for others");
+        fmt::format("{} cannot be interpolated", values.front().type_name()),
+        "only numbers and vectors can be interpolated; write keys(step, ...) for others");
   Number common = measure_of(values.front());
   for (size_t round = 0; round < 2; ++round)  // the first may be a bare number
     for (const Value& value : values) {

@@ -187,9 +187,9 @@ class Lexer {
     if (look(length) == '"' && at_ + length < text_.size())
       ++length;
     else
-      error("a text without its closing quote", "texts end on the line where they begin");
+      error("a text without a closing quote", "a text must end on the line where it begins");
     length = std::min(length, text_.size() - at_);
-    if (!is_utf8(text_.substr(at_, length))) error("a text with bytes that are not UTF-8");
+    if (!is_utf8(text_.substr(at_, length))) error("invalid UTF-8 in a text");
     push(TokenKind::text, length);
   }
 
@@ -222,11 +222,10 @@ class Lexer {
       error(fmt::format("unexpected character '{}'", look()));
     else if (is_utf8(rest.substr(0, length)) && static_cast<unsigned char>(look()) >= 0x80)
       error(fmt::format("unexpected character '{}'", rest.substr(0, utf8_length(rest))),
-            "names are of letters a-z, digits and _; other letters go into texts and comments");
+            "names consist of letters a-z, digits and _; other letters are only allowed in texts "
+            "and comments");
     else
-      error(fmt::format("{} that {} no text", length == 1 ? "a byte" : "bytes",
-                        length == 1 ? "is" : "are"),
-            "scenes are UTF-8 text");
+      error(length == 1 ? "invalid byte" : "invalid bytes", "scenes are UTF-8 text");
     push(TokenKind::junk, length);
   }
 

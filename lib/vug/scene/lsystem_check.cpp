@@ -21,8 +21,9 @@ void check_formals(const Production& production, const NameAllowed& allowed,
   const auto visit = [&](const Pattern& pattern) {
     for (const Formal& formal : pattern.formals)
       if (may_be(formal) && !names.insert(formal.name).second)
-        diagnostics.error(formal.where,
-                          fmt::format("the parameter '{}' twice in one head", formal.name));
+        diagnostics.error(
+            formal.where,
+            fmt::format("duplicate parameter '{}' in the head of a rule", formal.name));
   };
   for (const Pattern& one : production.left) visit(one);
   visit(production.head);
@@ -42,7 +43,7 @@ void check_arities(const ModuleString& word, const Arities& arities, Diagnostics
       takes += fmt::format("{}{}", takes.empty() ? "" : " or ", count);
     diagnostics.error(
         module.where,
-        fmt::format("'{}' with {} parameter{}", module.name, given, given == 1 ? "" : "s"),
+        fmt::format("'{}' has {} parameter{}", module.name, given, given == 1 ? "" : "s"),
         fmt::format("its rules take {}", takes));
   }
 }
@@ -61,9 +62,8 @@ void warn_of_joined_names(const ModuleString& word, const Arities& arities,
     if (!joined) continue;
     std::string apart(1, name[0]);
     for (size_t i = 1; i < name.size(); ++i) apart += fmt::format(" {}", name[i]);
-    diagnostics.warning(module.where,
-                        fmt::format("'{}' is one module, for which there is no rule", name),
-                        fmt::format("put blanks between small letters: {}", apart));
+    diagnostics.warning(module.where, fmt::format("'{}' is a single module without a rule", name),
+                        fmt::format("write spaces between lower-case letters: {}", apart));
   }
 }
 
@@ -85,12 +85,13 @@ void check_lsystem(const LSystem& system, const NameAllowed& allowed, Diagnostic
   for (const ProductionTable& table : system.tables) tables.push_back(table.name);
   for (const ScheduleTurn& turn : system.schedule)
     if (std::find(tables.begin(), tables.end(), turn.table) == tables.end())
-      diagnostics.error(turn.where, fmt::format("there is no table '{}'", turn.table),
+      diagnostics.error(turn.where, fmt::format("unknown table '{}'", turn.table),
                         suggestion(turn.table, tables));
   if (!system.ignore.empty() && !system.consider.empty())
-    diagnostics.error(system.consider[0].where, "'consider' beside 'ignore'",
-                      "one of them says it: contexts see all but what is ignored, or nothing but "
-                      "what is considered");
+    diagnostics.error(
+        system.consider[0].where, "'consider' cannot be combined with 'ignore'",
+        "use one of them: contexts skip the modules of 'ignore', or all except those of "
+        "'consider'");
   if (!system.tables.empty() && system.schedule.empty())
     diagnostics.error(system.tables[0].where, "tables without a schedule",
                       fmt::format("add 'schedule {}'", system.tables[0].name));

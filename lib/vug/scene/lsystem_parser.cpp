@@ -90,19 +90,19 @@ void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
   }
   if (first.kind != TokenKind::name || (!grammar && !first.is_name("depth")))
     cursor_.fail(first, fmt::format("expected a rule, found {}", describe(first)),
-                 "rules are written: head -> successor");
+                 "write rules as: head -> successor");
   const Cursor::LineScope line(cursor_);
   if (grammar) {
     grammar->options.push_back(parse_entry(cursor_, exprs_));
     const Token& next = cursor_.peek();
     if (!cursor_.at_line_end() && starts_module(next))
       cursor_.fail(next, fmt::format("expected the end of the line, found {}", describe(next)),
-                   fmt::format("commas part the values of '{}'", first.text));
+                   fmt::format("separate the values of '{}' by commas", first.text));
   } else if (depth) {
     cursor_.take();
     *depth = exprs_.whole();
   } else {
-    cursor_.fail(first, "a table holds rules only");
+    cursor_.fail(first, "a table can only contain rules");
   }
 }
 
@@ -146,7 +146,7 @@ void LSystemParser::table() {
   ProductionTable table{std::string(name.text), cursor_.where(name), {}};
   for (const ProductionTable& other : system_->tables)
     if (other.name == table.name)
-      cursor_.error(name, fmt::format("a second table '{}'", table.name),
+      cursor_.error(name, fmt::format("duplicate table '{}'", table.name),
                     fmt::format("the first is at {}", to_string(other.where)));
   if (!cursor_.accept_beyond_newlines("{")) cursor_.unexpected("'{' before the table's rules");
   entries(fmt::format("table '{}'", table.name), table.productions, nullptr, nullptr);
@@ -156,7 +156,7 @@ void LSystemParser::table() {
 void LSystemParser::stage(ProductionStage& stage) {
   const Token& word = cursor_.last();
   if (stage.where.known())
-    cursor_.error(word, fmt::format("a second '{}' block", word.text),
+    cursor_.error(word, fmt::format("duplicate '{}' block", word.text),
                   fmt::format("the first is at {}", to_string(stage.where)));
   stage.where = cursor_.where(word);
   if (!cursor_.accept_beyond_newlines("{"))
@@ -175,7 +175,7 @@ void LSystemParser::schedule() {
     cursor_.accept(",");
   }
   if (system_->schedule.empty())
-    cursor_.fail(word, "'schedule' names no table", "schedule spring*3 summer*2");
+    cursor_.fail(word, "'schedule' needs at least one table", "schedule spring*3 summer*2");
 }
 
 void LSystemParser::names(std::vector<Pattern>& out) {
@@ -184,7 +184,7 @@ void LSystemParser::names(std::vector<Pattern>& out) {
     pattern(out);
     cursor_.accept(",");
     if (!out.back().formals.empty())
-      cursor_.error(cursor_.last(), fmt::format("'{}' takes names only", word.text));
+      cursor_.error(cursor_.last(), fmt::format("'{}' can only list names", word.text));
   }
   if (out.empty())
     cursor_.fail(word, fmt::format("'{}' has no names", word.text),
@@ -212,7 +212,7 @@ Production LSystemParser::production() {
                     : clause.is_name("after") ? &production.after
                                               : nullptr;
     if (!slot) break;
-    if (*slot) cursor_.fail(clause, fmt::format("a second '{}' of one rule", clause.text));
+    if (*slot) cursor_.fail(clause, fmt::format("duplicate '{}' in a rule", clause.text));
     cursor_.take();
     *slot = exprs_.whole();
   }
@@ -234,20 +234,20 @@ void LSystemParser::sides(Production& production) {
     production.left = std::move(head);
     for (const Pattern& one : production.left)
       if (one.name == "[" || one.name == "]")
-        cursor_.error(first, "a left context has no branches",
-                      "it is the way back to the root, past all side branches");
+        cursor_.error(first, "a left context cannot have branches",
+                      "it follows the path to the root and skips side branches");
     head = patterns();
   }
   if (cursor_.accept(">")) {
     production.right = patterns();
     if (production.right.empty())
-      cursor_.fail(cursor_.last(), "nothing stands behind '>'",
-                   "heads are written: left < strict > right");
+      cursor_.fail(cursor_.last(), "expected a right context after '>'",
+                   "write heads as: left < strict > right");
   }
   if (cursor_.peek().is("<") || cursor_.peek().is(">"))
     cursor_.fail(cursor_.peek(),
-                 fmt::format("a second '{}' in the head of a rule", cursor_.peek().text),
-                 "heads are written: left < strict > right");
+                 fmt::format("duplicate '{}' in the head of a rule", cursor_.peek().text),
+                 "write heads as: left < strict > right");
   if (head.size() != 1)
     cursor_.fail(first,
                  head.empty() ? "a rule without a module to replace"
@@ -280,9 +280,10 @@ void LSystemParser::pattern(std::vector<Pattern>& out) {
     Pattern& made = out.emplace_back(Pattern{std::move(one.name), std::move(one.where), {}});
     for (const ExprPtr& argument : one.arguments) {
       if (argument->kind != ExprKind::name)
-        cursor_.fail(cursor_.last(),
-                     fmt::format("the parameters of '{}' in a rule's head are names", made.name),
-                     fmt::format("write {0}(x) if x == ...", made.name));
+        cursor_.fail(
+            cursor_.last(),
+            fmt::format("the parameters of '{}' in a rule's head must be names", made.name),
+            fmt::format("write {0}(x) if x == ...", made.name));
       made.formals.push_back({argument->text, argument->where});
     }
   }
@@ -311,16 +312,16 @@ ModuleString LSystemParser::word(const std::string& whose) {
     if (token.is("}") && polygons.empty()) break;
     if (next_line && token.column <= indent_ && branches.empty() && polygons.empty())
       cursor_.fail(token, "a line without '->'",
-                   fmt::format("rules are written: head -> successor; indented further the line "
-                               "would go on with {}",
+                   fmt::format("write rules as: head -> successor; a line with a deeper indent "
+                               "continues {}",
                                whose));
     if (token.is("->"))
       cursor_.fail(token, "a second rule on one line", "put ';' or a line break before it");
     if (!starts_module(token)) {
       std::string hint;
       if (token.kind == TokenKind::number)
-        hint = "a module's name begins with a letter; numbers stand in ( )";
-      if (token.is("<") || token.is(">")) hint = "contexts stand before the arrow";
+        hint = "a module's name begins with a letter; write numbers in ( )";
+      if (token.is("<") || token.is(">")) hint = "write contexts before the arrow";
       cursor_.fail(token, fmt::format("expected a module, found {}", describe(token)), hint);
     }
     if (token.is("[")) branches.push_back(&token);
@@ -328,7 +329,7 @@ ModuleString LSystemParser::word(const std::string& whose) {
     if (token.is("]") || token.is("}")) {
       std::vector<const Token*>& open = token.is("]") ? branches : polygons;
       if (open.empty())
-        cursor_.fail(token, fmt::format("'{}' without its '{}' in {}", token.text,
+        cursor_.fail(token, fmt::format("'{}' without a matching '{}' in {}", token.text,
                                         token.is("]") ? "[" : "{", whose));
       open.pop_back();
     }
@@ -358,7 +359,7 @@ void LSystemParser::module(ModuleString& word) {
     ++where.column;
     word.push_back({".", where, {}});
   } else if (token.is("?")) {
-    const Token& name = cursor_.expect_name("the name of a query behind '?'");
+    const Token& name = cursor_.expect_name("the name of a query after '?'");
     word.push_back({fmt::format("?{}", name.text), where, {}});
   } else {
     word.push_back({std::string(token.text), where, {}});

@@ -40,9 +40,10 @@ class Loader {
     }
     if (is_binary(text)) {
       const bool included = from.known();
-      diagnostics_.error(included ? from : SourceLocation{file, 0, 0},
-                         fmt::format("{} is no text", included ? "'" + file + "'" : "the file"),
-                         "scenes are UTF-8 text; 'vug info' tells of grids, meshes and pictures");
+      diagnostics_.error(
+          included ? from : SourceLocation{file, 0, 0},
+          fmt::format("{} is not a text file", included ? "'" + file + "'" : "the file"),
+          "scenes are UTF-8 text; 'vug info' describes grids, meshes and pictures");
       return false;
     }
     auto source = std::make_shared<const Source>(Source{file, normalise_text(std::move(text))});
@@ -82,7 +83,8 @@ class Loader {
         why = unreadable_reason(path);
       if (!text) continue;
       if (chain_.size() >= kMaxChain) {
-        diagnostics_.error(where, fmt::format("more than {} files include each other", kMaxChain));
+        diagnostics_.error(where,
+                           fmt::format("files are included more than {} levels deep", kMaxChain));
         return false;
       }
       return load(*text, path, where);
@@ -105,8 +107,7 @@ class Loader {
     if (first == chain_.end()) return false;
     std::string names;
     for (auto file = first; file != chain_.end(); ++file) names += file->generic_string() + " -> ";
-    diagnostics_.error(where, "files include each other in a circle",
-                       names + path.generic_string());
+    diagnostics_.error(where, "files include each other in a cycle", names + path.generic_string());
     return true;
   }
 

@@ -82,7 +82,7 @@ class StatementParser {
 
   void statement() {
     const Token& word = cursor_.peek();
-    if (word.is("}")) cursor_.fail(word, "a '}' without its '{'");
+    if (word.is("}")) cursor_.fail(word, "a '}' without a matching '{'");
     cursor_.expect_name("a statement");
     if (word.text == "seed") return seed(word);
     if (word.text == "param") return param();
@@ -103,7 +103,7 @@ class StatementParser {
     not_assigned("seed 7");
     ExprPtr value = exprs_.whole();
     if (document_.seed)
-      cursor_.error(word, "a second seed",
+      cursor_.error(word, "duplicate seed",
                     fmt::format("the first is at {}", to_string(document_.seed->where)));
     else
       document_.seed = std::move(value);
@@ -165,7 +165,7 @@ class StatementParser {
                    fmt::format("write '{} main {{ ... }}'", kind.text));
     if (name.kind != TokenKind::name)
       cursor_.fail(
-          kind, fmt::format("'{}' starts no statement", kind.text),
+          kind, fmt::format("unknown statement '{}'", kind.text),
           suggestion(std::string(kind.text), {"seed", "param", "let", "include", "grammar"}));
     cursor_.take();
     const int faults = cursor_.faults();
@@ -192,7 +192,7 @@ class StatementParser {
         const std::string hint =
             nearest_name(made.kind, {"seed", "param", "let", "include", "grammar"});
         if (hint.empty()) cursor_.unexpected("'=' or '{'");
-        cursor_.fail(kind, fmt::format("'{}' starts no statement", kind.text),
+        cursor_.fail(kind, fmt::format("unknown statement '{}'", kind.text),
                      fmt::format("did you mean '{}'?", hint));
       }
       if (cursor_.faults() == faults) made.broken = false;

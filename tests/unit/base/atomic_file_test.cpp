@@ -99,7 +99,7 @@ TEST(AtomicFile, SaysBeforeTheWorkWhatCannotBeWritten) {
   fs::remove_all(folder);
   write_text(folder / "file", "a file");
   EXPECT_EQ(refusal_to_write(folder / "file" / "a.txt"),
-            "cannot make folder '" + (folder / "file").string() + "': Not a directory");
+            "cannot create folder '" + (folder / "file").string() + "': Not a directory");
   EXPECT_EQ(refusal_to_write(folder), "cannot write '" + folder.string() + "': it is a folder");
   const std::string deep = (folder / "new" / "er" / std::string(300, 'x')).string();
   EXPECT_EQ(refusal_to_write(deep), "cannot write '" + deep + "': File name too long");

@@ -82,7 +82,7 @@ TEST(Kind, KnowsItsNeighbours) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()) + " / " + error.hint(),
-              "there is no rope 'rop' / did you mean 'rope'?");
+              "unknown rope 'rop' / did you mean 'rope'?");
   }
   EXPECT_EQ(find_kind(kRopes, "thread"), nullptr);
 }

@@ -61,7 +61,7 @@ TEST(Hidden, FoldersThatCannotBeMadeLeaveNone) {
     make_folders(deep);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.what(), "cannot make folder '" + deep.string() + "': File name too long");
+    EXPECT_EQ(error.what(), "cannot create folder '" + deep.string() + "': File name too long");
   }
   EXPECT_TRUE(fs::is_empty(folder));
 }

@@ -37,7 +37,7 @@ TEST(Derive, ArgumentsSeeThePlaceOfTheirPart) {
   const Sample s = facade_of(
       "axiom A\n A -> repeat(x, P, Bay(index, width), alike: false)\n"
       "Bay(i, w) if i == 1 -> columns(w / 4, door, 1, wall)\n Bay(i, w) if i != 1 -> wall");
-  EXPECT_NE(s.said.find("'P' is no symbol"), std::string::npos);
+  EXPECT_NE(s.said.find("'P' is neither a symbol"), std::string::npos);
   const Sample t = Sample(
       "let P = 4m\ngrammar f: facade {\naxiom A\n A -> repeat(x, P, Bay(index, width), alike: "
       "false)\nBay(i, w) if i == 1 -> columns(w / 4, door, 1, wall)\n Bay(i, w) if i != 1 -> "
@@ -65,8 +65,8 @@ TEST(Derive, EndlessRecursionIsStopped) {
 TEST(Derive, WhatNoRuleAppliesToIsAWarning) {
   const Sample s = facade_of("axiom A\n A -> columns(1, B, 3, B)\n B if width > 5m -> wall");
   EXPECT_EQ(s.said,
-            "no rule of 'B' applies to 3 x 9 m (a rule without a guard would be the one for all "
-            "other cases)\n");
+            "no rule of 'B' applies to 3 x 9 m (add a rule without a guard for all other "
+            "cases)\n");
   EXPECT_EQ(s.rects("wall").size(), 1u);
 }
 

@@ -111,10 +111,10 @@ TEST(Splits, WhatDoesNotFitIsTold) {
   EXPECT_EQ(
       facade_of("axiom A\n A -> rows(5m, door, 6m, window)").said,
       "the parts do not fit: they need 11m of 9m ('door' 5m, 'window' 6m) (make one of them a "
-      "share of the rest: a number without a unit)\n");
+      "proportion of the rest: a number without a unit)\n");
   EXPECT_EQ(facade_of("axiom A\n A -> rows(5m, door, 2m, window)").said,
-            "2m of 9m is left over ('door' 5m, 'window' 2m) (make one of them a share of the rest: "
-            "a number without a unit)\n");
+            "2m of 9m is unused ('door' 5m, 'window' 2m) (make one of them a proportion of the "
+            "rest: a number without a unit)\n");
   EXPECT_EQ(facade_of("axiom A\n A -> rows(9m, door, 1, window)").said,
             "nothing of 9m is left for 'window' ('door' 9m)\n");
   const Sample inner =
@@ -132,11 +132,12 @@ TEST(Splits, WhatDoesNotFitIsTold) {
 }
 
 TEST(Splits, ArgumentsThatMeanNothing) {
-  EXPECT_NE(facade_of("axiom A\n A -> rows(1m, 2m, door)").said.find("two sizes follow"),
+  EXPECT_NE(facade_of("axiom A\n A -> rows(1m, 2m, door)").said.find("two consecutive sizes"),
             std::string::npos);
-  EXPECT_NE(facade_of("axiom A\n A -> rows(-1m, door, 1, wall)").said.find("a size is above 0"),
-            std::string::npos);
-  EXPECT_NE(facade_of("axiom A\n A -> rows(door, 1)").said.find("no part behind"),
+  EXPECT_NE(
+      facade_of("axiom A\n A -> rows(-1m, door, 1, wall)").said.find("a size must be above 0"),
+      std::string::npos);
+  EXPECT_NE(facade_of("axiom A\n A -> rows(door, 1)").said.find("is not followed by a part"),
             std::string::npos);
   EXPECT_NE(facade_of("axiom A\n A -> repeat(z, 1m, door)").said.find("'z'"), std::string::npos);
   EXPECT_NE(facade_of("axiom A\n A -> repeat(x, 1e-6m, door)").said.find("would be repeated"),

@@ -23,7 +23,7 @@ TEST(Check, NamesUnknownSymbolsWithTheNearest) {
   EXPECT_EQ(diagnostics.all()[0].hint, "did you mean 'Room'?");
   EXPECT_EQ(diagnostics.all()[0].where.column, 9);
   EXPECT_EQ(diagnostics.all()[1].severity, Severity::warning);
-  EXPECT_EQ(diagnostics.all()[1].message, "nothing reaches the production 'Room -> x'");
+  EXPECT_EQ(diagnostics.all()[1].message, "the production 'Room -> x' is unreachable");
 }
 
 TEST(Check, WantsAnAxiom) {

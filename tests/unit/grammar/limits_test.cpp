@@ -65,7 +65,7 @@ TEST(Limits, ALongChainDoesNotOverflowTheStack) {
 TEST(Limits, BadWeightsAndCountsAreNamed) {
   Grammar g = bomb();
   g.productions[0].successor = {terminal("x", -2)};
-  EXPECT_STREQ(thrown([&] { derive(g, RandomKey(1)); }).what(), "'x' shall be repeated -2 times");
+  EXPECT_STREQ(thrown([&] { derive(g, RandomKey(1)); }).what(), "'x' cannot be repeated -2 times");
   for (const double weight : {-1.0, std::numeric_limits<double>::quiet_NaN(), kInfinity}) {
     g.productions[0].weight = [weight](const RewriteSite&) { return weight; };
     const Error e = thrown([&] { derive(g, RandomKey(1)); });

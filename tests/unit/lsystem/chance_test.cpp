@@ -192,14 +192,15 @@ TEST(Chance, BadWeights) {
   const SystemPtr beyond = system_of("axiom A\n A @1e308 -> B\n A @1e308 -> C");
   ASSERT_TRUE(below && beyond);
   EXPECT_EQ(fault(*below),
-            "the weight of the rule of 'A(x)' is -1; weights are 0 or more; only their proportions "
-            "count");
-  EXPECT_EQ(fault(*beyond),
-            "the sum of the weights up to that of the rule of 'A' is inf; weights are 0 or more; "
-            "only their proportions count");
+            "the weight of the rule of 'A(x)' is -1; weights must be 0 or more; only their ratios "
+            "matter");
+  EXPECT_EQ(
+      fault(*beyond),
+      "the sum of the weights up to that of the rule of 'A' is inf; weights must be 0 or more; "
+      "only their ratios matter");
   const Compiled constant = compile_text("grammar g: lsystem {\n axiom A\n A @-2 -> B\n}\n");
   EXPECT_FALSE(constant.system);
-  EXPECT_NE(constant.report.find("test.vug:3:5: error: a weight of -2"), std::string::npos)
+  EXPECT_NE(constant.report.find("test.vug:3:5: error: invalid weight -2"), std::string::npos)
       << constant.report;
 }
 

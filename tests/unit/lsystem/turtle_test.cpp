@@ -193,7 +193,7 @@ TEST(Turtle, TellsWhatIsWrongAndWhere) {
       return error.what();
     }
   };
-  EXPECT_EQ(message("F ]"), "a ']' closes nothing, at ']', module 2 of the word");
+  EXPECT_EQ(message("F ]"), "a ']' without a matching '[', at ']', module 2 of the word");
   EXPECT_NE(message("F [ F"), "");
   EXPECT_NE(message("{ f"), "");
   EXPECT_NE(message("."), "");
@@ -205,10 +205,9 @@ TEST(Turtle, TellsWhatIsWrongAndWhere) {
   EXPECT_NE(message("guide(0)"), "");
   EXPECT_NE(message("age"), "");
   EXPECT_EQ(message("Q(nan) F"), "");  // what it passes over may be anything
-  EXPECT_EQ(
-      message("F(9e8) F(2e8)"),
-      "the turtle is more than 1000000000 m from where it began, at 'F(200000000)', module 2 of "
-      "the word");
+  EXPECT_EQ(message("F(9e8) F(2e8)"),
+            "the turtle is more than 1000000000 m from its start, at 'F(200000000)', module 2 of "
+            "the word");
   EXPECT_NE(message("f(1e308) f(1e308)"), "");
   EXPECT_NE(message("!(1e30) F"), "");
   EXPECT_NE(message("node(-1)"), "");

@@ -67,7 +67,7 @@ TEST(Edit, RefusalsSayWhatAndWhy) {
   EXPECT_EQ(refusal(state, "set 0.1.0 row=3").substr(0, 13), "numbers/row: ");
   EXPECT_NE(refusal(state, "set 0.1.0 row=3").find("did you mean 'rows'?"), std::string::npos);
   EXPECT_NE(refusal(state, "set 0.1.0 width=5"), "");
-  EXPECT_NE(refusal(state, "set 0 heights=8.99").find("nothing is smaller"), std::string::npos);
+  EXPECT_NE(refusal(state, "set 0 heights=8.99").find("the minimum is"), std::string::npos);
   EXPECT_NE(refusal(state, "retract 0.0"), "");
   EXPECT_NE(refusal(state, "retract 0.0 x=1"), "");
   EXPECT_NE(refusal(state, "toggle 0.1.0 column=3 row=0").find("counted from 0"),

@@ -74,8 +74,8 @@ TEST(Evaluator, MethodsAreCallsWithTheReceiverFirst) {
 
 TEST(Evaluator, ObjectsGoToTheResolver) {
   EXPECT_EQ(x("sphere(1m) - box(2m) + torus(1m)"), "<field>");
-  EXPECT_EQ(x("sphere(1m) * 2"), "! no '*' for a field and a number");
-  EXPECT_EQ(x("-sphere(1m)"), "! no '-' for a field");
+  EXPECT_EQ(x("sphere(1m) * 2"), "! cannot apply '*' to a field and a number");
+  EXPECT_EQ(x("-sphere(1m)"), "! cannot apply '-' to a field");
 }
 
 TEST(Evaluator, FaultsOfTheResolverBecomeDiagnostics) {
@@ -168,7 +168,7 @@ TEST(Evaluator, ParamsReadOnlyByFormalsOfTheSameNameAreUnread) {
       "param n = 1\nparam k = 2\ngrammar g {\n  axiom A(k)\n  A(n) if n > 0 -> A(n - 1)\n}\n");
   check_params_read(document, diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1u);
-  EXPECT_EQ(diagnostics.all()[0].message, "param 'n' is never read");
+  EXPECT_EQ(diagnostics.all()[0].message, "param 'n' is never used");
 }
 
 TEST(Evaluator, GrowingListsAreRefused) {
@@ -176,7 +176,7 @@ TEST(Evaluator, GrowingListsAreRefused) {
   for (int i = 1; i < 60; ++i)
     text += "let a" + std::to_string(i) + " = [a" + std::to_string(i - 1) + ", a" +
             std::to_string(i - 1) + "]\n";
-  EXPECT_EQ(value_of(text + "let x = a59\n"), "! a list of more than 1000000 elements");
+  EXPECT_EQ(value_of(text + "let x = a59\n"), "! the list has more than 1000000 elements");
 }
 
 TEST(Evaluator, LongChainsOfLetsAreRefused) {
@@ -184,7 +184,7 @@ TEST(Evaluator, LongChainsOfLetsAreRefused) {
   for (int i = 1; i < 5000; ++i)
     text += "let a" + std::to_string(i) + " = a" + std::to_string(i - 1) + "\n";
   EXPECT_EQ(value_of(text + "let x = a4999\n"),
-            "! more than 200 names depend on each other in a row");
+            "! more than 200 names depend on each other in a chain");
 }
 
 /// What is wrong with lets of which each is made of the one before, as `# + 1`.
@@ -210,7 +210,7 @@ TEST(Evaluator, ValuesUponEachOtherHaveAHighest) {
   for (const auto& [lets, next] : {std::pair(5001, "[#]"), {2502, "[[[#]]]"}, {9000, "[#]"}}) {
     const std::vector<Diagnostic> found = faults_of_chain(lets, "[1]", next);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].message, "more than 10000 steps upon each other");
+    EXPECT_EQ(found[0].message, "more than 10000 nested operations");
     EXPECT_EQ(found[0].where.line, std::string(next) == "[#]" ? 5001 : 2501);
   }
 }

@@ -86,16 +86,15 @@ TEST(Keys, EachDrawsItsOwnNumber) {
 
 TEST(Keys, SayWhatIsWrong) {
   EXPECT_EQ(x("keys()", 1), "! 'keys' needs at least one key");
-  EXPECT_EQ(x("keys(1, 2)", 1), "! 'keys' takes frames with their values");
-  EXPECT_EQ(x("keys(a: 2)", 1), "! 'keys' takes frames with their values");
+  EXPECT_EQ(x("keys(1, 2)", 1), "! 'keys' needs frames with their values");
+  EXPECT_EQ(x("keys(a: 2)", 1), "! 'keys' needs frames with their values");
   EXPECT_EQ(x("keys(5: 1, 3: 2)", 1), "! the key at frame 3 comes after that at 5");
   EXPECT_EQ(x("keys(5: 1, 5: 2)", 1), "! the key at frame 5 comes after that at 5");
   EXPECT_EQ(x("keys(1: 1m, 2: 3deg)", 1), "! keys cannot mix a length and an angle");
   EXPECT_EQ(x("keys(1: 1m, 2: (1, 2, 3))", 1), "! keys cannot mix a length and a vector");
-  EXPECT_EQ(x("keys(1: true, 2: false)", 1), "! nothing lies between true or false and another");
-  EXPECT_EQ(x("keys(1s: 1)", 1), "! a key is the number of a frame, without a unit");
-  EXPECT_EQ(read("let frame = 2", 1).value,
-            "! 'frame' is a word of the language and can name nothing else");
+  EXPECT_EQ(x("keys(1: true, 2: false)", 1), "! true or false cannot be interpolated");
+  EXPECT_EQ(x("keys(1s: 1)", 1), "! a key must be a frame number without a unit");
+  EXPECT_EQ(read("let frame = 2", 1).value, "! 'frame' is a keyword and cannot be used as a name");
 }
 
 }  // namespace

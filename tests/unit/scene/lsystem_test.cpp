@@ -93,7 +93,8 @@ TEST(LSystemText, ReadsHeads) {
   schedule one*3, one
 }
 )");
-  EXPECT_EQ(heads.report, "t.vug:4:11: error: 'ages' takes names only\n  ages L(a)\n          ^\n");
+  EXPECT_EQ(heads.report,
+            "t.vug:4:11: error: 'ages' can only list names\n  ages L(a)\n          ^\n");
   const LSystem& system = *heads.document.grammars.at(0).lsystem;
   ASSERT_EQ(system.productions.size(), 3u);
   const Production& first = system.productions[0];
@@ -131,8 +132,8 @@ TEST(LSystemText, KnowsRulesByTheirArrows) {
 TEST(LSystemText, WarnsOfSmallLettersInARow) {
   const Read algae = read("grammar g: lsystem {\n  axiom b\n  a -> ab\n  b -> a\n}\n");
   EXPECT_EQ(algae.report,
-            "t.vug:3:8: warning: 'ab' is one module, for which there is no rule\n  a -> ab\n"
-            "       ^\nhint: put blanks between small letters: a b\n");
+            "t.vug:3:8: warning: 'ab' is a single module without a rule\n  a -> ab\n"
+            "       ^\nhint: write spaces between lower-case letters: a b\n");
   EXPECT_FALSE(algae.document.grammars.at(0).broken);
   EXPECT_EQ(read("grammar g: lsystem {\n  axiom b\n  a -> a b ab\n  b -> a\n  ab -> c\n}\n").report,
             "");
@@ -157,30 +158,31 @@ INSTANTIATE_TEST_SUITE_P(
     Texts, LSystemFaults,
     ::testing::Values(
         Fault{"axiom F[+F", "t.vug:2:8: error: the '[' in the axiom is never closed"},
-        Fault{"axiom F\nF -> F]F", "t.vug:3:7: error: ']' without its '[' in the rule of 'F'"},
+        Fault{"axiom F\nF -> F]F",
+              "t.vug:3:7: error: ']' without a matching '[' in the rule of 'F'"},
         Fault{"axiom F\nF -> {F", "t.vug:3:6: error: the '{' in the rule of 'F' is never closed"},
         Fault{"axiom F\nF(x -> F(x)", "t.vug:3:5: error: expected ')'"},
         Fault{"axiom F\nF -> F(1\nA -> B",
               "t.vug:4:1: error: expected ')' to close 'F(' of line 3"},
         Fault{"axiom F\nF ->", "the rule of 'F' has no modules"},
         Fault{"axiom F\nF -> G H -> F", "a second rule on one line"},
-        Fault{"axiom F\nF(1) -> G", "the parameters of 'F' in a rule's head are names"},
-        Fault{"axiom F\nA < B < C -> G", "a second '<' in the head of a rule"},
+        Fault{"axiom F\nF(1) -> G", "the parameters of 'F' in a rule's head must be names"},
+        Fault{"axiom F\nA < B < C -> G", "duplicate '<' in the head of a rule"},
         Fault{"axiom F\nA B -> G", "a rule replaces one module, not 2"},
         Fault{"axiom F\n[ -> G", "'[' cannot be replaced"},
-        Fault{"axiom F\n[A] < B -> G", "a left context has no branches"},
+        Fault{"axiom F\n[A] < B -> G", "a left context cannot have branches"},
         Fault{"axiom F\nA > [B -> G", "unbalanced brackets in the right context"},
         Fault{"axiom F\nF -> 1F", "t.vug:3:6: error: expected a module, found the number 1"},
-        Fault{"axiom F\nF -> F < G", "contexts stand before the arrow"},
-        Fault{"axiom A(1)\nA(x, y) -> F", "t.vug:2:7: error: 'A' with 1 parameter\n"},
-        Fault{"axiom A\nA(x, x) -> F\n", "the parameter 'x' twice in one head"},
-        Fault{"axiom A\nA(pi) -> F\n", "'pi' is a word of the language"},
+        Fault{"axiom F\nF -> F < G", "write contexts before the arrow"},
+        Fault{"axiom A(1)\nA(x, y) -> F", "t.vug:2:7: error: 'A' has 1 parameter\n"},
+        Fault{"axiom A\nA(x, x) -> F\n", "duplicate parameter 'x' in the head of a rule"},
+        Fault{"axiom A\nA(pi) -> F\n", "'pi' is a keyword"},
         Fault{"F -> FF", "grammar 'g' has no axiom"},
         Fault{"axiom F\naxiom G", "grammar 'g' has two axioms"},
         Fault{"axiom F\nschedule spring\ntable sprnig { F -> G }", "did you mean 'sprnig'?"},
         Fault{"axiom F\ntable spring { F -> G }", "tables without a schedule"},
-        Fault{"axiom F\ninterpret { F -> G }\ninterpret { F -> G }", "a second 'interpret' block"},
-        Fault{"axiom F\nF @1 @2 -> G", "a second '@' of one rule"},
+        Fault{"axiom F\ninterpret { F -> G }\ninterpret { F -> G }", "duplicate 'interpret' block"},
+        Fault{"axiom F\nF @1 @2 -> G", "duplicate '@' in a rule"},
         Fault{"axiom F\nF -> [(1)]", "'[' takes no parameters"},
         Fault{"axiom F\nF -> G(x: 1)", "modules take their arguments by position"},
         Fault{"axiom F\ntable t { steps 3 }\nschedule t", "expected a rule, found 'steps'"}));

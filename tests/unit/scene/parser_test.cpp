@@ -28,7 +28,7 @@ TEST(Expressions, ALongSumIsFineAndATallOneIsNot) {
   for (int i = 0; i < 900; ++i) sum += " + 1";
   EXPECT_EQ(faults(sum), "");
   for (int i = 0; i < 900; ++i) sum += " + 1";
-  EXPECT_EQ(faults(sum), "1: an expression of more than 1000 steps\n");
+  EXPECT_EQ(faults(sum), "1: an expression with more than 1000 levels\n");
 }
 
 TEST(Expressions, NestingBombsAreRefused) {

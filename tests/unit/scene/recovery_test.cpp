@@ -28,16 +28,16 @@ TEST(Recovery, EntriesAndRulesFailAlone) {
 
 TEST(Recovery, ALostBraceEndsAtTheNextStatement) {
   EXPECT_EQ(faults("camera a {\n  fov 3\nlet b = 4\nlet b = 5\n"),
-            "1: the '{' of camera 'a' is never closed\n4: a second let 'b'\n");
+            "1: the '{' of camera 'a' is never closed\n4: duplicate let 'b'\n");
 }
 
 TEST(Recovery, WhatIsNoTextIsOneFault) {
-  EXPECT_EQ(faults(std::string(" BDV\0\0\x01 let\n\xff\xfe", 13)), "0: the file is no text\n");
+  EXPECT_EQ(faults(std::string(" BDV\0\0\x01 let\n\xff\xfe", 13)),
+            "0: the file is not a text file\n");
   ParseOptions options;
   options.read = [](const std::filesystem::path&) { return std::string("l\0e\0t\0", 6); };
-  EXPECT_EQ(faults("let a = 1\ninclude \"b.vug\"\n", options), "2: 'b.vug' is no text\n");
-  EXPECT_EQ(faults(std::string("let a = 1  # caf\xe9\nlet b = \0 2\n", 29)),
-            "2: a byte that is no text\n")
+  EXPECT_EQ(faults("let a = 1\ninclude \"b.vug\"\n", options), "2: 'b.vug' is not a text file\n");
+  EXPECT_EQ(faults(std::string("let a = 1  # caf\xe9\nlet b = \0 2\n", 29)), "2: invalid byte\n")
       << "a stray byte has a place of its own";
 }
 
