@@ -16,7 +16,7 @@ class PackagesTest(unittest.TestCase):
                 continue
             if line.startswith("["):
                 section = line
-                self.assertIn(section, ("[build]", "[test]"))
+                self.assertIn(section, ("[build]", "[test]", "[docs]"))
                 continue
             self.assertIsNotNone(section, f"{line} stands before the first section")
             self.assertRegex(line, r"^[a-z0-9][a-z0-9.+-]+( *# .+)?$")
