@@ -19,7 +19,7 @@ double torn(const Network& n, double cosine) {
   double bad = 0, all = 0;
   for (uint32_t i = 0; i < n.size(); ++i)
     for (const uint32_t to : n.links.of(i)) {
-      const Vec3f here = carried(n.right[to], n.normal[to], n.normal[i]);
+      const Vec3f here = parallel_transport(n.right[to], n.normal[to], n.normal[i]);
       bad += here.dot(n.right[i]) < static_cast<float>(cosine), ++all;
     }
   return bad / all;
@@ -27,9 +27,9 @@ double torn(const Network& n, double cosine) {
 
 TEST(Carried, TurnsWithTheNormal) {
   const Vec3f x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  EXPECT_LT((carried(x, z, y) - x).length(), 1e-6f);  // along the fold: as it is
-  EXPECT_LT((carried(y, z, y) + z).length(), 1e-6f);  // over the fold: down the other side
-  EXPECT_LT((carried(x, y, y) - x).length(), 1e-6f);
+  EXPECT_LT((parallel_transport(x, z, y) - x).length(), 1e-6f);  // along the fold: as it is
+  EXPECT_LT((parallel_transport(y, z, y) + z).length(), 1e-6f);  // over the fold: down the other side
+  EXPECT_LT((parallel_transport(x, y, y) - x).length(), 1e-6f);
 }
 
 TEST(Frames, AreLevelOnSlopesAndOneOnAFloor) {

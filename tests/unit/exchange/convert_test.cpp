@@ -79,7 +79,7 @@ TEST(Convert, InstancesStandWhereTheyStood) {
 
 TEST(Lamps, PowerIsRadianceOverAreaAndDirections) {
   const Assembly all = sample();
-  // The closed forms of each shape, for a radiance of 1.
+  // The closed forms for each shape, for a radiance of 1.
   const double expected[] = {4 * kPi * kPi / 16, kPi / 8, kPi * kPi / 16};
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(power(all.lights[i]).z, expected[i], 1e-12);
   EXPECT_NEAR(peak_intensity(all.lights[4]).z, kPi * 0.005 * 0.005, 1e-9);

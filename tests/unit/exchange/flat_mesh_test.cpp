@@ -20,7 +20,7 @@ TEST(FlatMesh, ACubeOfAMetreIsOneMetreInEveryFormatAndSpace) {
       const mesh::Mesh mesh = mesh::read_mesh(file);
       const Vec3d size = mesh::bounds(mesh).size() * space.metres_per_unit;
       EXPECT_LT((size - Vec3d(1.0)).length(), 1e-6) << name;
-      // It stands on the ground: up is never below 0; y up becomes z up, so z becomes -y.
+      // The cube stands on the ground, so up is never negative; y up becomes z up, so z becomes -y.
       const Box3d box = mesh::bounds(mesh);
       EXPECT_GE(space.up == UpAxis::z ? box.min.z : box.min.y, 0);
       EXPECT_LE(space.up == UpAxis::z ? box.max.y : 0, 0);
@@ -51,7 +51,7 @@ TEST(FlatMesh, InstancesStandWhereTheyStandAndMirroredOnesPointOut) {
   for (size_t i = 0; i < mesh.triangles.size(); ++i)
     volume += mesh::corners(mesh, i)[0].dot(mesh::double_area_vector(mesh, i)) / 6;
   EXPECT_NEAR(volume, 1 + 3 * 0.125 + 1 + 1, 1e-5);
-  // Normals stay on the outside.
+  // Normals remain on the outside.
   const mesh::Triangle& mirrored = mesh.triangles[4 * 12];
   EXPECT_GT(Vec3d(mesh.normals[mirrored[0]]).dot(mesh::double_area_vector(mesh, 4 * 12)), 0);
   const mesh::Attribute* color = mesh::find_attribute(mesh, "Cd", 3);

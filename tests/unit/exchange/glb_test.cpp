@@ -115,7 +115,8 @@ TEST_F(Glb, WithoutInstancingEveryPlaceIsANode) {
 TEST_F(Glb, WattsAreCandelaOver683) {
   const tinygltf::Model model = round_trip(sample());
   const tinygltf::Light& ball = model.lights.at(0);
-  // What a program finds that takes 683 lumen for a watt, as Blender does: the watts of the light.
+  // The power derived by programs that assume 683 lumens per watt, such as Blender, is that of the
+  // light.
   const double watts = ball.intensity / 683 * 4 * kPi;
   for (size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(watts * ball.color[c], power(sample().lights[0])[static_cast<int>(c)], 1e-9);
@@ -131,7 +132,7 @@ TEST_F(Glb, WhatItCannotHoldIsTold) {
   all.volumes.push_back({"fog", "sample_fog.vdb", {{"density", "fog volume"}}, Box3d()});
   all.lights[3].profile = "lamp.ies";
   round_trip(all);
-  ASSERT_EQ(written_.unsupported.size(), 1u);  // a volume lies beside, and is not lost
+  ASSERT_EQ(written_.unsupported.size(), 1u);  // A volume is written separately and not lost.
   EXPECT_NE(written_.unsupported[0].find("profile of the light 'lamp3'"), std::string::npos);
   std::string told;
   for (const std::string& each : written_.notes) told += each + "\n";

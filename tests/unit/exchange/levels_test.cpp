@@ -37,10 +37,10 @@ TEST(Levels, DistancesOfSurfacesThatAreKnown) {
   const mesh::Mesh large = mesh::box_mesh(Box3d(Vec3d(-1.0), Vec3d(2.0)));
   EXPECT_NEAR(hausdorff_distance(small, small), 0, 1e-12);
   EXPECT_NEAR(hausdorff_distance(small, moved), 0.25, 1e-6);
-  // From a corner of the large one to that of the small one, whichever comes first.
+  // From a corner of the large cube to that of the small one, in either order of arguments.
   EXPECT_NEAR(hausdorff_distance(small, large), std::sqrt(3.0), 1e-6);
   EXPECT_NEAR(hausdorff_distance(large, small), std::sqrt(3.0), 1e-6);
-  // A ball of n rounds of splitting lies inside of the sphere by about h^2 / 8.
+  // A ball with n subdivisions lies inside the sphere by about h^2 / 8.
   const double off = hausdorff_distance(ball(3), ball(6));
   EXPECT_GT(off, 1e-3);
   EXPECT_LT(off, 1e-2);

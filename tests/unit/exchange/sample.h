@@ -1,4 +1,4 @@
-// An assembly whose every number is known.
+// An assembly with known numbers.
 #pragma once
 
 #include <vug/exchange/assembly.h>
@@ -9,8 +9,8 @@
 
 namespace vug::exchange {
 
-/// A cube of 1 m that stands on the origin's ground, from (0, 0, 0) to (1, 1, 1), once as it is
-/// and three times as instances; two cameras and one light of each shape.
+/// A cube of 1 m that stands on the ground from (0, 0, 0) to (1, 1, 1), once by itself and three
+/// times as instances; two cameras and one light of each shape.
 inline Assembly sample() {
   Assembly all;
   all.name = "sample";

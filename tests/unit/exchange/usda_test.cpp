@@ -1,4 +1,4 @@
-// What the text says, by plain search; tests/dcc reads it with readers of others.
+// Content of the text by plain search; tests/dcc reads it with third-party readers.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/exchange/program.h>
@@ -38,7 +38,7 @@ size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-/// The numbers behind the first "NAME = " after `from`, brackets passed over, to the line's end.
+/// The numbers after the first "NAME = " behind `from`, without brackets, to the end of the line.
 std::vector<double> numbers(const std::string& text, const std::string& name,
                             const std::string& from = "") {
   const size_t begin = text.find(from);
@@ -64,7 +64,7 @@ TEST_F(Usda, ACubeOfAMetreIsOneMetreInEverySpace) {
       const std::vector<double> box = numbers(text, "extent");
       ASSERT_EQ(box.size(), 6u);
       for (size_t i = 0; i < 3; ++i) EXPECT_NEAR((box[i + 3] - box[i]) * unit, 1, 1e-6);
-      // The camera stands 1.5 m up and sees 36 mm of film, in tenths of the unit.
+      // The camera is 1.5 m above the ground and sees 36 mm of film, in tenths of the unit.
       const std::vector<double> place = numbers(text, "xformOp:transform", "Camera \"main\"");
       ASSERT_EQ(place.size(), 16u);
       EXPECT_NEAR(place[up == UpAxis::y ? 13 : 14] * unit, 1.5, 1e-9);
@@ -72,7 +72,7 @@ TEST_F(Usda, ACubeOfAMetreIsOneMetreInEverySpace) {
       const double focal = numbers(text, "focalLength", "Camera \"main\"").at(0);
       EXPECT_NEAR(film * unit / 10, 0.036, 1e-9);
       EXPECT_NEAR(film / (2 * focal), 1, 1e-9);  // the tangent of 45 degrees
-      // f-number: focal length over the opening of 1 cm.
+      // f-number: focal length divided by the aperture of 1 cm.
       EXPECT_NEAR(numbers(text, "fStop", "Camera \"main\"").at(0), 0.018 / 0.01, 1e-9);
       EXPECT_NEAR(numbers(text, "inputs:radius", "SphereLight").at(0) * unit, 0.25, 1e-9);
     }

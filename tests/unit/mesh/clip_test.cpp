@@ -1,4 +1,4 @@
-// A cut mesh has a rim on the contour and no gap anywhere else.
+// A clipped mesh has a boundary on the contour and no gap anywhere else.
 #include <vug/base/error.h>
 #include <vug/mesh/clip.h>
 #include <vug/mesh/normals.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kLevel = 0.3F;
 
-/// A ball with its height y, exactly linear, as the numbers to cut at and as an attribute.
+/// A ball with its height y, exactly linear, as the clip values and as an attribute.
 Mesh ball() {
   Mesh mesh = sphere_mesh(Vec3d(0), 1, 4);
   mesh.normals = vertex_normals(mesh);
@@ -58,7 +58,7 @@ TEST(Cut, BothSidesMakeTheWhole) {
   const Mesh below = clip(whole, heights(whole), kLevel);
   const Mesh above = clip(whole, heights(whole, -1), -kLevel);
   EXPECT_NEAR(area(below) + area(above), area(whole), 1e-5 * area(whole));
-  // A zone of a ball of radius 1 has the area 2 pi times its height.
+  // A spherical zone of radius 1 has the area 2 pi times its height.
   EXPECT_NEAR(area(above), 2 * kPi * (1 - static_cast<double>(kLevel)), 0.02);
 }
 
@@ -85,7 +85,7 @@ TEST(Cut, WhatIsAllThereOrAllGone) {
   EXPECT_THROW(clip(whole, {1, 2, 3}, 0), Error);
 }
 
-// Where the contour runs through vertices or along edges nothing is cut off but what lies beyond.
+// Where the contour runs through vertices or along edges, only the part beyond it is removed.
 TEST(Cut, AContourThroughVertices) {
   Mesh square;
   square.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};

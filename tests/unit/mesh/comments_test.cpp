@@ -25,11 +25,11 @@ TEST(Comments, ReadBackFromEveryFormatOfText) {
     std::string bytes;
     format->write(cube, awkward(), [&](std::string_view more) { bytes += more; });
     EXPECT_NE(bytes.find("centimetres, z up"), std::string::npos) << format->info.name;
-    // Whatever the notes say, the mesh is the same.
+    // The mesh is the same whatever the comments contain.
     const Mesh again = format->read(bytes, "t");
     EXPECT_EQ(bounds(again).size(), Vec3d(1.0)) << format->info.name;
     EXPECT_EQ(again.triangles.size(), 12u) << format->info.name;
-    if (format->info.name == "stl") continue;  // which has room for 80 characters
+    if (format->info.name == "stl") continue;  // STL has room for only 80 characters.
     EXPECT_EQ(read_comments(bytes), awkward().texts) << format->info.name;
   }
 }

@@ -11,7 +11,7 @@
 namespace vug::mesh {
 namespace {
 
-/// With normals and two attributes that tell each vertex of `mark` from those of another.
+/// With normals and two attributes that distinguish the vertices of different `mark`.
 Mesh ball(const Vec3d& centre, double radius, float mark) {
   Mesh mesh = sphere_mesh(centre, radius, 2);
   mesh.normals = vertex_normals(mesh);
@@ -39,8 +39,8 @@ TEST(Pieces, TheSmallOfTwoGoesWithAllThatIsOfIt) {
   }
 }
 
-// The vertices of a sphere mesh lie on the sphere, and its first twelve span a box of the golden
-// icosahedron; the diagonal is near that of the cube around the ball.
+// The vertices of a sphere mesh lie on the sphere, and its first twelve span the bounding box of an
+// icosahedron; the diagonal is close to that of the cube around the ball.
 TEST(Pieces, TheSizeIsTheDiagonalOfTheBox) {
   const Mesh small = ball({3, 0, 0}, 0.1, 2000);
   const Mesh both = joined(ball({0, 0, 0}, 1, 1000), small);
@@ -76,7 +76,7 @@ TEST(Pieces, ThoseThatTouchInAPointArePiecesOfTheirOwn) {
 
 TEST(Pieces, ZeroKeepsEverything) {
   Mesh both = joined(ball({0, 0, 0}, 1, 1000), ball({3, 0, 0}, 1e-6, 2000));
-  for (Attribute& attribute : both.attributes)  // For a vertex of no triangle.
+  for (Attribute& attribute : both.attributes)  // For a vertex that no triangle uses.
     attribute.values.resize(attribute.values.size() + static_cast<size_t>(attribute.arity));
   both.positions.emplace_back(9.0F);
   both.normals.emplace_back(0.0F, 1.0F, 0.0F);

@@ -17,7 +17,7 @@ TEST(Moved, AShrunkenBallHasGoneFarAndTurnedNowhere) {
 }
 
 TEST(Moved, AFoldIsCounted) {
-  // Two triangles that share an edge; the corner of one goes over it to the other side.
+  // Two triangles that share an edge; the corner of one moves across it to the other side.
   Mesh sheet;
   sheet.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}};
   sheet.triangles = {{0, 2, 1}, {1, 2, 3}};

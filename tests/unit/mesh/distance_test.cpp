@@ -41,11 +41,11 @@ TEST(Triangle, NearestPointBeatsASampleOfTheTriangle) {
         sampled = std::min(sampled, (t[0] * (1 - u - v) + t[1] * u + t[2] * v - p).length());
       }
     EXPECT_LE(found, sampled + 1e-12);
-    EXPECT_GE(found, sampled - 3.0 / kSteps);  // No sample is further than a step from it.
+    EXPECT_GE(found, sampled - 3.0 / kSteps);  // No sample is further than one step from it.
   }
 }
 
-// Points straight over edges and corners are where face normals alone would err.
+// At points straight above edges and corners, face normals alone would give wrong signs.
 TEST(MeshDistance, OfABoxIsExactEverywhere) {
   const MeshDistance distance(box_mesh({Vec3d(-0.5), Vec3d(0.5)}));
   RandomStream random{RandomKey(2)};
@@ -60,7 +60,7 @@ TEST(MeshDistance, OfABoxIsExactEverywhere) {
 }
 
 TEST(MeshDistance, SignIsRightAtSharpSpikes) {
-  // A needle: at its tip the face normals disagree by almost half a turn.
+  // A needle: at its tip the face normals differ by almost 180 degrees.
   Mesh needle;
   needle.positions = {{0, 10, 0}, {-0.1F, 0, -0.1F}, {0.1F, 0, -0.1F}, {0, 0, 0.15F}};
   needle.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};

@@ -1,4 +1,4 @@
-// A table of texts that a format refuses, each with the line and a part of the message it tells.
+// A table of texts that a format rejects, with the line and a part of each message.
 #pragma once
 
 #include <vug/base/error.h>

@@ -1,4 +1,4 @@
-// What every mesh format owes: a loop over the registry.
+// Properties of every mesh format, in a loop over the registry.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
@@ -41,7 +41,7 @@ TEST(Format, TorusSurvivesEveryFormat) {
     const Topology topology = inspect(again);
     EXPECT_TRUE(topology.closed());
     EXPECT_EQ(topology.genus, 1U);
-    // What was read is written with the same bytes again.
+    // A file that was read is written again with the same bytes.
     EXPECT_EQ(written(*format, again), written(*format, format->read(written(*format, again), "")));
     if (format->info.name != "stl") {
       EXPECT_EQ(again, mesh);
@@ -61,7 +61,7 @@ TEST(Format, MeshesWithoutNormalsAndAttributesSurvive) {
   }
 }
 
-// Either the cut shows and is refused, or what is left is a valid mesh with at most as much in it.
+// Either the truncation is detected, or the result is a valid mesh with at most the same content.
 TEST(Format, CutFilesAreRefusedOrSmaller) {
   const Mesh mesh = painted_torus();
   for (const Format* format : formats()) {
@@ -81,7 +81,7 @@ TEST(Format, CutFilesAreRefusedOrSmaller) {
         EXPECT_FALSE(error.hint().empty() && i > 0) << error.what();
       }
     }
-    // Text lines of OBJ carry no count, so most cuts of it cannot be seen.
+    // OBJ lines have no count, so most truncations are undetectable.
     EXPECT_GE(refused, format->info.name == "obj" ? 1 : 200);
   }
 }

@@ -46,7 +46,7 @@ TEST(Obj, ReadsVertexColours) {
 }
 
 TEST(Obj, DentsOfPolygonsStayDents) {
-  // An arrow head whose fan from the first corner would cover the dent.
+  // An arrowhead whose fan from the first corner would cover the concavity.
   const Mesh mesh = read("v 0 0 0\nv 2 -2 0\nv 0.5 0 0\nv 2 2 0\nf 2 3 4 1\n");
   EXPECT_DOUBLE_EQ(area(mesh), 1);
   for (size_t face = 0; face < mesh.triangles.size(); ++face)

@@ -22,7 +22,7 @@ std::vector<Vec3f> cloud(size_t count, const Vec3d& size, uint64_t seed) {
 
 using Pairs = std::set<std::pair<uint32_t, uint32_t>>;
 
-/// Pairs of given numbers nearer than the edge, as sweeps find them.
+/// Pairs of point numbers closer than the edge, as found by for_each_cube.
 Pairs swept(const std::vector<Vec3f>& points, double edge) {
   const PointGrid grid(points, edge);
   std::vector<std::vector<uint32_t>> near(points.size());
@@ -41,7 +41,7 @@ Pairs swept(const std::vector<Vec3f>& points, double edge) {
 }
 
 TEST(PointGrid, FindsEveryPairThatBruteForceFinds) {
-  // A cube, a sheet, a thread, one that is thinner than an edge, and all in one place.
+  // A cube, a sheet, a line, one thinner than an edge, and all points at one position.
   for (const Vec3d& size :
        {Vec3d(1, 1, 1), Vec3d(0.01, 3, 2), Vec3d(0, 0, 8), Vec3d(0.1, 5, 0.05), Vec3d(0, 0, 0)}) {
     const double edge = 0.2;

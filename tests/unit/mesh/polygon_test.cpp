@@ -12,7 +12,7 @@
 namespace vug::mesh {
 namespace {
 
-/// A ring of corners around a centre in a plane that leans, appended to the mesh.
+/// Appends a ring of corners around a centre, in an inclined plane, to the mesh.
 std::vector<uint32_t> ring(Mesh& mesh, double x, double y, double radius, int corners, bool star) {
   std::vector<uint32_t> out;
   for (int i = 0; i < corners; ++i) {
@@ -25,7 +25,7 @@ std::vector<uint32_t> ring(Mesh& mesh, double x, double y, double radius, int co
   return out;
 }
 
-/// Area towards (0, -0.8, 0.6), the plane's normal.
+/// Area towards (0, -0.8, 0.6), the normal of the plane.
 double area(const Mesh& mesh) {
   double sum = 0;
   for (size_t i = 0; i < mesh.triangles.size(); ++i)
@@ -51,7 +51,7 @@ TEST(Polygon, RingsLeaveHolesOutAndIslandsIn) {
   EXPECT_EQ(t.boundary_loops, 4u);
   EXPECT_EQ(t.components, 2u);
   EXPECT_EQ(t.misoriented_edges, 0u);
-  // Holes may turn either way.
+  // Holes may have either orientation.
   mesh.triangles.clear();
   std::reverse(hole.begin(), hole.end());
   add_rings(mesh, {outer, hole, island, second});

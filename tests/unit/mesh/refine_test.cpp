@@ -30,7 +30,7 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-// A long box: its edges differ, so that triangles with one, two and three long edges come about.
+// The edges of a long box differ, so there are triangles with one, two and three long edges.
 TEST(Refine, LeavesTheSurfaceClosedAndWhereItIs) {
   Mesh box = box_mesh(Box3d(Vec3d(0), Vec3d(4, 1, 0.3)));
   Attribute x{"x", 1, {}}, place{"place", 3, {}};
@@ -46,7 +46,7 @@ TEST(Refine, LeavesTheSurfaceClosedAndWhereItIs) {
   EXPECT_EQ(topology.nonmanifold_edges, 0u);
   EXPECT_EQ(topology.misoriented_edges, 0u);
   EXPECT_NEAR(volume(fine), 1.2, 1e-6);
-  // Less than ten times what triangles with three such edges would be.
+  // Less than ten times the number of triangles with three edges of this length.
   EXPECT_LT(fine.triangles.size(), 10 * 2 * (4 * 1 + 4 * 0.3 + 1 * 0.3) / (0.433 * 0.2 * 0.2));
   for (size_t v = 0; v < fine.positions.size(); ++v) {
     EXPECT_NEAR(fine.attributes[0].values[v], fine.positions[v].x, 1e-6f);

@@ -29,15 +29,15 @@ TEST(Scatter, FillsAFloorLikeDartsAndNoTwoAreNear) {
     for (size_t j = 0; j < i; ++j)
       ASSERT_GE((spots[i].position - spots[j].position).length(), spacing);
   }
-  // Discs of half the spacing thrown at random until none fits cover 0.547 of a plane, and the
-  // rest of the way is slow: with the inverse root of the tries.
+  // Discs of half the spacing, thrown at random until none fits, cover 0.547 of a plane.
+  // Convergence is slow: it follows the inverse root of the number of tries.
   const double covered = static_cast<double>(spots.size()) * kPi * spacing * spacing / 4 / 100;
   EXPECT_GT(covered, 0.47);
   EXPECT_LT(covered, 0.547);
 }
 
 TEST(Scatter, IsEvenOverTrianglesOfAnySize) {
-  // A half of fine triangles, a half of two large ones.
+  // One half of small triangles, one half of two large ones.
   Mesh floor;
   for (int i = 0; i <= 32; ++i)
     for (int j = 0; j <= 32; ++j)

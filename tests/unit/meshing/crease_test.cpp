@@ -1,4 +1,5 @@
-// Edges of a cut box: how far its true edges are from the mesh, with and without polish.
+// Edges of a box with a box removed: the distance of its true edges from the mesh, with and without
+// polish.
 #include "solids.h"
 
 #include <vug/base/rng.h>
@@ -13,8 +14,8 @@
 namespace vug::meshing {
 namespace {
 
-/// Points on the edges of one box (turned as `place` says) that lie on the solid's surface and
-/// keep 3 voxels away from the other box: thinner places are below what the level set resolves.
+/// Points on the edges of one box (rotated by `place`) that lie on the solid's surface and are at
+/// least 3 voxels from the other box: the level set does not resolve thinner regions.
 std::vector<Vec3d> edge_points(const Transform& place, double half, const field::Field& solid,
                                const field::Field& other, double voxel) {
   std::vector<Vec3d> points;
@@ -79,8 +80,8 @@ TEST(Crease, EdgesOfACutBoxStay) {
   EXPECT_TRUE(metrics::self_intersections(found.mesh).empty());
 }
 
-// Gradients around a vertex of these differ by more than the crease angle, and yet nothing is
-// sharp.
+// Gradients around a vertex of these solids differ by more than the crease angle, although nothing
+// is sharp.
 TEST(Crease, StrongCurvatureIsNoCrease) {
   constexpr double kVoxel = 0.05;
   for (const double radius : {2.0, 3.0}) {

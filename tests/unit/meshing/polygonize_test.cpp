@@ -46,7 +46,7 @@ TEST(Polygonize, SolidsAreClosedAndTheirVerticesOnTheField) {
     EXPECT_LT(found.report.rms_residual, 0.01);
     EXPECT_LE(found.report.max_move, 1.25 + 1e-6);
     EXPECT_EQ(found.mesh.normals.size(), found.mesh.positions.size());
-    // The report's own claim, checked from outside.
+    // The figures of the report, verified independently.
     double squares = 0;
     for (const Vec3f& p : found.mesh.positions) {
       const double distance = solid.field.value(Vec3d(p)) / 0.05;
@@ -58,7 +58,7 @@ TEST(Polygonize, SolidsAreClosedAndTheirVerticesOnTheField) {
   }
 }
 
-// Warped and displaced: what no primitive's formula solves, against the field in double precision.
+// Warped and displaced surfaces, which have no closed form, against the field in double precision.
 TEST(Polygonize, VerticesOfRoughRockAreOnTheField) {
   constexpr double kVoxel = 0.08;
   const field::Field ball = field::make("sphere", {{"radius", 1.5}});
@@ -81,7 +81,8 @@ TEST(Polygonize, VerticesOfRoughRockAreOnTheField) {
   EXPECT_NEAR(rms, found.report.rms_residual, kLargestError);
 }
 
-// Flat facets between points of the surface err by O(h^2), on creases too when these are kept.
+// Flat facets between points of the surface have an error of O(h^2), also on creases if these are
+// preserved.
 TEST(Polygonize, AreaAndVolumeConvergeAtSecondOrder) {
   for (const Solid& solid : solids()) {
     SCOPED_TRACE(solid.name);

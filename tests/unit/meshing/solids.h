@@ -1,4 +1,4 @@
-// Solids with known area and volume, and how they are made into meshes here.
+// Solids with known area and volume, and their conversion to meshes.
 #pragma once
 
 #include <vug/field/affine.h>
@@ -12,10 +12,10 @@
 
 namespace vug::meshing {
 
-using field::abs;  // Of all number types, double included.
+using field::abs;  // For all number types, including double.
 using field::max;
 
-/// Solids of this test's own, each one formula; `half` is half their bounding box.
+/// Solids for these tests, each with one formula; `half` is half their bounding box.
 struct Box {
   Vec3d half;
   template <class T>
@@ -84,7 +84,7 @@ field::Field solid(const P& params) {
 struct Solid {
   const char* name;
   field::Field field;
-  double area;  ///< 0: not known in closed form.
+  double area;  ///< 0: no closed form.
   double volume;
 };
 
@@ -93,8 +93,8 @@ inline field::Field turned(const field::Field& f, const Vec3d& axis, double angl
   return field::transformed(f, Transform::translation(by) * Transform::rotation(axis, angle));
 }
 
-/// A cube whose corner is cut out by a turned cube: edges of every kind, none along the lattice,
-/// and thick everywhere, also between the cut and the cube's edges.
+/// A cube with a corner removed by a rotated cube: edges of all types, none aligned with the
+/// lattice, and no thin parts, not even between the cut and the edges of the cube.
 struct CutBox {
   static constexpr double kOuterHalf = 1;
   static constexpr double kInnerHalf = 0.6;
@@ -108,8 +108,8 @@ struct CutBox {
 
 inline field::Field cut_box() { return CutBox().solid; }
 
-/// No edge is sharper than 60 degrees: the lattice itself loses the tips of those.
-/// Off the lattice, so that no test lives on a lucky alignment.
+/// No edge is sharper than 60 degrees, because the lattice itself loses the tips of those. Not
+/// aligned with the lattice, so that no test depends on a fortunate alignment.
 inline std::vector<Solid> solids() {
   const Vec3d off(0.0131, -0.0227, 0.0179);
   const auto placed = [&](const field::Field& f) { return turned(f, {1, 0.3, 0.2}, 0.4, off); };

@@ -1,4 +1,5 @@
-// Points asked and moved together: against the field asked one by one in double precision.
+// Batched evaluation and projection of points, compared with single evaluations in double
+// precision.
 #include "solids.h"
 
 #include <vug/base/rng.h>
@@ -63,7 +64,7 @@ TEST(SurfaceProjector, TurnsToDoublesWhereSinglesAreTooCoarse) {
 }
 
 TEST(SurfaceProjector, DoesNotGoByTheCoordinatesAlone) {
-  // The middle of this sphere is far away; its surface passes through the origin.
+  // The centre of this sphere is far away; its surface passes through the origin.
   const field::Field globe =
       turned(field::make("sphere", {{"radius", 2e5}}), {0, 1, 0}, 0, {0, -2e5, 0});
   const std::vector<Vec3d> starts = {{0.3, 0.02, 0.1}, {-0.2, -0.03, 0.4}};

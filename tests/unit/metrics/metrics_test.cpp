@@ -24,7 +24,7 @@ TEST(Surface, OfABoxIsExact) {
   EXPECT_DOUBLE_EQ(volume(mesh), 24);
 }
 
-// The polyhedron inscribed in a smooth surface errs by O(h^2).
+// A polyhedron inscribed in a smooth surface has an error of O(h^2).
 TEST(Surface, OfSphereAndTorusConvergesAtSecondOrder) {
   const double sphere_area = 4 * kPi;
   const double torus_volume = 2 * kPi * kPi * 2 * 0.25;
@@ -56,7 +56,7 @@ TEST(Convexity, OfConvexBodiesIs100AndFlipsWithTheNormals) {
   EXPECT_FALSE(bends(mesh::Mesh{}).cf().has_value());
 }
 
-// Seen from outside, the half of a torus around its hole is a saddle: edges around the tube stay
+// Seen from outside, the half of a torus around its hole is a saddle: edges around the tube remain
 // convex there, edges along the tube become concave.
 TEST(Convexity, OfATorusIsMixed) {
   const Convexity found = bends(mesh::torus_mesh(2, 0.5, 48, 24));

@@ -46,7 +46,7 @@ TEST(OppositeBond, IsOnTheFacingSide) {
     ASSERT_TRUE(i);
     EXPECT_EQ(cuboid.bonds[*i].direction, -direction(side));
   }
-  // A half-space has its wall on one side only; it is turned to fit.
+  // A half-space has its wall on one side only, so it is rotated to fit.
   EXPECT_EQ(opposite_bond(make_shape("ground", solid(TestHalfSpace{{0, 1, 0}})), Label::plus_x,
                           RandomKey(1)),
             0u);

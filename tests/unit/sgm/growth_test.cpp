@@ -55,7 +55,7 @@ TEST(Growth, BallsInARowOverlapByTheShareOfTheirExtent) {
     const Placement& done = growth.apply(step(Operation::unite, ball(1)), RandomKey(2).at("n"));
     EXPECT_NEAR(done.map.point(Vec3d(0)).x, pitch * i, 1e-9);
     EXPECT_TRUE(ids.insert(done.base_bond_id).second);
-    // Six bonds a ball, two of them consumed by every label.
+    // Six bonds per ball, two of them consumed by every label.
     EXPECT_EQ(growth.free_bonds().size(), static_cast<size_t>(6 + 4 * i));
   }
   EXPECT_NEAR(free_on(growth, Label::plus_x)->point.x, 5 * pitch + 1, 1e-9);
@@ -105,7 +105,7 @@ TEST(Growth, TheWholeIntersectionIsTheLiteralOne) {
 TEST(Growth, NothingIsAnnihilatedSilently) {
   Options options;
   options.reach = Reach::whole;
-  options.overlap = {0, 0, 0, 0};  // walls only touch: no common inside
+  options.overlap = {0, 0, 0, 0};  // Walls only touch: there is no common inside.
   Growth growth = started(ball(1), options);
   ProductionStep cut = step(Operation::intersect, ball(1));
   cut.where = {"cave.vug", 7, 3};
@@ -140,7 +140,7 @@ TEST(Growth, ABondWithoutDirectionJoinsOnceOnAnySide) {
   const double h = std::sqrt(0.5);
   Growth growth = started(solid(TestHalfSpace{{h, h, 0}}));
   EXPECT_TRUE(growth.apply(step(Operation::unite, ball(1), Label::minus_z), RandomKey(1)).glued);
-  // Five bonds of the ball are free now; on +Z, where it was glued, there is none left.
+  // Five bonds of the ball are free now; +Z, where it was glued, has none left.
   EXPECT_TRUE(growth.apply(step(Operation::unite, ball(1), Label::plus_y), RandomKey(1)).effective);
 }
 
@@ -152,7 +152,7 @@ TEST(Growth, ASideWithoutBondsHasNone) {
 }
 
 TEST(Growth, TurnsShapesThatFaceAnotherWay) {
-  // The ground's wall looks up; glued to the right side of the ball it looks left.
+  // The ground's wall faces up; glued to the right side of the ball it faces left.
   Growth growth = started(ball(1));
   const Placement& done =
       growth.apply(step(Operation::unite, solid(TestHalfSpace{{0, 1, 0}})), RandomKey(1));

@@ -1,4 +1,4 @@
-// Equation (5) against closed forms, on the unclipped fields that productions use.
+// Equation (5) compared with closed forms, on the unclipped fields that productions use.
 #include "samples.h"
 
 #include <vug/sgm/probe.h>
@@ -51,11 +51,12 @@ TEST(Morph, EndsAreTheOperandsBitForBit) {
   }
 }
 
-// "Always base * newest": a fold in derivation order, so equal shapes weigh the more the later.
+// "Always base * newest": a fold in derivation order, so later shapes have more weight among equal
+// ones.
 TEST(Morph, ProductionsFold) {
   Options whole;
   whole.reach = Reach::whole;
-  whole.overlap.morph = 0.5;  // centres come to lie on bonds
+  whole.overlap.morph = 0.5;  // Centres coincide with bonds.
   Growth growth(whole);
   growth.apply(step(Operation::unite, ball(3)), RandomKey(1));
   const double amounts[] = {0.3, 0.4};

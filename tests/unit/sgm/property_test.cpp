@@ -1,4 +1,4 @@
-// What holds for every derivation, over a thousand seeds with all operations and all sides.
+// Invariants of every derivation, over a thousand seeds with all operations and all sides.
 #include "samples.h"
 
 #include <vug/base/parallel.h>
@@ -32,9 +32,9 @@ void expect_sound(const DerivationResult& cave, uint64_t seed) {
     EXPECT_TRUE(makes_label(p.base_bond, p.shape_bond, size)) << seed;
     EXPECT_TRUE(on_side(p.base_bond, p.side)) << seed;
     EXPECT_TRUE(consumed.insert(p.base_bond_id).second) << "glued twice, seed " << seed;
-    // A cut leaves its wall bare, and a new bond may lie on it; what was joined stays joined.
+    // A cut exposes its wall, which may carry a new bond; joined parts stay joined.
     if (p.operation == Operation::subtract || p.operation == Operation::intersect) continue;
-    for (const Bond& free : cave.bonds)  // neither half of a label is free any more
+    for (const Bond& free : cave.bonds)  // Neither half of a label is free any more.
       EXPECT_FALSE((free.point - p.base_bond.point).length() < 1e-6 * size &&
                    (free.direction - p.base_bond.direction).length() < 1e-6)
           << seed;

@@ -14,7 +14,7 @@ Vec3d somewhere(RandomStream& random) {
   return {random.uniform(-3, 5), random.uniform(-3, 3), random.uniform(-3, 3)};
 }
 
-/// Both local fields, sharp and blended, on solids that overlap.
+/// Both local fields, sharp and blended, on overlapping solids.
 std::vector<Field> samples() {
   const Field base = field::unite({ball(1), moved(box({1, 0.6, 0.7}), {1, 0.2, 0})});
   const Field shape = moved(torus(0.8, 0.4), {2, 0.1, 0});
@@ -56,15 +56,16 @@ TEST(LocalMorph, EndsAreTheBaseAndTheUnionBitForBit) {
 TEST(LocalMorph, NestsWithoutDoublingTheWork) {
   Field f = ball(1);
   for (int i = 1; i <= 200; ++i) f = local_morph(f, moved(ball(1), {0.5 * i, 0, 0}), 0.5);
-  EXPECT_LT(f.value({0, 0, 0}), 0);  // would take 2^200 evaluations if the base was read twice
+  EXPECT_LT(f.value({0, 0, 0}),
+            0);  // Would take 2^200 evaluations if the base was evaluated twice.
 }
 
 TEST(LocalIntersection, LeavesWhatLiesBehind) {
   const Field base = box({5, 1, 1}), shape = moved(ball(1.5), {4, 0, 0});
   const Field f = local_intersection(base, shape, {4, 0, 0}, {1, 0, 0}, 3);
   EXPECT_LT(f.value({-4.9, 0.9, 0.9}), 0);
-  EXPECT_LT(f.value({3.9, 0.9, 0.9}), 0);    // behind the plane
-  EXPECT_GT(f.value({4.9, 0.95, 0.95}), 0);  // beyond it and outside the ball
+  EXPECT_LT(f.value({3.9, 0.9, 0.9}), 0);    // Behind the plane.
+  EXPECT_GT(f.value({4.9, 0.95, 0.95}), 0);  // Beyond it and outside the ball.
   EXPECT_NEAR(f.value({5, 0, 0}), 0, 1e-12);
 }
 
@@ -106,7 +107,7 @@ TEST(LocalFields, IntervalsHoldSamples) {
 TEST(LocalFields, GradientsMatchDifferencesAndTheLipschitzConstant) {
   RandomStream random(RandomKey(5));
   for (const Field& f : samples()) {
-    int bad = 0;  // at creases the one-sided gradient and the difference disagree
+    int bad = 0;  // At creases the one-sided gradient and the difference disagree.
     for (int i = 0; i < 1000; ++i) {
       const Vec3d p = somewhere(random), q = somewhere(random);
       ASSERT_LE(std::fabs(f.value(p) - f.value(q)), f.lipschitz() * (p - q).length() + 1e-12);
@@ -130,7 +131,7 @@ TEST(LocalFields, BoundsHoldTheInside) {
     }
 }
 
-// What offsets, displacement and further blends need to stay finite.
+// Required by offsets, displacement and further blends to stay finite.
 TEST(LocalFields, GrowAwayFromTheirBounds) {
   RandomStream random(RandomKey(7));
   for (const Field& f : samples()) {

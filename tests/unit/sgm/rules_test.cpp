@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint64_t kSeeds = 100;
 
-/// The box around the solid's points on the lattice of 0.25 m.
+/// The bounding box of the solid's points on a lattice of 0.25 m.
 Box3d box_of(const Field& f) {
   constexpr double kStep = 0.25;
   Box3d out;

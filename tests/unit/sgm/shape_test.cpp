@@ -18,7 +18,7 @@ void expect_on_surface(const Field& f, const std::vector<Bond>& bonds) {
   }
 }
 
-// Figure 6: the bonds of a cuboid lie in the middle of its faces.
+// Figure 6: the bonds of a cuboid are at the centres of its faces.
 TEST(BondsOf, ACuboid) {
   const Field f = moved(box({1, 2, 3}), {10, 20, 30});
   const auto bonds = bonds_of(f);
@@ -40,13 +40,13 @@ TEST(BondsOf, ATorusHasSupportPointsAlongItsHole) {
   EXPECT_LT((bonds[1].point - Vec3d(1.25, 0, 0)).length(), 1e-12);
   for (const size_t along : {2u, 3u}) {
     EXPECT_NEAR(std::fabs(bonds[along].point.y), 0.25,
-                1e-5);  // support points are to 1e-6 of the size
+                1e-5);  // Support points are accurate to 1e-6 of the size.
     EXPECT_NEAR(std::hypot(bonds[along].point.x, bonds[along].point.z), 1, 1e-2);
   }
 }
 
 TEST(BondsOf, AnEmptyMiddleFallsBackToTheSupportPoint) {
-  // Two balls beside each other: the ray along y falls between them.
+  // Two balls next to each other: the ray along y passes between them.
   const Field f = field::unite({moved(ball(1), {-3, 0, 0}), moved(ball(1), {3, 0, 0})});
   const auto top = bond_on(f, Label::plus_y);
   ASSERT_TRUE(top);
@@ -76,12 +76,12 @@ TEST(BondsOf, EndlessSolids) {
   EXPECT_TRUE(bonds_of(Field()).empty());
 }
 
-// Whatever kinds there are: bonds lie on the surface and point outwards.
+// For all existing kinds: bonds lie on the surface and point outwards.
 TEST(BondsOf, EveryPrimitiveKind) {
   for (const field::FieldKind* kind : field::primitives()) {
     Diagnostics diagnostics;
     const auto f = kind->make({}, {}, diagnostics);
-    if (!f) continue;  // wants a file or another field
+    if (!f) continue;  // Requires a file or another field.
     SCOPED_TRACE(kind->info.name);
     const auto bonds = bonds_of(*f);
     expect_on_surface(*f, bonds);
@@ -97,7 +97,7 @@ TEST(Placed, CarriesBondsAlong) {
   const Transform map = Transform::translation({1, 2, 3}) * Transform::rotation({0, 1, 0}, kPi / 2);
   const Shape shape = transformed(make_shape("box", box({1, 2, 3})), map);
   expect_on_surface(shape.field, shape.bonds);
-  EXPECT_LT((shape.bonds[1].direction - Vec3d(0, 0, -1)).length(), 1e-12);  // +x turned to -z
+  EXPECT_LT((shape.bonds[1].direction - Vec3d(0, 0, -1)).length(), 1e-12);  // +x rotated to -z.
 }
 
 }  // namespace
